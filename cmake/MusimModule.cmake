@@ -1,0 +1,33 @@
+# One library per folder. `musim_module(NAME SOURCES ... PUBLIC ... PRIVATE ...)` gives it the project's language level, warnings and
+# floating-point rules; what it links is what it may include.
+
+set(MUSIM_WARNINGS -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wnon-virtual-dtor -Wold-style-cast -Wcast-align -Wunused
+    -Woverloaded-virtual -Wdouble-promotion -Wformat=2)
+
+# Results must be the same bits everywhere: IEEE rules stay on and no product is fused into a sum behind our back.
+set(MUSIM_FLOATING_POINT -ffp-contract=off -fno-fast-math)
+
+function(musim_compile_rules target)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
+  target_compile_options(${target} PRIVATE ${MUSIM_WARNINGS} ${MUSIM_FLOATING_POINT} $<$<BOOL:${MUSIM_WERROR}>:-Werror>
+                                           $<$<CONFIG:Release>:-O3>)
+  if(MUSIM_SANITIZE)
+    target_compile_options(${target} PRIVATE -fsanitize=${MUSIM_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+    target_link_options(${target} PUBLIC -fsanitize=${MUSIM_SANITIZE})
+    target_compile_definitions(${target} PUBLIC MUSIM_CONTRACTS=1)
+  endif()
+  target_compile_definitions(${target} PUBLIC $<$<CONFIG:Debug>:MUSIM_CONTRACTS=1>)
+endfunction()
+
+function(musim_module name)
+  cmake_parse_arguments(arg "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  add_library(musim_${name} STATIC ${arg_SOURCES})
+  add_library(musim::${name} ALIAS musim_${name})
+  set_target_properties(musim_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
+  target_include_directories(musim_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
+                                                  $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/musim>)
+  target_link_libraries(musim_${name} PUBLIC ${arg_PUBLIC} PRIVATE ${arg_PRIVATE})
+  musim_compile_rules(musim_${name})
+  set_property(GLOBAL APPEND PROPERTY MUSIM_MODULES musim_${name})
+endfunction()
