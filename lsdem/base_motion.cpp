@@ -1,0 +1,80 @@
+#include "lsdem/base_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace musim::lsdem {
+namespace {
+
+/// Where a time falls among the samples of a component.
+struct Place {
+    std::size_t index = 0;  ///< of the last sample at or before the time
+    double elapsed = 0.0;   ///< since that sample [s]
+    bool last = false;      ///< no sample follows
+};
+
+Place find_place(const BaseComponent& c, double time) {
+    const double since = time - c.start;
+    const std::size_t last = c.velocity.size() - 1;
+    if (last == 0) return {0, since, true};
+    const double steps = std::floor(since / c.dt);
+    const std::size_t index = steps >= static_cast<double>(last) ? last : static_cast<std::size_t>(steps);
+    return {index, since - static_cast<double>(index) * c.dt, index == last};
+}
+
+/// Acceleration that holds after sample `index` [m/s²].
+double slope(const BaseComponent& c, const Place& place) {
+    return place.last ? 0.0 : (c.velocity[place.index + 1] - c.velocity[place.index]) / c.dt;
+}
+
+bool at_rest(const BaseComponent& c, double time) { return c.velocity.empty() || time < c.start; }
+
+}  // namespace
+
+BaseMotion::BaseMotion(const std::array<BaseComponent, 3>& components) {
+    for (std::size_t a = 0; a < 3; ++a) {
+        const BaseComponent& c = components[a];
+        if (c.velocity.size() > 1 && !(c.dt > 0.0)) throw std::invalid_argument("base motion: the sample interval must be positive");
+        const bool finite = std::all_of(c.velocity.begin(), c.velocity.end(), [](double v) { return std::isfinite(v); });
+        if (!finite || !std::isfinite(c.start)) throw std::invalid_argument("base motion: a sample is not a finite number");
+        axes_[a].samples = c;
+        axes_[a].displacement.assign(c.velocity.size(), 0.0);
+        for (std::size_t k = 1; k < c.velocity.size(); ++k)
+            axes_[a].displacement[k] = axes_[a].displacement[k - 1] + 0.5 * c.dt * (c.velocity[k - 1] + c.velocity[k]);
+    }
+}
+
+Vector3 BaseMotion::displacement(double time) const {
+    Vector3 result = Vector3::Zero();
+    for (int a = 0; a < 3; ++a) {
+        const Axis& axis = axes_[static_cast<std::size_t>(a)];
+        if (at_rest(axis.samples, time)) continue;
+        const Place at = find_place(axis.samples, time);
+        result[a] =
+            axis.displacement[at.index] + (axis.samples.velocity[at.index] + 0.5 * slope(axis.samples, at) * at.elapsed) * at.elapsed;
+    }
+    return result;
+}
+
+Vector3 BaseMotion::velocity(double time) const {
+    Vector3 result = Vector3::Zero();
+    for (int a = 0; a < 3; ++a) {
+        const BaseComponent& c = axes_[static_cast<std::size_t>(a)].samples;
+        if (at_rest(c, time)) continue;
+        const Place at = find_place(c, time);
+        result[a] = c.velocity[at.index] + slope(c, at) * at.elapsed;
+    }
+    return result;
+}
+
+Vector3 BaseMotion::acceleration(double time) const {
+    Vector3 result = Vector3::Zero();
+    for (int a = 0; a < 3; ++a) {
+        const BaseComponent& c = axes_[static_cast<std::size_t>(a)].samples;
+        if (!at_rest(c, time)) result[a] = slope(c, find_place(c, time));
+    }
+    return result;
+}
+
+}  // namespace musim::lsdem

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "lsdem/model.hpp"
+#include "lsdem/types.hpp"
+
+namespace musim::lsdem {
+
+/// Evaluates the prescribed motion of the base. Velocity is linear between samples, displacement its exact integral, zero before the start.
+class BaseMotion {
+  public:
+    /// Throws std::invalid_argument when a component has two or more samples and no positive dt, or a value that is not finite.
+    explicit BaseMotion(const std::array<BaseComponent, 3>& components);
+
+    Vector3 displacement(double time) const;  ///< [m]
+    Vector3 velocity(double time) const;      ///< [m/s]
+    Vector3 acceleration(double time) const;  ///< right-hand limit [m/s²]
+
+  private:
+    struct Axis {
+        BaseComponent samples;
+        std::vector<double> displacement;  ///< at the samples [m]
+    };
+    std::array<Axis, 3> axes_;
+};
+
+}  // namespace musim::lsdem

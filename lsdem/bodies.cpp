@@ -1,0 +1,29 @@
+#include "lsdem/bodies.hpp"
+
+namespace musim::lsdem {
+
+Bodies::Bodies(const Model& model) {
+    const std::size_t n = model.blocks.size();
+    for (auto* v : {&position, &previous_position, &velocity, &momentum, &force, &torque, &inverse_inertia}) v->resize(n, Vector3::Zero());
+    rotation.resize(n);
+    previous_rotation.resize(n);
+    orientation.resize(n);
+    mass.resize(n);
+    fixed.resize(n);
+    for (std::size_t i = 0; i < n; ++i) {
+        const Block& block = model.blocks[i];
+        const Vector3 inertia = block.mass * model.shapes[block.shape].inertia_over_mass;
+        position[i] = block.position;
+        orientation[i] = block.orientation;
+        rotation[i] = block.orientation.toRotationMatrix();
+        mass[i] = block.mass;
+        fixed[i] = block.fixed ? 1 : 0;
+        if (block.fixed) continue;
+        velocity[i] = block.velocity;
+        if (block.rotation_locked) continue;
+        inverse_inertia[i] = inertia.cwiseInverse();
+        momentum[i] = rotation[i] * inertia.cwiseProduct(rotation[i].transpose() * block.angular_velocity);
+    }
+}
+
+}  // namespace musim::lsdem

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "lsdem/model.hpp"
+#include "lsdem/types.hpp"
+
+namespace musim::lsdem {
+
+/// State of all blocks, one array per quantity, world frame. Positions belong to the current step n, momenta to n − 1/2 (leapfrog).
+struct Bodies {
+    std::vector<Vector3> position, previous_position;  ///< at steps n and n − 1 [m]
+    std::vector<Matrix3> rotation, previous_rotation;  ///< body to world, at steps n and n − 1
+    std::vector<Quaternion> orientation;               ///< body to world, at step n
+    std::vector<Vector3> velocity;                     ///< at step n − 1/2 [m/s]
+    std::vector<Vector3> momentum;                     ///< angular, about the centre of mass, at step n − 1/2 [kg·m²/s]
+    std::vector<Vector3> force, torque;                ///< of all contacts, at step n [N, N·m]
+    std::vector<double> mass;                          ///< [kg]
+    std::vector<Vector3> inverse_inertia;              ///< of the principal axes [1/(kg·m²)]; zero when rotation is locked
+    std::vector<std::uint8_t> fixed;
+
+    explicit Bodies(const Model& model);
+    std::size_t size() const { return mass.size(); }
+
+    /// Angular velocity for the angular momentum `l` in the orientation of step n, world frame [rad/s].
+    Vector3 spin(std::size_t i, const Vector3& l) const {
+        const Matrix3& r = rotation[i];
+        return r * inverse_inertia[i].cwiseProduct(r.transpose() * l);
+    }
+};
+
+}  // namespace musim::lsdem

@@ -1,0 +1,60 @@
+#include "lsdem/contact_law.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace musim::lsdem {
+namespace {
+
+/// −ln e as a function of ζ: 2ζ·acos(ζ)/sqrt(1 − ζ²), continued analytically through ζ = 1, where it is 2.
+double log_decrement(double zeta) {
+    const double gap = (1.0 - zeta) * (1.0 + zeta);
+    if (gap == 0.0) return 2.0;
+    return gap > 0.0 ? 2.0 * zeta * std::acos(zeta) / std::sqrt(gap) : 2.0 * zeta * std::acosh(zeta) / std::sqrt(-gap);
+}
+
+/// Stiffness of two springs in series, each half a block thick; equal ones are kept to the last bit.
+double in_series(double a, double b) { return a == b ? a : 2.0 * a * b / (a + b); }
+
+}  // namespace
+
+double compute_restitution(double damping_ratio) {
+    if (!(damping_ratio >= 0.0)) throw std::invalid_argument("compute_restitution: the damping ratio must not be negative");
+    return std::exp(-log_decrement(damping_ratio));
+}
+
+double compute_damping_ratio(double restitution) {
+    if (!(restitution > 0.0 && restitution <= 1.0)) throw std::invalid_argument("restitution must lie in (0, 1]");
+    const double wanted = -std::log(restitution);
+    // the decrement grows monotonically with ζ: bracket, then bisect to the last bit
+    double low = 0.0, high = 1.0;
+    while (log_decrement(high) < wanted) high *= 2.0;
+    for (double middle = 0.5 * high; middle > low && middle < high; middle = 0.5 * (low + high)) {
+        (log_decrement(middle) < wanted ? low : high) = middle;
+    }
+    return low;
+}
+
+Interface make_interface(const Material& a, const Material& b, double effective_mass, double face_area) {
+    Interface law;
+    law.normal_stiffness = in_series(a.normal_stiffness, b.normal_stiffness);
+    law.shear_stiffness = a.shear_stiffness + b.shear_stiffness > 0.0 ? in_series(a.shear_stiffness, b.shear_stiffness) : 0.0;
+    law.friction = std::min(a.friction, b.friction);
+    const double zeta = compute_damping_ratio(std::min(a.restitution, b.restitution));
+    const double shear_zeta = std::max(a.shear_damping_ratio, b.shear_damping_ratio);
+    law.normal_damping = 2.0 * zeta * std::sqrt(effective_mass * law.normal_stiffness / face_area);
+    law.shear_damping = 2.0 * shear_zeta * std::sqrt(effective_mass * law.shear_stiffness / face_area);
+    return law;
+}
+
+Interface scaled(const Interface& interface, double share) {
+    Interface law = interface;
+    law.normal_stiffness *= share;
+    law.shear_stiffness *= share;
+    law.normal_damping *= share;
+    law.shear_damping *= share;
+    return law;
+}
+
+}  // namespace musim::lsdem

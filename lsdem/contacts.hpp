@@ -1,0 +1,74 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "lsdem/bodies.hpp"
+#include "lsdem/contact_law.hpp"
+#include "lsdem/model.hpp"
+#include "lsdem/types.hpp"
+
+namespace musim::lsdem {
+
+/// Stands for the ground in place of a follower.
+inline constexpr std::uint32_t kGround = std::numeric_limits<std::uint32_t>::max();
+
+/// What a node remembers of its contact, in the follower's frame. Half a cache line: the history is the largest stream of a step.
+struct alignas(32) NodeHistory {
+    double slip[3] = {};  ///< ξ, elastic part of the slip, tangential [m]
+    /// Pressure of the normal dashpot at the last step [Pa]; infinite while the node is not in contact.
+    double damping_pressure = std::numeric_limits<double>::infinity();
+
+    bool touches() const { return damping_pressure != std::numeric_limits<double>::infinity(); }
+};
+
+/// Traction of the tangential dashpot at the last step, follower's frame [Pa]. Kept only where an interface has such a dashpot.
+struct ViscousTraction {
+    double value[3] = {};
+};
+
+/// Nodes of one block (the leader) that may touch one other block (the follower) or the ground before the next rebuild of the list.
+struct ContactPair {
+    std::uint32_t leader = 0;
+    std::uint32_t follower = kGround;
+    std::uint32_t first_node = 0;  ///< into ContactList::nodes and history
+    std::uint32_t node_count = 0;
+    Interface law;
+};
+
+/// What one pair did in the current step, world frame.
+struct PairForce {
+    Vector3 force = Vector3::Zero();                   ///< on the leader; the follower gets its opposite [N]
+    Vector3 leader_torque = Vector3::Zero();           ///< about the leader's centre of mass [N·m]
+    Vector3 follower_torque = Vector3::Zero();         ///< about the follower's centre of mass [N·m]
+    double elastic_normal = 0.0, elastic_shear = 0.0;  ///< stored now [J]
+    double overlap = 0.0;                              ///< largest of its nodes [m]
+    std::uint32_t touching = 0;                        ///< nodes in contact
+};
+
+/// Energy a pair has dissipated or taken from the base since the list was built [J].
+struct PairWork {
+    double friction = 0.0, damping = 0.0, base = 0.0;
+};
+
+/// All pairs that may touch before the next rebuild, sorted by (leader, follower), and their nodes.
+struct ContactList {
+    std::vector<ContactPair> pairs;
+    std::vector<std::uint32_t> nodes;      ///< indices into the leader shape's nodes, ascending within a pair
+    std::vector<NodeHistory> history;      ///< one per entry of `nodes`
+    std::vector<ViscousTraction> viscous;  ///< one per entry of `nodes`, or empty when no interface has a tangential dashpot
+    std::vector<PairForce> forces;         ///< one per pair
+    std::vector<PairWork> work;            ///< one per pair
+};
+
+/// Where the base was and is.
+struct BasePose {
+    Vector3 displacement = Vector3::Zero(), previous = Vector3::Zero();  ///< at steps n and n − 1 [m]
+};
+
+/// Forces of pairs [first, last) at step n, from the poses at n and n − 1; updates history and work. Pairs are independent of each other.
+void compute_contacts(const Model& model, const Bodies& bodies, const BasePose& base, double dt, std::size_t first, std::size_t last,
+                      ContactList& list);
+
+}  // namespace musim::lsdem

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "lsdem/shape.hpp"
+#include "lsdem/types.hpp"
+
+namespace musim::lsdem {
+
+/// Contact properties of one side of an interface. A pair of blocks combines its two sides, see `combine` in contact_law.hpp.
+struct Material {
+    double normal_stiffness = 0.0;     ///< K_n = k_n/A_face [Pa/m]
+    double shear_stiffness = 0.0;      ///< K_s = k_s/A_face [Pa/m]
+    double friction = 0.0;             ///< Coulomb coefficient μ [-]
+    double restitution = 0.0;          ///< normal coefficient of restitution e, in (0, 1] [-]
+    double shear_damping_ratio = 0.0;  ///< ζ_s of the optional tangential dashpot, 0 in the papers [-]
+};
+
+/// One rigid block. The body frame has its origin in the centre of mass and its axes along the principal axes of inertia.
+struct Block {
+    std::size_t shape = 0;                            ///< index into Model::shapes
+    std::size_t material = 0;                         ///< index into Model::materials
+    double mass = 0.0;                                ///< [kg]
+    Vector3 position = Vector3::Zero();               ///< centre of mass, world frame [m]
+    Quaternion orientation = Quaternion::Identity();  ///< body to world
+    Vector3 velocity = Vector3::Zero();               ///< of the centre of mass, world frame [m/s]
+    Vector3 angular_velocity = Vector3::Zero();       ///< world frame [rad/s]
+    bool fixed = false;                               ///< held in place: takes forces, does not move
+    bool rotation_locked = false;                     ///< translates only; for wave-speed calibration and rigid-plastic limits
+};
+
+/// Prescribed velocity of the base along one world axis: samples v_k at t_k = start + k·dt, linear in between, so that the acceleration
+/// is stepwise constant and the displacement, its exact integral, is piecewise quadratic. Zero before `start`; the last sample holds after
+/// the end. A first sample that is not zero is a step in velocity.
+struct BaseComponent {
+    double start = 0.0;            ///< t_0 [s]
+    double dt = 0.0;               ///< [s]; irrelevant with fewer than two samples
+    std::vector<double> velocity;  ///< v_k [m/s]; empty: this axis does not move
+};
+
+/// The plane z = 0 that carries the structure and moves with the base.
+struct Ground {
+    bool present = true;
+    Material material;
+    std::array<BaseComponent, 3> motion;  ///< along x, y, z
+};
+
+/// Which nodes probe a pair of blocks.
+enum class ContactNodes {
+    leader,  ///< those of the leader (the lower block), as in [Harmon23]
+    both     ///< those of both blocks, each side with half the stiffness per area
+};
+
+/// Everything that defines a simulation, apart from its time step.
+struct Model {
+    std::vector<Shape> shapes;
+    std::vector<Material> materials;
+    std::vector<Block> blocks;
+    Ground ground;
+    Vector3 gravity = Vector3::Zero();  ///< world frame [m/s²]
+    ContactNodes contact_nodes = ContactNodes::leader;
+};
+
+}  // namespace musim::lsdem

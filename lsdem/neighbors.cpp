@@ -1,0 +1,223 @@
+#include "lsdem/neighbors.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <tuple>
+#include <utility>
+
+namespace musim::lsdem {
+namespace {
+
+/// World half extents of a block's bounding box [m].
+Vector3 world_half(const Matrix3& rotation, const Vector3& half) { return rotation.cwiseAbs() * half; }
+
+bool overlap_along(double center_a, double half_a, double center_b, double half_b, double skin) {
+    return std::abs(center_a - center_b) <= half_a + half_b + skin;
+}
+
+/// Oriented boxes: separated by more than `skin` along a face normal of either?
+bool separated(const Matrix3& ra, const Vector3& ha, const Matrix3& rb, const Vector3& hb, const Vector3& offset, double skin) {
+    const Matrix3 between = (ra.transpose() * rb).cwiseAbs();
+    const Vector3 in_a = ra.transpose() * offset, in_b = rb.transpose() * offset;
+    const Vector3 gap_a = in_a.cwiseAbs() - ha - between * hb, gap_b = in_b.cwiseAbs() - hb - between.transpose() * ha;
+    return std::max(gap_a.maxCoeff(), gap_b.maxCoeff()) > skin;
+}
+
+/// Cell of a regular grid as a sortable key.
+struct CellEntry {
+    std::array<std::int64_t, 3> cell;
+    std::uint32_t block;
+    bool operator<(const CellEntry& other) const { return std::tie(cell, block) < std::tie(other.cell, other.block); }
+};
+
+/// Rows of cells, relative to a cell, that hold its neighbors not met before: with the rest of its own row, half of the 26.
+constexpr std::array<std::pair<int, int>, 4> kForwardRows{{{0, 1}, {1, -1}, {1, 0}, {1, 1}}};
+
+/// Cell number of a coordinate in cells. A block that has flown off farther than 2^40 cells shares the last one.
+std::int64_t find_cell(double place) {
+    constexpr double kFarthest = 1099511627776.0;
+    return static_cast<std::int64_t>(std::floor(std::clamp(place, -kFarthest, kFarthest)));
+}
+
+bool same_pair(const ContactPair& a, const ContactPair& b) { return a.leader == b.leader && a.follower == b.follower; }
+
+bool before(const ContactPair& a, const ContactPair& b) { return std::tie(a.leader, a.follower) < std::tie(b.leader, b.follower); }
+
+/// Copies the history of nodes that stay, both lists ascending; ends nothing: a node that leaves the list is at least a skin away.
+void carry_history(const ContactPair& from, const ContactList& old_list, const ContactPair& to, ContactList& list) {
+    std::uint32_t o = from.first_node;
+    const std::uint32_t old_end = from.first_node + from.node_count;
+    for (std::uint32_t n = to.first_node; n < to.first_node + to.node_count; ++n) {
+        while (o < old_end && old_list.nodes[o] < list.nodes[n]) ++o;
+        if (o == old_end || old_list.nodes[o] != list.nodes[n]) continue;
+        list.history[n] = old_list.history[o];
+        if (!list.viscous.empty() && !old_list.viscous.empty()) list.viscous[n] = old_list.viscous[o];
+    }
+}
+
+void add_work(const PairWork& from, PairWork& to) {
+    to.friction += from.friction;
+    to.damping += from.damping;
+    to.base += from.base;
+}
+
+}  // namespace
+
+bool leads(const Bodies& bodies, std::uint32_t a, std::uint32_t b) {
+    const double za = bodies.position[a].z(), zb = bodies.position[b].z();
+    return za < zb || (za == zb && a < b);
+}
+
+NeighborSearch::NeighborSearch(const Model& model) : model_(&model) {
+    double smallest = std::numeric_limits<double>::infinity();
+    for (const Block& block : model.blocks) smallest = std::min(smallest, 2.0 * model.shapes[block.shape].half_extents.minCoeff());
+    skin_ = model.blocks.empty() ? 0.0 : kNeighborSkin * smallest;
+}
+
+double NeighborSearch::compute_drift(std::size_t i, const Bodies& bodies, const BasePose& base) const {
+    const Vector3& half = model_->shapes[model_->blocks[i].shape].half_extents;
+    const Vector3 moved = (bodies.position[i] - built_position_[i]) - (base.displacement - built_base_);
+    const Matrix3 turned = bodies.rotation[i] - built_rotation_[i];
+    return moved.norm() + turned.col(0).norm() * half.x() + turned.col(1).norm() * half.y() + turned.col(2).norm() * half.z();
+}
+
+Interface NeighborSearch::make_pair_interface(std::uint32_t leader, std::uint32_t follower) const {
+    const Block& a = model_->blocks[leader];
+    const double area_a = model_->shapes[a.shape].face_area;
+    if (follower == kGround) return make_interface(model_->materials[a.material], model_->ground.material, a.mass, area_a);
+    const Block& b = model_->blocks[follower];
+    const double effective = a.fixed ? b.mass : b.fixed ? a.mass : a.mass * b.mass / (a.mass + b.mass);
+    const double area = std::min(area_a, model_->shapes[b.shape].face_area);
+    const Interface whole = make_interface(model_->materials[a.material], model_->materials[b.material], effective, area);
+    return model_->contact_nodes == ContactNodes::both ? scaled(whole, 0.5) : whole;
+}
+
+void NeighborSearch::find_block_pairs(const Bodies& bodies, std::vector<BlockPair>& pairs) const {
+    const std::size_t n = bodies.size();
+    std::vector<Vector3> half(n);
+    Vector3 cell_size = Vector3::Zero();
+    for (std::size_t i = 0; i < n; ++i) {
+        half[i] = world_half(bodies.rotation[i], model_->shapes[model_->blocks[i].shape].half_extents);
+        cell_size = cell_size.cwiseMax(2.0 * half[i]);
+    }
+    cell_size += Vector3::Constant(skin_);
+
+    // no box is larger than a cell, so boxes that meet have centres in the same or in adjacent cells
+    std::vector<CellEntry> entries(n);
+    for (std::size_t i = 0; i < n; ++i) {
+        for (int a = 0; a < 3; ++a) entries[i].cell[static_cast<std::size_t>(a)] = find_cell(bodies.position[i][a] / cell_size[a]);
+        entries[i].block = static_cast<std::uint32_t>(i);
+    }
+    std::sort(entries.begin(), entries.end());
+
+    const auto consider = [&](std::uint32_t i, std::uint32_t j) {
+        if (model_->blocks[i].fixed && model_->blocks[j].fixed) return;
+        for (int a = 0; a < 3; ++a)
+            if (!overlap_along(bodies.position[i][a], half[i][a], bodies.position[j][a], half[j][a], skin_)) return;
+        const Vector3& half_i = model_->shapes[model_->blocks[i].shape].half_extents;
+        const Vector3& half_j = model_->shapes[model_->blocks[j].shape].half_extents;
+        if (separated(bodies.rotation[i], half_i, bodies.rotation[j], half_j, bodies.position[j] - bodies.position[i], skin_)) return;
+        pairs.push_back({std::min(i, j), std::max(i, j)});
+    };
+    // each row of three cells along the last axis is contiguous in the sorted list
+    for (std::size_t e = 0; e < n; ++e) {
+        const CellEntry& entry = entries[e];
+        for (std::size_t later = e + 1; later < n; ++later) {
+            const CellEntry& other = entries[later];
+            if (other.cell[0] != entry.cell[0] || other.cell[1] != entry.cell[1] || other.cell[2] > entry.cell[2] + 1) break;
+            consider(entry.block, other.block);
+        }
+        for (const auto& [dx, dy] : kForwardRows) {
+            const CellEntry low{{entry.cell[0] + dx, entry.cell[1] + dy, entry.cell[2] - 1}, 0};
+            for (auto it = std::lower_bound(entries.begin(), entries.end(), low); it != entries.end(); ++it) {
+                if (it->cell[0] != low.cell[0] || it->cell[1] != low.cell[1] || it->cell[2] > entry.cell[2] + 1) break;
+                consider(entry.block, it->block);
+            }
+        }
+    }
+}
+
+void NeighborSearch::add_pair(BlockPair blocks, const Bodies& bodies, const BasePose& base, ContactList& list) const {
+    const SurfaceNodes& nodes = model_->shapes[model_->blocks[blocks.leader].shape].nodes;
+    const bool ground = blocks.follower == kGround;
+    const Matrix3 to_follower = ground ? Matrix3(Matrix3::Identity()) : Matrix3(bodies.rotation[blocks.follower].transpose());
+    const Vector3 origin = ground ? base.displacement : bodies.position[blocks.follower];
+    const Matrix3 q = to_follower * bodies.rotation[blocks.leader];
+    const Matrix3 q_abs = q.cwiseAbs();
+    const Vector3 t = to_follower * (bodies.position[blocks.leader] - origin);
+    const Vector3 half = ground ? Vector3::Zero() : model_->shapes[model_->blocks[blocks.follower].shape].half_extents;
+
+    const auto first = static_cast<std::uint32_t>(list.nodes.size());
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        const Vector3 y = q * nodes.position(i) + t;
+        if (ground) {
+            if (y.z() > skin_) continue;
+        } else {
+            // a node counts as long as some of its cell lies on the follower
+            const Vector3 center{nodes.center_x[i], nodes.center_y[i], nodes.center_z[i]};
+            const Vector3 cell{nodes.half_x[i], nodes.half_y[i], nodes.half_z[i]};
+            const Vector3 reach = half + Vector3::Constant(skin_) + q_abs * (cell + center.cwiseAbs());
+            if ((y.cwiseAbs() - reach).maxCoeff() > 0.0) continue;
+        }
+        list.nodes.push_back(static_cast<std::uint32_t>(i));
+    }
+    const auto count = static_cast<std::uint32_t>(list.nodes.size()) - first;
+    if (count == 0) return;
+    list.pairs.push_back({blocks.leader, blocks.follower, first, count, make_pair_interface(blocks.leader, blocks.follower)});
+}
+
+void NeighborSearch::rebuild(const Bodies& bodies, const BasePose& base, ContactList& list, PairWork& finished) {
+    built_position_ = bodies.position;
+    built_rotation_ = bodies.rotation;
+    built_base_ = base.displacement;
+
+    std::swap(list, previous_);
+    list.pairs.clear();
+    list.nodes.clear();
+    const auto had = [&](std::uint32_t leader, std::uint32_t follower) {
+        ContactPair wanted;
+        wanted.leader = leader;
+        wanted.follower = follower;
+        return std::binary_search(previous_.pairs.begin(), previous_.pairs.end(), wanted, before);
+    };
+
+    // directed pairs, sorted; a pair that persists keeps its leader
+    std::vector<BlockPair> found, directed;
+    find_block_pairs(bodies, found);
+    for (const BlockPair& p : found) {
+        const bool both = model_->contact_nodes == ContactNodes::both;
+        const bool first_leads = had(p.leader, p.follower) || (!had(p.follower, p.leader) && leads(bodies, p.leader, p.follower));
+        if (both || first_leads) directed.push_back({p.leader, p.follower});
+        if (both || !first_leads) directed.push_back({p.follower, p.leader});
+    }
+    if (model_->ground.present) {
+        for (std::uint32_t i = 0; i < bodies.size(); ++i) {
+            const Vector3 half = world_half(bodies.rotation[i], model_->shapes[model_->blocks[i].shape].half_extents);
+            const bool near = bodies.position[i].z() - half.z() <= base.displacement.z() + skin_;
+            if (near && bodies.fixed[i] == 0) directed.push_back({i, kGround});
+        }
+    }
+    std::sort(directed.begin(), directed.end(),
+              [](const BlockPair& a, const BlockPair& b) { return std::tie(a.leader, a.follower) < std::tie(b.leader, b.follower); });
+    for (const BlockPair& p : directed) add_pair(p, bodies, base, list);
+
+    list.history.assign(list.nodes.size(), NodeHistory{});
+    const bool any_viscous =
+        std::any_of(list.pairs.begin(), list.pairs.end(), [](const ContactPair& p) { return p.law.shear_damping > 0.0; });
+    list.viscous.assign(any_viscous ? list.nodes.size() : 0, ViscousTraction{});
+    list.forces.assign(list.pairs.size(), PairForce{});
+    list.work.assign(list.pairs.size(), PairWork{});
+    auto old = previous_.pairs.begin();
+    for (std::size_t p = 0; p < list.pairs.size(); ++p) {
+        while (old != previous_.pairs.end() && before(*old, list.pairs[p])) ++old;
+        if (old == previous_.pairs.end() || !same_pair(*old, list.pairs[p])) continue;
+        const auto o = static_cast<std::size_t>(old - previous_.pairs.begin());
+        carry_history(*old, previous_, list.pairs[p], list);
+        list.forces[p] = previous_.forces[o];
+    }
+    for (const PairWork& w : previous_.work) add_work(w, finished);
+}
+
+}  // namespace musim::lsdem

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstddef>
+#include <variant>
+#include <vector>
+
+#include "lsdem/level_set.hpp"
+#include "lsdem/types.hpp"
+
+namespace musim::lsdem {
+
+/// Nodes on the surface of a shape, structure of arrays, body frame.
+///
+/// On a faceted shape a node stands for a rectangular cell of every face it lies on: its area vector holds, per axis, the outward sign of
+/// that face times the node's share of it, and a contact acts on the share of the face that looks at the follower. The cell reaches from
+/// position + center − half to position + center + half. On a smooth shape the area vector is the outward normal times the node's area,
+/// and the cell has no size.
+struct SurfaceNodes {
+    std::vector<double> x, y, z;                       ///< position [m]
+    std::vector<double> area_x, area_y, area_z;        ///< signed area shares [m²]
+    std::vector<double> center_x, center_y, center_z;  ///< middle of the cell, relative to the node [m]
+    std::vector<double> half_x, half_y, half_z;        ///< half extents of the cell [m]
+
+    std::size_t size() const { return x.size(); }
+    Vector3 position(std::size_t i) const { return {x[i], y[i], z[i]}; }
+    Vector3 area(std::size_t i) const { return {area_x[i], area_y[i], area_z[i]}; }
+};
+
+/// Geometry of a block, shared by all blocks that are equal: level set, surface nodes, mass properties of the homogeneous solid.
+struct Shape {
+    std::variant<BoxLevelSet, GridLevelSet> level_set;
+    SurfaceNodes nodes;
+    bool faceted = true;                          ///< flat faces across the body axes, as of a box
+    Vector3 half_extents = Vector3::Zero();       ///< of the bounding box in the body frame [m]
+    double volume = 0.0;                          ///< [m³]
+    Vector3 inertia_over_mass = Vector3::Zero();  ///< principal moments per unit mass [m²]
+    double face_area = 0.0;                       ///< A_face, the face k_n and k_s refer to: the one across the body z axis [m²]
+};
+
+/// How many nodes stand along each edge of a box, ends included.
+struct NodeLattice {
+    int nx = 0, ny = 0, nz = 0;
+};
+
+/// Lattice with exactly `nodes_per_face` nodes on the face across z, spaced as evenly as its divisors allow, and as wide along z.
+/// `size` are the edge lengths [m]. Throws std::invalid_argument when no lattice of that number has a spacing ratio below 3, naming the
+/// nearest number that does.
+NodeLattice make_node_lattice(const Vector3& size, int nodes_per_face);
+
+/// Box of edge lengths `size` [m] with its closed-form level set and a lattice of surface nodes, edges and corners included.
+/// Trapezoidal cells: half along edges, a quarter at corners, so that the shares of a face sum to the face.
+Shape make_box_shape(const Vector3& size, const NodeLattice& lattice);
+
+/// The same nodes and mass properties with the level set sampled on a regular grid of spacing `voxel` [m].
+Shape make_grid_box_shape(const Vector3& size, const NodeLattice& lattice, double voxel);
+
+/// Sphere of the given radius [m] as a grid level set, with `node_count` nodes spread evenly over its surface (Fibonacci lattice).
+Shape make_sphere_shape(double radius, std::size_t node_count, double voxel);
+
+}  // namespace musim::lsdem

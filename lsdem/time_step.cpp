@@ -1,0 +1,139 @@
+#include "lsdem/time_step.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <stdexcept>
+#include <tuple>
+#include <vector>
+
+#include <Eigen/Eigenvalues>
+
+#include "lsdem/contact_law.hpp"
+
+namespace musim::lsdem {
+namespace {
+
+using Matrix6 = Eigen::Matrix<double, 6, 6>;
+
+/// Stiffness and damping of the nodes on one side, mass-normalised: the matrices of M^(-1/2) K M^(-1/2) and M^(-1/2) C M^(-1/2).
+struct ModeMatrices {
+    Matrix6 stiffness = Matrix6::Zero();  ///< [1/s²]
+    Matrix6 damping = Matrix6::Zero();    ///< [1/s]
+
+    void add(const ModeMatrices& other, double weight) {
+        stiffness += weight * other.stiffness;
+        damping += weight * other.damping;
+    }
+};
+
+/// Face of a shape across its z axis, on the side of `sign`, pressed on a rigid plane through an interface.
+ModeMatrices face_matrices(const Shape& shape, const Block& block, const Interface& law, double sign) {
+    const double per_root_mass = 1.0 / std::sqrt(block.mass);
+    const Vector3 per_root_inertia =
+        block.rotation_locked ? Vector3(Vector3::Zero()) : Vector3((block.mass * shape.inertia_over_mass).cwiseSqrt().cwiseInverse());
+    ModeMatrices sum;
+    for (std::size_t i = 0; i < shape.nodes.size(); ++i) {
+        const double area = std::max(0.0, sign * shape.nodes.area_z[i]);
+        if (area == 0.0) continue;
+        // displacement of the node by unit translations and rotations
+        const Vector3 p = shape.nodes.position(i);
+        Eigen::Matrix<double, 3, 6> b;
+        b.leftCols<3>() = per_root_mass * Matrix3::Identity();
+        b.rightCols<3>() << 0.0, p.z(), -p.y(), -p.z(), 0.0, p.x(), p.y(), -p.x(), 0.0;
+        b.rightCols<3>() = (b.rightCols<3>() * per_root_inertia.asDiagonal()).eval();
+        const Vector3 k = area * Vector3(law.shear_stiffness, law.shear_stiffness, law.normal_stiffness);
+        const Vector3 c = area * Vector3(law.shear_damping, law.shear_damping, law.normal_damping);
+        sum.stiffness += b.transpose() * k.asDiagonal() * b;
+        sum.damping += b.transpose() * c.asDiagonal() * b;
+    }
+    return sum;
+}
+
+double largest_eigenvalue(const Matrix6& m) {
+    return Eigen::SelfAdjointEigenSolver<Matrix6>(m, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff();
+}
+
+/// dt for which the largest eigenvalue of K·dt²/4 + C·dt/2 is one.
+double solve_limit(const ModeMatrices& modes) {
+    const double undamped = 2.0 / std::sqrt(largest_eigenvalue(modes.stiffness));
+    const auto stable = [&](double fraction) {
+        const double dt = fraction * undamped;
+        return largest_eigenvalue(modes.stiffness * (0.25 * dt * dt) + modes.damping * (0.5 * dt)) < 1.0;
+    };
+    // damping only lowers the limit; its fraction of the undamped one is a pure number, found to 2^-40
+    double low = 0.0, high = 1.0;
+    for (int i = 0; i < 40; ++i) {
+        const double middle = 0.5 * (low + high);
+        (stable(middle) ? low : high) = middle;
+    }
+    return low * undamped;
+}
+
+/// The stiffest partner a block can meet: largest stiffness, damping and effective mass over all materials and masses of the model.
+class Partners {
+  public:
+    explicit Partners(const Model& model) : model_(model) {
+        for (const Block& block : model.blocks) heaviest_ = std::max(heaviest_, block.fixed ? kInfinite : block.mass);
+    }
+
+    Interface stiffest(const Block& block) const {
+        const double effective = heaviest_ == kInfinite ? block.mass : block.mass * heaviest_ / (block.mass + heaviest_);
+        Interface worst;
+        for (const Material& other : model_.materials) {
+            const double area = model_.shapes[block.shape].face_area;
+            const Interface law = make_interface(model_.materials[block.material], other, effective, area);
+            worst.normal_stiffness = std::max(worst.normal_stiffness, law.normal_stiffness);
+            worst.shear_stiffness = std::max(worst.shear_stiffness, law.shear_stiffness);
+            worst.normal_damping = std::max(worst.normal_damping, law.normal_damping);
+            worst.shear_damping = std::max(worst.shear_damping, law.shear_damping);
+        }
+        return worst;
+    }
+
+  private:
+    static constexpr double kInfinite = std::numeric_limits<double>::infinity();
+    const Model& model_;
+    double heaviest_ = 0.0;
+};
+
+double block_limit(const Model& model, const Partners& partners, const Block& block) {
+    const Shape& shape = model.shapes[block.shape];
+    const Interface between = partners.stiffest(block);
+    const ModeMatrices top = face_matrices(shape, block, between, 1.0), bottom = face_matrices(shape, block, between, -1.0);
+    ModeMatrices in_stack;
+    in_stack.add(top, 2.0);
+    in_stack.add(bottom, 2.0);
+    double limit = solve_limit(in_stack);
+    if (model.ground.present) {
+        const Interface on_ground = make_interface(model.materials[block.material], model.ground.material, block.mass, shape.face_area);
+        ModeMatrices at_base;
+        at_base.add(top, 2.0);
+        at_base.add(face_matrices(shape, block, on_ground, -1.0), 1.0);
+        limit = std::min(limit, solve_limit(at_base));
+    }
+    return limit;
+}
+
+}  // namespace
+
+double compute_critical_time_step(const Model& model) {
+    const Partners partners(model);
+    // equal blocks are computed once
+    std::map<std::tuple<std::size_t, std::size_t, double, bool>, double> known;
+    double limit = std::numeric_limits<double>::infinity();
+    for (const Block& block : model.blocks) {
+        if (block.fixed) continue;
+        if (!(model.materials[block.material].normal_stiffness > 0.0))
+            throw std::invalid_argument("compute_critical_time_step: the normal stiffness must be positive");
+        const auto key = std::tuple{block.shape, block.material, block.mass, block.rotation_locked};
+        const auto [entry, is_new] = known.try_emplace(key, 0.0);
+        if (is_new) entry->second = block_limit(model, partners, block);
+        limit = std::min(limit, entry->second);
+    }
+    if (!std::isfinite(limit)) throw std::invalid_argument("compute_critical_time_step: the model has no moving block");
+    return limit;
+}
+
+}  // namespace musim::lsdem
