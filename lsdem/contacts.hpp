@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -14,18 +16,23 @@ namespace musim::lsdem {
 /// Stands for the ground in place of a follower.
 inline constexpr std::uint32_t kGround = std::numeric_limits<std::uint32_t>::max();
 
-/// What a node remembers of its contact, in the follower's frame. Half a cache line: the history is the largest stream of a step.
-struct alignas(32) NodeHistory {
-    double slip[3] = {};  ///< ξ, elastic part of the slip, tangential [m]
+/// What the nodes of all pairs remember of their contacts, in the follower's frame; structure of arrays, one entry per entry of
+/// ContactList::nodes. The history is the largest stream of a step.
+struct ContactHistory {
+    std::array<std::vector<double>, 3> slip;  ///< ξ, elastic part of the slip, tangential [m]
     /// Pressure of the normal dashpot at the last step [Pa]; infinite while the node is not in contact.
-    double damping_pressure = std::numeric_limits<double>::infinity();
+    std::vector<double> damping_pressure;
+    /// Traction of the tangential dashpot at the last step [Pa]; empty when no interface has one.
+    std::array<std::vector<double>, 3> viscous;
 
-    bool touches() const { return damping_pressure != std::numeric_limits<double>::infinity(); }
-};
+    static constexpr double kNoContact = std::numeric_limits<double>::infinity();
+    bool touches(std::size_t entry) const { return damping_pressure[entry] != kNoContact; }
+    bool has_viscous() const { return !viscous[0].empty(); }
 
-/// Traction of the tangential dashpot at the last step, follower's frame [Pa]. Kept only where an interface has such a dashpot.
-struct ViscousTraction {
-    double value[3] = {};
+    /// All entries without contact.
+    void reset(std::size_t entries, bool with_viscous);
+    void end(std::size_t entry);
+    void copy(const ContactHistory& from, std::size_t from_entry, std::size_t entry);
 };
 
 /// Nodes of one block (the leader) that may touch one other block (the follower) or the ground before the next rebuild of the list.
@@ -55,11 +62,11 @@ struct PairWork {
 /// All pairs that may touch before the next rebuild, sorted by (leader, follower), and their nodes.
 struct ContactList {
     std::vector<ContactPair> pairs;
-    std::vector<std::uint32_t> nodes;      ///< indices into the leader shape's nodes, ascending within a pair
-    std::vector<NodeHistory> history;      ///< one per entry of `nodes`
-    std::vector<ViscousTraction> viscous;  ///< one per entry of `nodes`, or empty when no interface has a tangential dashpot
-    std::vector<PairForce> forces;         ///< one per pair
-    std::vector<PairWork> work;            ///< one per pair
+    /// Indices into the leader shape's nodes, ascending within a pair; the last one is repeated to fill a group of four.
+    std::vector<std::uint32_t> nodes;
+    ContactHistory history;
+    std::vector<PairForce> forces;  ///< one per pair
+    std::vector<PairWork> work;     ///< one per pair
 };
 
 /// Where the base was and is.

@@ -53,6 +53,12 @@ enum class ContactNodes {
     both     ///< those of both blocks, each side with half the stiffness per area
 };
 
+/// How the stiffness of a face is shared among its nodes.
+enum class StiffnessSharing {
+    per_area,    ///< by tributary area: independent of the node density and of how many blocks share a face
+    per_contact  ///< each pair of blocks gets the whole face's stiffness, divided by its nodes in contact, as [Harmon23] can be read
+};
+
 /// Everything that defines a simulation, apart from its time step.
 struct Model {
     std::vector<Shape> shapes;
@@ -61,6 +67,7 @@ struct Model {
     Ground ground;
     Vector3 gravity = Vector3::Zero();  ///< world frame [m/s²]
     ContactNodes contact_nodes = ContactNodes::leader;
+    StiffnessSharing stiffness_sharing = StiffnessSharing::per_area;
 };
 
 }  // namespace musim::lsdem

@@ -51,9 +51,7 @@ void carry_history(const ContactPair& from, const ContactList& old_list, const C
     const std::uint32_t old_end = from.first_node + from.node_count;
     for (std::uint32_t n = to.first_node; n < to.first_node + to.node_count; ++n) {
         while (o < old_end && old_list.nodes[o] < list.nodes[n]) ++o;
-        if (o == old_end || old_list.nodes[o] != list.nodes[n]) continue;
-        list.history[n] = old_list.history[o];
-        if (!list.viscous.empty() && !old_list.viscous.empty()) list.viscous[n] = old_list.viscous[o];
+        if (o < old_end && old_list.nodes[o] == list.nodes[n]) list.history.copy(old_list.history, o, n);
     }
 }
 
@@ -165,6 +163,7 @@ void NeighborSearch::add_pair(BlockPair blocks, const Bodies& bodies, const Base
     }
     const auto count = static_cast<std::uint32_t>(list.nodes.size()) - first;
     if (count == 0) return;
+    while (list.nodes.size() % 4 != 0) list.nodes.push_back(list.nodes.back());
     list.pairs.push_back({blocks.leader, blocks.follower, first, count, make_pair_interface(blocks.leader, blocks.follower)});
 }
 
@@ -203,10 +202,8 @@ void NeighborSearch::rebuild(const Bodies& bodies, const BasePose& base, Contact
               [](const BlockPair& a, const BlockPair& b) { return std::tie(a.leader, a.follower) < std::tie(b.leader, b.follower); });
     for (const BlockPair& p : directed) add_pair(p, bodies, base, list);
 
-    list.history.assign(list.nodes.size(), NodeHistory{});
-    const bool any_viscous =
-        std::any_of(list.pairs.begin(), list.pairs.end(), [](const ContactPair& p) { return p.law.shear_damping > 0.0; });
-    list.viscous.assign(any_viscous ? list.nodes.size() : 0, ViscousTraction{});
+    list.history.reset(list.nodes.size(), std::any_of(list.pairs.begin(), list.pairs.end(),
+                                                      [](const ContactPair& pair) { return pair.law.shear_damping > 0.0; }));
     list.forces.assign(list.pairs.size(), PairForce{});
     list.work.assign(list.pairs.size(), PairWork{});
     auto old = previous_.pairs.begin();

@@ -78,6 +78,7 @@ class Partners {
         for (const Block& block : model.blocks) heaviest_ = std::max(heaviest_, block.fixed ? kInfinite : block.mass);
     }
 
+    /// Per contact, each of the two blocks on a face brings the whole stiffness of the face.
     Interface stiffest(const Block& block) const {
         const double effective = heaviest_ == kInfinite ? block.mass : block.mass * heaviest_ / (block.mass + heaviest_);
         Interface worst;
@@ -89,7 +90,7 @@ class Partners {
             worst.normal_damping = std::max(worst.normal_damping, law.normal_damping);
             worst.shear_damping = std::max(worst.shear_damping, law.shear_damping);
         }
-        return worst;
+        return model_.stiffness_sharing == StiffnessSharing::per_contact ? scaled(worst, 2.0) : worst;
     }
 
   private:

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "lsdem/contact_law.hpp"
+#include "lsdem/contacts.hpp"
+#include "lsdem/shape.hpp"
+#include "lsdem/types.hpp"
+
+namespace musim::lsdem::detail {
+
+using Row = std::array<double, 3>;
+
+inline double dot(const Row& a, const Row& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+/// Axis along which a vector is largest.
+std::size_t largest_axis(const Row& v);
+
+/// Pose of the leader in the follower's frame, and its change over the last step. Differences of poses, not velocities times dt: their sum
+/// over time telescopes, so that a stuck node cannot creep by rounding or by the turning of its lever arm.
+struct RelativePose {
+    std::array<Row, 3> rotation;  ///< rows: leader's body frame to follower's frame
+    Row position;                 ///< leader's origin in the follower's frame [m]
+    std::array<Row, 3> rotation_change;
+    Row position_change;  ///< [m]
+
+    RelativePose(const Matrix3& q, const Vector3& t, const Matrix3& old_q, const Vector3& old_t);
+};
+
+/// Interface with the time step folded in: tractions from displacements.
+struct StepLaw {
+    double kn, ks, mu, cn, cs;  ///< K_n, K_s [Pa/m], μ [-], C_n/dt, C_s/dt [Pa/m]
+    double ks_inverse;          ///< 1/K_s, or zero without shear stiffness
+
+    StepLaw(const Interface& law, double dt);
+};
+
+/// Sums over the nodes of one pair, follower's frame; the moment about the follower's origin.
+struct PairSums {
+    Row force{}, moment{};
+    double elastic_normal = 0.0, elastic_shear = 0.0, friction = 0.0, damping = 0.0, overlap = 0.0;
+    std::uint32_t touching = 0;
+
+    void add_force_at(const Row& point, const Row& f);
+};
+
+/// A flat face of the follower: the plane of the ground, or one face of a box. The face of a box is chosen per pair, as the one the leader
+/// penetrates least: nodes near an edge of a shared face then push along its normal, not sideways.
+struct FlatFollower {
+    std::size_t axis = 2;  ///< of the follower's frame, along the normal
+    double side = 1.0;     ///< outward normal = side·e_axis
+    bool bounded = true;   ///< a face with edges; the ground has none
+    Row half{};            ///< half extents of the follower [m]
+};
+
+/// A contact that has just ended gives up what its springs and dashpots held; `share` is the area it could act on [m²].
+void end_contact(const StepLaw& law, const Row& normal, const Row& change, double share, std::size_t entry, ContactHistory& history,
+                 PairSums& sums);
+
+/// Nodes against a flat face, four at a time; compiled for AVX2 and for plain x86-64, same bits. See lsdem/README.md, "Contact".
+/// `equal_area`: the area every node in contact acts on, whatever its cell [m²] (StiffnessSharing::per_contact), or zero for its own.
+void sum_flat_nodes(const Shape& leader, const RelativePose& pose, const FlatFollower& face, const StepLaw& law, double equal_area,
+                    const ContactPair& pair, ContactList& list, PairSums& sums);
+
+}  // namespace musim::lsdem::detail
