@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scaling/dimension.hpp"
+
+namespace musim::scaling::detail {
+
+/// A unit to print in: chosen for values from `from` upwards [SI].
+struct DisplayUnit {
+    std::string_view name;
+    double size = 1.0;  ///< one unit in SI
+    double from = 1.0;
+};
+
+/// How people call and write a dimension.
+struct DimensionName {
+    Dimension dimension;
+    std::string_view name;                   ///< with its article: "a stiffness"
+    std::string_view example;                ///< "30 MN/m"
+    std::vector<DisplayUnit> display_units;  ///< from the smallest, which takes all below, to the largest
+};
+
+/// The entry of a dimension, or null when it has no name.
+const DimensionName* find_dimension_name(Dimension dimension);
+
+/// "a stiffness", or "in kg m^2 s^-5" for a dimension without a name.
+std::string describe(Dimension dimension);
+
+/// SI base units of a dimension: "kg m^2 s^-5"; empty for a plain number.
+std::string base_units(Dimension dimension);
+
+}  // namespace musim::scaling::detail

@@ -1,0 +1,157 @@
+#include "scaling/distortion.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string_view>
+#include <utility>
+
+namespace musim::scaling {
+
+namespace {
+
+/// Relative rounding of a group factor: some twenty products and roots of doubles, 1e-16 each, stay far below; a real distortion far above.
+constexpr double kRounding = 1e-12;
+
+constexpr std::string_view kRegimeGroup = "mu/tan(alpha)";
+
+/// What a group off by `factor` does to the response, by the group's name.
+struct GroupEffect {
+    std::string_view group;
+    std::string_view effect;
+};
+
+constexpr GroupEffect kEffects[] = {
+    {"mu^N", "sliding velocities and displacements do not scale back by this law"},
+    {"t*sqrt(mu*g/l)", "the shaking is too short or too long for the sliding time of the structure"},
+    {"a/(mu*g)", "sliding starts at another share of the shaking; slip does not scale back"},
+    {"a/g", "shaking against weight: uplift and normal forces do not scale back"},
+    {"a/(g*tan(alpha))", "rocking starts at another share of the shaking"},
+    {"a_vertical/g", "a vertical record scaled by this law changes normal forces, hence friction, by another share"},
+    {"omega/p", "a rocking block seems larger or smaller to the shaking than it is"},
+    {"Fr^N", "rocking velocities and falls do not scale back by this law"},
+    {kRegimeGroup, "sliding and rocking share the motion in another way"},
+    {"mu", "the friction coefficient itself differs; slip in combined motion does not scale back"},
+    {"kappa_n", "contacts are softer or harder under the block's weight than in the prototype"},
+    {"C^N", "normal contact waves cross the structure in another share of its motion"},
+    {"S_e^N", "the elastic front climbs the structure at another structural speed"},
+    {"k_s/k_n", "interfaces share deformation between shear and normal springs in another way"},
+    {"c_res", "impacts lose another share of their energy"},
+    {"sigma_H/H", "blocks are more or less even: other load paths"},
+    {"delta_w/sigma_H", "dead weight closes more or less of the uneven gaps: other load paths"},
+};
+
+std::string_view effect_of(std::string_view group) {
+    for (const GroupEffect& entry : kEffects) {
+        if (entry.group == group) return entry.effect;
+    }
+    return "";
+}
+
+void check_positive(std::string_view name, std::optional<double> value) {
+    if (!value || (std::isfinite(*value) && *value > 0.0)) return;
+    throw SimilitudeError(fmt::format("distortions: {} is {} (must be positive and finite); correct it or leave it out", name, *value));
+}
+
+void check(const ModelFacts& facts) {
+    check_positive("the prototype's friction coefficient", facts.friction_prototype);
+    for (const double slenderness : facts.slenderness) check_positive("a slenderness tan(alpha)", slenderness);
+    check_positive("the normal stiffness factor", facts.normal_stiffness);
+    check_positive("the shear stiffness factor", facts.shear_stiffness);
+    check_positive("the restitution factor", facts.restitution);
+    check_positive("the height deviation factor", facts.height_deviation);
+}
+
+/// "sliding first" or "rocking can start first" (README.md, Regime).
+std::string_view regime_name(double friction_over_slenderness) {
+    return friction_over_slenderness > 1.0 ? "rocking can start first" : "sliding first";
+}
+
+/// One clause for each direction in which μ/tan α lies on the other side of 1 in the model; empty when there is none.
+std::string describe_regime_changes(const Similitude& similitude, const ModelFacts& facts) {
+    std::string text;
+    if (!facts.friction_prototype) return text;
+    for (const double slenderness : facts.slenderness) {
+        const double prototype = *facts.friction_prototype / slenderness;
+        const double model = prototype * similitude.friction();
+        if ((prototype > 1.0) == (model > 1.0)) continue;
+        text += fmt::format("{}at tan(alpha) = {:.4g} mu/tan(alpha) goes from {:.4g} ({}) to {:.4g} ({})", text.empty() ? "" : "; ",
+                            slenderness, prototype, regime_name(prototype), model, regime_name(model));
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string_view to_string(Severity severity) {
+    switch (severity) {
+        case Severity::note:
+            return "note";
+        case Severity::warning:
+            return "warning";
+        case Severity::error:
+            break;
+    }
+    return "error";
+}
+
+std::vector<NamedFactor> group_factors(const Similitude& similitude, const ModelFacts& facts) {
+    check(facts);
+    const double length = similitude.length();
+    const double friction = similitude.friction();
+    const double gravity = similitude.gravity();
+    const double mass = similitude.mass();
+
+    // groups of the motion: similitude alone
+    const double shaking = similitude.acceleration() / gravity;
+    std::vector<NamedFactor> factors = {
+        {"mu^N", similitude.velocity() / std::sqrt(friction * gravity * length)},
+        {"t*sqrt(mu*g/l)", similitude.time() * std::sqrt(friction * gravity / length)},
+        {"a/(mu*g)", similitude.acceleration() / (friction * gravity)},
+        {"a/g", shaking},
+        {"a/(g*tan(alpha))", shaking},
+        {"a_vertical/g", shaking},
+        {"omega/p", similitude.frequency() / std::sqrt(gravity / length)},
+        {"Fr^N", similitude.velocity() / std::sqrt(gravity * length)},
+        {kRegimeGroup, friction},
+        {"mu", friction},
+    };
+
+    // groups of the contacts and of the blocks' making: what the model really has
+    if (facts.normal_stiffness) {
+        factors.push_back({"kappa_n", *facts.normal_stiffness / similitude.stiffness_static()});
+        factors.push_back({"C^N", similitude.velocity() / (length * std::sqrt(*facts.normal_stiffness / mass))});
+    }
+    if (facts.shear_stiffness) factors.push_back({"S_e^N", std::sqrt(*facts.shear_stiffness * length / (friction * mass * gravity))});
+    if (facts.normal_stiffness && facts.shear_stiffness) factors.push_back({"k_s/k_n", *facts.shear_stiffness / *facts.normal_stiffness});
+    if (facts.restitution) factors.push_back({"c_res", *facts.restitution});
+    if (facts.height_deviation) factors.push_back({"sigma_H/H", *facts.height_deviation / length});
+    if (facts.normal_stiffness && facts.height_deviation) {
+        factors.push_back({"delta_w/sigma_H", similitude.force_vertical() / (*facts.normal_stiffness * *facts.height_deviation)});
+    }
+    return factors;
+}
+
+std::vector<Distortion> find_distortions(const Similitude& similitude, const ModelFacts& facts) {
+    std::vector<Distortion> distortions;
+    for (const NamedFactor& group : group_factors(similitude, facts)) {
+        const double deviation = std::abs(group.value - 1.0);
+        if (deviation <= kRounding) continue;
+        Distortion distortion{.group = std::string(group.name),
+                              .factor = group.value,
+                              .severity = deviation < kNoteLimit ? Severity::note : Severity::warning,
+                              .effect = std::string(effect_of(group.name))};
+        if (group.name == kRegimeGroup) {
+            const std::string changes = describe_regime_changes(similitude, facts);
+            if (!changes.empty()) {
+                distortion.severity = Severity::error;
+                distortion.effect =
+                    changes + "; no scaling of the input restores it, choose a model material with friction nearer the prototype's";
+            }
+        }
+        distortions.push_back(std::move(distortion));
+    }
+    return distortions;
+}
+
+}  // namespace musim::scaling

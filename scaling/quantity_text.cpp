@@ -1,0 +1,55 @@
+#include "scaling/quantity_text.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "scaling/detail/dimension_names.hpp"
+#include "scaling/detail/number_text.hpp"
+#include "scaling/detail/unit_text.hpp"
+
+namespace musim::scaling {
+
+namespace {
+
+/// "a stiffness is wanted (such as "30 MN/m")"
+std::string wish(Dimension wanted) {
+    const detail::DimensionName* known = detail::find_dimension_name(wanted);
+    if (known == nullptr) return fmt::format("a quantity in {} is wanted", detail::base_units(wanted));
+    return fmt::format("{} is wanted (such as \"{}\")", known->name, known->example);
+}
+
+/// The unit in the reading of "g" that fits the wanted dimension.
+detail::Unit parse_unit_for(std::string_view unit_text, Dimension wanted, std::string_view text) {
+    const detail::Unit unit = detail::parse_unit(unit_text, detail::GramOrGravity::gram, text);
+    if (unit.dimension == wanted) return unit;
+    const detail::Unit with_gravity = detail::parse_unit(unit_text, detail::GramOrGravity::gravity, text);
+    if (with_gravity.dimension == wanted) return with_gravity;
+    throw ParseError(fmt::format("\"{}\": {}, this is {}", text, wish(wanted), detail::describe(unit.dimension)));
+}
+
+}  // namespace
+
+double parse_si(std::string_view text, Dimension wanted) {
+    const detail::NumberText number = detail::split_number(text);
+    if (number.rest.empty()) return detail::to_double(number, 0, text);
+    const detail::Unit unit = parse_unit_for(number.rest, wanted, text);
+    const double value = detail::to_double(number, unit.decimal_exponent, text) * unit.numerator / unit.denominator;
+    if (!std::isfinite(value)) throw ParseError(fmt::format("\"{}\": the value is too large for a double; check number and unit", text));
+    return value;
+}
+
+std::string format_si(double value, Dimension dimension, int digits) {
+    const detail::DimensionName* known = detail::find_dimension_name(dimension);
+    if (known == nullptr) return fmt::format("{:.{}g} {}", value, digits, detail::base_units(dimension));
+
+    // zero has no size of its own: print it in the largest unit not above the SI unit
+    const double size = value == 0.0 ? 1.0 : std::abs(value);
+    const detail::DisplayUnit* chosen = &known->display_units.front();
+    for (const detail::DisplayUnit& unit : known->display_units) {
+        if (size >= unit.from) chosen = &unit;
+    }
+    return fmt::format("{:.{}g}{}{}", value / chosen->size, digits, chosen->name.empty() ? "" : " ", chosen->name);
+}
+
+}  // namespace musim::scaling

@@ -1,0 +1,137 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "scaling/groups.hpp"
+#include "scaling/similitude.hpp"
+#include "tests/scaling/expected.hpp"
+
+// The tower of [Andrade22] and [Harmon23]: concrete prototype (mu 0.59, 2320 kg/m3, 38 x 4.25 m), wood and aluminium at 1:107, concrete
+// at 1:25, shaken by Ridgecrest CI.CLC 360 (0.511 g, 42.4 cm/s).
+namespace musim::scaling::tests {
+
+namespace {
+
+constexpr double kConcreteFriction = 0.59;
+constexpr double kWoodFriction = 0.63;
+constexpr double kAluminiumFriction = 0.18;
+
+const Length kTowerHeight = 161.5 * si::meter;
+const Velocity kPeakVelocity = 0.424 * si::meters_per_second;
+const Acceleration kPeakAcceleration = 0.511 * kStandardGravity;
+
+const ScaleFactors kWood{.length = 1.0 / 107.0, .friction = kWoodFriction / kConcreteFriction, .density = 800.0 / 2320.0};
+const ScaleFactors kAluminium{.length = 1.0 / 107.0, .friction = kAluminiumFriction / kConcreteFriction};
+const ScaleFactors kConcrete{.length = 1.0 / 25.0};
+const ScaleFactors kCentrifuge{.length = 1.0 / 25.0, .gravity = 25.0};
+
+struct KinematicCase {
+    std::string name;
+    Similitude similitude;
+    double friction_model;
+    Expected time, inverse_time, velocity, acceleration, peak_velocity_cm_s, peak_acceleration_g, mu_number, sliding_demand;
+};
+
+std::vector<KinematicCase> kinematic_cases() {
+    return {
+        {"prototype", Similitude{{}}, kConcreteFriction, 1.0, 1.0, 1.0, 1.0, 42.4, 0.511, "0.01387054", "0.8661017"},
+        {"1:107, mu unchanged", Similitude{{.length = 1.0 / 107.0}, Law::froude}, kConcreteFriction, "0.0966736", "10.34408", "0.0966736",
+         1.0, "4.098963", 0.511, "0.01387054", "0.8661017"},
+        {"1:107 wood, mu law", Similitude{kWood}, kWoodFriction, "0.09355432", "10.68898", "0.09989698", "1.0677966", "4.235632",
+         "0.5456441", "0.01387054", "0.8661017"},
+        {"1:107 wood, Froude input", Similitude{kWood, Law::froude}, kWoodFriction, "0.0966736", "10.34408", "0.0966736", 1.0, "4.098963",
+         0.511, "0.01342298", "0.8111111"},
+        {"1:107 aluminium, mu law", Similitude{kAluminium}, kAluminiumFriction, "0.1750241", "5.713499", "0.05339718", "0.3050847",
+         "2.264041", "0.1558983", "0.01387054", "0.8661017"},
+        {"1:107 aluminium, Froude input", Similitude{kAluminium, Law::froude}, kAluminiumFriction, "0.0966736", "10.34408", "0.0966736",
+         1.0, "4.098963", 0.511, "0.02511210", "2.838889"},
+        {"1:25 concrete", Similitude{kConcrete}, kConcreteFriction, 0.2, 5.0, 0.2, 1.0, 8.48, 0.511, "0.01387054", "0.8661017"},
+        {"1:25 centrifuge", Similitude{kCentrifuge, Law::exact}, kConcreteFriction, 0.04, 25.0, 1.0, 25.0, 42.4, 12.775, "0.01387054",
+         "0.8661017"},
+    };
+}
+
+struct DynamicCase {
+    std::string name;
+    Similitude similitude;
+    Expected mass, force, force_vertical, stress_vertical, energy, energy_potential, inertia, stiffness, damping;
+};
+
+std::vector<DynamicCase> dynamic_cases() {
+    return {
+        {"1:107 wood, mu law", Similitude{kWood}, "2.81482e-7", "3.00566e-7", "2.81482e-7", "3.22269e-3", "2.80902e-9", "2.63067e-9",
+         "2.45857e-11", "3.21605e-5", "3.00876e-6"},
+        {"1:107 wood, Froude input", Similitude{kWood, Law::froude}, "2.81482e-7", "2.81482e-7", "2.81482e-7", "3.22269e-3", "2.63067e-9",
+         "2.63067e-9", "2.45857e-11", "3.01186e-5", "2.91167e-6"},
+        {"1:25 concrete", Similitude{kConcrete}, 6.4e-5, 6.4e-5, 6.4e-5, 0.04, 2.56e-6, 2.56e-6, 1.024e-7, 1.6e-3, 3.2e-4},
+        {"centrifuge 25", Similitude{kCentrifuge, Law::exact}, 6.4e-5, 1.6e-3, 1.6e-3, 1.0, 6.4e-5, 6.4e-5, 1.024e-7, 0.04, 1.6e-3},
+    };
+}
+
+}  // namespace
+
+TEST_CASE("kinematic factors and scaled peaks of the papers' models agree with the reference table") {
+    for (const KinematicCase& row : kinematic_cases()) {
+        CAPTURE(row.name);
+        const Similitude& similitude = row.similitude;
+        CHECK_EXPECTED(similitude.time(), row.time);
+        CHECK_EXPECTED(1.0 / similitude.time(), row.inverse_time);
+        CHECK_EXPECTED(similitude.velocity(), row.velocity);
+        CHECK_EXPECTED(similitude.acceleration(), row.acceleration);
+
+        const Velocity peak_velocity = similitude.to_model(kPeakVelocity);
+        const Acceleration peak_acceleration = similitude.to_model(kPeakAcceleration);
+        const Acceleration gravity_model = kStandardGravity * similitude.gravity();
+        CHECK_EXPECTED(100.0 * peak_velocity.value(), row.peak_velocity_cm_s);
+        CHECK_EXPECTED(peak_acceleration / kStandardGravity, row.peak_acceleration_g);
+        CHECK_EXPECTED(groups::mu_number(peak_velocity, row.friction_model, gravity_model, similitude.to_model(kTowerHeight)),
+                       row.mu_number);
+        CHECK_EXPECTED(groups::sliding_demand(peak_acceleration, row.friction_model, gravity_model), row.sliding_demand);
+    }
+}
+
+TEST_CASE("dynamic factors of the papers' models agree with the reference table") {
+    for (const DynamicCase& row : dynamic_cases()) {
+        CAPTURE(row.name);
+        CHECK_EXPECTED(row.similitude.mass(), row.mass);
+        CHECK_EXPECTED(row.similitude.force(), row.force);
+        CHECK_EXPECTED(row.similitude.force_vertical(), row.force_vertical);
+        CHECK_EXPECTED(row.similitude.stress_vertical(), row.stress_vertical);
+        CHECK_EXPECTED(row.similitude.energy(), row.energy);
+        CHECK_EXPECTED(row.similitude.energy_potential(), row.energy_potential);
+        CHECK_EXPECTED(row.similitude.inertia(), row.inertia);
+        CHECK_EXPECTED(row.similitude.stiffness(), row.stiffness);
+        CHECK_EXPECTED(row.similitude.damping(), row.damping);
+    }
+}
+
+TEST_CASE("groups of the prototype under Ridgecrest and Denali agree with the reference table") {
+    CHECK_EXPECTED(groups::froude_number(kPeakVelocity, kStandardGravity, kTowerHeight), "0.01065416");
+    CHECK_EXPECTED(groups::mu_number(kPeakVelocity, kConcreteFriction, kStandardGravity, 160.0 * si::meter), "0.01393540");
+
+    const Velocity denali_velocity = 1.618 * si::meters_per_second;
+    CHECK_EXPECTED(groups::mu_number(denali_velocity, kConcreteFriction, kStandardGravity, kTowerHeight), "0.05293049");
+    CHECK_EXPECTED(groups::sliding_demand(0.33 * kStandardGravity, kConcreteFriction, kStandardGravity), "0.5593220");
+    CHECK_EXPECTED(100.0 * Similitude{kConcrete}.to_model(denali_velocity).value(), "32.36");
+}
+
+TEST_CASE("record steps and durations of the models agree with the reference table") {
+    const Time step = 0.005 * si::seconds;
+    const Time duration = 40.0 * si::seconds;
+    CHECK_EXPECTED(1e3 * Similitude{kWood}.to_model(step).value(), "0.4677716");
+    CHECK_EXPECTED(Similitude{kWood}.to_model(duration).value(), "3.742173");
+    CHECK_EXPECTED((1e3 * Similitude{kWood, Law::froude}.to_model(step).value()), "0.4833682");
+    CHECK_EXPECTED((Similitude{kWood, Law::froude}.to_model(duration).value()), "3.866946");
+    CHECK_EXPECTED(Similitude{kConcrete}.to_model(step).value(), 1e-3);
+    CHECK_EXPECTED(Similitude{kConcrete}.to_model(duration).value(), 8.0);
+}
+
+TEST_CASE("equation (4) of Harmon et al. is a misprint: the mu law gives 0.546 g in wood, not 0.0048 g") {
+    const Acceleration model = Similitude{kWood}.to_model(kPeakAcceleration);
+    CHECK_EXPECTED(model / kStandardGravity, "0.546");
+    CHECK_EXPECTED(kPeakAcceleration * kWood.length / kStandardGravity, "0.0048");
+}
+
+}  // namespace musim::scaling::tests

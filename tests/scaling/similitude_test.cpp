@@ -1,0 +1,192 @@
+#include "scaling/similitude.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "tests/scaling/expected.hpp"
+
+namespace musim::scaling::tests {
+
+namespace {
+
+constexpr Law kAllLaws[] = {Law::mu, Law::froude, Law::exact, Law::cauchy};
+
+bool is_power_of_two(double value) {
+    int exponent = 0;
+    return std::frexp(value, &exponent) == 0.5;
+}
+
+std::string message_of(const ScaleFactors& chosen, Law law) {
+    try {
+        const Similitude similitude{chosen, law};
+    } catch (const SimilitudeError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+}  // namespace
+
+TEST_CASE("every law is found by its name and an unknown one is answered with the list") {
+    for (const Law law : kAllLaws) CHECK(parse_law(to_string(law)) == law);
+    CHECK_THROWS_WITH_AS(parse_law("Froude"), "similitude: there is no law \"Froude\"; choose one of mu, froude, exact, cauchy",
+                         SimilitudeError);
+}
+
+TEST_CASE("the laws scale time, velocity and acceleration by their closed forms") {
+    const ScaleFactors chosen{.length = 0.03, .friction = 0.4, .gravity = 1.7, .density = 0.6};
+    const double l = chosen.length;
+    const double u = chosen.friction;
+    const double g = chosen.gravity;
+    const double r = chosen.density;
+
+    const Similitude mu{chosen, Law::mu};
+    CHECK_EXPECTED(mu.time(), std::sqrt(l / (u * g)));
+    CHECK_EXPECTED(mu.velocity(), std::sqrt(l * u * g));
+    CHECK_EXPECTED(mu.acceleration(), u * g);
+
+    const Similitude froude{chosen, Law::froude};
+    CHECK_EXPECTED(froude.time(), std::sqrt(l / g));
+    CHECK_EXPECTED(froude.velocity(), std::sqrt(l * g));
+    CHECK_EXPECTED(froude.acceleration(), g);
+
+    // same modulus: wave speeds, hence velocities, scale by √(1/λ_ρ)
+    const Similitude cauchy{chosen, Law::cauchy};
+    CHECK_EXPECTED(cauchy.time(), l * std::sqrt(r));
+    CHECK_EXPECTED(cauchy.velocity(), 1.0 / std::sqrt(r));
+    CHECK_EXPECTED(cauchy.stress(), 1.0);
+    CHECK_EXPECTED((Similitude{{.length = l}, Law::cauchy}.velocity()), 1.0);
+}
+
+TEST_CASE("factors of the mu law follow the table of powers") {
+    const ScaleFactors chosen{.length = 0.03, .friction = 0.4, .gravity = 1.7, .density = 0.6};
+    const double l = chosen.length;
+    const double u = chosen.friction;
+    const double g = chosen.gravity;
+    const double r = chosen.density;
+    const Similitude mu{chosen};
+    const double a = u * g;
+
+    CHECK_EXPECTED(mu.frequency(), std::sqrt(a / l));
+    CHECK_EXPECTED(mu.factor<AngularAcceleration>(), a / l);
+    CHECK_EXPECTED(mu.mass(), r * std::pow(l, 3));
+    CHECK_EXPECTED(mu.inertia(), r * std::pow(l, 5));
+    CHECK_EXPECTED(mu.force(), r * std::pow(l, 3) * a);
+    CHECK_EXPECTED(mu.force_vertical(), r * std::pow(l, 3) * g);
+    CHECK_EXPECTED(mu.moment(), r * std::pow(l, 4) * a);
+    CHECK_EXPECTED(mu.stress(), r * l * a);
+    CHECK_EXPECTED(mu.stress_vertical(), r * l * g);
+    CHECK_EXPECTED(mu.stiffness(), r * l * l * a);
+    CHECK_EXPECTED(mu.stiffness_static(), r * l * l * g);
+    CHECK_EXPECTED(mu.factor<StiffnessPerArea>(), r * a);
+    CHECK_EXPECTED(mu.damping(), r * std::pow(l, 2.5) * std::sqrt(a));
+    CHECK_EXPECTED(mu.energy(), r * std::pow(l, 4) * a);
+    CHECK_EXPECTED(mu.energy_potential(), r * std::pow(l, 4) * g);
+    CHECK_EXPECTED(mu.power(), r * std::pow(l, 3.5) * std::pow(a, 1.5));
+    CHECK_EXPECTED(mu.momentum(), r * std::pow(l, 3.5) * std::sqrt(a));
+    CHECK_EXPECTED(mu.arias_intensity(), std::sqrt(l * a) * u);
+}
+
+TEST_CASE("the Cauchy law and a centrifuge of gravity 1/length scale the same solid alike") {
+    const double l = 0.03;
+    const Similitude cauchy{{.length = l}, Law::cauchy};
+    const Similitude centrifuge{{.length = l, .gravity = 1.0 / l}, Law::exact};
+    for (const Similitude& similitude : {cauchy, centrifuge}) {
+        CHECK_EXPECTED(similitude.time(), l);
+        CHECK_EXPECTED(similitude.velocity(), 1.0);
+        CHECK_EXPECTED(similitude.acceleration(), 1.0 / l);
+        CHECK_EXPECTED(similitude.force(), l * l);
+        CHECK_EXPECTED(similitude.stiffness(), l);
+        CHECK_EXPECTED(similitude.factor<StiffnessPerArea>(), 1.0 / l);
+        CHECK_EXPECTED(similitude.damping(), l * l);
+        CHECK_EXPECTED(similitude.energy(), l * l * l);
+        CHECK_EXPECTED(similitude.power(), l * l);
+        CHECK_EXPECTED(similitude.momentum(), l * l * l);
+    }
+    CHECK_EXPECTED(cauchy.arias_intensity(), 1.0 / l);
+    CHECK_EXPECTED(centrifuge.arias_intensity(), 1.0);
+}
+
+TEST_CASE("lengths that are powers of four give factors that are exact powers of two") {
+    for (const double length : {1.0 / 16.0, 1.0 / 64.0, 4.0}) {
+        for (const double gravity : {1.0, 4.0}) {
+            for (const double density : {1.0, 0.5}) {
+                for (const Law law : {Law::mu, Law::froude, Law::exact}) {
+                    const Similitude similitude{{.length = length, .gravity = gravity, .density = density}, law};
+                    for (const NamedFactor& factor : similitude.factors()) {
+                        CAPTURE(factor.name);
+                        CHECK(is_power_of_two(factor.value));
+                    }
+                }
+            }
+        }
+    }
+    CHECK(Similitude{{.length = 1.0 / 16.0}}.time() == 0.25);
+    CHECK(Similitude{{.length = 1.0 / 64.0}}.damping() == std::ldexp(1.0, -15));
+    // the roots are taken of λ_l/λ_a and λ_l λ_a, not of each: 1/8 and 2 are no squares, 1/16 and 1/4 are
+    CHECK(Similitude{{.length = 1.0 / 8.0, .gravity = 2.0}}.time() == 0.25);
+    CHECK(Similitude{{.length = 1.0 / 8.0, .gravity = 2.0}}.velocity() == 0.5);
+}
+
+TEST_CASE("at the same gravity and friction accelerations are not touched by rounding") {
+    for (int denominator = 1; denominator <= 200; ++denominator) {
+        const Similitude similitude{{.length = 1.0 / denominator}};
+        CHECK(similitude.factor<Acceleration>() == 1.0);
+        CHECK(similitude.factor<Length>() == similitude.length());
+        CHECK(similitude.factor<Density>() == 1.0);
+        CHECK(similitude.factor<Ratio>() == 1.0);
+    }
+}
+
+TEST_CASE("a quantity taken to the model and back is the same, bit for bit when the length is a power of four") {
+    std::mt19937 random{7};
+    std::uniform_real_distribution<double> value{-1e3, 1e3};
+    const Similitude exact{{.length = 1.0 / 16.0}, Law::exact};
+    const Similitude wood{{.length = 1.0 / 107.0, .friction = 0.63 / 0.59, .density = 800.0 / 2320.0}};
+    for (int i = 0; i < 100; ++i) {
+        const Velocity velocity = value(random) * si::meters_per_second;
+        const Damping damping = Damping::from_value(value(random));
+        CHECK(exact.to_prototype(exact.to_model(velocity)) == velocity);
+        CHECK(exact.to_prototype(exact.to_model(damping)) == damping);
+        CHECK_EXPECTED(wood.to_prototype(wood.to_model(velocity)).value(), velocity.value());
+        CHECK_EXPECTED(wood.to_prototype(wood.to_model(damping)).value(), damping.value());
+    }
+}
+
+TEST_CASE("factors multiply as their quantities do") {
+    const Similitude similitude{{.length = 1.0 / 107.0, .friction = 0.3, .gravity = 2.0, .density = 0.7}};
+    CHECK_EXPECTED(similitude.mass() * similitude.acceleration(), similitude.force());
+    CHECK_EXPECTED(similitude.force() * similitude.velocity(), similitude.power());
+    CHECK_EXPECTED(similitude.damping() * similitude.velocity(), similitude.force());
+    CHECK_EXPECTED(similitude.momentum(), similitude.force() * similitude.time());
+    CHECK_EXPECTED(similitude.inertia() * similitude.factor<AngularAcceleration>(), similitude.moment());
+}
+
+TEST_CASE("the list of factors begins with the keys that files rely on and names each once") {
+    const std::vector<NamedFactor> factors = Similitude{{.length = 0.25}}.factors();
+    const std::vector<std::string> leading = {"length", "time", "velocity", "acceleration", "mass", "force", "stiffness", "damping"};
+    REQUIRE(factors.size() > leading.size());
+    for (std::size_t i = 0; i < leading.size(); ++i) CHECK(factors[i].name == leading[i]);
+    std::set<std::string_view> names;
+    for (const NamedFactor& factor : factors) CHECK(names.insert(factor.name).second);
+}
+
+TEST_CASE("factors that cannot be are refused with the reason") {
+    for (const double bad : {0.0, -1.0, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
+        CHECK(message_of({.length = bad}, Law::mu).find("the length factor is") != std::string::npos);
+        CHECK(message_of({.friction = bad}, Law::mu).find("the friction factor is") != std::string::npos);
+        CHECK(message_of({.gravity = bad}, Law::mu).find("the gravity factor is") != std::string::npos);
+        CHECK(message_of({.density = bad}, Law::mu).find("the density factor is") != std::string::npos);
+    }
+    CHECK(message_of({.length = 1e-80}, Law::mu).find("leaves the range of doubles") != std::string::npos);
+    CHECK(message_of({.friction = 0.9}, Law::exact).find("under law \"exact\" (must be 1") != std::string::npos);
+    CHECK(message_of({.friction = 0.9}, Law::froude).empty());
+}
+
+}  // namespace musim::scaling::tests
