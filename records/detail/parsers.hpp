@@ -1,0 +1,26 @@
+#pragma once
+
+#include "records/detail/text_file.hpp"
+#include "records/ground_motion.hpp"
+#include "records/read_options.hpp"
+
+/// One parser per format, on a file already in memory; errors as in the public headers.
+namespace musim::records::detail {
+
+GroundMotion parse_at2(const TextFile& file, const ReadOptions& options);
+GroundMotion parse_csmip(const TextFile& file, const ReadOptions& options);
+GroundMotion parse_text(const TextFile& file, const ReadOptions& options);
+
+/// What the options say about the samples, with defaults filled in; throws ReadError for an unknown unit or one of another quantity.
+SampleUnit requested_unit(const TextFile& file, const ReadOptions& options);
+
+/// The time step the file states on line `index`; throws ReadError unless it is positive and finite.
+scaling::Time checked_dt(const TextFile& file, std::size_t index, double seconds);
+
+/// The sample `text` on line `index`, times `si`; throws ReadError, naming its ordinal number, unless that is a finite number.
+double checked_sample(const TextFile& file, std::size_t index, std::string_view text, std::size_t ordinal, double si);
+
+/// Throws ReadError when the options contradict the unit and time step that the file states.
+void refuse_contradictions(const TextFile& file, const ReadOptions& options, const SampleUnit& unit, scaling::Time dt);
+
+}  // namespace musim::records::detail

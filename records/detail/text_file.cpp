@@ -1,0 +1,57 @@
+#include "records/detail/text_file.hpp"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <fstream>
+#include <sstream>
+#include <system_error>
+
+#include "records/detail/text.hpp"
+
+namespace musim::records::detail {
+namespace {
+
+[[noreturn]] void fail_file(const std::filesystem::path& path, std::string_view what_why, std::string_view what_to_do) {
+    throw ReadError(fmt::format("{}: {}; {}", path.string(), what_why, what_to_do));
+}
+
+}  // namespace
+
+std::string read_bytes(const std::filesystem::path& path) {
+    std::error_code error;
+    const std::filesystem::file_status status = std::filesystem::status(path, error);
+    if (!std::filesystem::exists(status)) fail_file(path, "no such file (or no access to its folder)", "check the path");
+    if (std::filesystem::is_directory(status)) fail_file(path, "is a folder (a record file is needed)", "name a file in it");
+    if (!std::filesystem::is_regular_file(status)) fail_file(path, "is not a regular file (device or pipe)", "copy it to a file first");
+
+    errno = 0;
+    std::ifstream stream(path, std::ios::binary);
+    if (!stream) fail_file(path, fmt::format("cannot be opened ({})", std::generic_category().message(errno)), "check its permissions");
+    std::ostringstream bytes;
+    if (stream.peek() != std::ifstream::traits_type::eof()) bytes << stream.rdbuf();
+    if (stream.bad() || bytes.fail()) fail_file(path, "cannot be read to its end (input error)", "check the disk");
+    if (bytes.view().empty()) fail_file(path, "file is empty (no header, no samples)", "fetch the record again");
+    return std::move(bytes).str();
+}
+
+TextFile::TextFile(std::filesystem::path path, std::string bytes) : path_(std::move(path)), bytes_(std::move(bytes)) {
+    std::string_view rest = bytes_;
+    if (rest.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3);
+    rest = rest.substr(0, rest.find_last_not_of('\x1A') + 1);
+    const char line_end = rest.find('\n') == std::string_view::npos ? '\r' : '\n';
+    while (!rest.empty()) {
+        std::string_view line = rest.substr(0, rest.find(line_end));
+        rest.remove_prefix(std::min(line.size() + 1, rest.size()));
+        while (!line.empty() && is_blank(line.back())) line.remove_suffix(1);
+        lines_.push_back(line);
+    }
+}
+
+void TextFile::fail(std::size_t index, std::string_view what_why, std::string_view what_to_do) const {
+    throw ReadError(fmt::format("{}:{}: {}; {}", path_.string(), index + 1, what_why, what_to_do));
+}
+
+void TextFile::fail(std::string_view what_why, std::string_view what_to_do) const { fail_file(path_, what_why, what_to_do); }
+
+}  // namespace musim::records::detail

@@ -1,0 +1,51 @@
+#include "records/ground_motion.hpp"
+
+#include <fmt/format.h>
+
+#include "records/detail/text.hpp"
+
+namespace musim::records {
+namespace {
+
+// "090" and "90" are the same direction, "000" and "0" as well
+std::string_view without_leading_zeros(std::string_view name) {
+    while (name.size() > 1 && name.front() == '0' && detail::is_digit(name[1])) name.remove_prefix(1);
+    return name;
+}
+
+}  // namespace
+
+const Component& GroundMotion::find_component(std::string_view name) const {
+    const Component* found = nullptr;
+    const std::string where = source.empty() ? "record" : source;
+    for (const Component& component : components) {
+        if (!detail::equal_ignoring_case(without_leading_zeros(component.name), without_leading_zeros(name))) continue;
+        if (found != nullptr) {
+            throw ReadError(
+                fmt::format("{}: component '{}' occurs more than once (components: {}); split the file", where, name, component_names()));
+        }
+        found = &component;
+    }
+    if (found == nullptr) {
+        throw ReadError(fmt::format("{}: no component '{}' (components: {}); name one of these", where, name, component_names()));
+    }
+    return *found;
+}
+
+std::string GroundMotion::component_names() const {
+    std::string names;
+    for (const Component& component : components) names += (names.empty() ? "" : ", ") + component.name;
+    return names;
+}
+
+std::optional<double> find_azimuth_deg(std::string_view component_name) {
+    if (detail::equal_ignoring_case(component_name, "N")) return 0.0;
+    if (detail::equal_ignoring_case(component_name, "E")) return 90.0;
+    if (detail::equal_ignoring_case(component_name, "S")) return 180.0;
+    if (detail::equal_ignoring_case(component_name, "W")) return 270.0;
+    const std::optional<double> degrees = detail::parse_real(component_name);
+    if (!degrees || *degrees < 0.0 || *degrees > 360.0) return std::nullopt;
+    return degrees;
+}
+
+}  // namespace musim::records

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "records/time_series.hpp"
+
+namespace musim::records {
+
+/// One channel of a record.
+struct Component {
+    std::string name = {};                   ///< as the file names it: "360", "Up", "H1"; plain text columns are "1", "2", ...
+    std::optional<double> azimuth_deg = {};  ///< direction of positive motion, clockwise from north [deg]; unknown or vertical: nothing
+    TimeSeries series;                       ///< with its own length, start and time step
+};
+
+/// A recorded or made ground motion: its channels and where they come from.
+struct GroundMotion {
+    std::string source = {};  ///< file it was read from, for messages; empty when made
+    std::string format = {};  ///< "PEER AT2", "CSMIP V1", ...
+    std::string event = {};
+    std::string station = {};
+    std::vector<Component> components = {};
+
+    /// Set for uncorrected records, whose slow drift is noise: high-pass at this corner before integrating. Nothing: integrate as it is.
+    std::optional<scaling::Frequency> integration_corner = {};
+
+    std::vector<std::string> history = {};  ///< what was done to the samples since the file, oldest first
+
+    /// The component called `name`; case and leading zeros do not matter ("up", "090" for "90").
+    /// Throws ReadError when there is none or several; the message lists those present.
+    const Component& find_component(std::string_view name) const;
+
+    /// Names of all components, "90, 360, Up".
+    std::string component_names() const;
+};
+
+/// Azimuth a component's name stands for: "360" → 360, "N" → 0, "E" → 90; nothing for "Up", "H1" and the like.
+/// Names that are plain column numbers look the same, so only readers of formats that name directions ask.
+std::optional<double> find_azimuth_deg(std::string_view component_name);
+
+}  // namespace musim::records

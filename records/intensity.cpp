@@ -1,0 +1,70 @@
+#include "records/intensity.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "records/detail/energy.hpp"
+#include "records/processing.hpp"
+
+namespace musim::records {
+namespace {
+
+template <class Quantity>
+Peak<Quantity> find_peak(const TimeSeries& series) {
+    const std::span<const double> samples = series.samples();
+    std::size_t largest = 0;
+    for (std::size_t i = 1; i < samples.size(); ++i) {
+        if (std::abs(samples[i]) > std::abs(samples[largest])) largest = i;
+    }
+    return {Quantity::from_value(samples[largest]), series.time(largest)};
+}
+
+}  // namespace
+
+Peak<scaling::Acceleration> find_peak_acceleration(const TimeSeries& acceleration) {
+    require_quantity(acceleration, SampleQuantity::acceleration, "PGA");
+    return find_peak<scaling::Acceleration>(acceleration);
+}
+
+Peak<scaling::Velocity> find_peak_velocity(const TimeSeries& velocity) {
+    require_quantity(velocity, SampleQuantity::velocity, "PGV");
+    return find_peak<scaling::Velocity>(velocity);
+}
+
+Peak<scaling::Length> find_peak_displacement(const TimeSeries& displacement) {
+    require_quantity(displacement, SampleQuantity::displacement, "PGD");
+    return find_peak<scaling::Length>(displacement);
+}
+
+scaling::Velocity compute_arias_intensity(const TimeSeries& acceleration, scaling::Acceleration gravity) {
+    require_quantity(acceleration, SampleQuantity::acceleration, "Arias intensity");
+    const double integral = detail::cumulative_square(acceleration).back();  // [m²/s³]
+    return scaling::Velocity::from_value(0.5 * std::numbers::pi / gravity.value() * integral);
+}
+
+scaling::Time compute_significant_duration(const TimeSeries& acceleration) {
+    require_quantity(acceleration, SampleQuantity::acceleration, "significant duration");
+    const std::vector<double> energy = detail::cumulative_square(acceleration);
+    if (!(energy.back() > 0.0)) return {};
+    return detail::time_of_share(acceleration, energy, 0.95) - detail::time_of_share(acceleration, energy, 0.05);
+}
+
+Intensity compute_intensity(const TimeSeries& series, std::optional<scaling::Frequency> integration_corner) {
+    Intensity intensity;
+    TimeSeries history = series;
+    if (series.quantity() == SampleQuantity::acceleration) {
+        const TimeSeries leveled = integration_corner ? remove_initial_level(series) : series;
+        intensity.pga = find_peak_acceleration(leveled);
+        intensity.arias = compute_arias_intensity(leveled);
+        intensity.d5_95 = compute_significant_duration(leveled);
+        history = integrate(integration_corner ? high_pass(series, *integration_corner, 2) : series);
+    }
+    if (history.quantity() == SampleQuantity::velocity) {
+        intensity.pgv = find_peak_velocity(history);
+        history = integrate(history);
+    }
+    intensity.pgd = find_peak_displacement(history);
+    return intensity;
+}
+
+}  // namespace musim::records

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <optional>
+
+#include "records/ground_motion.hpp"
+
+namespace musim::records {
+
+/// Largest absolute value of a history with its sign, and its (first) time.
+template <class Quantity>
+struct Peak {
+    Quantity value;
+    scaling::Time time;
+};
+
+/// Peak of a series' samples. Throws ProcessingError when the series holds another quantity than the name says.
+Peak<scaling::Acceleration> find_peak_acceleration(const TimeSeries& acceleration);
+Peak<scaling::Velocity> find_peak_velocity(const TimeSeries& velocity);
+Peak<scaling::Length> find_peak_displacement(const TimeSeries& displacement);
+
+/// Arias intensity π/(2g) ∫ a² dt, by the trapezoid rule. Throws ProcessingError for other quantities.
+scaling::Velocity compute_arias_intensity(const TimeSeries& acceleration, scaling::Acceleration gravity = scaling::kStandardGravity);
+
+/// Significant duration D5-95: between 5 % and 95 % of the Arias intensity, linear between samples; zero for a record without motion.
+/// Throws ProcessingError for other quantities.
+scaling::Time compute_significant_duration(const TimeSeries& acceleration);
+
+/// Intensity measures of one component; those that its quantity does not give are left out.
+struct Intensity {
+    std::optional<Peak<scaling::Acceleration>> pga;
+    std::optional<Peak<scaling::Velocity>> pgv;
+    std::optional<Peak<scaling::Length>> pgd;
+    std::optional<scaling::Velocity> arias;
+    std::optional<scaling::Time> d5_95;
+};
+
+/// All measures of a series. Velocity and displacement are trapezoid integrals from zero.
+///
+/// With an integration corner (uncorrected records) velocity and displacement come from the samples high-passed there, order 2, forward and
+/// backward; PGA, Arias intensity and duration from the unfiltered samples above their initial level (remove_initial_level).
+Intensity compute_intensity(const TimeSeries& series, std::optional<scaling::Frequency> integration_corner = std::nullopt);
+
+}  // namespace musim::records

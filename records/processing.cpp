@@ -1,0 +1,130 @@
+#include "records/processing.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "records/detail/energy.hpp"
+#include "records/detail/rest_correction.hpp"
+
+namespace musim::records {
+namespace {
+
+// one step up or down the chain acceleration, velocity, displacement
+SampleQuantity neighbor(SampleQuantity quantity, int step) { return static_cast<SampleQuantity>(static_cast<int>(quantity) + step); }
+
+double dot(const std::vector<double>& a, const std::vector<double>& b) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
+    return sum;
+}
+
+// subtracts from `vector` its part along the unit vector `direction`
+void remove_part(std::vector<double>& vector, const std::vector<double>& direction) {
+    const double part = dot(vector, direction);
+    for (std::size_t i = 0; i < vector.size(); ++i) vector[i] -= part * direction[i];
+}
+
+}  // namespace
+
+TimeSeries cut(const TimeSeries& series, const TimeWindow& window) {
+    // window edges in samples; rounding of times must not lose a sample that is meant
+    constexpr double kEdge = 1e-6;
+    const double first = std::ceil((window.start - series.start()).value() / series.dt().value() - kEdge);
+    const double last = std::floor((window.end - series.start()).value() / series.dt().value() + kEdge);
+    if (!(first >= 0.0 && last <= static_cast<double>(series.size() - 1) && first <= last)) {
+        throw ProcessingError(
+            fmt::format("window {:.6g} s to {:.6g} s does not fit (record lasts from {:.6g} s to {:.6g} s); change the window",
+                        window.start.value(), window.end.value(), series.start().value(), series.end().value()));
+    }
+    const auto begin = static_cast<std::size_t>(first);
+    const std::span<const double> kept = series.samples().subspan(begin, static_cast<std::size_t>(last) - begin + 1);
+    return {series.quantity(), series.time(begin), series.dt(), {kept.begin(), kept.end()}};
+}
+
+TimeSeries remove_initial_level(const TimeSeries& series) {
+    constexpr std::size_t kPart = 64;  // 5 s of a record of 320 s: longer than noise, shorter than pre-event parts
+    const std::span<const double> initial = series.samples().first((series.size() - 1) / kPart + 1);
+    const double level = std::accumulate(initial.begin(), initial.end(), 0.0) / static_cast<double>(initial.size());
+    std::vector<double> samples(series.samples().begin(), series.samples().end());
+    for (double& sample : samples) sample -= level;
+    return series.with_samples(std::move(samples));
+}
+
+TimeSeries remove_baseline(const TimeSeries& series, int order) {
+    constexpr int kHighestOrder = 3;
+    if (order < 0 || order > kHighestOrder) {
+        throw ProcessingError(fmt::format("baseline order is {} (must be 0 to {}); choose one of these", order, kHighestOrder));
+    }
+    if (series.size() <= static_cast<std::size_t>(order)) {
+        throw ProcessingError(fmt::format("{} samples do not fix a baseline of order {}; lower the order", series.size(), order));
+    }
+
+    // orthonormal polynomials on the samples, by Gram-Schmidt on powers of τ in [−1, 1]; each is taken out of the record in turn
+    std::vector<double> samples(series.samples().begin(), series.samples().end());
+    std::vector<std::vector<double>> basis;
+    const double middle = 0.5 * static_cast<double>(series.size() - 1);
+    for (int degree = 0; degree <= order; ++degree) {
+        std::vector<double> polynomial(series.size());
+        for (std::size_t i = 0; i < polynomial.size(); ++i) {
+            const double tau = (static_cast<double>(i) - middle) / (middle > 0.0 ? middle : 1.0);
+            polynomial[i] = degree == 0 ? 1.0 : tau * basis.back()[i];
+        }
+        for (const std::vector<double>& lower : basis) remove_part(polynomial, lower);
+        const double length = std::sqrt(dot(polynomial, polynomial));
+        for (double& value : polynomial) value /= length;
+        remove_part(samples, polynomial);
+        basis.push_back(std::move(polynomial));
+    }
+    return series.with_samples(std::move(samples));
+}
+
+TimeSeries taper(const TimeSeries& series, double fraction) {
+    if (!(fraction >= 0.0 && fraction <= 0.5)) {
+        throw ProcessingError(fmt::format("taper fraction is {} (must be 0 to 0.5 of the record); choose one of these", fraction));
+    }
+    std::vector<double> samples(series.samples().begin(), series.samples().end());
+    const double length = fraction * static_cast<double>(samples.size() - 1);  // in steps
+    for (std::size_t i = 0; static_cast<double>(i) < length; ++i) {
+        const double weight = 0.5 * (1.0 - std::cos(std::numbers::pi * static_cast<double>(i) / length));
+        samples[i] *= weight;
+        samples[samples.size() - 1 - i] *= weight;
+    }
+    return series.with_samples(std::move(samples));
+}
+
+TimeSeries integrate(const TimeSeries& series) {
+    if (series.quantity() == SampleQuantity::displacement) {
+        throw ProcessingError("a displacement is not integrated (nothing is its rate); integrate acceleration or velocity");
+    }
+    return series.with_samples(neighbor(series.quantity(), 1), detail::cumulative_trapezoid(series.samples(), series.dt().value()));
+}
+
+TimeSeries differentiate(const TimeSeries& series) {
+    if (series.quantity() == SampleQuantity::acceleration) {
+        throw ProcessingError("an acceleration is not differentiated (jerk is no quantity here); differentiate velocity or displacement");
+    }
+    if (series.size() < 2) throw ProcessingError("one sample has no rate; give a longer record");
+    const std::span<const double> x = series.samples();
+    const double dt = series.dt().value();
+    std::vector<double> rate(x.size());
+    rate.front() = (x[1] - x[0]) / dt;
+    rate.back() = (x[x.size() - 1] - x[x.size() - 2]) / dt;
+    for (std::size_t i = 1; i + 1 < x.size(); ++i) rate[i] = 0.5 * (x[i + 1] - x[i - 1]) / dt;
+    return series.with_samples(neighbor(series.quantity(), -1), std::move(rate));
+}
+
+TimeWindow find_strong_motion(const TimeSeries& acceleration, double margin) {
+    require_quantity(acceleration, SampleQuantity::acceleration, "the strong-motion window");
+    const std::vector<double> energy = detail::cumulative_square(acceleration);
+    if (!(energy.back() > 0.0)) throw ProcessingError("record has no motion (all samples zero); choose another component");
+    const scaling::Time first = detail::time_of_share(acceleration, energy, 0.005);
+    const scaling::Time last = detail::time_of_share(acceleration, energy, 0.995);
+    const scaling::Time reach = margin * (last - first);
+    return {std::max(acceleration.start(), first - reach), std::min(acceleration.end(), last + reach)};
+}
+
+}  // namespace musim::records

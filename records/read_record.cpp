@@ -1,0 +1,105 @@
+#include "records/read_record.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "records/detail/parsers.hpp"
+#include "records/detail/text.hpp"
+
+namespace musim::records {
+namespace {
+
+using detail::contains_ignoring_case;
+using detail::find_ignoring_case;
+using detail::is_digit;
+using detail::TextFile;
+
+[[noreturn]] void refuse_format(const std::filesystem::path& path, std::string_view format) {
+    throw ReadError(
+        fmt::format("{}: format is {} (recognised but not supported); convert it to PEER AT2, CSMIP V1/V2 or columns of numbers",
+                    path.string(), format));
+}
+
+// SAC: header version 6 at byte 304, in either byte order
+bool looks_like_sac(std::string_view bytes) {
+    if (bytes.size() < 632) return false;
+    const std::string_view version = bytes.substr(304, 4);
+    return version == std::string_view("\6\0\0\0", 4) || version == std::string_view("\0\0\0\6", 4);
+}
+
+// miniSEED: six digits, a quality letter, a blank
+bool looks_like_miniseed(std::string_view bytes) {
+    return bytes.size() > 48 && std::all_of(bytes.begin(), bytes.begin() + 6, is_digit) &&
+           std::string_view("DRQM").find(bytes[6]) != std::string_view::npos && bytes[7] == ' ';
+}
+
+void refuse_binary(const std::filesystem::path& path, std::string_view bytes) {
+    if (looks_like_miniseed(bytes)) refuse_format(path, "miniSEED");
+    if (looks_like_sac(bytes)) refuse_format(path, "SAC");
+    constexpr std::size_t kProbe = 4096;  // bytes; text has no NUL, binary data rarely go that far without
+    if (bytes.substr(0, kProbe).find('\0') != std::string_view::npos) {
+        throw ReadError(
+            fmt::format("{}: unknown format (binary data); convert it to PEER AT2, CSMIP V1/V2 or columns of numbers", path.string()));
+    }
+}
+
+/// A text format we know by its first or second line, and cannot read.
+struct Signature {
+    std::string_view format;
+    std::size_t line;
+    std::string_view phrase;
+};
+
+constexpr Signature kUnsupported[] = {
+    {"COSMOS", 0, "(Format v0"},
+    {"GeoNet", 0, "GNS Science"},
+    {"SMC", 0, "0 UNKNOWN"},
+    {"SMC", 0, "1 UNCORRECTED ACCELEROGRAM"},
+    {"SMC", 0, "2 CORRECTED ACCELEROGRAM"},
+    {"SMC", 0, "3 VELOCITY"},
+    {"SMC", 0, "4 DISPLACEMENT"},
+    {"K-NET/KiK-net", 0, "Origin Time       "},
+    {"ESM (ITACA) ASCII", 0, "EVENT_NAME:"},
+    {"AFAD", 0, "STRONG GROUND MOTION RECORDS OF TURKIYE"},
+    {"UNAM", 1, "INSTITUTO DE INGENIERIA"},
+    {"BHRC", 0, "* VOL1DS FILE"},
+    {"CWA", 0, "#Earthquake Information"},
+    {"USC", 0, "OF UNCORRECTED ACCELEROGRAM DATA OF VOLUME I"},
+    {"USC", 1, "OF UNCORRECTED ACCELEROGRAM DATA OF VOLUME I"},
+    {"CSMIP V3 (spectra, no time series)", 0, "Response and Fourier amplitude spectra"},
+    {"XML", 0, "<?xml"},
+};
+
+void refuse_unsupported(const TextFile& file) {
+    for (const Signature& signature : kUnsupported) {
+        if (contains_ignoring_case(file.line(signature.line), signature.phrase)) refuse_format(file.path(), signature.format);
+    }
+}
+
+bool looks_like_csmip(const TextFile& file) {
+    return find_ignoring_case(file.line(0), "CORRECTED ACCELEROGRAM") == 0 ||
+           find_ignoring_case(file.line(0), "UNCORRECTED ACCELEROGRAM DATA") == 0;
+}
+
+bool looks_like_peer(const TextFile& file) {
+    constexpr std::size_t kHeaderLines = 20;  // PEER needs four; free-text headers of the same family were met with seven
+    for (std::size_t index = 0; index < kHeaderLines; ++index) {
+        if (contains_ignoring_case(file.line(index), "NPTS")) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+GroundMotion read_record(const std::filesystem::path& path, const ReadOptions& options) {
+    std::string bytes = detail::read_bytes(path);
+    refuse_binary(path, bytes);
+    const TextFile file(path, std::move(bytes));
+    refuse_unsupported(file);
+    if (looks_like_csmip(file)) return detail::parse_csmip(file, options);
+    if (looks_like_peer(file)) return detail::parse_at2(file, options);
+    return detail::parse_text(file, options);
+}
+
+}  // namespace musim::records

@@ -1,0 +1,97 @@
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <random>
+#include <string>
+
+#include "records/base_motion.hpp"
+#include "records/read_record.hpp"
+#include "records/synthetic.hpp"
+#include "records/write_record.hpp"
+#include "tests/records/temporary_folder.hpp"
+#include "tests/support/shared_records.hpp"
+
+namespace musim::records {
+namespace {
+
+// reads whatever the bytes are: a valid record or a ReadError, nothing else; true when it was a record
+bool is_read(const tests::TemporaryFolder& folder, std::string_view bytes) {
+    const auto path = folder.write("damaged", bytes);
+    try {
+        const GroundMotion motion = read_record(path);
+        REQUIRE_FALSE(motion.components.empty());
+        for (const Component& component : motion.components) {
+            REQUIRE(component.series.size() > 0);
+            REQUIRE(component.series.dt().value() > 0.0);
+        }
+        return true;
+    } catch (const ReadError& error) {
+        const std::string message = error.what();
+        CAPTURE(message);
+        CHECK(message.find("damaged") != std::string::npos);
+        CHECK(message.find('\n') == std::string::npos);
+        return false;
+    }
+}
+
+// cuts at many places, flips single bytes, and repeats pieces
+void damage(const std::string& whole, int rounds, unsigned seed) {
+    const tests::TemporaryFolder folder;
+    CHECK(is_read(folder, whole));
+    std::mt19937 random(seed);
+    int refused = 0;
+    for (int i = 0; i < rounds; ++i) {
+        refused += is_read(folder,
+                           std::string_view(whole).substr(0, whole.size() * static_cast<std::size_t>(i) / static_cast<std::size_t>(rounds)))
+                       ? 0
+                       : 1;
+
+        std::string flipped = whole;
+        for (int flip = 0; flip <= i % 4; ++flip) flipped[random() % whole.size()] = static_cast<char>(random() % 256);
+        is_read(folder, flipped);
+
+        std::string header_flipped = whole;
+        header_flipped[random() % std::min<std::size_t>(whole.size(), 3000)] = static_cast<char>(random() % 256);
+        is_read(folder, header_flipped);
+
+        std::string repeated = whole;
+        const std::size_t from = random() % whole.size();
+        const std::size_t length = random() % 500;
+        repeated.insert(random() % whole.size(), whole.substr(from, length));
+        is_read(folder, repeated);
+    }
+    CHECK(refused > 0);
+}
+
+TEST_CASE("a damaged PEER file or CSV is a record or a ReadError, never a crash") {
+    const GroundMotion motion = make_synthetic_record({.dt = 0.02 * scaling::si::seconds, .duration = 4.0 * scaling::si::seconds});
+    const tests::TemporaryFolder folder;
+    write_at2(folder.path() / "a.at2", motion, "1");
+    write_csv(folder.path() / "a.csv", motion);
+
+    damage(tests::bytes_of(folder.path() / "a.at2"), 300, 1);
+    damage(tests::bytes_of(folder.path() / "a.csv"), 300, 2);
+}
+
+TEST_CASE("damaged real records are records or ReadErrors, never a crash") {
+    if (!tests::have_shared_records()) return;
+    for (const std::string_view file :
+         {"csmip/ce36456p_CE36456.V2", "peer/elCentro.at2", "peer/ANLA196.AT2", "text/RSN143_TABAS_TAB-L1.AT2.csv"}) {
+        CAPTURE(file);
+        damage(tests::bytes_of(tests::shared_records() / file), 40, 3);
+    }
+}
+
+TEST_CASE("a record cut anywhere before its end mark is refused") {
+    if (!tests::have_shared_records()) return;
+    const tests::TemporaryFolder folder;
+    // one channel only: a cut between channels leaves a whole record
+    const std::string whole = tests::bytes_of(tests::shared_records() / "csmip/chan001.v2");
+    for (std::size_t part = 1; part < 50; ++part) {
+        CAPTURE(part);
+        CHECK_FALSE(is_read(folder, std::string_view(whole).substr(0, whole.size() * part / 50)));
+    }
+}
+
+}  // namespace
+}  // namespace musim::records

@@ -1,0 +1,149 @@
+#include <doctest/doctest.h>
+#include <sys/resource.h>
+
+#include <cmath>
+#include <csignal>
+
+#include "records/atomic_file.hpp"
+#include "records/read_record.hpp"
+#include "records/synthetic.hpp"
+#include "records/write_record.hpp"
+#include "tests/records/temporary_folder.hpp"
+
+namespace musim::records {
+namespace {
+
+using scaling::si::seconds;
+
+GroundMotion make_motion() {
+    GroundMotion motion{.format = "test", .event = "Quake, 1/1/2000", .station = "Place"};
+    const scaling::Time dt = 0.005 * 0.0935543212345 * seconds;  // no short decimal
+    motion.components.push_back({"360", 360.0, {SampleQuantity::acceleration, 0.1 * seconds, dt, {1.0 / 3.0, -2.0e-17, 9.80665, 0.0}}});
+    motion.components.push_back({"Up", {}, {SampleQuantity::acceleration, 0.1 * seconds, dt, {0.1, 0.2}}});
+    motion.integration_corner = scaling::Frequency::from_value(0.05 / 3.0);
+    motion.history = {"made", "rescaled"};
+    return motion;
+}
+
+/// No file may grow beyond some bytes while this lives: a full disk.
+class FullDisk {
+  public:
+    explicit FullDisk(rlim_t bytes) : old_handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+        ::getrlimit(RLIMIT_FSIZE, &old_limit_);
+        const rlimit limit{bytes, old_limit_.rlim_max};
+        ::setrlimit(RLIMIT_FSIZE, &limit);
+    }
+    FullDisk(const FullDisk&) = delete;
+    FullDisk& operator=(const FullDisk&) = delete;
+    ~FullDisk() {
+        ::setrlimit(RLIMIT_FSIZE, &old_limit_);
+        std::signal(SIGXFSZ, old_handler_);
+    }
+
+  private:
+    void (*old_handler_)(int);
+    rlimit old_limit_{};
+};
+
+TEST_CASE("a record written as CSV comes back to the last bit") {
+    const tests::TemporaryFolder folder;
+    const GroundMotion motion = make_motion();
+
+    write_csv(folder.path() / "a.csv", motion);
+    const GroundMotion back = read_record(folder.path() / "a.csv");
+
+    CHECK(back.format == "musim CSV");
+    CHECK(back.event == motion.event);
+    CHECK(back.station == motion.station);
+    CHECK(back.history == motion.history);
+    CHECK(back.integration_corner == motion.integration_corner);
+    REQUIRE(back.components.size() == motion.components.size());
+    for (std::size_t i = 0; i < motion.components.size(); ++i) {
+        CHECK(back.components[i].name == motion.components[i].name);
+        CHECK(back.components[i].azimuth_deg == motion.components[i].azimuth_deg);
+        CHECK(back.components[i].series == motion.components[i].series);
+    }
+}
+
+TEST_CASE("a record written as AT2 comes back with its clock and samples") {
+    const tests::TemporaryFolder folder;
+    const GroundMotion motion = make_motion();
+
+    write_at2(folder.path() / "a.at2", motion, "360");
+    const GroundMotion back = read_record(folder.path() / "a.at2");
+
+    CHECK(back.format == "PEER AT2");
+    CHECK(back.event == "Quake, 1/1/2000");
+    CHECK(back.station == "Place");
+    const TimeSeries& series = back.find_component("360").series;
+    const TimeSeries& original = motion.find_component("360").series;
+    CHECK(series.dt() == original.dt());
+    REQUIRE(series.size() == original.size());
+    // division by g and multiplication again: one unit in the last place each
+    for (std::size_t i = 0; i < series.size(); ++i) {
+        CHECK(std::abs(series.samples()[i] - original.samples()[i]) <= 3e-16 * std::abs(original.samples()[i]));
+    }
+}
+
+TEST_CASE("velocities are written as VT2 in cm/s") {
+    const tests::TemporaryFolder folder;
+    GroundMotion motion{.format = "test"};
+    motion.components.push_back({"1", {}, {SampleQuantity::velocity, 0.0 * seconds, 0.5 * seconds, {0.0, 0.25}}});
+
+    write_at2(folder.path() / "a.vt2", motion, "1");
+    const GroundMotion back = read_record(folder.path() / "a.vt2");
+
+    CHECK(back.format == "PEER VT2");
+    CHECK(back.components.front().series.samples()[1] == doctest::Approx(0.25).epsilon(1e-15));
+}
+
+TEST_CASE("components with different clocks do not go into one CSV") {
+    const tests::TemporaryFolder folder;
+    GroundMotion motion = make_motion();
+    motion.components.push_back({"90", {}, {SampleQuantity::acceleration, 0.0 * seconds, 0.5 * seconds, {1.0}}});
+
+    CHECK_THROWS_AS(write_csv(folder.path() / "a.csv", motion), WriteError);
+    CHECK_THROWS_AS(write_csv(folder.path() / "a.csv", GroundMotion{}), WriteError);
+    CHECK(folder.count() == 0);
+}
+
+TEST_CASE("a full device gives a WriteError") {
+    const std::string message = tests::message_of<WriteError>([] { write_csv("/dev/full", make_motion()); });
+    CHECK(message.find("/dev/full: cannot be written") == 0);
+    CHECK(std::filesystem::exists("/dev/full"));
+}
+
+TEST_CASE("a disk that fills up leaves neither a partial file nor a temporary one, and the old file stays") {
+    const tests::TemporaryFolder folder;
+    const auto old_file = folder.write("old.csv", "old");
+    const GroundMotion motion = make_synthetic_record();
+    {
+        const FullDisk full(10000);
+        CHECK_THROWS_AS(write_csv(folder.path() / "new.csv", motion), WriteError);
+        CHECK_THROWS_AS(write_at2(folder.path() / "new.at2", motion, "1"), WriteError);
+        CHECK_THROWS_AS(write_csv(old_file, motion), WriteError);
+    }
+    CHECK(folder.count() == 1);
+    CHECK(tests::bytes_of(old_file) == "old");
+}
+
+TEST_CASE("a folder that is missing, or a target that is one, gives a WriteError") {
+    const tests::TemporaryFolder folder;
+    CHECK_THROWS_AS(write_file_atomically(folder.path() / "none" / "a", "x"), WriteError);
+    CHECK_THROWS_AS(write_file_atomically(folder.path(), "x"), WriteError);
+}
+
+TEST_CASE("writing replaces a file and follows a symbolic link") {
+    const tests::TemporaryFolder folder;
+    const auto file = folder.write("file", "old and longer");
+    std::filesystem::create_symlink(file, folder.path() / "link");
+
+    write_file_atomically(folder.path() / "link", "new");
+
+    CHECK(tests::bytes_of(file) == "new");
+    CHECK(std::filesystem::is_symlink(folder.path() / "link"));
+    CHECK(folder.count() == 2);
+}
+
+}  // namespace
+}  // namespace musim::records
