@@ -1,0 +1,143 @@
+#include "lsdem/scene/base_components.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "lsdem/scene/scene_error.hpp"
+#include "records/base_motion.hpp"
+#include "records/read_record.hpp"
+#include "records/synthetic.hpp"
+
+namespace musim::lsdem::scene {
+
+namespace {
+
+using std::numbers::pi;
+
+/// Samples per period of a formula: the piecewise linear velocity is then off by (2π/200)²/8, 1.2e-4 of its amplitude.
+constexpr double kSamplesPerPeriod = 200.0;
+
+/// A Ricker wavelet is cut this many periods before and after its peak, where its velocity has fallen to 1e-9 of its largest.
+constexpr double kRickerReach = 1.5;
+
+/// Samples of a velocity [m/s] over `length` [s], about `dt` [s] apart so that the last one falls on the end.
+template <class Velocity>
+BaseComponent sample(double length, double dt, const Velocity& velocity) {
+    const double intervals = std::max(1.0, std::round(length / dt));
+    BaseComponent component{.start = 0.0, .dt = length / intervals, .velocity = {}};
+    const auto count = static_cast<std::size_t>(intervals) + 1;
+    component.velocity.reserve(count);
+    for (std::size_t k = 0; k < count; ++k) component.velocity.push_back(velocity(static_cast<double>(k) * component.dt));
+    return component;
+}
+
+double sample_step(const SignalMotion& motion, double period) { return motion.dt ? motion.dt->value() : period / kSamplesPerPeriod; }
+
+BaseComponent make_component(const StepSignal& signal, const SignalMotion& /*motion*/) {
+    return {.start = 0.0, .dt = 0.0, .velocity = {signal.velocity.value()}};
+}
+
+BaseComponent make_component(const SineSignal& signal, const SignalMotion& motion) {
+    const double period = 1.0 / signal.frequency.value();
+    const double omega = 2.0 * pi * signal.frequency.value();
+    const double amplitude = signal.amplitude.value() / omega;
+    return sample(signal.cycles * period, sample_step(motion, period), [&](double t) { return amplitude * (1.0 - std::cos(omega * t)); });
+}
+
+BaseComponent make_component(const HalfSineSignal& signal, const SignalMotion& motion) {
+    const double duration = signal.duration.value();
+    const double omega = pi / duration;
+    const double amplitude = signal.amplitude.value() / omega;
+    return sample(duration, sample_step(motion, 2.0 * duration), [&](double t) { return amplitude * (1.0 - std::cos(omega * t)); });
+}
+
+BaseComponent make_component(const RickerSignal& signal, const SignalMotion& motion) {
+    const double period = 1.0 / signal.frequency.value();
+    BaseComponent component = sample(2.0 * kRickerReach * period, sample_step(motion, period), [&](double t) {
+        const double tau = t - kRickerReach * period;
+        const double phase = pi * signal.frequency.value() * tau;
+        return signal.amplitude.value() * tau * std::exp(-phase * phase);
+    });
+    component.velocity.front() = component.velocity.back() = 0.0;
+    return component;
+}
+
+BaseComponent to_component(const records::TimeSeries& velocity, scaling::Time origin) {
+    const auto samples = velocity.samples();
+    return {.start = (velocity.start() - origin).value(), .dt = velocity.dt().value(), .velocity = {samples.begin(), samples.end()}};
+}
+
+BaseComponent make_component(const SyntheticSignal& signal, const SignalMotion& /*motion*/) {
+    const records::GroundMotion motion = records::make_synthetic_record(
+        {.pga = signal.pga, .pgv = signal.pgv, .dt = signal.dt, .duration = signal.duration, .seed = signal.seed});
+    const records::BaseMotion base = records::make_base_motion(motion.components.front().series);
+    return to_component(base.velocity, base.velocity.start());
+}
+
+std::array<BaseComponent, 3> make_components(std::monostate /*still*/) { return {}; }
+
+std::array<BaseComponent, 3> make_components(const SignalMotion& motion) {
+    std::array<BaseComponent, 3> components;
+    BaseComponent& component = components[static_cast<std::size_t>(motion.axis)];
+    component = std::visit([&](const auto& signal) { return make_component(signal, motion); }, motion.signal);
+    component.start += motion.start.value();
+    return components;
+}
+
+/// Where the record's clock reads zero in the simulation.
+scaling::Time find_time_origin(const RecordMotion& motion, const records::GroundMotion& record) {
+    if (motion.window) return (*motion.window)[0];
+    std::optional<scaling::Time> earliest;
+    for (const auto& name : motion.components) {
+        if (!name) continue;
+        const scaling::Time start = record.find_component(*name).series.start();
+        earliest = earliest ? std::min(*earliest, start) : start;
+    }
+    return earliest.value_or(scaling::Time{});
+}
+
+std::array<BaseComponent, 3> make_components(const RecordMotion& motion) {
+    const records::GroundMotion record =
+        records::read_record(motion.file, {.dt = motion.dt, .unit = motion.unit, .quantity = motion.quantity});
+    const scaling::Time origin = find_time_origin(motion, record);
+    records::BaseMotionSettings settings;
+    settings.high_pass = motion.highpass_corner;
+    if (motion.window) settings.window = records::TimeWindow{(*motion.window)[0], (*motion.window)[1]};
+
+    std::array<BaseComponent, 3> components;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (!motion.components[axis]) continue;
+        const records::BaseMotion base = records::make_base_motion(record, *motion.components[axis], settings);
+        components[axis] = to_component(base.velocity, origin);
+    }
+    return components;
+}
+
+void scale(std::array<BaseComponent, 3>& components, double time, double velocity) {
+    for (BaseComponent& component : components) {
+        component.start *= time;
+        component.dt *= time;
+        for (double& v : component.velocity) v *= velocity;
+    }
+}
+
+}  // namespace
+
+std::array<BaseComponent, 3> make_base_components(const BaseMotion& motion) {
+    try {
+        auto components = std::visit([](const auto& source) { return make_components(source); }, motion.source);
+        if (const auto* record = std::get_if<RecordMotion>(&motion.source); record != nullptr && record->scale) {
+            const scaling::Similitude similitude(record->scale->factors, record->scale->law);
+            scale(components, similitude.time(), similitude.velocity());
+        }
+        scale(components, motion.factors.time, motion.factors.velocity);
+        return components;
+    } catch (const records::ProcessingError& error) {
+        throw SceneError(fmt::format("scene: /base_motion: {}", error.what()));
+    }
+}
+
+}  // namespace musim::lsdem::scene

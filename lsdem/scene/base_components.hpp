@@ -1,0 +1,18 @@
+#pragma once
+
+#include <array>
+
+#include "lsdem/model.hpp"
+#include "lsdem/scene/scene.hpp"
+
+namespace musim::lsdem::scene {
+
+/// Velocity of the base along x, y and z for the kernel [m/s, s].
+///
+/// Signals are sampled from their closed-form velocity. Records are read, then cut, filtered and integrated (records::make_base_motion);
+/// a window starts at t = 0, and so does the earliest component without one. A record's own scale comes next; the factors of scale_scene
+/// come last, one multiplication a sample, so that factors that are powers of two are exact.
+/// Throws records::ReadError for a record that cannot be used, and SceneError for one that cannot be processed as asked.
+std::array<BaseComponent, 3> make_base_components(const BaseMotion& motion);
+
+}  // namespace musim::lsdem::scene

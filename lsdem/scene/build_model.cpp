@@ -1,0 +1,181 @@
+#include "lsdem/scene/build_model.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "lsdem/scene/base_components.hpp"
+#include "lsdem/scene/detail/overlap.hpp"
+#include "lsdem/scene/detail/placement.hpp"
+#include "lsdem/scene/scene_error.hpp"
+#include "lsdem/time_step.hpp"
+#include "scaling/quantity_text.hpp"
+
+namespace musim::lsdem::scene {
+
+namespace {
+
+using detail::Placement;
+
+/// Where a scene that is not read from a file is to blame.
+std::string origin_of(const Scene& scene) { return fmt::format("scene \"{}\"", scene.name); }
+
+/// A block as messages call it: its place in an explicit list, or its number and layer.
+std::string name_block(const Scene& scene, const std::vector<Placement>& blocks, std::size_t index) {
+    if (std::holds_alternative<BlockList>(scene.structure)) return fmt::format("/structure/blocks/{}", index);
+    return fmt::format("block {} (layer {})", index, blocks[index].layer);
+}
+
+std::string format_length(double meters) { return scaling::format_quantity(scaling::Length::from_value(meters)); }
+
+/// Box lattice with the scene's nodes on a whole face; a half block keeps the spacing of a whole one.
+NodeLattice make_lattice(const Placement& block, int nodes_per_face) {
+    NodeLattice lattice = make_node_lattice(block.whole_size, nodes_per_face);
+    if (block.size != block.whole_size) lattice.ny = lattice.ny / 2 + 1;
+    return lattice;
+}
+
+Shape make_shape(const BoxShape& settings, const Placement& block) {
+    return make_box_shape(block.size, make_lattice(block, settings.nodes_per_face));
+}
+
+Shape make_shape(const GridShape& settings, const Placement& block) {
+    return make_grid_box_shape(block.size, make_lattice(block, settings.nodes_per_face), settings.voxel.value());
+}
+
+Shape make_shape(const SphereShape& settings, const Placement& /*block*/) {
+    return make_sphere_shape(settings.radius.value(), static_cast<std::size_t>(settings.nodes), settings.voxel.value());
+}
+
+Material make_material(const BlockMaterial& material, double face_area) {
+    return {.normal_stiffness = material.normal_stiffness.value() / face_area,
+            .shear_stiffness = material.shear_stiffness.value() / face_area,
+            .friction = material.friction,
+            .restitution = material.restitution,
+            .shear_damping_ratio = material.shear_damping_ratio};
+}
+
+/// Adds blocks to a model; equal blocks share their shape and their material.
+class ModelBuilder {
+  public:
+    ModelBuilder(const Scene& scene, Model& model) : scene_(scene), model_(model) {}
+
+    void add(const Placement& placement) {
+        Block block;
+        block.shape = find_or_add_shape(placement);
+        block.material = find_or_add_material(placement);
+        block.mass = material_of(placement).density.value() * model_.shapes[block.shape].volume;
+        block.position = placement.position;
+        block.orientation = placement.orientation;
+        block.velocity = placement.velocity;
+        block.angular_velocity = placement.angular_velocity;
+        block.fixed = placement.fixed;
+        block.rotation_locked = placement.rotation_locked;
+        model_.blocks.push_back(block);
+    }
+
+    /// Area of the face that the stiffnesses of a block belong to [m²].
+    double face_area(const Placement& placement) {
+        if (placement.size == placement.whole_size) return model_.shapes[find_or_add_shape(placement)].face_area;
+        return placement.whole_size.x() * placement.whole_size.y();
+    }
+
+  private:
+    const BlockMaterial& material_of(const Placement& placement) const {
+        return placement.material.empty() ? scene_.material : scene_.materials.at(placement.material);
+    }
+
+    std::size_t find_or_add_shape(const Placement& placement) {
+        const std::array key{placement.size.x(), placement.size.y(), placement.size.z()};
+        const auto [entry, is_new] = shapes_.try_emplace(key, model_.shapes.size());
+        if (is_new) {
+            model_.shapes.push_back(std::visit([&](const auto& settings) { return make_shape(settings, placement); }, scene_.shape));
+        }
+        return entry->second;
+    }
+
+    std::size_t find_or_add_material(const Placement& placement) {
+        const double area = face_area(placement);
+        const auto [entry, is_new] = materials_.try_emplace(std::pair(placement.material, area), model_.materials.size());
+        if (is_new) model_.materials.push_back(make_material(material_of(placement), area));
+        return entry->second;
+    }
+
+    const Scene& scene_;
+    Model& model_;
+    std::map<std::array<double, 3>, std::size_t> shapes_;
+    std::map<std::pair<std::string, double>, std::size_t> materials_;
+};
+
+std::vector<detail::Body> make_bodies(const Scene& scene, const std::vector<Placement>& blocks) {
+    const bool round = std::holds_alternative<SphereShape>(scene.shape);
+    std::vector<detail::Body> bodies;
+    bodies.reserve(blocks.size());
+    for (const Placement& block : blocks) {
+        bodies.push_back({0.5 * block.size, block.position, block.orientation.toRotationMatrix(), round, block.fixed});
+    }
+    return bodies;
+}
+
+void refuse_overlaps(const Scene& scene, const std::vector<Placement>& blocks) {
+    const std::vector<detail::Body> bodies = make_bodies(scene, blocks);
+    if (const auto overlap = detail::find_deepest_overlap(bodies)) {
+        throw SceneError(fmt::format("{}: {} and {} overlap by {} at the start (blocks may touch, not overlap); move them apart",
+                                     origin_of(scene), name_block(scene, blocks, overlap->first),
+                                     name_block(scene, blocks, overlap->second), format_length(overlap->depth)));
+    }
+    if (!scene.ground.present) return;
+    for (std::size_t k = 0; k < bodies.size(); ++k) {
+        const detail::Body& body = bodies[k];
+        if (body.fixed) continue;
+        const double reach = body.round ? body.half.x() : body.axes.row(2).cwiseAbs().dot(body.half);
+        const double depth = reach - body.center.z();
+        if (depth > detail::kTouchingTolerance * 2.0 * body.half.minCoeff()) {
+            throw SceneError(fmt::format("{}: {} reaches {} below the ground at the start (the ground is the plane z = 0); lift it",
+                                         origin_of(scene), name_block(scene, blocks, k), format_length(depth)));
+        }
+    }
+}
+
+}  // namespace
+
+BuiltModel build_model(const Scene& scene) {
+    check_scene(scene, origin_of(scene));
+    const detail::Arrangement arrangement = detail::arrange(scene);
+    refuse_overlaps(scene, arrangement.blocks);
+
+    BuiltModel built;
+    Model& model = built.model;
+    ModelBuilder builder(scene, model);
+    model.blocks.reserve(arrangement.blocks.size());
+    try {
+        for (const Placement& placement : arrangement.blocks) builder.add(placement);
+    } catch (const std::invalid_argument& error) {
+        throw SceneError(fmt::format("{}: /shape: {}", origin_of(scene), error.what()));
+    }
+
+    // the ground is as stiff as the first block's faces
+    model.ground.present = scene.ground.present;
+    model.ground.material = make_material(scene.material, builder.face_area(arrangement.blocks.front()));
+    model.ground.material.friction = scene.ground.friction.value_or(scene.material.friction);
+    model.ground.motion = make_base_components(scene.base_motion);
+    model.gravity = detail::to_vector(scene.gravity);
+    model.contact_nodes = scene.contact_nodes == ProbingNodes::leader ? ContactNodes::leader : ContactNodes::both;
+
+    built.structure.spine = arrangement.spine;
+    for (const Placement& placement : arrangement.blocks) built.structure.layer.push_back(placement.layer);
+    return built;
+}
+
+Model make_model(const Scene& scene) { return build_model(scene).model; }
+
+scaling::Time compute_time_step(const Scene& scene, const Model& model) {
+    if (scene.time.step) return *scene.time.step;
+    return scaling::Time::from_value(scene.time.safety * compute_critical_time_step(model));
+}
+
+}  // namespace musim::lsdem::scene

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "lsdem/model.hpp"
+#include "lsdem/scene/scene.hpp"
+
+namespace musim::lsdem::scene {
+
+/// The blocks whose motion is kept: one vertical line of a structure, on its outer face, at every second layer (levels 1, 3, ...). Of an
+/// explicit list: all blocks, or 64 spread evenly over a longer list, block i at level i + 1.
+struct SpineLine {
+    std::vector<std::size_t> block;  ///< index into Model::blocks
+    std::vector<int> level;          ///< from 1 at the base
+};
+
+/// Places in a model that results speak of.
+struct StructureInfo {
+    std::vector<int> layer;  ///< of every block, from 1 at the base; 0: in no layer
+    SpineLine spine;
+};
+
+/// A scene as the kernel takes it.
+struct BuiltModel {
+    Model model;
+    StructureInfo structure;
+};
+
+/// Builds the kernel's model of a scene. Layers stand at nominal contact, z = H·(k − 1/2) for layer k, with neither gap nor overlap; odd
+/// layers of a tower follow the tiling, even ones its quarter turn. Stiffnesses of a whole face are divided by the area of that face.
+///
+/// Throws SceneError for a scene that check_scene refuses, for blocks that overlap each other or the ground at the start (the two are
+/// named, with the depth of the overlap), for nodes that do not fit the face, for a ring without tiling; records::ReadError for a record
+/// that cannot be used.
+BuiltModel build_model(const Scene& scene);
+
+/// The model of build_model.
+Model make_model(const Scene& scene);
+
+/// Time step of a run: the scene's own, or `safety` times the critical step of its model.
+scaling::Time compute_time_step(const Scene& scene, const Model& model);
+
+}  // namespace musim::lsdem::scene

@@ -1,0 +1,252 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string>
+
+#include "lsdem/scene/detail/json_object.hpp"
+#include "lsdem/scene/scene.hpp"
+#include "lsdem/scene/scene_error.hpp"
+#include "scaling/quantity_text.hpp"
+
+namespace musim::lsdem::scene {
+
+namespace {
+
+using detail::fail;
+using detail::JsonPlace;
+
+/// Largest number of layers, nodes, ...: keeps mistaken input from exhausting the memory.
+constexpr int kLargestCount = 1'000'000;
+
+std::string describe(double value) { return fmt::format("{:.6g}", value); }
+
+template <class Quantity>
+std::string describe(Quantity value) {
+    return std::isfinite(value.value()) ? scaling::format_quantity(value) : describe(value.value());
+}
+
+double si(double value) { return value; }
+
+template <class Quantity>
+double si(Quantity value) {
+    return value.value();
+}
+
+template <class Quantity>
+void require_finite(Quantity value, const JsonPlace& place) {
+    if (!std::isfinite(si(value))) fail(place, fmt::format("{} (must be finite); correct the value", describe(value)));
+}
+
+template <class Quantity>
+void require_positive(Quantity value, const JsonPlace& place) {
+    if (!(si(value) > 0.0) || !std::isfinite(si(value))) {
+        fail(place, fmt::format("{} (must be positive); correct the value", describe(value)));
+    }
+}
+
+template <class Quantity>
+void require_not_negative(Quantity value, const JsonPlace& place) {
+    if (!(si(value) >= 0.0) || !std::isfinite(si(value))) {
+        fail(place, fmt::format("{} (must not be negative); correct the value", describe(value)));
+    }
+}
+
+template <class Quantity>
+void require_positive(const Triple<Quantity>& triple, const JsonPlace& place) {
+    for (std::size_t k = 0; k < 3; ++k) require_positive(triple[k], place.at(k));
+}
+
+template <class Quantity>
+void require_finite(const Triple<Quantity>& triple, const JsonPlace& place) {
+    for (std::size_t k = 0; k < 3; ++k) require_finite(triple[k], place.at(k));
+}
+
+void require_count(int count, int least, const JsonPlace& place) {
+    if (count < least || count > kLargestCount) {
+        fail(place, fmt::format("{} (must be from {} to {}); correct the number", count, least, kLargestCount));
+    }
+}
+
+void check(const BlockMaterial& material, const JsonPlace& place) {
+    require_positive(material.density, place.at("density"));
+    require_positive(material.normal_stiffness, place.at("normal_stiffness"));
+    require_positive(material.shear_stiffness, place.at("shear_stiffness"));
+    require_not_negative(material.friction, place.at("friction"));
+    if (!(material.restitution > 0.0) || material.restitution > 1.0) {
+        fail(place.at("restitution"), fmt::format("{} (a coefficient of restitution lies above 0 and is at most 1); correct the number",
+                                                  describe(material.restitution)));
+    }
+    require_not_negative(material.shear_damping_ratio, place.at("shear_damping_ratio"));
+}
+
+void check(const BoxShape& shape, const JsonPlace& place) { require_count(shape.nodes_per_face, 4, place.at("nodes_per_face")); }
+
+void check(const GridShape& shape, const JsonPlace& place) {
+    require_count(shape.nodes_per_face, 4, place.at("nodes_per_face"));
+    require_positive(shape.voxel, place.at("voxel"));
+}
+
+void check(const SphereShape& shape, const JsonPlace& place) {
+    require_positive(shape.radius, place.at("radius"));
+    require_count(shape.nodes, 1, place.at("nodes"));
+    require_positive(shape.voxel, place.at("voxel"));
+}
+
+void check(const BlockEntry& block, const JsonPlace& place, const Scene& scene) {
+    if (!std::holds_alternative<SphereShape>(scene.shape)) require_positive(block.size, place.at("size"));
+    require_finite(block.position, place.at("position"));
+    const auto& [w, x, y, z] = block.quaternion;
+    const double norm_squared = w * w + x * x + y * y + z * z;
+    if (!(norm_squared > 0.0) || !std::isfinite(norm_squared)) {
+        fail(place.at("quaternion"), "no rotation (all four numbers are zero, or one is not finite); write [1, 0, 0, 0] for none");
+    }
+    require_finite(block.velocity, place.at("velocity"));
+    require_finite(block.angular_velocity, place.at("angular_velocity"));
+    if (!block.material.empty() && !scene.materials.contains(block.material)) {
+        fail(place.at("material"), fmt::format("\"{}\" is not among the scene's materials; add it under /materials", block.material));
+    }
+}
+
+void check(const BlockList& list, const JsonPlace& place, const Scene& scene) {
+    if (list.blocks.empty()) fail(place.at("blocks"), "no block (nothing to simulate); add one");
+    for (std::size_t k = 0; k < list.blocks.size(); ++k) check(list.blocks[k], place.at("blocks").at(k), scene);
+}
+
+void check_pitch(const std::optional<scaling::Length>& pitch, const Triple<scaling::Length>& block, const JsonPlace& place) {
+    const scaling::Length p = pitch.value_or(default_pitch(block));
+    if (!(block[0] <= p && block[1] <= 2.0 * p)) {
+        fail(place.at("block"),
+             fmt::format("blocks of {} x {} overlap their neighbors at a pitch of {} (needs b <= p and w <= 2p); make the "
+                         "block smaller or the pitch larger",
+                         describe(block[0]), describe(block[1]), describe(p)));
+    }
+}
+
+void check(const Column& column, const JsonPlace& place, const Scene& /*scene*/) {
+    require_count(column.layers, 1, place.at("layers"));
+    require_positive(column.block, place.at("block"));
+}
+
+void check(const Tower& tower, const JsonPlace& place, const Scene& /*scene*/) {
+    require_count(tower.layers, 1, place.at("layers"));
+    require_positive(tower.block, place.at("block"));
+    if (tower.pitch) require_positive(*tower.pitch, place.at("pitch"));
+    check_pitch(tower.pitch, tower.block, place);
+    if (tower.height_deviation != scaling::Length{}) {
+        fail(place.at("height_deviation"),
+             fmt::format("{} (a tower of uneven blocks must first settle layer by layer, which cannot be done yet); set it to \"0 mm\"",
+                         describe(tower.height_deviation)));
+    }
+}
+
+void check(const Wall& wall, const JsonPlace& place, const Scene& /*scene*/) {
+    require_count(wall.layers, 1, place.at("layers"));
+    require_count(wall.blocks_per_layer, 1, place.at("blocks_per_layer"));
+    require_positive(wall.block, place.at("block"));
+    if (wall.pitch) require_positive(*wall.pitch, place.at("pitch"));
+    const scaling::Length p = wall.pitch.value_or(default_pitch(wall.block));
+    if (!(wall.block[1] <= 2.0 * p && wall.block[1] > p)) {
+        fail(place.at("pitch"), fmt::format("{} does not suit blocks of width {} (needs p < w <= 2p); choose a pitch a little above w/2",
+                                            describe(p), describe(wall.block[1])));
+    }
+}
+
+void check(const RecordMotion& motion, const JsonPlace& place) {
+    if (!motion.components[0] && !motion.components[1] && !motion.components[2]) {
+        fail(place.at("components"), "no component is used (the base would not move); name one for x, y or z");
+    }
+    if (motion.dt) require_positive(*motion.dt, place.at("dt"));
+    if (motion.window) {
+        const auto& [from, to] = *motion.window;
+        if (!(from < to)) {
+            fail(place.at("window"), fmt::format("{} to {} is empty; write the earlier time first", describe(from), describe(to)));
+        }
+    }
+    if (motion.highpass_corner) require_positive(*motion.highpass_corner, place.at("highpass"));
+    if (motion.scale) {
+        try {
+            scaling::Similitude(motion.scale->factors, motion.scale->law);
+        } catch (const scaling::SimilitudeError& error) {
+            fail(place.at("scale"), error.what());
+        }
+    }
+}
+
+void check_signal(const StepSignal& signal, const JsonPlace& place) { require_finite(signal.velocity, place.at("velocity")); }
+
+void check_signal(const SineSignal& signal, const JsonPlace& place) {
+    require_finite(signal.amplitude, place.at("amplitude"));
+    require_positive(signal.frequency, place.at("frequency"));
+    require_positive(signal.cycles, place.at("cycles"));
+}
+
+void check_signal(const HalfSineSignal& signal, const JsonPlace& place) {
+    require_finite(signal.amplitude, place.at("amplitude"));
+    require_positive(signal.duration, place.at("duration"));
+}
+
+void check_signal(const RickerSignal& signal, const JsonPlace& place) {
+    require_finite(signal.amplitude, place.at("amplitude"));
+    require_positive(signal.frequency, place.at("frequency"));
+}
+
+void check_signal(const SyntheticSignal& signal, const JsonPlace& place) {
+    require_positive(signal.pga, place.at("pga"));
+    require_positive(signal.pgv, place.at("pgv"));
+    require_positive(signal.duration, place.at("duration"));
+    require_positive(signal.dt, place.at("dt"));
+}
+
+void check(const SignalMotion& motion, const JsonPlace& place) {
+    std::visit([&](const auto& signal) { check_signal(signal, place); }, motion.signal);
+    require_not_negative(motion.start, place.at("start"));
+    if (motion.dt) require_positive(*motion.dt, place.at("dt"));
+}
+
+void check(std::monostate /*still*/, const JsonPlace& /*place*/) {}
+
+}  // namespace
+
+scaling::Length default_pitch(const Triple<scaling::Length>& block) {
+    constexpr double kPitchOverWidth = 1.435 / 2.82;
+    return block[1] * kPitchOverWidth;
+}
+
+bool RecordScale::operator==(const RecordScale& other) const {
+    return law == other.law && factors.length == other.factors.length && factors.friction == other.factors.friction &&
+           factors.gravity == other.factors.gravity && factors.density == other.factors.density;
+}
+
+void check_scene(const Scene& scene, const std::string& origin) {
+    const JsonPlace root{origin, ""};
+    require_finite(scene.gravity, root.at("gravity"));
+    check(scene.material, root.at("material"));
+    for (const auto& [name, material] : scene.materials) check(material, root.at("materials").at(name));
+    std::visit([&](const auto& shape) { check(shape, root.at("shape")); }, scene.shape);
+    if (std::holds_alternative<SphereShape>(scene.shape) && !std::holds_alternative<BlockList>(scene.structure)) {
+        fail(root.at("shape").at("kind"),
+             "spheres cannot be stacked as a column, tower or wall; use \"box\", or a structure of kind \"blocks\"");
+    }
+    std::visit([&](const auto& structure) { check(structure, root.at("structure"), scene); }, scene.structure);
+
+    const JsonPlace motion = root.at("base_motion");
+    std::visit([&](const auto& source) { check(source, motion); }, scene.base_motion.source);
+    require_positive(scene.base_motion.factors.time, motion.at("factors").at("time"));
+    require_positive(scene.base_motion.factors.velocity, motion.at("factors").at("velocity"));
+    if (!scene.ground.present && !std::holds_alternative<std::monostate>(scene.base_motion.source)) {
+        fail(motion, "there is no ground to move (/ground/present is false); leave one of the two out");
+    }
+    if (scene.ground.friction) require_not_negative(*scene.ground.friction, root.at("ground").at("friction"));
+
+    require_positive(scene.time.duration, root.at("time").at("duration"));
+    if (scene.time.step) require_positive(*scene.time.step, root.at("time").at("step"));
+    require_positive(scene.time.safety, root.at("time").at("safety"));
+    if (scene.time.safety > 1.0) {
+        fail(root.at("time").at("safety"),
+             fmt::format("{} (steps above the critical one are unstable); use at most 1", describe(scene.time.safety)));
+    }
+    require_not_negative(scene.output.spine_rate, root.at("output").at("spine_rate"));
+    if (scene.output.frame_rate) require_positive(*scene.output.frame_rate, root.at("output").at("frame_rate"));
+}
+
+}  // namespace musim::lsdem::scene

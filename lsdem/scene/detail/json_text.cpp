@@ -1,0 +1,86 @@
+#include "lsdem/scene/detail/json_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <system_error>
+
+#include "lsdem/scene/scene_error.hpp"
+
+namespace musim::lsdem::scene::detail {
+
+namespace {
+
+/// "line:column" of a byte offset, both from 1.
+std::string locate(std::string_view text, std::size_t byte) {
+    const std::string_view before = text.substr(0, std::min(byte, text.size()));
+    const auto line = 1 + std::count(before.begin(), before.end(), '\n');
+    const std::size_t line_start = before.rfind('\n') == std::string_view::npos ? 0 : before.rfind('\n') + 1;
+    return fmt::format("{}:{}", line, before.size() - line_start + 1);
+}
+
+/// What nlohmann's message says after its own prefix and position.
+std::string reason(const nlohmann::json::parse_error& error) {
+    const std::string message = error.what();
+    const std::size_t start = message.find(": ");
+    return start == std::string::npos ? message : message.substr(start + 2);
+}
+
+/// Refuses a key that an object already has: the parser would silently keep the last one.
+class DuplicateKeys {
+  public:
+    explicit DuplicateKeys(const std::string& origin) : origin_(origin) {}
+
+    void see(nlohmann::json::parse_event_t event, const nlohmann::json& value) {
+        using Event = nlohmann::json::parse_event_t;
+        if (event == Event::object_start) open_.emplace_back();
+        if (event == Event::object_end) open_.pop_back();
+        if (event == Event::key && !open_.back().insert(value.get<std::string>()).second) {
+            throw SceneError(fmt::format("{}: key \"{}\" is given twice in one object; keep one", origin_, value.get<std::string>()));
+        }
+    }
+
+  private:
+    const std::string& origin_;
+    std::vector<std::set<std::string>> open_;
+};
+
+}  // namespace
+
+std::string read_text(const std::filesystem::path& path) {
+    if (std::filesystem::is_directory(path)) {
+        throw SceneError(fmt::format("{}: cannot be read (it is a folder); name a file in it", path.string()));
+    }
+    std::ifstream file(path, std::ios::binary);
+    if (!file) {
+        throw SceneError(fmt::format("{}: cannot be read ({}); check the name and its permissions", path.string(),
+                                     std::error_code(errno, std::generic_category()).message()));
+    }
+    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+nlohmann::json parse_json(std::string_view text, const std::string& origin) {
+    DuplicateKeys keys(origin);
+    const auto check = [&](int /*depth*/, nlohmann::json::parse_event_t event, nlohmann::json& value) {
+        keys.see(event, value);
+        return true;
+    };
+    try {
+        return nlohmann::json::parse(text, check);
+    } catch (const nlohmann::json::parse_error& error) {
+        const std::size_t byte = error.byte > 0 ? error.byte - 1 : 0;
+        throw SceneError(fmt::format("{}:{}: not valid JSON ({}); correct the text there", origin, locate(text, byte), reason(error)));
+    }
+}
+
+std::string join(const std::vector<std::string>& names) {
+    std::string list;
+    for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+    return list;
+}
+
+}  // namespace musim::lsdem::scene::detail

@@ -1,0 +1,148 @@
+#include "lsdem/scene/detail/placement.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+#include <tuple>
+
+#include "lsdem/scene/tower_tiling.hpp"
+
+namespace musim::lsdem::scene::detail {
+
+namespace {
+
+/// Most blocks of an explicit list whose motion is kept: what a plot can show.
+constexpr std::size_t kLargestSpine = 64;
+
+/// Turns a block's wide side from the y to the x axis.
+Quaternion quarter_turn() {
+    constexpr double kHalfAngle = std::numbers::sqrt2 / 2.0;
+    return {kHalfAngle, 0.0, 0.0, kHalfAngle};
+}
+
+double layer_height(double height, int layer) { return height * (layer - 0.5); }
+
+Placement place(const Vector3& size, const Vector3& position, int layer) {
+    Placement block;
+    block.size = block.whole_size = size;
+    block.position = position;
+    block.layer = layer;
+    return block;
+}
+
+Arrangement arrange(const BlockList& list, const ShapeSettings& shape) {
+    Arrangement arrangement;
+    const auto* sphere = std::get_if<SphereShape>(&shape);
+    for (const BlockEntry& entry : list.blocks) {
+        const Vector3 size = sphere != nullptr ? Vector3::Constant(2.0 * sphere->radius.value()) : to_vector(entry.size);
+        Placement block = place(size, to_vector(entry.position), 0);
+        const auto& [w, x, y, z] = entry.quaternion;
+        block.orientation = Quaternion(w, x, y, z).normalized();
+        block.velocity = to_vector(entry.velocity);
+        block.angular_velocity = to_vector(entry.angular_velocity);
+        block.fixed = entry.fixed;
+        block.rotation_locked = entry.rotation_locked;
+        block.material = entry.material;
+        arrangement.blocks.push_back(std::move(block));
+    }
+    const std::size_t count = list.blocks.size();
+    const std::size_t kept = std::min(count, kLargestSpine);
+    for (std::size_t k = 0; k < kept; ++k) {
+        const std::size_t block = k * count / kept;
+        arrangement.spine.block.push_back(block);
+        arrangement.spine.level.push_back(static_cast<int>(block) + 1);
+    }
+    return arrangement;
+}
+
+Arrangement arrange(const Column& column, const ShapeSettings& /*shape*/) {
+    Arrangement arrangement;
+    const Vector3 size = to_vector(column.block);
+    for (int layer = 1; layer <= column.layers; ++layer) {
+        Placement block = place(size, {0.0, 0.0, layer_height(size.z(), layer)}, layer);
+        block.rotation_locked = column.rotation_locked;
+        if (layer % 2 == 1) {
+            arrangement.spine.block.push_back(arrangement.blocks.size());
+            arrangement.spine.level.push_back(layer);
+        }
+        arrangement.blocks.push_back(std::move(block));
+    }
+    return arrangement;
+}
+
+/// Twice the centre of a domino from the middle of the grid [pitches]: whole numbers.
+std::array<int, 2> double_center(const Domino& domino, int cells_across) {
+    return {2 * domino.i + (domino.along_x ? 2 : 1) - cells_across, 2 * domino.j + (domino.along_x ? 1 : 2) - cells_across};
+}
+
+/// The domino of the outer face, on the side of +x, nearest to the x axis.
+std::size_t find_spine_domino(const TowerTiling& tiling) {
+    const auto rank = [&](const Domino& domino) {
+        const auto [x, y] = double_center(domino, tiling.cells_across);
+        return std::tuple(-x, std::abs(y), y);
+    };
+    const auto best = std::min_element(tiling.dominoes.begin(), tiling.dominoes.end(),
+                                       [&](const Domino& a, const Domino& b) { return rank(a) < rank(b); });
+    return static_cast<std::size_t>(best - tiling.dominoes.begin());
+}
+
+Arrangement arrange(const Tower& tower, const ShapeSettings& /*shape*/) {
+    const TowerTiling odd = tower.tiling_file ? read_tiling(*tower.tiling_file) : make_tower_tiling(tower.tiling);
+    const TowerTiling even = rotate_quarter_turn(odd);
+    const std::size_t spine = find_spine_domino(odd);
+    const Vector3 size = to_vector(tower.block);
+    const double pitch = tower.pitch.value_or(default_pitch(tower.block)).value();
+
+    Arrangement arrangement;
+    for (int layer = 1; layer <= tower.layers; ++layer) {
+        const bool is_odd = layer % 2 == 1;
+        if (is_odd) {
+            arrangement.spine.block.push_back(arrangement.blocks.size() + spine);
+            arrangement.spine.level.push_back(layer);
+        }
+        for (const Domino& domino : is_odd ? odd.dominoes : even.dominoes) {
+            const auto [x, y] = double_center(domino, odd.cells_across);
+            Placement block = place(size, {0.5 * x * pitch, 0.5 * y * pitch, layer_height(size.z(), layer)}, layer);
+            if (domino.along_x) block.orientation = quarter_turn();
+            arrangement.blocks.push_back(std::move(block));
+        }
+    }
+    return arrangement;
+}
+
+Arrangement arrange(const Wall& wall, const ShapeSettings& /*shape*/) {
+    const Vector3 size = to_vector(wall.block);
+    const double pitch = wall.pitch.value_or(default_pitch(wall.block)).value();
+    // a half block fills one cell of the pitch and leaves the same joint as whole ones
+    const Vector3 half_size(size.x(), size.y() - pitch, size.z());
+    const int n = wall.blocks_per_layer;
+
+    Arrangement arrangement;
+    const auto add = [&](const Vector3& block_size, double cells_from_middle, int layer) {
+        Placement block = place(block_size, {cells_from_middle * pitch, 0.0, layer_height(size.z(), layer)}, layer);
+        block.whole_size = size;
+        block.orientation = quarter_turn();
+        arrangement.blocks.push_back(std::move(block));
+    };
+    for (int layer = 1; layer <= wall.layers; ++layer) {
+        if (layer % 2 == 1) {
+            for (int k = 0; k < n; ++k) add(size, 2 * k + 1 - n, layer);
+            arrangement.spine.block.push_back(arrangement.blocks.size() - 1);
+            arrangement.spine.level.push_back(layer);
+            continue;
+        }
+        add(half_size, 0.5 - n, layer);
+        for (int k = 1; k < n; ++k) add(size, 2 * k - n, layer);
+        add(half_size, n - 0.5, layer);
+    }
+    return arrangement;
+}
+
+}  // namespace
+
+Arrangement arrange(const Scene& scene) {
+    return std::visit([&](const auto& structure) { return arrange(structure, scene.shape); }, scene.structure);
+}
+
+}  // namespace musim::lsdem::scene::detail

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lsdem/scene/build_model.hpp"
+#include "lsdem/scene/scene.hpp"
+#include "lsdem/types.hpp"
+
+namespace musim::lsdem::scene::detail {
+
+/// A block in its place, in SI; what all blocks of a scene have in common is left to the scene.
+struct Placement {
+    Vector3 size = Vector3::Zero();        ///< edge lengths in the body frame [m]; for spheres, their diameter
+    Vector3 whole_size = Vector3::Zero();  ///< of the block whose face the stiffnesses belong to: `size`, but for half blocks [m]
+    Vector3 position = Vector3::Zero();
+    Quaternion orientation = Quaternion::Identity();
+    Vector3 velocity = Vector3::Zero();
+    Vector3 angular_velocity = Vector3::Zero();
+    bool fixed = false;
+    bool rotation_locked = false;
+    std::string material;  ///< key of Scene::materials; empty: Scene::material
+    int layer = 0;         ///< from 1 at the base; 0: in no layer
+};
+
+/// All blocks of a structure and its spine.
+struct Arrangement {
+    std::vector<Placement> blocks;
+    SpineLine spine;
+};
+
+/// Places the blocks of a scene's structure. Throws SceneError when the tower's ring cannot be tiled or its tiling cannot be read.
+Arrangement arrange(const Scene& scene);
+
+/// Three typed values as a plain SI vector.
+template <class Quantity>
+Vector3 to_vector(const Triple<Quantity>& triple) {
+    return {triple[0].value(), triple[1].value(), triple[2].value()};
+}
+
+}  // namespace musim::lsdem::scene::detail

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scaling/units.hpp"
+
+namespace musim::lsdem::scene {
+
+/// Three components along x, y, z, or edge lengths (thin b, wide w, height H).
+template <class Quantity>
+using Triple = std::array<Quantity, 3>;
+
+/// A block's material with its contact properties.
+///
+/// The stiffnesses are those of a whole face of the block, the one across its z axis, as in Table 3 of [Harmon23]; the kernel gets
+/// K = k/A_face [Pa/m] of the block at hand.
+struct BlockMaterial {
+    scaling::Density density{};
+    scaling::Stiffness normal_stiffness{};  ///< k_n of a whole face
+    scaling::Stiffness shear_stiffness{};   ///< k_s of a whole face
+    double friction = 0.0;                  ///< Coulomb coefficient μ [-]
+    double restitution = 0.0;               ///< normal coefficient of restitution e, in (0, 1] [-]
+    double shear_damping_ratio = 0.0;       ///< ζ_s of the optional tangential dashpot, 0 in the papers [-]
+
+    bool operator==(const BlockMaterial&) const = default;
+};
+
+/// A measured material and the block it was measured for.
+struct MaterialPreset {
+    std::string_view name;
+    BlockMaterial material;
+    double length_scale = 1.0;                  ///< of the tower whose block it is: 1/107 or 1/25 [-]
+    Triple<scaling::Length> reference_block{};  ///< b, w, H that the stiffnesses belong to
+    std::string_view source;
+};
+
+/// The preset called `name`: "wood" and "concrete" as printed, "aluminium" with the stiffnesses that its wave speed asks for (also
+/// "al_wave"), "al_printed" with the printed ones. Throws SceneError with the known names for any other.
+const MaterialPreset& find_material_preset(std::string_view name);
+
+/// The names that find_material_preset knows.
+std::vector<std::string> material_preset_names();
+
+/// The same solid in a block of another size:  k = k_ref·(A/H)/(A_ref/H_ref),  because E_eff = k·H/A is the solid's (bar wave speed
+/// c = H·√(k/m)). At the reference block this is the preset itself, to rounding.
+BlockMaterial fit_to_block(const MaterialPreset& preset, const Triple<scaling::Length>& block);
+
+}  // namespace musim::lsdem::scene

@@ -1,0 +1,347 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "lsdem/scene/detail/json_object.hpp"
+#include "lsdem/scene/detail/json_text.hpp"
+#include "lsdem/scene/scene_json.hpp"
+
+namespace musim::lsdem::scene {
+
+namespace {
+
+using detail::fail;
+using detail::JsonObject;
+using detail::JsonPlace;
+using nlohmann::json;
+
+/// Only this version of the format is known.
+constexpr std::string_view kSchemaName = "musim-scene/1";
+
+const std::vector<std::string>& axis_names() {
+    static const std::vector<std::string> kNames{"x", "y", "z"};
+    return kNames;
+}
+
+/// A file named in a scene, beside the scene's own.
+std::filesystem::path resolve(const std::string& file, const std::filesystem::path& origin) {
+    return std::filesystem::absolute(origin.parent_path() / file).lexically_normal();
+}
+
+/// find_material_preset, with the place in front of its message.
+const BlockMaterial& find_preset(const std::string& name, const JsonPlace& place) {
+    try {
+        return find_material_preset(name).material;
+    } catch (const SceneError& error) {
+        fail(place, error.what());
+    }
+}
+
+BlockMaterial parse_material(const json& value, const JsonPlace& place) {
+    if (value.is_string()) return find_preset(value.get<std::string>(), place);
+    const JsonObject object(value, place, "material");
+    BlockMaterial material;
+    if (object.has("preset")) {
+        material = find_preset(object.text("preset"), object.place("preset"));
+        object.read_quantity("density", material.density);
+        object.read_quantity("normal_stiffness", material.normal_stiffness);
+        object.read_quantity("shear_stiffness", material.shear_stiffness);
+        object.read("friction", material.friction);
+        object.read("restitution", material.restitution);
+    } else {
+        material.density = object.quantity<scaling::Density>("density");
+        material.normal_stiffness = object.quantity<scaling::Stiffness>("normal_stiffness");
+        material.shear_stiffness = object.quantity<scaling::Stiffness>("shear_stiffness");
+        material.friction = object.number("friction");
+        material.restitution = object.number("restitution");
+    }
+    object.read("shear_damping_ratio", material.shear_damping_ratio);
+    return material;
+}
+
+ShapeSettings parse_shape(const json& value, const JsonPlace& place) {
+    const JsonObject object(value, place, "shape");
+    const bool sphere = object.choice("kind", {"box", "sphere"}) == 1;
+    if (sphere) {
+        SphereShape shape;
+        shape.radius = object.quantity<scaling::Length>("radius");
+        shape.voxel = object.quantity<scaling::Length>("voxel");
+        object.read("nodes", shape.nodes);
+        return shape;
+    }
+    BoxShape box;
+    object.read("nodes_per_face", box.nodes_per_face);
+    const bool grid = object.has("level_set") && object.choice("level_set", {"box", "grid"}) == 1;
+    if (!grid) return box;
+    return GridShape{box.nodes_per_face, object.quantity<scaling::Length>("voxel")};
+}
+
+BlockEntry parse_block(const json& value, const JsonPlace& place, bool needs_size) {
+    const JsonObject object(value, place, "block");
+    BlockEntry block;
+    if (needs_size || object.has("size")) block.size = object.triple<scaling::Length>("size");
+    block.position = object.triple<scaling::Length>("position");
+    if (object.has("quaternion")) {
+        const json& list = object.get("quaternion");
+        const JsonPlace where = object.place("quaternion");
+        if (!list.is_array() || list.size() != 4) fail(where, "four numbers (w, x, y, z) are wanted; correct the list");
+        for (std::size_t k = 0; k < 4; ++k) block.quaternion[k] = detail::to_number(list[k], where.at(k));
+    }
+    if (object.has("velocity")) block.velocity = object.triple<scaling::Velocity>("velocity");
+    if (object.has("angular_velocity")) block.angular_velocity = object.triple<scaling::Frequency>("angular_velocity");
+    object.read("fixed", block.fixed);
+    object.read("rotation_locked", block.rotation_locked);
+    object.read("material", block.material);
+    return block;
+}
+
+TilingSettings find_preset_tiling(const std::string& name, const JsonPlace& place) {
+    try {
+        return find_tiling_preset(name);
+    } catch (const SceneError& error) {
+        fail(place, error.what());
+    }
+}
+
+void parse_tiling_choice(const JsonObject& tower, const std::filesystem::path& origin, Tower& result) {
+    if (!tower.has("tiling")) return;
+    const json& value = tower.get("tiling");
+    if (value.is_string()) {
+        result.tiling = find_preset_tiling(value.get<std::string>(), tower.place("tiling"));
+        return;
+    }
+    const JsonObject object(value, tower.place("tiling"), "tiling");
+    object.read("cells_across", result.tiling.cells_across);
+    object.read("inner_radius", result.tiling.inner_radius);
+    object.read("outer_radius", result.tiling.outer_radius);
+    if (object.has("file")) result.tiling_file = resolve(object.text("file"), origin);
+}
+
+BlockList parse_block_list(const JsonObject& object, bool needs_size) {
+    const json& entries = object.get("blocks");
+    const JsonPlace place = object.place("blocks");
+    if (!entries.is_array()) fail(place, "a list [ ... ] of blocks is wanted; correct the value");
+    BlockList list;
+    for (std::size_t k = 0; k < entries.size(); ++k) list.blocks.push_back(parse_block(entries[k], place.at(k), needs_size));
+    return list;
+}
+
+Column parse_column(const JsonObject& object) {
+    Column column;
+    column.block = object.triple<scaling::Length>("block");
+    object.read("layers", column.layers);
+    object.read("rotation_locked", column.rotation_locked);
+    return column;
+}
+
+Wall parse_wall(const JsonObject& object) {
+    Wall wall;
+    wall.block = object.triple<scaling::Length>("block");
+    object.read("layers", wall.layers);
+    object.read("blocks_per_layer", wall.blocks_per_layer);
+    wall.pitch = object.optional_quantity<scaling::Length>("pitch");
+    return wall;
+}
+
+Tower parse_tower(const JsonObject& object, const std::filesystem::path& origin) {
+    Tower tower;
+    tower.block = object.triple<scaling::Length>("block");
+    object.read("layers", tower.layers);
+    tower.pitch = object.optional_quantity<scaling::Length>("pitch");
+    parse_tiling_choice(object, origin, tower);
+    object.read_quantity("height_deviation", tower.height_deviation);
+    object.read("seed", tower.seed);
+    return tower;
+}
+
+/// The text at `key`, which tells the kind of an object and so which other keys it may have.
+std::string parse_kind(const json& value, const JsonPlace& place, const std::string& key, const std::vector<std::string>& kinds) {
+    if (!value.is_object() || !value.contains(key)) {
+        fail(place, fmt::format("an object with a \"{}\" is wanted ({}); add it", key, detail::join(kinds)));
+    }
+    std::string kind = detail::to_text(value.at(key), place.at(key));
+    if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) {
+        fail(place.at(key), fmt::format("\"{}\" is not known; {}", kind, detail::suggest(kind, kinds)));
+    }
+    return kind;
+}
+
+Structure parse_structure(const json& value, const JsonPlace& place, const std::filesystem::path& origin, bool needs_size) {
+    const std::string kind = parse_kind(value, place, "kind", {"blocks", "column", "tower", "wall"});
+    const JsonObject object(value, place, kind);
+    if (kind == "blocks") return parse_block_list(object, needs_size);
+    if (kind == "column") return parse_column(object);
+    if (kind == "wall") return parse_wall(object);
+    return parse_tower(object, origin);
+}
+
+RecordScale parse_record_scale(const json& value, const JsonPlace& place) {
+    const JsonObject object(value, place, "scale");
+    RecordScale scale;
+    const std::vector<std::string> laws{"mu", "froude", "exact", "cauchy"};
+    if (object.has("law")) scale.law = scaling::parse_law(laws[object.choice("law", laws)]);
+    object.read("length", scale.factors.length);
+    object.read("friction", scale.factors.friction);
+    object.read("gravity", scale.factors.gravity);
+    object.read("density", scale.factors.density);
+    return scale;
+}
+
+RecordMotion parse_record(const JsonObject& object, const std::filesystem::path& origin) {
+    RecordMotion motion;
+    motion.file = resolve(object.text("record"), origin);
+    const JsonObject components(object.get("components"), object.place("components"), "components");
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (components.has(axis_names()[axis])) motion.components[axis] = components.text(axis_names()[axis]);
+    }
+    if (object.has("unit")) motion.unit = object.text("unit");
+    if (object.has("quantity")) {
+        const std::vector<std::string> names{"acceleration", "velocity", "displacement"};
+        motion.quantity = records::find_sample_quantity(names[object.choice("quantity", names)]);
+    }
+    motion.dt = object.optional_quantity<scaling::Time>("dt");
+    if (object.has("window")) {
+        const json& window = object.get("window");
+        const JsonPlace place = object.place("window");
+        if (!window.is_array() || window.size() != 2) fail(place, "a list of two times is wanted; write [\"225 s\", \"265 s\"]");
+        motion.window = {detail::to_quantity<scaling::Time>(window[0], place.at(0)),
+                         detail::to_quantity<scaling::Time>(window[1], place.at(1))};
+    }
+    motion.highpass_corner = object.optional_quantity<scaling::Frequency>("highpass");
+    if (object.has("scale")) motion.scale = parse_record_scale(object.get("scale"), object.place("scale"));
+    return motion;
+}
+
+Signal parse_signal_shape(const JsonObject& object, const std::string& kind) {
+    if (kind == "step") return StepSignal{object.quantity<scaling::Velocity>("velocity")};
+    if (kind == "synthetic") {
+        SyntheticSignal synthetic;
+        synthetic.pga = object.quantity<scaling::Acceleration>("pga");
+        synthetic.pgv = object.quantity<scaling::Velocity>("pgv");
+        synthetic.duration = object.quantity<scaling::Time>("duration");
+        synthetic.dt = object.quantity<scaling::Time>("dt");
+        object.read("seed", synthetic.seed);
+        return synthetic;
+    }
+    const auto amplitude = object.quantity<scaling::Acceleration>("amplitude");
+    if (kind == "half_sine") return HalfSineSignal{amplitude, object.quantity<scaling::Time>("duration")};
+    const auto frequency = object.quantity<scaling::Frequency>("frequency");
+    if (kind == "ricker") return RickerSignal{amplitude, frequency};
+    return SineSignal{amplitude, frequency, object.number("cycles")};
+}
+
+SignalMotion parse_signal(const json& value, const JsonPlace& place) {
+    const std::string kind = parse_kind(value, place, "signal", {"step", "sine", "half_sine", "ricker", "synthetic"});
+    const JsonObject object(value, place, kind);
+    SignalMotion motion;
+    motion.signal = parse_signal_shape(object, kind);
+    if (object.has("direction")) motion.axis = static_cast<int>(object.choice("direction", axis_names()));
+    object.read_quantity("start", motion.start);
+    // a synthetic record has a time step of its own, a step needs none
+    if (kind != "synthetic" && kind != "step") motion.dt = object.optional_quantity<scaling::Time>("dt");
+    return motion;
+}
+
+BaseMotion parse_base_motion(const json& value, const JsonPlace& place, const std::filesystem::path& origin) {
+    BaseMotion motion;
+    if (!value.is_object() || value.contains("record") == value.contains("signal")) {
+        fail(place, "an object with either a \"record\" or a \"signal\" is wanted; add one of them, or leave base_motion out");
+    }
+    if (value.contains("record")) {
+        motion.source = parse_record(JsonObject(value, place, "record"), origin);
+    } else {
+        motion.source = parse_signal(value, place);
+    }
+    if (value.contains("factors")) {
+        const JsonObject factors(value.at("factors"), place.at("factors"), "factors");
+        factors.read("time", motion.factors.time);
+        factors.read("velocity", motion.factors.velocity);
+    }
+    return motion;
+}
+
+/// A magnitude, downwards, or three components; the default stays without either.
+void read_gravity(const JsonObject& object, Triple<scaling::Acceleration>& gravity) {
+    if (!object.has("gravity")) return;
+    const json& value = object.get("gravity");
+    const JsonPlace place = object.place("gravity");
+    if (!value.is_array()) {
+        gravity[2] = -detail::to_quantity<scaling::Acceleration>(value, place);
+        return;
+    }
+    detail::require_triple(value, place);
+    for (std::size_t k = 0; k < 3; ++k) gravity[k] = detail::to_quantity<scaling::Acceleration>(value[k], place.at(k));
+}
+
+TimeSettings parse_time(const JsonObject& object) {
+    TimeSettings time;
+    time.duration = object.quantity<scaling::Time>("duration");
+    const bool automatic = !object.has("step") || object.get("step") == "auto";
+    if (!automatic) time.step = object.quantity<scaling::Time>("step");
+    object.read("safety", time.safety);
+    return time;
+}
+
+/// Adds the presets that block entries name to the scene's materials; refuses names that are neither.
+void collect_materials(Scene& scene, const JsonPlace& place) {
+    const auto* list = std::get_if<BlockList>(&scene.structure);
+    if (list == nullptr) return;
+    for (std::size_t k = 0; k < list->blocks.size(); ++k) {
+        const std::string& name = list->blocks[k].material;
+        if (name.empty() || scene.materials.contains(name)) continue;
+        scene.materials.emplace(name, find_preset(name, place.at("structure").at("blocks").at(k).at("material")));
+    }
+}
+
+}  // namespace
+
+Scene parse_scene(std::string_view json_text, const std::filesystem::path& origin) {
+    const json root = detail::parse_json(json_text, origin.string());
+    const JsonPlace place{origin.string(), ""};
+    const JsonObject object(root, place, "scene");
+    if (object.text("schema") != kSchemaName) {
+        fail(place.at("schema"),
+             fmt::format("\"{}\" is not a known format; write \"{}\"", object.text("schema"), std::string(kSchemaName)));
+    }
+
+    Scene scene;
+    object.read("name", scene.name);
+    read_gravity(object, scene.gravity);
+    scene.material = parse_material(object.get("material"), object.place("material"));
+    if (object.has("materials")) {
+        if (!object.get("materials").is_object()) {
+            fail(object.place("materials"), "an object of named materials is wanted; correct the value");
+        }
+        for (const auto& [name, value] : object.get("materials").items()) {
+            scene.materials.emplace(name, parse_material(value, object.place("materials").at(name)));
+        }
+    }
+    if (object.has("shape")) scene.shape = parse_shape(object.get("shape"), object.place("shape"));
+    const bool needs_size = !std::holds_alternative<SphereShape>(scene.shape);
+    scene.structure = parse_structure(object.get("structure"), object.place("structure"), origin, needs_size);
+    collect_materials(scene, place);
+    if (object.has("base_motion")) scene.base_motion = parse_base_motion(object.get("base_motion"), object.place("base_motion"), origin);
+    if (object.has("ground")) {
+        const JsonObject ground(object.get("ground"), object.place("ground"), "ground");
+        ground.read("present", scene.ground.present);
+        if (ground.has("friction")) scene.ground.friction = ground.number("friction");
+    }
+    if (object.has("contact")) {
+        const JsonObject contact(object.get("contact"), object.place("contact"), "contact");
+        const bool both = contact.has("nodes") && contact.choice("nodes", {"leader", "both"}) == 1;
+        scene.contact_nodes = both ? ProbingNodes::both : ProbingNodes::leader;
+    }
+    scene.time = parse_time(JsonObject(object.get("time"), object.place("time"), "time"));
+    if (object.has("output")) {
+        const JsonObject output(object.get("output"), object.place("output"), "output");
+        output.read_quantity("spine_rate", scene.output.spine_rate);
+        scene.output.frame_rate = output.optional_quantity<scaling::Frequency>("frame_rate");
+    }
+    check_scene(scene, origin.string());
+    return scene;
+}
+
+Scene read_scene(const std::filesystem::path& path) { return parse_scene(detail::read_text(path), path); }
+
+}  // namespace musim::lsdem::scene

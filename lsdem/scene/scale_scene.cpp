@@ -1,0 +1,110 @@
+#include "lsdem/scene/scale_scene.hpp"
+
+#include <fmt/format.h>
+
+namespace musim::lsdem::scene {
+
+namespace {
+
+/// Multiplies quantities in place by the factors of one similitude.
+class Scaler {
+  public:
+    explicit Scaler(const scaling::Similitude& similitude) : similitude_(similitude) {}
+
+    template <class Quantity>
+    void scale(Quantity& quantity) const {
+        quantity = similitude_.to_model(quantity);
+    }
+    template <class Quantity>
+    void scale(Triple<Quantity>& triple) const {
+        for (Quantity& quantity : triple) scale(quantity);
+    }
+    template <class Quantity>
+    void scale(std::optional<Quantity>& quantity) const {
+        if (quantity) scale(*quantity);
+    }
+
+    void scale(BlockMaterial& material) const {
+        scale(material.density);
+        scale(material.normal_stiffness);
+        scale(material.shear_stiffness);
+        material.friction *= similitude_.friction();
+    }
+
+    void scale(BoxShape& /*shape*/) const {}
+    void scale(GridShape& shape) const { scale(shape.voxel); }
+    void scale(SphereShape& shape) const {
+        scale(shape.radius);
+        scale(shape.voxel);
+    }
+
+    void scale(BlockList& list) const {
+        for (BlockEntry& block : list.blocks) {
+            scale(block.size);
+            scale(block.position);
+            scale(block.velocity);
+            scale(block.angular_velocity);
+        }
+    }
+    void scale(Column& column) const { scale(column.block); }
+    void scale(Tower& tower) const {
+        scale(tower.block);
+        scale(tower.pitch);
+        scale(tower.height_deviation);
+    }
+    void scale(Wall& wall) const {
+        scale(wall.block);
+        scale(wall.pitch);
+    }
+
+    void scale(BaseMotion& motion) const {
+        if (std::holds_alternative<std::monostate>(motion.source)) return;
+        motion.factors.time *= similitude_.time();
+        motion.factors.velocity *= similitude_.velocity();
+    }
+
+  private:
+    const scaling::Similitude& similitude_;
+};
+
+}  // namespace
+
+Scene scale_scene(const Scene& scene, const scaling::Similitude& similitude) {
+    const Scaler scaler(similitude);
+    Scene scaled = scene;
+    for (scaling::Acceleration& component : scaled.gravity) component *= similitude.gravity();
+    scaler.scale(scaled.material);
+    for (auto& [name, material] : scaled.materials) scaler.scale(material);
+    std::visit([&](auto& shape) { scaler.scale(shape); }, scaled.shape);
+    std::visit([&](auto& structure) { scaler.scale(structure); }, scaled.structure);
+    scaler.scale(scaled.base_motion);
+    if (scaled.ground.friction) *scaled.ground.friction *= similitude.friction();
+    scaler.scale(scaled.time.duration);
+    scaler.scale(scaled.time.step);
+    scaler.scale(scaled.output.spine_rate);
+    scaler.scale(scaled.output.frame_rate);
+    check_scene(scaled, fmt::format("scene \"{}\" at 1:{:.6g}", scene.name, 1.0 / similitude.length()));
+    return scaled;
+}
+
+Scene scale_with_own_material(const Scene& scene, const scaling::Similitude& similitude, const MaterialPreset& preset) {
+    Scene scaled = scale_scene(scene, similitude);
+    const double shear_damping_ratio = scaled.material.shear_damping_ratio;
+    scaled.material = fit_to_block(preset, reference_block(scaled));
+    scaled.material.shear_damping_ratio = shear_damping_ratio;
+    scaled.time.step.reset();
+    return scaled;
+}
+
+Triple<scaling::Length> reference_block(const Scene& scene) {
+    if (const auto* sphere = std::get_if<SphereShape>(&scene.shape)) {
+        const scaling::Length diameter = 2.0 * sphere->radius;
+        return {diameter, diameter, diameter};
+    }
+    if (const auto* list = std::get_if<BlockList>(&scene.structure)) return list->blocks.front().size;
+    if (const auto* column = std::get_if<Column>(&scene.structure)) return column->block;
+    if (const auto* wall = std::get_if<Wall>(&scene.structure)) return wall->block;
+    return std::get<Tower>(scene.structure).block;
+}
+
+}  // namespace musim::lsdem::scene

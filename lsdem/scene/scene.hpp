@@ -1,0 +1,246 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "lsdem/scene/material_presets.hpp"
+#include "lsdem/scene/tower_tiling.hpp"
+#include "records/sample_unit.hpp"
+#include "scaling/similitude.hpp"
+#include "scaling/units.hpp"
+
+/// Scenes: what to simulate, in typed quantities; from and to JSON, scaled by a similitude, turned into the kernel's Model.
+namespace musim::lsdem::scene {
+
+/// Blocks as boxes with a closed-form level set.
+struct BoxShape {
+    int nodes_per_face = 44;  ///< on the face across z, edges and corners included; 44 in [Harmon23]
+
+    bool operator==(const BoxShape&) const = default;
+};
+
+/// Blocks as boxes whose level set is sampled on a grid.
+struct GridShape {
+    int nodes_per_face = 44;
+    scaling::Length voxel{};  ///< spacing of the grid; 0.65 mm at 1:107 in [Harmon23]
+
+    bool operator==(const GridShape&) const = default;
+};
+
+/// Spheres as grid level sets; for structures of kind "blocks", whose entries then need no size.
+struct SphereShape {
+    scaling::Length radius{};
+    int nodes = 440;          ///< over the whole surface
+    scaling::Length voxel{};  ///< spacing of the grid
+
+    bool operator==(const SphereShape&) const = default;
+};
+
+using ShapeSettings = std::variant<BoxShape, GridShape, SphereShape>;
+
+/// One block of an explicit list.
+struct BlockEntry {
+    Triple<scaling::Length> size{};                        ///< edge lengths in the body frame; unused for spheres
+    Triple<scaling::Length> position{};                    ///< centre of mass, world frame
+    std::array<double, 4> quaternion{1.0, 0.0, 0.0, 0.0};  ///< (w, x, y, z), body to world; any length but 0
+    Triple<scaling::Velocity> velocity{};                  ///< world frame
+    Triple<scaling::Frequency> angular_velocity{};         ///< world frame [rad/s]
+    bool fixed = false;                                    ///< held in place
+    bool rotation_locked = false;                          ///< translates only
+    std::string material;                                  ///< key of Scene::materials; empty: Scene::material
+
+    bool operator==(const BlockEntry&) const = default;
+};
+
+/// An explicit list of blocks.
+struct BlockList {
+    std::vector<BlockEntry> blocks;
+
+    bool operator==(const BlockList&) const = default;
+};
+
+/// One block per layer.
+struct Column {
+    int layers = 1;
+    Triple<scaling::Length> block{};  ///< b, w, H
+    bool rotation_locked = false;     ///< all blocks translate only; for wave speeds
+
+    bool operator==(const Column&) const = default;
+};
+
+/// The tower of contracts.md section 5, with any tiling.
+struct Tower {
+    int layers = 38;
+    Triple<scaling::Length> block{};                   ///< b, w, H
+    std::optional<scaling::Length> pitch;              ///< of the cells; default: see default_pitch
+    TilingSettings tiling;                             ///< ring to be tiled, unless a file is named
+    std::optional<std::filesystem::path> tiling_file;  ///< absolute path of a list of dominoes
+    scaling::Length height_deviation{};                ///< standard deviation σ_H; only 0 can be built yet
+    std::uint64_t seed = 1;                            ///< of the heights
+
+    bool operator==(const Tower&) const = default;
+};
+
+/// A straight wall along x in running bond: odd courses of whole blocks, even courses shifted by half a block, closed by half blocks.
+struct Wall {
+    int layers = 1;
+    int blocks_per_layer = 1;
+    Triple<scaling::Length> block{};       ///< b across the wall, w along it, H
+    std::optional<scaling::Length> pitch;  ///< half a block and its joint, along x; default: see default_pitch
+
+    bool operator==(const Wall&) const = default;
+};
+
+using Structure = std::variant<BlockList, Column, Tower, Wall>;
+
+/// Pitch of the cells when a scene gives none: that of the prototype tower for its block,  p = w·1.435/2.82  [Harmon23].
+scaling::Length default_pitch(const Triple<scaling::Length>& block);
+
+/// Scale factors that a scene applies to its own record.
+struct RecordScale {
+    scaling::Law law = scaling::Law::mu;
+    scaling::ScaleFactors factors;
+
+    bool operator==(const RecordScale& other) const;
+};
+
+/// A recorded base motion: read, windowed, high-passed, integrated, then scaled.
+struct RecordMotion {
+    std::filesystem::path file;                            ///< absolute path
+    std::array<std::optional<std::string>, 3> components;  ///< component names along x, y, z
+    std::optional<std::string> unit;                       ///< of plain text files
+    std::optional<records::SampleQuantity> quantity;       ///< of plain text files
+    std::optional<scaling::Time> dt;                       ///< of files without one
+    std::optional<std::array<scaling::Time, 2>> window;    ///< part to use, in the record's own time; it starts at t = 0
+    std::optional<scaling::Frequency> highpass_corner;     ///< default: what the record itself asks for
+    std::optional<RecordScale> scale;
+
+    bool operator==(const RecordMotion&) const = default;
+};
+
+/// The base takes the velocity V at once and keeps it.
+struct StepSignal {
+    scaling::Velocity velocity{};
+
+    bool operator==(const StepSignal&) const = default;
+};
+
+/// a(t) = A·sin(2π f t) from rest, for a number of cycles; the velocity A/(2π f)·(1 − cos) never changes sign.
+struct SineSignal {
+    scaling::Acceleration amplitude{};
+    scaling::Frequency frequency{};
+    double cycles = 1.0;
+
+    bool operator==(const SineSignal&) const = default;
+};
+
+/// a(t) = A·sin(π t/T) for 0 ≤ t ≤ T, then the velocity 2AT/π stays.
+struct HalfSineSignal {
+    scaling::Acceleration amplitude{};
+    scaling::Time duration{};
+
+    bool operator==(const HalfSineSignal&) const = default;
+};
+
+/// Ricker wavelet a(τ) = A·(1 − 2π²f²τ²)·exp(−π²f²τ²), whose peak comes 1.5/f after the start; starts and ends at rest [Ricker53].
+struct RickerSignal {
+    scaling::Acceleration amplitude{};
+    scaling::Frequency frequency{};
+
+    bool operator==(const RickerSignal&) const = default;
+};
+
+/// Made earthquake with given peaks, see records::make_synthetic_record.
+struct SyntheticSignal {
+    scaling::Acceleration pga{};
+    scaling::Velocity pgv{};
+    scaling::Time duration{};
+    scaling::Time dt{};
+    std::uint64_t seed = 1;
+
+    bool operator==(const SyntheticSignal&) const = default;
+};
+
+using Signal = std::variant<StepSignal, SineSignal, HalfSineSignal, RickerSignal, SyntheticSignal>;
+
+/// A base motion given by a formula, along one axis.
+struct SignalMotion {
+    Signal signal;
+    int axis = 0;                     ///< 0, 1, 2: x, y, z
+    scaling::Time start{};            ///< when it begins
+    std::optional<scaling::Time> dt;  ///< of the samples of sine, half_sine and ricker; default: period/200
+
+    bool operator==(const SignalMotion&) const = default;
+};
+
+/// What scale_scene did to a base motion so far: times and velocities of the prototype's samples are multiplied by these.
+struct MotionFactors {
+    double time = 1.0;
+    double velocity = 1.0;
+
+    bool operator==(const MotionFactors&) const = default;
+};
+
+/// Motion of the ground.
+struct BaseMotion {
+    std::variant<std::monostate, RecordMotion, SignalMotion> source;
+    MotionFactors factors;
+
+    bool operator==(const BaseMotion&) const = default;
+};
+
+/// The plane z = 0.
+struct GroundSettings {
+    bool present = true;
+    std::optional<double> friction;  ///< μ against the blocks; default: that of Scene::material [-]
+
+    bool operator==(const GroundSettings&) const = default;
+};
+
+/// Which nodes probe a pair of blocks, see lsdem::ContactNodes.
+enum class ProbingNodes { leader, both };
+
+struct TimeSettings {
+    scaling::Time duration{};
+    std::optional<scaling::Time> step;  ///< default ("auto"): `safety` times the critical step of the model
+    double safety = 0.8;
+
+    bool operator==(const TimeSettings&) const = default;
+};
+
+struct OutputSettings {
+    scaling::Frequency spine_rate{};               ///< samples of the spine per second; 0: one per step
+    std::optional<scaling::Frequency> frame_rate;  ///< pictures of all blocks; default: none
+
+    bool operator==(const OutputSettings&) const = default;
+};
+
+/// Everything a simulation needs. Complete and consistent when it comes from read_scene, parse_scene or scale_scene.
+struct Scene {
+    std::string name;
+    Triple<scaling::Acceleration> gravity{0.0 * scaling::kStandardGravity, 0.0 * scaling::kStandardGravity, -scaling::kStandardGravity};
+    BlockMaterial material;                          ///< of the ground, and of blocks that name no other
+    std::map<std::string, BlockMaterial> materials;  ///< further ones, for entries of a BlockList
+    ShapeSettings shape;
+    Structure structure;
+    BaseMotion base_motion;
+    GroundSettings ground;
+    ProbingNodes contact_nodes = ProbingNodes::leader;
+    TimeSettings time;
+    OutputSettings output;
+
+    bool operator==(const Scene&) const = default;
+};
+
+/// Checks that a scene can be built: positive sizes, densities, stiffnesses, durations, restitution in (0, 1], and so on.
+/// Throws SceneError `origin: /json/path: what (why); what to do`.
+void check_scene(const Scene& scene, const std::string& origin);
+
+}  // namespace musim::lsdem::scene

@@ -1,0 +1,186 @@
+#include <nlohmann/json.hpp>
+
+#include "lsdem/scene/scene_json.hpp"
+
+namespace musim::lsdem::scene {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+template <class... Cases>
+struct Overloaded : Cases... {
+    using Cases::operator()...;
+};
+template <class... Cases>
+Overloaded(Cases...) -> Overloaded<Cases...>;
+
+constexpr std::array kAxes{"x", "y", "z"};
+
+template <class Quantity>
+ordered_json to_json(const Triple<Quantity>& triple) {
+    return {triple[0].value(), triple[1].value(), triple[2].value()};
+}
+
+template <class Quantity>
+void put(ordered_json& object, const char* key, const std::optional<Quantity>& value) {
+    if (value) object[key] = value->value();
+}
+
+ordered_json to_json(const BlockMaterial& material) {
+    return {{"density", material.density.value()},
+            {"normal_stiffness", material.normal_stiffness.value()},
+            {"shear_stiffness", material.shear_stiffness.value()},
+            {"friction", material.friction},
+            {"restitution", material.restitution},
+            {"shear_damping_ratio", material.shear_damping_ratio}};
+}
+
+ordered_json to_json(const ShapeSettings& shape) {
+    return std::visit(
+        Overloaded{[](const BoxShape& s) -> ordered_json {
+                       return {{"kind", "box"}, {"level_set", "box"}, {"nodes_per_face", s.nodes_per_face}};
+                   },
+                   [](const GridShape& s) -> ordered_json {
+                       return {{"kind", "box"}, {"level_set", "grid"}, {"nodes_per_face", s.nodes_per_face}, {"voxel", s.voxel.value()}};
+                   },
+                   [](const SphereShape& s) -> ordered_json {
+                       return {{"kind", "sphere"}, {"radius", s.radius.value()}, {"nodes", s.nodes}, {"voxel", s.voxel.value()}};
+                   }},
+        shape);
+}
+
+ordered_json to_json(const BlockEntry& block, bool with_size) {
+    ordered_json object;
+    if (with_size) object["size"] = to_json(block.size);
+    object["position"] = to_json(block.position);
+    object["quaternion"] = block.quaternion;
+    object["velocity"] = to_json(block.velocity);
+    object["angular_velocity"] = to_json(block.angular_velocity);
+    object["fixed"] = block.fixed;
+    object["rotation_locked"] = block.rotation_locked;
+    if (!block.material.empty()) object["material"] = block.material;
+    return object;
+}
+
+ordered_json to_json(const Tower& tower) {
+    ordered_json tiling{{"cells_across", tower.tiling.cells_across},
+                        {"inner_radius", tower.tiling.inner_radius},
+                        {"outer_radius", tower.tiling.outer_radius}};
+    if (tower.tiling_file) tiling["file"] = tower.tiling_file->string();
+    ordered_json object{{"kind", "tower"}, {"layers", tower.layers}, {"block", to_json(tower.block)}};
+    put(object, "pitch", tower.pitch);
+    object["tiling"] = tiling;
+    object["height_deviation"] = tower.height_deviation.value();
+    object["seed"] = tower.seed;
+    return object;
+}
+
+ordered_json to_json(const Structure& structure, bool with_size) {
+    return std::visit(Overloaded{[&](const BlockList& list) -> ordered_json {
+                                     ordered_json blocks = ordered_json::array();
+                                     for (const BlockEntry& block : list.blocks) blocks.push_back(to_json(block, with_size));
+                                     return {{"kind", "blocks"}, {"blocks", blocks}};
+                                 },
+                                 [](const Column& column) -> ordered_json {
+                                     return {{"kind", "column"},
+                                             {"layers", column.layers},
+                                             {"block", to_json(column.block)},
+                                             {"rotation_locked", column.rotation_locked}};
+                                 },
+                                 [](const Tower& tower) { return to_json(tower); },
+                                 [](const Wall& wall) -> ordered_json {
+                                     ordered_json object{{"kind", "wall"},
+                                                         {"layers", wall.layers},
+                                                         {"blocks_per_layer", wall.blocks_per_layer},
+                                                         {"block", to_json(wall.block)}};
+                                     put(object, "pitch", wall.pitch);
+                                     return object;
+                                 }},
+                      structure);
+}
+
+ordered_json to_json(const RecordMotion& motion) {
+    ordered_json object{{"record", motion.file.string()}, {"components", ordered_json::object()}};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (motion.components[axis]) object["components"][kAxes[axis]] = *motion.components[axis];
+    }
+    if (motion.unit) object["unit"] = *motion.unit;
+    if (motion.quantity) object["quantity"] = records::to_string(*motion.quantity);
+    put(object, "dt", motion.dt);
+    if (motion.window) object["window"] = {(*motion.window)[0].value(), (*motion.window)[1].value()};
+    put(object, "highpass", motion.highpass_corner);
+    if (motion.scale) {
+        const auto& [law, factors] = *motion.scale;
+        object["scale"] = {{"law", scaling::to_string(law)},
+                           {"length", factors.length},
+                           {"friction", factors.friction},
+                           {"gravity", factors.gravity},
+                           {"density", factors.density}};
+    }
+    return object;
+}
+
+ordered_json to_json(const SignalMotion& motion) {
+    ordered_json object = std::visit(
+        Overloaded{
+            [](const StepSignal& s) -> ordered_json {
+                return {{"signal", "step"}, {"velocity", s.velocity.value()}};
+            },
+            [](const SineSignal& s) -> ordered_json {
+                return {{"signal", "sine"}, {"amplitude", s.amplitude.value()}, {"frequency", s.frequency.value()}, {"cycles", s.cycles}};
+            },
+            [](const HalfSineSignal& s) -> ordered_json {
+                return {{"signal", "half_sine"}, {"amplitude", s.amplitude.value()}, {"duration", s.duration.value()}};
+            },
+            [](const RickerSignal& s) -> ordered_json {
+                return {{"signal", "ricker"}, {"amplitude", s.amplitude.value()}, {"frequency", s.frequency.value()}};
+            },
+            [](const SyntheticSignal& s) -> ordered_json {
+                return {{"signal", "synthetic"},          {"pga", s.pga.value()}, {"pgv", s.pgv.value()},
+                        {"duration", s.duration.value()}, {"dt", s.dt.value()},   {"seed", s.seed}};
+            }},
+        motion.signal);
+    object["direction"] = kAxes[static_cast<std::size_t>(motion.axis)];
+    object["start"] = motion.start.value();
+    put(object, "dt", motion.dt);
+    return object;
+}
+
+ordered_json to_json(const BaseMotion& motion) {
+    ordered_json object =
+        std::visit(Overloaded{[](std::monostate) -> ordered_json { return nullptr; }, [](const auto& source) { return to_json(source); }},
+                   motion.source);
+    if (!object.is_null()) object["factors"] = {{"time", motion.factors.time}, {"velocity", motion.factors.velocity}};
+    return object;
+}
+
+}  // namespace
+
+std::string write_scene(const Scene& scene) {
+    const bool with_size = !std::holds_alternative<SphereShape>(scene.shape);
+    ordered_json materials = ordered_json::object();
+    for (const auto& [name, material] : scene.materials) materials[name] = to_json(material);
+    ordered_json ground{{"present", scene.ground.present}};
+    if (scene.ground.friction) ground["friction"] = *scene.ground.friction;
+    ordered_json time{{"duration", scene.time.duration.value()}, {"step", "auto"}, {"safety", scene.time.safety}};
+    put(time, "step", scene.time.step);
+    ordered_json output{{"spine_rate", scene.output.spine_rate.value()}};
+    put(output, "frame_rate", scene.output.frame_rate);
+
+    const ordered_json root{{"schema", "musim-scene/1"},
+                            {"name", scene.name},
+                            {"gravity", to_json(scene.gravity)},
+                            {"material", to_json(scene.material)},
+                            {"materials", materials},
+                            {"shape", to_json(scene.shape)},
+                            {"structure", to_json(scene.structure, with_size)},
+                            {"base_motion", to_json(scene.base_motion)},
+                            {"ground", ground},
+                            {"contact", {{"nodes", scene.contact_nodes == ProbingNodes::leader ? "leader" : "both"}}},
+                            {"time", time},
+                            {"output", output}};
+    return root.dump(2) + "\n";
+}
+
+}  // namespace musim::lsdem::scene

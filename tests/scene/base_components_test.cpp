@@ -1,0 +1,171 @@
+#include "lsdem/scene/base_components.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+
+#include "lsdem/base_motion.hpp"
+#include "records/error.hpp"
+#include "tests/scene/made_scene.hpp"
+#include "tests/support/shared_records.hpp"
+
+using namespace musim;
+using namespace musim::lsdem::scene;
+using namespace musim::lsdem::scene::testing;
+using musim::lsdem::BaseComponent;
+
+namespace {
+
+using std::numbers::pi;
+
+BaseMotion parse_motion(const std::string& text, const std::filesystem::path& origin = "scene") {
+    return parse_scene(make_scene_text(kColumn, R"(, "base_motion": )" + text), origin).base_motion;
+}
+
+double largest(const std::vector<double>& values) {
+    double peak = 0.0;
+    for (const double value : values) peak = std::max(peak, std::abs(value));
+    return peak;
+}
+
+/// A text record of two columns, 2 Hz sine of 1 m/s² windowed to rest, in a folder of its own.
+struct TextRecord {
+    std::filesystem::path folder = std::filesystem::temp_directory_path() / "musim_base_components_test";
+
+    TextRecord() {
+        std::filesystem::create_directories(folder);
+        std::ofstream file(folder / "motion.txt");
+        file.precision(17);
+        for (int k = 0; k <= 400; ++k) {
+            const double t = 0.01 * k;
+            const double envelope = std::sin(pi * t / 4.0);
+            file << t << ' ' << envelope * envelope * std::sin(4.0 * pi * t) << ' ' << 0.5 * envelope << '\n';
+        }
+    }
+    ~TextRecord() { std::filesystem::remove_all(folder); }
+    std::filesystem::path scene() const { return folder / "scene.json"; }
+};
+
+}  // namespace
+
+TEST_CASE("without a base motion no axis moves") {
+    for (const BaseComponent& component : make_base_components({})) CHECK(component.velocity.empty());
+}
+
+TEST_CASE("a step is one sample that holds from its start") {
+    const auto components =
+        make_base_components(parse_motion(R"({"signal": "step", "velocity": "32 mm/s", "direction": "z", "start": "0.1 s"})"));
+    CHECK(components[0].velocity.empty());
+    CHECK(components[2].velocity == std::vector<double>{0.032});
+    CHECK(components[2].start == 0.1);
+    const lsdem::BaseMotion base(components);
+    CHECK(base.velocity(0.05).z() == 0.0);
+    CHECK(base.velocity(5.0).z() == 0.032);
+}
+
+TEST_CASE("a sine starts and ends at rest and follows its formula") {
+    const auto components =
+        make_base_components(parse_motion(R"({"signal": "sine", "amplitude": "2 m/s^2", "frequency": "5 Hz", "cycles": 3})"));
+    const BaseComponent& x = components[0];
+    const double amplitude = 2.0 / (10.0 * pi);
+    CHECK(x.velocity.size() == 601);  // 200 a period
+    CHECK(x.dt == doctest::Approx(0.001).epsilon(1e-12));
+    for (std::size_t k = 0; k < x.velocity.size(); ++k) {
+        const double t = static_cast<double>(k) * x.dt;
+        // rounding of the phase, 6π
+        CHECK(x.velocity[k] == doctest::Approx(amplitude * (1.0 - std::cos(10.0 * pi * t))).epsilon(1e-12));
+    }
+    CHECK(std::abs(x.velocity.back()) < 1e-12 * amplitude);
+    CHECK(lsdem::BaseMotion(components).acceleration(0.05).x() == doctest::Approx(2.0).epsilon(2e-4));  // A·sinc(π/200)
+}
+
+TEST_CASE("a half sine leaves the velocity 2AT/pi") {
+    const BaseComponent x = make_base_components(parse_motion(R"({"signal": "half_sine", "amplitude": "1 g", "duration": "50 ms"})"))[0];
+    CHECK(x.velocity.front() == 0.0);
+    CHECK(x.velocity.back() == doctest::Approx(2.0 * 9.80665 * 0.05 / pi).epsilon(1e-14));
+    CHECK(static_cast<double>(x.velocity.size() - 1) * x.dt == doctest::Approx(0.05).epsilon(1e-14));
+}
+
+TEST_CASE("a Ricker wavelet peaks 1.5 periods after its start and moves the ground neither in the end") {
+    const auto components =
+        make_base_components(parse_motion(R"({"signal": "ricker", "direction": "y", "amplitude": "0.3 g", "frequency": "7 Hz"})"));
+    const BaseComponent& y = components[1];
+    CHECK(y.velocity.front() == 0.0);
+    CHECK(y.velocity.back() == 0.0);
+    const lsdem::BaseMotion base(components);
+    const double period = 1.0 / 7.0;
+    // the piecewise constant acceleration over 1/200 of a period around the peak: 1 − (π f dt)²/2 at most below it
+    CHECK(base.acceleration(1.5 * period).y() == doctest::Approx(0.3 * 9.80665).epsilon(2e-4));
+    // its displacement −A/(2π²f²)·exp(−π²f²τ²) is over at both ends
+    const double peak_displacement = 0.3 * 9.80665 / (2.0 * pi * pi * 49.0);
+    CHECK(std::abs(base.displacement(1.5 * period).y()) == doctest::Approx(peak_displacement).epsilon(2e-4));
+    CHECK(std::abs(base.displacement(10.0).y()) < 1e-6 * peak_displacement);
+}
+
+TEST_CASE("a synthetic motion has its peak velocity and ends at rest") {
+    const BaseComponent x = make_base_components(parse_motion(
+        R"({"signal": "synthetic", "pga": "0.511 g", "pgv": "42.4 cm/s", "duration": "10 s", "dt": "0.005 s", "seed": 3})"))[0];
+    // the record itself meets both peaks to 1e-9; the last correction to rest moves them by less than 0.1 %
+    CHECK(largest(x.velocity) == doctest::Approx(0.424).epsilon(1e-3));
+    CHECK(x.velocity.front() == 0.0);
+    CHECK(x.velocity.back() == 0.0);
+    CHECK(x.start == 0.0);
+}
+
+TEST_CASE("a record moves the axes it is asked to, and a window starts at time zero") {
+    const TextRecord record;
+    const auto whole =
+        make_base_components(parse_motion(R"({"record": "motion.txt", "components": {"x": "2", "z": "1"}})", record.scene()));
+    CHECK(whole[0].velocity.size() == 401);
+    CHECK(whole[1].velocity.empty());
+    CHECK(whole[2].velocity.size() == 401);
+    CHECK(whole[2].start == 0.0);
+    CHECK(whole[2].dt == doctest::Approx(0.01).epsilon(1e-9));
+    CHECK(whole[0].velocity != whole[2].velocity);
+
+    const auto part = make_base_components(
+        parse_motion(R"({"record": "motion.txt", "components": {"x": "1"}, "window": ["1 s", "3 s"]})", record.scene()));
+    CHECK(part[0].velocity.size() == 201);
+    CHECK(std::abs(part[0].start) < 1e-9);
+}
+
+TEST_CASE("a record's own scale multiplies its times and velocities") {
+    const TextRecord record;
+    const BaseComponent plain =
+        make_base_components(parse_motion(R"({"record": "motion.txt", "components": {"x": "1"}})", record.scene()))[0];
+    const BaseComponent scaled = make_base_components(parse_motion(
+        R"({"record": "motion.txt", "components": {"x": "1"}, "scale": {"law": "mu", "length": "1/107", "friction": "0.63/0.59"}})",
+        record.scene()))[0];
+    REQUIRE(scaled.velocity.size() == plain.velocity.size());
+    // similitude.md 8.1
+    CHECK(scaled.dt / plain.dt == doctest::Approx(0.09355432).epsilon(1e-7));
+    CHECK(largest(scaled.velocity) / largest(plain.velocity) == doctest::Approx(0.09989698).epsilon(1e-7));
+}
+
+TEST_CASE("a record that is not there or lacks the component is refused") {
+    const TextRecord record;
+    CHECK_THROWS_AS(make_base_components(parse_motion(R"({"record": "none.txt", "components": {"x": "1"}})", record.scene())),
+                    records::ReadError);
+    CHECK_THROWS_AS(make_base_components(parse_motion(R"({"record": "motion.txt", "components": {"x": "7"}})", record.scene())),
+                    records::ReadError);
+    const BaseMotion beyond =
+        parse_motion(R"({"record": "motion.txt", "components": {"x": "1"}, "window": ["50 s", "60 s"]})", record.scene());
+    check_message(error_of([&] { make_base_components(beyond); }), {"/base_motion"});
+}
+
+TEST_CASE("the papers' Ridgecrest record drives a base at rest before and after") {
+    if (!tests::have_shared_records()) return;
+    const auto file = (tests::shared_records() / "csmip" / "CICLC.v1").string();
+    const BaseMotion motion =
+        parse_motion(R"({"record": ")" + file + R"(", "components": {"x": "360", "y": "90", "z": "Up"}, "window": ["225 s", "265 s"]})");
+    for (const BaseComponent& component : make_base_components(motion)) {
+        CHECK(component.velocity.front() == 0.0);
+        CHECK(component.velocity.back() == 0.0);
+        CHECK(largest(component.velocity) > 0.05);
+        CHECK(largest(component.velocity) < 1.0);
+    }
+}

@@ -1,0 +1,135 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+#include <valijson/adapters/nlohmann_json_adapter.hpp>
+#include <valijson/schema.hpp>
+#include <valijson/schema_parser.hpp>
+#include <valijson/validator.hpp>
+#include <vector>
+
+#include "lsdem/scene/build_model.hpp"
+#include "lsdem/scene/scene_json.hpp"
+#include "tests/scene/made_scene.hpp"
+
+using namespace musim::lsdem::scene;
+using namespace musim::lsdem::scene::testing;
+using nlohmann::json;
+
+namespace {
+
+const std::filesystem::path kRoot = MUSIM_SOURCE_DIR;
+
+json read_json(const std::filesystem::path& path) {
+    std::ifstream file(path);
+    REQUIRE(file);
+    return json::parse(file);
+}
+
+json read_schema() { return read_json(kRoot / "lsdem" / "scene" / "musim-scene-1.schema.json"); }
+
+bool validates(const json& document) {
+    const json text = read_schema();
+    valijson::Schema schema;
+    valijson::SchemaParser parser;
+    parser.populateSchema(valijson::adapters::NlohmannJsonAdapter(text), schema);
+    valijson::Validator validator;
+    return validator.validate(schema, valijson::adapters::NlohmannJsonAdapter(document), nullptr);
+}
+
+std::vector<std::filesystem::path> list_examples() {
+    std::vector<std::filesystem::path> files;
+    for (const auto& entry : std::filesystem::directory_iterator(kRoot / "examples")) {
+        if (entry.path().extension() == ".json") files.push_back(entry.path());
+    }
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+/// Whether the scene needs a file that is not shipped.
+bool has_record(const Scene& scene) { return std::holds_alternative<RecordMotion>(scene.base_motion.source); }
+
+}  // namespace
+
+TEST_CASE("every example obeys the schema, is read, and comes back from its own text") {
+    REQUIRE(list_examples().size() >= 5);
+    for (const auto& file : list_examples()) {
+        CAPTURE(file.string());
+        CHECK(validates(read_json(file)));
+        const Scene scene = read_scene(file);
+        const std::string written = write_scene(scene);
+        CHECK(validates(json::parse(written)));
+        CHECK(parse_scene(written) == scene);
+        CHECK_FALSE(scene.name.empty());
+    }
+}
+
+TEST_CASE("every example without a record is built") {
+    int built = 0;
+    for (const auto& file : list_examples()) {
+        CAPTURE(file.string());
+        const Scene scene = read_scene(file);
+        if (has_record(scene)) continue;
+        CHECK_FALSE(make_model(scene).blocks.empty());
+        ++built;
+    }
+    CHECK(built >= 4);
+}
+
+TEST_CASE("the demonstration tower is the same concrete as at 1:25 and has at least 500 blocks") {
+    const Scene scene = read_scene(kRoot / "examples" / "tower_prototype.json");
+    const Tower& tower = std::get<Tower>(scene.structure);
+    CHECK(tower.layers == 38);
+    CHECK(make_model(scene).blocks.size() >= 500);
+    const BlockMaterial concrete = fit_to_block(find_material_preset("concrete"), tower.block);
+    CHECK(scene.material.density == concrete.density);
+    CHECK(scene.material.normal_stiffness.value() == doctest::Approx(concrete.normal_stiffness.value()).epsilon(1e-14));
+    CHECK(scene.material.shear_stiffness.value() == doctest::Approx(concrete.shear_stiffness.value()).epsilon(1e-14));
+    CHECK(scene.material.friction == concrete.friction);
+    CHECK(scene.material.restitution == concrete.restitution);
+}
+
+TEST_CASE("the schema knows exactly the keys that the parser knows") {
+    const json definitions = read_schema().at("definitions");
+    for (const auto& entry : scene_keys()) {
+        const std::string& kind = entry.first;
+        CAPTURE(kind);
+        REQUIRE(definitions.contains(kind));
+        std::set<std::string> of_schema;
+        for (const auto& property : definitions.at(kind).at("properties").items()) of_schema.insert(property.key());
+        CHECK(of_schema == std::set<std::string>(entry.second.begin(), entry.second.end()));
+        CHECK(definitions.at(kind).at("additionalProperties") == false);
+    }
+    for (const auto& definition : definitions.items()) {
+        const std::string name = definition.key();
+        CAPTURE(name);
+        CHECK(definition.value().contains("properties") == scene_keys().contains(name));
+    }
+}
+
+TEST_CASE("the schema knows the presets that the parser knows") {
+    const json definitions = read_schema().at("definitions");
+    CHECK(definitions.at("material_choice").at("oneOf").at(0).at("enum") == json(material_preset_names()));
+    CHECK(definitions.at("tower").at("properties").at("tiling").at("oneOf").at(0).at("enum") == json(tiling_preset_names()));
+}
+
+TEST_CASE("the schema refuses what the parser refuses") {
+    const json good = json::parse(make_scene_text(kTower, kRicker));
+    REQUIRE(validates(good));
+    for (const char* patch : {R"([{"op": "add", "path": "/colour", "value": 1}])", R"([{"op": "remove", "path": "/material"}])",
+                              R"([{"op": "replace", "path": "/structure/kind", "value": "pyramid"}])",
+                              R"([{"op": "replace", "path": "/structure/layers", "value": 1.5}])",
+                              R"([{"op": "replace", "path": "/structure/tiling", "value": "ring_13"}])",
+                              R"([{"op": "replace", "path": "/base_motion/signal", "value": "sine"}])",
+                              R"([{"op": "replace", "path": "/material", "value": "marble"}])",
+                              R"([{"op": "replace", "path": "/time", "value": {"step": "auto"}}])"}) {
+        CAPTURE(patch);
+        const json bad = good.patch(json::parse(patch));
+        CHECK_FALSE(validates(bad));
+        CHECK_THROWS_AS(parse_scene(bad.dump()), SceneError);
+    }
+}

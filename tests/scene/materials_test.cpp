@@ -1,0 +1,61 @@
+#include "lsdem/scene/material_presets.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <string>
+
+#include "tests/scene/made_scene.hpp"
+
+using namespace musim;
+using namespace musim::lsdem::scene;
+
+namespace {
+
+Triple<scaling::Length> make_block(double b, double w, double height) {
+    return {b * scaling::si::meter, w * scaling::si::meter, height * scaling::si::meter};
+}
+
+/// Bar wave speed c = H·√(k_n/m) of a stack of blocks [m/s].
+double wave_speed(const BlockMaterial& material, const Triple<scaling::Length>& block) {
+    const double mass = (material.density * block[0] * block[1] * block[2]).value();
+    return block[2].value() * std::sqrt(material.normal_stiffness.value() / mass);
+}
+
+}  // namespace
+
+// oracles.md C1, from Tables 2-4 of [Harmon23]
+TEST_CASE("presets carry the wave speeds of the measured materials") {
+    struct Case {
+        const char* name;
+        double divisor, height;  // scale and measured height [m]
+        double speed;            // [m/s]
+    };
+    for (const Case& c : {Case{"wood", 107.0, 0.03978, 2110.3}, Case{"concrete", 25.0, 0.17053, 3546.5},
+                          Case{"al_printed", 107.0, 0.03967, 1514.8}, Case{"aluminium", 107.0, 0.03967, 4790.3}}) {
+        CAPTURE(std::string(c.name));
+        const MaterialPreset& preset = find_material_preset(c.name);
+        const auto block = make_block(1.36 / c.divisor, 2.82 / c.divisor, c.height);
+        // five digits are printed
+        CHECK(wave_speed(preset.material, block) == doctest::Approx(c.speed).epsilon(3e-5));
+        CHECK(preset.length_scale == 1.0 / c.divisor);
+    }
+    CHECK(find_material_preset("aluminium").material == find_material_preset("al_wave").material);
+}
+
+TEST_CASE("the same solid in a larger block keeps its wave speed and becomes stiffer in proportion to its size") {
+    const MaterialPreset& concrete = find_material_preset("concrete");
+    const auto prototype = make_block(1.36, 2.82, 4.25);
+    const BlockMaterial fitted = fit_to_block(concrete, prototype);
+    // a few roundings
+    CHECK(fitted.normal_stiffness.value() == doctest::Approx(25.0 * 1050e6).epsilon(1e-14));
+    CHECK(fitted.shear_stiffness.value() == doctest::Approx(25.0 * 1000e6).epsilon(1e-14));
+    CHECK(wave_speed(fitted, prototype) == doctest::Approx(wave_speed(concrete.material, concrete.reference_block)).epsilon(1e-14));
+    CHECK(fitted.friction == concrete.material.friction);
+    CHECK(fit_to_block(concrete, concrete.reference_block) == concrete.material);
+}
+
+TEST_CASE("an unknown material is refused with the known ones") {
+    musim::lsdem::scene::testing::check_message(musim::lsdem::scene::testing::error_of([] { find_material_preset("marble"); }),
+                                                {"\"marble\"", "wood", "concrete", "aluminium"});
+}
