@@ -72,13 +72,15 @@ void add_grid_node(const StepLaw& law, const Row& y, const Row& normal, const Ro
     const double normal_change = dot(normal, change), elastic = law.kn * overlap;
     const double pressure = std::max(0.0, elastic - law.cn * normal_change), damping_pressure = pressure - elastic;
 
+    // of a new contact, the part of the change that came after it touched
+    const double since_touch = born && normal_change < -overlap ? overlap / -normal_change : 1.0;
     Row old_slip{}, old_shear{}, tangential{}, slip{}, viscous{}, shear{};
+    for (std::size_t a = 0; a < 3; ++a) tangential[a] = since_touch * (change[a] - normal_change * normal[a]);
     if (!born) {
         Row old_viscous{};
         for (std::size_t a = 0; a < 3; ++a) {
             old_slip[a] = history.slip[a][entry];
             if (history.has_viscous()) old_viscous[a] = history.viscous[a][entry];
-            tangential[a] = change[a] - normal_change * normal[a];
         }
         const double slip_off = dot(old_slip, normal), viscous_off = dot(old_viscous, normal);
         for (std::size_t a = 0; a < 3; ++a) {

@@ -153,10 +153,10 @@ void NeighborSearch::add_pair(BlockPair blocks, const Bodies& bodies, const Base
         if (ground) {
             if (y.z() > skin_) continue;
         } else {
-            // a node counts as long as some of its cell lies on the follower
+            // a node counts as long as some of its cell lies on the follower, whose edges are rounded
             const Vector3 center{nodes.center_x[i], nodes.center_y[i], nodes.center_z[i]};
             const Vector3 cell{nodes.half_x[i], nodes.half_y[i], nodes.half_z[i]};
-            const Vector3 reach = half + Vector3::Constant(skin_) + q_abs * (cell + center.cwiseAbs());
+            const Vector3 reach = half + Vector3::Constant(skin_) + q_abs * ((1.0 + 2.0 * kEdgeBlend) * cell + center.cwiseAbs());
             if ((y.cwiseAbs() - reach).maxCoeff() > 0.0) continue;
         }
         list.nodes.push_back(static_cast<std::uint32_t>(i));

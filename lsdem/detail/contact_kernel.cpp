@@ -110,16 +110,31 @@ struct LaneCover {
     Lanes part, slope;
 };
 
+/// Part lost where a cell reaches over an edge by `over` of its widths: 0 up to the edge, then a ramp of slope one whose ends are rounded
+/// over kEdgeBlend.
+struct LaneLoss {
+    Lanes part, slope;
+};
+
+[[gnu::always_inline]] inline LaneLoss find_loss(const Lanes& over) {
+    constexpr double kPerBlend = 1.0 / kEdgeBlend;
+    const Lanes zero = all(0.0), one = all(1.0);
+    const Lanes begun = larger(over, zero), left = larger(1.0 + kEdgeBlend - over, zero);
+    const Lanes start = 0.5 * kPerBlend * begun * begun, end = one - 0.5 * kPerBlend * left * left, middle = over - 0.5 * kEdgeBlend;
+    const LaneMask starts = over < kEdgeBlend, ends = left < kEdgeBlend;
+    return {select(starts, start, select(ends, end, middle)), select(starts, kPerBlend * begun, select(ends, kPerBlend * left, one))};
+}
+
 [[gnu::always_inline]] inline LaneCover find_cover(const Lanes& middle, const Lanes& reach, double half) {
     const Lanes zero = all(0.0), one = all(1.0), width = reach + reach;
     const Lanes above = middle + reach - half, below = reach - middle - half;
-    const Lanes covered = width - larger(above, zero) - larger(below, zero);
-    const LaneMask inside = covered > zero, whole = (above <= zero) & (below <= zero);
     // a node without a cell is in or out
-    const Lanes per_width = select(width > zero, one / width, zero);
+    const LaneMask sized = width > zero;
+    const Lanes per_width = select(sized, one / width, zero);
+    const LaneLoss beyond = find_loss(above * per_width), short_of = find_loss(below * per_width);
     LaneCover cover;
-    cover.part = select(whole, one, select(inside, covered * per_width, zero));
-    cover.slope = select(inside, (select(below > zero, one, zero) - select(above > zero, one, zero)) * per_width, zero);
+    cover.part = select(sized, larger(one - beyond.part - short_of.part, zero), select((above <= zero) & (below <= zero), one, zero));
+    cover.slope = select(cover.part > zero, (short_of.slope - beyond.slope) * per_width, zero);
     return cover;
 }
 
@@ -230,11 +245,13 @@ template <bool Faceted, bool Bounded>
         const Lanes pressure = larger(elastic - law.cn * normal_change, zero);
         const Lanes new_dashpot = pressure - elastic;
 
-        // tangential trial: all of the change is elastic; a new contact starts where it is
+        // tangential trial: all of the change is elastic; of a new contact, what came after it touched
+        const LaneMask sinking = normal_change < -overlap;
+        const Lanes since_touch = select(touched, all(1.0), select(sinking, overlap / -normal_change, all(1.0)));
         const ViscousAxis viscous_u{history.has_viscous() ? history.viscous[u].data() + entry : nullptr};
         const ViscousAxis viscous_v{history.has_viscous() ? history.viscous[v].data() + entry : nullptr};
         const Lanes old_u = select(lasting, load(slip_u + entry), zero), old_v = select(lasting, load(slip_v + entry), zero);
-        const Lanes step_u = select(lasting, change_u, zero), step_v = select(lasting, change_v, zero);
+        const Lanes step_u = since_touch * change_u, step_v = since_touch * change_v;
         const Lanes old_shear_u = select(lasting, viscous_u.before(), zero) - law.ks * old_u;
         const Lanes old_shear_v = select(lasting, viscous_v.before(), zero) - law.ks * old_v;
         Lanes new_u = old_u + step_u, new_v = old_v + step_v;
