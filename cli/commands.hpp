@@ -1,0 +1,29 @@
+#pragma once
+
+#include <CLI/App.hpp>
+#include <functional>
+
+/// The command line program: the only part of musim that prints.
+namespace musim::cli {
+
+/// What the program returns.
+enum ExitCode : int {
+    kDone = 0,
+    kInternalError = 1,  ///< a mistake of ours
+    kUsageError = 2,
+    kInputError = 3,        ///< unusable file or value, results that cannot be written
+    kNumericalFailure = 4,  ///< a run diverged
+    kCheckFailed = 5,       ///< a requested check did not hold
+};
+
+/// What the parsed command line asks for; returns an exit code, throws what the libraries throw.
+using Action = std::function<int()>;
+
+/// Each adds one subcommand to `app`; when it is parsed, `action` is set to carry it out.
+void add_scale_command(CLI::App& app, Action& action);
+void add_rescale_command(CLI::App& app, Action& action);
+void add_record_command(CLI::App& app, Action& action);
+void add_run_command(CLI::App& app, Action& action);
+void add_pair_command(CLI::App& app, Action& action);
+
+}  // namespace musim::cli

@@ -1,0 +1,77 @@
+#include <algorithm>
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <stdexcept>
+#include <string>
+
+#include "cli/commands.hpp"
+#include "cli/output.hpp"
+#include "cli/version.hpp"
+
+namespace musim::cli {
+namespace {
+
+/// Every error is one line on stderr.
+int report(const std::string& message, int exit_code) {
+    std::string line = message;
+    std::replace(line.begin(), line.end(), '\n', ' ');
+    std::fprintf(stderr, "musim: error: %s\n", line.c_str());
+    return exit_code;
+}
+
+/// The help a user should turn to: that of the deepest subcommand given.
+std::string help_hint(const CLI::App& app) {
+    std::string command = app.get_name();
+    const CLI::App* deepest = &app;
+    for (auto given = app.get_subcommands(); !given.empty(); given = deepest->get_subcommands()) {
+        deepest = given.front();
+        command += " " + deepest->get_name();
+    }
+    return "; see " + command + " --help";
+}
+
+int run(int argc, char** argv) {
+    CLI::App app("Similitude toolkit and LS-DEM simulator for towers of dry-stacked blocks", "musim");
+    app.set_version_flag("--version", std::string("musim ") + kVersion);
+    app.require_subcommand(1);
+    app.footer(
+        "Exit codes: 0 done, 2 usage, 3 bad input, 4 diverged, 5 a requested check did not hold.\n"
+        "Numbers may be fractions: --length 1/107 --friction 0.63/0.59. `musim COMMAND --help` has examples.");
+    Action action;
+    add_scale_command(app, action);
+    add_rescale_command(app, action);
+    add_record_command(app, action);
+    add_run_command(app, action);
+    add_pair_command(app, action);
+
+    try {
+        app.parse(argc, argv);
+        const int exit_code = action();
+        flush_output();
+        return exit_code;
+    } catch (const CLI::Success& help_or_version) {
+        return app.exit(help_or_version);
+    } catch (const CLI::ParseError& error) {
+        return report(error.what() + help_hint(app), kUsageError);
+    }
+}
+
+}  // namespace
+}  // namespace musim::cli
+
+int main(int argc, char** argv) {
+    using namespace musim::cli;
+    try {
+        return run(argc, argv);
+    } catch (const std::bad_alloc&) {
+        return report("not enough memory; try a shorter duration or lower output rates", kInputError);
+    } catch (const std::runtime_error& error) {
+        return report(error.what(), kInputError);
+    } catch (const std::invalid_argument& error) {
+        return report(error.what(), kInputError);
+    } catch (const std::exception& error) {
+        return report(std::string("internal: ") + error.what(), kInternalError);
+    }
+}

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <CLI/App.hpp>
+#include <string>
+
+#include "scaling/similitude.hpp"
+
+namespace musim::cli {
+
+/// A number on the command line; a fraction such as 1/107 will do.
+struct Number {
+    double value = 0.0;
+
+    operator double() const { return value; }  // NOLINT(google-explicit-constructor): it is a number
+};
+
+/// Reads a Number for CLI11, which finds it by argument-dependent lookup. Throws CLI::ConversionError.
+bool lexical_cast(const std::string& text, Number& number);
+
+/// The scale factors and the law of one similitude, as options --length, --friction, --gravity, --density, --law.
+struct SimilitudeOptions {
+    Number length{1.0};
+    Number friction{1.0};
+    Number gravity{1.0};
+    Number density{1.0};
+    std::string law = "mu";
+
+    /// Adds the options to a command; --length is required.
+    void add_to(CLI::App& command);
+
+    /// Throws scaling::SimilitudeError.
+    scaling::Similitude similitude() const;
+};
+
+/// Adds --json.
+void add_json_option(CLI::App& command, bool& json);
+
+/// Adds --threads; 0 means all cores.
+void add_threads_option(CLI::App& command, int& threads);
+
+}  // namespace musim::cli

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <nlohmann/json_fwd.hpp>
+#include <utility>
+
+namespace musim::cli {
+
+/// Formatted text on stdout.
+template <class... Arguments>
+void print(fmt::format_string<Arguments...> text, Arguments&&... arguments) {
+    fmt::print(stdout, text, std::forward<Arguments>(arguments)...);
+}
+
+/// Formatted text on stderr: progress and remarks.
+template <class... Arguments>
+void note(fmt::format_string<Arguments...> text, Arguments&&... arguments) {
+    fmt::print(stderr, text, std::forward<Arguments>(arguments)...);
+}
+
+/// One JSON object on stdout.
+void print_json(const nlohmann::json& object);
+
+/// Makes sure that everything printed has arrived. Throws std::runtime_error when stdout cannot take it, as on a full disk.
+void flush_output();
+
+}  // namespace musim::cli

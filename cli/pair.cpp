@@ -1,0 +1,203 @@
+#include <algorithm>
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/commands.hpp"
+#include "cli/options.hpp"
+#include "cli/output.hpp"
+#include "cli/progress_line.hpp"
+#include "cli/report.hpp"
+#include "cli/version.hpp"
+#include "lsdem/scene/scene_json.hpp"
+#include "lsdem/study/pair_scene.hpp"
+#include "lsdem/study/spine_plot.hpp"
+#include "lsdem/study/use_record.hpp"
+#include "lsdem/study/write_results.hpp"
+
+namespace musim::cli {
+namespace {
+
+namespace scene = lsdem::scene;
+
+struct PairOptions {
+    std::string scene;
+    std::vector<Number> lengths{{1.0 / 25.0}, {1.0 / 107.0}};
+    std::string materials = "exact";
+    std::vector<std::string> presets;
+    std::string record;
+    std::vector<std::string> components;
+    std::string out;
+    std::optional<Number> duration;
+    int threads = 0;
+    bool json = false;
+};
+
+/// "x=360 y=90" as names along the axes.
+study::AxisComponents parse_components(const std::vector<std::string>& texts) {
+    study::AxisComponents components;
+    for (const std::string& text : texts) {
+        const std::size_t axis = text.size() > 2 && text[1] == '=' ? std::string("xyz").find(text[0]) : std::string::npos;
+        if (axis == std::string::npos) throw CLI::ValidationError("--component", "'" + text + "' is not AXIS=NAME, e.g. x=360");
+        components[axis] = text.substr(2);
+    }
+    return components;
+}
+
+std::vector<study::ModelChoice> make_choices(const PairOptions& options) {
+    if (!options.presets.empty() && options.presets.size() != options.lengths.size()) {
+        throw CLI::ValidationError("--material", "give one per --length, in the same order, or none");
+    }
+    std::vector<study::ModelChoice> choices;
+    for (std::size_t i = 0; i < options.lengths.size(); ++i) {
+        choices.push_back({options.lengths[i], options.presets.empty() ? std::string() : options.presets[i]});
+    }
+    return choices;
+}
+
+scene::Scene make_prototype(const PairOptions& options) {
+    scene::Scene prototype = scene::read_scene(options.scene);
+    if (!options.record.empty()) {
+        const std::vector<std::string> steps = study::use_record(prototype, options.record, parse_components(options.components));
+        for (const std::string& step : steps) note("{}: {}\n", options.record, step);
+    }
+    if (options.duration) prototype.time.duration = options.duration->value * scaling::si::seconds;
+    scene::check_scene(prototype, options.scene);
+    return prototype;
+}
+
+void print_header() {
+    print("{:<10} {:>12} {:>12} {:>9} {:>11} {:>11} {:>7} {:>9} {:>8}  {}\n", "run", "length", "dt [s]", "steps", "rms diff.", "max diff.",
+          "digits", "parts [s]", "bitwise", "verdict");
+}
+
+void print_row(const std::string& label, double length, const study::RunResult& run, const std::string& difference,
+               const std::string& verdict) {
+    print("{:<10} {:>12.7g} {:>12.6g} {:>9} {}  {}{}\n", label, length, run.time_step, run.steps, difference,
+          run.status == study::RunStatus::completed ? "" : study::to_string(run.status) + ", ", verdict);
+}
+
+std::string format_difference(const study::RunDifference& difference) {
+    return fmt::format("{:>11.3g} {:>11.3g} {:>7} {:>9} {:>8}", difference.rms_velocity, difference.max_velocity, difference.digits(),
+                       difference.parting_time ? fmt::format("{:.4g}", *difference.parting_time) : "never",
+                       difference.bitwise_identical ? "yes" : "no");
+}
+
+void print_study(const study::ScenePair& pair) {
+    const study::PairStudy& study = pair.study;
+    print("{}, {} materials: spine velocities v/λ_v at t/λ_t against the prototype\n", pair.prototype.name,
+          study::to_string(study.materials));
+    print_header();
+    print_row("prototype", 1.0, study.prototype, fmt::format("{:>11} {:>11} {:>7} {:>9} {:>8}", "-", "-", "-", "-", "-"), "reference");
+    print_row("shadow", 1.0, study.shadow.run, format_difference(study.shadow.difference), "yardstick: one ulp per block");
+    for (const study::PairedRun& model : study.models) {
+        const char* verdict = model.consistent ? "consistent" : "NOT consistent";
+        if (study.materials == study::Materials::own) verdict = "own material";
+        print_row(model.label, model.similitude.length(), model.run, format_difference(model.difference), verdict);
+    }
+    for (const study::PairedRun& model : study.models) {
+        if (model.distortions.empty()) continue;
+        print("\nDistortions of {}\n", model.label);
+        print_distortions(model.distortions);
+    }
+    print("\n`parts`: prototype time at which a velocity first differs by {:g} of its peak\n", study::kPartingLevel);
+    if (study.materials == study::Materials::exact) {
+        print("{}: rms below {:g} times the shadow's ({:.3g}) or below {:g}\n", study.consistent() ? "Consistent" : "NOT consistent",
+              study::kShadowFactor, study.shadow.difference.rms_velocity, study::kRoundingLevel);
+    }
+}
+
+/// Folder of a run: its label without the colon.
+std::string folder_name(std::string label) {
+    std::replace(label.begin(), label.end(), ':', '-');
+    return label;
+}
+
+void write_study(study::ResultFolder& folder, const study::ScenePair& pair) {
+    const study::PairStudy& study = pair.study;
+    const std::string prototype = scene::write_scene(pair.prototype);
+    folder.add_run("prototype", study.prototype, {prototype, std::nullopt, kVersion});
+    folder.add_run(study.shadow.label, study.shadow.run, {prototype, std::nullopt, kVersion});
+    for (std::size_t m = 0; m < study.models.size(); ++m) {
+        const study::PairedRun& model = study.models[m];
+        folder.add_run(folder_name(model.label), model.run, {scene::write_scene(pair.models[m]), model.similitude, kVersion});
+    }
+    folder.add_text("spine.svg", study::make_svg(study::make_spine_plot(study, pair.scales, pair.prototype.name)));
+    folder.add_text("pair.json", study::to_json(study).dump(2) + "\n");
+    folder.commit();
+}
+
+/// Says which runs diverged; the exit code that follows.
+int judge(const std::string& scene, const study::PairStudy& study) {
+    bool diverged = report_divergence(scene + ", prototype", study.prototype);
+    diverged |= report_divergence(scene + ", shadow", study.shadow.run);
+    for (const study::PairedRun& model : study.models) diverged |= report_divergence(scene + ", " + model.label, model.run);
+    if (diverged) return kNumericalFailure;
+    return study.consistent() ? kDone : kCheckFailed;
+}
+
+int run_pair(const PairOptions& options) {
+    const scene::Scene prototype = make_prototype(options);
+    const std::vector<study::ModelChoice> choices = make_choices(options);
+    std::optional<study::ResultFolder> folder;
+    if (!options.out.empty()) folder.emplace(options.out);
+
+    std::optional<study::ScenePair> pair;
+    {
+        ProgressLine progress(prototype.name);
+        pair = study::pair_scene(prototype, choices, options.materials == "own" ? study::Materials::own : study::Materials::exact,
+                                 {.threads = options.threads, .on_progress = [&](double fraction) { progress.update(fraction); }});
+    }
+    if (folder) write_study(*folder, *pair);
+
+    if (options.json) {
+        print_json(study::to_json(pair->study));
+    } else {
+        print_study(*pair);
+        if (folder) print("Results in {}, picture {}\n", options.out, (std::filesystem::path(options.out) / "spine.svg").string());
+    }
+    return judge(options.scene, pair->study);
+}
+
+}  // namespace
+
+void add_pair_command(CLI::App& app, Action& action) {
+    auto options = std::make_shared<PairOptions>();
+    CLI::App* command = app.add_subcommand("pair", "A scene as prototype and as models at other scales, compared in dimensionless form");
+    command->add_option("scene", options->scene, "Scene file of the prototype")->required()->type_name("SCENE.json");
+    command->add_option("--length", options->lengths, "Length factor of a model; repeat for several (default 1/25 and 1/107)")
+        ->type_name("NUMBER");
+    command->add_option("--materials", options->materials, "exact: scaled so that every group is equal; own: measured for each scale")
+        ->check(CLI::IsMember({"exact", "own"}))
+        ->capture_default_str();
+    command->add_option("--material", options->presets, "Preset of each model with own materials (default: the one measured at that scale)")
+        ->type_name("PRESET");
+    CLI::Option* record =
+        command->add_option("--record", options->record, "Shake with the strong motion of this record instead of the scene's")
+            ->type_name("FILE");
+    command
+        ->add_option("--component", options->components, "Component along an axis, e.g. x=360 (default: the strongest horizontal along x)")
+        ->type_name("AXIS=NAME")
+        ->needs(record);
+    command->add_option("-o,--out", options->out, "Directory: a folder per run, spine.svg, pair.json")->type_name("DIR");
+    command->add_option("--duration", options->duration, "Simulated time of the prototype [s], instead of the scene's")
+        ->type_name("NUMBER");
+    add_threads_option(*command, options->threads);
+    add_json_option(*command, options->json);
+    command->footer(
+        "Examples:\n"
+        "  musim pair examples/tower_prototype.json -o out/pair\n"
+        "  musim pair examples/tower_prototype.json --length 1/16 --length 1/64 --json\n"
+        "  musim pair examples/tower_prototype.json --length 1/107 --record CICLC.v1 --component x=360 -o out/ridgecrest\n"
+        "  musim pair examples/tower_prototype.json --length 1/107 --materials own --material aluminium\n"
+        "The shadow is the prototype with one coordinate of every block moved by one unit in the last place: the yardstick of what "
+        "rounding\n"
+        "alone may do. Exit code 5: a model with exact materials differs by more than three times the shadow and by more than 1e-9.");
+    command->callback([&action, options] { action = [options] { return run_pair(*options); }; });
+}
+
+}  // namespace musim::cli

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <chrono>
+#include <mutex>
+#include <string>
+
+namespace musim::cli {
+
+/// A line on stderr with the percentage done and the time left. It says nothing during the first two seconds; on a terminal it is
+/// rewritten in place, elsewhere a new line follows every ten seconds.
+class ProgressLine {
+  public:
+    explicit ProgressLine(std::string what);
+    ~ProgressLine();
+    ProgressLine(const ProgressLine&) = delete;
+    ProgressLine& operator=(const ProgressLine&) = delete;
+
+    /// `fraction` done, 0 to 1. May be called from any thread, as often as one likes.
+    void update(double fraction);
+
+  private:
+    using Clock = std::chrono::steady_clock;
+
+    std::string what_;
+    bool terminal_;
+    bool shown_ = false;
+    Clock::time_point start_ = Clock::now();
+    Clock::time_point next_;
+    std::mutex mutex_;
+};
+
+}  // namespace musim::cli

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <CLI/App.hpp>
+#include <optional>
+#include <string>
+
+#include "cli/options.hpp"
+#include "records/ground_motion.hpp"
+
+namespace musim::cli {
+
+/// What a record file may leave unsaid, as options --dt, --unit, --quantity.
+struct RecordSourceOptions {
+    std::optional<Number> dt;
+    std::optional<std::string> unit;
+    std::optional<std::string> quantity;
+
+    void add_to(CLI::App& command);
+
+    /// Reads a record file, or makes the built-in record when `source` is "synthetic". Throws records::ReadError.
+    records::GroundMotion load(const std::string& source) const;
+};
+
+/// How a positional record argument describes itself in help texts.
+inline constexpr const char* kRecordArgument = "Record file (PEER AT2, CSMIP V1/V2, CSV, plain text), or `synthetic` for the built-in one";
+
+}  // namespace musim::cli

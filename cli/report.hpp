@@ -1,0 +1,27 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "lsdem/study/summary.hpp"
+#include "scaling/distortion.hpp"
+#include "scaling/similitude.hpp"
+
+namespace musim::cli {
+
+namespace study = lsdem::study;
+
+/// Named factors as one JSON object.
+nlohmann::json to_json(const std::vector<scaling::NamedFactor>& factors);
+
+/// A table of factors under a title.
+void print_factors(const std::string& title, const std::vector<scaling::NamedFactor>& factors);
+
+/// One line per distortion, or that there is none.
+void print_distortions(const std::vector<scaling::Distortion>& distortions);
+
+/// If the run diverged, says so on stderr in one line with block and time, and returns true.
+bool report_divergence(const std::string& where, const lsdem::study::RunResult& run);
+
+}  // namespace musim::cli

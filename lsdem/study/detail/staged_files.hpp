@@ -1,0 +1,36 @@
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+#include <vector>
+
+namespace musim::lsdem::study::detail {
+
+/// Files that appear in a directory all together or not at all.
+///
+/// They are written into a hidden folder of that directory and moved by commit(). Without commit() the destructor removes what was
+/// written, and the directories that were made for it.
+class StagedFiles {
+  public:
+    /// Makes the directory and its parents. Throws records::WriteError when it cannot.
+    explicit StagedFiles(std::filesystem::path directory);
+    ~StagedFiles();
+    StagedFiles(const StagedFiles&) = delete;
+    StagedFiles& operator=(const StagedFiles&) = delete;
+
+    /// Writes a file; `name` may hold folders. Throws records::WriteError with the system's reason, e.g. a full disk.
+    void write(const std::filesystem::path& name, std::string_view bytes);
+
+    /// Moves all files to their places, replacing older ones. Throws records::WriteError.
+    void commit();
+
+  private:
+    void remove_all() noexcept;
+
+    std::filesystem::path directory_;
+    std::filesystem::path staging_;
+    std::vector<std::filesystem::path> created_;  ///< directories that were not there before, innermost first
+    std::vector<std::filesystem::path> names_;
+};
+
+}  // namespace musim::lsdem::study::detail

@@ -1,0 +1,32 @@
+#include "lsdem/study/history.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace musim::lsdem::study {
+
+std::string to_string(RunStatus status) {
+    switch (status) {
+        case RunStatus::completed:
+            return "completed";
+        case RunStatus::collapsed:
+            return "collapsed";
+        case RunStatus::diverged:
+            break;
+    }
+    return "diverged";
+}
+
+double compute_energy_closure(const std::vector<Energy>& energy) {
+    double change = 0.0;
+    double in_play = 0.0;
+    for (const Energy& now : energy) {
+        const Energy& start = energy.front();
+        change = std::max(change, std::abs(now.balance() - start.balance()));
+        in_play = std::max(in_play, now.kinetic + std::abs(now.gravitational - start.gravitational) + now.elastic_normal +
+                                        now.elastic_shear + now.friction_loss + now.damping_loss + std::abs(now.base_work));
+    }
+    return in_play > 0.0 ? change / in_play : 0.0;
+}
+
+}  // namespace musim::lsdem::study

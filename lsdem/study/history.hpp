@@ -1,0 +1,83 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lsdem/simulation.hpp"
+#include "lsdem/types.hpp"
+
+/// Studies on scenes: single runs, paired runs at several scales, their results on disk and their picture.
+namespace musim::lsdem::study {
+
+/// The blocks whose motion is kept: one vertical line of a structure. Levels count from 1 at the base.
+struct Spine {
+    std::vector<std::size_t> block;  ///< index into Model::blocks
+    std::vector<int> level;
+
+    std::size_t size() const { return block.size(); }
+};
+
+/// Motion sampled at even intervals, world frame. Spine values are stored time by time: value of spine block s at sample k in [k·ns + s].
+struct History {
+    std::vector<double> time;             ///< [s]
+    std::vector<BaseState> base;          ///< of the ground
+    std::vector<Vector3> spine_position;  ///< centres of mass [m]
+    std::vector<Vector3> spine_velocity;  ///< [m/s]
+    std::vector<Vector3> spine_rotation;  ///< rotation vector from the start to now [rad]
+    std::vector<Energy> energy;           ///< [J]
+
+    std::size_t samples() const { return time.size(); }
+};
+
+/// Poses of all blocks at chosen instants, single precision, for pictures: value of block b at frame k in [k·n + b].
+struct Frames {
+    std::vector<double> time;                 ///< [s]
+    std::vector<Eigen::Vector3f> position;    ///< [m]
+    std::vector<Eigen::Vector4f> quaternion;  ///< (w, x, y, z), body to world
+    std::vector<Eigen::Vector3f> velocity;    ///< [m/s]
+};
+
+/// What the blocks are, for results on disk.
+struct BlockTable {
+    std::vector<Vector3> size;  ///< edge lengths of the bounding box in the body frame [m]
+    std::vector<double> mass;   ///< [kg]
+    std::vector<int> layer;     ///< from 1 at the base; 0: in no layer
+};
+
+/// How a run ended. Collapse is a result: the run goes on to its end. Divergence is a numerical failure and ends the run.
+enum class RunStatus { completed, collapsed, diverged };
+
+/// "completed", "collapsed" or "diverged".
+std::string to_string(RunStatus status);
+
+/// Everything one simulation produced.
+struct RunResult {
+    RunStatus status = RunStatus::completed;
+    std::optional<Divergence> divergence;  ///< where and when, when the run diverged
+    std::optional<double> collapse_time;   ///< first sample with enough fallen blocks [s]
+
+    double time_step = 0.0;   ///< [s]
+    std::uint64_t steps = 0;  ///< done
+    BlockTable blocks;
+    Spine spine;
+    History history;
+    Frames frames;  ///< empty unless the scene asks for them
+    Kinematics initial;
+    Kinematics final;
+    Statistics statistics;
+    std::string state_hash;  ///< of the final state
+
+    double energy_closure = 0.0;                      ///< see compute_energy_closure
+    std::optional<double> base_reaction_over_weight;  ///< at the end, along gravity; nothing without ground or gravity
+    double wall_time = 0.0;                           ///< [s]
+};
+
+/// Largest change of the energy balance over the largest energy in play,
+///   max_t |B(t) − B(0)| / max_t (E_kin + |E_grav(t) − E_grav(0)| + E_el + W_friction + W_damping + |W_base|),
+/// both over the sampled history [-]; 0 when nothing ever moves.
+double compute_energy_closure(const std::vector<Energy>& energy);
+
+}  // namespace musim::lsdem::study

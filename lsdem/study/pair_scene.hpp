@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lsdem/scene/scene.hpp"
+#include "lsdem/study/pair.hpp"
+#include "lsdem/study/spine_plot.hpp"
+
+namespace musim::lsdem::study {
+
+/// A model of a scene: its scale, and the material it is built of when that is its own.
+struct ModelChoice {
+    double length = 1.0;        ///< λ_l
+    std::string material = {};  ///< preset for Materials::own; empty: the one measured for a tower of this scale
+};
+
+/// A scene at its own scale and at others.
+struct ScenePair {
+    scene::Scene prototype;
+    std::vector<scene::Scene> models;  ///< in the order of PairStudy::models
+    MotionScales scales;               ///< of the prototype
+    PairStudy study;
+};
+
+/// Name of a scale: "1:107", or "x0.3" when it is no whole fraction.
+std::string make_scale_label(double length);
+
+/// Runs a scene as prototype, its shadow, and its models, and compares them.
+///
+/// With Materials::exact every model is scaled so that all groups are equal (law `exact`). With Materials::own it has the density,
+/// stiffness, friction and restitution of its preset, fitted to its block size, and gets the base motion of the mu law; what that distorts
+/// is listed. Throws scene::SceneError (also for an unknown preset, or a scale without one), scaling::SimilitudeError, records::ReadError.
+ScenePair pair_scene(const scene::Scene& prototype, const std::vector<ModelChoice>& models, Materials materials,
+                     const RunSettings& settings = {});
+
+}  // namespace musim::lsdem::study

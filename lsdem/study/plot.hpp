@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace musim::lsdem::study {
+
+/// One run in a stacked plot.
+struct PlotCurves {
+    std::string label;                   ///< in the legend
+    std::vector<double> x;               ///< abscissa of all its curves, increasing
+    std::vector<std::vector<double>> y;  ///< one curve per row of the plot, each as long as `x`
+};
+
+/// Curves of several runs, one row per level of a structure, the lowest level at the bottom, as in Fig. 8 of [Harmon23].
+struct StackedPlot {
+    std::string title;
+    std::string subtitle;  ///< smaller, below; cut where the picture ends
+    std::string x_label;
+    std::string y_label;
+    std::vector<std::string> row_labels;  ///< from bottom to top
+    std::vector<PlotCurves> runs;         ///< drawn in order; the first one widest, so that the others show on top of it
+};
+
+/// The plot as an SVG document: white ground, rows spaced by their largest value, a scale bar per row spacing, colours that stay apart in
+/// every kind of colour vision together with dashes that stay apart without colour. Curves are thinned to what the picture can show,
+/// peaks kept. Throws std::invalid_argument when a run has another number of curves than the plot has rows, or of values than abscissas.
+std::string make_svg(const StackedPlot& plot);
+
+}  // namespace musim::lsdem::study

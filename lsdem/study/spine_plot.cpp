@@ -1,0 +1,110 @@
+#include "lsdem/study/spine_plot.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace musim::lsdem::study {
+namespace {
+
+constexpr std::size_t kMaxRows = 10;
+
+/// Largest absolute value along each axis.
+Vector3 find_peaks(const std::vector<Vector3>& values) {
+    Vector3 peaks = Vector3::Zero();
+    for (const Vector3& value : values) peaks = peaks.cwiseMax(value.cwiseAbs());
+    return peaks;
+}
+
+Vector3 find_base_peaks(const History& history) {
+    Vector3 peaks = Vector3::Zero();
+    for (const BaseState& base : history.base) peaks = peaks.cwiseMax(base.velocity.cwiseAbs());
+    return peaks;
+}
+
+/// Indices of the spine blocks to show, bottom to top.
+std::vector<std::size_t> choose_rows(std::size_t spine) {
+    const std::size_t rows = std::min(spine, kMaxRows);
+    std::vector<std::size_t> chosen;
+    for (std::size_t r = 0; r < rows; ++r) chosen.push_back(rows > 1 ? r * (spine - 1) / (rows - 1) : 0);
+    return chosen;
+}
+
+struct PlotUnits {
+    Eigen::Index axis = 0;
+    double time = 1.0;      ///< dimensionless time per second of the prototype
+    double velocity = 1.0;  ///< plotted velocity per m/s of the prototype
+};
+
+PlotCurves make_curves(const std::string& label, const RunResult& run, const scaling::Similitude& similitude, const PlotUnits& units,
+                       const std::vector<std::size_t>& rows) {
+    PlotCurves curves{.label = label, .x = {}, .y = std::vector<std::vector<double>>(rows.size())};
+    const std::size_t spine = run.spine.size();
+    const double time = units.time / similitude.time();
+    const double velocity = units.velocity / similitude.velocity();
+    for (std::size_t k = 0; k < run.history.samples(); ++k) {
+        curves.x.push_back(run.history.time[k] * time);
+        for (std::size_t r = 0; r < rows.size(); ++r) {
+            curves.y[r].push_back(run.history.spine_velocity[k * spine + rows[r]][units.axis] * velocity);
+        }
+    }
+    return curves;
+}
+
+}  // namespace
+
+MotionScales find_motion_scales(const Specimen& specimen) {
+    const Model& model = specimen.model;
+    MotionScales scales{.friction = 0.0, .gravity = model.gravity.norm(), .height = 0.0};
+    double bottom = std::numeric_limits<double>::infinity();
+    double top = -bottom;
+    for (const Block& block : model.blocks) {
+        const double half_height = (block.orientation.toRotationMatrix().cwiseAbs() * model.shapes[block.shape].half_extents).z();
+        if (block.position.z() - half_height < bottom) {
+            bottom = block.position.z() - half_height;
+            scales.friction = model.materials[block.material].friction;
+        }
+        top = std::max(top, block.position.z() + half_height);
+    }
+    scales.height = std::max(0.0, top - bottom);
+    return scales;
+}
+
+StackedPlot make_spine_plot(const PairStudy& study, const MotionScales& scales, const std::string& name) {
+    StackedPlot plot{.title = "Spine velocities, scaled back to the prototype",
+                     .subtitle = name,
+                     .x_label = "t √(μ g / l)",
+                     .y_label = "v / PGV",
+                     .row_labels = {},
+                     .runs = {}};
+    PlotUnits units;
+
+    // what velocities are measured in
+    const Vector3 base = find_base_peaks(study.prototype.history);
+    const double pgv = base.maxCoeff(&units.axis);
+    const double sliding_velocity = std::sqrt(scales.friction * scales.gravity * scales.height);
+    if (pgv > 0.0) {
+        units.velocity = 1.0 / pgv;
+    } else {
+        find_peaks(study.prototype.history.spine_velocity).maxCoeff(&units.axis);
+        units.velocity = sliding_velocity > 0.0 ? 1.0 / sliding_velocity : 1.0;
+        plot.y_label = sliding_velocity > 0.0 ? "v / √(μ g l)" : "v of the prototype [m/s]";
+    }
+    if (sliding_velocity > 0.0) {
+        units.time = std::sqrt(scales.friction * scales.gravity / scales.height);
+    } else {
+        plot.x_label = "t of the prototype [s]";
+    }
+    plot.y_label += std::string(" along ") + "xyz"[units.axis] + ", one row per level";
+
+    const std::vector<std::size_t> rows = choose_rows(study.prototype.spine.size());
+    for (const std::size_t row : rows) plot.row_labels.push_back(fmt::format("level {}", study.prototype.spine.level[row]));
+    plot.runs.push_back(make_curves("prototype", study.prototype, study.shadow.similitude, units, rows));
+    for (const PairedRun& model : study.models) plot.runs.push_back(make_curves(model.label, model.run, model.similitude, units, rows));
+    return plot;
+}
+
+}  // namespace musim::lsdem::study

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+
+#include "lsdem/study/pair.hpp"
+#include "lsdem/study/plot.hpp"
+
+namespace musim::lsdem::study {
+
+/// What makes a structure's motion dimensionless: time times √(μ g/l), velocities over √(μ g l) [Andrade22].
+struct MotionScales {
+    double friction = 0.0;  ///< μ of the lowest block [-]; 0 makes time and velocity dimensional
+    double gravity = 0.0;   ///< [m/s²]
+    double height = 0.0;    ///< l, from the lowest to the highest point at the start [m]
+};
+
+/// Scales of a specimen.
+MotionScales find_motion_scales(const Specimen& specimen);
+
+/// Spine velocities of the prototype and its models (not the shadow) along the axis that the base shakes most, or along which the spine
+/// moves most when the base stands: v/PGV, or v/√(μ g l), over t √(μ g/l), every run scaled back to the prototype. At most ten levels,
+/// evenly chosen. `name` says of what. `name` says whose.
+StackedPlot make_spine_plot(const PairStudy& study, const MotionScales& scales, const std::string& name);
+
+}  // namespace musim::lsdem::study

@@ -1,0 +1,85 @@
+#include "lsdem/study/summary.hpp"
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace musim::lsdem::study {
+namespace {
+
+nlohmann::json make_labelled_summary(const std::string& label, const RunResult& run) {
+    nlohmann::json summary = make_summary(run);
+    summary["label"] = label;
+    return summary;
+}
+
+}  // namespace
+
+nlohmann::json make_summary(const RunResult& run) {
+    nlohmann::json summary{{"status", to_string(run.status)},
+                           {"blocks", run.blocks.mass.size()},
+                           {"steps", run.steps},
+                           {"dt_s", run.time_step},
+                           {"duration_s", run.final.time},
+                           {"wall_s", run.wall_time},
+                           {"contact_nodes", run.statistics.contact_nodes},
+                           {"state_hash", run.state_hash},
+                           {"energy_closure", run.energy_closure},
+                           {"max_overlap_over_height", run.statistics.max_overlap_over_height},
+                           {"base_reaction_over_weight", nullptr}};
+    if (run.base_reaction_over_weight) summary["base_reaction_over_weight"] = *run.base_reaction_over_weight;
+    if (run.collapse_time) summary["collapse_time_s"] = *run.collapse_time;
+    if (run.divergence) {
+        const bool is_energy = run.divergence->kind == Divergence::Kind::energy_out_of_bounds;
+        summary["divergence"] = {{"kind", is_energy ? "energy_out_of_bounds" : "non_finite"},
+                                 {"block", run.divergence->block},
+                                 {"time_s", run.divergence->time}};
+    }
+    return summary;
+}
+
+nlohmann::json to_json(const scaling::Similitude& similitude) {
+    nlohmann::json factors;
+    for (const scaling::NamedFactor& factor : similitude.factors()) factors[std::string(factor.name)] = factor.value;
+    return {{"law", std::string(scaling::to_string(similitude.law()))},
+            {"chosen",
+             {{"length", similitude.length()},
+              {"friction", similitude.friction()},
+              {"gravity", similitude.gravity()},
+              {"density", similitude.density()}}},
+            {"factors", factors}};
+}
+
+nlohmann::json to_json(const std::vector<scaling::Distortion>& distortions) {
+    nlohmann::json list = nlohmann::json::array();
+    for (const scaling::Distortion& distortion : distortions) {
+        list.push_back({{"group", distortion.group},
+                        {"factor", distortion.factor},
+                        {"severity", std::string(scaling::to_string(distortion.severity))},
+                        {"effect", distortion.effect}});
+    }
+    return list;
+}
+
+nlohmann::json to_json(const PairStudy& study) {
+    nlohmann::json runs = {make_labelled_summary("prototype", study.prototype),
+                           make_labelled_summary(study.shadow.label, study.shadow.run)};
+    nlohmann::json pairs = nlohmann::json::array();
+    for (const PairedRun& model : study.models) {
+        runs.push_back(make_labelled_summary(model.label, model.run));
+        pairs.push_back(
+            {{"label", model.label},
+             {"length", model.similitude.length()},
+             {"materials", to_string(study.materials)},
+             {"max_relative_velocity_difference", model.difference.max_velocity},
+             {"rms_relative_velocity_difference", model.difference.rms_velocity},
+             {"shadow_rms", study.shadow.difference.rms_velocity},
+             {"bitwise_identical", model.difference.bitwise_identical},
+             {"digits", model.difference.digits()},
+             {"parting_time_s", model.difference.parting_time ? nlohmann::json(*model.difference.parting_time) : nlohmann::json()},
+             {"consistent", model.consistent},
+             {"distortions", to_json(model.distortions)}});
+    }
+    return {{"runs", runs}, {"pairs", pairs}, {"consistent", study.consistent()}};
+}
+
+}  // namespace musim::lsdem::study

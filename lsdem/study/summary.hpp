@@ -1,0 +1,28 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <vector>
+
+#include "lsdem/study/history.hpp"
+#include "lsdem/study/pair.hpp"
+#include "scaling/distortion.hpp"
+#include "scaling/similitude.hpp"
+
+namespace musim::lsdem::study {
+
+/// The run in one JSON object: status, blocks, steps, dt_s, duration_s, wall_s, contact_nodes, state_hash, energy_closure,
+/// max_overlap_over_height, base_reaction_over_weight (null without ground or gravity), and collapse_time_s or divergence where they apply.
+nlohmann::json make_summary(const RunResult& run);
+
+/// A similitude in one JSON object: law, the chosen factors, all derived factors.
+nlohmann::json to_json(const scaling::Similitude& similitude);
+
+/// A list of distortions, each with group, factor, severity and effect.
+nlohmann::json to_json(const std::vector<scaling::Distortion>& distortions);
+
+/// A paired study in one JSON object: runs (prototype, shadow, models; summaries with label), pairs (one per model: length, materials,
+/// max_relative_velocity_difference, rms_relative_velocity_difference, shadow_rms, bitwise_identical, digits, parting_time_s (prototype
+/// time; null if never), consistent, distortions), and consistent.
+nlohmann::json to_json(const PairStudy& study);
+
+}  // namespace musim::lsdem::study

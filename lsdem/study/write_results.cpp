@@ -1,0 +1,203 @@
+#include "lsdem/study/write_results.hpp"
+
+#include <fmt/format.h>
+
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <string_view>
+#include <vector>
+
+#include "lsdem/study/detail/hdf5_file.hpp"
+#include "lsdem/study/summary.hpp"
+
+namespace musim::lsdem::study {
+namespace {
+
+using detail::Hdf5File;
+
+/// One value per sample or block, picked from a list of structures.
+template <class Item, class Pick>
+std::vector<double> column(const std::vector<Item>& items, Pick pick) {
+    std::vector<double> values;
+    values.reserve(items.size());
+    for (const Item& item : items) values.push_back(pick(item));
+    return values;
+}
+
+/// Three values per sample, picked from a list of structures.
+template <class Item, class Pick>
+std::vector<Vector3> vector_column(const std::vector<Item>& items, Pick pick) {
+    std::vector<Vector3> values;
+    values.reserve(items.size());
+    for (const Item& item : items) values.push_back(pick(item));
+    return values;
+}
+
+void write_scalars(Hdf5File& file, const std::string& path, const std::vector<double>& values, const std::string& units) {
+    file.write(path, {values.size()}, values.data(), units);
+}
+
+void write_vectors(Hdf5File& file, const std::string& path, std::vector<hsize_t> shape, const std::vector<Vector3>& values,
+                   const std::string& units) {
+    shape.push_back(3);
+    file.write(path, shape, values.empty() ? nullptr : values.front().data(), units);
+}
+
+template <class Integer>
+void write_integers(Hdf5File& file, const std::string& path, const std::vector<Integer>& values) {
+    const std::vector<long long> wide(values.begin(), values.end());
+    file.write(path, {wide.size()}, wide.data(), "1");
+}
+
+/// (w, x, y, z), the order of files; Eigen keeps w last.
+void write_quaternions(Hdf5File& file, const std::string& path, const std::vector<Quaternion>& orientation) {
+    std::vector<double> values;
+    values.reserve(4 * orientation.size());
+    for (const Quaternion& q : orientation) values.insert(values.end(), {q.w(), q.x(), q.y(), q.z()});
+    file.write(path, {orientation.size(), 4}, values.data(), "1");
+}
+
+void write_history(Hdf5File& file, const RunResult& run) {
+    const History& history = run.history;
+    const hsize_t nt = history.samples();
+    const hsize_t ns = run.spine.size();
+    write_scalars(file, "/time", history.time, "s");
+
+    const auto displacement = vector_column(history.base, [](const BaseState& base) { return base.displacement; });
+    const auto velocity = vector_column(history.base, [](const BaseState& base) { return base.velocity; });
+    const auto acceleration = vector_column(history.base, [](const BaseState& base) { return base.acceleration; });
+    write_vectors(file, "/base/displacement", {nt}, displacement, "m");
+    write_vectors(file, "/base/velocity", {nt}, velocity, "m/s");
+    write_vectors(file, "/base/acceleration", {nt}, acceleration, "m/s^2");
+
+    write_integers(file, "/spine/level", run.spine.level);
+    write_integers(file, "/spine/block", run.spine.block);
+    write_vectors(file, "/spine/position", {nt, ns}, history.spine_position, "m");
+    write_vectors(file, "/spine/velocity", {nt, ns}, history.spine_velocity, "m/s");
+    write_vectors(file, "/spine/rotation_vector", {nt, ns}, history.spine_rotation, "rad");
+
+    const std::vector<Energy>& energy = history.energy;
+    write_scalars(file, "/energy/kinetic", column(energy, [](const Energy& e) { return e.kinetic; }), "J");
+    write_scalars(file, "/energy/potential", column(energy, [](const Energy& e) { return e.gravitational; }), "J");
+    write_scalars(file, "/energy/elastic", column(energy, [](const Energy& e) { return e.elastic_normal + e.elastic_shear; }), "J");
+    write_scalars(file, "/energy/friction", column(energy, [](const Energy& e) { return e.friction_loss; }), "J");
+    write_scalars(file, "/energy/damping", column(energy, [](const Energy& e) { return e.damping_loss; }), "J");
+    write_scalars(file, "/energy/base_work", column(energy, [](const Energy& e) { return e.base_work; }), "J");
+}
+
+void write_blocks(Hdf5File& file, const RunResult& run) {
+    const hsize_t n = run.blocks.mass.size();
+    write_vectors(file, "/blocks/size", {n}, run.blocks.size, "m");
+    write_scalars(file, "/blocks/mass", run.blocks.mass, "kg");
+    write_integers(file, "/blocks/layer", run.blocks.layer);
+    write_vectors(file, "/blocks/initial_position", {n}, run.initial.position, "m");
+    write_quaternions(file, "/blocks/initial_quaternion", run.initial.orientation);
+    write_vectors(file, "/blocks/final_position", {n}, run.final.position, "m");
+    write_quaternions(file, "/blocks/final_quaternion", run.final.orientation);
+}
+
+void write_frames(Hdf5File& file, const RunResult& run) {
+    const Frames& frames = run.frames;
+    if (frames.time.empty()) return;
+    const hsize_t nf = frames.time.size();
+    const hsize_t n = run.blocks.mass.size();
+    const std::vector<float> time(frames.time.begin(), frames.time.end());
+    file.write("/frames/time", {nf}, time.data(), "s");
+    file.write("/frames/position", {nf, n, 3}, frames.position.front().data(), "m");
+    file.write("/frames/quaternion", {nf, n, 4}, frames.quaternion.front().data(), "1");
+    file.write("/frames/velocity", {nf, n, 3}, frames.velocity.front().data(), "m/s");
+}
+
+std::vector<char> make_hdf5(const RunResult& run, const ResultHeader& header) {
+    Hdf5File file;
+    write_history(file, run);
+    write_blocks(file, run);
+    write_frames(file, run);
+    file.write_attribute("scene", header.scene);
+    file.write_attribute("similitude", header.similitude ? to_json(*header.similitude).dump() : "null");
+    file.write_attribute("program_version", header.program_version);
+    file.write_attribute("state_hash", run.state_hash);
+    return file.image();
+}
+
+/// One instant in XDMF: the blocks as points, with whatever `attributes` describes.
+std::string xdmf_grid(double time, std::size_t blocks, const std::string& points, const std::string& attributes) {
+    return fmt::format(
+        "  <Grid Name=\"blocks\">\n   <Time Value=\"{}\"/>\n   <Topology TopologyType=\"Polyvertex\" NumberOfElements=\"{}\"/>\n"
+        "   <Geometry GeometryType=\"XYZ\">{}</Geometry>\n{}  </Grid>\n",
+        time, blocks, points, attributes);
+}
+
+std::string xdmf_attribute(std::string_view name, std::string_view type, const std::string& data) {
+    return fmt::format("   <Attribute Name=\"{}\" AttributeType=\"{}\" Center=\"Node\">{}</Attribute>\n", name, type, data);
+}
+
+/// A dataset of n rows.
+std::string xdmf_data(std::string_view path, std::size_t n, int width, int precision) {
+    return fmt::format("<DataItem Dimensions=\"{} {}\" NumberType=\"Float\" Precision=\"{}\" Format=\"HDF\">result.h5:{}</DataItem>", n,
+                       width, precision, path);
+}
+
+/// Row `k` of a dataset of frames.
+std::string xdmf_frame(std::string_view path, std::size_t k, std::size_t frames, std::size_t n, int width) {
+    return fmt::format(
+        "<DataItem ItemType=\"HyperSlab\" Dimensions=\"1 {2} {3}\"><DataItem Dimensions=\"3 3\" Format=\"XML\">{0} 0 0 1 1 1 1 {2} {3}"
+        "</DataItem><DataItem Dimensions=\"{1} {2} {3}\" NumberType=\"Float\" Precision=\"4\" "
+        "Format=\"HDF\">result.h5:{4}</DataItem></DataItem>",
+        k, frames, n, width, path);
+}
+
+/// Frames when the run kept any, else its first and last instant.
+std::string make_xdmf(const RunResult& run) {
+    const std::size_t n = run.blocks.mass.size();
+    const std::string size = xdmf_attribute("size", "Vector", xdmf_data("/blocks/size", n, 3, 8));
+    std::string grids;
+    const std::size_t frames = run.frames.time.size();
+    for (std::size_t k = 0; k < frames; ++k) {
+        grids += xdmf_grid(run.frames.time[k], n, xdmf_frame("/frames/position", k, frames, n, 3),
+                           size + xdmf_attribute("velocity", "Vector", xdmf_frame("/frames/velocity", k, frames, n, 3)) +
+                               xdmf_attribute("quaternion", "Matrix", xdmf_frame("/frames/quaternion", k, frames, n, 4)));
+    }
+    if (frames == 0) {
+        grids += xdmf_grid(run.initial.time, n, xdmf_data("/blocks/initial_position", n, 3, 8), size);
+        grids += xdmf_grid(run.final.time, n, xdmf_data("/blocks/final_position", n, 3, 8), size);
+    }
+    return "<?xml version=\"1.0\"?>\n<Xdmf Version=\"3.0\">\n <Domain>\n  <Grid GridType=\"Collection\" CollectionType=\"Temporal\">\n" +
+           grids + "  </Grid>\n </Domain>\n</Xdmf>\n";
+}
+
+/// Time, base velocity and the velocity of every spine level, in SI; each number reads back as the same double.
+std::string make_spine_csv(const RunResult& run) {
+    std::string csv = "time_s,base_vx_m_s,base_vy_m_s,base_vz_m_s";
+    for (const int level : run.spine.level) {
+        fmt::format_to(std::back_inserter(csv), ",level{0}_vx_m_s,level{0}_vy_m_s,level{0}_vz_m_s", level);
+    }
+    csv += '\n';
+    const std::size_t ns = run.spine.size();
+    for (std::size_t k = 0; k < run.history.samples(); ++k) {
+        const Vector3& base = run.history.base[k].velocity;
+        fmt::format_to(std::back_inserter(csv), "{},{},{},{}", run.history.time[k], base.x(), base.y(), base.z());
+        for (std::size_t s = 0; s < ns; ++s) {
+            const Vector3& v = run.history.spine_velocity[k * ns + s];
+            fmt::format_to(std::back_inserter(csv), ",{},{},{}", v.x(), v.y(), v.z());
+        }
+        csv += '\n';
+    }
+    return csv;
+}
+
+}  // namespace
+
+void ResultFolder::add_run(const std::filesystem::path& subfolder, const RunResult& run, const ResultHeader& header) {
+    const std::vector<char> hdf5 = make_hdf5(run, header);
+    nlohmann::json summary = make_summary(run);
+    summary["program_version"] = header.program_version;
+    if (header.similitude) summary["similitude"] = to_json(*header.similitude);
+
+    files_.write(subfolder / "result.h5", {hdf5.data(), hdf5.size()});
+    files_.write(subfolder / "result.xdmf", make_xdmf(run));
+    files_.write(subfolder / "spine.csv", make_spine_csv(run));
+    files_.write(subfolder / "summary.json", summary.dump(2) + "\n");
+}
+
+}  // namespace musim::lsdem::study

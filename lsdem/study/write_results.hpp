@@ -1,0 +1,40 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "lsdem/study/detail/staged_files.hpp"
+#include "lsdem/study/history.hpp"
+#include "scaling/similitude.hpp"
+
+namespace musim::lsdem::study {
+
+/// What a result file says about the run besides its numbers.
+struct ResultHeader {
+    std::string scene;                              ///< the scene as JSON text
+    std::optional<scaling::Similitude> similitude;  ///< of a model to its prototype
+    std::string program_version;
+};
+
+/// A directory of results that appear all together or not at all: nothing is left half-written when the disk is full.
+class ResultFolder {
+  public:
+    /// Makes the directory. Throws records::WriteError, so that an unusable one is met before the run and not after.
+    explicit ResultFolder(const std::filesystem::path& directory) : files_(directory) {}
+
+    /// Adds to `subfolder` (may be empty): result.h5 (HDF5, layout in README.md), result.xdmf (opens it in ParaView), spine.csv and
+    /// summary.json. Throws records::WriteError.
+    void add_run(const std::filesystem::path& subfolder, const RunResult& run, const ResultHeader& header);
+
+    /// Adds a text file, such as a picture. Throws records::WriteError.
+    void add_text(const std::filesystem::path& name, const std::string& text) { files_.write(name, text); }
+
+    /// Lets everything appear, replacing older results. Throws records::WriteError.
+    void commit() { files_.commit(); }
+
+  private:
+    detail::StagedFiles files_;
+};
+
+}  // namespace musim::lsdem::study

@@ -1,0 +1,111 @@
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <string>
+
+#include "tests/cli/program.hpp"
+
+using namespace musim::cli;
+
+namespace {
+
+/// A PEER file of `npts` samples of a 2 Hz sine of 0.3 g; the header may claim another number or time step.
+std::string make_at2(int npts, int claimed, const std::string& dt = ".0100", const std::string& spoilt_sample = "") {
+    std::string text =
+        "PEER NGA STRONG MOTION DATABASE RECORD\nMADE UP, 1/1/2000, NOWHERE, 90\nACCELERATION TIME SERIES IN UNITS OF G\nNPTS=  " +
+        std::to_string(claimed) + ", DT=   " + dt + " SEC\n";
+    for (int i = 0; i < npts; ++i) {
+        text +=
+            i == npts / 2 && !spoilt_sample.empty() ? "  " + spoilt_sample : "  " + std::to_string(0.3 * std::sin(0.04 * 3.14159265 * i));
+        if (i % 5 == 4) text += "\n";
+    }
+    return text + "\n";
+}
+
+}  // namespace
+
+TEST_CASE("record info tells format, length and peaks of every component") {
+    const Workplace here;
+    here.write("a.at2", make_at2(400, 400));
+    const Outcome outcome = here.run("record info a.at2 synthetic --json");
+    CHECK(outcome.exit_code == 0);
+    const auto components = outcome.json()["components"];
+    REQUIRE(components.size() == 2);
+    for (const char* key : {"file", "format", "station", "component", "quantity", "unit", "dt_s", "npts", "pga_g", "pgv_cm_s", "pgd_cm",
+                            "arias_m_s", "d5_95_s"}) {
+        CHECK_MESSAGE(components[0].contains(key), key);
+    }
+    CHECK(components[0]["npts"] == 400);
+    CHECK(components[0]["dt_s"] == 0.01);
+    // samples are written with six decimals, and none falls on the crest of the sine: within (pi f dt)^2/2 = 0.2 %
+    CHECK(components[0]["pga_g"].get<double>() == doctest::Approx(0.3).epsilon(0.002));
+    // the built-in record has the peaks of the papers' Ridgecrest record
+    CHECK(components[1]["pga_g"].get<double>() == doctest::Approx(0.511).epsilon(1e-8));
+    CHECK(components[1]["pgv_cm_s"].get<double>() == doctest::Approx(42.4).epsilon(1e-8));
+
+    CHECK(here.run("record info a.at2").out.find("PEER AT2") != std::string::npos);
+}
+
+TEST_CASE("rescale multiplies time and samples by the factors it prints, and reads its own output back") {
+    const Workplace here;
+    const Outcome outcome = here.run("rescale synthetic --length 1/107 --friction 0.63/0.59 -o model.csv --json");
+    CHECK(outcome.exit_code == 0);
+    const auto object = outcome.json();
+    CHECK(object["factors"]["time"].get<double>() == doctest::Approx(0.09355432).epsilon(1e-6));
+
+    const auto model = here.run("record info model.csv --json").json()["components"][0];
+    CHECK(model["dt_s"].get<double>() == doctest::Approx(0.005 * object["factors"]["time"].get<double>()).epsilon(1e-12));
+    CHECK(model["pga_g"].get<double>() == doctest::Approx(0.511 * object["factors"]["acceleration"].get<double>()).epsilon(1e-8));
+    CHECK(model["pgv_cm_s"].get<double>() == doctest::Approx(42.4 * object["factors"]["velocity"].get<double>()).epsilon(1e-8));
+}
+
+TEST_CASE("rescale writes PEER files, and asks for a format it can't tell") {
+    const Workplace here;
+    CHECK(here.run("rescale synthetic --length 1/25 -o model.at2").exit_code == 0);
+    CHECK(here.run("record info model.at2 --json").json()["components"][0]["format"] == "PEER AT2");
+    CHECK(here.run("rescale synthetic --length 1/25 -o model --format csv").exit_code == 0);
+    const Outcome unknown = here.run("rescale synthetic --length 1/25 -o model.xyz");
+    CHECK(unknown.exit_code == 3);
+    CHECK(unknown.has_one_error_line());
+    CHECK_FALSE(here.has("model.xyz"));
+}
+
+TEST_CASE("a broken record is one error line that names file and line, exit code 3, and no output file") {
+    const Workplace here;
+    here.write("truncated.at2", make_at2(200, 400));
+    here.write("npts.at2", make_at2(400, 300));
+    here.write("nan.at2", make_at2(400, 400, ".0100", "NaN"));
+    here.write("dt.at2", make_at2(400, 400, ".0000"));
+    here.write("empty.at2", "");
+    here.write("noise.bin", std::string("\x01\x02\xff\x00\x07", 5));
+    for (const char* name : {"truncated.at2", "npts.at2", "nan.at2", "dt.at2", "empty.at2", "noise.bin", "missing.at2", "."}) {
+        for (const std::string command : {"record info --json ", "rescale --length 1/25 -o out.csv "}) {
+            const Outcome outcome = here.run(command + name);
+            CHECK_MESSAGE(outcome.exit_code == 3, command, name);
+            CHECK_MESSAGE(outcome.has_one_error_line(), outcome.err);
+            CHECK_MESSAGE(outcome.err.find(name) != std::string::npos, outcome.err);
+            CHECK(outcome.out.empty());
+        }
+    }
+    CHECK(here.count() == 6);
+}
+
+TEST_CASE("an unknown unit is refused with the known ones") {
+    const Workplace here;
+    here.write("a.txt", "0.0 1.0\n0.1 2.0\n0.2 1.0\n0.3 0.5\n");
+    CHECK(here.run("record info a.txt --unit g").exit_code == 0);
+    const Outcome outcome = here.run("record info a.txt --unit furlong");
+    CHECK(outcome.exit_code == 3);
+    CHECK(outcome.has_one_error_line());
+    CHECK(outcome.err.find("furlong") != std::string::npos);
+}
+
+TEST_CASE("a full disk leaves no partial record") {
+    const Workplace here;
+    const Outcome outcome = here.run("rescale synthetic --length 1/25 -o model.csv", kFullDisk);
+    CHECK(outcome.exit_code == 3);
+    CHECK(outcome.has_one_error_line());
+    CHECK(here.count() == 0);
+    CHECK(here.run("rescale synthetic --length 1/25 --format csv -o /dev/full").exit_code == 3);
+    CHECK(std::filesystem::is_character_file("/dev/full"));
+}

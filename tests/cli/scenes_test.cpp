@@ -1,0 +1,185 @@
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "tests/cli/program.hpp"
+
+using namespace musim::cli;
+
+namespace {
+
+/// A small scene: a stack of two blocks that slides on a shaken ground, with parts that can be spoilt.
+struct SceneText {
+    std::string density = "\"2320 kg/m^3\"";
+    std::string stiffness = "\"2 GN/m\"";
+    std::string second_block_z = "\"1.5 m\"";
+    std::string step = "\"auto\"";
+
+    std::string text() const {
+        return R"({"schema": "musim-scene/1", "name": "two blocks",
+ "material": {"density": )" +
+               density + R"(, "normal_stiffness": )" + stiffness + R"(, "shear_stiffness": "2 GN/m", "friction": 0.3, "restitution": 0.3},
+ "shape": {"kind": "box", "nodes_per_face": 25}, "structure": {"kind": "blocks", "blocks": [
+   {"size": ["2 m", "2 m", "1 m"], "position": ["0 m", "0 m", "0.5 m"]},
+   {"size": ["2 m", "2 m", "1 m"], "position": ["0 m", "0 m", )" +
+               second_block_z + R"(]}]},
+ "base_motion": {"signal": "sine", "direction": "x", "amplitude": "0.6 g", "frequency": "2 Hz", "cycles": 2},
+ "time": {"duration": "0.5 s", "step": )" +
+               step + R"(}, "output": {"spine_rate": "200 Hz"}})";
+    }
+};
+
+}  // namespace
+
+TEST_CASE("run prints one JSON object with the keys of the contract and writes all result files") {
+    const Workplace here;
+    here.write("scene.json", SceneText().text());
+    const Outcome outcome = here.run("run scene.json -o out/run --json");
+    CHECK(outcome.exit_code == 0);
+    const auto object = outcome.json();
+    for (const char* key : {"status", "blocks", "steps", "dt_s", "wall_s", "contact_nodes", "state_hash", "energy_closure",
+                            "max_overlap_over_height", "base_reaction_over_weight"}) {
+        CHECK_MESSAGE(object.contains(key), key);
+    }
+    CHECK(object["status"] == "completed");
+    CHECK(object["blocks"] == 2);
+    for (const char* name : {"result.h5", "result.xdmf", "spine.csv", "summary.json"})
+        CHECK_MESSAGE(here.has(std::string("out/run/") + name), name);
+    CHECK(nlohmann::json::parse(here.read("out/run/summary.json"))["state_hash"] == object["state_hash"]);
+}
+
+TEST_CASE("the state hash is the same for any number of threads") {
+    const Workplace here;
+    here.write("scene.json", SceneText().text());
+    const auto hash = [&](const std::string& threads) {
+        return here.run("run scene.json --json --threads " + threads).json()["state_hash"];
+    };
+    const auto one = hash("1");
+    CHECK(hash("2") == one);
+    CHECK(hash("4") == one);
+}
+
+TEST_CASE("a duration given as a fraction replaces the scene's") {
+    const Workplace here;
+    here.write("scene.json", SceneText().text());
+    CHECK(here.run("run scene.json --json --duration 1/4").json()["duration_s"].get<double>() == doctest::Approx(0.25).epsilon(1e-9));
+    CHECK(here.run("run scene.json --duration -1").exit_code == 3);
+}
+
+TEST_CASE("pair agrees in every bit at 1:16 and within the yardstick at 1:107, and draws it") {
+    const Workplace here;
+    here.write("scene.json", SceneText().text());
+    const Outcome outcome = here.run("pair scene.json --length 1/16 --length 1/107 -o out --json");
+    CHECK(outcome.exit_code == 0);
+    const auto object = outcome.json();
+    CHECK(object["consistent"] == true);
+    CHECK(object["runs"].size() == 4);
+    REQUIRE(object["pairs"].size() == 2);
+    for (const char* key : {"length", "materials", "max_relative_velocity_difference", "rms_relative_velocity_difference", "shadow_rms",
+                            "bitwise_identical", "distortions"}) {
+        CHECK_MESSAGE(object["pairs"][1].contains(key), key);
+    }
+    CHECK(object["pairs"][0]["bitwise_identical"] == true);
+    CHECK(object["pairs"][0]["rms_relative_velocity_difference"] == 0.0);
+    CHECK(object["pairs"][1]["length"].get<double>() == 1.0 / 107.0);
+    for (const char* name : {"prototype/result.h5", "shadow/result.h5", "1-16/spine.csv", "1-107/summary.json", "pair.json"}) {
+        CHECK_MESSAGE(here.has(std::string("out/") + name), name);
+    }
+    CHECK(here.read("out/spine.svg").starts_with("<svg"));
+}
+
+TEST_CASE("pair prints a table with a verdict for every run") {
+    const Workplace here;
+    here.write("scene.json", SceneText().text());
+    const Outcome outcome = here.run("pair scene.json");
+    CHECK(outcome.exit_code == 0);
+    for (const char* word : {"prototype", "shadow", "1:25", "1:107", "yardstick", "consistent"})
+        CHECK(outcome.out.find(word) != std::string::npos);
+}
+
+TEST_CASE("models of their own material list what they distort") {
+    const Workplace here;
+    here.write("scene.json", SceneText().text());
+    const auto pair = here.run("pair scene.json --length 1/107 --materials own --json").json()["pairs"][0];
+    CHECK(pair["materials"] == "own");
+    CHECK(pair["distortions"].size() > 0);
+    CHECK(here.run("pair scene.json --length 1/50 --materials own").exit_code == 3);
+    CHECK(here.run("pair scene.json --length 1/50 --materials own --material aluminium").exit_code == 0);
+}
+
+TEST_CASE("pair --record shakes with the strong motion of a record and says what it did") {
+    const Workplace here;
+    here.write("scene.json", SceneText().text());
+    REQUIRE(here.run("rescale synthetic --length 1 --law froude -o record.csv").exit_code == 0);
+    const Outcome outcome = here.run("pair scene.json --length 1/16 --record record.csv --duration 0.2 --json");
+    CHECK(outcome.exit_code == 0);
+    CHECK(outcome.err.find("along x") != std::string::npos);
+    CHECK(outcome.err.find("strong motion from") != std::string::npos);
+    CHECK(outcome.json()["pairs"][0]["bitwise_identical"] == true);
+    CHECK(here.run("pair scene.json --record missing.at2").exit_code == 3);
+    CHECK(here.run("pair scene.json --record record.csv --component x=nope").exit_code == 3);
+    CHECK(here.run("pair scene.json --record record.csv --component 360").exit_code == 2);
+}
+
+TEST_CASE("a broken scene is one error line that names file and key, exit code 3, and no output") {
+    struct Case {
+        std::string text;
+        const char* word;
+    };
+    const SceneText good;
+    const auto with = [&](auto change) {
+        SceneText scene = good;
+        change(scene);
+        return scene.text();
+    };
+    const Case cases[] = {{with([](SceneText& s) { s.density = "-1"; }), "density"},
+                          {with([](SceneText& s) { s.stiffness = "\"2 GN/furlong\""; }), "furlong"},
+                          {with([](SceneText& s) { s.stiffness = "\"2 kg\""; }), "normal_stiffness"},
+                          {with([](SceneText& s) { s.second_block_z = "\"1.4 m\""; }), "overlap"},
+                          {with([](SceneText& s) { s.step = "\"0 s\""; }), "step"},
+                          {with([](SceneText& s) { s.step = "\"auto\", \"durration\": 1"; }), "duration"},
+                          {"{ not json", "scene.json"},
+                          {"", "scene.json"}};
+    for (const Case& broken : cases) {
+        const Workplace here;
+        here.write("scene.json", broken.text);
+        for (const std::string command : {"run", "pair"}) {
+            const Outcome outcome = here.run(command + " scene.json -o out --json");
+            CHECK_MESSAGE(outcome.exit_code == 3, broken.word);
+            CHECK_MESSAGE(outcome.has_one_error_line(), outcome.err);
+            // the file, or the name of the scene in it
+            CHECK_MESSAGE(outcome.err.find("error: scene") != std::string::npos, outcome.err);
+            CHECK_MESSAGE(outcome.err.find(broken.word) != std::string::npos, broken.word, " not in ", outcome.err);
+            CHECK(outcome.out.empty());
+        }
+        CHECK(here.count() == 1);
+    }
+    CHECK(Workplace().run("run missing.json").exit_code == 3);
+}
+
+TEST_CASE("a diverged run is exit code 4 with block and time, and its results are kept") {
+    const Workplace here;
+    SceneText scene;
+    scene.step = "\"0.05 s\"";
+    here.write("scene.json", scene.text());
+    const Outcome outcome = here.run("run scene.json --duration 50 -o out --json");
+    CHECK(outcome.exit_code == 4);
+    CHECK(outcome.has_one_error_line());
+    CHECK(outcome.err.find("block ") != std::string::npos);
+    CHECK(outcome.json()["status"] == "diverged");
+    CHECK(here.has("out/result.h5"));
+}
+
+TEST_CASE("results that cannot be written leave nothing behind") {
+    const Workplace here;
+    here.write("scene.json", SceneText().text());
+    for (const std::string command : {"run", "pair"}) {
+        const Outcome full = here.run(command + " scene.json -o out/deep", kFullDisk);
+        CHECK(full.exit_code == 3);
+        CHECK_MESSAGE(full.has_one_error_line(), full.err);
+        const Outcome below_file = here.run(command + " scene.json -o scene.json/out");
+        CHECK(below_file.exit_code == 3);
+        CHECK_MESSAGE(below_file.has_one_error_line(), below_file.err);
+    }
+    CHECK(here.count() == 1);
+}
