@@ -7,6 +7,7 @@ install(TARGETS musim RUNTIME)
 foreach(folder scaling records lsdem)
   install(DIRECTORY ${folder} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/musim FILES_MATCHING PATTERN "*.hpp")
 endforeach()
+install(FILES lsdem/scene/musim-scene-1.schema.json DESTINATION ${CMAKE_INSTALL_DATADIR}/musim)
 install(EXPORT musimTargets NAMESPACE musim:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/musim)
 configure_package_config_file(cmake/musimConfig.cmake.in ${CMAKE_CURRENT_BINARY_DIR}/musimConfig.cmake
                               INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/musim)

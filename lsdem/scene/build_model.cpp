@@ -164,7 +164,8 @@ BuiltModel build_model(const Scene& scene) {
     model.ground.material.friction = scene.ground.friction.value_or(scene.material.friction);
     model.ground.motion = make_base_components(scene.base_motion);
     model.gravity = detail::to_vector(scene.gravity);
-    model.contact_nodes = scene.contact_nodes == ProbingNodes::leader ? ContactNodes::leader : ContactNodes::both;
+    model.contact_nodes = scene.contact_nodes;
+    model.stiffness_sharing = scene.stiffness_sharing;
 
     built.structure.spine = arrangement.spine;
     for (const Placement& placement : arrangement.blocks) built.structure.layer.push_back(placement.layer);

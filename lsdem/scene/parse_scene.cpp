@@ -330,7 +330,9 @@ Scene parse_scene(std::string_view json_text, const std::filesystem::path& origi
     if (object.has("contact")) {
         const JsonObject contact(object.get("contact"), object.place("contact"), "contact");
         const bool both = contact.has("nodes") && contact.choice("nodes", {"leader", "both"}) == 1;
-        scene.contact_nodes = both ? ProbingNodes::both : ProbingNodes::leader;
+        scene.contact_nodes = both ? ContactNodes::both : ContactNodes::leader;
+        const bool per_contact = contact.has("stiffness") && contact.choice("stiffness", {"per_area", "per_contact"}) == 1;
+        scene.stiffness_sharing = per_contact ? StiffnessSharing::per_contact : StiffnessSharing::per_area;
     }
     scene.time = parse_time(JsonObject(object.get("time"), object.place("time"), "time"));
     if (object.has("output")) {

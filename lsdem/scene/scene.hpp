@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "lsdem/model.hpp"
 #include "lsdem/scene/material_presets.hpp"
 #include "lsdem/scene/tower_tiling.hpp"
 #include "records/sample_unit.hpp"
@@ -204,9 +205,6 @@ struct GroundSettings {
     bool operator==(const GroundSettings&) const = default;
 };
 
-/// Which nodes probe a pair of blocks, see lsdem::ContactNodes.
-enum class ProbingNodes { leader, both };
-
 struct TimeSettings {
     scaling::Time duration{};
     std::optional<scaling::Time> step;  ///< default ("auto"): `safety` times the critical step of the model
@@ -232,7 +230,8 @@ struct Scene {
     Structure structure;
     BaseMotion base_motion;
     GroundSettings ground;
-    ProbingNodes contact_nodes = ProbingNodes::leader;
+    ContactNodes contact_nodes = ContactNodes::leader;
+    StiffnessSharing stiffness_sharing = StiffnessSharing::per_area;
     TimeSettings time;
     OutputSettings output;
 

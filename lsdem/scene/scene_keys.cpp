@@ -25,7 +25,7 @@ const std::map<std::string, std::vector<std::string>>& scene_keys() {
         {"ricker", {"signal", "direction", "start", "factors", "dt", "amplitude", "frequency"}},
         {"synthetic", {"signal", "direction", "start", "factors", "dt", "pga", "pgv", "duration", "seed"}},
         {"ground", {"present", "friction"}},
-        {"contact", {"nodes"}},
+        {"contact", {"nodes", "stiffness"}},
         {"time", {"duration", "step", "safety"}},
         {"output", {"spine_rate", "frame_rate"}},
     };

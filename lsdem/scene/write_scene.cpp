@@ -177,7 +177,9 @@ std::string write_scene(const Scene& scene) {
                             {"structure", to_json(scene.structure, with_size)},
                             {"base_motion", to_json(scene.base_motion)},
                             {"ground", ground},
-                            {"contact", {{"nodes", scene.contact_nodes == ProbingNodes::leader ? "leader" : "both"}}},
+                            {"contact",
+                             {{"nodes", scene.contact_nodes == ContactNodes::leader ? "leader" : "both"},
+                              {"stiffness", scene.stiffness_sharing == StiffnessSharing::per_area ? "per_area" : "per_contact"}}},
                             {"time", time},
                             {"output", output}};
     return root.dump(2) + "\n";

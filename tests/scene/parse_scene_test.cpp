@@ -94,7 +94,7 @@ TEST_CASE("a scene written to text is read back bit for bit") {
         kFull,
         make_scene_text(kTower, kRicker),
         make_scene_text(kWall, R"(, "base_motion": {"signal": "sine", "amplitude": "0.5 g", "frequency": "3 Hz", "cycles": "10/3"})"),
-        make_scene_text(kBlocks, kSteel + R"(, "contact": {"nodes": "both"}, "gravity": [0.1, "0.2 g", -9])"),
+        make_scene_text(kBlocks, kSteel + R"(, "contact": {"nodes": "both", "stiffness": "per_contact"}, "gravity": [0.1, "0.2 g", -9])"),
         make_scene_text(kColumn,
                         R"(, "base_motion": {"signal": "step", "velocity": "32 mm/s", "direction": "z"}, "ground": {"friction": "1/3"})"),
         make_scene_text(kColumn, R"(, "base_motion": {"signal": "half_sine", "amplitude": "1 g", "duration": "0.05 s", "dt": "1 ms"})"),
