@@ -246,7 +246,7 @@ template <bool Faceted, bool Bounded>
         const Lanes new_dashpot = pressure - elastic;
 
         // tangential trial: all of the change is elastic; of a new contact, what came after it touched
-        const LaneMask sinking = normal_change < -overlap;
+        const LaneMask sinking = deep & (normal_change < -overlap);
         const Lanes since_touch = select(touched, all(1.0), select(sinking, overlap / -normal_change, all(1.0)));
         const ViscousAxis viscous_u{history.has_viscous() ? history.viscous[u].data() + entry : nullptr};
         const ViscousAxis viscous_v{history.has_viscous() ? history.viscous[v].data() + entry : nullptr};
