@@ -10,11 +10,13 @@ namespace musim::lsdem {
 void ContactHistory::reset(std::size_t entries, bool with_viscous) {
     for (auto& axis : slip) axis.assign(entries, 0.0);
     damping_pressure.assign(entries, kNoContact);
+    late.assign(entries, 0.0);
     for (auto& axis : viscous) axis.assign(with_viscous ? entries : 0, 0.0);
 }
 
 void ContactHistory::end(std::size_t entry) {
     damping_pressure[entry] = kNoContact;
+    late[entry] = 0.0;
     for (auto& axis : slip) axis[entry] = 0.0;
     if (!has_viscous()) return;
     for (auto& axis : viscous) axis[entry] = 0.0;
@@ -22,6 +24,7 @@ void ContactHistory::end(std::size_t entry) {
 
 void ContactHistory::copy(const ContactHistory& from, std::size_t from_entry, std::size_t entry) {
     damping_pressure[entry] = from.damping_pressure[from_entry];
+    late[entry] = from.late[from_entry];
     for (std::size_t a = 0; a < 3; ++a) slip[a][entry] = from.slip[a][from_entry];
     if (!has_viscous() || !from.has_viscous()) return;
     for (std::size_t a = 0; a < 3; ++a) viscous[a][entry] = from.viscous[a][from_entry];
@@ -149,34 +152,41 @@ void sum_grid_nodes(const Shape& leader, const RelativePose& pose, const GridLev
     }
 }
 
-/// The face of a box that the leader's bounding box penetrates least, and whether it penetrates at all.
-bool find_contact_face(const RelativePose& pose, const Vector3& leader_half, FlatFollower& face) {
-    double least = -std::numeric_limits<double>::infinity();
-    for (std::size_t a = 0; a < 3; ++a) {
-        const Row& row = pose.rotation[a];
-        const double reach = std::abs(row[0]) * leader_half[0] + std::abs(row[1]) * leader_half[1] + std::abs(row[2]) * leader_half[2];
-        const double gap = std::abs(pose.position[a]) - (face.half[a] + reach);
-        if (gap > least) {
-            least = gap;
-            face.axis = a;
-            face.side = pose.position[a] < 0.0 ? -1.0 : 1.0;
-        }
-    }
-    return least < 0.0;
+/// A normal of the leader decides only when it shows an overlap smaller by this part [-]. Any small number will do: it keeps two nearly equal
+/// overlaps from changing places by rounding.
+constexpr double kLeaderPrecedence = 0.05;
+
+/// Component of largest size in row `r` or column `c` of a rotation.
+std::size_t largest_in_row(const RelativePose& pose, std::size_t r) { return detail::largest_axis(pose.rotation[r]); }
+std::size_t largest_in_column(const RelativePose& pose, std::size_t c) {
+    return detail::largest_axis({pose.rotation[0][c], pose.rotation[1][c], pose.rotation[2][c]});
 }
 
-/// All nodes of a pair that has moved apart: contacts that were open end.
-void end_all_contacts(const Shape& leader, const RelativePose& pose, const FlatFollower& face, const StepLaw& law, const ContactPair& pair,
-                      ContactList& list, PairSums& sums) {
-    Row normal{};
-    normal[face.axis] = face.side;
-    for (std::size_t entry = pair.first_node; entry < pair.first_node + pair.node_count; ++entry) {
-        if (!list.history.touches(entry)) continue;
-        const std::size_t i = list.nodes[entry];
-        const double share = std::max(0.0, acting_area(leader, i, in_leader_frame(pose, normal)));
-        const Row change = change_of(pose, {leader.nodes.x[i], leader.nodes.y[i], leader.nodes.z[i]});
-        end_contact(law, normal, change, share, entry, list.history, sums);
+/// The faces of two boxes that meet: those across the face normal, of either box, along which the boxes overlap least, and the face of the
+/// other box that looks at it. False when a normal separates the boxes.
+bool find_contact_faces(const RelativePose& pose, const Vector3& leader_half, FlatFollower& face) {
+    double widest_gap = -std::numeric_limits<double>::infinity();
+    const auto& q = pose.rotation;
+    for (std::size_t a = 0; a < 3; ++a) {
+        const double reach = std::abs(q[a][0]) * leader_half[0] + std::abs(q[a][1]) * leader_half[1] + std::abs(q[a][2]) * leader_half[2];
+        const double gap = std::abs(pose.position[a]) - (face.half[a] + reach);
+        if (gap <= widest_gap) continue;
+        widest_gap = gap;
+        face.axis = a;
+        face.leader_axis = largest_in_row(pose, a);
     }
+    const Row in_leader = in_leader_frame(pose, pose.position);
+    for (std::size_t a = 0; a < 3; ++a) {
+        const double reach = std::abs(q[0][a]) * face.half[0] + std::abs(q[1][a]) * face.half[1] + std::abs(q[2][a]) * face.half[2];
+        const double gap = std::abs(in_leader[a]) - (leader_half[static_cast<Eigen::Index>(a)] + reach);
+        // the follower's own normal has precedence: in flat contact both say the same, up to rounding and tilt
+        if (gap <= (1.0 - kLeaderPrecedence) * widest_gap) continue;
+        widest_gap = gap;
+        face.axis = largest_in_column(pose, a);
+        face.leader_axis = a;
+    }
+    face.side = pose.position[face.axis] < 0.0 ? -1.0 : 1.0;
+    return widest_gap < 0.0;
 }
 
 /// Stores the sums of a pair, turned to the world frame; `frame`: follower's frame to world.
@@ -209,15 +219,20 @@ void compute_block_contact(const Model& model, const Bodies& bodies, double dt, 
     const RelativePose pose(to_follower * bodies.rotation[l], position, to_old_follower * bodies.previous_rotation[l],
                             to_old_follower * (bodies.previous_position[l] - bodies.previous_position[f]));
     const StepLaw law(pair.law, dt);
-    FlatFollower face{.half = {follower.half_extents.x(), follower.half_extents.y(), follower.half_extents.z()}};
+    FlatFollower face;
+    face.half = {follower.half_extents.x(), follower.half_extents.y(), follower.half_extents.z()};
     const double equal_area = find_equal_area(model, leader, list.forces[index]);
     PairSums sums;
-    if (!find_contact_face(pose, leader.half_extents, face)) {
-        end_all_contacts(leader, pose, face, law, pair, list, sums);
-    } else if (const auto* grid = std::get_if<GridLevelSet>(&follower.level_set)) {
+    const bool apart = !find_contact_faces(pose, leader.half_extents, face);
+    if (apart && list.forces[index].touching == 0) {
+        list.forces[index] = PairForce{};
+        return;
+    }
+    if (const auto* grid = std::get_if<GridLevelSet>(&follower.level_set)) {
         sum_grid_nodes(leader, pose, *grid, law, equal_area, pair, list, sums);
     } else {
-        detail::sum_flat_nodes(leader, pose, face, law, equal_area, pair, list, sums);
+        detail::sum_flat_nodes(leader, pose, face, law, equal_area, list.faces[index] != face.code(), pair, list, sums);
+        list.faces[index] = face.code();
     }
     store(sums, bodies.rotation[f], position, list.forces[index], list.work[index]);
 }
@@ -231,8 +246,12 @@ void compute_ground_contact(const Model& model, const Bodies& bodies, const Base
     const RelativePose pose(bodies.rotation[l], position, bodies.previous_rotation[l], bodies.previous_position[l] - base.previous);
     const Vector3 force_before = list.forces[index].force;
     PairSums sums;
-    detail::sum_flat_nodes(leader, pose, FlatFollower{.bounded = false}, StepLaw(pair.law, dt),
-                           find_equal_area(model, leader, list.forces[index]), pair, list, sums);
+    FlatFollower plane;
+    plane.bounded = false;
+    plane.leader_axis = largest_in_row(pose, plane.axis);
+    detail::sum_flat_nodes(leader, pose, plane, StepLaw(pair.law, dt), find_equal_area(model, leader, list.forces[index]),
+                           list.faces[index] != plane.code(), pair, list, sums);
+    list.faces[index] = plane.code();
     store(sums, Matrix3::Identity(), position, list.forces[index], list.work[index]);
     list.work[index].base += 0.5 * (force_before + list.forces[index].force).dot(base.displacement - base.previous);
 }

@@ -22,6 +22,8 @@ struct ContactHistory {
     std::array<std::vector<double>, 3> slip;  ///< ξ, elastic part of the slip, tangential [m]
     /// Pressure of the normal dashpot at the last step [Pa]; infinite while the node is not in contact.
     std::vector<double> damping_pressure;
+    /// Overlap that was already there when the contact was noticed [m]; it carries no force, so that noticing late cannot create energy.
+    std::vector<double> late;
     /// Traction of the tangential dashpot at the last step [Pa]; empty when no interface has one.
     std::array<std::vector<double>, 3> viscous;
 
@@ -72,7 +74,10 @@ struct ContactList {
     std::vector<std::uint32_t> nodes;
     ContactHistory history;
     std::vector<PairForce> forces;  ///< one per pair
-    std::vector<PairWork> work;     ///< one per pair
+    std::vector<std::uint8_t> faces;  ///< one per pair: the faces that met in the last step, see detail::FlatFollower::code
+    /// Contacts found in the very first step are taken as they are, initial overlap included.
+    bool first_step = true;
+    std::vector<PairWork> work;   ///< one per pair
 };
 
 /// Where the base was and is.

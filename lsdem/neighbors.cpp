@@ -205,6 +205,8 @@ void NeighborSearch::rebuild(const Bodies& bodies, const BasePose& base, Contact
     list.history.reset(list.nodes.size(), std::any_of(list.pairs.begin(), list.pairs.end(),
                                                       [](const ContactPair& pair) { return pair.law.shear_damping > 0.0; }));
     list.forces.assign(list.pairs.size(), PairForce{});
+    list.faces.assign(list.pairs.size(), 0);
+    list.first_step = previous_.first_step;
     list.work.assign(list.pairs.size(), PairWork{});
     auto old = previous_.pairs.begin();
     for (std::size_t p = 0; p < list.pairs.size(); ++p) {
@@ -213,6 +215,7 @@ void NeighborSearch::rebuild(const Bodies& bodies, const BasePose& base, Contact
         const auto o = static_cast<std::size_t>(old - previous_.pairs.begin());
         carry_history(*old, previous_, list.pairs[p], list);
         list.forces[p] = previous_.forces[o];
+        list.faces[p] = previous_.faces[o];
     }
     for (const PairWork& w : previous_.work) add_work(w, finished);
 }

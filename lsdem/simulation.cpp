@@ -159,6 +159,7 @@ Simulation::Implementation::Implementation(Model given, double time_step, int th
     }
     rebuild();
     update_contacts();
+    list.first_step = false;
     start_energy = stored_and_kinetic();
 
     // momenta of step −1/2, so that every step is the same

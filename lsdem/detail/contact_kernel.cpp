@@ -64,13 +64,18 @@ void end_contact(const StepLaw& law, const Row& normal, const Row& change, doubl
 
 namespace {
 
-/// Which axis of the leader lies closest to each axis of the face.
+/// A contact that begins with more than this part of its area counts as noticed late [-]: one that slides over an edge begins with the part of a
+/// cell that it moves in a step, thousands of times less.
+constexpr double kSuddenPart = 0.05;
+constexpr double per_sudden = 1.0 / kSuddenPart;
+
+/// Which axis of the leader goes with each axis of the follower's face.
 struct AxisMatch {
     std::size_t normal, u, v;
 
-    AxisMatch(const RelativePose& pose, std::size_t k) : normal(largest_axis(pose.rotation[k])) {
+    AxisMatch(const RelativePose& pose, const FlatFollower& face) : normal(face.leader_axis) {
         const std::size_t a = (normal + 1) % 3, b = (normal + 2) % 3;
-        const Row& row = pose.rotation[(k + 1) % 3];
+        const Row& row = pose.rotation[(face.axis + 1) % 3];
         u = std::abs(row[a]) >= std::abs(row[b]) ? a : b;
         v = u == a ? b : a;
     }
@@ -105,9 +110,11 @@ struct LaneRow {
     }
 };
 
-/// Part of a cell [middle − reach, middle + reach] that lies within ±half, 0...1, and how it changes as the cell moves [1/m].
+/// Part of a cell [middle − reach, middle + reach] that lies within ±half, 0...1, and where the middle of that part lies, relative to the middle
+/// of the cell [m]; both with their change as the cell moves.
 struct LaneCover {
-    Lanes part, slope;
+    Lanes part, slope;         ///< [-], [1/m]
+    Lanes shift, shift_slope;  ///< [m], [-]
 };
 
 /// Part lost where a cell reaches over an edge by `over` of its widths: 0 up to the edge, then a ramp of slope one whose ends are rounded
@@ -135,6 +142,8 @@ struct LaneLoss {
     LaneCover cover;
     cover.part = select(sized, larger(one - beyond.part - short_of.part, zero), select((above <= zero) & (below <= zero), one, zero));
     cover.slope = select(cover.part > zero, (short_of.slope - beyond.slope) * per_width, zero);
+    cover.shift = reach * (short_of.part - beyond.part);
+    cover.shift_slope = -0.5 * (short_of.slope + beyond.slope);
     return cover;
 }
 
@@ -172,21 +181,29 @@ struct ViscousAxis {
 /// closes in discrete time: a force works over a step with the mean of its values at both ends.
 template <bool Faceted, bool Bounded>
 [[gnu::always_inline]] inline void sum_flat(const Shape& leader, const RelativePose& pose, const FlatFollower& face, const StepLaw& law,
-                                            double equal_area, const ContactPair& pair, ContactList& list, PairSums& sums) {
+                                            double equal_area, bool new_faces, const ContactPair& pair, ContactList& list,
+                                            PairSums& sums) {
     const std::size_t k = face.axis, u = (k + 1) % 3, v = (k + 2) % 3;
-    const AxisMatch match(pose, k);
+    const AxisMatch match(pose, face);
     const NodePointers nodes(leader.nodes, match);
     const LaneRow y_k(pose.rotation[k], pose.position[k]), y_u(pose.rotation[u], pose.position[u]), y_v(pose.rotation[v], pose.position[v]);
     const LaneRow d_k(pose.rotation_change[k], pose.position_change[k]), d_u(pose.rotation_change[u], pose.position_change[u]),
         d_v(pose.rotation_change[v], pose.position_change[v]);
     const double side = face.side, half_k = face.half[k], half_u = face.half[u], half_v = face.half[v];
     const double facing_sign = -side * pose.rotation[k][match.normal] < 0.0 ? -1.0 : 1.0;
+    // the leader's face, as a slope in the axes of the follower's: y_k rises by slant_u per y_u along it
+    const double normal_k = pose.rotation[k][match.normal];
+    const double slant_u = Faceted ? -pose.rotation[u][match.normal] / normal_k : 0.0;
+    const double slant_v = Faceted ? -pose.rotation[v][match.normal] / normal_k : 0.0;
+    const double rise_u = std::abs(slant_u), rise_v = std::abs(slant_v);
+    const Row &back_k = pose.rotation[k], &back_u = pose.rotation[u], &back_v = pose.rotation[v];
     const Lanes zero = all(0.0), none = all(ContactHistory::kNoContact);
     ContactHistory& history = list.history;
     double* const slip_k = history.slip[k].data();
     double* const slip_u = history.slip[u].data();
     double* const slip_v = history.slip[v].data();
     double* const dashpot = history.damping_pressure.data();
+    double* const late_of = history.late.data();
     LaneSums total;
     PairSums ended;
 
@@ -197,36 +214,51 @@ template <bool Faceted, bool Bounded>
         const auto left = static_cast<double>(end - entry);
         const LaneMask real = Lanes{0.0, 1.0, 2.0, 3.0} < all(left);
 
-        const Lanes px = read(nodes.x), py = read(nodes.y), pz = read(nodes.z);
-        const Lanes yk = y_k(px, py, pz);
-        const Lanes overlap = half_k - side * yk;
+        Lanes px = read(nodes.x), py = read(nodes.y), pz = read(nodes.z);
+        Lanes yk = y_k(px, py, pz);
+        Lanes overlap = half_k - side * yk;
         const Lanes old_dashpot = load(dashpot + entry);
         const LaneMask touched = old_dashpot != none;
-        const LaneMask deep = (overlap > zero) & real;
-        if (!any(deep | touched)) continue;
+        const Lanes reach_u = read(nodes.reach_u), reach_v = read(nodes.reach_v);
+        // the covered part of a cell may lie deeper than its node, by as much as the leader's face rises within a cell
+        const Lanes highest = Bounded ? overlap + (rise_u * reach_u + rise_v * reach_v) : overlap;
+        if (!any(((highest > zero) & real) | touched)) continue;
 
-        const Lanes yu = y_u(px, py, pz), yv = y_v(px, py, pz);
-        const Lanes normal_change = side * d_k(px, py, pz), change_u = d_u(px, py, pz), change_v = d_v(px, py, pz);
+        Lanes yu = y_u(px, py, pz), yv = y_v(px, py, pz);
         const Lanes share = Faceted ? facing_sign * read(nodes.area_of_face)
                                     : -side * ((pose.rotation[k][0] * read(nodes.area_x) + pose.rotation[k][1] * read(nodes.area_y)) +
                                                pose.rotation[k][2] * read(nodes.area_z));
         Lanes area = share;
         LaneCover cover_u{}, cover_v{};
         Lanes middle_k{}, middle_u{}, middle_v{};
+        LaneMask partial{};
         if (Bounded) {
             const Lanes mx = px + read(nodes.center_x), my = py + read(nodes.center_y), mz = pz + read(nodes.center_z);
             middle_k = y_k(mx, my, mz), middle_u = y_u(mx, my, mz), middle_v = y_v(mx, my, mz);
-            cover_u = find_cover(middle_u, read(nodes.reach_u), half_u);
-            cover_v = find_cover(middle_v, read(nodes.reach_v), half_v);
+            cover_u = find_cover(middle_u, reach_u, half_u);
+            cover_v = find_cover(middle_v, reach_v, half_v);
             area = share * cover_u.part * cover_v.part;
+            partial = ((cover_u.slope != zero) | (cover_v.slope != zero)) & real;
+            if (any(partial)) {
+                // a cell that is covered in part acts at the middle of that part, on the leader's face
+                const Lanes su = cover_u.shift, sv = cover_v.shift, sk = slant_u * su + slant_v * sv;
+                px += (back_k[0] * sk + back_u[0] * su) + back_v[0] * sv;
+                py += (back_k[1] * sk + back_u[1] * su) + back_v[1] * sv;
+                pz += (back_k[2] * sk + back_u[2] * su) + back_v[2] * sv;
+                yk += sk, yu += su, yv += sv;
+                overlap = half_k - side * yk;
+            }
         }
+        const LaneMask deep = (overlap > zero) & real;
+        const Lanes normal_change = side * d_k(px, py, pz), change_u = d_u(px, py, pz), change_v = d_v(px, py, pz);
         if (equal_area > 0.0) {
             // a node counts as a whole when at least half of its cell lies on the follower
             area = select(area >= 0.5 * share, select(share > zero, all(equal_area), zero), zero);
-            cover_u.slope = cover_v.slope = zero;
+            partial = LaneMask{};
         }
         const LaneMask active = deep & (area > zero);
-        const LaneMask over = touched & ~active;
+        const LaneMask lasting = new_faces ? LaneMask{} : active & touched;
+        const LaneMask over = touched & ~lasting;
         if (any(over)) {
             Row normal{};
             normal[k] = side;
@@ -234,11 +266,17 @@ template <bool Faceted, bool Bounded>
                 if (over[lane] == 0) continue;
                 Row change{};
                 change[k] = side * normal_change[lane], change[u] = change_u[lane], change[v] = change_v[lane];
-                end_contact(law, normal, change, std::max(0.0, share[lane]), entry + lane, history, ended);
+                end_contact(law, normal, change, std::max(0.0, area[lane]), entry + lane, history, ended);
             }
         }
         area = select(active, area, zero);
-        const LaneMask lasting = active & touched;
+
+        // what a new contact overlapped before it was noticed carries nothing, unless its area begins at zero too
+        const Lanes overlap_before = larger(overlap + normal_change, zero);
+        const Lanes sudden = smaller(area * per_sudden / share, all(1.0));
+        Lanes late = select(lasting, smaller(load(late_of + entry), overlap), list.first_step ? zero : overlap_before * sudden);
+        late = select(active, late, zero);
+        overlap -= late;
 
         // normal: spring and dashpot that never pull
         const Lanes elastic = law.kn * overlap;
@@ -247,7 +285,7 @@ template <bool Faceted, bool Bounded>
 
         // tangential trial: all of the change is elastic; of a new contact, what came after it touched
         const LaneMask sinking = deep & (normal_change < -overlap);
-        const Lanes since_touch = select(touched, all(1.0), select(sinking, overlap / -normal_change, all(1.0)));
+        const Lanes since_touch = select(lasting, all(1.0), select(sinking, overlap / -normal_change, all(1.0)));
         const ViscousAxis viscous_u{history.has_viscous() ? history.viscous[u].data() + entry : nullptr};
         const ViscousAxis viscous_v{history.has_viscous() ? history.viscous[v].data() + entry : nullptr};
         const Lanes old_u = select(lasting, load(slip_u + entry), zero), old_v = select(lasting, load(slip_v + entry), zero);
@@ -285,16 +323,20 @@ template <bool Faceted, bool Bounded>
         total.touching += select(active, all(1.0), zero);
         total.add_force_at(yk, yu, yv, side * area * pressure, area * shear_u, area * shear_v);
 
-        if (Bounded && any(((cover_u.slope != zero) | (cover_v.slope != zero)) & active)) {
-            const Lanes energy = select(active, share * (0.5 * elastic * overlap + stored), zero);
-            total.add_force_at(middle_k, middle_u, middle_v, zero, -energy * cover_u.slope * cover_v.part,
-                               -energy * cover_v.slope * cover_u.part);
+        if (Bounded && any(partial & active)) {
+            // gradient of the springs' energy as the cell moves over the edge: the covered part changes, and its middle
+            const Lanes density = select(active & partial, share * (0.5 * elastic * overlap + stored), zero);
+            const Lanes push = side * select(active & partial, area * elastic, zero);
+            total.add_force_at(middle_k, middle_u, middle_v, zero,
+                               push * slant_u * cover_u.shift_slope - density * cover_u.slope * cover_v.part,
+                               push * slant_v * cover_v.shift_slope - density * cover_v.slope * cover_u.part);
         }
 
         store(zero, slip_k + entry);
         store(select(active, new_u, zero), slip_u + entry);
         store(select(active, new_v, zero), slip_v + entry);
         store(select(active, new_dashpot, none), dashpot + entry);
+        store(late, late_of + entry);
         viscous_u.set(select(active, drag_u, zero));
         viscous_v.set(select(active, drag_v, zero));
     }
@@ -313,14 +355,14 @@ template <bool Faceted, bool Bounded>
 
 MUSIM_CLONES
 void sum_flat_nodes(const Shape& leader, const RelativePose& pose, const FlatFollower& face, const StepLaw& law, double equal_area,
-                    const ContactPair& pair, ContactList& list, PairSums& sums) {
+                    bool new_faces, const ContactPair& pair, ContactList& list, PairSums& sums) {
     if (!leader.faceted) {
-        face.bounded ? sum_flat<false, true>(leader, pose, face, law, equal_area, pair, list, sums)
-                     : sum_flat<false, false>(leader, pose, face, law, equal_area, pair, list, sums);
+        face.bounded ? sum_flat<false, true>(leader, pose, face, law, equal_area, new_faces, pair, list, sums)
+                     : sum_flat<false, false>(leader, pose, face, law, equal_area, new_faces, pair, list, sums);
     } else if (face.bounded) {
-        sum_flat<true, true>(leader, pose, face, law, equal_area, pair, list, sums);
+        sum_flat<true, true>(leader, pose, face, law, equal_area, new_faces, pair, list, sums);
     } else {
-        sum_flat<true, false>(leader, pose, face, law, equal_area, pair, list, sums);
+        sum_flat<true, false>(leader, pose, face, law, equal_area, new_faces, pair, list, sums);
     }
 }
 

@@ -46,13 +46,17 @@ struct PairSums {
     void add_force_at(const Row& point, const Row& f);
 };
 
-/// A flat face of the follower: the plane of the ground, or one face of a box. The face of a box is chosen per pair, as the one the leader
-/// penetrates least: nodes near an edge of a shared face then push along its normal, not sideways.
+/// A flat face of the follower, the plane of the ground or one face of a box, and the face of the leader that looks at it. The two are chosen
+/// per pair, not per node: nodes near an edge of a shared face then push along its normal, not sideways.
 struct FlatFollower {
-    std::size_t axis = 2;  ///< of the follower's frame, along the normal
-    double side = 1.0;     ///< outward normal = side·e_axis
-    bool bounded = true;   ///< a face with edges; the ground has none
-    Row half{};            ///< half extents of the follower [m]
+    std::size_t axis = 2;         ///< of the follower's frame, along the normal
+    double side = 1.0;            ///< outward normal = side·e_axis
+    std::size_t leader_axis = 2;  ///< of the leader's frame, along the normal of its face
+    bool bounded = true;          ///< a face with edges; the ground has none
+    Row half{};                   ///< half extents of the follower [m]
+
+    /// The two faces as one number.
+    std::uint8_t code() const { return static_cast<std::uint8_t>(1 + 2 * (3 * axis + leader_axis) + (side < 0.0 ? 1 : 0)); }
 };
 
 /// A contact that has just ended gives up what its springs and dashpots held; `share` is the area it could act on [m²].
@@ -60,8 +64,9 @@ void end_contact(const StepLaw& law, const Row& normal, const Row& change, doubl
                  PairSums& sums);
 
 /// Nodes against a flat face, four at a time; compiled for AVX2 and for plain x86-64, same bits. See lsdem/README.md, "Contact".
+/// `new_faces`: other faces met in the last step, so that every contact starts anew.
 /// `equal_area`: the area every node in contact acts on, whatever its cell [m²] (StiffnessSharing::per_contact), or zero for its own.
 void sum_flat_nodes(const Shape& leader, const RelativePose& pose, const FlatFollower& face, const StepLaw& law, double equal_area,
-                    const ContactPair& pair, ContactList& list, PairSums& sums);
+                    bool new_faces, const ContactPair& pair, ContactList& list, PairSums& sums);
 
 }  // namespace musim::lsdem::detail

@@ -28,6 +28,8 @@ using LaneMask = std::int64_t __attribute__((vector_size(32)));
 
 [[gnu::always_inline]] inline Lanes larger(const Lanes& a, const Lanes& b) { return select(a > b, a, b); }
 
+[[gnu::always_inline]] inline Lanes smaller(const Lanes& a, const Lanes& b) { return select(a < b, a, b); }
+
 [[gnu::always_inline]] inline bool any(const LaneMask& mask) { return (mask[0] | mask[1] | mask[2] | mask[3]) != 0; }
 
 [[gnu::always_inline]] inline Lanes root(const Lanes& value) {
