@@ -152,8 +152,8 @@ void sum_grid_nodes(const Shape& leader, const RelativePose& pose, const GridLev
     }
 }
 
-/// A normal of the leader decides only when it shows an overlap smaller by this part [-]. Any small number will do: it keeps two nearly equal
-/// overlaps from changing places by rounding.
+/// A normal of the leader decides only when it shows an overlap smaller by this part [-]. Any small number will do: it keeps two nearly
+/// equal overlaps from changing places by rounding.
 constexpr double kLeaderPrecedence = 0.05;
 
 /// Component of largest size in row `r` or column `c` of a rotation.

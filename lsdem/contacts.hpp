@@ -73,11 +73,11 @@ struct ContactList {
     /// Indices into the leader shape's nodes, ascending within a pair; the last one is repeated to fill a group of four.
     std::vector<std::uint32_t> nodes;
     ContactHistory history;
-    std::vector<PairForce> forces;  ///< one per pair
+    std::vector<PairForce> forces;    ///< one per pair
     std::vector<std::uint8_t> faces;  ///< one per pair: the faces that met in the last step, see detail::FlatFollower::code
     /// Contacts found in the very first step are taken as they are, initial overlap included.
     bool first_step = true;
-    std::vector<PairWork> work;   ///< one per pair
+    std::vector<PairWork> work;  ///< one per pair
 };
 
 /// Where the base was and is.

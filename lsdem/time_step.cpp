@@ -28,14 +28,26 @@ struct ModeMatrices {
     }
 };
 
-/// Face of a shape across its z axis, on the side of `sign`, pressed on a rigid plane through an interface.
-ModeMatrices face_matrices(const Shape& shape, const Block& block, const Interface& law, double sign) {
+/// Body axis that stands most upright at the start: the faces across it carry the load.
+Eigen::Index find_upright_axis(const Block& block) {
+    Eigen::Index axis = 2;
+    block.orientation.toRotationMatrix().row(2).cwiseAbs().maxCoeff(&axis);
+    return axis;
+}
+
+/// Area that node i has on the face across `axis` on the side of `sign` [m²].
+double face_share(const SurfaceNodes& nodes, std::size_t i, Eigen::Index axis, double sign) {
+    return std::max(0.0, sign * nodes.area(i)[axis]);
+}
+
+/// Face of a shape across `axis`, on the side of `sign`, pressed on a rigid plane through an interface.
+ModeMatrices face_matrices(const Shape& shape, const Block& block, const Interface& law, Eigen::Index axis, double sign) {
     const double per_root_mass = 1.0 / std::sqrt(block.mass);
     const Vector3 per_root_inertia =
         block.rotation_locked ? Vector3(Vector3::Zero()) : Vector3((block.mass * shape.inertia_over_mass).cwiseSqrt().cwiseInverse());
     ModeMatrices sum;
     for (std::size_t i = 0; i < shape.nodes.size(); ++i) {
-        const double area = std::max(0.0, sign * shape.nodes.area_z[i]);
+        const double area = face_share(shape.nodes, i, axis, sign);
         if (area == 0.0) continue;
         // displacement of the node by unit translations and rotations
         const Vector3 p = shape.nodes.position(i);
@@ -43,8 +55,9 @@ ModeMatrices face_matrices(const Shape& shape, const Block& block, const Interfa
         b.leftCols<3>() = per_root_mass * Matrix3::Identity();
         b.rightCols<3>() << 0.0, p.z(), -p.y(), -p.z(), 0.0, p.x(), p.y(), -p.x(), 0.0;
         b.rightCols<3>() = (b.rightCols<3>() * per_root_inertia.asDiagonal()).eval();
-        const Vector3 k = area * Vector3(law.shear_stiffness, law.shear_stiffness, law.normal_stiffness);
-        const Vector3 c = area * Vector3(law.shear_damping, law.shear_damping, law.normal_damping);
+        Vector3 k = Vector3::Constant(area * law.shear_stiffness), c = Vector3::Constant(area * law.shear_damping);
+        k[axis] = area * law.normal_stiffness;
+        c[axis] = area * law.normal_damping;
         sum.stiffness += b.transpose() * k.asDiagonal() * b;
         sum.damping += b.transpose() * c.asDiagonal() * b;
     }
@@ -102,7 +115,8 @@ class Partners {
 double block_limit(const Model& model, const Partners& partners, const Block& block) {
     const Shape& shape = model.shapes[block.shape];
     const Interface between = partners.stiffest(block);
-    const ModeMatrices top = face_matrices(shape, block, between, 1.0), bottom = face_matrices(shape, block, between, -1.0);
+    const Eigen::Index axis = find_upright_axis(block);
+    const ModeMatrices top = face_matrices(shape, block, between, axis, 1.0), bottom = face_matrices(shape, block, between, axis, -1.0);
     ModeMatrices in_stack;
     in_stack.add(top, 2.0);
     in_stack.add(bottom, 2.0);
@@ -111,7 +125,7 @@ double block_limit(const Model& model, const Partners& partners, const Block& bl
         const Interface on_ground = make_interface(model.materials[block.material], model.ground.material, block.mass, shape.face_area);
         ModeMatrices at_base;
         at_base.add(top, 2.0);
-        at_base.add(face_matrices(shape, block, on_ground, -1.0), 1.0);
+        at_base.add(face_matrices(shape, block, on_ground, axis, -1.0), 1.0);
         limit = std::min(limit, solve_limit(at_base));
     }
     return limit;
@@ -122,13 +136,13 @@ double block_limit(const Model& model, const Partners& partners, const Block& bl
 double compute_critical_time_step(const Model& model) {
     const Partners partners(model);
     // equal blocks are computed once
-    std::map<std::tuple<std::size_t, std::size_t, double, bool>, double> known;
+    std::map<std::tuple<std::size_t, std::size_t, double, bool, Eigen::Index>, double> known;
     double limit = std::numeric_limits<double>::infinity();
     for (const Block& block : model.blocks) {
         if (block.fixed) continue;
         if (!(model.materials[block.material].normal_stiffness > 0.0))
             throw std::invalid_argument("compute_critical_time_step: the normal stiffness must be positive");
-        const auto key = std::tuple{block.shape, block.material, block.mass, block.rotation_locked};
+        const auto key = std::tuple{block.shape, block.material, block.mass, block.rotation_locked, find_upright_axis(block)};
         const auto [entry, is_new] = known.try_emplace(key, 0.0);
         if (is_new) entry->second = block_limit(model, partners, block);
         limit = std::min(limit, entry->second);

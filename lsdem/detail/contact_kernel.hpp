@@ -46,8 +46,8 @@ struct PairSums {
     void add_force_at(const Row& point, const Row& f);
 };
 
-/// A flat face of the follower, the plane of the ground or one face of a box, and the face of the leader that looks at it. The two are chosen
-/// per pair, not per node: nodes near an edge of a shared face then push along its normal, not sideways.
+/// A flat face of the follower, the plane of the ground or one face of a box, and the face of the leader that looks at it. The two are
+/// chosen per pair, not per node: nodes near an edge of a shared face then push along its normal, not sideways.
 struct FlatFollower {
     std::size_t axis = 2;         ///< of the follower's frame, along the normal
     double side = 1.0;            ///< outward normal = side·e_axis

@@ -54,8 +54,8 @@ void time_scene(const musim::benchmarks::BenchScene& scene, int threads) {
         timing.neighbors.push_back((after.neighbors - before.neighbors) * per_block_step);
     }
     fmt::print("{},{},{},{},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f}\n", scene.name, scene.model.blocks.size(),
-               simulation.statistics().contact_nodes, threads, median(timing.whole), median(timing.whole) * threads, median(timing.contacts),
-               median(timing.motion), median(timing.neighbors));
+               simulation.statistics().contact_nodes, threads, median(timing.whole), median(timing.whole) * threads,
+               median(timing.contacts), median(timing.motion), median(timing.neighbors));
 }
 
 }  // namespace
