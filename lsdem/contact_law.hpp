@@ -6,7 +6,7 @@ namespace musim::lsdem {
 
 /// Damping ratio ζ = c/(2·sqrt(m_eff·k)) for which a linear spring-dashpot that never pulls gives the coefficient of restitution `e`:
 ///
-///   e = exp(−2ζ·acos(ζ)/sqrt(1 − ζ²))          [SchwagerPoeschel07]; oracles: e = 0.3 ⇒ ζ = 0.497239
+///   e = exp(−2ζ·acos(ζ)/sqrt(1 − ζ²))          [SchwagerPoeschel07]; e = 0.3 ⇒ ζ = 0.497239
 ///
 /// The textbook ζ = −ln e/sqrt(π² + ln² e) lets the dashpot pull at the end of the contact and would give 0.397 for e = 0.3.
 /// Above ζ = 1 (e < e⁻²) the formula continues as exp(−2ζ·acosh(ζ)/sqrt(ζ² − 1)). Throws std::invalid_argument unless 0 < e ≤ 1.

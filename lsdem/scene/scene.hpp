@@ -76,7 +76,7 @@ struct Column {
     bool operator==(const Column&) const = default;
 };
 
-/// The tower of contracts.md section 5, with any tiling.
+/// Tower of dominoes on a square grid of cells, layers turned by 90° in turn [Harmon23], with any tiling.
 struct Tower {
     int layers = 38;
     Triple<scaling::Length> block{};                   ///< b, w, H

@@ -11,7 +11,7 @@
 
 namespace musim::lsdem::scene {
 
-/// Scene from JSON text of the schema musim-scene-1.schema.json (contracts.md section 4).
+/// Scene from JSON text of the schema musim-scene-1.schema.json.
 ///
 /// Quantities are texts with units ("30 MN/m") or SI numbers; wherever a number stands, a fraction ("1/107") may. Files named in the scene
 /// are looked for beside `origin`, the scene's own path, which also names it in messages.

@@ -36,7 +36,7 @@ TEST_CASE("wrong usage is one error line that names the help, exit code 2, nothi
     }
 }
 
-// similitude.md 8.1: 1:107 wood under the mu law
+// [Andrade22] eq. (3): 1:107 wood under the mu law
 TEST_CASE("scale gives the factors of the papers' wood model, fractions and all") {
     const Outcome outcome = Workplace().run("scale --length 1/107 --friction 0.63/0.59 --json");
     CHECK(outcome.exit_code == 0);

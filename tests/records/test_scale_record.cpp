@@ -12,7 +12,7 @@ namespace {
 using scaling::Law;
 using scaling::Similitude;
 
-// similitude.md 8.1 and 8.2, 1:107 wood, mu law: dt 0.4677716 ms, 40 s become 3.742173 s, PGV 4.235632 cm/s, PGA 0.5456441 g
+// [Andrade22] eq. (3) at 1:107 in wood: dt 0.4677716 ms, 40 s become 3.742173 s, PGV 4.235632 cm/s, PGA 0.5456441 g
 TEST_CASE("the prototype's record becomes the wood model's by the mu law") {
     const GroundMotion prototype = make_synthetic_record();
     const Similitude wood({.length = 1.0 / 107.0, .friction = 0.63 / 0.59}, Law::mu);

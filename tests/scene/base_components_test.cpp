@@ -141,7 +141,7 @@ TEST_CASE("a record's own scale multiplies its times and velocities") {
         R"({"record": "motion.txt", "components": {"x": "1"}, "scale": {"law": "mu", "length": "1/107", "friction": "0.63/0.59"}})",
         record.scene()))[0];
     REQUIRE(scaled.velocity.size() == plain.velocity.size());
-    // similitude.md 8.1
+    // [Andrade22] eq. (3)
     CHECK(scaled.dt / plain.dt == doctest::Approx(0.09355432).epsilon(1e-7));
     CHECK(largest(scaled.velocity) / largest(plain.velocity) == doctest::Approx(0.09989698).epsilon(1e-7));
 }

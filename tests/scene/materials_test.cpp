@@ -24,7 +24,7 @@ double wave_speed(const BlockMaterial& material, const Triple<scaling::Length>& 
 
 }  // namespace
 
-// oracles.md C1, from Tables 2-4 of [Harmon23]
+// From Tables 2-4 of [Harmon23]
 TEST_CASE("presets carry the wave speeds of the measured materials") {
     struct Case {
         const char* name;
