@@ -235,6 +235,7 @@ template <bool Faceted, bool Bounded>
         Lanes area = share;
         LaneCover cover_u{}, cover_v{};
         Lanes middle_k{}, middle_u{}, middle_v{};
+        const Lanes node_k = yk, node_u = yu, node_v = yv;
         LaneMask partial{};
         if (Bounded) {
             const Lanes mx = px + read(nodes.center_x), my = py + read(nodes.center_y), mz = pz + read(nodes.center_z);
@@ -331,12 +332,15 @@ template <bool Faceted, bool Bounded>
         total.add_force_at(yk, yu, yv, side * area * pressure, area * shear_u, area * shear_v);
 
         if (Bounded && any(partial & active)) {
-            // gradient of the springs' energy as the cell moves over the edge: the covered part changes, and its middle
+            // gradient of the springs' energy as the cell moves over the edge: the covered part changes, and its middle, which stays at its
+            // distance from the node in the follower's axes, not on the leader
             const Lanes density = select(active & partial, share * (0.5 * elastic * overlap + stored), zero);
             const Lanes push = side * select(active & partial, area * elastic, zero);
             total.add_force_at(middle_k, middle_u, middle_v, zero,
                                push * slant_u * cover_u.shift_slope - density * cover_u.slope * cover_v.part,
                                push * slant_v * cover_v.shift_slope - density * cover_v.slope * cover_u.part);
+            total.add_force_at(node_k, node_u, node_v, zero, push * slant_u, push * slant_v);
+            total.add_force_at(yk, yu, yv, zero, -push * slant_u, -push * slant_v);
         }
 
         store(zero, slip_k + entry);
