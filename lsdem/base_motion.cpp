@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace musim::lsdem {
@@ -75,6 +76,21 @@ Vector3 BaseMotion::acceleration(double time) const {
         if (!at_rest(c, time)) result[a] = slope(c, find_place(c, time));
     }
     return result;
+}
+
+double BaseMotion::still_until(double time) const {
+    double until = std::numeric_limits<double>::infinity();
+    for (const Axis& axis : axes_) {
+        const BaseComponent& c = axis.samples;
+        // the axis moves from the last zero sample before the first other one
+        const std::size_t here = at_rest(c, time) ? 0 : find_place(c, time).index;
+        const auto moving = std::find_if(c.velocity.begin() + static_cast<std::ptrdiff_t>(std::min(here, c.velocity.size())),
+                                         c.velocity.end(), [](double v) { return v != 0.0; });
+        if (moving == c.velocity.end()) continue;
+        const auto first = static_cast<double>(std::max<std::ptrdiff_t>(0, moving - c.velocity.begin() - 1));
+        until = std::min(until, c.start + first * (c.velocity.size() > 1 ? c.dt : 0.0));
+    }
+    return std::max(until, time);
 }
 
 }  // namespace musim::lsdem

@@ -17,6 +17,8 @@ class BaseMotion {
     Vector3 displacement(double time) const;  ///< [m]
     Vector3 velocity(double time) const;      ///< [m/s]
     Vector3 acceleration(double time) const;  ///< right-hand limit [m/s²]
+    /// The time up to which the base has no velocity, from `time` on [s]: `time` itself while it moves, infinite when it moves no more.
+    double still_until(double time) const;
 
   private:
     struct Axis {

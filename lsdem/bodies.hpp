@@ -15,10 +15,10 @@ struct Bodies {
     std::vector<Quaternion> orientation;               ///< body to world, at step n
     std::vector<Vector3> velocity;                     ///< at step n − 1/2 [m/s]
     std::vector<Vector3> momentum;                     ///< angular, about the centre of mass, at step n − 1/2 [kg·m²/s]
-    std::vector<Vector3> force, torque;                ///< of all contacts, at step n [N, N·m]
-    std::vector<double> mass;                          ///< [kg]
+    std::vector<double> mass, inverse_mass;            ///< [kg], [1/kg]
     std::vector<Vector3> inverse_inertia;              ///< of the principal axes [1/(kg·m²)]; zero when rotation is locked
     std::vector<std::uint8_t> fixed;
+    std::vector<double> free;  ///< one, or zero for a fixed block: factor of all accelerations
 
     explicit Bodies(const Model& model);
     std::size_t size() const { return mass.size(); }

@@ -27,6 +27,8 @@ struct Interface {
     double friction = 0.0;          ///< μ [-]
     double normal_damping = 0.0;    ///< C_n [Pa·s/m]
     double shear_damping = 0.0;     ///< C_s [Pa·s/m]
+
+    bool operator==(const Interface&) const = default;
 };
 
 /// Interface of two materials. Stiffness per area: springs of half a block in series, 2ab/(a + b); friction, restitution: the smaller;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lsdem/detail/contact_kernel.hpp"
+#include "lsdem/detail/tilted_kernel.hpp"
 
 namespace musim::lsdem {
 
@@ -145,7 +146,11 @@ void sum_grid_nodes(const Shape& leader, const RelativePose& pose, const GridLev
         const double own_area = acting_area(leader, i, in_leader_frame(pose, normal));
         const double area = equal_area > 0.0 && own_area > 0.0 ? equal_area : own_area;
         if (overlap > 0.0 && area > 0.0) {
-            add_grid_node(law, y, normal, change, overlap, area, entry, list.history, sums);
+            // what a new contact overlapped before it was noticed carries nothing: a node that turns from one face to another begins deep
+            const double before = list.first_step ? 0.0 : std::max(0.0, overlap + dot(normal, change));
+            double& late = list.history.late[entry];
+            late = list.history.touches(entry) ? std::min(late, overlap) : before;
+            add_grid_node(law, y, normal, change, overlap - late, area, entry, list.history, sums);
         } else if (list.history.touches(entry)) {
             end_contact(law, normal, change, std::abs(area), entry, list.history, sums);
         }
@@ -158,6 +163,11 @@ constexpr double kLeaderPrecedence = 0.05;
 
 /// Component of largest size in row `r` or column `c` of a rotation.
 std::size_t largest_in_row(const RelativePose& pose, std::size_t r) { return detail::largest_axis(pose.rotation[r]); }
+/// Axis of the leader's face that looks at a face across axis `r`. A smooth leader has one face only: were it named by an axis, a contact
+/// that rolls would begin anew every quarter turn.
+std::size_t find_leader_axis(const Shape& leader, const RelativePose& pose, std::size_t r) {
+    return leader.faceted ? largest_in_row(pose, r) : 0;
+}
 std::size_t largest_in_column(const RelativePose& pose, std::size_t c) {
     return detail::largest_axis({pose.rotation[0][c], pose.rotation[1][c], pose.rotation[2][c]});
 }
@@ -190,26 +200,37 @@ bool find_contact_faces(const RelativePose& pose, const Vector3& leader_half, Fl
 }
 
 /// Stores the sums of a pair, turned to the world frame; `frame`: follower's frame to world.
-void store(const PairSums& sums, const Matrix3& frame, const Vector3& leader_in_follower, PairForce& result, PairWork& work) {
+void store(const PairSums& sums, const Matrix3& frame, const Vector3& leader_in_follower, PairForce& result, PairTally& tally,
+           PairWork& work) {
     const Vector3 force{sums.force[0], sums.force[1], sums.force[2]}, moment{sums.moment[0], sums.moment[1], sums.moment[2]};
     result.force = frame * force;
     result.leader_torque = frame * (moment - leader_in_follower.cross(force));
     result.follower_torque = -(frame * moment);
-    result.elastic_normal = sums.elastic_normal;
-    result.elastic_shear = sums.elastic_shear;
-    result.overlap = sums.overlap;
-    result.touching = sums.touching;
+    tally.elastic_normal = sums.elastic_normal;
+    tally.elastic_shear = sums.elastic_shear;
+    tally.overlap = sums.overlap;
+    tally.touching = sums.touching;
     work.friction += sums.friction;
     work.damping += sums.damping;
 }
 
 /// Area of every node in contact when a pair shares its stiffness per contact, from the number that touched a step ago; zero otherwise.
-double find_equal_area(const Model& model, const Shape& leader, const PairForce& before) {
+double find_equal_area(const Model& model, const Shape& leader, const PairTally& before) {
     if (model.stiffness_sharing == StiffnessSharing::per_area) return 0.0;
     return leader.face_area / std::max(1U, before.touching);
 }
 
-void compute_block_contact(const Model& model, const Bodies& bodies, double dt, std::size_t index, ContactList& list) {
+/// Notes the faces that meet. When they are others than a step ago, all contacts of the pair give up what they held.
+void start_new_faces(const Bodies& bodies, const BasePose& base, const FlatFollower& face, std::size_t index, ContactList& list) {
+    if (list.faces[index] == face.code()) return;
+    list.faces[index] = face.code();
+    const ContactPair& pair = list.pairs[index];
+    drop_elastic(bodies, base, pair, list.forces[index], find_elastic(list, index), list.work[index]);
+    for (std::size_t entry = pair.first_node; entry < pair.first_node + pair.node_count; ++entry) list.history.end(entry);
+}
+
+void compute_block_contact(const Model& model, const Bodies& bodies, const BasePose& base, double dt, std::size_t index,
+                           ContactList& list) {
     const ContactPair& pair = list.pairs[index];
     const std::size_t l = pair.leader, f = pair.follower;
     const Shape& leader = model.shapes[model.blocks[l].shape];
@@ -221,20 +242,29 @@ void compute_block_contact(const Model& model, const Bodies& bodies, double dt, 
     const StepLaw law(pair.law, dt);
     FlatFollower face;
     face.half = {follower.half_extents.x(), follower.half_extents.y(), follower.half_extents.z()};
-    const double equal_area = find_equal_area(model, leader, list.forces[index]);
     PairSums sums;
+    if (pair.is_tilted()) {
+        const Vector3& half = leader.half_extents;
+        detail::compute_tilted_contact({{half.x(), half.y(), half.z()}, face.half}, pose, law, list.first_step, list.tallies[index],
+                                       list.tilted[pair.tilted], sums);
+        store(sums, bodies.rotation[f], position, list.forces[index], list.tallies[index], list.work[index]);
+        return;
+    }
+    const double equal_area = find_equal_area(model, leader, list.tallies[index]);
     const bool apart = !find_contact_faces(pose, leader.half_extents, face);
-    if (apart && list.forces[index].touching == 0) {
+    face.leader_axis = leader.faceted ? face.leader_axis : 0;
+    if (apart && list.tallies[index].touching == 0) {
         list.forces[index] = PairForce{};
+        list.tallies[index] = PairTally{};
         return;
     }
     if (const auto* grid = std::get_if<GridLevelSet>(&follower.level_set)) {
         sum_grid_nodes(leader, pose, *grid, law, equal_area, pair, list, sums);
     } else {
-        detail::sum_flat_nodes(leader, pose, face, law, equal_area, list.faces[index] != face.code(), pair, list, sums);
-        list.faces[index] = face.code();
+        start_new_faces(bodies, base, face, index, list);
+        detail::sum_flat_nodes(leader, pose, face, law, equal_area, pair, list, sums);
     }
-    store(sums, bodies.rotation[f], position, list.forces[index], list.work[index]);
+    store(sums, bodies.rotation[f], position, list.forces[index], list.tallies[index], list.work[index]);
 }
 
 void compute_ground_contact(const Model& model, const Bodies& bodies, const BasePose& base, double dt, std::size_t index,
@@ -244,29 +274,82 @@ void compute_ground_contact(const Model& model, const Bodies& bodies, const Base
     const Shape& leader = model.shapes[model.blocks[l].shape];
     const Vector3 position = bodies.position[l] - base.displacement;
     const RelativePose pose(bodies.rotation[l], position, bodies.previous_rotation[l], bodies.previous_position[l] - base.previous);
-    const Vector3 force_before = list.forces[index].force;
     PairSums sums;
     FlatFollower plane;
     plane.bounded = false;
-    plane.leader_axis = largest_in_row(pose, plane.axis);
-    detail::sum_flat_nodes(leader, pose, plane, StepLaw(pair.law, dt), find_equal_area(model, leader, list.forces[index]),
-                           list.faces[index] != plane.code(), pair, list, sums);
-    list.faces[index] = plane.code();
-    store(sums, Matrix3::Identity(), position, list.forces[index], list.work[index]);
-    list.work[index].base += 0.5 * (force_before + list.forces[index].force).dot(base.displacement - base.previous);
+    plane.leader_axis = find_leader_axis(leader, pose, plane.axis);
+    start_new_faces(bodies, base, plane, index, list);
+    detail::sum_flat_nodes(leader, pose, plane, StepLaw(pair.law, dt), find_equal_area(model, leader, list.tallies[index]), pair, list,
+                           sums);
+    store(sums, Matrix3::Identity(), position, list.forces[index], list.tallies[index], list.work[index]);
 }
 
 }  // namespace
 
-void compute_contacts(const Model& model, const Bodies& bodies, const BasePose& base, double dt, std::size_t first, std::size_t last,
-                      ContactList& list) {
-    for (std::size_t index = first; index < last; ++index) {
-        if (list.pairs[index].follower == kGround) {
+double compute_node_pairs(const Model& model, const Bodies& bodies, const BasePose& base, double dt, std::size_t first, std::size_t last,
+                          ContactList& list) {
+    double deepest = 0.0;
+    for (std::size_t i = first; i < last; ++i) {
+        const std::size_t index = list.node_pairs[i];
+        const ContactPair& pair = list.pairs[index];
+        if (pair.follower == kGround) {
             compute_ground_contact(model, bodies, base, dt, index, list);
         } else {
-            compute_block_contact(model, bodies, dt, index, list);
+            compute_block_contact(model, bodies, base, dt, index, list);
+        }
+        const double height = 2.0 * model.shapes[model.blocks[pair.leader].shape].half_extents.z();
+        deepest = std::max(deepest, list.tallies[index].overlap / height);
+    }
+    return deepest;
+}
+
+PairElastic find_elastic(const ContactList& list, std::size_t index) {
+    const ContactPair& pair = list.pairs[index];
+    if (!pair.is_patch()) return {list.tallies[index].elastic_normal, list.tallies[index].elastic_shear};
+    const auto of = [&](std::size_t field) { return list.patches.field(pair.patch_group, field)[pair.patch_lane]; };
+    return {of(patch_field::elastic_normal), of(patch_field::elastic_shear)};
+}
+
+void drop_elastic(const Bodies& bodies, const BasePose& base, const ContactPair& pair, const PairForce& last, const PairElastic& stored,
+                  PairWork& work) {
+    // the turn of a block over the step, as a vector: sin θ is close enough to θ
+    const auto turn = [&](std::size_t i) {
+        const Matrix3 step = bodies.rotation[i] * bodies.previous_rotation[i].transpose();
+        return Vector3(0.5 * Vector3(step(2, 1) - step(1, 2), step(0, 2) - step(2, 0), step(1, 0) - step(0, 1)));
+    };
+    const std::size_t l = pair.leader, f = pair.follower;
+    double done = last.force.dot(bodies.position[l] - bodies.previous_position[l]) + last.leader_torque.dot(turn(l));
+    if (pair.follower == kGround) {
+        done -= last.force.dot(base.displacement - base.previous);
+    } else {
+        done += last.follower_torque.dot(turn(f)) - last.force.dot(bodies.position[f] - bodies.previous_position[f]);
+    }
+    work.damping += stored.normal - 0.5 * done;
+    work.friction += stored.shear;
+}
+
+ContactTotals sum_contacts(const ContactList& list) {
+    ContactTotals totals;
+    for (const PairTally& tally : list.tallies) {
+        totals.elastic_normal += tally.elastic_normal;
+        totals.elastic_shear += tally.elastic_shear;
+        totals.touching += tally.touching;
+    }
+    for (const PairWork& work : list.work) {
+        totals.work.friction += work.friction;
+        totals.work.damping += work.damping;
+    }
+    for (std::size_t g = 0; g < list.patches.groups.size(); ++g) {
+        for (std::size_t lane = 0; lane < list.patches.groups[g].count; ++lane) {
+            const auto of = [&](std::size_t field) { return list.patches.field(g, field)[lane]; };
+            totals.elastic_normal += of(patch_field::elastic_normal);
+            totals.elastic_shear += of(patch_field::elastic_shear);
+            totals.touching += static_cast<std::size_t>(of(patch_field::touching));
+            totals.work.friction += of(patch_field::friction_loss);
+            totals.work.damping += of(patch_field::damping_loss);
         }
     }
+    return totals;
 }
 
 }  // namespace musim::lsdem

@@ -9,6 +9,8 @@
 #include "lsdem/bodies.hpp"
 #include "lsdem/contact_law.hpp"
 #include "lsdem/model.hpp"
+#include "lsdem/patches.hpp"
+#include "lsdem/tilted.hpp"
 #include "lsdem/types.hpp"
 
 namespace musim::lsdem {
@@ -43,28 +45,41 @@ struct ContactHistory {
 /// scales). Blocks that share an edge keep their full area; elsewhere the area of a boundary row is off by half of this.
 inline constexpr double kEdgeBlend = 0.1;
 
-/// Nodes of one block (the leader) that may touch one other block (the follower) or the ground before the next rebuild of the list.
+/// Two blocks, or a block and the ground, that may touch before the next rebuild of the list: a patch, two boxes at an angle, or those
+/// nodes of the one (the leader) that may touch the other (the follower).
 struct ContactPair {
+    static constexpr std::uint32_t kNoPatch = std::numeric_limits<std::uint32_t>::max();
+
     std::uint32_t leader = 0;
     std::uint32_t follower = kGround;
     std::uint32_t first_node = 0;  ///< into ContactList::nodes and history
     std::uint32_t node_count = 0;
+    std::uint32_t patch_group = kNoPatch;  ///< into ContactList::patches, when the pair is a patch
+    std::uint32_t patch_lane = 0;
+    std::uint32_t tilted = kNoPatch;  ///< into ContactList::tilted, when the pair is two boxes at an angle
     Interface law;
+
+    bool is_patch() const { return patch_group != kNoPatch; }
+    bool is_tilted() const { return tilted != kNoPatch; }
 };
 
 /// What one pair did in the current step, world frame.
 struct PairForce {
-    Vector3 force = Vector3::Zero();                   ///< on the leader; the follower gets its opposite [N]
-    Vector3 leader_torque = Vector3::Zero();           ///< about the leader's centre of mass [N·m]
-    Vector3 follower_torque = Vector3::Zero();         ///< about the follower's centre of mass [N·m]
-    double elastic_normal = 0.0, elastic_shear = 0.0;  ///< stored now [J]
-    double overlap = 0.0;                              ///< largest of its nodes [m]
-    std::uint32_t touching = 0;                        ///< nodes in contact
+    Vector3 force = Vector3::Zero();            ///< on the leader; the follower gets its opposite [N]
+    Vector3 leader_torque = Vector3::Zero();    ///< about the leader's centre of mass [N·m]
+    Vector3 follower_torque = Vector3::Zero();  ///< about the follower's centre of mass [N·m]
 };
 
-/// Energy a pair has dissipated or taken from the base since the list was built [J].
+/// State of one pair that is no patch.
+struct PairTally {
+    double elastic_normal = 0.0, elastic_shear = 0.0;  ///< stored now [J]
+    double overlap = 0.0;                              ///< largest, with what carries no force [m]
+    std::uint32_t touching = 0;                        ///< nodes in contact; of two tilted boxes, one
+};
+
+/// Energy a pair has dissipated since the list was built [J].
 struct PairWork {
-    double friction = 0.0, damping = 0.0, base = 0.0;
+    double friction = 0.0, damping = 0.0;
 };
 
 /// All pairs that may touch before the next rebuild, sorted by (leader, follower), and their nodes.
@@ -73,7 +88,12 @@ struct ContactList {
     /// Indices into the leader shape's nodes, ascending within a pair; the last one is repeated to fill a group of four.
     std::vector<std::uint32_t> nodes;
     ContactHistory history;
-    std::vector<PairForce> forces;    ///< one per pair
+    std::vector<PairForce> forces;  ///< one per pair
+    PatchList patches;
+    std::vector<TiltedContact> tilted;
+    std::vector<std::uint32_t> node_pairs;  ///< the pairs that are no patches
+    std::vector<std::uint32_t> ground_pairs;
+    std::vector<PairTally> tallies;   ///< one per pair; of a patch, unused
     std::vector<std::uint8_t> faces;  ///< one per pair: the faces that met in the last step, see detail::FlatFollower::code
     /// Contacts found in the very first step are taken as they are, initial overlap included.
     bool first_step = true;
@@ -85,8 +105,28 @@ struct BasePose {
     Vector3 displacement = Vector3::Zero(), previous = Vector3::Zero();  ///< at steps n and n − 1 [m]
 };
 
-/// Forces of pairs [first, last) at step n, from the poses at n and n − 1; updates history and work. Pairs are independent of each other.
-void compute_contacts(const Model& model, const Bodies& bodies, const BasePose& base, double dt, std::size_t first, std::size_t last,
-                      ContactList& list);
+/// Elastic energy of all pairs, their losses since the list was built [J], and the number of nodes in contact.
+struct ContactTotals {
+    double elastic_normal = 0.0, elastic_shear = 0.0;
+    PairWork work;
+    std::size_t touching = 0;
+};
+ContactTotals sum_contacts(const ContactList& list);
+
+/// Elastic energy of pair `index` [J].
+struct PairElastic {
+    double normal = 0.0, shear = 0.0;
+};
+PairElastic find_elastic(const ContactList& list, std::size_t index);
+
+/// Books what a pair gives up when its contact starts anew, at other faces or in another way: of the stored energy, what its last force
+/// does not return over the second half of the step from n − 1 to n.
+void drop_elastic(const Bodies& bodies, const BasePose& base, const ContactPair& pair, const PairForce& last, const PairElastic& stored,
+                  PairWork& work);
+
+/// Forces of list.node_pairs [first, last) at step n, from the poses at n and n − 1; updates history and work. Pairs are independent of
+/// each other. Returns the largest overlap over the height of the leader [-].
+double compute_node_pairs(const Model& model, const Bodies& bodies, const BasePose& base, double dt, std::size_t first, std::size_t last,
+                          ContactList& list);
 
 }  // namespace musim::lsdem

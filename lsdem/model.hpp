@@ -59,6 +59,12 @@ enum class StiffnessSharing {
     per_contact  ///< each pair of blocks gets the whole face's stiffness, divided by its nodes in contact, as [Harmon23] can be read
 };
 
+/// How nearly parallel faces of boxes meet.
+enum class FaceContact {
+    patch,  ///< nodes on the rectangle in which the faces cover each other, so that the edges of both blocks carry nodes
+    nodes   ///< the leader's own nodes, their cells clipped at the follower's edges
+};
+
 /// Everything that defines a simulation, apart from its time step.
 struct Model {
     std::vector<Shape> shapes;
@@ -68,6 +74,8 @@ struct Model {
     Vector3 gravity = Vector3::Zero();  ///< world frame [m/s²]
     ContactNodes contact_nodes = ContactNodes::leader;
     StiffnessSharing stiffness_sharing = StiffnessSharing::per_area;
+    bool skip_quiet = true;                         ///< pass over time in which the base stands and nothing moves
+    FaceContact face_contact = FaceContact::patch;  ///< of StiffnessSharing::per_area; per_contact counts the leader's nodes
 };
 
 }  // namespace musim::lsdem

@@ -55,12 +55,6 @@ void carry_history(const ContactPair& from, const ContactList& old_list, const C
     }
 }
 
-void add_work(const PairWork& from, PairWork& to) {
-    to.friction += from.friction;
-    to.damping += from.damping;
-    to.base += from.base;
-}
-
 }  // namespace
 
 bool leads(const Bodies& bodies, std::uint32_t a, std::uint32_t b) {
@@ -72,13 +66,7 @@ NeighborSearch::NeighborSearch(const Model& model) : model_(&model) {
     double smallest = std::numeric_limits<double>::infinity();
     for (const Block& block : model.blocks) smallest = std::min(smallest, 2.0 * model.shapes[block.shape].half_extents.minCoeff());
     skin_ = model.blocks.empty() ? 0.0 : kNeighborSkin * smallest;
-}
-
-double NeighborSearch::compute_drift(std::size_t i, const Bodies& bodies, const BasePose& base) const {
-    const Vector3& half = model_->shapes[model_->blocks[i].shape].half_extents;
-    const Vector3 moved = (bodies.position[i] - built_position_[i]) - (base.displacement - built_base_);
-    const Matrix3 turned = bodies.rotation[i] - built_rotation_[i];
-    return moved.norm() + turned.col(0).norm() * half.x() + turned.col(1).norm() * half.y() + turned.col(2).norm() * half.z();
+    for (const Block& block : model.blocks) reference_.diameter.push_back(2.0 * model.shapes[block.shape].half_extents.norm());
 }
 
 Interface NeighborSearch::make_pair_interface(std::uint32_t leader, std::uint32_t follower) const {
@@ -164,17 +152,67 @@ void NeighborSearch::add_pair(BlockPair blocks, const Bodies& bodies, const Base
     const auto count = static_cast<std::uint32_t>(list.nodes.size()) - first;
     if (count == 0) return;
     while (list.nodes.size() % 4 != 0) list.nodes.push_back(list.nodes.back());
-    list.pairs.push_back({blocks.leader, blocks.follower, first, count, make_pair_interface(blocks.leader, blocks.follower)});
+    ContactPair pair;
+    pair.leader = blocks.leader;
+    pair.follower = blocks.follower;
+    pair.first_node = first;
+    pair.node_count = count;
+    pair.law = make_pair_interface(blocks.leader, blocks.follower);
+    list.node_pairs.push_back(static_cast<std::uint32_t>(list.pairs.size()));
+    list.pairs.push_back(pair);
+}
+
+bool NeighborSearch::plan_patch(BlockPair blocks, const Bodies& bodies, const BasePose& base, ContactList& list,
+                                std::vector<PatchPlan>& plans) const {
+    if (!by_faces()) return false;
+    const Shape& leader = model_->shapes[model_->blocks[blocks.leader].shape];
+    const Shape* follower = blocks.follower == kGround ? nullptr : &model_->shapes[model_->blocks[blocks.follower].shape];
+    auto kind = find_patch_kind(leader, follower, find_pair_poses(bodies, base, blocks.leader, blocks.follower, false), skin_);
+    if (!kind) return false;
+    kind->law = make_pair_interface(blocks.leader, blocks.follower);
+    if (kind->law.friction == 0.0) kind->law.shear_stiffness = kind->law.shear_damping = 0.0;
+    kind->viscous = kind->law.shear_damping > 0.0;
+    plans.push_back({static_cast<std::uint32_t>(list.pairs.size()), *kind});
+    ContactPair pair;
+    pair.leader = blocks.leader;
+    pair.follower = blocks.follower;
+    pair.law = kind->law;
+    list.pairs.push_back(pair);
+    return true;
+}
+
+bool NeighborSearch::by_faces() const {
+    return model_->face_contact == FaceContact::patch && model_->stiffness_sharing == StiffnessSharing::per_area;
+}
+
+bool NeighborSearch::add_tilted(BlockPair blocks, ContactList& list) const {
+    const auto is_box = [&](std::uint32_t block) {
+        const Shape& shape = model_->shapes[model_->blocks[block].shape];
+        return shape.faceted && std::holds_alternative<BoxLevelSet>(shape.level_set);
+    };
+    if (!by_faces() || blocks.follower == kGround || !is_box(blocks.leader) || !is_box(blocks.follower)) return false;
+    ContactPair pair;
+    pair.leader = blocks.leader;
+    pair.follower = blocks.follower;
+    pair.first_node = static_cast<std::uint32_t>(list.nodes.size());
+    pair.tilted = static_cast<std::uint32_t>(list.tilted.size());
+    pair.law = make_pair_interface(blocks.leader, blocks.follower);
+    list.tilted.emplace_back();
+    list.node_pairs.push_back(static_cast<std::uint32_t>(list.pairs.size()));
+    list.pairs.push_back(pair);
+    return true;
 }
 
 void NeighborSearch::rebuild(const Bodies& bodies, const BasePose& base, ContactList& list, PairWork& finished) {
-    built_position_ = bodies.position;
-    built_rotation_ = bodies.rotation;
-    built_base_ = base.displacement;
+    reference_.position = bodies.position;
+    for (Vector3& position : reference_.position) position -= base.displacement;
+    reference_.orientation = bodies.orientation;
 
     std::swap(list, previous_);
     list.pairs.clear();
+    list.node_pairs.clear();
     list.nodes.clear();
+    list.tilted.clear();
     const auto had = [&](std::uint32_t leader, std::uint32_t follower) {
         ContactPair wanted;
         wanted.leader = leader;
@@ -200,24 +238,49 @@ void NeighborSearch::rebuild(const Bodies& bodies, const BasePose& base, Contact
     }
     std::sort(directed.begin(), directed.end(),
               [](const BlockPair& a, const BlockPair& b) { return std::tie(a.leader, a.follower) < std::tie(b.leader, b.follower); });
-    for (const BlockPair& p : directed) add_pair(p, bodies, base, list);
+    std::vector<PatchPlan> plans;
+    for (const BlockPair& p : directed)
+        if (!plan_patch(p, bodies, base, list, plans) && !add_tilted(p, list)) add_pair(p, bodies, base, list);
 
-    list.history.reset(list.nodes.size(), std::any_of(list.pairs.begin(), list.pairs.end(),
-                                                      [](const ContactPair& pair) { return pair.law.shear_damping > 0.0; }));
+    list.history.reset(list.nodes.size(), std::any_of(list.pairs.begin(), list.pairs.end(), [](const ContactPair& pair) {
+                           return !pair.is_patch() && pair.law.shear_damping > 0.0;
+                       }));
+    list.ground_pairs.clear();
     list.forces.assign(list.pairs.size(), PairForce{});
+    list.tallies.assign(list.pairs.size(), PairTally{});
     list.faces.assign(list.pairs.size(), 0);
     list.first_step = previous_.first_step;
     list.work.assign(list.pairs.size(), PairWork{});
+    std::vector<std::uint32_t> old_pair(list.pairs.size(), ContactPair::kNoPatch);
     auto old = previous_.pairs.begin();
     for (std::size_t p = 0; p < list.pairs.size(); ++p) {
+        if (list.pairs[p].follower == kGround) list.ground_pairs.push_back(static_cast<std::uint32_t>(p));
         while (old != previous_.pairs.end() && before(*old, list.pairs[p])) ++old;
         if (old == previous_.pairs.end() || !same_pair(*old, list.pairs[p])) continue;
         const auto o = static_cast<std::size_t>(old - previous_.pairs.begin());
-        carry_history(*old, previous_, list.pairs[p], list);
+        old_pair[p] = static_cast<std::uint32_t>(o);
         list.forces[p] = previous_.forces[o];
+        if (old->is_patch() || list.pairs[p].is_patch() || old->is_tilted() != list.pairs[p].is_tilted()) continue;
+        if (old->is_tilted()) {
+            list.tilted[list.pairs[p].tilted] = previous_.tilted[old->tilted];
+        } else {
+            carry_history(*old, previous_, list.pairs[p], list);
+        }
+        list.tallies[p] = previous_.tallies[o];
         list.faces[p] = previous_.faces[o];
     }
-    for (const PairWork& w : previous_.work) add_work(w, finished);
+    place_patches(plans, bodies, base, previous_, old_pair, list);
+    // a pair that meets in another way from now on starts anew
+    for (std::size_t p = 0; p < list.pairs.size(); ++p) {
+        if (old_pair[p] == ContactPair::kNoPatch) continue;
+        const PairElastic before = find_elastic(previous_, old_pair[p]), kept = find_elastic(list, p);
+        if (before.normal == kept.normal && before.shear == kept.shear) continue;
+        drop_elastic(bodies, base, list.pairs[p], list.forces[p], before, finished);
+        if (list.pairs[p].is_tilted()) list.tilted[list.pairs[p].tilted].inherited = before.normal;
+    }
+    const ContactTotals ended = sum_contacts(previous_);
+    finished.friction += ended.work.friction;
+    finished.damping += ended.work.damping;
 }
 
 }  // namespace musim::lsdem

@@ -6,6 +6,7 @@
 #include "lsdem/bodies.hpp"
 #include "lsdem/contacts.hpp"
 #include "lsdem/model.hpp"
+#include "lsdem/patch_pairs.hpp"
 
 namespace musim::lsdem {
 
@@ -24,8 +25,14 @@ class NeighborSearch {
     /// Makes the list anew. Contacts that persist keep their leader, history and forces; pairs that leave hand their work to `finished`.
     void rebuild(const Bodies& bodies, const BasePose& base, ContactList& list, PairWork& finished);
 
-    /// Largest distance that any point of block i may have moved relative to the base since the last rebuild [m].
-    double compute_drift(std::size_t i, const Bodies& bodies, const BasePose& base) const;
+    /// Where every block was when the list was made, relative to the base. A point of block i has moved since by no more than
+    ///   |Δx| + 2 R |Δq|,   R = half its diagonal: a turn by θ moves it by 2 R sin(θ/2), and |Δq| = 2 sin(θ/4).
+    struct Reference {
+        std::vector<Vector3> position;  ///< less the displacement of the base [m]
+        std::vector<Quaternion> orientation;
+        std::vector<double> diameter;  ///< 2 R [m]
+    };
+    const Reference& reference() const { return reference_; }
     /// The drift above which the list is stale, skin/2 [m].
     double allowed_drift() const { return 0.5 * skin_; }
 
@@ -35,13 +42,17 @@ class NeighborSearch {
     };
     void find_block_pairs(const Bodies& bodies, std::vector<BlockPair>& pairs) const;
     void add_pair(BlockPair blocks, const Bodies& bodies, const BasePose& base, ContactList& list) const;
+    /// Plans the pair as a patch, if its faces meet nearly parallel.
+    bool plan_patch(BlockPair blocks, const Bodies& bodies, const BasePose& base, ContactList& list, std::vector<PatchPlan>& plans) const;
+    /// Lists the pair as two boxes at an angle, if that is how the model has them meet.
+    bool add_tilted(BlockPair blocks, ContactList& list) const;
+    /// Do boxes meet by their faces, not node by node?
+    bool by_faces() const;
     Interface make_pair_interface(std::uint32_t leader, std::uint32_t follower) const;
 
     const Model* model_;
     double skin_ = 0.0;
-    std::vector<Vector3> built_position_;
-    std::vector<Matrix3> built_rotation_;
-    Vector3 built_base_ = Vector3::Zero();
+    Reference reference_;
     ContactList previous_;  ///< the list before, kept to reuse its memory
 };
 

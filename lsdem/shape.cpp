@@ -4,9 +4,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <stdexcept>
 #include <string>
+
+#include "lsdem/detail/shape_parts.hpp"
 
 namespace musim::lsdem {
 namespace {
@@ -32,21 +33,6 @@ FaceSplit find_face_split(double a, double b, int nodes) {
     return best;
 }
 
-void add_node(SurfaceNodes& nodes, const Vector3& position, const Vector3& area, const Vector3& center, const Vector3& half) {
-    nodes.x.push_back(position.x());
-    nodes.y.push_back(position.y());
-    nodes.z.push_back(position.z());
-    nodes.area_x.push_back(area.x());
-    nodes.area_y.push_back(area.y());
-    nodes.area_z.push_back(area.z());
-    nodes.center_x.push_back(center.x());
-    nodes.center_y.push_back(center.y());
-    nodes.center_z.push_back(center.z());
-    nodes.half_x.push_back(half.x());
-    nodes.half_y.push_back(half.y());
-    nodes.half_z.push_back(half.z());
-}
-
 /// Lattice node (i, j, k) of a box surface: its cell reaches half a spacing to either side, and stops at the edges.
 void add_box_node(SurfaceNodes& nodes, const Vector3& size, const std::array<int, 3>& counts, const std::array<int, 3>& index) {
     Vector3 position, center, half, area = Vector3::Zero();
@@ -65,7 +51,7 @@ void add_box_node(SurfaceNodes& nodes, const Vector3& size, const std::array<int
         const int b = (a + 1) % 3, c = (a + 2) % 3;
         area[a] = side[static_cast<std::size_t>(a)] * 4.0 * half[b] * half[c];
     }
-    add_node(nodes, position, area, center, half);
+    detail::add_node(nodes, position, area, center, half);
 }
 
 /// Nodes of the face across z first (top, then bottom), the long direction slowest, then the rest of the sides from the top down: the nodes
@@ -95,19 +81,6 @@ Vector3 box_inertia_over_mass(const Vector3& size) {
     return Vector3(s2.y() + s2.z(), s2.x() + s2.z(), s2.x() + s2.y()) / 12.0;
 }
 
-/// Grid of spacing `voxel` around a body of the given half extents, one voxel wider on every side.
-GridLevelSet sample_level_set(const Vector3& half, double voxel, const std::function<double(const Vector3&)>& distance) {
-    if (!(voxel > 0.0)) throw std::invalid_argument("grid level set: the voxel size must be positive");
-    std::array<std::size_t, 3> counts{};
-    Vector3 origin;
-    for (int a = 0; a < 3; ++a) {
-        const auto voxels = static_cast<std::size_t>(std::ceil(2.0 * half[a] / voxel)) + 2;
-        counts[static_cast<std::size_t>(a)] = voxels + 1;
-        origin[a] = -0.5 * voxel * static_cast<double>(voxels);
-    }
-    return {origin, voxel, counts, distance};
-}
-
 }  // namespace
 
 NodeLattice make_node_lattice(const Vector3& size, int nodes_per_face) {
@@ -132,6 +105,7 @@ Shape make_box_shape(const Vector3& size, const NodeLattice& lattice) {
     shape.half_extents = 0.5 * size;
     shape.level_set = BoxLevelSet{shape.half_extents};
     shape.nodes = make_box_nodes(size, lattice);
+    shape.node_spacing = size.cwiseQuotient(Vector3(lattice.nx - 1, lattice.ny - 1, lattice.nz - 1));
     shape.volume = size.prod();
     shape.inertia_over_mass = box_inertia_over_mass(size);
     shape.face_area = size.x() * size.y();
@@ -141,29 +115,7 @@ Shape make_box_shape(const Vector3& size, const NodeLattice& lattice) {
 Shape make_grid_box_shape(const Vector3& size, const NodeLattice& lattice, double voxel) {
     Shape shape = make_box_shape(size, lattice);
     const BoxLevelSet box{shape.half_extents};
-    shape.level_set = sample_level_set(shape.half_extents, voxel, [&](const Vector3& x) { return box.value(x); });
-    return shape;
-}
-
-Shape make_sphere_shape(double radius, std::size_t node_count, double voxel) {
-    if (!(radius > 0.0)) throw std::invalid_argument("make_sphere_shape: the radius must be positive");
-    if (node_count == 0) throw std::invalid_argument("make_sphere_shape: one node at least");
-    constexpr double kPi = std::numbers::pi;
-    Shape shape;
-    shape.faceted = false;
-    shape.half_extents = Vector3::Constant(radius);
-    shape.level_set = sample_level_set(shape.half_extents, voxel, [radius](const Vector3& x) { return x.norm() - radius; });
-    const double share = 4.0 * kPi * radius * radius / static_cast<double>(node_count);
-    const double golden_angle = kPi * (3.0 - std::sqrt(5.0));
-    for (std::size_t i = 0; i < node_count; ++i) {
-        const double height = 1.0 - (2.0 * static_cast<double>(i) + 1.0) / static_cast<double>(node_count);
-        const double ring = std::sqrt(1.0 - height * height), angle = golden_angle * static_cast<double>(i);
-        const Vector3 outward{ring * std::cos(angle), ring * std::sin(angle), height};
-        add_node(shape.nodes, radius * outward, share * outward, Vector3::Zero(), Vector3::Zero());
-    }
-    shape.volume = 4.0 / 3.0 * kPi * radius * radius * radius;
-    shape.inertia_over_mass = Vector3::Constant(0.4 * radius * radius);
-    shape.face_area = kPi * radius * radius;
+    shape.level_set = detail::sample_level_set(shape.half_extents, voxel, [&](const Vector3& x) { return box.value(x); });
     return shape;
 }
 

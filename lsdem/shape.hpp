@@ -26,15 +26,23 @@ struct SurfaceNodes {
     Vector3 area(std::size_t i) const { return {area_x[i], area_y[i], area_z[i]}; }
 };
 
+/// Where the nodes of a contact patch stand along its two axes, ends included.
+enum class PatchSpacing {
+    even,    ///< at equal distances
+    lobatto  ///< closer towards the edges: the places of Gauss-Lobatto quadrature [AbramowitzStegun64, 25.4.32]
+};
+
 /// Geometry of a block, shared by all blocks that are equal: level set, surface nodes, mass properties of the homogeneous solid.
 struct Shape {
     std::variant<BoxLevelSet, GridLevelSet> level_set;
     SurfaceNodes nodes;
-    bool faceted = true;                          ///< flat faces across the body axes, as of a box
-    Vector3 half_extents = Vector3::Zero();       ///< of the bounding box in the body frame [m]
-    double volume = 0.0;                          ///< [m³]
-    Vector3 inertia_over_mass = Vector3::Zero();  ///< principal moments per unit mass [m²]
-    double face_area = 0.0;                       ///< A_face, the face k_n and k_s refer to: the one across the body z axis [m²]
+    bool faceted = true;                              ///< flat faces across the body axes, as of a box
+    Vector3 node_spacing = Vector3::Zero();           ///< of the lattice of a box, along the body axes [m]
+    PatchSpacing patch_spacing = PatchSpacing::even;  ///< of the patches this shape leads
+    Vector3 half_extents = Vector3::Zero();           ///< of the bounding box in the body frame [m]
+    double volume = 0.0;                              ///< [m³]
+    Vector3 inertia_over_mass = Vector3::Zero();      ///< principal moments per unit mass [m²]
+    double face_area = 0.0;                           ///< A_face, the face k_n and k_s refer to: the one across the body z axis [m²]
 };
 
 /// How many nodes stand along each edge of a box, ends included.
@@ -56,5 +64,21 @@ Shape make_grid_box_shape(const Vector3& size, const NodeLattice& lattice, doubl
 
 /// Sphere of the given radius [m] as a grid level set, with `node_count` nodes spread evenly over its surface (Fibonacci lattice).
 Shape make_sphere_shape(double radius, std::size_t node_count, double voxel);
+
+/// Where the nodes of a solid cylinder (a drum) stand. On its flat ends they form rings around a node in the middle; the last ring is the
+/// rim, the inner ones hold fewer nodes in proportion to their radius, three at least.
+struct CylinderLattice {
+    int around = 0;  ///< on each rim and on every row of the side
+    int rings = 0;   ///< on each end, the rim included
+    int along = 0;   ///< rows along the height, both rims included
+};
+
+/// Solid cylinder of the given radius and height [m] about the body z axis as a grid level set of spacing `voxel` [m].
+///
+/// A ring of an end stands for the annulus half way to its neighbors, a row of the side for the band half way to its neighbors; a rim node
+/// has both shares, its area vector being their sum. So the shares along z of an end sum to πR², those of the side to 2πR·H, and the
+/// vectors to zero. Principal moments per mass (3R² + H²)/12 twice and R²/2; A_face = πR² (the flat end). Throws std::invalid_argument when
+/// radius, height or voxel is not positive, or with fewer than 3 nodes around, 1 ring or 2 rows.
+Shape make_cylinder_shape(double radius, double height, const CylinderLattice& lattice, double voxel);
 
 }  // namespace musim::lsdem

@@ -13,6 +13,8 @@
 #include "lsdem/base_motion.hpp"
 #include "lsdem/bodies.hpp"
 #include "lsdem/contacts.hpp"
+#include "lsdem/detail/motion_kernel.hpp"
+#include "lsdem/detail/patch_kernel.hpp"
 #include "lsdem/neighbors.hpp"
 #include "lsdem/rotation.hpp"
 #include "lsdem/thread_team.hpp"
@@ -31,8 +33,27 @@ constexpr double kEnergyFactor = 4.0;
 /// Energy that needs no explanation, as a fraction of weight times smallest block edge: lets the noise of a stack at rest pass.
 constexpr double kEnergyFloor = 1e-3;
 
+/// The same without weight: the spring energy, k_n (ε L)², of overlaps that are the rounding of a position L away, times this.
+constexpr double kRoundingFloor = 64.0;
+
+/// Part of all energy that was put in by which the ledger may be off. Touching and parting within a step cost less than a percent; an
+/// unstable mode that dashpots and parting keep small passes it.
+constexpr double kLedgerBound = 0.1;
+
+/// A structure is quiet when its kinetic energy is below this part of weight times smallest edge, at this many looks in a row: what is
+/// passed over could not have moved it by more than rounding moves it (velocities of 1e-10·sqrt(g·edge), accelerations a thousand times
+/// smaller than would bring these about between two looks).
+constexpr double kQuietEnergy = 1e-20;
+constexpr int kQuietLooks = 16;
+
+/// A block may cross this part of the smallest edge in one step.
+constexpr double kMaxStride = 0.5;
+
+/// Two boxes at an angle cost about as much as this many nodes. Affects speed only.
+constexpr std::size_t kNodesPerTiltedPair = 32;
+
 /// Blocks that make a second thread worth its two meetings a step. Affects speed only.
-constexpr std::size_t kBlocksPerThread = 24;
+constexpr std::size_t kBlocksPerThread = 256;
 
 using Clock = std::chrono::steady_clock;
 
@@ -68,12 +89,6 @@ Share share_of(std::size_t items, int index, int count) {
     return {items * i / n, items * (i + 1) / n};
 }
 
-/// One pair as seen from one of its blocks.
-struct Touch {
-    std::uint32_t pair;
-    bool leads;
-};
-
 /// FNV-1a over the bytes of a vector.
 void hash_bytes(const Vector3& v, std::uint64_t& hash) {
     unsigned char bytes[sizeof(double) * 3];
@@ -91,14 +106,22 @@ struct Simulation::Implementation {
     BasePose base;
     NeighborSearch search;
     ContactList list;
-    PairWork finished;                     ///< of pairs that have left the list
-    std::vector<std::size_t> touch_begin;  ///< per block, into `touches`
-    std::vector<Touch> touches;            ///< the pairs of each block, in the order of the list
-    std::vector<Share> pair_shares;        ///< per thread
+    PairWork finished;  ///< of pairs that have left the list
+    detail::TouchList touches;
+    std::vector<Share> node_shares;        ///< of list.node_pairs, per thread
+    std::vector<Share> patch_shares;       ///< of the groups of patches, per thread
+    Vector3 base_force = Vector3::Zero();  ///< on the blocks, at step n [N]
+    double base_work = 0.0;                ///< [J]
     std::uint64_t step = 0;
     std::uint64_t rebuilds = 0;
     double smallest_edge = 0.0;
-    double start_energy = 0.0;  ///< kinetic plus elastic at t = 0 [J]
+    double start_energy = 0.0;       ///< kinetic plus elastic at t = 0 [J]
+    double start_balance = 0.0;      ///< of the ledger at t = 0 [J]
+    double energy_floor = 0.0;       ///< energy that needs no explanation [J]
+    double weight_times_edge = 0.0;  ///< [J]
+    int quiet_looks = 0;             ///< in a row at which nothing moved
+    std::uint64_t quiet_end = 0;     ///< the step up to which nothing moves
+    std::uint64_t skipped = 0;       ///< steps passed over
     std::optional<Divergence> divergence;
     PhaseTimes times;
     std::vector<double> drift;    ///< per thread, largest of its blocks [m]
@@ -108,14 +131,14 @@ struct Simulation::Implementation {
     Implementation(Model given, double time_step, int threads);
 
     void move(double h);
-    void move_block(std::size_t i, double h);
     void update_contacts();
     void rebuild();
-    void gather(std::size_t i);
     void check_health();
+    double kinetic() const;
+    Energy find_energy() const;
+    std::uint64_t find_quiet_steps();
     double stored_and_kinetic() const;
     double gravitational() const;
-    PairWork total_work() const;
     void find_non_finite();
     std::size_t fastest_block() const;
 };
@@ -126,6 +149,18 @@ int choose_threads(int wanted, std::size_t blocks) {
     const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
     const int useful = static_cast<int>(std::min<std::size_t>(blocks / kBlocksPerThread + 1, 1024));
     return std::min(wanted > 0 ? wanted : cores, useful);
+}
+
+/// Spring energy of overlaps that are the rounding of the largest coordinate [J].
+double find_rounding_energy(const Model& model) {
+    double extent = 0.0, stiffest = 0.0;
+    for (const Block& block : model.blocks) {
+        const Shape& shape = model.shapes[block.shape];
+        extent = std::max(extent, block.position.norm() + shape.half_extents.norm());
+        stiffest = std::max(stiffest, model.materials[block.material].normal_stiffness * shape.face_area);
+    }
+    const double rounding = std::numeric_limits<double>::epsilon() * extent;
+    return kRoundingFloor * static_cast<double>(model.blocks.size()) * stiffest * rounding * rounding;
 }
 
 /// Model that has passed its checks; everything else may rely on it.
@@ -161,59 +196,29 @@ Simulation::Implementation::Implementation(Model given, double time_step, int th
     update_contacts();
     list.first_step = false;
     start_energy = stored_and_kinetic();
+    for (const Block& block : model.blocks) weight_times_edge += block.mass * model.gravity.norm() * smallest_edge;
+    energy_floor = kEnergyFloor * weight_times_edge + find_rounding_energy(model);
 
     // momenta of step −1/2, so that every step is the same
     for (std::size_t i = 0; i < bodies.size(); ++i) {
-        gather(i);
         if (bodies.fixed[i] != 0) continue;
-        bodies.velocity[i] -= 0.5 * dt * (bodies.force[i] / bodies.mass[i] + model.gravity);
-        bodies.momentum[i] -= 0.5 * dt * bodies.torque[i];
+        const detail::TouchList::Load load = touches.sum(i, list.forces);
+        bodies.velocity[i] -= 0.5 * dt * (load.force * bodies.inverse_mass[i] + model.gravity);
+        if (!bodies.inverse_inertia[i].isZero(0.0)) bodies.momentum[i] -= 0.5 * dt * load.torque;
     }
-}
-
-void Simulation::Implementation::gather(std::size_t i) {
-    Vector3 force = Vector3::Zero(), torque = Vector3::Zero();
-    for (std::size_t t = touch_begin[i]; t < touch_begin[i + 1]; ++t) {
-        const PairForce& pair = list.forces[touches[t].pair];
-        if (touches[t].leads) {
-            force += pair.force;
-            torque += pair.leader_torque;
-        } else {
-            force -= pair.force;
-            torque += pair.follower_torque;
-        }
-    }
-    bodies.force[i] = force;
-    bodies.torque[i] = torque;
-}
-
-void Simulation::Implementation::move_block(std::size_t i, double h) {
-    gather(i);
-    bodies.previous_position[i] = bodies.position[i];
-    bodies.previous_rotation[i] = bodies.rotation[i];
-    if (bodies.fixed[i] != 0) return;
-    bodies.velocity[i] += h * (bodies.force[i] / bodies.mass[i] + model.gravity);
-    bodies.position[i] += h * bodies.velocity[i];
-    if (bodies.inverse_inertia[i].isZero(0.0)) return;
-    bodies.momentum[i] += h * bodies.torque[i];
-    bodies.orientation[i] = rotate_freely(bodies.orientation[i], bodies.momentum[i], bodies.inverse_inertia[i], h);
-    bodies.rotation[i] = bodies.orientation[i].toRotationMatrix();
+    start_balance = find_energy().balance();
 }
 
 void Simulation::Implementation::move(double h) {
     ++step;
     base.previous = base.displacement;
     base.displacement = motion.displacement(static_cast<double>(step) * dt);
+    std::swap(bodies.position, bodies.previous_position);
+    std::swap(bodies.rotation, bodies.previous_rotation);
     const auto task = [&](int thread) {
         const Share share = share_of(bodies.size(), thread, team.size());
-        double farthest = 0.0;
-        for (std::size_t i = share.first; i < share.last; ++i) {
-            move_block(i, h);
-            const double moved = search.compute_drift(i, bodies, base);
-            // written so that a position that is not a number counts as far away
-            if (!(moved <= farthest)) farthest = std::isnan(moved) ? std::numeric_limits<double>::infinity() : moved;
-        }
-        drift[static_cast<std::size_t>(thread)] = farthest;
+        drift[static_cast<std::size_t>(thread)] = detail::move_blocks(touches, list.forces, search.reference(), base.displacement,
+                                                                      model.gravity, h, share.first, share.last, bodies);
     };
     team.run(task);
 }
@@ -222,48 +227,40 @@ void Simulation::Implementation::rebuild() {
     ++rebuilds;
     search.rebuild(bodies, base, list, finished);
 
-    // the pairs of each block, in list order, so that sums run in one order whatever the threads
-    touch_begin.assign(bodies.size() + 1, 0);
-    for (const ContactPair& pair : list.pairs) {
-        ++touch_begin[pair.leader + 1];
-        if (pair.follower != kGround) ++touch_begin[pair.follower + 1];
-    }
-    for (std::size_t i = 0; i < bodies.size(); ++i) touch_begin[i + 1] += touch_begin[i];
-    touches.resize(touch_begin.back());
-    std::vector<std::size_t> next(touch_begin.begin(), touch_begin.end() - 1);
-    for (std::uint32_t p = 0; p < list.pairs.size(); ++p) {
-        touches[next[list.pairs[p].leader]++] = {p, true};
-        if (list.pairs[p].follower != kGround) touches[next[list.pairs[p].follower]++] = {p, false};
-    }
+    touches.rebuild(bodies.size(), list.pairs);
 
-    // equal numbers of nodes to each thread
-    pair_shares.assign(static_cast<std::size_t>(team.size()), {});
-    std::size_t p = 0;
+    // equal work to each thread: nodes, with boxes at an angle worth as many, and patches
+    node_shares.assign(static_cast<std::size_t>(team.size()), {});
+    patch_shares.assign(static_cast<std::size_t>(team.size()), {});
+    const auto work_of = [&](std::uint32_t pair) { return std::max<std::size_t>(list.pairs[pair].node_count, kNodesPerTiltedPair); };
+    std::size_t work = 0, done = 0, p = 0;
+    for (const std::uint32_t pair : list.node_pairs) work += work_of(pair);
     for (int thread = 0; thread < team.size(); ++thread) {
-        const std::size_t last_node = share_of(list.nodes.size(), thread, team.size()).last;
-        Share& share = pair_shares[static_cast<std::size_t>(thread)];
+        Share& share = node_shares[static_cast<std::size_t>(thread)];
+        const std::size_t goal = share_of(work, thread, team.size()).last;
         share.first = p;
-        while (p < list.pairs.size() && (list.pairs[p].first_node < last_node || thread + 1 == team.size())) ++p;
+        for (; p < list.node_pairs.size() && (done < goal || thread + 1 == team.size()); ++p) done += work_of(list.node_pairs[p]);
         share.last = p;
+        patch_shares[static_cast<std::size_t>(thread)] = share_of(list.patches.groups.size(), thread, team.size());
     }
 }
 
 void Simulation::Implementation::update_contacts() {
     const auto task = [&](int thread) {
-        const Share share = pair_shares[static_cast<std::size_t>(thread)];
-        compute_contacts(model, bodies, base, dt, share.first, share.last, list);
-        double& largest = overlap[static_cast<std::size_t>(thread)];
-        for (std::size_t p = share.first; p < share.last; ++p) {
-            const double height = 2.0 * model.shapes[model.blocks[list.pairs[p].leader].shape].half_extents.z();
-            largest = std::max(largest, list.forces[p].overlap / height);
-        }
+        const auto i = static_cast<std::size_t>(thread);
+        const double in_patches = detail::compute_patches(bodies, base, dt, patch_shares[i].first, patch_shares[i].last, list);
+        const double at_nodes = compute_node_pairs(model, bodies, base, dt, node_shares[i].first, node_shares[i].last, list);
+        overlap[i] = std::max(overlap[i], std::max(in_patches, at_nodes));
     };
     team.run(task);
+    Vector3 force = Vector3::Zero();
+    for (const std::uint32_t p : list.ground_pairs) force += list.forces[p].force;
+    base_work += 0.5 * (base_force + force).dot(base.displacement - base.previous);
+    base_force = force;
 }
 
-double Simulation::Implementation::stored_and_kinetic() const {
+double Simulation::Implementation::kinetic() const {
     double sum = 0.0;
-    for (const PairForce& pair : list.forces) sum += pair.elastic_normal + pair.elastic_shear;
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         if (bodies.fixed[i] != 0) continue;
         sum += 0.5 * bodies.mass[i] * bodies.velocity[i].squaredNorm();
@@ -272,20 +269,24 @@ double Simulation::Implementation::stored_and_kinetic() const {
     return sum;
 }
 
+double Simulation::Implementation::stored_and_kinetic() const {
+    const ContactTotals contacts = sum_contacts(list);
+    return kinetic() + contacts.elastic_normal + contacts.elastic_shear;
+}
+
+/// Number of steps from here in which the base stands and nothing moves.
+std::uint64_t Simulation::Implementation::find_quiet_steps() {
+    if (!model.skip_quiet) return 0;
+    quiet_looks = kinetic() <= kQuietEnergy * weight_times_edge ? quiet_looks + 1 : 0;
+    if (quiet_looks < kQuietLooks) return 0;
+    const double now = static_cast<double>(step) * dt, still = motion.still_until(now) - now;
+    return still > dt ? static_cast<std::uint64_t>(std::min(still / dt, 9e15)) - 1 : 0;
+}
+
 double Simulation::Implementation::gravitational() const {
     double sum = 0.0;
     for (std::size_t i = 0; i < bodies.size(); ++i)
         sum -= bodies.mass[i] * model.gravity.dot(bodies.position[i] - model.blocks[i].position);
-    return sum;
-}
-
-PairWork Simulation::Implementation::total_work() const {
-    PairWork sum = finished;
-    for (const PairWork& work : list.work) {
-        sum.friction += work.friction;
-        sum.damping += work.damping;
-        sum.base += work.base;
-    }
     return sum;
 }
 
@@ -298,6 +299,26 @@ std::size_t Simulation::Implementation::fastest_block() const {
         if (energy > most) most = energy, fastest = i;
     }
     return fastest;
+}
+
+Energy Simulation::Implementation::find_energy() const {
+    Energy energy;
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        if (bodies.fixed[i] != 0) continue;
+        const detail::TouchList::Load load = touches.sum(i, list.forces);
+        const Vector3 next_velocity = bodies.velocity[i] + dt * (load.force * bodies.inverse_mass[i] + model.gravity);
+        const Vector3 next_momentum = bodies.momentum[i] + dt * load.torque;
+        energy.kinetic += 0.5 * bodies.mass[i] * bodies.velocity[i].dot(next_velocity);
+        energy.kinetic += 0.5 * bodies.spin(i, bodies.momentum[i]).dot(next_momentum);
+    }
+    const ContactTotals contacts = sum_contacts(list);
+    energy.elastic_normal = contacts.elastic_normal;
+    energy.elastic_shear = contacts.elastic_shear;
+    energy.gravitational = gravitational();
+    energy.friction_loss = finished.friction + contacts.work.friction;
+    energy.damping_loss = finished.damping + contacts.work.damping;
+    energy.base_work = base_work;
+    return energy;
 }
 
 void Simulation::Implementation::find_non_finite() {
@@ -313,13 +334,13 @@ void Simulation::Implementation::find_non_finite() {
 void Simulation::Implementation::check_health() {
     find_non_finite();
     if (divergence) return;
-    double weight = 0.0;
-    for (const double mass : bodies.mass) weight += mass;
-    weight *= model.gravity.norm();
-    const double allowed = kEnergyFactor * (start_energy + std::max(0.0, -gravitational()) + std::abs(total_work().base)) +
-                           kEnergyFloor * weight * smallest_edge;
-    if (stored_and_kinetic() > allowed)
-        divergence = Divergence{Divergence::Kind::energy_out_of_bounds, fastest_block(), static_cast<double>(step) * dt};
+    const double time = static_cast<double>(step) * dt;
+    const double stored = stored_and_kinetic(), put_in = start_energy + std::max(0.0, -gravitational()) + std::abs(base_work);
+    const double allowed = kEnergyFactor * put_in + energy_floor;
+    const bool unbalanced = std::abs(find_energy().balance() - start_balance) > kLedgerBound * put_in + energy_floor;
+    if (stored > allowed || unbalanced) divergence = Divergence{Divergence::Kind::energy_out_of_bounds, fastest_block(), time};
+    for (std::size_t i = 0; i < bodies.size() && !divergence; ++i)
+        if (bodies.velocity[i].norm() * dt > kMaxStride * smallest_edge) divergence = Divergence{Divergence::Kind::too_fast, i, time};
 }
 
 Simulation::Simulation(Model model, double time_step, int threads)
@@ -330,7 +351,16 @@ Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 
 void Simulation::advance(std::uint64_t steps) {
     Implementation& s = *implementation_;
-    for (std::uint64_t n = 0; n < steps && !s.divergence; ++n) {
+    std::uint64_t left = steps;
+    while (left > 0 && !s.divergence) {
+        if (s.step < s.quiet_end) {
+            const std::uint64_t quiet = std::min(left, s.quiet_end - s.step);
+            s.step += quiet;
+            s.skipped += quiet;
+            left -= quiet;
+            continue;
+        }
+        --left;
         const auto start = Clock::now();
         s.move(s.dt);
         const auto moved = Clock::now();
@@ -346,7 +376,9 @@ void Simulation::advance(std::uint64_t steps) {
         const auto listed = Clock::now();
         s.update_contacts();
         s.times.contacts += seconds_since(listed);
-        if (s.step % kHealthInterval == 0) s.check_health();
+        if (s.step % kHealthInterval != 0) continue;
+        s.check_health();
+        s.quiet_end = s.step + s.find_quiet_steps();
     }
 }
 
@@ -358,20 +390,21 @@ Vector3 Simulation::position(std::size_t block) const { return implementation_->
 Quaternion Simulation::orientation(std::size_t block) const { return implementation_->bodies.orientation.at(block); }
 
 Vector3 Simulation::contact_force(std::size_t block) const {
-    implementation_->gather(block);
-    return implementation_->bodies.force[block];
+    const Implementation& s = *implementation_;
+    if (block >= s.bodies.size()) throw std::out_of_range("Simulation: there is no such block");
+    return s.touches.sum(block, s.list.forces).force;
 }
 
 Vector3 Simulation::velocity(std::size_t block) const {
     const Implementation& s = *implementation_;
     if (s.bodies.fixed.at(block) != 0) return Vector3::Zero();
-    return s.bodies.velocity[block] + 0.5 * s.dt * (contact_force(block) / s.bodies.mass[block] + s.model.gravity);
+    return s.bodies.velocity[block] + 0.5 * s.dt * (contact_force(block) * s.bodies.inverse_mass[block] + s.model.gravity);
 }
 
 Vector3 Simulation::angular_velocity(std::size_t block) const {
-    Implementation& s = *implementation_;
-    s.gather(block);
-    return s.bodies.spin(block, s.bodies.momentum.at(block) + 0.5 * s.dt * s.bodies.torque[block]);
+    const Implementation& s = *implementation_;
+    const Vector3& momentum = s.bodies.momentum.at(block);
+    return s.bodies.spin(block, momentum + 0.5 * s.dt * s.touches.sum(block, s.list.forces).torque);
 }
 
 Kinematics Simulation::kinematics() const {
@@ -391,42 +424,17 @@ BaseState Simulation::base() const {
     return {implementation_->base.displacement, motion.velocity(time()), motion.acceleration(time())};
 }
 
-Vector3 Simulation::base_reaction() const {
-    Vector3 sum = Vector3::Zero();
-    for (std::size_t p = 0; p < implementation_->list.pairs.size(); ++p)
-        if (implementation_->list.pairs[p].follower == kGround) sum += implementation_->list.forces[p].force;
-    return sum;
-}
+Vector3 Simulation::base_reaction() const { return implementation_->base_force; }
 
-Energy Simulation::energy() const {
-    Implementation& s = *implementation_;
-    Energy energy;
-    for (std::size_t i = 0; i < s.bodies.size(); ++i) {
-        if (s.bodies.fixed[i] != 0) continue;
-        s.gather(i);
-        const Vector3 next_velocity = s.bodies.velocity[i] + s.dt * (s.bodies.force[i] / s.bodies.mass[i] + s.model.gravity);
-        const Vector3 next_momentum = s.bodies.momentum[i] + s.dt * s.bodies.torque[i];
-        energy.kinetic += 0.5 * s.bodies.mass[i] * s.bodies.velocity[i].dot(next_velocity);
-        energy.kinetic += 0.5 * s.bodies.spin(i, s.bodies.momentum[i]).dot(next_momentum);
-    }
-    for (const PairForce& pair : s.list.forces) {
-        energy.elastic_normal += pair.elastic_normal;
-        energy.elastic_shear += pair.elastic_shear;
-    }
-    energy.gravitational = s.gravitational();
-    const PairWork work = s.total_work();
-    energy.friction_loss = work.friction;
-    energy.damping_loss = work.damping;
-    energy.base_work = work.base;
-    return energy;
-}
+Energy Simulation::energy() const { return implementation_->find_energy(); }
 
 Statistics Simulation::statistics() const {
     const Implementation& s = *implementation_;
     Statistics statistics;
     statistics.steps = s.step;
+    statistics.skipped = s.skipped;
     statistics.pairs = s.list.pairs.size();
-    for (const PairForce& pair : s.list.forces) statistics.contact_nodes += pair.touching;
+    statistics.contact_nodes = sum_contacts(s.list).touching;
     statistics.rebuilds = s.rebuilds;
     statistics.max_overlap_over_height = *std::max_element(s.overlap.begin(), s.overlap.end());
     return statistics;

@@ -45,15 +45,20 @@ struct BaseState {
 
 /// A numerical failure is a value, not an exception.
 struct Divergence {
-    enum class Kind { non_finite, energy_out_of_bounds };
+    enum class Kind {
+        non_finite,            ///< a position or momentum is not a number
+        energy_out_of_bounds,  ///< more energy than was ever put in, or a ledger that does not close
+        too_fast               ///< a block crosses more than half of the smallest edge in one step: it could pass through another unseen
+    };
     Kind kind = Kind::non_finite;
-    std::size_t block = 0;  ///< the block that is not finite, or the one with the most kinetic energy
+    std::size_t block = 0;  ///< the block that is not finite, the one with the most kinetic energy, or the fastest one
     double time = 0.0;      ///< [s]
 };
 
 /// Counters and extremes since the start.
 struct Statistics {
-    std::uint64_t steps = 0;
+    std::uint64_t steps = 0;               ///< time over time step
+    std::uint64_t skipped = 0;             ///< of these, passed over because nothing moved
     std::size_t pairs = 0;                 ///< in the neighbor list now
     std::size_t contact_nodes = 0;         ///< touching now
     std::uint64_t rebuilds = 0;            ///< of the neighbor list

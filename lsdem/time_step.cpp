@@ -40,14 +40,37 @@ double face_share(const SurfaceNodes& nodes, std::size_t i, Eigen::Index axis, d
     return std::max(0.0, sign * nodes.area(i)[axis]);
 }
 
+/// How the stiffness of a face is spread: over its nodes by area, or all of it at the node farthest from the middle, which is the stiffest
+/// that StiffnessSharing::per_contact can make of it.
+enum class Spread { by_area, at_corner };
+
+/// Area of the nodes of a face [m²], one number per node of the shape.
+std::vector<double> spread_area(const Shape& shape, Eigen::Index axis, double sign, Spread spread) {
+    std::vector<double> areas(shape.nodes.size());
+    double whole = 0.0, farthest = -1.0;
+    std::size_t corner = 0;
+    for (std::size_t i = 0; i < areas.size(); ++i) {
+        areas[i] = face_share(shape.nodes, i, axis, sign);
+        whole += areas[i];
+        const double distance = areas[i] > 0.0 ? shape.nodes.position(i).norm() : -1.0;
+        if (distance > farthest) farthest = distance, corner = i;
+    }
+    if (spread == Spread::at_corner) {
+        std::fill(areas.begin(), areas.end(), 0.0);
+        areas[corner] = whole;
+    }
+    return areas;
+}
+
 /// Face of a shape across `axis`, on the side of `sign`, pressed on a rigid plane through an interface.
-ModeMatrices face_matrices(const Shape& shape, const Block& block, const Interface& law, Eigen::Index axis, double sign) {
+ModeMatrices face_matrices(const Shape& shape, const Block& block, const Interface& law, Eigen::Index axis, double sign, Spread spread) {
+    const std::vector<double> areas = spread_area(shape, axis, sign, spread);
     const double per_root_mass = 1.0 / std::sqrt(block.mass);
     const Vector3 per_root_inertia =
         block.rotation_locked ? Vector3(Vector3::Zero()) : Vector3((block.mass * shape.inertia_over_mass).cwiseSqrt().cwiseInverse());
     ModeMatrices sum;
     for (std::size_t i = 0; i < shape.nodes.size(); ++i) {
-        const double area = face_share(shape.nodes, i, axis, sign);
+        const double area = areas[i];
         if (area == 0.0) continue;
         // displacement of the node by unit translations and rotations
         const Vector3 p = shape.nodes.position(i);
@@ -112,11 +135,12 @@ class Partners {
     double heaviest_ = 0.0;
 };
 
-double block_limit(const Model& model, const Partners& partners, const Block& block) {
+double block_limit(const Model& model, const Partners& partners, const Block& block, Spread spread) {
     const Shape& shape = model.shapes[block.shape];
     const Interface between = partners.stiffest(block);
     const Eigen::Index axis = find_upright_axis(block);
-    const ModeMatrices top = face_matrices(shape, block, between, axis, 1.0), bottom = face_matrices(shape, block, between, axis, -1.0);
+    const ModeMatrices top = face_matrices(shape, block, between, axis, 1.0, spread),
+                       bottom = face_matrices(shape, block, between, axis, -1.0, spread);
     ModeMatrices in_stack;
     in_stack.add(top, 2.0);
     in_stack.add(bottom, 2.0);
@@ -125,10 +149,16 @@ double block_limit(const Model& model, const Partners& partners, const Block& bl
         const Interface on_ground = make_interface(model.materials[block.material], model.ground.material, block.mass, shape.face_area);
         ModeMatrices at_base;
         at_base.add(top, 2.0);
-        at_base.add(face_matrices(shape, block, on_ground, axis, -1.0), 1.0);
+        at_base.add(face_matrices(shape, block, on_ground, axis, -1.0, spread), 1.0);
         limit = std::min(limit, solve_limit(at_base));
     }
     return limit;
+}
+
+double block_limit(const Model& model, const Partners& partners, const Block& block) {
+    const double spread = block_limit(model, partners, block, Spread::by_area);
+    if (model.stiffness_sharing == StiffnessSharing::per_area) return spread;
+    return std::min(spread, block_limit(model, partners, block, Spread::at_corner));
 }
 
 }  // namespace

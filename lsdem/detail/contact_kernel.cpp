@@ -3,14 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lsdem/detail/instructions.hpp"
 #include "lsdem/detail/lanes.hpp"
-
-// One binary picks the widest instructions at run time. Sanitizers cannot instrument the resolver, so they get the plain version.
-#if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && !defined(MUSIM_SANITIZED)
-#define MUSIM_CLONES [[gnu::target_clones("avx2", "default")]]
-#else
-#define MUSIM_CLONES
-#endif
 
 namespace musim::lsdem::detail {
 
@@ -64,9 +58,6 @@ void end_contact(const StepLaw& law, const Row& normal, const Row& change, doubl
 
 namespace {
 
-/// A contact that begins with more than this part of its area counts as noticed late [-]. One that slides over an edge begins, because the
-/// edge is rounded, with the square of the part of a cell that it moves in a step: 1e-6 for a prototype block at 1 m/s.
-constexpr double kSuddenPart = 1e-4;
 constexpr double kPerSudden = 1.0 / kSuddenPart;
 
 /// Which axis of the leader goes with each axis of the follower's face.
@@ -186,7 +177,7 @@ struct ViscousAxis {
 /// closes in discrete time: a force works over a step with the mean of its values at both ends.
 template <bool Faceted, bool Bounded>
 [[gnu::always_inline]] inline void sum_flat(const Shape& leader, const RelativePose& pose, const FlatFollower& face, const StepLaw& law,
-                                            double equal_area, bool new_faces, const ContactPair& pair, ContactList& list, PairSums& sums) {
+                                            double equal_area, const ContactPair& pair, ContactList& list, PairSums& sums) {
     const std::size_t k = face.axis, u = (k + 1) % 3, v = (k + 2) % 3;
     const AxisMatch match(pose, face);
     const NodePointers nodes(leader.nodes, match);
@@ -265,7 +256,7 @@ template <bool Faceted, bool Bounded>
             partial = LaneMask{};
         }
         const LaneMask active = deep & (area > zero);
-        const LaneMask lasting = new_faces ? LaneMask{} : active & touched;
+        const LaneMask lasting = active & touched;
         const LaneMask over = touched & ~lasting;
         if (any(over)) {
             Row normal{};
@@ -327,7 +318,7 @@ template <bool Faceted, bool Bounded>
         total.damping -= 0.5 * area * (select(lasting, old_dashpot, zero) + new_dashpot) * normal_change;
         total.elastic_normal += 0.5 * area * elastic * overlap;
         total.elastic_shear += area * stored;
-        total.overlap = larger(total.overlap, select(active, overlap, zero));
+        total.overlap = larger(total.overlap, select(active, overlap + late, zero));
         total.touching += select(active, all(1.0), zero);
         total.add_force_at(yk, yu, yv, side * area * pressure, area * shear_u, area * shear_v);
 
@@ -362,19 +353,35 @@ template <bool Faceted, bool Bounded>
     sums.touching = static_cast<std::uint32_t>(sum(total.touching));
 }
 
+/// The kernel for the kind of leader and follower.
+[[gnu::always_inline]] inline void sum_any(const Shape& leader, const RelativePose& pose, const FlatFollower& face, const StepLaw& law,
+                                           double equal_area, const ContactPair& pair, ContactList& list, PairSums& sums) {
+    if (!leader.faceted) {
+        face.bounded ? sum_flat<false, true>(leader, pose, face, law, equal_area, pair, list, sums)
+                     : sum_flat<false, false>(leader, pose, face, law, equal_area, pair, list, sums);
+    } else if (face.bounded) {
+        sum_flat<true, true>(leader, pose, face, law, equal_area, pair, list, sums);
+    } else {
+        sum_flat<true, false>(leader, pose, face, law, equal_area, pair, list, sums);
+    }
+}
+
+MUSIM_AVX2 void sum_wide(const Shape& leader, const RelativePose& pose, const FlatFollower& face, const StepLaw& law, double equal_area,
+                         const ContactPair& pair, ContactList& list, PairSums& sums) {
+    sum_any(leader, pose, face, law, equal_area, pair, list, sums);
+}
+
+void sum_plain(const Shape& leader, const RelativePose& pose, const FlatFollower& face, const StepLaw& law, double equal_area,
+               const ContactPair& pair, ContactList& list, PairSums& sums) {
+    sum_any(leader, pose, face, law, equal_area, pair, list, sums);
+}
+
 }  // namespace
 
-MUSIM_CLONES
 void sum_flat_nodes(const Shape& leader, const RelativePose& pose, const FlatFollower& face, const StepLaw& law, double equal_area,
-                    bool new_faces, const ContactPair& pair, ContactList& list, PairSums& sums) {
-    if (!leader.faceted) {
-        face.bounded ? sum_flat<false, true>(leader, pose, face, law, equal_area, new_faces, pair, list, sums)
-                     : sum_flat<false, false>(leader, pose, face, law, equal_area, new_faces, pair, list, sums);
-    } else if (face.bounded) {
-        sum_flat<true, true>(leader, pose, face, law, equal_area, new_faces, pair, list, sums);
-    } else {
-        sum_flat<true, false>(leader, pose, face, law, equal_area, new_faces, pair, list, sums);
-    }
+                    const ContactPair& pair, ContactList& list, PairSums& sums) {
+    const auto sum_nodes = active_instructions() == Instructions::avx2 ? sum_wide : sum_plain;
+    sum_nodes(leader, pose, face, law, equal_area, pair, list, sums);
 }
 
 }  // namespace musim::lsdem::detail

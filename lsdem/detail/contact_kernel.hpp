@@ -29,6 +29,10 @@ struct RelativePose {
     RelativePose(const Matrix3& q, const Vector3& t, const Matrix3& old_q, const Vector3& old_t);
 };
 
+/// A contact that begins with more than this part of its area counts as noticed late [-]. One that slides over an edge begins, because the
+/// edge is rounded, with the square of the part of a cell that it moves in a step: 1e-6 for a prototype block at 1 m/s.
+inline constexpr double kSuddenPart = 1e-4;
+
 /// Interface with the time step folded in: tractions from displacements.
 struct StepLaw {
     double kn, ks, mu, cn, cs;  ///< K_n, K_s [Pa/m], μ [-], C_n/dt, C_s/dt [Pa/m]
@@ -64,9 +68,8 @@ void end_contact(const StepLaw& law, const Row& normal, const Row& change, doubl
                  PairSums& sums);
 
 /// Nodes against a flat face, four at a time; compiled for AVX2 and for plain x86-64, same bits. See lsdem/README.md, "Contact".
-/// `new_faces`: other faces met in the last step, so that every contact starts anew.
 /// `equal_area`: the area every node in contact acts on, whatever its cell [m²] (StiffnessSharing::per_contact), or zero for its own.
 void sum_flat_nodes(const Shape& leader, const RelativePose& pose, const FlatFollower& face, const StepLaw& law, double equal_area,
-                    bool new_faces, const ContactPair& pair, ContactList& list, PairSums& sums);
+                    const ContactPair& pair, ContactList& list, PairSums& sums);
 
 }  // namespace musim::lsdem::detail

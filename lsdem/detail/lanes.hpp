@@ -32,6 +32,8 @@ using LaneMask = std::int64_t __attribute__((vector_size(32)));
 
 [[gnu::always_inline]] inline bool any(const LaneMask& mask) { return (mask[0] | mask[1] | mask[2] | mask[3]) != 0; }
 
+[[gnu::always_inline]] inline bool all_of(const LaneMask& mask) { return (mask[0] & mask[1] & mask[2] & mask[3]) != 0; }
+
 [[gnu::always_inline]] inline Lanes root(const Lanes& value) {
     Lanes result{};
     for (std::size_t i = 0; i < kLanes; ++i) result[i] = std::sqrt(value[i]);
@@ -39,5 +41,12 @@ using LaneMask = std::int64_t __attribute__((vector_size(32)));
 }
 
 [[gnu::always_inline]] inline double sum(const Lanes& value) { return (value[0] + value[1]) + (value[2] + value[3]); }
+
+/// The sums of four lanes each, side by side; in the order of `sum`.
+[[gnu::always_inline]] inline Lanes sums(const Lanes& a, const Lanes& b, const Lanes& c, const Lanes& d) {
+    const Lanes ab = Lanes{a[0], b[0], a[2], b[2]} + Lanes{a[1], b[1], a[3], b[3]};
+    const Lanes cd = Lanes{c[0], d[0], c[2], d[2]} + Lanes{c[1], d[1], c[3], d[3]};
+    return Lanes{ab[0], ab[1], cd[0], cd[1]} + Lanes{ab[2], ab[3], cd[2], cd[3]};
+}
 
 }  // namespace musim::lsdem::detail

@@ -1,8 +1,12 @@
 // Times the kernel on named scenes; CSV on stdout, one line per scene and number of threads. `musim_bench [SCENE]...`
 
+#include <sys/resource.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -14,17 +18,37 @@
 
 namespace {
 
+using musim::lsdem::Model;
 using musim::lsdem::PhaseTimes;
 using musim::lsdem::Simulation;
 
 /// Repetitions whose median counts; the machine is noisy.
-constexpr int kRepetitions = 5;
-/// Block steps of one repetition: about half a second of work.
-constexpr double kBlockSteps = 4e5;
+constexpr int kRepetitions = 7;
+/// Block steps of one repetition: some tenths of a second of work.
+constexpr double kBlockSteps = 2e6;
 
 double median(std::vector<double> values) {
     std::nth_element(values.begin(), values.begin() + kRepetitions / 2, values.end());
     return values[kRepetitions / 2];
+}
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// Memory of this process now [bytes].
+double resident_memory() {
+    std::ifstream file("/proc/self/statm");
+    double total = 0.0, resident = 0.0;
+    file >> total >> resident;
+    return resident * static_cast<double>(sysconf(_SC_PAGESIZE));
+}
+
+/// Most memory this process has had so far [MB].
+double peak_memory() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
 
 /// Microseconds per block and step, of the whole step and of its phases (wall time, whatever the threads).
@@ -33,12 +57,16 @@ struct Timing {
 };
 
 void time_scene(const musim::benchmarks::BenchScene& scene, int threads) {
-    const double dt = 0.8 * musim::lsdem::compute_critical_time_step(scene.model);
-    const auto blocks = static_cast<double>(scene.model.blocks.size());
-    const auto steps = static_cast<std::uint64_t>(std::max(20.0, kBlockSteps / blocks));
-    Simulation simulation(scene.model, dt, threads);
+    const double memory_before = resident_memory();
+    const auto made = std::chrono::steady_clock::now();
+    const Model model = scene.make();
+    const double dt = 0.8 * musim::lsdem::compute_critical_time_step(model);
+    const auto blocks = static_cast<double>(model.blocks.size());
+    Simulation simulation(model, dt, threads);
+    const double setup = seconds_since(made), memory = resident_memory() - memory_before;
     if (simulation.threads() != threads) return;
-    simulation.advance(steps / 4);
+    const auto steps = static_cast<std::uint64_t>(std::max(20.0, kBlockSteps / blocks));
+    simulation.advance(std::max(steps / 4, static_cast<std::uint64_t>(scene.settle / dt)));
 
     Timing timing;
     const double per_block_step = 1e6 / (static_cast<double>(steps) * blocks);
@@ -46,23 +74,27 @@ void time_scene(const musim::benchmarks::BenchScene& scene, int threads) {
         const PhaseTimes before = simulation.phase_times();
         const auto start = std::chrono::steady_clock::now();
         simulation.advance(steps);
-        const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
+        timing.whole.push_back(seconds_since(start) * per_block_step);
         const PhaseTimes after = simulation.phase_times();
-        timing.whole.push_back(wall.count() * per_block_step);
         timing.contacts.push_back((after.contacts - before.contacts) * per_block_step);
         timing.motion.push_back((after.motion - before.motion) * per_block_step);
         timing.neighbors.push_back((after.neighbors - before.neighbors) * per_block_step);
     }
-    fmt::print("{},{},{},{},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f}\n", scene.name, scene.model.blocks.size(),
-               simulation.statistics().contact_nodes, threads, median(timing.whole), median(timing.whole) * threads,
-               median(timing.contacts), median(timing.motion), median(timing.neighbors));
+    const auto nodes = static_cast<double>(simulation.statistics().contact_nodes);
+    const double whole = median(timing.whole);
+    fmt::print("{},{},{:.0f},{},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.0f},{:.2f},{:.0f},{:.0f}\n", scene.name, blocks, nodes, threads,
+               whole, whole * threads, median(timing.contacts), median(timing.motion), median(timing.neighbors), nodes / blocks / whole,
+               setup, memory / blocks, peak_memory());
+    std::fflush(stdout);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
     const std::vector<std::string> wanted(argv + 1, argv + argc);
-    fmt::print("scene,blocks,contact_nodes,threads,us_per_block_step,us_per_block_step_core,contacts_us,motion_us,neighbors_us\n");
+    fmt::print(
+        "scene,blocks,contact_nodes,threads,us_per_block_step,us_per_block_step_core,contacts_us,motion_us,neighbors_us,"
+        "million_nodes_per_s,setup_s,bytes_per_block,peak_mb_so_far\n");
     for (const auto& scene : musim::benchmarks::make_bench_scenes()) {
         if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), scene.name) == wanted.end()) continue;
         for (const int threads : {1, 2}) time_scene(scene, threads);

@@ -1,5 +1,11 @@
 #include "tests/benchmarks/bench_scenes.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <vector>
+
 #include "lsdem/scene/build_model.hpp"
 #include "lsdem/scene/material_presets.hpp"
 
@@ -7,6 +13,8 @@ namespace musim::benchmarks {
 namespace {
 
 using lsdem::scene::Scene;
+
+constexpr int kLayers = 38;
 
 Scene wood_scene() {
     const auto& preset = lsdem::scene::find_material_preset("wood");
@@ -19,41 +27,141 @@ Scene wood_scene() {
 lsdem::Model make_column(int layers) {
     Scene scene = wood_scene();
     scene.structure = lsdem::scene::Column{.layers = layers, .block = lsdem::scene::find_material_preset("wood").reference_block};
-    return lsdem::scene::make_model(scene);
+    lsdem::Model model = lsdem::scene::make_model(scene);
+    model.skip_quiet = false;
+    return model;
 }
 
-/// 38 layers of 188 wood blocks.
-lsdem::scene::Tower make_papers_tower() {
+Scene tower_scene() {
     lsdem::scene::Tower tower;
+    tower.layers = kLayers;
     tower.block = lsdem::scene::find_material_preset("wood").reference_block;
-    return tower;
-}
-
-lsdem::Model make_full_tower() {
     Scene scene = wood_scene();
-    scene.structure = make_papers_tower();
-    return lsdem::scene::make_model(scene);
+    scene.structure = tower;
+    return scene;
 }
 
-/// Layers alternate in velocity by 0.1 m/s and slide on each other with little friction, so that they keep sliding while they are timed.
+lsdem::Model make_tower() {
+    lsdem::Model model = lsdem::scene::make_model(tower_scene());
+    model.skip_quiet = false;
+    return model;
+}
+
+/// Towers in a row, two diameters apart.
+lsdem::Model make_towers(int count) {
+    lsdem::Model model = make_tower();
+    const std::vector<lsdem::Block> first = model.blocks;
+    double reach = 0.0;
+    for (const lsdem::Block& block : first) reach = std::max(reach, block.position.x());
+    for (int i = 1; i < count; ++i) {
+        for (lsdem::Block block : first) {
+            block.position.x() += 4.0 * reach * i;
+            model.blocks.push_back(block);
+        }
+    }
+    return model;
+}
+
+/// Layers alternate in velocity and slide on each other with little friction: they keep sliding while they are timed, and do not go far.
 lsdem::Model make_sliding_tower() {
-    Scene scene = wood_scene();
+    constexpr double kSpeed = 0.01;
+    Scene scene = tower_scene();
     scene.material.friction = 0.01;
-    scene.structure = make_papers_tower();
     lsdem::scene::BuiltModel built = lsdem::scene::build_model(scene);
     for (std::size_t i = 0; i < built.model.blocks.size(); ++i)
-        built.model.blocks[i].velocity.x() = built.structure.layer[i] % 2 == 0 ? 0.1 : -0.1;
+        built.model.blocks[i].velocity.x() = built.structure.layer[i] % 2 == 0 ? kSpeed : -kSpeed;
+    built.model.skip_quiet = false;
     return built.model;
+}
+
+/// Sine of acceleration `amplitude` [m/s²] and 10 Hz along one axis, a quarter of a cycle apart between axes.
+lsdem::BaseComponent make_shaking(double amplitude, double phase) {
+    constexpr double kDuration = 1.0, kOmega = 2.0 * std::numbers::pi * 10.0;
+    constexpr int kSamples = 4000;
+    lsdem::BaseComponent component;
+    component.dt = kDuration / kSamples;
+    for (int k = 0; k <= kSamples; ++k)
+        component.velocity.push_back(amplitude / kOmega * (std::sin(kOmega * component.dt * k + phase) - std::sin(phase)));
+    return component;
+}
+
+lsdem::Model shaken(lsdem::Model model) {
+    model.ground.motion = {make_shaking(9.81, 0.0), make_shaking(7.0, 1.5), make_shaking(3.0, 0.7)};
+    return model;
+}
+
+lsdem::Model shaken_along_x(lsdem::Model model) {
+    model.ground.motion[0] = make_shaking(9.81, 0.0);
+    return model;
+}
+
+lsdem::Model without_friction(lsdem::Model model) {
+    model.materials.front().friction = 0.0;
+    return model;
+}
+
+lsdem::Model elastic(lsdem::Model model) {
+    model.materials.front().restitution = 1.0;
+    model.ground.material.restitution = 1.0;
+    return model;
+}
+
+lsdem::Model without_rotation(lsdem::Model model) {
+    for (lsdem::Block& block : model.blocks) block.rotation_locked = true;
+    return model;
+}
+
+lsdem::Model by_nodes(lsdem::Model model) {
+    model.face_contact = lsdem::FaceContact::nodes;
+    return model;
+}
+
+lsdem::Model make_grid_tower() {
+    Scene scene = tower_scene();
+    scene.shape = lsdem::scene::GridShape{.nodes_per_face = 44, .voxel = 0.65e-3 * scaling::si::meter};
+    lsdem::Model model = lsdem::scene::make_model(scene);
+    model.skip_quiet = false;
+    return model;
+}
+
+lsdem::Model make_debris() {
+    lsdem::Model model = make_tower();
+    model.ground.present = false;
+    for (lsdem::Block& block : model.blocks) {
+        block.position *= 2.0;
+        block.angular_velocity = {3.0, 2.0, 1.0};
+    }
+    return model;
+}
+
+lsdem::Model make_quiet_column() {
+    lsdem::Model model = make_column(kLayers);
+    model.skip_quiet = true;
+    return model;
 }
 
 }  // namespace
 
 std::vector<BenchScene> make_bench_scenes() {
+    // long enough for the waves of being put down to die away
+    constexpr double kSettled = 0.5, kStrong = 0.02;
     std::vector<BenchScene> scenes;
-    scenes.push_back({"single_block", make_column(1)});
-    scenes.push_back({"column", make_column(38)});
-    scenes.push_back({"full_tower", make_full_tower()});
-    scenes.push_back({"full_tower_sliding", make_sliding_tower()});
+    scenes.push_back({"single_block", [] { return make_column(1); }});
+    scenes.push_back({"column", [] { return make_column(kLayers); }});
+    scenes.push_back({"tower", [] { return make_tower(); }});
+    scenes.push_back({"tower_sliding", make_sliding_tower});
+    scenes.push_back({"tower_shaken", [] { return shaken(make_tower()); }, kStrong});
+    scenes.push_back({"shaken_one_component", [] { return shaken_along_x(make_tower()); }, kStrong});
+    scenes.push_back({"shaken_no_friction", [] { return without_friction(shaken(make_tower())); }, kStrong});
+    scenes.push_back({"shaken_elastic", [] { return elastic(shaken(make_tower())); }, kStrong});
+    scenes.push_back({"shaken_no_rotation", [] { return without_rotation(shaken(make_tower())); }, kStrong});
+    scenes.push_back({"tower_nodes", [] { return by_nodes(make_tower()); }});
+    scenes.push_back({"tower_grid", make_grid_tower});
+    scenes.push_back({"column_quiet", make_quiet_column, kSettled});
+    scenes.push_back({"column_waiting", [] { return make_column(kLayers); }, kSettled});
+    scenes.push_back({"debris", make_debris});
+    scenes.push_back({"towers_28k", [] { return make_towers(4); }});
+    scenes.push_back({"towers_200k", [] { return make_towers(28); }});
     return scenes;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -10,14 +11,22 @@ namespace musim::benchmarks {
 /// A model to time, ready to run at 0.8 of its critical step.
 struct BenchScene {
     std::string name;
-    lsdem::Model model;
+    std::function<lsdem::Model()> make;
+    double settle = 0.0;  ///< model time before the clock starts [s]
 };
 
-/// All named scenes, wood at 1:107 [Harmon23]:
-///   single_block        one block at rest
-///   column              38 blocks on each other
-///   full_tower          38 x 188 blocks, all layers in contact, sticking
-///   full_tower_sliding  the same, every second layer sliding over its neighbors
+/// All named scenes, wood at 1:107 [Harmon23]; the tower has 38 layers of 188 blocks.
+///   single_block, column     one block, 38 blocks on each other
+///   tower                    every interface in contact and sticking
+///   tower_sliding            every interface slides, layer against layer
+///   towers_28k, towers_200k  4 and 28 such towers in a row
+/// What a scene does not need, against tower_shaken (three components, 10 Hz, up to 1 g: nodes stick, slide and part):
+///   shaken_one_component, shaken_no_friction, shaken_elastic (e = 1), shaken_no_rotation
+///   tower_nodes              the leader's own nodes, clipped at edges, in place of patches; sticking
+///   tower_grid               blocks as grid level sets, voxel 0.65 mm; sticking
+///   column_quiet             38 blocks that stand, on a base that stands: passed over
+///   column_waiting           the same, computed
+///   debris                   7144 blocks that fall freely, apart
 std::vector<BenchScene> make_bench_scenes();
 
 }  // namespace musim::benchmarks

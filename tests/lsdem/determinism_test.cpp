@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "lsdem/detail/instructions.hpp"
 #include "lsdem/simulation.hpp"
 #include "lsdem/time_step.hpp"
 #include "tests/support/heaps.hpp"
@@ -13,8 +14,8 @@ using namespace musim::lsdem::tests;
 
 TEST_CASE("one and two and three and four threads give the same bits") {
     const Stone stone = wood();
-    Model model = make_running_bond(stone, 3, 5, 8);
-    REQUIRE(model.blocks.size() >= 100);
+    Model model = make_running_bond(stone, 8, 12, 9);
+    REQUIRE(model.blocks.size() >= 800);
     model.ground.motion[0] = velocity_step(1.0);
     const double step = 0.8 * compute_critical_time_step(model);
     std::string expected;
@@ -27,6 +28,28 @@ TEST_CASE("one and two and three and four threads give the same bits") {
         REQUIRE(s.statistics().rebuilds > 1);
         if (threads == 1) expected = s.state_hash();
         CHECK(s.state_hash() == expected);
+    }
+}
+
+TEST_CASE("wide and plain instructions give the same bits") {
+    using musim::lsdem::detail::Instructions;
+    Model model = make_running_bond(wood(), 2, 3, 4);
+    model.ground.motion[0] = velocity_step(1.0);
+    const Model pile = make_loose_pile(wood(), 2, 2);
+    Model by_nodes = model;
+    by_nodes.face_contact = FaceContact::nodes;
+    for (const Model* scene : {static_cast<const Model*>(&model), &pile, static_cast<const Model*>(&by_nodes)}) {
+        const double step = 0.8 * compute_critical_time_step(*scene);
+        std::string hashes[2];
+        for (const Instructions most : {Instructions::plain, Instructions::avx2}) {
+            musim::lsdem::detail::limit_instructions(most);
+            // all this machine has, unless it is limited
+            if (most == Instructions::plain) REQUIRE(musim::lsdem::detail::active_instructions() == Instructions::plain);
+            Simulation s(*scene, step);
+            s.advance(6000);
+            hashes[most == Instructions::plain ? 0 : 1] = s.state_hash();
+        }
+        CHECK(hashes[0] == hashes[1]);
     }
 }
 

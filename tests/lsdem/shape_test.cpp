@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <variant>
 
 #include "tests/support/models.hpp"
 #include "tests/support/relative.hpp"
@@ -91,4 +92,66 @@ TEST_CASE("a number of nodes that makes no even lattice is refused with the near
     CHECK_THROWS_AS(make_grid_box_shape(wood().size, {2, 2, 2}, 0.0), std::invalid_argument);
     CHECK_THROWS_AS(make_sphere_shape(0.0, 10, 0.1), std::invalid_argument);
     CHECK_THROWS_AS(make_sphere_shape(1.0, 0, 0.1), std::invalid_argument);
+}
+
+// Integrals over the solid cylinder; the shares of the nodes are those of the faces they stand for.
+TEST_CASE("the nodes of a drum carry its ends and its side, rims included") {
+    const double radius = 2.0, height = 3.0;
+    const Shape drum = make_cylinder_shape(radius, height, {24, 4, 5}, 0.25);
+    const double end = kPi * radius * radius, side = 2.0 * kPi * radius * height;
+    double top = 0.0, bottom = 0.0, around = 0.0, inertia = 0.0;
+    Vector3 sum = Vector3::Zero();
+    for (std::size_t i = 0; i < drum.nodes.size(); ++i) {
+        const Vector3 p = drum.nodes.position(i), area = drum.nodes.area(i);
+        const double from_axis = std::hypot(p.x(), p.y()), outward = std::hypot(area.x(), area.y());
+        (area.z() > 0.0 ? top : bottom) += area.z();
+        around += outward;
+        sum += area;
+        if (area.z() > 0.0) inertia += area.z() * p.x() * p.x();
+        // a share belongs to a node on that face, and looks out of it
+        if (area.z() != 0.0) CHECK(p.z() == std::copysign(0.5 * height, area.z()));
+        if (outward > 0.0) {
+            CHECK(from_axis == relative(radius, 1e-15));
+            CHECK(p.x() * area.x() + p.y() * area.y() == relative(radius * outward, 1e-14));
+        }
+        for (std::size_t j = 0; j < i; ++j) REQUIRE((p - drum.nodes.position(j)).norm() > 1e-3 * radius);
+    }
+    // rounding of some 200 terms
+    CHECK(top == relative(end, 1e-13));
+    CHECK(bottom == relative(-end, 1e-13));
+    CHECK(around == relative(side, 1e-13));
+    CHECK(sum.norm() < 1e-13 * side);
+    // rocking stiffness of an end, ∫x² dA = πR⁴/4: of n rings at their own radius, 1 + 1/(2n²), the trapezoidal rule of the disc
+    CHECK(inertia == relative(end * radius * radius / 4.0 * (1.0 + 1.0 / (2.0 * 4.0 * 4.0)), 1e-12));
+
+    CHECK(drum.face_area == relative(end, 1e-15));
+    CHECK(drum.volume == relative(end * height, 1e-15));
+    CHECK((drum.inertia_over_mass - Vector3(1.75, 1.75, 2.0)).norm() < 1e-15);
+    CHECK(drum.half_extents == Vector3(2.0, 2.0, 1.5));
+    CHECK_FALSE(drum.faceted);
+}
+
+// Exact where the distance is linear; where it is curved, a trilinear interpolant is off by at most h²/8 times the curvatures 1/(R − h).
+TEST_CASE("the grid of a drum is its signed distance") {
+    const double radius = 2.0, height = 3.0, voxel = 0.25;
+    const Shape drum = make_cylinder_shape(radius, height, {24, 4, 5}, voxel);
+    const auto& grid = std::get<GridLevelSet>(drum.level_set);
+    CHECK(grid.value({0.4, -0.3, 1.4}) == relative(-0.1, 1e-13));
+    CHECK(grid.value({0.4, -0.3, -1.6}) == relative(0.1, 1e-13));
+    CHECK((grid.gradient({0.4, -0.3, 1.4}) - Vector3::UnitZ()).norm() < 1e-13);
+    for (int i = 0; i < 40; ++i) {
+        const double angle = 0.1 + 0.155 * i;
+        const double off = grid.value({radius * std::cos(angle), radius * std::sin(angle), 0.3});
+        CHECK(off >= -1e-15);
+        CHECK(off < voxel * voxel / 8.0 / (radius - voxel));
+    }
+}
+
+TEST_CASE("a drum that has no size or too few nodes is refused") {
+    CHECK_THROWS_AS(make_cylinder_shape(0.0, 1.0, {24, 4, 5}, 0.1), std::invalid_argument);
+    CHECK_THROWS_AS(make_cylinder_shape(1.0, -1.0, {24, 4, 5}, 0.1), std::invalid_argument);
+    CHECK_THROWS_AS(make_cylinder_shape(1.0, 1.0, {2, 4, 5}, 0.1), std::invalid_argument);
+    CHECK_THROWS_AS(make_cylinder_shape(1.0, 1.0, {24, 0, 5}, 0.1), std::invalid_argument);
+    CHECK_THROWS_AS(make_cylinder_shape(1.0, 1.0, {24, 4, 1}, 0.1), std::invalid_argument);
+    CHECK_THROWS_AS(make_cylinder_shape(1.0, 1.0, {24, 4, 5}, 0.0), std::invalid_argument);
 }

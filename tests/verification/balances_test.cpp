@@ -93,7 +93,7 @@ TEST_CASE("the energy ledger of a shaken and collapsing pile closes") {
         REQUIRE(turnover > 0.0);
         closure[run] = std::abs(energy.balance() - start) / turnover;
         MESSAGE("ledger of the pile: closes to " << closure[run] << " of the losses, at " << fractions[run] << " of the limit");
-        // 1 %: what a contact could act on changes in the step in which other faces meet, and is booked with the area it had then
+        // 1 %: touching and parting within a step costs (ω0 dt)² of the energy of that contact, ω0 dt = 0.1 here for a whole face
         CHECK(closure[run] < 0.01);
     }
 }
@@ -172,15 +172,15 @@ TEST_CASE("two blocks that collide at random neither gain energy nor pass into e
         }
         const double overlap = s.statistics().max_overlap_over_height;
         collisions += overlap > 0.0 ? 1 : 0;
-        unbalanced += error > 0.05 ? 1 : 0;
+        unbalanced += error > 0.01 ? 1 : 0;
         deep += overlap > 0.1 ? 1 : 0;
         worst = std::max(worst, error);
     }
-    MESSAGE(collisions << " collisions: ledger off by more than 5 % in " << unbalanced << ", at worst by " << worst
+    MESSAGE(collisions << " collisions: ledger off by more than 1 % in " << unbalanced << ", at worst by " << worst
                        << " of the energy; overlap above 10 % of the height in " << deep);
     REQUIRE(collisions > 30);
     // a corner of k_n/176 stops 0.5 m/s within v sqrt(m/k) = 2 % of the height; where a fifth of its cell meets an edge, within 5 %.
-    // Contacts that move from one pair of faces to another may book 5 % of the energy wrongly
+    // What touches and parts within a step costs (ω0 dt)² of the energy of the nodes concerned: less than 1 % at a fifth of the limit
     CHECK(unbalanced == 0);
     CHECK(deep == 0);
 }

@@ -1,0 +1,24 @@
+#pragma once
+
+/// One binary picks the widest instructions at run time. A kernel is written once, for four lanes, and compiled twice; IEEE arithmetic in a
+/// fixed order gives both the same bits.
+namespace musim::lsdem::detail {
+
+enum class Instructions {
+    plain,  ///< what every x86-64 has, or another processor
+    avx2    ///< four doubles in one register
+};
+
+/// The widest that this machine has, or that it is limited to.
+Instructions active_instructions();
+
+/// No wider than `most` from now on; for comparisons of the two paths. Not while a simulation runs on another thread.
+void limit_instructions(Instructions most);
+
+}  // namespace musim::lsdem::detail
+
+#if defined(__x86_64__)
+#define MUSIM_AVX2 [[gnu::target("avx2")]]
+#else
+#define MUSIM_AVX2
+#endif

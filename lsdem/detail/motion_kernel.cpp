@@ -1,0 +1,143 @@
+#include "lsdem/detail/motion_kernel.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "lsdem/detail/free_rotation.hpp"
+#include "lsdem/detail/instructions.hpp"
+#include "lsdem/detail/lanes.hpp"
+
+namespace musim::lsdem::detail {
+
+void TouchList::rebuild(std::size_t blocks, const std::vector<ContactPair>& pairs) {
+    begin_.assign(blocks + 1, 0);
+    for (const ContactPair& pair : pairs) {
+        ++begin_[pair.leader + 1];
+        if (pair.follower != kGround) ++begin_[pair.follower + 1];
+    }
+    for (std::size_t i = 0; i < blocks; ++i) begin_[i + 1] += begin_[i];
+    touches_.resize(begin_.back());
+    std::vector<std::size_t> next(begin_.begin(), begin_.end() - 1);
+    for (std::uint32_t p = 0; p < pairs.size(); ++p) {
+        touches_[next[pairs[p].leader]++] = {p, true};
+        if (pairs[p].follower != kGround) touches_[next[pairs[p].follower]++] = {p, false};
+    }
+}
+
+namespace {
+
+/// Four blocks; past the end of a range the last one is repeated.
+using Four = std::array<std::size_t, kLanes>;
+
+[[gnu::always_inline]] inline Lanes pick(const std::vector<double>& from, const Four& i) {
+    return Lanes{from[i[0]], from[i[1]], from[i[2]], from[i[3]]};
+}
+
+[[gnu::always_inline]] inline Triple<Lanes> pick(const std::array<const double*, kLanes>& from) {
+    const double *a = from[0], *b = from[1], *c = from[2], *d = from[3];
+    return {Lanes{a[0], b[0], c[0], d[0]}, Lanes{a[1], b[1], c[1], d[1]}, Lanes{a[2], b[2], c[2], d[2]}};
+}
+
+[[gnu::always_inline]] inline Triple<Lanes> pick(const std::vector<Vector3>& from, const Four& i) {
+    return pick({from[i[0]].data(), from[i[1]].data(), from[i[2]].data(), from[i[3]].data()});
+}
+
+[[gnu::always_inline]] inline Orientation<Lanes> pick(const std::vector<Quaternion>& from, const Four& i) {
+    const double *a = from[i[0]].coeffs().data(), *b = from[i[1]].coeffs().data(), *c = from[i[2]].coeffs().data(),
+                 *d = from[i[3]].coeffs().data();
+    return {Lanes{a[3], b[3], c[3], d[3]}, Lanes{a[0], b[0], c[0], d[0]}, Lanes{a[1], b[1], c[1], d[1]}, Lanes{a[2], b[2], c[2], d[2]}};
+}
+
+[[gnu::always_inline]] inline void put(const Triple<Lanes>& v, std::size_t lane, double* to) {
+    to[0] = v.x[lane];
+    to[1] = v.y[lane];
+    to[2] = v.z[lane];
+}
+
+[[gnu::always_inline]] inline double move_range(const TouchList& touches, const std::vector<PairForce>& forces,
+                                                const NeighborSearch::Reference& reference, const Vector3& base, const Vector3& gravity,
+                                                double h, std::size_t first, std::size_t last, Bodies& bodies) {
+    const Lanes zero = all(0.0);
+    Lanes farthest = zero;
+    LaneMask lost{};
+    for (std::size_t begin = first; begin < last; begin += kLanes) {
+        Four i{};
+        std::array<TouchList::Load, kLanes> load;
+        std::array<const double*, kLanes> force_at{}, torque_at{};
+        for (std::size_t lane = 0; lane < kLanes; ++lane) {
+            i[lane] = std::min(begin + lane, last - 1);
+            load[lane] = touches.sum(i[lane], forces);
+            force_at[lane] = load[lane].force.data();
+            torque_at[lane] = load[lane].torque.data();
+        }
+        const Triple<Lanes> force = pick(force_at), torque = pick(torque_at);
+        const Lanes kick = h * pick(bodies.free, i), per_mass = pick(bodies.inverse_mass, i);
+        Triple<Lanes> v = pick(bodies.velocity, i), x = pick(bodies.previous_position, i), l = pick(bodies.momentum, i);
+        v.x += kick * (force.x * per_mass + gravity.x());
+        v.y += kick * (force.y * per_mass + gravity.y());
+        v.z += kick * (force.z * per_mass + gravity.z());
+        x.x += h * v.x;
+        x.y += h * v.y;
+        x.z += h * v.z;
+
+        const Triple<Lanes> inverse_inertia = pick(bodies.inverse_inertia, i);
+        const LaneMask turns = inverse_inertia.x > zero;
+        const Lanes twist = select(turns, kick, zero);
+        l.x += twist * torque.x;
+        l.y += twist * torque.y;
+        l.z += twist * torque.z;
+        const Orientation<Lanes> before = pick(bodies.orientation, i);
+        const Orientation<Lanes> turned =
+            turn_freely(before, RotationRows<Lanes>(before).to_body(l), inverse_inertia, h, [](const Lanes& value) { return root(value); });
+        const Orientation<Lanes> q{select(turns, turned.w, before.w), select(turns, turned.x, before.x), select(turns, turned.y, before.y),
+                                   select(turns, turned.z, before.z)};
+        const RotationRows<Lanes> rows(q);
+
+        const Triple<Lanes> at = pick(reference.position, i);
+        const Lanes dx = (x.x - base.x()) - at.x, dy = (x.y - base.y()) - at.y, dz = (x.z - base.z()) - at.z;
+        const Orientation<Lanes> q0 = pick(reference.orientation, i);
+        const Lanes dq =
+            ((q.w - q0.w) * (q.w - q0.w) + (q.x - q0.x) * (q.x - q0.x)) + ((q.y - q0.y) * (q.y - q0.y) + (q.z - q0.z) * (q.z - q0.z));
+        const Lanes drift = root((dx * dx + dy * dy) + dz * dz) + pick(reference.diameter, i) * root(dq);
+        farthest = larger(farthest, drift);
+        lost |= drift != drift;
+
+        for (std::size_t lane = 0; lane < kLanes && begin + lane < last; ++lane) {
+            const std::size_t block = i[lane];
+            put(v, lane, bodies.velocity[block].data());
+            put(x, lane, bodies.position[block].data());
+            put(l, lane, bodies.momentum[block].data());
+            double* const coefficients = bodies.orientation[block].coeffs().data();
+            coefficients[0] = q.x[lane], coefficients[1] = q.y[lane], coefficients[2] = q.z[lane], coefficients[3] = q.w[lane];
+            double* const r = bodies.rotation[block].data();
+            r[0] = rows.x.x[lane], r[1] = rows.y.x[lane], r[2] = rows.z.x[lane];
+            r[3] = rows.x.y[lane], r[4] = rows.y.y[lane], r[5] = rows.z.y[lane];
+            r[6] = rows.x.z[lane], r[7] = rows.y.z[lane], r[8] = rows.z.z[lane];
+        }
+    }
+    if (any(lost)) return std::numeric_limits<double>::infinity();
+    return std::max(std::max(farthest[0], farthest[1]), std::max(farthest[2], farthest[3]));
+}
+
+MUSIM_AVX2 double move_wide(const TouchList& touches, const std::vector<PairForce>& forces, const NeighborSearch::Reference& reference,
+                            const Vector3& base_displacement, const Vector3& gravity, double h, std::size_t first, std::size_t last,
+                            Bodies& bodies) {
+    return move_range(touches, forces, reference, base_displacement, gravity, h, first, last, bodies);
+}
+
+double move_plain(const TouchList& touches, const std::vector<PairForce>& forces, const NeighborSearch::Reference& reference,
+                  const Vector3& base_displacement, const Vector3& gravity, double h, std::size_t first, std::size_t last, Bodies& bodies) {
+    return move_range(touches, forces, reference, base_displacement, gravity, h, first, last, bodies);
+}
+
+}  // namespace
+
+double move_blocks(const TouchList& touches, const std::vector<PairForce>& forces, const NeighborSearch::Reference& reference,
+                   const Vector3& base_displacement, const Vector3& gravity, double h, std::size_t first, std::size_t last,
+                   Bodies& bodies) {
+    const auto move = active_instructions() == Instructions::avx2 ? move_wide : move_plain;
+    return move(touches, forces, reference, base_displacement, gravity, h, first, last, bodies);
+}
+
+}  // namespace musim::lsdem::detail

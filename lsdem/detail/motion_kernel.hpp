@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "lsdem/bodies.hpp"
+#include "lsdem/contacts.hpp"
+#include "lsdem/neighbors.hpp"
+
+namespace musim::lsdem::detail {
+
+/// The pairs of every block, in the order of the list, so that sums run in one order whatever the threads.
+class TouchList {
+  public:
+    void rebuild(std::size_t blocks, const std::vector<ContactPair>& pairs);
+
+    struct Load {
+        Vector3 force, torque;  ///< [N], about the centre of mass [N·m]
+    };
+    /// Sum of all contacts on block i.
+    Load sum(std::size_t i, const std::vector<PairForce>& forces) const {
+        Load load{Vector3::Zero(), Vector3::Zero()};
+        for (std::size_t t = begin_[i]; t < begin_[i + 1]; ++t) {
+            const PairForce& pair = forces[touches_[t].pair];
+            if (touches_[t].leads) {
+                load.force += pair.force;
+                load.torque += pair.leader_torque;
+            } else {
+                load.force -= pair.force;
+                load.torque += pair.follower_torque;
+            }
+        }
+        return load;
+    }
+
+  private:
+    /// One pair as seen from one of its blocks.
+    struct Touch {
+        std::uint32_t pair;
+        bool leads;
+    };
+    std::vector<std::size_t> begin_;  ///< per block, into touches_
+    std::vector<Touch> touches_;
+};
+
+/// One leapfrog step of `h` seconds of blocks [first, last), four side by side; compiled for AVX2 and for plain x86-64, same bits. Bodies
+/// hold the poses of step n as the previous ones; the new ones are written. Returns the largest distance that any point of them may have
+/// moved relative to the base since the neighbor list was made [m]; infinite when a position is not a number.
+double move_blocks(const TouchList& touches, const std::vector<PairForce>& forces, const NeighborSearch::Reference& reference,
+                   const Vector3& base_displacement, const Vector3& gravity, double h, std::size_t first, std::size_t last, Bodies& bodies);
+
+}  // namespace musim::lsdem::detail

@@ -1,0 +1,333 @@
+#include "lsdem/detail/patch_kernel.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+#include "lsdem/detail/instructions.hpp"
+#include "lsdem/detail/patch_geometry.hpp"
+#include "lsdem/detail/patch_nodes.hpp"
+
+namespace musim::lsdem::detail {
+namespace {
+
+/// Push of the edges that move with the follower, along one axis of the leader: the gradient of the energy stored in the patch as it
+/// shrinks, and, where the faces are tilted, what turns the pressure into the normal of the face on which the follower's edge rests.
+struct EdgePush {
+    Lanes both, difference;  ///< high + low, high − low [N]
+};
+
+[[gnu::always_inline]] inline EdgePush find_edge_push(const Span& span, const Lanes& half, const LaneMask& exists, const Lanes& energy,
+                                                      const Lanes& slope, const Lanes& pressure, const Lanes& pressure_moment) {
+    const Lanes density = select(exists, energy / (half + half), all(0.0));
+    const Lanes low = span.low_follows * (0.5 * slope * (pressure - pressure_moment) - density);
+    const Lanes high = span.high_follows * (0.5 * slope * (pressure + pressure_moment) + density);
+    return {high + low, high - low};
+}
+
+/// Poses of the blocks of four patches, world frame.
+struct GroupPoses {
+    LaneVector offset;                  ///< leader's centre less the follower's [m]
+    LaneVector axis_k, axis_u, axis_v;  ///< of the follower
+    FacePose face;                      ///< the leader's face in the follower's frame
+
+    [[gnu::always_inline]] GroupPoses(const PatchGroup& group, const PatchKind& kind, const Bodies& bodies, const BasePose& base) {
+        static constexpr std::array<double, 9> kWorld{1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0};
+        LanePointers leader_rotation, leader_position, follower_rotation, follower_position;
+        for (std::size_t lane = 0; lane < kWidth; ++lane) {
+            leader_rotation[lane] = bodies.rotation[group.leader[lane]].data();
+            leader_position[lane] = bodies.position[group.leader[lane]].data();
+            follower_rotation[lane] = kind.bounded ? bodies.rotation[group.follower[lane]].data() : kWorld.data();
+            follower_position[lane] = kind.bounded ? bodies.position[group.follower[lane]].data() : base.displacement.data();
+        }
+        // matrices are stored by columns: an axis of a block is three numbers in a row
+        offset = load_vectors(leader_position, 0) - load_vectors(follower_position, 0);
+        axis_k = load_vectors(follower_rotation, 3U * kind.k);
+        axis_u = load_vectors(follower_rotation, 3U * kind.u);
+        axis_v = load_vectors(follower_rotation, 3U * kind.v);
+        const LaneVector center = offset + all(kind.face_n) * load_vectors(leader_rotation, 3U * kind.n);
+        face = {seen(center), seen(load_vectors(leader_rotation, 3U * kind.p)), seen(load_vectors(leader_rotation, 3U * kind.q))};
+    }
+
+    [[gnu::always_inline]] LaneVector seen(const LaneVector& v) const { return {dot(axis_k, v), dot(axis_u, v), dot(axis_v, v)}; }
+    [[gnu::always_inline]] LaneVector to_world(const LaneVector& v) const { return (v.x * axis_k + v.y * axis_u) + v.z * axis_v; }
+};
+
+[[gnu::always_inline]] inline PatchMotion find_motion(const PatchKind& kind, const Cover& cover, const FacePose& pose,
+                                                      const FacePose& change) {
+    const double side = kind.side;
+    PatchMotion motion;
+    motion.overlap = over_lattice(cover, side * (kind.face_k - pose.place.x), -side * pose.along_p.x, -side * pose.along_q.x);
+    // faces beside each other do not touch
+    motion.overlap.at = select(cover.exists, motion.overlap.at, -(magnitude(motion.overlap.s) + magnitude(motion.overlap.t)));
+    motion.opening = over_lattice(cover, side * change.place.x, side * change.along_p.x, side * change.along_q.x);
+    motion.slide_u = over_lattice(cover, change.place.y, change.along_p.y, change.along_q.y);
+    motion.slide_v = over_lattice(cover, change.place.z, change.along_p.z, change.along_q.z);
+    return motion;
+}
+
+/// What a new patch overlapped before it was noticed carries nothing, unless its area begins at zero too.
+[[gnu::always_inline]] inline Lanes find_late(const PatchKind& kind, const PatchMotion& motion, const Lanes& area, const Lanes& touched,
+                                              const Lanes& late) {
+    const Lanes zero = all(0.0);
+    const Lanes sudden = smaller((1.0 / (kSuddenPart * kind.spacing_p * kind.spacing_q)) * area, all(1.0));
+    const Lanes noticed = larger(highest(sum_of(motion.overlap, motion.opening)), zero) * sudden;
+    return select(touched > zero, smaller(late, larger(highest(motion.overlap), zero)), noticed);
+}
+
+/// Slips of the nodes of four patches: what is common to them, and the moments of their own.
+struct PatchSlips {
+    Affine common_u, common_v, own_u, own_v;
+    Lanes own_squared;
+
+    [[gnu::always_inline]] explicit PatchSlips(State state)
+        : common_u(state.get_affine(patch_field::slip_u)),
+          common_v(state.get_affine(patch_field::slip_v)),
+          own_u(state.get_affine(patch_field::own_u)),
+          own_v(state.get_affine(patch_field::own_v)),
+          own_squared(state.get(patch_field::own_squared)) {}
+
+    /// Σ wξ(1, s, t) along u and v, and Σ w|ξ|².
+    [[gnu::always_inline]] Affine moments_u(const PatchLattice& lattice) const { return sum_of(own_u, moments(common_u, lattice)); }
+    [[gnu::always_inline]] Affine moments_v(const PatchLattice& lattice) const { return sum_of(own_v, moments(common_v, lattice)); }
+    [[gnu::always_inline]] Lanes squares(const PatchLattice& lattice) const {
+        return (own_squared + 2.0 * (contract(own_u, common_u) + contract(own_v, common_v))) +
+               (contract(moments(common_u, lattice), common_u) + contract(moments(common_v, lattice), common_v));
+    }
+};
+
+/// Sums over patches all of whose nodes touch, none pulled by its dashpot; the tangential part holds if none slides either.
+[[gnu::always_inline]] inline PatchSums sum_pressed(const PatchKind& kind, const PatchLattice& lattice, const StepLaw& law,
+                                                    const PatchMotion& motion, const Affine& pressure, const PatchSlips& slips,
+                                                    const Lanes& area) {
+    PatchSums sums;
+    sums.pressure = scaled(area, moments(pressure, lattice));
+    sums.dashpot = scaled(-law.cn * area, moments(motion.opening, lattice));
+    sums.elastic_normal = (0.5 * law.kn) * area * contract(moments(motion.overlap, lattice), motion.overlap);
+    sums.overlap = highest(motion.overlap);
+    sums.touching = all(static_cast<double>(lattice.size()));
+    sums.shear_u = scaled(-law.ks * area, slips.moments_u(lattice));
+    sums.shear_v = scaled(-law.ks * area, slips.moments_v(lattice));
+    sums.drag_u = sums.drag_v = zero_affine();
+    if (kind.viscous) {
+        sums.drag_u = scaled(-law.cs * area, moments(motion.slide_u, lattice));
+        sums.drag_v = scaled(-law.cs * area, moments(motion.slide_v, lattice));
+        sums.shear_u = sum_of(sums.shear_u, sums.drag_u);
+        sums.shear_v = sum_of(sums.shear_v, sums.drag_v);
+    }
+    sums.elastic_shear = (0.5 * law.ks) * area * slips.squares(lattice);
+    sums.friction = all(0.0);
+    return sums;
+}
+
+/// Makes tractions and history of what the nodes of pressed patches slipped. The loss is what the springs were given, by slips at both ends
+/// of the step, less what they keep; `stiffness`: K_s A [N/m].
+[[gnu::always_inline]] inline void take_up_slips(const LaneMask& which, const PressedSums& nodes, const PatchMotion& motion,
+                                                 const PatchLattice& lattice, const Lanes& stiffness, const PatchSlips& before,
+                                                 PatchSums& sums, State state) {
+    const Affine own_u = PressedSums::fold(nodes.u), own_v = PressedSums::fold(nodes.v), none = zero_affine();
+    const Lanes squares = nodes.fold_squares(), zero = all(0.0);
+    sums.shear_u = choose(which, scaled(-stiffness, own_u), sums.shear_u);
+    sums.shear_v = choose(which, scaled(-stiffness, own_v), sums.shear_v);
+    sums.elastic_shear = select(which, 0.5 * stiffness * squares, sums.elastic_shear);
+    const Lanes given = contract(sum_of(before.moments_u(lattice), own_u), motion.slide_u) +
+                        contract(sum_of(before.moments_v(lattice), own_v), motion.slide_v);
+    const Lanes lost = 0.5 * stiffness * (given - (squares - before.squares(lattice)));
+    sums.friction = select(which & nodes.slid, lost, select(which, zero, sums.friction));
+    // the nodes have taken up what was common to them
+    const PatchSlips now(state);
+    state.set_affine(patch_field::slip_u, choose(which, none, now.common_u));
+    state.set_affine(patch_field::slip_v, choose(which, none, now.common_v));
+    state.set_affine(patch_field::own_u, choose(which, own_u, now.own_u));
+    state.set_affine(patch_field::own_v, choose(which, own_v, now.own_v));
+    state.set(patch_field::own_squared, select(which, squares, now.own_squared));
+}
+
+/// Losses of the dashpots: a force works over a step with the mean of its values at both ends.
+[[gnu::always_inline]] inline void book_losses(const PatchKind& kind, const PatchMotion& motion, const PatchSums& sums, State state) {
+    Lanes damping = contract(sum_of(state.get_affine(patch_field::dashpot), sums.dashpot), motion.opening);
+    state.set_affine(patch_field::dashpot, sums.dashpot);
+    if (kind.viscous) {
+        damping += contract(sum_of(state.get_affine(patch_field::drag_u), sums.drag_u), motion.slide_u);
+        damping += contract(sum_of(state.get_affine(patch_field::drag_v), sums.drag_v), motion.slide_v);
+        state.set_affine(patch_field::drag_u, sums.drag_u);
+        state.set_affine(patch_field::drag_v, sums.drag_v);
+    }
+    state.set(patch_field::damping_loss, state.get(patch_field::damping_loss) - 0.5 * damping);
+    state.set(patch_field::friction_loss, state.get(patch_field::friction_loss) + sums.friction);
+    state.set(patch_field::elastic_normal, sums.elastic_normal);
+    state.set(patch_field::elastic_shear, sums.elastic_shear);
+    state.set(patch_field::touching, sums.touching);
+}
+
+/// Force on the leader, and its moment about the follower's origin; follower's frame.
+struct Resultant {
+    LaneVector force, moment;
+};
+
+[[gnu::always_inline]] inline Resultant find_resultant(const PatchKind& kind, const Cover& cover, const FacePose& pose,
+                                                       const PatchSums& sums) {
+    const Affine y_k = over_lattice(cover, pose.place.x, pose.along_p.x, pose.along_q.x),
+                 y_u = over_lattice(cover, pose.place.y, pose.along_p.y, pose.along_q.y),
+                 y_v = over_lattice(cover, pose.place.z, pose.along_p.z, pose.along_q.z);
+    const double side = kind.side;
+    const Affine push = scaled(all(side), sums.pressure);
+    Resultant sum;
+    sum.force = {push.at, sums.shear_u.at, sums.shear_v.at};
+    sum.moment = (cross({y_k.at, y_u.at, y_v.at}, sum.force) + cross({y_k.s, y_u.s, y_v.s}, {push.s, sums.shear_u.s, sums.shear_v.s})) +
+                 cross({y_k.t, y_u.t, y_v.t}, {push.t, sums.shear_u.t, sums.shear_v.t});
+    if (!kind.bounded) return sum;
+
+    // the push of an edge belongs to the springs; the dashpot acts along the follower's normal, where its work is booked
+    const Affine springs = difference_of(sums.pressure, sums.dashpot);
+    const Lanes energy = sums.elastic_normal + sums.elastic_shear, zero = all(0.0);
+    const EdgePush p = find_edge_push(cover.p, cover.half_p, cover.exists, energy, -side * pose.along_p.x, springs.at, springs.s);
+    const EdgePush q = find_edge_push(cover.q, cover.half_q, cover.exists, energy, -side * pose.along_q.x, springs.at, springs.t);
+    const LaneVector on_leader = p.both * pose.along_p + q.both * pose.along_q;
+    // an edge of the follower lies at ± its half extent along u or v
+    const Lanes arm_u = select(pose.along_p.y < zero, -kind.half_u * p.difference, kind.half_u * p.difference);
+    const Lanes arm_v = select(pose.along_q.z < zero, -kind.half_v * q.difference, kind.half_v * q.difference);
+    sum.force = sum.force + on_leader;
+    sum.moment = (sum.moment + cross({all(kind.face_k), zero, zero}, on_leader)) +
+                 (cross({zero, arm_u, zero}, pose.along_p) + cross({zero, zero, arm_v}, pose.along_q));
+    return sum;
+}
+
+[[gnu::always_inline]] inline double compute_group(const Bodies& bodies, const BasePose& base, double dt, std::size_t index,
+                                                   ContactList& list) {
+    PatchList& patches = list.patches;
+    const PatchGroup& group = patches.groups[index];
+    const PatchKind& kind = patches.kinds[group.kind];
+    const PatchLattice& lattice = patches.lattices[kind.lattice];
+    const StepLaw law(kind.law, dt);
+    const State state{patches.field(index, 0)};
+    const Lanes zero = all(0.0);
+
+    const GroupPoses poses(group, kind, bodies, base);
+    const FacePose change = minus(poses.face, {state.get_vector(patch_field::place_k), state.get_vector(patch_field::along_pk),
+                                               state.get_vector(patch_field::along_qk)});
+    state.set_vector(patch_field::place_k, poses.face.place);
+    state.set_vector(patch_field::along_pk, poses.face.along_p);
+    state.set_vector(patch_field::along_qk, poses.face.along_q);
+    const Cover cover = find_cover(kind, poses.face);
+    const Lanes area = select(cover.exists, 4.0 * cover.half_p * cover.half_q, zero);
+    PatchMotion motion = find_motion(kind, cover, poses.face, change);
+    const Lanes touched = state.get(patch_field::touching);
+    Lanes late = state.get(patch_field::late);
+    if (!list.first_step) late = find_late(kind, motion, area, touched, late);
+    state.set(patch_field::late, late);
+    motion.overlap.at -= late;
+
+    // overlap and pressure are affine: their corners tell whether all nodes touch and push, now and a step ago
+    const Affine pressure = pressure_of(law, motion);
+    const LaneMask pressed = (lowest(motion.overlap) > zero) & (lowest(pressure) > zero) & cover.exists &
+                             (lowest(sum_of(motion.overlap, motion.opening)) > zero) & (touched == static_cast<double>(lattice.size()));
+
+    // no node can reach the Coulomb limit before all that has changed since the nodes were last looked at could carry the nearest there
+    const PatchSlips before(state);
+    PatchSlips slips = before;
+    slips.common_u = sum_of(before.common_u, motion.slide_u);
+    slips.common_v = sum_of(before.common_v, motion.slide_v);
+    const Affine relief = difference_of(state.get_affine(patch_field::pressure), pressure);
+    Lanes nearer = law.ks * (farthest(slips.common_u) + farthest(slips.common_v)) + law.mu * larger(highest(relief), zero);
+    if (kind.viscous) nearer += law.cs * (farthest(motion.slide_u) + farthest(motion.slide_v));
+    LaneMask stuck = pressed;
+    if (law.mu > 0.0) stuck &= nearer < state.get(patch_field::slack);
+
+    PatchSums sums = any(pressed) ? sum_pressed(kind, lattice, law, motion, pressure, slips, area) : PatchSums{};
+    if (!all_of(stuck)) {
+        const LaneMask sliding = kind.viscous ? LaneMask{} : pressed & ~stuck;
+        PressedSums nodes;
+        for (std::size_t lane = 0; lane < group.count; ++lane) {
+            if (stuck[lane] != 0) continue;
+            if (!(touched[lane] > 0.0) && !(highest(motion.overlap)[lane] > 0.0)) {
+                sums.set_nothing(lane);
+                continue;
+            }
+            const std::size_t first = group.first_slot + lane * lattice.w.size();
+            const NodePass pass(lattice, law, motion, area[lane], lane, &patches.slip_u[first], &patches.slip_v[first], state);
+            if (sliding[lane] != 0) {
+                pass.run_pressed(pressure, nodes);
+            } else if (kind.viscous) {
+                pass.run<true>(sums);
+            } else {
+                pass.run<false>(sums);
+            }
+        }
+        if (any(sliding)) take_up_slips(sliding, nodes, motion, lattice, law.ks * area, before, sums, state);
+    }
+    if (any(stuck)) {
+        const PatchSlips now(state);
+        state.set_affine(patch_field::slip_u, choose(stuck, slips.common_u, now.common_u));
+        state.set_affine(patch_field::slip_v, choose(stuck, slips.common_v, now.common_v));
+    }
+    book_losses(kind, motion, sums, state);
+
+    const Resultant resultant = find_resultant(kind, cover, poses.face, sums);
+    const LaneVector force = poses.to_world(resultant.force), moment = poses.to_world(resultant.moment);
+    const LaneVector leader_torque = moment - cross(poses.offset, force);
+    const Lanes overlap = sums.overlap + late;
+    double deepest = 0.0;
+    for (std::size_t lane = 0; lane < group.count; ++lane) {
+        PairForce& result = list.forces[group.pair[lane]];
+        result.force = {force.x[lane], force.y[lane], force.z[lane]};
+        result.leader_torque = {leader_torque.x[lane], leader_torque.y[lane], leader_torque.z[lane]};
+        result.follower_torque = {-moment.x[lane], -moment.y[lane], -moment.z[lane]};
+        deepest = std::max(deepest, overlap[lane]);
+    }
+    return deepest / kind.height;
+}
+
+/// The pose of one patch, in all lanes.
+FacePose make_pose(const PatchKind& kind, const Matrix3& leader, const Matrix3& follower, const Vector3& offset) {
+    const Vector3 center = offset + kind.face_n * leader.col(kind.n);
+    const auto seen = [&](const Vector3& v) {
+        return LaneVector{all(follower.col(kind.k).dot(v)), all(follower.col(kind.u).dot(v)), all(follower.col(kind.v).dot(v))};
+    };
+    return {seen(center), seen(leader.col(kind.p)), seen(leader.col(kind.q))};
+}
+
+}  // namespace
+
+void write_patch_pose(const PatchKind& kind, const Matrix3& leader, const Matrix3& follower, const Vector3& offset, std::size_t lane,
+                      double* pose) {
+    const FacePose lanes = make_pose(kind, leader, follower, offset);
+    const std::array parts{&lanes.place, &lanes.along_p, &lanes.along_q};
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        pose[(3 * i) * kWidth + lane] = parts[i]->x[0];
+        pose[(3 * i + 1) * kWidth + lane] = parts[i]->y[0];
+        pose[(3 * i + 2) * kWidth + lane] = parts[i]->z[0];
+    }
+}
+
+PatchSize measure_patch(const PatchKind& kind, const Matrix3& leader, const Matrix3& follower, const Vector3& offset) {
+    const Cover cover = find_cover(kind, make_pose(kind, leader, follower, offset));
+    return {2.0 * cover.half_p[0], 2.0 * cover.half_q[0]};
+}
+
+namespace {
+
+[[gnu::always_inline]] inline double compute_range(const Bodies& bodies, const BasePose& base, double dt, std::size_t first,
+                                                   std::size_t last, ContactList& list) {
+    double deepest = 0.0;
+    for (std::size_t index = first; index < last; ++index) deepest = std::max(deepest, compute_group(bodies, base, dt, index, list));
+    return deepest;
+}
+
+MUSIM_AVX2 double compute_wide(const Bodies& bodies, const BasePose& base, double dt, std::size_t first, std::size_t last,
+                               ContactList& list) {
+    return compute_range(bodies, base, dt, first, last, list);
+}
+
+double compute_plain(const Bodies& bodies, const BasePose& base, double dt, std::size_t first, std::size_t last, ContactList& list) {
+    return compute_range(bodies, base, dt, first, last, list);
+}
+
+}  // namespace
+
+double compute_patches(const Bodies& bodies, const BasePose& base, double dt, std::size_t first, std::size_t last, ContactList& list) {
+    const auto compute = active_instructions() == Instructions::avx2 ? compute_wide : compute_plain;
+    return compute(bodies, base, dt, first, last, list);
+}
+
+}  // namespace musim::lsdem::detail

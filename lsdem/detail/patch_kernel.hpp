@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstddef>
+
+#include "lsdem/bodies.hpp"
+#include "lsdem/contacts.hpp"
+
+namespace musim::lsdem::detail {
+
+/// Forces of the patches of groups [first, last), four at a time; compiled for AVX2 and for plain x86-64, same bits. Returns the largest
+/// overlap of any node over the height of its leader [-]. See lsdem/README.md, "Patches".
+double compute_patches(const Bodies& bodies, const BasePose& base, double dt, std::size_t first, std::size_t last, ContactList& list);
+
+/// Where the leader's face is in the follower's frame, as patch_field::place_k ... along_qv hold it, into lane `lane` of `pose`.
+void write_patch_pose(const PatchKind& kind, const Matrix3& leader, const Matrix3& follower, const Vector3& offset, std::size_t lane,
+                      double* pose);
+
+/// Lengths of the rectangle in which the faces cover each other, along p and q [m]; negative: they do not.
+struct PatchSize {
+    double p = 0.0, q = 0.0;
+};
+PatchSize measure_patch(const PatchKind& kind, const Matrix3& leader, const Matrix3& follower, const Vector3& offset);
+
+}  // namespace musim::lsdem::detail

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "lsdem/detail/contact_kernel.hpp"
+#include "lsdem/tilted.hpp"
+
+namespace musim::lsdem::detail {
+
+/// Half extents of two boxes [m].
+struct BoxPair {
+    Row leader{}, follower{};
+};
+
+/// What one pair of faces does at one pose.
+struct TiltedLoad {
+    double deepest = 0.0;  ///< largest depth of the leader's face in the follower, `late` included [m]
+    double area = 0.0;     ///< of the loaded polygon [m²]
+    double energy = 0.0;   ///< ½ K_n ∫ d² dA [J]
+    PlacedForce force;     ///< minus the gradient of the energy
+};
+
+/// Load of the polygon of the leader's face that lies deeper than `late` [m] in the follower, for K_n = `stiffness` [Pa/m].
+TiltedLoad compute_tilted_load(const BoxPair& boxes, const RelativePose& pose, const TiltedFaces& faces, double late, double stiffness);
+
+/// Smallest overlap of the boxes along any of their six face normals [m]; negative: a normal separates them.
+double find_least_overlap(const BoxPair& boxes, const RelativePose& pose);
+
+/// Moment of placed forces about the follower's origin [N·m], and their work over the last step [J].
+Row compute_moment(const PlacedForce& forces, const RelativePose& pose);
+double compute_work(const PlacedForce& forces, const RelativePose& pose);
+
+/// Contact of two boxes at an angle; `before`: what it stored at the last step. `first_step`: initial overlap carries force.
+void compute_tilted_contact(const BoxPair& boxes, const RelativePose& pose, const StepLaw& law, bool first_step, const PairTally& before,
+                            TiltedContact& contact, PairSums& sums);
+
+}  // namespace musim::lsdem::detail

@@ -1,0 +1,269 @@
+#include "lsdem/patch_pairs.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "lsdem/detail/patch_kernel.hpp"
+
+namespace musim::lsdem {
+namespace {
+
+/// A box on the ground keeps the face it stands on up to this cosine of its tilt; beyond, its nodes are computed one by one.
+constexpr double kMinGroundCosine = 0.75;
+
+/// A lattice is kept while the patch asks for no more than this many nodes more or fewer along an axis.
+constexpr int kLatticeSlack = 1;
+
+std::uint8_t largest_of(const Eigen::RowVector3d& row) {
+    Eigen::Index axis = 0;
+    row.cwiseAbs().maxCoeff(&axis);
+    return static_cast<std::uint8_t>(axis);
+}
+
+void set_axes(const Matrix3& between, std::uint8_t k, PatchKind& kind) {
+    kind.k = k;
+    kind.u = static_cast<std::uint8_t>((k + 1) % 3);
+    kind.v = static_cast<std::uint8_t>((k + 2) % 3);
+    kind.n = largest_of(between.row(k));
+    const auto a = static_cast<std::uint8_t>((kind.n + 1) % 3), b = static_cast<std::uint8_t>((kind.n + 2) % 3);
+    const bool a_first = std::abs(between(kind.u, a)) >= std::abs(between(kind.u, b));
+    kind.p = a_first ? a : b;
+    kind.q = a_first ? b : a;
+}
+
+void set_leader_face(const Shape& leader, double normal_component, PatchKind& kind) {
+    const double toward = kind.side * normal_component < 0.0 ? 1.0 : -1.0;
+    kind.face_n = toward * leader.half_extents[kind.n];
+    kind.half_p = leader.half_extents[kind.p];
+    kind.half_q = leader.half_extents[kind.q];
+    kind.spacing_p = leader.node_spacing[kind.p];
+    kind.spacing_q = leader.node_spacing[kind.q];
+    kind.height = 2.0 * leader.half_extents.z();
+    kind.spacing = leader.patch_spacing;
+}
+
+std::optional<PatchKind> find_ground_kind(const Shape& leader, const PairPoses& poses) {
+    PatchKind kind;
+    set_axes(poses.leader, 2, kind);
+    if (std::abs(poses.leader(kind.k, kind.n)) < kMinGroundCosine) return std::nullopt;
+    kind.bounded = false;
+    set_leader_face(leader, poses.leader(kind.k, kind.n), kind);
+    return kind;
+}
+
+bool is_box(const Shape& shape) { return shape.faceted && std::holds_alternative<BoxLevelSet>(shape.level_set); }
+
+int count_along(double length, double spacing) { return std::max(2, 1 + static_cast<int>(std::lround(length / spacing))); }
+
+/// Own slip of a patch's nodes, what is common to them added, at any place of its old lattice.
+class OldSlip {
+  public:
+    OldSlip(const PatchList& patches, const ContactPair& pair)
+        : patches_(patches),
+          group_(pair.patch_group),
+          lane_(pair.patch_lane),
+          lattice_(patches.lattices[patches.kinds[patches.groups[group_].kind].lattice]),
+          first_(patches.groups[group_].first_slot + lane_ * lattice_.w.size()) {}
+
+    double operator()(const std::vector<double>& own, std::size_t common, double s, double t) const {
+        const auto count = static_cast<std::size_t>(lattice_.count_p);
+        const auto [i, along_p] = find_place(s, lattice_.s, count, 1);
+        const auto [j, along_q] = find_place(t, lattice_.t, static_cast<std::size_t>(lattice_.count_q), count);
+        const auto at = [&](std::size_t a, std::size_t b) { return own[first_ + b * count + a]; };
+        const double low = at(i, j) + along_p * (at(i + 1, j) - at(i, j)),
+                     high = at(i, j + 1) + along_p * (at(i + 1, j + 1) - at(i, j + 1));
+        const auto field = [&](std::size_t index) { return patches_.field(group_, index)[lane_]; };
+        return low + along_q * (high - low) + (field(common) + s * field(common + 1) + t * field(common + 2));
+    }
+
+  private:
+    struct Place {
+        std::size_t first;
+        double fraction;
+    };
+    /// Between which two of `count` nodes, `stride` apart in `places`, a point lies.
+    static Place find_place(double s, const std::vector<double>& places, std::size_t count, std::size_t stride) {
+        std::size_t first = 0;
+        while (first + 2 < count && places[(first + 1) * stride] <= s) ++first;
+        const double low = places[first * stride], high = places[(first + 1) * stride];
+        return {first, (s - low) / (high - low)};
+    }
+
+    const PatchList& patches_;
+    std::size_t group_, lane_;
+    const PatchLattice& lattice_;
+    std::size_t first_;
+};
+
+/// The same faces with the same law, whatever the nodes.
+bool same_faces(PatchKind a, const PatchKind& b) {
+    a.lattice = b.lattice;
+    return a == b;
+}
+
+class PatchPlacer {
+  public:
+    PatchPlacer(const Bodies& bodies, const BasePose& base, const ContactList& previous, const std::vector<std::uint32_t>& old_pair,
+                ContactList& list)
+        : bodies_(bodies), base_(base), previous_(previous), old_pair_(old_pair), list_(list) {}
+
+    void place(PatchPlan plan) {
+        const ContactPair& pair = list_.pairs[plan.pair];
+        const ContactPair* old = find_old(plan);
+        choose_lattice(pair, old, plan.kind);
+        const std::uint32_t kind = list_.patches.find_kind(plan.kind);
+        open_.resize(list_.patches.kinds.size(), kNone);
+        if (open_[kind] == kNone) open_[kind] = add_group(kind);
+        const std::uint32_t index = open_[kind];
+        add_lane(plan.pair, index);
+        start_lane(plan.pair, old);
+        if (list_.patches.groups[index].count == PatchGroup::kSize) open_[kind] = kNone;
+    }
+
+  private:
+    static constexpr std::uint32_t kNone = ContactPair::kNoPatch;
+
+    const ContactPair* find_old(const PatchPlan& plan) const {
+        if (old_pair_[plan.pair] == kNone) return nullptr;
+        const ContactPair& old = previous_.pairs[old_pair_[plan.pair]];
+        if (!old.is_patch()) return nullptr;
+        return same_faces(kind_of(previous_.patches, old), plan.kind) ? &old : nullptr;
+    }
+
+    static const PatchKind& kind_of(const PatchList& patches, const ContactPair& pair) {
+        return patches.kinds[patches.groups[pair.patch_group].kind];
+    }
+
+    void choose_lattice(const ContactPair& pair, const ContactPair* old, PatchKind& kind) const {
+        const PairPoses poses = find_pair_poses(bodies_, base_, pair.leader, pair.follower, false);
+        const detail::PatchSize size = detail::measure_patch(kind, poses.leader, poses.follower, poses.offset);
+        const int p = count_along(size.p, kind.spacing_p), q = count_along(size.q, kind.spacing_q);
+        if (old != nullptr) {
+            const PatchLattice& lattice = previous_.patches.lattices[kind_of(previous_.patches, *old).lattice];
+            if (std::abs(lattice.count_p - p) <= kLatticeSlack && std::abs(lattice.count_q - q) <= kLatticeSlack) {
+                kind.lattice = list_.patches.find_lattice(lattice.count_p, lattice.count_q, kind.spacing);
+                return;
+            }
+        }
+        kind.lattice = list_.patches.find_lattice(p, q, kind.spacing);
+    }
+
+    std::uint32_t add_group(std::uint32_t kind) {
+        PatchList& patches = list_.patches;
+        PatchGroup group;
+        group.kind = kind;
+        group.first_slot = static_cast<std::uint32_t>(patches.slip_u.size());
+        patches.groups.push_back(group);
+        const std::size_t slots = patches.slip_u.size() + PatchGroup::kSize * patches.slots(group);
+        patches.slip_u.resize(slots, 0.0);
+        patches.slip_v.resize(slots, 0.0);
+        patches.state.resize(patches.groups.size() * patch_field::count * PatchGroup::kSize, 0.0);
+        return static_cast<std::uint32_t>(patches.groups.size() - 1);
+    }
+
+    void add_lane(std::uint32_t index, std::uint32_t group_index) {
+        PatchGroup& group = list_.patches.groups[group_index];
+        ContactPair& pair = list_.pairs[index];
+        pair.patch_group = group_index;
+        pair.patch_lane = group.count;
+        // lanes not in use repeat the last one that is
+        for (std::size_t lane = group.count; lane < PatchGroup::kSize; ++lane) {
+            group.pair[lane] = index;
+            group.leader[lane] = pair.leader;
+            group.follower[lane] = pair.follower;
+        }
+        ++group.count;
+    }
+
+    void start_lane(std::uint32_t index, const ContactPair* old) {
+        const ContactPair& pair = list_.pairs[index];
+        PatchList& patches = list_.patches;
+        double* state = patches.field(pair.patch_group, 0);
+        const auto set = [&](std::size_t field, double value) { state[field * PatchGroup::kSize + pair.patch_lane] = value; };
+        if (old == nullptr) {
+            const PairPoses poses = find_pair_poses(bodies_, base_, pair.leader, pair.follower, true);
+            detail::write_patch_pose(kind_of(patches, pair), poses.leader, poses.follower, poses.offset, pair.patch_lane, state);
+            set(patch_field::slack, -1.0);
+            return;
+        }
+        for (std::size_t field = 0; field < patch_field::count; ++field)
+            set(field, previous_.patches.field(old->patch_group, field)[old->patch_lane]);
+        set(patch_field::damping_loss, 0.0);
+        set(patch_field::friction_loss, 0.0);
+
+        const PatchLattice& lattice = patches.lattices[kind_of(patches, pair).lattice];
+        const PatchLattice& old_lattice = previous_.patches.lattices[kind_of(previous_.patches, *old).lattice];
+        const std::size_t slots = lattice.w.size();
+        const std::size_t first = patches.groups[pair.patch_group].first_slot + pair.patch_lane * slots;
+        if (lattice.count_p == old_lattice.count_p && lattice.count_q == old_lattice.count_q) {
+            const std::size_t from = previous_.patches.groups[old->patch_group].first_slot + old->patch_lane * slots;
+            std::copy_n(&previous_.patches.slip_u[from], slots, &patches.slip_u[first]);
+            std::copy_n(&previous_.patches.slip_v[from], slots, &patches.slip_v[first]);
+            return;
+        }
+        const OldSlip slip(previous_.patches, *old);
+        for (std::size_t i = 0; i < lattice.size(); ++i) {
+            patches.slip_u[first + i] = slip(previous_.patches.slip_u, patch_field::slip_u, lattice.s[i], lattice.t[i]);
+            patches.slip_v[first + i] = slip(previous_.patches.slip_v, patch_field::slip_v, lattice.s[i], lattice.t[i]);
+        }
+        for (std::size_t field = patch_field::slip_u; field <= patch_field::slip_vt; ++field) set(field, 0.0);
+        set(patch_field::slack, -1.0);
+    }
+
+    const Bodies& bodies_;
+    const BasePose& base_;
+    const ContactList& previous_;
+    const std::vector<std::uint32_t>& old_pair_;
+    ContactList& list_;
+    std::vector<std::uint32_t> open_;  ///< per kind, the group that is not full yet
+};
+
+}  // namespace
+
+PairPoses find_pair_poses(const Bodies& bodies, const BasePose& base, std::uint32_t leader, std::uint32_t follower, bool previous) {
+    const auto& rotation = previous ? bodies.previous_rotation : bodies.rotation;
+    const auto& position = previous ? bodies.previous_position : bodies.position;
+    if (follower == kGround)
+        return {rotation[leader], Matrix3::Identity(), position[leader] - (previous ? base.previous : base.displacement)};
+    return {rotation[leader], rotation[follower], position[leader] - position[follower]};
+}
+
+std::optional<PatchKind> find_patch_kind(const Shape& leader, const Shape* follower, const PairPoses& poses, double skin) {
+    if (!is_box(leader)) return std::nullopt;
+    if (follower == nullptr) return find_ground_kind(leader, poses);
+    if (!is_box(*follower)) return std::nullopt;
+
+    // overlap of the boxes along each axis of the follower, and along the leader's axis beside it
+    const Matrix3 between = poses.follower.transpose() * poses.leader, size = between.cwiseAbs();
+    const Vector3 in_follower = poses.follower.transpose() * poses.offset, in_leader = poses.leader.transpose() * poses.offset;
+    const Vector3 gap_follower = in_follower.cwiseAbs() - follower->half_extents - size * leader.half_extents;
+    const Vector3 gap_leader = in_leader.cwiseAbs() - leader.half_extents - size.transpose() * follower->half_extents;
+    std::array<double, 3> gap{};
+    for (std::uint8_t a = 0; a < 3; ++a) gap[a] = std::max(gap_follower[a], gap_leader[largest_of(between.row(a))]);
+    const auto k = static_cast<std::uint8_t>(std::max_element(gap.begin(), gap.end()) - gap.begin());
+
+    PatchKind kind;
+    set_axes(between, k, kind);
+    const double tilt = std::hypot(between(kind.k, kind.p), between(kind.k, kind.q));
+    const double yaw = std::max(std::abs(between(kind.u, kind.q)), std::abs(between(kind.v, kind.p)));
+    const bool parallel = tilt <= kMaxPatchTilt && yaw <= kMaxPatchYaw && tilt * yaw <= kMaxPatchTwist;
+    const bool certain = std::max(gap[kind.u], gap[kind.v]) <= std::min(gap[k], 0.0) - 2.0 * skin;
+    if (!parallel || !certain) return std::nullopt;
+    kind.side = in_follower[k] < 0.0 ? -1.0 : 1.0;
+    kind.face_k = kind.side * follower->half_extents[kind.k];
+    kind.half_u = follower->half_extents[kind.u];
+    kind.half_v = follower->half_extents[kind.v];
+    set_leader_face(leader, between(kind.k, kind.n), kind);
+    return kind;
+}
+
+void place_patches(const std::vector<PatchPlan>& plans, const Bodies& bodies, const BasePose& base, const ContactList& previous,
+                   const std::vector<std::uint32_t>& old_pair, ContactList& list) {
+    list.patches.clear();
+    PatchPlacer placer(bodies, base, previous, old_pair, list);
+    for (const PatchPlan& plan : plans) placer.place(plan);
+}
+
+}  // namespace musim::lsdem

@@ -1,0 +1,143 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "lsdem/contact_law.hpp"
+#include "lsdem/shape.hpp"
+
+namespace musim::lsdem {
+
+/// Blocks whose faces meet within this angle of each other, as sin(tilt), form a patch; what meets at a larger angle, by the polygon
+/// that the faces share (detail/tilted_kernel.hpp). Towers shake, rock and overturn well inside it.
+inline constexpr double kMaxPatchTilt = 0.5;
+/// The same for a turn about the normal, to the nearest quarter turn: the sides of the two faces count as parallel.
+inline constexpr double kMaxPatchYaw = 0.2;
+/// And a bound on tilt times turn: the corners of the rectangle lie beside those of the true overlap by half an edge times the turn, so
+/// that their depth is off by half an edge times this.
+inline constexpr double kMaxPatchTwist = 1e-3;
+
+/// Nodes of a contact patch: n_p x n_q points on [−1, 1]², edges and corners included, with weights whose sum is one.
+///
+/// The weights of inner nodes are equal; those of the edges make Σ w s² = 1/3 from three nodes on, so that a patch in full contact has the
+/// area, and the rocking and twisting stiffness, of the continuous face, whatever the number of nodes. (Three nodes: Simpson's rule; four:
+/// the 3/8 rule. The trapezoidal rule would be too stiff by 1 + 2/(n − 1)².) Gauss-Lobatto places have the weights of that quadrature,
+/// which meet the same two conditions from three nodes on.
+struct PatchLattice {
+    PatchSpacing spacing = PatchSpacing::even;
+    int count_p = 0, count_q = 0;
+    double second_p = 0.0, second_q = 0.0;  ///< Σ w s², Σ w t² [-]
+    std::vector<double> s, t, w, ws, wt;    ///< position and weight of every node, filled up with zeros to a multiple of four
+    std::size_t size() const { return static_cast<std::size_t>(count_p) * static_cast<std::size_t>(count_q); }
+};
+
+/// `count_p`, `count_q` ≥ 2 nodes along the two axes.
+PatchLattice make_patch_lattice(int count_p, int count_q, PatchSpacing spacing = PatchSpacing::even);
+
+/// What many patches have in common: which faces meet, their sizes and the contact law. Axes: k, u, v of the follower (k along the normal,
+/// cyclic), n, p, q of the leader (n along the normal, p beside u, q beside v).
+struct PatchKind {
+    std::uint8_t k = 2, u = 0, v = 1, n = 2, p = 0, q = 1;
+    bool bounded = true;                        ///< a face with edges; the ground has none
+    bool viscous = false;                       ///< the law has a tangential dashpot
+    double side = 1.0;                          ///< outward normal of the follower's face = side·e_k
+    double face_k = 0.0;                        ///< place of the follower's face along e_k, side·h_k [m]
+    double half_u = 0.0, half_v = 0.0;          ///< half extents of the follower's face [m]
+    double face_n = 0.0;                        ///< place of the leader's face along e_n [m]
+    double half_p = 0.0, half_q = 0.0;          ///< half extents of the leader's face [m]
+    double spacing_p = 0.0, spacing_q = 0.0;    ///< of the leader's nodes [m]
+    double height = 0.0;                        ///< of the leader, for reporting the overlap [m]
+    PatchSpacing spacing = PatchSpacing::even;  ///< of the nodes of the patch
+    std::uint32_t lattice = 0;                  ///< into PatchList::lattices
+    Interface law;
+
+    bool operator==(const PatchKind&) const = default;
+};
+
+/// Four patches of one kind, computed side by side.
+struct PatchGroup {
+    static constexpr std::size_t kSize = 4;
+    std::uint32_t kind = 0;
+    std::uint32_t count = 0;                  ///< patches in use; the other lanes repeat the first
+    std::array<std::uint32_t, kSize> pair{};  ///< into ContactList::pairs
+    std::array<std::uint32_t, kSize> leader{}, follower{};
+    std::uint32_t first_slot = 0;  ///< of the first patch, into slip_u and slip_v; each has lattice.t.size() of them
+};
+
+/// What a patch remembers, one number per patch, four patches side by side.
+namespace patch_field {
+enum Index : std::size_t {
+    // where the leader's face was: y = place + p·along_p + q·along_q, follower's axes k, u, v
+    place_k,
+    place_u,
+    place_v,
+    along_pk,
+    along_pu,
+    along_pv,
+    along_qk,
+    along_qu,
+    along_qv,
+    // slip of all nodes since their own slips were last written: affine over the lattice, along u and v [m]
+    slip_u,
+    slip_us,
+    slip_ut,
+    slip_v,
+    slip_vs,
+    slip_vt,
+    // the nodes' own slips: Σ wξ, Σ wsξ, Σ wtξ along u and v, and Σ w|ξ|²
+    own_u,
+    own_us,
+    own_ut,
+    own_v,
+    own_vs,
+    own_vt,
+    own_squared,
+    // pressure when the own slips were written, affine over the lattice [Pa], and how far every node was from sliding; negative: unknown
+    pressure,
+    pressure_s,
+    pressure_t,
+    slack,
+    dashpot,
+    dashpot_s,
+    dashpot_t,  ///< normal dashpot, sums over the nodes [N]
+    late,       ///< overlap when the contact was noticed, carries no force [m]
+    elastic_normal,
+    elastic_shear,
+    touching,
+    damping_loss,
+    friction_loss,  ///< since the list was built [J]
+    // sums of the tangential dashpot over the nodes [N]
+    drag_u,
+    drag_us,
+    drag_ut,
+    drag_v,
+    drag_vs,
+    drag_vt,
+    count
+};
+}  // namespace patch_field
+
+/// All patches. A patch is the rectangle in which a face of the leader and a face of the follower cover each other; see lsdem/README.md.
+struct PatchList {
+    std::vector<PatchLattice> lattices;
+    std::vector<PatchKind> kinds;
+    std::vector<PatchGroup> groups;
+    std::vector<double> state;           ///< [group][field][lane]
+    std::vector<double> slip_u, slip_v;  ///< own slips of the nodes along the follower's u and v [m]
+
+    double* field(std::size_t group, std::size_t index) { return &state[(group * patch_field::count + index) * PatchGroup::kSize]; }
+    const double* field(std::size_t group, std::size_t index) const {
+        return &state[(group * patch_field::count + index) * PatchGroup::kSize];
+    }
+    std::size_t slots(const PatchGroup& group) const { return lattices[kinds[group.kind].lattice].w.size(); }
+
+    void clear();
+    /// Index of the lattice, made on first use.
+    std::uint32_t find_lattice(int count_p, int count_q, PatchSpacing spacing);
+    /// Index of the kind, added on first use.
+    std::uint32_t find_kind(const PatchKind& kind);
+};
+
+}  // namespace musim::lsdem
