@@ -94,6 +94,7 @@ class ModelBuilder {
         const auto [entry, is_new] = shapes_.try_emplace(key, model_.shapes.size());
         if (is_new) {
             model_.shapes.push_back(std::visit([&](const auto& settings) { return make_shape(settings, placement); }, scene_.shape));
+            model_.shapes.back().patch_spacing = scene_.patch_spacing;
         }
         return entry->second;
     }
@@ -166,6 +167,7 @@ BuiltModel build_model(const Scene& scene) {
     model.gravity = detail::to_vector(scene.gravity);
     model.contact_nodes = scene.contact_nodes;
     model.stiffness_sharing = scene.stiffness_sharing;
+    model.face_contact = scene.face_contact;
 
     built.structure.spine = arrangement.spine;
     for (const Placement& placement : arrangement.blocks) built.structure.layer.push_back(placement.layer);

@@ -60,7 +60,8 @@ BlockMaterial parse_material(const json& value, const JsonPlace& place) {
     return material;
 }
 
-ShapeSettings parse_shape(const json& value, const JsonPlace& place) {
+/// `nodes_per_face` of boxes that do not give it.
+ShapeSettings parse_shape(const json& value, const JsonPlace& place, int nodes_per_face) {
     const JsonObject object(value, place, "shape");
     const bool sphere = object.choice("kind", {"box", "sphere"}) == 1;
     if (sphere) {
@@ -70,7 +71,7 @@ ShapeSettings parse_shape(const json& value, const JsonPlace& place) {
         object.read("nodes", shape.nodes);
         return shape;
     }
-    BoxShape box;
+    BoxShape box{nodes_per_face};
     object.read("nodes_per_face", box.nodes_per_face);
     const bool grid = object.has("level_set") && object.choice("level_set", {"box", "grid"}) == 1;
     if (!grid) return box;
@@ -274,13 +275,42 @@ void read_gravity(const JsonObject& object, Triple<scaling::Acceleration>& gravi
     for (std::size_t k = 0; k < 3; ++k) gravity[k] = detail::to_quantity<scaling::Acceleration>(value[k], place.at(k));
 }
 
-TimeSettings parse_time(const JsonObject& object) {
+TimeSettings parse_time(const JsonObject& object, double safety) {
     TimeSettings time;
+    time.safety = safety;
     time.duration = object.quantity<scaling::Time>("duration");
     const bool automatic = !object.has("step") || object.get("step") == "auto";
     if (!automatic) time.step = object.quantity<scaling::Time>("step");
     object.read("safety", time.safety);
     return time;
+}
+
+/// Lets an accuracy choose what it stands for; what the scene says itself is read later.
+void read_accuracy(const JsonObject& object, Scene& scene) {
+    if (!object.has("accuracy")) return;
+    scene.accuracy = static_cast<Accuracy>(object.choice("accuracy", accuracy_names()));
+    const AccuracyPreset& preset = find_accuracy_preset(*scene.accuracy);
+    scene.face_contact = preset.faces;
+    scene.patch_spacing = preset.spacing;
+    scene.time.safety = preset.safety;
+    scene.shape = BoxShape{preset.nodes_per_face};
+}
+
+void read_contact(const JsonObject& object, Scene& scene) {
+    if (!object.has("contact")) return;
+    const JsonObject contact(object.get("contact"), object.place("contact"), "contact");
+    if (contact.has("nodes")) {
+        scene.contact_nodes = contact.choice("nodes", {"leader", "both"}) == 1 ? ContactNodes::both : ContactNodes::leader;
+    }
+    if (contact.has("stiffness")) {
+        const bool per_contact = contact.choice("stiffness", {"per_area", "per_contact"}) == 1;
+        scene.stiffness_sharing = per_contact ? StiffnessSharing::per_contact : StiffnessSharing::per_area;
+    }
+    if (contact.has("faces"))
+        scene.face_contact = contact.choice("faces", {"patch", "nodes"}) == 1 ? FaceContact::nodes : FaceContact::patch;
+    if (contact.has("spacing")) {
+        scene.patch_spacing = contact.choice("spacing", {"even", "lobatto"}) == 1 ? PatchSpacing::lobatto : PatchSpacing::even;
+    }
 }
 
 /// Adds the presets that block entries name to the scene's materials; refuses names that are neither.
@@ -307,6 +337,7 @@ Scene parse_scene(std::string_view json_text, const std::filesystem::path& origi
 
     Scene scene;
     object.read("name", scene.name);
+    read_accuracy(object, scene);
     read_gravity(object, scene.gravity);
     scene.material = parse_material(object.get("material"), object.place("material"));
     if (object.has("materials")) {
@@ -317,7 +348,10 @@ Scene parse_scene(std::string_view json_text, const std::filesystem::path& origi
             scene.materials.emplace(name, parse_material(value, object.place("materials").at(name)));
         }
     }
-    if (object.has("shape")) scene.shape = parse_shape(object.get("shape"), object.place("shape"));
+    if (object.has("shape")) {
+        const int nodes = std::get<BoxShape>(scene.shape).nodes_per_face;
+        scene.shape = parse_shape(object.get("shape"), object.place("shape"), nodes);
+    }
     const bool needs_size = !std::holds_alternative<SphereShape>(scene.shape);
     scene.structure = parse_structure(object.get("structure"), object.place("structure"), origin, needs_size);
     collect_materials(scene, place);
@@ -327,14 +361,8 @@ Scene parse_scene(std::string_view json_text, const std::filesystem::path& origi
         ground.read("present", scene.ground.present);
         if (ground.has("friction")) scene.ground.friction = ground.number("friction");
     }
-    if (object.has("contact")) {
-        const JsonObject contact(object.get("contact"), object.place("contact"), "contact");
-        const bool both = contact.has("nodes") && contact.choice("nodes", {"leader", "both"}) == 1;
-        scene.contact_nodes = both ? ContactNodes::both : ContactNodes::leader;
-        const bool per_contact = contact.has("stiffness") && contact.choice("stiffness", {"per_area", "per_contact"}) == 1;
-        scene.stiffness_sharing = per_contact ? StiffnessSharing::per_contact : StiffnessSharing::per_area;
-    }
-    scene.time = parse_time(JsonObject(object.get("time"), object.place("time"), "time"));
+    read_contact(object, scene);
+    scene.time = parse_time(JsonObject(object.get("time"), object.place("time"), "time"), scene.time.safety);
     if (object.has("output")) {
         const JsonObject output(object.get("output"), object.place("output"), "output");
         output.read_quantity("spine_rate", scene.output.spine_rate);

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "lsdem/model.hpp"
+#include "lsdem/scene/accuracy_presets.hpp"
 #include "lsdem/scene/material_presets.hpp"
 #include "lsdem/scene/tower_tiling.hpp"
 #include "records/sample_unit.hpp"
@@ -232,6 +233,9 @@ struct Scene {
     GroundSettings ground;
     ContactNodes contact_nodes = ContactNodes::leader;
     StiffnessSharing stiffness_sharing = StiffnessSharing::per_area;
+    FaceContact face_contact = FaceContact::patch;
+    PatchSpacing patch_spacing = PatchSpacing::even;  ///< of FaceContact::patch
+    std::optional<Accuracy> accuracy;                 ///< what the scene asked for; its consequences stand in the other settings
     TimeSettings time;
     OutputSettings output;
 

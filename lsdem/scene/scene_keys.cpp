@@ -5,8 +5,8 @@ namespace musim::lsdem::scene {
 const std::map<std::string, std::vector<std::string>>& scene_keys() {
     static const std::map<std::string, std::vector<std::string>> kKeys = {
         {"scene",
-         {"schema", "name", "gravity", "material", "materials", "shape", "structure", "base_motion", "ground", "contact", "time",
-          "output"}},
+         {"schema", "name", "gravity", "material", "materials", "shape", "structure", "base_motion", "ground", "contact", "time", "output",
+          "accuracy"}},
         {"material", {"preset", "density", "normal_stiffness", "shear_stiffness", "friction", "restitution", "shear_damping_ratio"}},
         {"shape", {"kind", "level_set", "nodes_per_face", "nodes", "voxel", "radius"}},
         {"blocks", {"kind", "blocks"}},
@@ -25,7 +25,7 @@ const std::map<std::string, std::vector<std::string>>& scene_keys() {
         {"ricker", {"signal", "direction", "start", "factors", "dt", "amplitude", "frequency"}},
         {"synthetic", {"signal", "direction", "start", "factors", "dt", "pga", "pgv", "duration", "seed"}},
         {"ground", {"present", "friction"}},
-        {"contact", {"nodes", "stiffness"}},
+        {"contact", {"nodes", "stiffness", "faces", "spacing"}},
         {"time", {"duration", "step", "safety"}},
         {"output", {"spine_rate", "frame_rate"}},
     };

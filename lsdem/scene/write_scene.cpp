@@ -168,20 +168,23 @@ std::string write_scene(const Scene& scene) {
     ordered_json output{{"spine_rate", scene.output.spine_rate.value()}};
     put(output, "frame_rate", scene.output.frame_rate);
 
-    const ordered_json root{{"schema", "musim-scene/1"},
-                            {"name", scene.name},
-                            {"gravity", to_json(scene.gravity)},
-                            {"material", to_json(scene.material)},
-                            {"materials", materials},
-                            {"shape", to_json(scene.shape)},
-                            {"structure", to_json(scene.structure, with_size)},
-                            {"base_motion", to_json(scene.base_motion)},
-                            {"ground", ground},
-                            {"contact",
-                             {{"nodes", scene.contact_nodes == ContactNodes::leader ? "leader" : "both"},
-                              {"stiffness", scene.stiffness_sharing == StiffnessSharing::per_area ? "per_area" : "per_contact"}}},
-                            {"time", time},
-                            {"output", output}};
+    ordered_json root{{"schema", "musim-scene/1"},
+                      {"name", scene.name},
+                      {"gravity", to_json(scene.gravity)},
+                      {"material", to_json(scene.material)},
+                      {"materials", materials},
+                      {"shape", to_json(scene.shape)},
+                      {"structure", to_json(scene.structure, with_size)},
+                      {"base_motion", to_json(scene.base_motion)},
+                      {"ground", ground},
+                      {"contact",
+                       {{"nodes", scene.contact_nodes == ContactNodes::leader ? "leader" : "both"},
+                        {"stiffness", scene.stiffness_sharing == StiffnessSharing::per_area ? "per_area" : "per_contact"},
+                        {"faces", scene.face_contact == FaceContact::patch ? "patch" : "nodes"},
+                        {"spacing", scene.patch_spacing == PatchSpacing::even ? "even" : "lobatto"}}},
+                      {"time", time},
+                      {"output", output}};
+    if (scene.accuracy) root["accuracy"] = to_string(*scene.accuracy);
     return root.dump(2) + "\n";
 }
 

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lsdem/model.hpp"
+
+namespace musim::lsdem::scene {
+
+/// How exact a run should be, for scenes that do not want to choose every number.
+enum class Accuracy { fast, standard, reference };
+
+/// What an accuracy stands for. Chosen from `musim bench accuracy`; docs/accuracy.md has the sweep and the errors.
+struct AccuracyPreset {
+    int nodes_per_face = 0;  ///< with an even lattice on faces from square to 1:5
+    FaceContact faces = FaceContact::patch;
+    PatchSpacing spacing = PatchSpacing::even;
+    double safety = 0.8;  ///< time step over the critical one
+};
+
+const AccuracyPreset& find_accuracy_preset(Accuracy accuracy);
+
+/// "fast", "standard", "reference", in this order.
+const std::vector<std::string>& accuracy_names();
+std::string to_string(Accuracy accuracy);
+
+}  // namespace musim::lsdem::scene
