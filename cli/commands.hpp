@@ -25,5 +25,6 @@ void add_rescale_command(CLI::App& app, Action& action);
 void add_record_command(CLI::App& app, Action& action);
 void add_run_command(CLI::App& app, Action& action);
 void add_pair_command(CLI::App& app, Action& action);
+void add_bench_command(CLI::App& app, Action& action);
 
 }  // namespace musim::cli

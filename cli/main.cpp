@@ -45,6 +45,7 @@ int run(int argc, char** argv) {
     add_record_command(app, action);
     add_run_command(app, action);
     add_pair_command(app, action);
+    add_bench_command(app, action);
 
     try {
         app.parse(argc, argv);

@@ -137,6 +137,8 @@ int judge(const std::string& scene, const study::PairStudy& study) {
     diverged |= report_divergence(scene + ", shadow", study.shadow.run);
     for (const study::PairedRun& model : study.models) diverged |= report_divergence(scene + ", " + model.label, model.run);
     if (diverged) return kNumericalFailure;
+    report_doubts(scene + ", prototype", study.prototype);
+    for (const study::PairedRun& model : study.models) report_doubts(scene + ", " + model.label, model.run);
     return study.consistent() ? kDone : kCheckFailed;
 }
 

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/output.hpp"
+#include "lsdem/study/verdict.hpp"
 
 namespace musim::cli {
 
@@ -30,10 +31,12 @@ void print_distortions(const std::vector<scaling::Distortion>& distortions) {
 
 bool report_divergence(const std::string& where, const study::RunResult& run) {
     if (!run.divergence) return false;
-    const bool is_energy = run.divergence->kind == lsdem::Divergence::Kind::energy_out_of_bounds;
-    note("musim: error: {}: diverged at {:.6g} s, block {} ({}); take a smaller time step (\"step\": \"auto\", or a lower \"safety\")\n",
-         where, run.divergence->time, run.divergence->block, is_energy ? "more energy than was put in" : "its state is not finite");
+    note("musim: error: {}: {}\n", where, study::describe_divergence(run));
     return true;
+}
+
+void report_doubts(const std::string& where, const study::RunResult& run) {
+    for (const std::string& doubt : study::find_doubts(run)) note("musim: warning: {}: {}\n", where, doubt);
 }
 
 }  // namespace musim::cli

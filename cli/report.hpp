@@ -21,7 +21,10 @@ void print_factors(const std::string& title, const std::vector<scaling::NamedFac
 /// One line per distortion, or that there is none.
 void print_distortions(const std::vector<scaling::Distortion>& distortions);
 
-/// If the run diverged, says so on stderr in one line with block and time, and returns true.
+/// If the run diverged, says so on stderr in one line with block, time and the step that would work, and returns true.
 bool report_divergence(const std::string& where, const lsdem::study::RunResult& run);
+
+/// One line on stderr, `musim: warning: ...`, for everything doubtful about a run that reached its end.
+void report_doubts(const std::string& where, const lsdem::study::RunResult& run);
 
 }  // namespace musim::cli

@@ -64,6 +64,7 @@ int run_run(const RunOptions& options) {
         print_run(scene, run);
         if (folder) print("Results in {}\n", options.out);
     }
+    report_doubts(options.scene, run);
     return report_divergence(options.scene, run) ? kNumericalFailure : kDone;
 }
 
@@ -81,7 +82,9 @@ void add_run_command(CLI::App& app, Action& action) {
         "Examples:\n"
         "  musim run examples/tower_prototype.json -o out/tower\n"
         "  musim run examples/tower_prototype.json --duration 1/2 --threads 1 --json\n"
-        "Exit code 4: the run diverged; results up to then are written all the same.");
+        "Exit code 4: the run diverged; results up to then are written all the same. A doubtful run (step above the critical one, blocks "
+        "deep\n"
+        "in each other, open energy balance) is a warning on stderr.");
     command->callback([&action, options] { action = [options] { return run_run(*options); }; });
 }
 

@@ -59,8 +59,9 @@ struct RunResult {
     std::optional<Divergence> divergence;  ///< where and when, when the run diverged
     std::optional<double> collapse_time;   ///< first sample with enough fallen blocks [s]
 
-    double time_step = 0.0;   ///< [s]
-    std::uint64_t steps = 0;  ///< done
+    double time_step = 0.0;                    ///< [s]
+    std::optional<double> critical_time_step;  ///< of the structure as built [s]; nothing when no block can move
+    std::uint64_t steps = 0;                   ///< done
     BlockTable blocks;
     Spine spine;
     History history;

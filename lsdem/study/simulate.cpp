@@ -4,6 +4,9 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <stdexcept>
+
+#include "lsdem/time_step.hpp"
 
 namespace musim::lsdem::study {
 namespace {
@@ -67,6 +70,15 @@ std::optional<double> base_reaction_over_weight(const Simulation& simulation) {
     return -simulation.base_reaction().dot(model.gravity) / (gravity * gravity * mass);
 }
 
+/// Nothing for a model that has no critical step, such as one without moving blocks.
+std::optional<double> find_critical_time_step(const Model& model) {
+    try {
+        return compute_critical_time_step(model);
+    } catch (const std::invalid_argument&) {
+        return std::nullopt;
+    }
+}
+
 void finish(RunResult& run, const Simulation& simulation) {
     run.final = simulation.kinematics();
     run.statistics = simulation.statistics();
@@ -96,6 +108,7 @@ RunResult simulate(const Specimen& specimen, const TimePlan& plan, const RunSett
 
     RunResult run;
     run.time_step = plan.time_step;
+    run.critical_time_step = find_critical_time_step(specimen.model);
     run.spine = specimen.spine;
     run.blocks = make_block_table(specimen);
     run.initial = simulation.kinematics();

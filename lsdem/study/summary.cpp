@@ -3,6 +3,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "lsdem/study/verdict.hpp"
+
 namespace musim::lsdem::study {
 namespace {
 
@@ -19,6 +21,7 @@ nlohmann::json make_summary(const RunResult& run) {
                            {"blocks", run.blocks.mass.size()},
                            {"steps", run.steps},
                            {"dt_s", run.time_step},
+                           {"critical_dt_s", nullptr},
                            {"duration_s", run.final.time},
                            {"wall_s", run.wall_time},
                            {"contact_nodes", run.statistics.contact_nodes},
@@ -27,12 +30,12 @@ nlohmann::json make_summary(const RunResult& run) {
                            {"max_overlap_over_height", run.statistics.max_overlap_over_height},
                            {"base_reaction_over_weight", nullptr}};
     if (run.base_reaction_over_weight) summary["base_reaction_over_weight"] = *run.base_reaction_over_weight;
+    if (run.critical_time_step) summary["critical_dt_s"] = *run.critical_time_step;
     if (run.collapse_time) summary["collapse_time_s"] = *run.collapse_time;
+    summary["doubts"] = find_doubts(run);
     if (run.divergence) {
-        const bool is_energy = run.divergence->kind == Divergence::Kind::energy_out_of_bounds;
-        summary["divergence"] = {{"kind", is_energy ? "energy_out_of_bounds" : "non_finite"},
-                                 {"block", run.divergence->block},
-                                 {"time_s", run.divergence->time}};
+        summary["divergence"] = {
+            {"kind", std::string(name_of(run.divergence->kind))}, {"block", run.divergence->block}, {"time_s", run.divergence->time}};
     }
     return summary;
 }

@@ -10,8 +10,9 @@
 
 namespace musim::lsdem::study {
 
-/// The run in one JSON object: status, blocks, steps, dt_s, duration_s, wall_s, contact_nodes, state_hash, energy_closure,
-/// max_overlap_over_height, base_reaction_over_weight (null without ground or gravity), and collapse_time_s or divergence where they apply.
+/// The run in one JSON object: status, blocks, steps, dt_s, critical_dt_s (null when no block can move), duration_s, wall_s, contact_nodes,
+/// state_hash, energy_closure, max_overlap_over_height, base_reaction_over_weight (null without ground or gravity), doubts (sentences, see
+/// find_doubts), and collapse_time_s or divergence where they apply.
 nlohmann::json make_summary(const RunResult& run);
 
 /// A similitude in one JSON object: law, the chosen factors, all derived factors.

@@ -14,11 +14,13 @@ struct SceneText {
     std::string stiffness = "\"2 GN/m\"";
     std::string second_block_z = "\"1.5 m\"";
     std::string step = "\"auto\"";
+    std::string restitution = "0.3";
 
     std::string text() const {
         return R"({"schema": "musim-scene/1", "name": "two blocks",
  "material": {"density": )" +
-               density + R"(, "normal_stiffness": )" + stiffness + R"(, "shear_stiffness": "2 GN/m", "friction": 0.3, "restitution": 0.3},
+               density + R"(, "normal_stiffness": )" + stiffness + R"(, "shear_stiffness": "2 GN/m", "friction": 0.3, "restitution": )" +
+               restitution + R"(},
  "shape": {"kind": "box", "nodes_per_face": 25}, "structure": {"kind": "blocks", "blocks": [
    {"size": ["2 m", "2 m", "1 m"], "position": ["0 m", "0 m", "0.5 m"]},
    {"size": ["2 m", "2 m", "1 m"], "position": ["0 m", "0 m", )" +
@@ -165,9 +167,59 @@ TEST_CASE("a diverged run is exit code 4 with block and time, and its results ar
     const Outcome outcome = here.run("run scene.json --duration 50 -o out --json");
     CHECK(outcome.exit_code == 4);
     CHECK(outcome.has_one_error_line());
-    CHECK(outcome.err.find("block ") != std::string::npos);
+    for (const char* word : {"block ", " s, ", "time step 0.05 s", "critical", "take at most"})
+        CHECK_MESSAGE(outcome.err.find(word) != std::string::npos, word, " not in ", outcome.err);
     CHECK(outcome.json()["status"] == "diverged");
     CHECK(here.has("out/result.h5"));
+
+    // the step it names works
+    const std::string text = outcome.err.substr(outcome.err.find("take at most ") + 13);
+    scene.step = "\"" + text.substr(0, text.find(" s,")) + " s\"";
+    here.write("scene.json", scene.text());
+    const Outcome again = here.run("run scene.json --duration 1 --json");
+    CHECK(again.exit_code == 0);
+    CHECK(again.err.empty());
+    CHECK(again.json()["doubts"].empty());
+}
+
+TEST_CASE("a run that reached its end with too large a step is a warning that names the step to take") {
+    const Workplace here;
+    SceneText scene;
+    here.write("scene.json", scene.text());
+    const double critical = here.run("run scene.json --json").json()["critical_dt_s"];
+    // stable by luck: the critical step is a bound on the safe side for blocks that can turn
+    scene.step = "\"" + std::to_string(1e6 * 1.01 * critical) + " us\"";
+    here.write("scene.json", scene.text());
+    const Outcome outcome = here.run("run scene.json --json");
+    CHECK(outcome.exit_code == 0);
+    CHECK_MESSAGE(outcome.err.starts_with("musim: warning: scene.json: the time step "), outcome.err);
+    CHECK(outcome.err.find("take at most") != std::string::npos);
+    CHECK(outcome.json()["doubts"].size() == 1);
+}
+
+TEST_CASE("blocks that pass deep into each other are a warning with the depth") {
+    const Workplace here;
+    SceneText scene;
+    // 9.3 t on 1 MN/m sink 0.09 m in, of a height of 1 m
+    scene.stiffness = "\"1 MN/m\"";
+    here.write("scene.json", scene.text());
+    const Outcome outcome = here.run("run scene.json");
+    CHECK(outcome.exit_code == 0);
+    CHECK_MESSAGE(outcome.err.find("musim: warning: scene.json: blocks passed into each other by 0.") != std::string::npos, outcome.err);
+}
+
+TEST_CASE("a coefficient of restitution of zero is refused and one close to it runs") {
+    const Workplace here;
+    SceneText scene;
+    scene.restitution = "0";
+    here.write("scene.json", scene.text());
+    const Outcome refused = here.run("run scene.json");
+    CHECK(refused.exit_code == 3);
+    CHECK(refused.has_one_error_line());
+    CHECK(refused.err.find("/material/restitution") != std::string::npos);
+    scene.restitution = "1e-3";
+    here.write("scene.json", scene.text());
+    CHECK(here.run("run scene.json --duration 1/20").exit_code == 0);
 }
 
 TEST_CASE("results that cannot be written leave nothing behind") {

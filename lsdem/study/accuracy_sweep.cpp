@@ -1,0 +1,225 @@
+#include "lsdem/study/accuracy_sweep.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <mutex>
+#include <thread>
+
+#include "lsdem/study/accuracy_cases.hpp"
+#include "lsdem/study/accuracy_tower.hpp"
+
+namespace musim::lsdem::study {
+namespace {
+
+/// Runs shorter than this are repeated, since the clock and the caches make up much of them [s].
+constexpr double kShortRun = 0.02;
+constexpr int kRepeats = 3;
+
+/// Courses of the quick tower.
+constexpr int kQuickCourses = 6;
+
+AccuracyRow make_row(std::string family, std::string label, const AccuracySetting& setting) {
+    return {.name = {}, .family = std::move(family), .label = std::move(label), .setting = setting, .outcome = {}};
+}
+
+/// Every knob turned alone, the others at the standard preset.
+std::vector<AccuracyRow> make_rows(bool quick) {
+    using Counts = std::vector<int>;
+    const AccuracySetting standard = to_setting(scene::find_accuracy_preset(scene::Accuracy::standard));
+    std::vector<AccuracyRow> rows;
+    const auto add_step = [&](double safety) {
+        AccuracySetting setting = standard;
+        setting.safety = safety;
+        rows.push_back(make_row("step", fmt::format("{}", safety), setting));
+    };
+    const auto add_nodes = [&](const std::string& family, const Counts& counts, FaceContact faces, PatchSpacing spacing,
+                               ContactNodes sides) {
+        for (const int nodes : counts) {
+            AccuracySetting setting = standard;
+            setting.nodes_per_face = nodes;
+            setting.faces = faces;
+            setting.spacing = spacing;
+            setting.sides = sides;
+            rows.push_back(make_row(family, fmt::format("{}", nodes), setting));
+        }
+    };
+    const auto add_grid = [&](double voxel) {
+        AccuracySetting setting = standard;
+        setting.voxel = voxel;
+        rows.push_back(make_row("grid", fmt::format("b/{:g}", 1.0 / voxel), setting));
+    };
+    for (const double safety : quick ? std::vector{0.8, 0.4} : std::vector{0.8, 0.4, 0.2, 0.1}) add_step(safety);
+    const Counts all = quick ? Counts{12, 44} : Counts{4, 12, 24, 44, 176, 440, 1760};
+    const Counts few = quick ? Counts{12, 44} : Counts{4, 12, 24, 44, 176, 440};
+    add_nodes("patch", all, FaceContact::patch, PatchSpacing::even, ContactNodes::leader);
+    add_nodes("refined", all, FaceContact::patch, PatchSpacing::lobatto, ContactNodes::leader);
+    add_nodes("nodes", few, FaceContact::nodes, PatchSpacing::even, ContactNodes::leader);
+    add_nodes("two-sided", quick ? Counts{44} : Counts{12, 44, 176}, FaceContact::nodes, PatchSpacing::even, ContactNodes::both);
+    for (const double voxel : quick ? std::vector{0.05} : std::vector{0.1, 0.05, 0.025}) add_grid(voxel);
+    for (const auto accuracy : {scene::Accuracy::fast, scene::Accuracy::standard, scene::Accuracy::reference}) {
+        const scene::AccuracyPreset& preset = scene::find_accuracy_preset(accuracy);
+        if (quick && accuracy == scene::Accuracy::reference) continue;
+        rows.push_back(make_row("preset", scene::to_string(accuracy), to_setting(preset)));
+    }
+    return rows;
+}
+
+/// The outcome of one setting, with the least time of a few repeats of a short run.
+AccuracyOutcome run_case(const AccuracyCase& problem, const AccuracySetting& setting) {
+    AccuracyOutcome outcome = problem.run(setting);
+    for (int again = 1; again < kRepeats && outcome.seconds < kShortRun; ++again)
+        outcome.seconds = std::min(outcome.seconds, problem.run(setting).seconds);
+    return outcome;
+}
+
+/// The first row with the same setting, which may be the row itself; a setting that two families share is run once.
+std::size_t find_first(const std::vector<AccuracyRow>& rows, std::size_t row) {
+    const auto same = [&](const AccuracyRow& other) {
+        return other.setting == rows[row].setting && (other.family == "shadow") == (rows[row].family == "shadow");
+    };
+    return static_cast<std::size_t>(std::find_if(rows.begin(), rows.end(), same) - rows.begin());
+}
+
+/// Does all jobs on some threads; `on_progress` is called with the fraction done.
+void run_side_by_side(const std::vector<std::function<void()>>& jobs, int threads, const std::function<void(double)>& on_progress) {
+    std::atomic<std::size_t> next{0}, done{0};
+    std::exception_ptr failure;
+    std::mutex mutex;
+    const auto work = [&] {
+        for (std::size_t job = next++; job < jobs.size(); job = next++) {
+            try {
+                jobs[job]();
+            } catch (...) {
+                const std::lock_guard lock(mutex);
+                if (!failure) failure = std::current_exception();
+            }
+            if (on_progress) on_progress(static_cast<double>(++done) / static_cast<double>(jobs.size()));
+        }
+    };
+    const int wanted = threads > 0 ? threads : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    {
+        std::vector<std::jthread> others;
+        for (int t = 1; t < wanted; ++t) others.emplace_back(work);
+        work();
+    }
+    if (failure) std::rethrow_exception(failure);
+}
+
+/// The converged run of the tower: nodes and steps far beyond the finest preset.
+AccuracySetting make_tower_reference(bool quick) {
+    return {.safety = quick ? 0.8 : 0.4, .nodes_per_face = quick ? 176 : 1760, .spacing = PatchSpacing::lobatto};
+}
+
+/// The two panels of the tower: its motion before chaos sets in, and its peak velocity over the whole window.
+class TowerPanels {
+  public:
+    TowerPanels(const SweepOptions& options, const std::vector<AccuracyRow>& rows)
+        : tower_(options.record, options.components, options.quick ? kQuickCourses : kMiniTowerCourses),
+          quick_(options.quick),
+          rows_(rows) {
+        // what one unit in the last place does to the reference
+        if (!quick_) rows_.push_back(make_row("shadow", "one ulp", make_tower_reference(quick_)));
+        motions_.resize(rows_.size());
+    }
+
+    void add_jobs(std::vector<std::function<void()>>& jobs) {
+        jobs.emplace_back([this] { reference_ = tower_.run(make_tower_reference(quick_)); });
+        for (std::size_t r = rows_.size(); r-- > 0;)
+            if (find_first(rows_, r) == r)
+                jobs.emplace_back([this, r] { motions_[r] = tower_.run(rows_[r].setting, rows_[r].family == "shadow"); });
+    }
+
+    void add_panels(std::vector<AccuracyPanel>& panels) const {
+        AccuracyPanel motion{"tower", "Mini-tower: motion of the top", rows_},
+            peak{"tower_peak", "Mini-tower: peak velocity of the top", rows_};
+        for (std::size_t r = 0; r < rows_.size(); ++r) {
+            const TopMotion& top = motions_[find_first(rows_, r)];
+            motion.rows[r].outcome = peak.rows[r].outcome = top.cost;
+            motion.rows[r].outcome.error = compare_tops(top, reference_);
+            peak.rows[r].outcome.error = compare_peaks(top, reference_);
+        }
+        panels.push_back(std::move(motion));
+        panels.push_back(std::move(peak));
+    }
+
+    const std::string& earthquake() const { return tower_.description(); }
+
+  private:
+    MiniTower tower_;
+    bool quick_;
+    std::vector<AccuracyRow> rows_;
+    TopMotion reference_;
+    std::vector<TopMotion> motions_;
+};
+
+}  // namespace
+
+AccuracySetting to_setting(const scene::AccuracyPreset& preset) {
+    return {.safety = preset.safety, .nodes_per_face = preset.nodes_per_face, .faces = preset.faces, .spacing = preset.spacing};
+}
+
+void mark_pareto(AccuracyPanel& panel) {
+    const auto counts = [](const AccuracyRow& row) { return std::isfinite(row.outcome.error) && row.family != "shadow"; };
+    for (AccuracyRow& row : panel.rows) {
+        const auto beats = [&](const AccuracyRow& other) {
+            if (!counts(other)) return false;
+            const AccuracyOutcome &a = other.outcome, &b = row.outcome;
+            return a.error <= b.error && a.seconds <= b.seconds && (a.error < b.error || a.seconds < b.seconds);
+        };
+        row.pareto = counts(row) && std::none_of(panel.rows.begin(), panel.rows.end(), beats);
+    }
+}
+
+AccuracySweep sweep_accuracy(const SweepOptions& options) {
+    const std::vector<AccuracyCase> cases = make_closed_form_cases();
+    const std::vector<AccuracyRow> rows = make_rows(options.quick);
+    AccuracySweep sweep;
+    for (const AccuracyCase& problem : cases) sweep.panels.push_back({problem.name, problem.title, rows});
+
+    // the longest first
+    TowerPanels tower(options, rows);
+    std::vector<std::function<void()>> jobs;
+    tower.add_jobs(jobs);
+    for (std::size_t c = 0; c < cases.size(); ++c) {
+        for (std::size_t r = 0; r < rows.size(); ++r) {
+            AccuracyRow& row = sweep.panels[c].rows[r];
+            if (find_first(rows, r) == r) jobs.emplace_back([&problem = cases[c], &row] { row.outcome = run_case(problem, row.setting); });
+        }
+    }
+    run_side_by_side(jobs, options.threads, options.on_progress);
+
+    tower.add_panels(sweep.panels);
+    sweep.earthquake = tower.earthquake();
+    for (AccuracyPanel& panel : sweep.panels) {
+        for (std::size_t r = 0; r < panel.rows.size(); ++r) {
+            panel.rows[r].name = panel.name;
+            panel.rows[r].outcome = panel.rows[find_first(panel.rows, r)].outcome;
+        }
+        mark_pareto(panel);
+    }
+    return sweep;
+}
+
+std::string make_accuracy_csv(const AccuracySweep& sweep) {
+    std::string csv = "case,family,label,step,nodes,spacing,faces,sides,voxel,error,us_per_block_step,steps,block_steps,seconds,pareto\n";
+    for (const AccuracyPanel& panel : sweep.panels) {
+        for (const AccuracyRow& row : panel.rows) {
+            const AccuracySetting& s = row.setting;
+            const AccuracyOutcome& o = row.outcome;
+            const bool patch = s.faces == FaceContact::patch && s.voxel == 0.0;
+            fmt::format_to(std::back_inserter(csv), "{},{},{},{},{},{},{},{},{},{},{:.4g},{},{},{:.4g},{}\n", row.name, row.family,
+                           row.label, s.safety, s.nodes_per_face, patch && s.spacing == PatchSpacing::lobatto ? "lobatto" : "even",
+                           patch ? "patch" : "nodes", s.sides == ContactNodes::leader ? "leader" : "both", s.voxel, o.error,
+                           o.block_steps > 0 ? 1e6 * o.seconds / static_cast<double>(o.block_steps) : 0.0, o.steps, o.block_steps,
+                           o.seconds, row.pareto ? 1 : 0);
+        }
+    }
+    return csv;
+}
+
+}  // namespace musim::lsdem::study

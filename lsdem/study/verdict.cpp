@@ -1,0 +1,73 @@
+#include "lsdem/study/verdict.hpp"
+
+#include <fmt/format.h>
+
+#include "lsdem/scene/scene.hpp"
+
+namespace musim::lsdem::study {
+namespace {
+
+bool above_critical(const RunResult& run) { return run.critical_time_step && run.time_step > *run.critical_time_step; }
+
+/// The step that "step": "auto" takes [s].
+double default_step(const RunResult& run) { return scene::TimeSettings{}.safety * *run.critical_time_step; }
+
+/// A kind of divergence as result files name it, and what a user is told.
+struct KindText {
+    std::string_view name, meaning;
+};
+
+KindText text_of(Divergence::Kind kind) {
+    switch (kind) {
+        case Divergence::Kind::non_finite:
+            return {"non_finite", "its state is not finite"};
+        case Divergence::Kind::too_fast:
+            return {"too_fast", "it crosses more than half of the smallest edge in one step and could pass through another"};
+        case Divergence::Kind::energy_out_of_bounds:
+            break;
+    }
+    return {"energy_out_of_bounds", "more energy than was put in, or a ledger that does not close"};
+}
+
+}  // namespace
+
+std::string_view name_of(Divergence::Kind kind) { return text_of(kind).name; }
+
+std::string describe_divergence(const RunResult& run) {
+    const std::string what = fmt::format("diverged at {:.6g} s, block {} ({})", run.divergence->time, run.divergence->block,
+                                         text_of(run.divergence->kind).meaning);
+    if (above_critical(run)) {
+        return fmt::format("{}: the time step {:.4g} s is above the critical {:.4g} s; take at most {:.4g} s, or \"step\": \"auto\"", what,
+                           run.time_step, *run.critical_time_step, default_step(run));
+    }
+    return fmt::format(
+        "{}: blocks that have left their places can be stiffer than the structure as built; take a time step of {:.4g} s, "
+        "half of this one, or a lower \"safety\"",
+        what, 0.5 * run.time_step);
+}
+
+std::vector<std::string> find_doubts(const RunResult& run) {
+    std::vector<std::string> doubts;
+    if (run.divergence) return doubts;
+    if (above_critical(run)) {
+        doubts.push_back(
+            fmt::format("the time step {:.4g} s is above the critical {:.4g} s (an unstable motion can stay bounded and go "
+                        "unnoticed); take at most {:.4g} s, or \"step\": \"auto\"",
+                        run.time_step, *run.critical_time_step, default_step(run)));
+    }
+    if (run.statistics.max_overlap_over_height > kDeepOverlap) {
+        doubts.push_back(
+            fmt::format("blocks passed into each other by {:.3g} of a block's height (contacts are meant for overlaps far "
+                        "below {:g}); raise the stiffness, or lower the speeds and loads",
+                        run.statistics.max_overlap_over_height, kDeepOverlap));
+    }
+    if (run.energy_closure > kOpenBalance) {
+        doubts.push_back(
+            fmt::format("the energy balance is open by {:.3g} of the energy in play (collisions book at most {:g} wrongly); "
+                        "take a smaller time step",
+                        run.energy_closure, kOpenBalance));
+    }
+    return doubts;
+}
+
+}  // namespace musim::lsdem::study

@@ -1,0 +1,85 @@
+#include <doctest/doctest.h>
+
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tests/cli/program.hpp"
+
+using namespace musim::cli;
+
+namespace {
+
+/// Rows of a CSV file by the names in its first line.
+std::vector<std::map<std::string, std::string>> parse_csv(const std::string& text) {
+    const auto split = [](const std::string& line) {
+        std::vector<std::string> cells;
+        std::istringstream stream(line);
+        for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
+        return cells;
+    };
+    std::istringstream stream(text);
+    std::string line;
+    std::getline(stream, line);
+    const std::vector<std::string> names = split(line);
+    std::vector<std::map<std::string, std::string>> rows;
+    while (std::getline(stream, line)) {
+        const std::vector<std::string> cells = split(line);
+        REQUIRE(cells.size() == names.size());
+        std::map<std::string, std::string> row;
+        for (std::size_t c = 0; c < names.size(); ++c) row[names[c]] = cells[c];
+        rows.push_back(row);
+    }
+    return rows;
+}
+
+}  // namespace
+
+TEST_CASE("bench accuracy writes a table whose Pareto marks hold, and a plot, and prints JSON") {
+    const Workplace here;
+    const Outcome outcome = here.run("bench accuracy --quick -o out --json");
+    REQUIRE_MESSAGE(outcome.exit_code == 0, outcome.err);
+    CHECK(here.read("out/accuracy.svg").starts_with("<svg"));
+    CHECK(here.read("out/accuracy.svg").ends_with("</svg>\n"));
+
+    const auto rows = parse_csv(here.read("out/accuracy.csv"));
+    std::map<std::string, int> fronts;
+    for (const auto& row : rows) {
+        const double error = std::stod(row.at("error")), seconds = std::stod(row.at("seconds"));
+        CHECK(std::stoll(row.at("steps")) > 0);
+        int beaten = 0;
+        for (const auto& other : rows) {
+            if (other.at("case") != row.at("case")) continue;
+            beaten += std::stod(other.at("error")) < error && std::stod(other.at("seconds")) < seconds ? 1 : 0;
+        }
+        if (row.at("pareto") == "1") {
+            CHECK_MESSAGE(beaten == 0, row.at("case"), " ", row.at("family"), " ", row.at("label"));
+            ++fronts[row.at("case")];
+        }
+    }
+    const auto cases = outcome.json()["cases"];
+    for (const char* name :
+         {"slide", "rock_ground", "rock_own_edge", "rock_other_edge", "lean", "wave", "settle", "bounce", "tower", "tower_peak"})
+        CHECK_MESSAGE(fronts[name] > 0, name);
+    std::size_t printed = 0;
+    for (const auto& panel : cases) printed += panel["rows"].size();
+    CHECK(printed == rows.size());
+    CHECK(outcome.json()["earthquake"] == "synthetic record");
+}
+
+TEST_CASE("bench refuses what it cannot do with one line") {
+    const Workplace here;
+    here.write("file", "");
+    for (const char* arguments : {"bench", "bench nonsense", "bench accuracy --component 360", "bench accuracy --threads -1"}) {
+        const Outcome outcome = here.run(arguments);
+        CHECK_MESSAGE(outcome.exit_code == 2, arguments);
+        CHECK_MESSAGE(outcome.has_one_error_line(), outcome.err);
+    }
+    for (const char* arguments : {"bench accuracy --quick --record missing.v1", "bench accuracy --quick -o file/out"}) {
+        const Outcome outcome = here.run(arguments);
+        CHECK_MESSAGE(outcome.exit_code == 3, arguments);
+        CHECK_MESSAGE(outcome.has_one_error_line(), outcome.err);
+    }
+    CHECK(here.count() == 1);
+}
