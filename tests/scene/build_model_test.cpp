@@ -3,7 +3,6 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "lsdem/time_step.hpp"
@@ -98,11 +97,9 @@ TEST_CASE("the spine of a tower is one vertical line on the outer face, every se
     for (std::size_t k = 0; k < 14; ++k) CHECK(built.model.blocks[k].position.x() <= low.x());
 }
 
-TEST_CASE("the full tower has 7144 blocks on a pitch of 1.435 m and is built within seconds") {
+TEST_CASE("the full tower has 7144 blocks on a pitch of 1.435 m") {
     const std::string text = R"({"kind": "tower", "block": ["1.36 m", "2.82 m", "4.25 m"]})";
-    const auto start = std::chrono::steady_clock::now();
     const BuiltModel built = build_model(parse_scene(make_scene_text(text)));
-    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
     CHECK(built.model.blocks.size() == 7144);
     CHECK(built.structure.spine.level.size() == 19);
     CHECK(built.structure.spine.level.back() == 37);
@@ -111,7 +108,6 @@ TEST_CASE("the full tower has 7144 blocks on a pitch of 1.435 m and is built wit
     // block centres lie within the outer radius of the cells
     CHECK(radius < 12.59 * 1.435);
     CHECK(radius > 11.5 * 1.435);
-    CHECK(taken.count() < 10.0);
 }
 
 TEST_CASE("a wall is a running bond closed by half blocks of the same stiffness per area") {
@@ -191,27 +187,6 @@ TEST_CASE("blocks that reach below the ground are refused unless there is none o
     check_message(error_of([&] { make_model(sunk("", "")); }), {"/structure/blocks/0 reaches 10 mm below the ground"});
     CHECK_NOTHROW(make_model(sunk(R"(, "fixed": true)", "")));
     CHECK_NOTHROW(make_model(sunk("", R"(, "ground": {"present": false})")));
-}
-
-TEST_CASE("two hundred thousand blocks are set up within seconds") {
-    Scene scene =
-        parse_scene(make_scene_text(R"({"kind": "blocks", "blocks": [{"size": [1, 1, 1], "position": [0, 0, 0.5]}]})", kCubeNodes));
-    auto& blocks = std::get<BlockList>(scene.structure).blocks;
-    const BlockEntry unit = blocks.front();
-    blocks.clear();
-    for (int i = 0; i < 100; ++i) {
-        for (int j = 0; j < 100; ++j) {
-            for (int k = 0; k < 20; ++k) {
-                BlockEntry block = unit;
-                block.position = {i * scaling::si::meter, j * scaling::si::meter, (k + 0.5) * scaling::si::meter};
-                blocks.push_back(block);
-            }
-        }
-    }
-    const auto start = std::chrono::steady_clock::now();
-    CHECK(make_model(scene).blocks.size() == 200000);
-    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-    CHECK(taken.count() < 30.0);  // 1 s or so here in Release; a quadratic search would take minutes
 }
 
 TEST_CASE("the automatic time step is the safety times the critical step, a given one is kept") {
