@@ -1,25 +1,30 @@
 #include "lsdem/bodies.hpp"
 
+#include "lsdem/block_height.hpp"
+
 namespace musim::lsdem {
 
 Bodies::Bodies(const Model& model) {
     const std::size_t n = model.blocks.size();
-    for (auto* v : {&position, &previous_position, &velocity, &momentum, &inverse_inertia}) v->resize(n, Vector3::Zero());
+    for (auto* v : {&position, &previous_position, &velocity, &momentum, &inverse_inertia, &half}) v->resize(n, Vector3::Zero());
     rotation.resize(n);
     previous_rotation.resize(n);
     orientation.resize(n);
     mass.resize(n);
     inverse_mass.resize(n);
+    height_offset.resize(n);
     fixed.resize(n);
     free.resize(n);
     for (std::size_t i = 0; i < n; ++i) {
         const Block& block = model.blocks[i];
-        const Vector3 inertia = block.mass * model.shapes[block.shape].inertia_over_mass;
+        const Vector3 inertia = block.mass * inertia_over_mass(model, block);
         position[i] = block.position;
         orientation[i] = block.orientation;
         rotation[i] = block.orientation.toRotationMatrix();
         mass[i] = block.mass;
         inverse_mass[i] = 1.0 / block.mass;
+        half[i] = half_extents(model, block);
+        height_offset[i] = block.height_offset;
         fixed[i] = block.fixed ? 1 : 0;
         free[i] = block.fixed ? 0.0 : 1.0;
         if (block.fixed) continue;

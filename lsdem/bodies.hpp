@@ -17,6 +17,8 @@ struct Bodies {
     std::vector<Vector3> momentum;                     ///< angular, about the centre of mass, at step n − 1/2 [kg·m²/s]
     std::vector<double> mass, inverse_mass;            ///< [kg], [1/kg]
     std::vector<Vector3> inverse_inertia;              ///< of the principal axes [1/(kg·m²)]; zero when rotation is locked
+    std::vector<Vector3> half;                         ///< half extents, the own height included, body frame [m]
+    std::vector<double> height_offset;                 ///< Δ, see Block [m]
     std::vector<std::uint8_t> fixed;
     std::vector<double> free;  ///< one, or zero for a fixed block: factor of all accelerations
 

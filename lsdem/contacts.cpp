@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lsdem/block_height.hpp"
 #include "lsdem/detail/contact_kernel.hpp"
 #include "lsdem/detail/tilted_kernel.hpp"
 
@@ -42,9 +43,10 @@ using detail::Row;
 using detail::StepLaw;
 
 /// Share of a node's faces that looks along −normal, `normal` in the leader's frame: of a faceted shape the face that looks most that way.
-double acting_area(const Shape& shape, std::size_t i, const Row& normal) {
-    const Row area{shape.nodes.area_x[i], shape.nodes.area_y[i], shape.nodes.area_z[i]};
-    if (!shape.faceted) return -dot(normal, area);
+double acting_area(const BlockNodes& nodes, std::size_t i, const Row& normal) {
+    const Vector3 shares = nodes.area(i);
+    const Row area{shares.x(), shares.y(), shares.z()};
+    if (!nodes.shape.faceted) return -dot(normal, area);
     const std::size_t axis = detail::largest_axis(normal);
     return normal[axis] < 0.0 ? area[axis] : -area[axis];
 }
@@ -127,12 +129,36 @@ void add_grid_node(const StepLaw& law, const Row& y, const Row& normal, const Ro
     sums.add_force_at(y, force);
 }
 
+/// The level set of a block of its own height, from the grid of its shape: cut in the middle, and the halves moved apart, or together, by
+/// Δ. For a box this is its own distance wherever it can be touched, see lsdem/README.md, "Blocks of unequal height".
+class BlockGrid {
+  public:
+    BlockGrid(const GridLevelSet& grid, double height_offset) : grid_(grid), half_gap_(0.5 * height_offset) {}
+
+    double value(const Vector3& y) const { return grid_.value(in_shape(y)); }
+    Vector3 gradient(const Vector3& y) const {
+        Vector3 gradient = grid_.gradient(in_shape(y));
+        if (std::abs(y.z()) < half_gap_) gradient.z() = 0.0;
+        return gradient;
+    }
+
+  private:
+    Vector3 in_shape(const Vector3& y) const {
+        const double moved = half_gap_ > 0.0 ? std::clamp(y.z(), -half_gap_, half_gap_) : (y.z() < 0.0 ? -half_gap_ : half_gap_);
+        return {y.x(), y.y(), y.z() - moved};
+    }
+
+    const GridLevelSet& grid_;
+    double half_gap_;  ///< Δ/2 [m]
+};
+
 /// Nodes against a grid: value and normal at each node.
-void sum_grid_nodes(const Shape& leader, const RelativePose& pose, const GridLevelSet& grid, const StepLaw& law, double equal_area,
+void sum_grid_nodes(const BlockNodes& leader, const RelativePose& pose, const BlockGrid& grid, const StepLaw& law, double equal_area,
                     const ContactPair& pair, ContactList& list, PairSums& sums) {
     for (std::size_t entry = pair.first_node; entry < pair.first_node + pair.node_count; ++entry) {
         const std::size_t i = list.nodes[entry];
-        const Row p{leader.nodes.x[i], leader.nodes.y[i], leader.nodes.z[i]};
+        const Vector3 place = leader.position(i);
+        const Row p{place.x(), place.y(), place.z()};
         const Row y = point_of(pose, p);
         const Vector3 point{y[0], y[1], y[2]};
         const double overlap = -grid.value(point);
@@ -235,23 +261,24 @@ void compute_block_contact(const Model& model, const Bodies& bodies, const BaseP
     const std::size_t l = pair.leader, f = pair.follower;
     const Shape& leader = model.shapes[model.blocks[l].shape];
     const Shape& follower = model.shapes[model.blocks[f].shape];
+    const Vector3 &leader_half = bodies.half[l], &follower_half = bodies.half[f];
     const Matrix3 to_follower = bodies.rotation[f].transpose(), to_old_follower = bodies.previous_rotation[f].transpose();
     const Vector3 position = to_follower * (bodies.position[l] - bodies.position[f]);
     const RelativePose pose(to_follower * bodies.rotation[l], position, to_old_follower * bodies.previous_rotation[l],
                             to_old_follower * (bodies.previous_position[l] - bodies.previous_position[f]));
     const StepLaw law(pair.law, dt);
     FlatFollower face;
-    face.half = {follower.half_extents.x(), follower.half_extents.y(), follower.half_extents.z()};
+    face.half = {follower_half.x(), follower_half.y(), follower_half.z()};
     PairSums sums;
     if (pair.is_tilted()) {
-        const Vector3& half = leader.half_extents;
-        detail::compute_tilted_contact({{half.x(), half.y(), half.z()}, face.half}, pose, law, list.first_step, list.tallies[index],
-                                       list.tilted[pair.tilted], sums);
+        detail::compute_tilted_contact({{leader_half.x(), leader_half.y(), leader_half.z()}, face.half}, pose, law, list.first_step,
+                                       list.tallies[index], list.tilted[pair.tilted], sums);
         store(sums, bodies.rotation[f], position, list.forces[index], list.tallies[index], list.work[index]);
         return;
     }
+    const BlockNodes nodes = nodes_of(model, model.blocks[l]);
     const double equal_area = find_equal_area(model, leader, list.tallies[index]);
-    const bool apart = !find_contact_faces(pose, leader.half_extents, face);
+    const bool apart = !find_contact_faces(pose, leader_half, face);
     face.leader_axis = leader.faceted ? face.leader_axis : 0;
     if (apart && list.tallies[index].touching == 0) {
         list.forces[index] = PairForce{};
@@ -259,10 +286,10 @@ void compute_block_contact(const Model& model, const Bodies& bodies, const BaseP
         return;
     }
     if (const auto* grid = std::get_if<GridLevelSet>(&follower.level_set)) {
-        sum_grid_nodes(leader, pose, *grid, law, equal_area, pair, list, sums);
+        sum_grid_nodes(nodes, pose, BlockGrid(*grid, bodies.height_offset[f]), law, equal_area, pair, list, sums);
     } else {
         start_new_faces(bodies, base, face, index, list);
-        detail::sum_flat_nodes(leader, pose, face, law, equal_area, pair, list, sums);
+        detail::sum_flat_nodes(nodes, pose, face, law, equal_area, pair, list, sums);
     }
     store(sums, bodies.rotation[f], position, list.forces[index], list.tallies[index], list.work[index]);
 }
@@ -279,8 +306,8 @@ void compute_ground_contact(const Model& model, const Bodies& bodies, const Base
     plane.bounded = false;
     plane.leader_axis = find_leader_axis(leader, pose, plane.axis);
     start_new_faces(bodies, base, plane, index, list);
-    detail::sum_flat_nodes(leader, pose, plane, StepLaw(pair.law, dt), find_equal_area(model, leader, list.tallies[index]), pair, list,
-                           sums);
+    detail::sum_flat_nodes(nodes_of(model, model.blocks[l]), pose, plane, StepLaw(pair.law, dt),
+                           find_equal_area(model, leader, list.tallies[index]), pair, list, sums);
     store(sums, Matrix3::Identity(), position, list.forces[index], list.tallies[index], list.work[index]);
 }
 

@@ -57,7 +57,7 @@ struct ContactPair {
     std::uint32_t patch_group = kNoPatch;  ///< into ContactList::patches, when the pair is a patch
     std::uint32_t patch_lane = 0;
     std::uint32_t tilted = kNoPatch;  ///< into ContactList::tilted, when the pair is two boxes at an angle
-    Interface law;
+    Interface law;                    ///< of a patch, that of its kind
 
     bool is_patch() const { return patch_group != kNoPatch; }
     bool is_tilted() const { return tilted != kNoPatch; }

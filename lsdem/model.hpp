@@ -19,10 +19,14 @@ struct Material {
 };
 
 /// One rigid block. The body frame has its origin in the centre of mass and its axes along the principal axes of inertia.
+///
+/// A box may be taller than its shape, or shorter, by `height_offset`: its top face is moved, and the centre of mass with it by half, so
+/// that in its body frame it reaches from −(H + Δ)/2 to (H + Δ)/2. Mass is given; inertia and contact follow the own height.
 struct Block {
     std::size_t shape = 0;                            ///< index into Model::shapes
     std::size_t material = 0;                         ///< index into Model::materials
     double mass = 0.0;                                ///< [kg]
+    double height_offset = 0.0;                       ///< Δ: how much taller than its shape along body z, the top face moved [m]
     Vector3 position = Vector3::Zero();               ///< centre of mass, world frame [m]
     Quaternion orientation = Quaternion::Identity();  ///< body to world
     Vector3 velocity = Vector3::Zero();               ///< of the centre of mass, world frame [m/s]

@@ -7,6 +7,8 @@
 #include <tuple>
 #include <utility>
 
+#include "lsdem/block_height.hpp"
+
 namespace musim::lsdem {
 namespace {
 
@@ -64,19 +66,30 @@ bool leads(const Bodies& bodies, std::uint32_t a, std::uint32_t b) {
 
 NeighborSearch::NeighborSearch(const Model& model) : model_(&model) {
     double smallest = std::numeric_limits<double>::infinity();
-    for (const Block& block : model.blocks) smallest = std::min(smallest, 2.0 * model.shapes[block.shape].half_extents.minCoeff());
+    for (const Block& block : model.blocks) {
+        const Vector3 half = half_extents(model, block);
+        smallest = std::min(smallest, 2.0 * half.minCoeff());
+        reference_.diameter.push_back(2.0 * half.norm());
+        mass_.push_back(block.mass);
+    }
     skin_ = model.blocks.empty() ? 0.0 : kNeighborSkin * smallest;
-    for (const Block& block : model.blocks) reference_.diameter.push_back(2.0 * model.shapes[block.shape].half_extents.norm());
+    nominal_mass_ = compute_nominal_masses(model);
 }
 
-Interface NeighborSearch::make_pair_interface(std::uint32_t leader, std::uint32_t follower) const {
-    const Block& a = model_->blocks[leader];
+double NeighborSearch::effective_mass(BlockPair blocks, const std::vector<double>& masses) const {
+    const double a = masses[blocks.leader];
+    if (blocks.follower == kGround) return a;
+    const double b = masses[blocks.follower];
+    return model_->blocks[blocks.leader].fixed ? b : model_->blocks[blocks.follower].fixed ? a : a * b / (a + b);
+}
+
+Interface NeighborSearch::make_pair_interface(BlockPair blocks, double effective_mass) const {
+    const Block& a = model_->blocks[blocks.leader];
     const double area_a = model_->shapes[a.shape].face_area;
-    if (follower == kGround) return make_interface(model_->materials[a.material], model_->ground.material, a.mass, area_a);
-    const Block& b = model_->blocks[follower];
-    const double effective = a.fixed ? b.mass : b.fixed ? a.mass : a.mass * b.mass / (a.mass + b.mass);
+    if (blocks.follower == kGround) return make_interface(model_->materials[a.material], model_->ground.material, effective_mass, area_a);
+    const Block& b = model_->blocks[blocks.follower];
     const double area = std::min(area_a, model_->shapes[b.shape].face_area);
-    const Interface whole = make_interface(model_->materials[a.material], model_->materials[b.material], effective, area);
+    const Interface whole = make_interface(model_->materials[a.material], model_->materials[b.material], effective_mass, area);
     return model_->contact_nodes == ContactNodes::both ? scaled(whole, 0.5) : whole;
 }
 
@@ -85,7 +98,7 @@ void NeighborSearch::find_block_pairs(const Bodies& bodies, std::vector<BlockPai
     std::vector<Vector3> half(n);
     Vector3 cell_size = Vector3::Zero();
     for (std::size_t i = 0; i < n; ++i) {
-        half[i] = world_half(bodies.rotation[i], model_->shapes[model_->blocks[i].shape].half_extents);
+        half[i] = world_half(bodies.rotation[i], bodies.half[i]);
         cell_size = cell_size.cwiseMax(2.0 * half[i]);
     }
     cell_size += Vector3::Constant(skin_);
@@ -102,9 +115,9 @@ void NeighborSearch::find_block_pairs(const Bodies& bodies, std::vector<BlockPai
         if (model_->blocks[i].fixed && model_->blocks[j].fixed) return;
         for (int a = 0; a < 3; ++a)
             if (!overlap_along(bodies.position[i][a], half[i][a], bodies.position[j][a], half[j][a], skin_)) return;
-        const Vector3& half_i = model_->shapes[model_->blocks[i].shape].half_extents;
-        const Vector3& half_j = model_->shapes[model_->blocks[j].shape].half_extents;
-        if (separated(bodies.rotation[i], half_i, bodies.rotation[j], half_j, bodies.position[j] - bodies.position[i], skin_)) return;
+        if (separated(bodies.rotation[i], bodies.half[i], bodies.rotation[j], bodies.half[j], bodies.position[j] - bodies.position[i],
+                      skin_))
+            return;
         pairs.push_back({std::min(i, j), std::max(i, j)});
     };
     // each row of three cells along the last axis is contiguous in the sorted list
@@ -126,14 +139,14 @@ void NeighborSearch::find_block_pairs(const Bodies& bodies, std::vector<BlockPai
 }
 
 void NeighborSearch::add_pair(BlockPair blocks, const Bodies& bodies, const BasePose& base, ContactList& list) const {
-    const SurfaceNodes& nodes = model_->shapes[model_->blocks[blocks.leader].shape].nodes;
+    const BlockNodes nodes = nodes_of(*model_, model_->blocks[blocks.leader]);
     const bool ground = blocks.follower == kGround;
     const Matrix3 to_follower = ground ? Matrix3(Matrix3::Identity()) : Matrix3(bodies.rotation[blocks.follower].transpose());
     const Vector3 origin = ground ? base.displacement : bodies.position[blocks.follower];
     const Matrix3 q = to_follower * bodies.rotation[blocks.leader];
     const Matrix3 q_abs = q.cwiseAbs();
     const Vector3 t = to_follower * (bodies.position[blocks.leader] - origin);
-    const Vector3 half = ground ? Vector3::Zero() : model_->shapes[model_->blocks[blocks.follower].shape].half_extents;
+    const Vector3 half = ground ? Vector3::Zero() : bodies.half[blocks.follower];
 
     const auto first = static_cast<std::uint32_t>(list.nodes.size());
     for (std::size_t i = 0; i < nodes.size(); ++i) {
@@ -142,9 +155,8 @@ void NeighborSearch::add_pair(BlockPair blocks, const Bodies& bodies, const Base
             if (y.z() > skin_) continue;
         } else {
             // a node counts as long as some of its cell lies on the follower, whose edges are rounded
-            const Vector3 center{nodes.center_x[i], nodes.center_y[i], nodes.center_z[i]};
-            const Vector3 cell{nodes.half_x[i], nodes.half_y[i], nodes.half_z[i]};
-            const Vector3 reach = half + Vector3::Constant(skin_) + q_abs * ((1.0 + 2.0 * kEdgeBlend) * cell + center.cwiseAbs());
+            const Vector3 cell = (1.0 + 2.0 * kEdgeBlend) * nodes.half(i) + nodes.center(i).cwiseAbs();
+            const Vector3 reach = half + Vector3::Constant(skin_) + q_abs * cell;
             if ((y.cwiseAbs() - reach).maxCoeff() > 0.0) continue;
         }
         list.nodes.push_back(static_cast<std::uint32_t>(i));
@@ -157,7 +169,7 @@ void NeighborSearch::add_pair(BlockPair blocks, const Bodies& bodies, const Base
     pair.follower = blocks.follower;
     pair.first_node = first;
     pair.node_count = count;
-    pair.law = make_pair_interface(blocks.leader, blocks.follower);
+    pair.law = make_pair_interface(blocks, effective_mass(blocks, mass_));
     list.node_pairs.push_back(static_cast<std::uint32_t>(list.pairs.size()));
     list.pairs.push_back(pair);
 }
@@ -165,14 +177,15 @@ void NeighborSearch::add_pair(BlockPair blocks, const Bodies& bodies, const Base
 bool NeighborSearch::plan_patch(BlockPair blocks, const Bodies& bodies, const BasePose& base, ContactList& list,
                                 std::vector<PatchPlan>& plans) const {
     if (!by_faces()) return false;
-    const Shape& leader = model_->shapes[model_->blocks[blocks.leader].shape];
-    const Shape* follower = blocks.follower == kGround ? nullptr : &model_->shapes[model_->blocks[blocks.follower].shape];
-    auto kind = find_patch_kind(leader, follower, find_pair_poses(bodies, base, blocks.leader, blocks.follower, false), skin_);
+    auto kind = find_patch_kind(*model_, bodies, base, blocks.leader, blocks.follower, skin_);
     if (!kind) return false;
-    kind->law = make_pair_interface(blocks.leader, blocks.follower);
+    // pairs whose blocks differ in height only share their kind; what their own masses change is a factor of each
+    const double nominal_mass = effective_mass(blocks, nominal_mass_);
+    kind->law = make_pair_interface(blocks, nominal_mass);
     if (kind->law.friction == 0.0) kind->law.shear_stiffness = kind->law.shear_damping = 0.0;
     kind->viscous = kind->law.shear_damping > 0.0;
-    plans.push_back({static_cast<std::uint32_t>(list.pairs.size()), *kind});
+    const double damping = std::sqrt(effective_mass(blocks, mass_) / nominal_mass);
+    plans.push_back({static_cast<std::uint32_t>(list.pairs.size()), *kind, damping});
     ContactPair pair;
     pair.leader = blocks.leader;
     pair.follower = blocks.follower;
@@ -196,7 +209,7 @@ bool NeighborSearch::add_tilted(BlockPair blocks, ContactList& list) const {
     pair.follower = blocks.follower;
     pair.first_node = static_cast<std::uint32_t>(list.nodes.size());
     pair.tilted = static_cast<std::uint32_t>(list.tilted.size());
-    pair.law = make_pair_interface(blocks.leader, blocks.follower);
+    pair.law = make_pair_interface(blocks, effective_mass(blocks, mass_));
     list.tilted.emplace_back();
     list.node_pairs.push_back(static_cast<std::uint32_t>(list.pairs.size()));
     list.pairs.push_back(pair);
@@ -231,7 +244,7 @@ void NeighborSearch::rebuild(const Bodies& bodies, const BasePose& base, Contact
     }
     if (model_->ground.present) {
         for (std::uint32_t i = 0; i < bodies.size(); ++i) {
-            const Vector3 half = world_half(bodies.rotation[i], model_->shapes[model_->blocks[i].shape].half_extents);
+            const Vector3 half = world_half(bodies.rotation[i], bodies.half[i]);
             const bool near = bodies.position[i].z() - half.z() <= base.displacement.z() + skin_;
             if (near && bodies.fixed[i] == 0) directed.push_back({i, kGround});
         }

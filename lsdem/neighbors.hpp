@@ -48,9 +48,13 @@ class NeighborSearch {
     bool add_tilted(BlockPair blocks, ContactList& list) const;
     /// Do boxes meet by their faces, not node by node?
     bool by_faces() const;
-    Interface make_pair_interface(std::uint32_t leader, std::uint32_t follower) const;
+    /// m_i·m_j/(m_i + m_j), or the mass of the one that moves [kg]; `masses`: one per block.
+    double effective_mass(BlockPair blocks, const std::vector<double>& masses) const;
+    Interface make_pair_interface(BlockPair blocks, double effective_mass) const;
 
     const Model* model_;
+    std::vector<double> mass_;          ///< of every block [kg]
+    std::vector<double> nominal_mass_;  ///< the same at the height of its shape [kg]
     double skin_ = 0.0;
     Reference reference_;
     ContactList previous_;  ///< the list before, kept to reuse its memory

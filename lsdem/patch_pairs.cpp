@@ -33,13 +33,26 @@ void set_axes(const Matrix3& between, std::uint8_t k, PatchKind& kind) {
     kind.q = a_first ? b : a;
 }
 
+constexpr std::uint8_t kHeightAxis = 2;
+
+/// Half extent of a shape along an axis, times a sign.
+PatchLength half_along(const Shape& shape, std::uint8_t axis, double sign = 1.0) {
+    return {sign * shape.half_extents[axis], axis == kHeightAxis ? 0.5 * sign : 0.0};
+}
+
+/// Node spacing of a shape along an axis; that along the height stretches with it.
+PatchLength spacing_along(const Shape& shape, std::uint8_t axis) {
+    const double spacing = shape.node_spacing[axis];
+    return {spacing, axis == kHeightAxis ? spacing / (2.0 * shape.half_extents[axis]) : 0.0};
+}
+
 void set_leader_face(const Shape& leader, double normal_component, PatchKind& kind) {
     const double toward = kind.side * normal_component < 0.0 ? 1.0 : -1.0;
-    kind.face_n = toward * leader.half_extents[kind.n];
-    kind.half_p = leader.half_extents[kind.p];
-    kind.half_q = leader.half_extents[kind.q];
-    kind.spacing_p = leader.node_spacing[kind.p];
-    kind.spacing_q = leader.node_spacing[kind.q];
+    kind.face_n = half_along(leader, kind.n, toward);
+    kind.half_p = half_along(leader, kind.p);
+    kind.half_q = half_along(leader, kind.q);
+    kind.spacing_p = spacing_along(leader, kind.p);
+    kind.spacing_q = spacing_along(leader, kind.q);
     kind.height = 2.0 * leader.half_extents.z();
     kind.spacing = leader.patch_spacing;
 }
@@ -112,13 +125,15 @@ class PatchPlacer {
     void place(PatchPlan plan) {
         const ContactPair& pair = list_.pairs[plan.pair];
         const ContactPair* old = find_old(plan);
-        choose_lattice(pair, old, plan.kind);
+        const PatchHeights heights{bodies_.height_offset[pair.leader],
+                                   pair.follower == kGround ? 0.0 : bodies_.height_offset[pair.follower], plan.damping};
+        choose_lattice(pair, old, heights, plan.kind);
         const std::uint32_t kind = list_.patches.find_kind(plan.kind);
         open_.resize(list_.patches.kinds.size(), kNone);
         if (open_[kind] == kNone) open_[kind] = add_group(kind);
         const std::uint32_t index = open_[kind];
-        add_lane(plan.pair, index);
-        start_lane(plan.pair, old);
+        add_lane(plan.pair, heights, index);
+        start_lane(plan.pair, heights, old);
         if (list_.patches.groups[index].count == PatchGroup::kSize) open_[kind] = kNone;
     }
 
@@ -136,10 +151,13 @@ class PatchPlacer {
         return patches.kinds[patches.groups[pair.patch_group].kind];
     }
 
-    void choose_lattice(const ContactPair& pair, const ContactPair* old, PatchKind& kind) const {
+    void choose_lattice(const ContactPair& pair, const ContactPair* old, const PatchHeights& heights, PatchKind& kind) const {
         const PairPoses poses = find_pair_poses(bodies_, base_, pair.leader, pair.follower, false);
-        const detail::PatchSize size = detail::measure_patch(kind, poses.leader, poses.follower, poses.offset);
-        const int p = count_along(size.p, kind.spacing_p), q = count_along(size.q, kind.spacing_q);
+        const detail::PatchSize size = detail::measure_patch(kind, heights, poses.leader, poses.follower, poses.offset);
+        const auto count = [&](double length, const PatchLength& spacing) {
+            return count_along(length, spacing.nominal + spacing.per_offset * heights.leader);
+        };
+        const int p = count(size.p, kind.spacing_p), q = count(size.q, kind.spacing_q);
         if (old != nullptr) {
             const PatchLattice& lattice = previous_.patches.lattices[kind_of(previous_.patches, *old).lattice];
             if (std::abs(lattice.count_p - p) <= kLatticeSlack && std::abs(lattice.count_q - q) <= kLatticeSlack) {
@@ -163,7 +181,7 @@ class PatchPlacer {
         return static_cast<std::uint32_t>(patches.groups.size() - 1);
     }
 
-    void add_lane(std::uint32_t index, std::uint32_t group_index) {
+    void add_lane(std::uint32_t index, const PatchHeights& heights, std::uint32_t group_index) {
         PatchGroup& group = list_.patches.groups[group_index];
         ContactPair& pair = list_.pairs[index];
         pair.patch_group = group_index;
@@ -173,18 +191,21 @@ class PatchPlacer {
             group.pair[lane] = index;
             group.leader[lane] = pair.leader;
             group.follower[lane] = pair.follower;
+            group.leader_offset[lane] = heights.leader;
+            group.follower_offset[lane] = heights.follower;
+            group.damping[lane] = heights.damping;
         }
         ++group.count;
     }
 
-    void start_lane(std::uint32_t index, const ContactPair* old) {
+    void start_lane(std::uint32_t index, const PatchHeights& heights, const ContactPair* old) {
         const ContactPair& pair = list_.pairs[index];
         PatchList& patches = list_.patches;
         double* state = patches.field(pair.patch_group, 0);
         const auto set = [&](std::size_t field, double value) { state[field * PatchGroup::kSize + pair.patch_lane] = value; };
         if (old == nullptr) {
             const PairPoses poses = find_pair_poses(bodies_, base_, pair.leader, pair.follower, true);
-            detail::write_patch_pose(kind_of(patches, pair), poses.leader, poses.follower, poses.offset, pair.patch_lane, state);
+            detail::write_patch_pose(kind_of(patches, pair), heights, poses.leader, poses.follower, poses.offset, pair.patch_lane, state);
             set(patch_field::slack, -1.0);
             return;
         }
@@ -230,16 +251,21 @@ PairPoses find_pair_poses(const Bodies& bodies, const BasePose& base, std::uint3
     return {rotation[leader], rotation[follower], position[leader] - position[follower]};
 }
 
-std::optional<PatchKind> find_patch_kind(const Shape& leader, const Shape* follower, const PairPoses& poses, double skin) {
+std::optional<PatchKind> find_patch_kind(const Model& model, const Bodies& bodies, const BasePose& base, std::uint32_t leader_index,
+                                         std::uint32_t follower_index, double skin) {
+    const Shape& leader = model.shapes[model.blocks[leader_index].shape];
     if (!is_box(leader)) return std::nullopt;
-    if (follower == nullptr) return find_ground_kind(leader, poses);
-    if (!is_box(*follower)) return std::nullopt;
+    const PairPoses poses = find_pair_poses(bodies, base, leader_index, follower_index, false);
+    if (follower_index == kGround) return find_ground_kind(leader, poses);
+    const Shape& follower = model.shapes[model.blocks[follower_index].shape];
+    if (!is_box(follower)) return std::nullopt;
 
     // overlap of the boxes along each axis of the follower, and along the leader's axis beside it
     const Matrix3 between = poses.follower.transpose() * poses.leader, size = between.cwiseAbs();
     const Vector3 in_follower = poses.follower.transpose() * poses.offset, in_leader = poses.leader.transpose() * poses.offset;
-    const Vector3 gap_follower = in_follower.cwiseAbs() - follower->half_extents - size * leader.half_extents;
-    const Vector3 gap_leader = in_leader.cwiseAbs() - leader.half_extents - size.transpose() * follower->half_extents;
+    const Vector3 &leader_half = bodies.half[leader_index], &follower_half = bodies.half[follower_index];
+    const Vector3 gap_follower = in_follower.cwiseAbs() - follower_half - size * leader_half;
+    const Vector3 gap_leader = in_leader.cwiseAbs() - leader_half - size.transpose() * follower_half;
     std::array<double, 3> gap{};
     for (std::uint8_t a = 0; a < 3; ++a) gap[a] = std::max(gap_follower[a], gap_leader[largest_of(between.row(a))]);
     const auto k = static_cast<std::uint8_t>(std::max_element(gap.begin(), gap.end()) - gap.begin());
@@ -252,9 +278,9 @@ std::optional<PatchKind> find_patch_kind(const Shape& leader, const Shape* follo
     const bool certain = std::max(gap[kind.u], gap[kind.v]) <= std::min(gap[k], 0.0) - 2.0 * skin;
     if (!parallel || !certain) return std::nullopt;
     kind.side = in_follower[k] < 0.0 ? -1.0 : 1.0;
-    kind.face_k = kind.side * follower->half_extents[kind.k];
-    kind.half_u = follower->half_extents[kind.u];
-    kind.half_v = follower->half_extents[kind.v];
+    kind.face_k = half_along(follower, kind.k, kind.side);
+    kind.half_u = half_along(follower, kind.u);
+    kind.half_v = half_along(follower, kind.v);
     set_leader_face(leader, between(kind.k, kind.n), kind);
     return kind;
 }

@@ -19,14 +19,16 @@ struct PairPoses {
 /// Poses of a pair at step n, or at step n − 1.
 PairPoses find_pair_poses(const Bodies& bodies, const BasePose& base, std::uint32_t leader, std::uint32_t follower, bool previous);
 
-/// The kind of patch that two boxes form, or a box and the ground (`follower` null), less its lattice; nothing when their faces are not
-/// nearly parallel, or when it is not certain for as long as every point moves by less than `skin` [m] which faces meet.
-std::optional<PatchKind> find_patch_kind(const Shape& leader, const Shape* follower, const PairPoses& poses, double skin);
+/// The kind of patch that two boxes form, or a box and the ground, less its lattice and law; nothing when their faces are not nearly
+/// parallel, or when it is not certain for as long as every point moves by less than `skin` [m] which faces meet.
+std::optional<PatchKind> find_patch_kind(const Model& model, const Bodies& bodies, const BasePose& base, std::uint32_t leader,
+                                         std::uint32_t follower, double skin);
 
 /// A pair that is a patch, before it has its place.
 struct PatchPlan {
     std::uint32_t pair = 0;  ///< into ContactList::pairs
     PatchKind kind;
+    double damping = 1.0;  ///< see PatchHeights
 };
 
 /// Puts the planned patches into groups of four of one kind, in the order of the list. A patch that was there before in `previous` keeps

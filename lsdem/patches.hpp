@@ -36,24 +36,38 @@ struct PatchLattice {
 /// `count_p`, `count_q` ≥ 2 nodes along the two axes.
 PatchLattice make_patch_lattice(int count_p, int count_q, PatchSpacing spacing = PatchSpacing::even);
 
-/// What many patches have in common: which faces meet, their sizes and the contact law. Axes: k, u, v of the follower (k along the normal,
-/// cyclic), n, p, q of the leader (n along the normal, p beside u, q beside v).
+/// A length of one block of a patch: that of its shape, and what a metre adds by which the block is taller than its shape.
+struct PatchLength {
+    double nominal = 0.0;     ///< [m]
+    double per_offset = 0.0;  ///< 0 along body x and y; along z ±1/2 for half a height [-]
+
+    bool operator==(const PatchLength&) const = default;
+};
+
+/// What many patches have in common: which faces meet, their sizes and the contact law. Blocks that differ in height only share it. Axes:
+/// k, u, v of the follower (k along the normal, cyclic), n, p, q of the leader (n along the normal, p beside u, q beside v).
 struct PatchKind {
     std::uint8_t k = 2, u = 0, v = 1, n = 2, p = 0, q = 1;
     bool bounded = true;                        ///< a face with edges; the ground has none
     bool viscous = false;                       ///< the law has a tangential dashpot
     double side = 1.0;                          ///< outward normal of the follower's face = side·e_k
-    double face_k = 0.0;                        ///< place of the follower's face along e_k, side·h_k [m]
-    double half_u = 0.0, half_v = 0.0;          ///< half extents of the follower's face [m]
-    double face_n = 0.0;                        ///< place of the leader's face along e_n [m]
-    double half_p = 0.0, half_q = 0.0;          ///< half extents of the leader's face [m]
-    double spacing_p = 0.0, spacing_q = 0.0;    ///< of the leader's nodes [m]
-    double height = 0.0;                        ///< of the leader, for reporting the overlap [m]
+    PatchLength face_k;                         ///< place of the follower's face along e_k, side·h_k
+    PatchLength half_u, half_v;                 ///< half extents of the follower's face
+    PatchLength face_n;                         ///< place of the leader's face along e_n
+    PatchLength half_p, half_q;                 ///< half extents of the leader's face
+    PatchLength spacing_p, spacing_q;           ///< of the leader's nodes
+    double height = 0.0;                        ///< of the leader's shape, for reporting the overlap [m]
     PatchSpacing spacing = PatchSpacing::even;  ///< of the nodes of the patch
     std::uint32_t lattice = 0;                  ///< into PatchList::lattices
-    Interface law;
+    Interface law;                              ///< of blocks of their shapes' heights
 
     bool operator==(const PatchKind&) const = default;
+};
+
+/// What the heights of its two blocks make of one patch of a kind.
+struct PatchHeights {
+    double leader = 0.0, follower = 0.0;  ///< Δ of each, zero of the ground [m]
+    double damping = 1.0;                 ///< factor of the kind's dashpots, sqrt(m_eff/m_eff of the kind) [-]
 };
 
 /// Four patches of one kind, computed side by side.
@@ -63,6 +77,8 @@ struct PatchGroup {
     std::uint32_t count = 0;                  ///< patches in use; the other lanes repeat the first
     std::array<std::uint32_t, kSize> pair{};  ///< into ContactList::pairs
     std::array<std::uint32_t, kSize> leader{}, follower{};
+    std::array<double, kSize> leader_offset{}, follower_offset{};  ///< see PatchHeights [m]
+    std::array<double, kSize> damping{1.0, 1.0, 1.0, 1.0};         ///< likewise [-]
     std::uint32_t first_slot = 0;  ///< of the first patch, into slip_u and slip_v; each has lattice.t.size() of them
 };
 

@@ -76,11 +76,6 @@ SurfaceNodes make_box_nodes(const Vector3& size, const NodeLattice& lattice) {
     return nodes;
 }
 
-Vector3 box_inertia_over_mass(const Vector3& size) {
-    const Vector3 s2 = size.cwiseProduct(size);
-    return Vector3(s2.y() + s2.z(), s2.x() + s2.z(), s2.x() + s2.y()) / 12.0;
-}
-
 }  // namespace
 
 NodeLattice make_node_lattice(const Vector3& size, int nodes_per_face) {
@@ -107,7 +102,7 @@ Shape make_box_shape(const Vector3& size, const NodeLattice& lattice) {
     shape.nodes = make_box_nodes(size, lattice);
     shape.node_spacing = size.cwiseQuotient(Vector3(lattice.nx - 1, lattice.ny - 1, lattice.nz - 1));
     shape.volume = size.prod();
-    shape.inertia_over_mass = box_inertia_over_mass(size);
+    shape.inertia_over_mass = detail::box_inertia_over_mass(size);
     shape.face_area = size.x() * size.y();
     return shape;
 }

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "lsdem/base_motion.hpp"
+#include "lsdem/block_height.hpp"
 #include "lsdem/bodies.hpp"
 #include "lsdem/contacts.hpp"
 #include "lsdem/detail/motion_kernel.hpp"
@@ -71,6 +72,10 @@ void check_model(const Model& model, double time_step) {
     for (const Block& block : model.blocks) {
         require(block.shape < model.shapes.size(), "Simulation: a block names a shape that does not exist");
         require(block.material < model.materials.size(), "Simulation: a block names a material that does not exist");
+        const Shape& shape = model.shapes[block.shape];
+        require(block.height_offset == 0.0 || shape.faceted, "Simulation: only a box can be taller or shorter than its shape");
+        require(std::isfinite(block.height_offset) && block.height_offset > -2.0 * shape.half_extents.z(),
+                "Simulation: a block's height offset must be finite and leave it some height");
         require(std::isfinite(block.mass) && block.mass > 0.0, "Simulation: a block's mass must be positive and finite");
         require(
             finite(block.position) && finite(block.velocity) && finite(block.angular_velocity) && block.orientation.coeffs().allFinite(),
@@ -156,7 +161,7 @@ double find_rounding_energy(const Model& model) {
     double extent = 0.0, stiffest = 0.0;
     for (const Block& block : model.blocks) {
         const Shape& shape = model.shapes[block.shape];
-        extent = std::max(extent, block.position.norm() + shape.half_extents.norm());
+        extent = std::max(extent, block.position.norm() + half_extents(model, block).norm());
         stiffest = std::max(stiffest, model.materials[block.material].normal_stiffness * shape.face_area);
     }
     const double rounding = std::numeric_limits<double>::epsilon() * extent;
@@ -181,8 +186,7 @@ Simulation::Implementation::Implementation(Model given, double time_step, int th
     drift.assign(static_cast<std::size_t>(team.size()), 0.0);
     overlap.assign(static_cast<std::size_t>(team.size()), 0.0);
     smallest_edge = std::numeric_limits<double>::infinity();
-    for (const Block& block : model.blocks)
-        smallest_edge = std::min(smallest_edge, 2.0 * model.shapes[block.shape].half_extents.minCoeff());
+    for (const Vector3& half : bodies.half) smallest_edge = std::min(smallest_edge, 2.0 * half.minCoeff());
 
     // where everything was one step ago, as the initial velocities have it
     base.displacement = motion.displacement(0.0);
@@ -465,7 +469,7 @@ double Simulation::fallen_fraction() const {
     for (std::size_t i = 0; i < s.bodies.size(); ++i) {
         const Block& start = s.model.blocks[i];
         const Matrix3 start_rotation = start.orientation.toRotationMatrix();
-        const double height = 2.0 * start_rotation.row(2).cwiseAbs().dot(s.model.shapes[start.shape].half_extents);
+        const double height = 2.0 * start_rotation.row(2).cwiseAbs().dot(s.bodies.half[i]);
         const double sunk = (start.position.z() - s.bodies.position[i].z()) + s.base.displacement.z();
         const double upright = s.bodies.rotation[i].row(2).dot(start_rotation.row(2));
         if (sunk > 0.25 * height || upright < std::numbers::sqrt2 / 2.0) ++fallen;

@@ -62,7 +62,7 @@ struct Statistics {
     std::size_t pairs = 0;                 ///< in the neighbor list now
     std::size_t contact_nodes = 0;         ///< touching now
     std::uint64_t rebuilds = 0;            ///< of the neighbor list
-    double max_overlap_over_height = 0.0;  ///< largest node overlap ever, over the height of the block that owns the node
+    double max_overlap_over_height = 0.0;  ///< largest node overlap ever, over the height of the shape of the block that owns the node
 };
 
 /// Seconds of wall time spent per phase since the start.

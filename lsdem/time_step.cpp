@@ -10,6 +10,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "lsdem/block_height.hpp"
 #include "lsdem/contact_law.hpp"
 
 namespace musim::lsdem {
@@ -36,7 +37,7 @@ Eigen::Index find_upright_axis(const Block& block) {
 }
 
 /// Area that node i has on the face across `axis` on the side of `sign` [m²].
-double face_share(const SurfaceNodes& nodes, std::size_t i, Eigen::Index axis, double sign) {
+double face_share(const BlockNodes& nodes, std::size_t i, Eigen::Index axis, double sign) {
     return std::max(0.0, sign * nodes.area(i)[axis]);
 }
 
@@ -44,15 +45,15 @@ double face_share(const SurfaceNodes& nodes, std::size_t i, Eigen::Index axis, d
 /// that StiffnessSharing::per_contact can make of it.
 enum class Spread { by_area, at_corner };
 
-/// Area of the nodes of a face [m²], one number per node of the shape.
-std::vector<double> spread_area(const Shape& shape, Eigen::Index axis, double sign, Spread spread) {
-    std::vector<double> areas(shape.nodes.size());
+/// Area of the nodes of a face [m²], one number per node of the block.
+std::vector<double> spread_area(const BlockNodes& nodes, Eigen::Index axis, double sign, Spread spread) {
+    std::vector<double> areas(nodes.size());
     double whole = 0.0, farthest = -1.0;
     std::size_t corner = 0;
     for (std::size_t i = 0; i < areas.size(); ++i) {
-        areas[i] = face_share(shape.nodes, i, axis, sign);
+        areas[i] = face_share(nodes, i, axis, sign);
         whole += areas[i];
-        const double distance = areas[i] > 0.0 ? shape.nodes.position(i).norm() : -1.0;
+        const double distance = areas[i] > 0.0 ? nodes.position(i).norm() : -1.0;
         if (distance > farthest) farthest = distance, corner = i;
     }
     if (spread == Spread::at_corner) {
@@ -62,18 +63,20 @@ std::vector<double> spread_area(const Shape& shape, Eigen::Index axis, double si
     return areas;
 }
 
-/// Face of a shape across `axis`, on the side of `sign`, pressed on a rigid plane through an interface.
-ModeMatrices face_matrices(const Shape& shape, const Block& block, const Interface& law, Eigen::Index axis, double sign, Spread spread) {
-    const std::vector<double> areas = spread_area(shape, axis, sign, spread);
+/// Face of a block across `axis`, on the side of `sign`, pressed on a rigid plane through an interface.
+ModeMatrices face_matrices(const Model& model, const Block& block, const Interface& law, Eigen::Index axis, double sign, Spread spread) {
+    const BlockNodes nodes = nodes_of(model, block);
+    const std::vector<double> areas = spread_area(nodes, axis, sign, spread);
     const double per_root_mass = 1.0 / std::sqrt(block.mass);
-    const Vector3 per_root_inertia =
-        block.rotation_locked ? Vector3(Vector3::Zero()) : Vector3((block.mass * shape.inertia_over_mass).cwiseSqrt().cwiseInverse());
+    const Vector3 per_root_inertia = block.rotation_locked
+                                         ? Vector3(Vector3::Zero())
+                                         : Vector3((block.mass * inertia_over_mass(model, block)).cwiseSqrt().cwiseInverse());
     ModeMatrices sum;
-    for (std::size_t i = 0; i < shape.nodes.size(); ++i) {
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
         const double area = areas[i];
         if (area == 0.0) continue;
         // displacement of the node by unit translations and rotations
-        const Vector3 p = shape.nodes.position(i);
+        const Vector3 p = nodes.position(i);
         Eigen::Matrix<double, 3, 6> b;
         b.leftCols<3>() = per_root_mass * Matrix3::Identity();
         b.rightCols<3>() << 0.0, p.z(), -p.y(), -p.z(), 0.0, p.x(), p.y(), -p.x(), 0.0;
@@ -136,20 +139,20 @@ class Partners {
 };
 
 double block_limit(const Model& model, const Partners& partners, const Block& block, Spread spread) {
-    const Shape& shape = model.shapes[block.shape];
     const Interface between = partners.stiffest(block);
     const Eigen::Index axis = find_upright_axis(block);
-    const ModeMatrices top = face_matrices(shape, block, between, axis, 1.0, spread),
-                       bottom = face_matrices(shape, block, between, axis, -1.0, spread);
+    const ModeMatrices top = face_matrices(model, block, between, axis, 1.0, spread),
+                       bottom = face_matrices(model, block, between, axis, -1.0, spread);
     ModeMatrices in_stack;
     in_stack.add(top, 2.0);
     in_stack.add(bottom, 2.0);
     double limit = solve_limit(in_stack);
     if (model.ground.present) {
-        const Interface on_ground = make_interface(model.materials[block.material], model.ground.material, block.mass, shape.face_area);
+        const Interface on_ground =
+            make_interface(model.materials[block.material], model.ground.material, block.mass, model.shapes[block.shape].face_area);
         ModeMatrices at_base;
         at_base.add(top, 2.0);
-        at_base.add(face_matrices(shape, block, on_ground, axis, -1.0, spread), 1.0);
+        at_base.add(face_matrices(model, block, on_ground, axis, -1.0, spread), 1.0);
         limit = std::min(limit, solve_limit(at_base));
     }
     return limit;
@@ -165,17 +168,26 @@ double block_limit(const Model& model, const Partners& partners, const Block& bl
 
 double compute_critical_time_step(const Model& model) {
     const Partners partners(model);
-    // equal blocks are computed once
-    std::map<std::tuple<std::size_t, std::size_t, double, bool, Eigen::Index>, double> known;
-    double limit = std::numeric_limits<double>::infinity();
-    for (const Block& block : model.blocks) {
+    // equal blocks are computed once; of blocks that differ in height only, the shortest and the tallest
+    struct Extremes {
+        const Block *shortest, *tallest;
+    };
+    const std::vector<double> nominal_masses = compute_nominal_masses(model);
+    std::map<std::tuple<std::size_t, std::size_t, double, bool, Eigen::Index>, Extremes> kinds;
+    for (std::size_t i = 0; i < model.blocks.size(); ++i) {
+        const Block& block = model.blocks[i];
         if (block.fixed) continue;
         if (!(model.materials[block.material].normal_stiffness > 0.0))
             throw std::invalid_argument("compute_critical_time_step: the normal stiffness must be positive");
-        const auto key = std::tuple{block.shape, block.material, block.mass, block.rotation_locked, find_upright_axis(block)};
-        const auto [entry, is_new] = known.try_emplace(key, 0.0);
-        if (is_new) entry->second = block_limit(model, partners, block);
-        limit = std::min(limit, entry->second);
+        const auto key = std::tuple{block.shape, block.material, nominal_masses[i], block.rotation_locked, find_upright_axis(block)};
+        Extremes& known = kinds.try_emplace(key, Extremes{&block, &block}).first->second;
+        if (block.height_offset < known.shortest->height_offset) known.shortest = &block;
+        if (block.height_offset > known.tallest->height_offset) known.tallest = &block;
+    }
+    double limit = std::numeric_limits<double>::infinity();
+    for (const auto& [key, extremes] : kinds) {
+        limit = std::min(limit, block_limit(model, partners, *extremes.shortest));
+        if (extremes.tallest != extremes.shortest) limit = std::min(limit, block_limit(model, partners, *extremes.tallest));
     }
     if (!std::isfinite(limit)) throw std::invalid_argument("compute_critical_time_step: the model has no moving block");
     return limit;

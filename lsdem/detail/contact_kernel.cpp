@@ -176,11 +176,12 @@ struct ViscousAxis {
 /// by overlap/spacing, without which the contact is not conservative and slender stacks flutter. Losses are booked so that the sum of work
 /// closes in discrete time: a force works over a step with the mean of its values at both ends.
 template <bool Faceted, bool Bounded>
-[[gnu::always_inline]] inline void sum_flat(const Shape& leader, const RelativePose& pose, const FlatFollower& face, const StepLaw& law,
-                                            double equal_area, const ContactPair& pair, ContactList& list, PairSums& sums) {
+[[gnu::always_inline]] inline void sum_flat(const BlockNodes& leader, const RelativePose& pose, const FlatFollower& face,
+                                            const StepLaw& law, double equal_area, const ContactPair& pair, ContactList& list,
+                                            PairSums& sums) {
     const std::size_t k = face.axis, u = (k + 1) % 3, v = (k + 2) % 3;
     const AxisMatch match(pose, face);
-    const NodePointers nodes(leader.nodes, match);
+    const NodePointers nodes(leader.shape.nodes, match);
     const LaneRow y_k(pose.rotation[k], pose.position[k]), y_u(pose.rotation[u], pose.position[u]), y_v(pose.rotation[v], pose.position[v]);
     const LaneRow d_k(pose.rotation_change[k], pose.position_change[k]), d_u(pose.rotation_change[u], pose.position_change[u]),
         d_v(pose.rotation_change[v], pose.position_change[v]);
@@ -192,6 +193,10 @@ template <bool Faceted, bool Bounded>
     const double slant_v = Faceted ? -pose.rotation[v][match.normal] / normal_k : 0.0;
     const double rise_u = std::abs(slant_u), rise_v = std::abs(slant_v);
     const Row &back_k = pose.rotation[k], &back_u = pose.rotation[u], &back_v = pose.rotation[v];
+    // the block's own height: what lies along z is stretched
+    const double strain = Faceted ? leader.strain : 0.0, strain_u = match.u == 2 ? strain : 0.0, strain_v = match.v == 2 ? strain : 0.0,
+                 strain_area = match.normal == 2 ? 0.0 : strain;
+    const auto stretched = [](const Lanes& value, double by) { return Faceted ? value + by * value : value; };
     const Lanes zero = all(0.0), none = all(ContactHistory::kNoContact);
     ContactHistory& history = list.history;
     double* const slip_k = history.slip[k].data();
@@ -209,18 +214,18 @@ template <bool Faceted, bool Bounded>
         const auto left = static_cast<double>(end - entry);
         const LaneMask real = Lanes{0.0, 1.0, 2.0, 3.0} < all(left);
 
-        Lanes px = read(nodes.x), py = read(nodes.y), pz = read(nodes.z);
+        Lanes px = read(nodes.x), py = read(nodes.y), pz = stretched(read(nodes.z), strain);
         Lanes yk = y_k(px, py, pz);
         Lanes overlap = half_k - side * yk;
         const Lanes old_dashpot = load(dashpot + entry);
         const LaneMask touched = old_dashpot != none;
-        const Lanes reach_u = read(nodes.reach_u), reach_v = read(nodes.reach_v);
+        const Lanes reach_u = stretched(read(nodes.reach_u), strain_u), reach_v = stretched(read(nodes.reach_v), strain_v);
         // the covered part of a cell may lie deeper than its node, by as much as the leader's face rises within a cell
         const Lanes highest = Bounded ? overlap + (rise_u * reach_u + rise_v * reach_v) : overlap;
         if (!any(((highest > zero) & real) | touched)) continue;
 
         Lanes yu = y_u(px, py, pz), yv = y_v(px, py, pz);
-        const Lanes share = Faceted ? facing_sign * read(nodes.area_of_face)
+        const Lanes share = Faceted ? facing_sign * stretched(read(nodes.area_of_face), strain_area)
                                     : -side * ((pose.rotation[k][0] * read(nodes.area_x) + pose.rotation[k][1] * read(nodes.area_y)) +
                                                pose.rotation[k][2] * read(nodes.area_z));
         Lanes area = share;
@@ -229,7 +234,7 @@ template <bool Faceted, bool Bounded>
         const Lanes node_k = yk, node_u = yu, node_v = yv;
         LaneMask partial{};
         if (Bounded) {
-            const Lanes mx = px + read(nodes.center_x), my = py + read(nodes.center_y), mz = pz + read(nodes.center_z);
+            const Lanes mx = px + read(nodes.center_x), my = py + read(nodes.center_y), mz = pz + stretched(read(nodes.center_z), strain);
             middle_k = y_k(mx, my, mz), middle_u = y_u(mx, my, mz), middle_v = y_v(mx, my, mz);
             const LaneMask beyond = reaches_over(middle_u, reach_u, half_u) | reaches_over(middle_v, reach_v, half_v);
             if (any(beyond & real)) {
@@ -354,9 +359,9 @@ template <bool Faceted, bool Bounded>
 }
 
 /// The kernel for the kind of leader and follower.
-[[gnu::always_inline]] inline void sum_any(const Shape& leader, const RelativePose& pose, const FlatFollower& face, const StepLaw& law,
+[[gnu::always_inline]] inline void sum_any(const BlockNodes& leader, const RelativePose& pose, const FlatFollower& face, const StepLaw& law,
                                            double equal_area, const ContactPair& pair, ContactList& list, PairSums& sums) {
-    if (!leader.faceted) {
+    if (!leader.shape.faceted) {
         face.bounded ? sum_flat<false, true>(leader, pose, face, law, equal_area, pair, list, sums)
                      : sum_flat<false, false>(leader, pose, face, law, equal_area, pair, list, sums);
     } else if (face.bounded) {
@@ -366,19 +371,19 @@ template <bool Faceted, bool Bounded>
     }
 }
 
-MUSIM_AVX2 void sum_wide(const Shape& leader, const RelativePose& pose, const FlatFollower& face, const StepLaw& law, double equal_area,
-                         const ContactPair& pair, ContactList& list, PairSums& sums) {
+MUSIM_AVX2 void sum_wide(const BlockNodes& leader, const RelativePose& pose, const FlatFollower& face, const StepLaw& law,
+                         double equal_area, const ContactPair& pair, ContactList& list, PairSums& sums) {
     sum_any(leader, pose, face, law, equal_area, pair, list, sums);
 }
 
-void sum_plain(const Shape& leader, const RelativePose& pose, const FlatFollower& face, const StepLaw& law, double equal_area,
+void sum_plain(const BlockNodes& leader, const RelativePose& pose, const FlatFollower& face, const StepLaw& law, double equal_area,
                const ContactPair& pair, ContactList& list, PairSums& sums) {
     sum_any(leader, pose, face, law, equal_area, pair, list, sums);
 }
 
 }  // namespace
 
-void sum_flat_nodes(const Shape& leader, const RelativePose& pose, const FlatFollower& face, const StepLaw& law, double equal_area,
+void sum_flat_nodes(const BlockNodes& leader, const RelativePose& pose, const FlatFollower& face, const StepLaw& law, double equal_area,
                     const ContactPair& pair, ContactList& list, PairSums& sums) {
     const auto sum_nodes = active_instructions() == Instructions::avx2 ? sum_wide : sum_plain;
     sum_nodes(leader, pose, face, law, equal_area, pair, list, sums);

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "lsdem/block_height.hpp"
 #include "lsdem/contact_law.hpp"
 #include "lsdem/contacts.hpp"
 #include "lsdem/shape.hpp"
@@ -69,7 +70,7 @@ void end_contact(const StepLaw& law, const Row& normal, const Row& change, doubl
 
 /// Nodes against a flat face, four at a time; compiled for AVX2 and for plain x86-64, same bits. See lsdem/README.md, "Contact".
 /// `equal_area`: the area every node in contact acts on, whatever its cell [m²] (StiffnessSharing::per_contact), or zero for its own.
-void sum_flat_nodes(const Shape& leader, const RelativePose& pose, const FlatFollower& face, const StepLaw& law, double equal_area,
+void sum_flat_nodes(const BlockNodes& leader, const RelativePose& pose, const FlatFollower& face, const StepLaw& law, double equal_area,
                     const ContactPair& pair, ContactList& list, PairSums& sums);
 
 }  // namespace musim::lsdem::detail

@@ -72,6 +72,36 @@ struct NodeAffine {
 [[gnu::always_inline]] inline Affine difference_of(const Affine& a, const Affine& b) { return {a.at - b.at, a.s - b.s, a.t - b.t}; }
 [[gnu::always_inline]] inline Affine sum_of(const Affine& a, const Affine& b) { return {a.at + b.at, a.s + b.s, a.t + b.t}; }
 
+/// The lengths of four patches of one kind, each with the heights of its own blocks [m].
+struct PatchSizes {
+    Lanes face_k, half_u, half_v;  ///< of the follower
+    Lanes face_n, half_p, half_q, spacing_p, spacing_q;
+
+    [[gnu::always_inline]] PatchSizes(const PatchKind& kind, const Lanes& leader_offset, const Lanes& follower_offset)
+        : face_k(at(kind.face_k, follower_offset)),
+          half_u(at(kind.half_u, follower_offset)),
+          half_v(at(kind.half_v, follower_offset)),
+          face_n(at(kind.face_n, leader_offset)),
+          half_p(at(kind.half_p, leader_offset)),
+          half_q(at(kind.half_q, leader_offset)),
+          spacing_p(at(kind.spacing_p, leader_offset)),
+          spacing_q(at(kind.spacing_q, leader_offset)) {}
+
+  private:
+    [[gnu::always_inline]] static Lanes at(const PatchLength& length, const Lanes& offset) {
+        return length.nominal + length.per_offset * offset;
+    }
+};
+
+/// The law of four patches of one kind; their dashpots go with the masses of their own blocks.
+struct PatchLaw {
+    double kn, ks, mu, ks_inverse;  ///< see StepLaw
+    Lanes cn, cs;
+
+    [[gnu::always_inline]] PatchLaw(const StepLaw& law, const Lanes& damping)
+        : kn(law.kn), ks(law.ks), mu(law.mu), ks_inverse(law.ks_inverse), cn(law.cn * damping), cs(law.cs * damping) {}
+};
+
 /// Pose of the leader's face in the follower's frame, axes (k, u, v) = (x, y, z).
 struct FacePose {
     LaneVector place, along_p, along_q;
@@ -107,14 +137,14 @@ struct Span {
 struct LaneEdge {
     Lanes lost, slope;
 };
-[[gnu::always_inline]] inline LaneEdge find_edge(const Lanes& intrusion, double blend) {
+[[gnu::always_inline]] inline LaneEdge find_edge(const Lanes& intrusion, const Lanes& blend) {
     const Lanes zero = all(0.0), begun = larger(intrusion, zero);
     const LaneMask rounded = begun < blend;
-    const double per_blend = 1.0 / blend;
+    const Lanes per_blend = 1.0 / blend;
     return {select(rounded, (0.5 * per_blend) * (begun * begun), begun - 0.5 * blend), select(rounded, per_blend * begun, all(1.0))};
 }
 
-[[gnu::always_inline]] inline Span find_span(const Lanes& middle, const Lanes& reach, double half, double blend) {
+[[gnu::always_inline]] inline Span find_span(const Lanes& middle, const Lanes& reach, const Lanes& half, const Lanes& blend) {
     const LaneEdge low = find_edge((middle - reach) + half, blend), high = find_edge(half - (middle + reach), blend);
     return {low.lost - half, half - high.lost, low.slope, high.slope};
 }
@@ -126,19 +156,19 @@ struct Cover {
     LaneMask exists;
 };
 
-[[gnu::always_inline]] inline Cover find_cover(const PatchKind& kind, const FacePose& pose) {
+[[gnu::always_inline]] inline Cover find_cover(const PatchKind& kind, const PatchSizes& sizes, const FacePose& pose) {
     Cover cover;
     const Lanes none = all(0.0);
     if (kind.bounded) {
         // the middle of the follower's face, seen from the leader
-        const Lanes up = kind.face_k - pose.place.x;
+        const Lanes up = sizes.face_k - pose.place.x;
         const Lanes at_p = (pose.along_p.x * up - pose.along_p.y * pose.place.y) - pose.along_p.z * pose.place.z;
         const Lanes at_q = (pose.along_q.x * up - pose.along_q.y * pose.place.y) - pose.along_q.z * pose.place.z;
-        cover.p = find_span(at_p, kind.half_u * magnitude(pose.along_p.y), kind.half_p, kPatchBlend * kind.spacing_p);
-        cover.q = find_span(at_q, kind.half_v * magnitude(pose.along_q.z), kind.half_q, kPatchBlend * kind.spacing_q);
+        cover.p = find_span(at_p, sizes.half_u * magnitude(pose.along_p.y), sizes.half_p, kPatchBlend * sizes.spacing_p);
+        cover.q = find_span(at_q, sizes.half_v * magnitude(pose.along_q.z), sizes.half_q, kPatchBlend * sizes.spacing_q);
     } else {
-        cover.p = {all(-kind.half_p), all(kind.half_p), none, none};
-        cover.q = {all(-kind.half_q), all(kind.half_q), none, none};
+        cover.p = {-sizes.half_p, sizes.half_p, none, none};
+        cover.q = {-sizes.half_q, sizes.half_q, none, none};
     }
     cover.middle_p = 0.5 * (cover.p.low + cover.p.high);
     cover.middle_q = 0.5 * (cover.q.low + cover.q.high);
@@ -161,7 +191,7 @@ struct PatchMotion {
 };
 
 /// K_n d − C_n δ_n/dt over the lattice, clamped nowhere [Pa].
-[[gnu::always_inline]] inline Affine pressure_of(const StepLaw& law, const PatchMotion& motion) {
+[[gnu::always_inline]] inline Affine pressure_of(const PatchLaw& law, const PatchMotion& motion) {
     return {law.kn * motion.overlap.at - law.cn * motion.opening.at, law.kn * motion.overlap.s - law.cn * motion.opening.s,
             law.kn * motion.overlap.t - law.cn * motion.opening.t};
 }

@@ -31,7 +31,8 @@ struct GroupPoses {
     LaneVector axis_k, axis_u, axis_v;  ///< of the follower
     FacePose face;                      ///< the leader's face in the follower's frame
 
-    [[gnu::always_inline]] GroupPoses(const PatchGroup& group, const PatchKind& kind, const Bodies& bodies, const BasePose& base) {
+    [[gnu::always_inline]] GroupPoses(const PatchGroup& group, const PatchKind& kind, const PatchSizes& sizes, const Bodies& bodies,
+                                      const BasePose& base) {
         static constexpr std::array<double, 9> kWorld{1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0};
         LanePointers leader_rotation, leader_position, follower_rotation, follower_position;
         for (std::size_t lane = 0; lane < kWidth; ++lane) {
@@ -45,7 +46,7 @@ struct GroupPoses {
         axis_k = load_vectors(follower_rotation, 3U * kind.k);
         axis_u = load_vectors(follower_rotation, 3U * kind.u);
         axis_v = load_vectors(follower_rotation, 3U * kind.v);
-        const LaneVector center = offset + all(kind.face_n) * load_vectors(leader_rotation, 3U * kind.n);
+        const LaneVector center = offset + sizes.face_n * load_vectors(leader_rotation, 3U * kind.n);
         face = {seen(center), seen(load_vectors(leader_rotation, 3U * kind.p)), seen(load_vectors(leader_rotation, 3U * kind.q))};
     }
 
@@ -53,11 +54,11 @@ struct GroupPoses {
     [[gnu::always_inline]] LaneVector to_world(const LaneVector& v) const { return (v.x * axis_k + v.y * axis_u) + v.z * axis_v; }
 };
 
-[[gnu::always_inline]] inline PatchMotion find_motion(const PatchKind& kind, const Cover& cover, const FacePose& pose,
-                                                      const FacePose& change) {
+[[gnu::always_inline]] inline PatchMotion find_motion(const PatchKind& kind, const PatchSizes& sizes, const Cover& cover,
+                                                      const FacePose& pose, const FacePose& change) {
     const double side = kind.side;
     PatchMotion motion;
-    motion.overlap = over_lattice(cover, side * (kind.face_k - pose.place.x), -side * pose.along_p.x, -side * pose.along_q.x);
+    motion.overlap = over_lattice(cover, side * (sizes.face_k - pose.place.x), -side * pose.along_p.x, -side * pose.along_q.x);
     // faces beside each other do not touch
     motion.overlap.at = select(cover.exists, motion.overlap.at, -(magnitude(motion.overlap.s) + magnitude(motion.overlap.t)));
     motion.opening = over_lattice(cover, side * change.place.x, side * change.along_p.x, side * change.along_q.x);
@@ -67,10 +68,10 @@ struct GroupPoses {
 }
 
 /// What a new patch overlapped before it was noticed carries nothing, unless its area begins at zero too.
-[[gnu::always_inline]] inline Lanes find_late(const PatchKind& kind, const PatchMotion& motion, const Lanes& area, const Lanes& touched,
+[[gnu::always_inline]] inline Lanes find_late(const PatchSizes& sizes, const PatchMotion& motion, const Lanes& area, const Lanes& touched,
                                               const Lanes& late) {
     const Lanes zero = all(0.0);
-    const Lanes sudden = smaller((1.0 / (kSuddenPart * kind.spacing_p * kind.spacing_q)) * area, all(1.0));
+    const Lanes sudden = smaller((1.0 / (kSuddenPart * sizes.spacing_p * sizes.spacing_q)) * area, all(1.0));
     const Lanes noticed = larger(highest(sum_of(motion.overlap, motion.opening)), zero) * sudden;
     return select(touched > zero, smaller(late, larger(highest(motion.overlap), zero)), noticed);
 }
@@ -97,7 +98,7 @@ struct PatchSlips {
 };
 
 /// Sums over patches all of whose nodes touch, none pulled by its dashpot; the tangential part holds if none slides either.
-[[gnu::always_inline]] inline PatchSums sum_pressed(const PatchKind& kind, const PatchLattice& lattice, const StepLaw& law,
+[[gnu::always_inline]] inline PatchSums sum_pressed(const PatchKind& kind, const PatchLattice& lattice, const PatchLaw& law,
                                                     const PatchMotion& motion, const Affine& pressure, const PatchSlips& slips,
                                                     const Lanes& area) {
     PatchSums sums;
@@ -165,8 +166,8 @@ struct Resultant {
     LaneVector force, moment;
 };
 
-[[gnu::always_inline]] inline Resultant find_resultant(const PatchKind& kind, const Cover& cover, const FacePose& pose,
-                                                       const PatchSums& sums) {
+[[gnu::always_inline]] inline Resultant find_resultant(const PatchKind& kind, const PatchSizes& sizes, const Cover& cover,
+                                                       const FacePose& pose, const PatchSums& sums) {
     const Affine y_k = over_lattice(cover, pose.place.x, pose.along_p.x, pose.along_q.x),
                  y_u = over_lattice(cover, pose.place.y, pose.along_p.y, pose.along_q.y),
                  y_v = over_lattice(cover, pose.place.z, pose.along_p.z, pose.along_q.z);
@@ -185,10 +186,10 @@ struct Resultant {
     const EdgePush q = find_edge_push(cover.q, cover.half_q, cover.exists, energy, -side * pose.along_q.x, springs.at, springs.t);
     const LaneVector on_leader = p.both * pose.along_p + q.both * pose.along_q;
     // an edge of the follower lies at ± its half extent along u or v
-    const Lanes arm_u = select(pose.along_p.y < zero, -kind.half_u * p.difference, kind.half_u * p.difference);
-    const Lanes arm_v = select(pose.along_q.z < zero, -kind.half_v * q.difference, kind.half_v * q.difference);
+    const Lanes arm_u = select(pose.along_p.y < zero, -sizes.half_u * p.difference, sizes.half_u * p.difference);
+    const Lanes arm_v = select(pose.along_q.z < zero, -sizes.half_v * q.difference, sizes.half_v * q.difference);
     sum.force = sum.force + on_leader;
-    sum.moment = (sum.moment + cross({all(kind.face_k), zero, zero}, on_leader)) +
+    sum.moment = (sum.moment + cross({sizes.face_k, zero, zero}, on_leader)) +
                  (cross({zero, arm_u, zero}, pose.along_p) + cross({zero, zero, arm_v}, pose.along_q));
     return sum;
 }
@@ -199,22 +200,23 @@ struct Resultant {
     const PatchGroup& group = patches.groups[index];
     const PatchKind& kind = patches.kinds[group.kind];
     const PatchLattice& lattice = patches.lattices[kind.lattice];
-    const StepLaw law(kind.law, dt);
+    const PatchLaw law(StepLaw(kind.law, dt), load(group.damping.data()));
+    const PatchSizes sizes(kind, load(group.leader_offset.data()), load(group.follower_offset.data()));
     const State state{patches.field(index, 0)};
     const Lanes zero = all(0.0);
 
-    const GroupPoses poses(group, kind, bodies, base);
+    const GroupPoses poses(group, kind, sizes, bodies, base);
     const FacePose change = minus(poses.face, {state.get_vector(patch_field::place_k), state.get_vector(patch_field::along_pk),
                                                state.get_vector(patch_field::along_qk)});
     state.set_vector(patch_field::place_k, poses.face.place);
     state.set_vector(patch_field::along_pk, poses.face.along_p);
     state.set_vector(patch_field::along_qk, poses.face.along_q);
-    const Cover cover = find_cover(kind, poses.face);
+    const Cover cover = find_cover(kind, sizes, poses.face);
     const Lanes area = select(cover.exists, 4.0 * cover.half_p * cover.half_q, zero);
-    PatchMotion motion = find_motion(kind, cover, poses.face, change);
+    PatchMotion motion = find_motion(kind, sizes, cover, poses.face, change);
     const Lanes touched = state.get(patch_field::touching);
     Lanes late = state.get(patch_field::late);
-    if (!list.first_step) late = find_late(kind, motion, area, touched, late);
+    if (!list.first_step) late = find_late(sizes, motion, area, touched, late);
     state.set(patch_field::late, late);
     motion.overlap.at -= late;
 
@@ -263,7 +265,7 @@ struct Resultant {
     }
     book_losses(kind, motion, sums, state);
 
-    const Resultant resultant = find_resultant(kind, cover, poses.face, sums);
+    const Resultant resultant = find_resultant(kind, sizes, cover, poses.face, sums);
     const LaneVector force = poses.to_world(resultant.force), moment = poses.to_world(resultant.moment);
     const LaneVector leader_torque = moment - cross(poses.offset, force);
     const Lanes overlap = sums.overlap + late;
@@ -279,19 +281,21 @@ struct Resultant {
 }
 
 /// The pose of one patch, in all lanes.
-FacePose make_pose(const PatchKind& kind, const Matrix3& leader, const Matrix3& follower, const Vector3& offset) {
-    const Vector3 center = offset + kind.face_n * leader.col(kind.n);
+FacePose make_pose(const PatchKind& kind, const PatchSizes& sizes, const Matrix3& leader, const Matrix3& follower, const Vector3& offset) {
+    const Vector3 center = offset + sizes.face_n[0] * leader.col(kind.n);
     const auto seen = [&](const Vector3& v) {
         return LaneVector{all(follower.col(kind.k).dot(v)), all(follower.col(kind.u).dot(v)), all(follower.col(kind.v).dot(v))};
     };
     return {seen(center), seen(leader.col(kind.p)), seen(leader.col(kind.q))};
 }
 
+PatchSizes make_sizes(const PatchKind& kind, const PatchHeights& heights) { return {kind, all(heights.leader), all(heights.follower)}; }
+
 }  // namespace
 
-void write_patch_pose(const PatchKind& kind, const Matrix3& leader, const Matrix3& follower, const Vector3& offset, std::size_t lane,
-                      double* pose) {
-    const FacePose lanes = make_pose(kind, leader, follower, offset);
+void write_patch_pose(const PatchKind& kind, const PatchHeights& heights, const Matrix3& leader, const Matrix3& follower,
+                      const Vector3& offset, std::size_t lane, double* pose) {
+    const FacePose lanes = make_pose(kind, make_sizes(kind, heights), leader, follower, offset);
     const std::array parts{&lanes.place, &lanes.along_p, &lanes.along_q};
     for (std::size_t i = 0; i < parts.size(); ++i) {
         pose[(3 * i) * kWidth + lane] = parts[i]->x[0];
@@ -300,8 +304,10 @@ void write_patch_pose(const PatchKind& kind, const Matrix3& leader, const Matrix
     }
 }
 
-PatchSize measure_patch(const PatchKind& kind, const Matrix3& leader, const Matrix3& follower, const Vector3& offset) {
-    const Cover cover = find_cover(kind, make_pose(kind, leader, follower, offset));
+PatchSize measure_patch(const PatchKind& kind, const PatchHeights& heights, const Matrix3& leader, const Matrix3& follower,
+                        const Vector3& offset) {
+    const PatchSizes sizes = make_sizes(kind, heights);
+    const Cover cover = find_cover(kind, sizes, make_pose(kind, sizes, leader, follower, offset));
     return {2.0 * cover.half_p[0], 2.0 * cover.half_q[0]};
 }
 

@@ -12,13 +12,14 @@ namespace musim::lsdem::detail {
 double compute_patches(const Bodies& bodies, const BasePose& base, double dt, std::size_t first, std::size_t last, ContactList& list);
 
 /// Where the leader's face is in the follower's frame, as patch_field::place_k ... along_qv hold it, into lane `lane` of `pose`.
-void write_patch_pose(const PatchKind& kind, const Matrix3& leader, const Matrix3& follower, const Vector3& offset, std::size_t lane,
-                      double* pose);
+void write_patch_pose(const PatchKind& kind, const PatchHeights& heights, const Matrix3& leader, const Matrix3& follower,
+                      const Vector3& offset, std::size_t lane, double* pose);
 
 /// Lengths of the rectangle in which the faces cover each other, along p and q [m]; negative: they do not.
 struct PatchSize {
     double p = 0.0, q = 0.0;
 };
-PatchSize measure_patch(const PatchKind& kind, const Matrix3& leader, const Matrix3& follower, const Vector3& offset);
+PatchSize measure_patch(const PatchKind& kind, const PatchHeights& heights, const Matrix3& leader, const Matrix3& follower,
+                        const Vector3& offset);
 
 }  // namespace musim::lsdem::detail

@@ -58,7 +58,7 @@ struct PressedSums {
 /// Looks at every node of one patch of a group.
 class NodePass {
   public:
-    NodePass(const PatchLattice& lattice, const StepLaw& law, const PatchMotion& motion, double area, std::size_t lane, double* slip_u,
+    NodePass(const PatchLattice& lattice, const PatchLaw& law, const PatchMotion& motion, double area, std::size_t lane, double* slip_u,
              double* slip_v, State state)
         : lattice_(lattice), law_(law), motion_(motion), area_(area), lane_(lane), slip_u_(slip_u), slip_v_(slip_v), state_(state) {}
 
@@ -68,7 +68,7 @@ class NodePass {
         const NodeAffine d(motion_.overlap, lane_), opening(motion_.opening, lane_);
         const NodeAffine slide_u(motion_.slide_u, lane_), slide_v(motion_.slide_v, lane_);
         const NodeAffine since_u(state_.get_affine(patch_field::slip_u), lane_), since_v(state_.get_affine(patch_field::slip_v), lane_);
-        const Lanes zero = all(0.0), one = all(1.0);
+        const Lanes zero = all(0.0), one = all(1.0), cn = all(law_.cn[lane_]), cs = all(law_.cs[lane_]);
         NodeSums pressures, dashpots, drags_u, drags_v, owns_u, owns_v;
         Lanes normal_energy{}, squares{}, lost{}, count{}, deepest{};
         LaneMask sliding{}, clamped{};
@@ -80,7 +80,7 @@ class NodePass {
             const Lanes old_u = load(slip_u_ + i) + since_u(s, t), old_v = load(slip_v_ + i) + since_v(s, t);
             // most nodes of a patch that stands on an edge are open, and were
             if (!any(active | (old_u != zero) | (old_v != zero))) continue;
-            const Lanes elastic = law_.kn * overlap, damped = elastic - law_.cn * apart;
+            const Lanes elastic = law_.kn * overlap, damped = elastic - cn * apart;
             const LaneMask pulled = damped <= zero;
             clamped |= pulled & active;
             const Lanes pressure = select(active & ~pulled, damped, zero);
@@ -95,7 +95,7 @@ class NodePass {
             }
             Lanes new_u = old_u + step_u, new_v = old_v + step_v;
             Lanes drag_u = zero, drag_v = zero;
-            if (Viscous) drag_u = -law_.cs * step_u, drag_v = -law_.cs * step_v;
+            if (Viscous) drag_u = -cs * step_u, drag_v = -cs * step_v;
             Lanes shear_u = drag_u - law_.ks * new_u, shear_v = drag_v - law_.ks * new_v;
 
             const Lanes limit = law_.mu * pressure, squared = shear_u * shear_u + shear_v * shear_v;
@@ -215,7 +215,7 @@ class NodePass {
     [[gnu::always_inline]] void set(std::size_t field, double value) const { state_.at[field * kWidth + lane_] = value; }
 
     const PatchLattice& lattice_;
-    const StepLaw& law_;
+    const PatchLaw& law_;
     const PatchMotion& motion_;
     double area_;  ///< of the patch [m²]
     std::size_t lane_;

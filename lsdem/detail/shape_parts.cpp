@@ -26,6 +26,11 @@ void add_node(SurfaceNodes& nodes, const Vector3& position, const Vector3& area)
     add_node(nodes, position, area, Vector3::Zero(), Vector3::Zero());
 }
 
+Vector3 box_inertia_over_mass(const Vector3& size) {
+    const Vector3 s2 = size.cwiseProduct(size);
+    return Vector3(s2.y() + s2.z(), s2.x() + s2.z(), s2.x() + s2.y()) / 12.0;
+}
+
 GridLevelSet sample_level_set(const Vector3& half, double voxel, const std::function<double(const Vector3&)>& distance) {
     if (!(voxel > 0.0)) throw std::invalid_argument("grid level set: the voxel size must be positive");
     std::array<std::size_t, 3> counts{};
