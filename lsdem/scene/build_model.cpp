@@ -68,7 +68,9 @@ class ModelBuilder {
         Block block;
         block.shape = find_or_add_shape(placement);
         block.material = find_or_add_material(placement);
-        block.mass = material_of(placement).density.value() * model_.shapes[block.shape].volume;
+        block.height_offset = placement.height_offset;
+        const Shape& shape = model_.shapes[block.shape];
+        block.mass = material_of(placement).density.value() * (shape.volume + shape.face_area * block.height_offset);
         block.position = placement.position;
         block.orientation = placement.orientation;
         block.velocity = placement.velocity;
@@ -117,7 +119,7 @@ std::vector<detail::Body> make_bodies(const Scene& scene, const std::vector<Plac
     std::vector<detail::Body> bodies;
     bodies.reserve(blocks.size());
     for (const Placement& block : blocks) {
-        bodies.push_back({0.5 * block.size, block.position, block.orientation.toRotationMatrix(), round, block.fixed});
+        bodies.push_back({0.5 * block.own_size(), block.position, block.orientation.toRotationMatrix(), round, block.fixed});
     }
     return bodies;
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "lsdem/scene/block_heights.hpp"
 #include "lsdem/scene/detail/json_object.hpp"
 #include "lsdem/scene/scene.hpp"
 #include "lsdem/scene/scene_error.hpp"
@@ -122,9 +123,21 @@ void check_pitch(const std::optional<scaling::Length>& pitch, const Triple<scali
     }
 }
 
+void check_heights(scaling::Length deviation, scaling::Length height, const JsonPlace& place) {
+    require_not_negative(deviation, place);
+    // a similar twin of the limit is at the limit too, up to rounding
+    constexpr double kRounding = 1e-12;
+    if (deviation > (1.0 + kRounding) * kMostHeightDeviation * height) {
+        fail(place,
+             fmt::format("{} (more than a twentieth of the height {}: blocks of the far tail would be a fifth too tall); use at most {}",
+                         describe(deviation), describe(height), describe(kMostHeightDeviation * height)));
+    }
+}
+
 void check(const Column& column, const JsonPlace& place, const Scene& /*scene*/) {
     require_count(column.layers, 1, place.at("layers"));
     require_positive(column.block, place.at("block"));
+    check_heights(column.height_deviation, column.block[2], place.at("height_deviation"));
 }
 
 void check(const Tower& tower, const JsonPlace& place, const Scene& /*scene*/) {
@@ -132,17 +145,14 @@ void check(const Tower& tower, const JsonPlace& place, const Scene& /*scene*/) {
     require_positive(tower.block, place.at("block"));
     if (tower.pitch) require_positive(*tower.pitch, place.at("pitch"));
     check_pitch(tower.pitch, tower.block, place);
-    if (tower.height_deviation != scaling::Length{}) {
-        fail(place.at("height_deviation"),
-             fmt::format("{} (a tower of uneven blocks must first settle layer by layer, which cannot be done yet); set it to \"0 mm\"",
-                         describe(tower.height_deviation)));
-    }
+    check_heights(tower.height_deviation, tower.block[2], place.at("height_deviation"));
 }
 
 void check(const Wall& wall, const JsonPlace& place, const Scene& /*scene*/) {
     require_count(wall.layers, 1, place.at("layers"));
     require_count(wall.blocks_per_layer, 1, place.at("blocks_per_layer"));
     require_positive(wall.block, place.at("block"));
+    check_heights(wall.height_deviation, wall.block[2], place.at("height_deviation"));
     if (wall.pitch) require_positive(*wall.pitch, place.at("pitch"));
     const scaling::Length p = wall.pitch.value_or(default_pitch(wall.block));
     if (!(wall.block[1] <= 2.0 * p && wall.block[1] > p)) {

@@ -128,11 +128,18 @@ BlockList parse_block_list(const JsonObject& object, bool needs_size) {
     return list;
 }
 
+template <class Layered>
+void read_heights(const JsonObject& object, Layered& structure) {
+    object.read_quantity("height_deviation", structure.height_deviation);
+    object.read("seed", structure.seed);
+}
+
 Column parse_column(const JsonObject& object) {
     Column column;
     column.block = object.triple<scaling::Length>("block");
     object.read("layers", column.layers);
     object.read("rotation_locked", column.rotation_locked);
+    read_heights(object, column);
     return column;
 }
 
@@ -142,6 +149,7 @@ Wall parse_wall(const JsonObject& object) {
     object.read("layers", wall.layers);
     object.read("blocks_per_layer", wall.blocks_per_layer);
     wall.pitch = object.optional_quantity<scaling::Length>("pitch");
+    read_heights(object, wall);
     return wall;
 }
 
@@ -151,8 +159,7 @@ Tower parse_tower(const JsonObject& object, const std::filesystem::path& origin)
     object.read("layers", tower.layers);
     tower.pitch = object.optional_quantity<scaling::Length>("pitch");
     parse_tiling_choice(object, origin, tower);
-    object.read_quantity("height_deviation", tower.height_deviation);
-    object.read("seed", tower.seed);
+    read_heights(object, tower);
     return tower;
 }
 

@@ -46,7 +46,10 @@ class Scaler {
             scale(block.angular_velocity);
         }
     }
-    void scale(Column& column) const { scale(column.block); }
+    void scale(Column& column) const {
+        scale(column.block);
+        scale(column.height_deviation);
+    }
     void scale(Tower& tower) const {
         scale(tower.block);
         scale(tower.pitch);
@@ -55,6 +58,7 @@ class Scaler {
     void scale(Wall& wall) const {
         scale(wall.block);
         scale(wall.pitch);
+        scale(wall.height_deviation);
     }
 
     void scale(BaseMotion& motion) const {

@@ -71,8 +71,10 @@ struct BlockList {
 /// One block per layer.
 struct Column {
     int layers = 1;
-    Triple<scaling::Length> block{};  ///< b, w, H
-    bool rotation_locked = false;     ///< all blocks translate only; for wave speeds
+    Triple<scaling::Length> block{};     ///< b, w, H
+    bool rotation_locked = false;        ///< all blocks translate only; for wave speeds
+    scaling::Length height_deviation{};  ///< standard deviation σ_H of the block heights
+    std::uint64_t seed = 1;              ///< of the heights
 
     bool operator==(const Column&) const = default;
 };
@@ -84,7 +86,7 @@ struct Tower {
     std::optional<scaling::Length> pitch;              ///< of the cells; default: see default_pitch
     TilingSettings tiling;                             ///< ring to be tiled, unless a file is named
     std::optional<std::filesystem::path> tiling_file;  ///< absolute path of a list of dominoes
-    scaling::Length height_deviation{};                ///< standard deviation σ_H; only 0 can be built yet
+    scaling::Length height_deviation{};                ///< standard deviation σ_H of the block heights, see block_heights.hpp
     std::uint64_t seed = 1;                            ///< of the heights
 
     bool operator==(const Tower&) const = default;
@@ -96,6 +98,8 @@ struct Wall {
     int blocks_per_layer = 1;
     Triple<scaling::Length> block{};       ///< b across the wall, w along it, H
     std::optional<scaling::Length> pitch;  ///< half a block and its joint, along x; default: see default_pitch
+    scaling::Length height_deviation{};    ///< standard deviation σ_H of the block heights
+    std::uint64_t seed = 1;                ///< of the heights
 
     bool operator==(const Wall&) const = default;
 };

@@ -63,6 +63,12 @@ ordered_json to_json(const BlockEntry& block, bool with_size) {
     return object;
 }
 
+template <class Layered>
+void put_heights(ordered_json& object, const Layered& structure) {
+    object["height_deviation"] = structure.height_deviation.value();
+    object["seed"] = structure.seed;
+}
+
 ordered_json to_json(const Tower& tower) {
     ordered_json tiling{{"cells_across", tower.tiling.cells_across},
                         {"inner_radius", tower.tiling.inner_radius},
@@ -71,8 +77,7 @@ ordered_json to_json(const Tower& tower) {
     ordered_json object{{"kind", "tower"}, {"layers", tower.layers}, {"block", to_json(tower.block)}};
     put(object, "pitch", tower.pitch);
     object["tiling"] = tiling;
-    object["height_deviation"] = tower.height_deviation.value();
-    object["seed"] = tower.seed;
+    put_heights(object, tower);
     return object;
 }
 
@@ -83,10 +88,12 @@ ordered_json to_json(const Structure& structure, bool with_size) {
                                      return {{"kind", "blocks"}, {"blocks", blocks}};
                                  },
                                  [](const Column& column) -> ordered_json {
-                                     return {{"kind", "column"},
-                                             {"layers", column.layers},
-                                             {"block", to_json(column.block)},
-                                             {"rotation_locked", column.rotation_locked}};
+                                     ordered_json object{{"kind", "column"},
+                                                         {"layers", column.layers},
+                                                         {"block", to_json(column.block)},
+                                                         {"rotation_locked", column.rotation_locked}};
+                                     put_heights(object, column);
+                                     return object;
                                  },
                                  [](const Tower& tower) { return to_json(tower); },
                                  [](const Wall& wall) -> ordered_json {
@@ -95,6 +102,7 @@ ordered_json to_json(const Structure& structure, bool with_size) {
                                                          {"blocks_per_layer", wall.blocks_per_layer},
                                                          {"block", to_json(wall.block)}};
                                      put(object, "pitch", wall.pitch);
+                                     put_heights(object, wall);
                                      return object;
                                  }},
                       structure);

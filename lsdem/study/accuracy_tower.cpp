@@ -7,6 +7,7 @@
 #include <limits>
 #include <map>
 
+#include "lsdem/block_height.hpp"
 #include "lsdem/scene/base_components.hpp"
 #include "lsdem/scene/build_model.hpp"
 #include "lsdem/study/simulate.hpp"
@@ -90,7 +91,7 @@ void let_settle(Model& model, const std::vector<int>& layer) {
     std::map<int, double> mass, area;
     for (std::size_t b = 0; b < model.blocks.size(); ++b) {
         mass[layer[b]] += model.blocks[b].mass;
-        const Vector3& half = model.shapes[model.blocks[b].shape].half_extents;
+        const Vector3 half = half_extents(model, model.blocks[b]);
         area[layer[b]] += 4.0 * half.x() * half.y();
     }
     const double stiffness = model.materials.front().normal_stiffness;

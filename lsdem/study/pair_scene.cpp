@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <optional>
 #include <string_view>
 #include <utility>
 
+#include "lsdem/scene/block_heights.hpp"
 #include "lsdem/scene/material_presets.hpp"
 #include "lsdem/scene/scale_scene.hpp"
 #include "lsdem/scene/scene_error.hpp"
@@ -53,12 +55,13 @@ ScaledScene scale_with_own(const scene::Scene& prototype, const ModelChoice& cho
 
     const scene::BlockMaterial& to = scaled.scene.material;
     const auto block = scene::reference_block(prototype);
+    const auto heights = scene::find_height_variation(scaled.scene);
     const scaling::ModelFacts facts{.friction_prototype = from.friction,
                                     .slenderness = {block[0] / block[2], block[1] / block[2]},
                                     .normal_stiffness = to.normal_stiffness / from.normal_stiffness,
                                     .shear_stiffness = to.shear_stiffness / from.shear_stiffness,
                                     .restitution = to.restitution / from.restitution,
-                                    .height_deviation = {}};
+                                    .height_deviation = heights ? std::optional(choice.length) : std::nullopt};
     scaled.distortions = scaling::find_distortions(similitude, facts);
     return scaled;
 }

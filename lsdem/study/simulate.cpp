@@ -6,6 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "lsdem/block_height.hpp"
 #include "lsdem/time_step.hpp"
 
 namespace musim::lsdem::study {
@@ -14,7 +15,7 @@ namespace {
 BlockTable make_block_table(const Specimen& specimen) {
     BlockTable table;
     for (const Block& block : specimen.model.blocks) {
-        table.size.emplace_back(2.0 * specimen.model.shapes[block.shape].half_extents);
+        table.size.emplace_back(2.0 * half_extents(specimen.model, block));
         table.mass.push_back(block.mass);
     }
     table.layer = specimen.layer;

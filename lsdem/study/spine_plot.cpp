@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <limits>
 
+#include "lsdem/block_height.hpp"
+
 namespace musim::lsdem::study {
 namespace {
 
@@ -62,7 +64,7 @@ MotionScales find_motion_scales(const Specimen& specimen) {
     double bottom = std::numeric_limits<double>::infinity();
     double top = -bottom;
     for (const Block& block : model.blocks) {
-        const double half_height = (block.orientation.toRotationMatrix().cwiseAbs() * model.shapes[block.shape].half_extents).z();
+        const double half_height = (block.orientation.toRotationMatrix().cwiseAbs() * half_extents(model, block)).z();
         if (block.position.z() - half_height < bottom) {
             bottom = block.position.z() - half_height;
             scales.friction = model.materials[block.material].friction;

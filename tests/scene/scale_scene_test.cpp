@@ -77,6 +77,7 @@ void check_models(const Model& scaled, const Model& prototype, const Similitude&
         CHECK(a.shape == b.shape);
         CHECK(a.material == b.material);
         CHECK(a.mass == b.mass * s.mass());
+        CHECK(a.height_offset == b.height_offset * s.length());
         check_vector(a.position, b.position, s.length());
         CHECK(a.orientation.coeffs() == b.orientation.coeffs());
         check_vector(a.velocity, b.velocity, s.velocity());

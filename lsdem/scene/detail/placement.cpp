@@ -5,7 +5,9 @@
 #include <cstdlib>
 #include <numbers>
 #include <tuple>
+#include <utility>
 
+#include "lsdem/scene/block_heights.hpp"
 #include "lsdem/scene/tower_tiling.hpp"
 
 namespace musim::lsdem::scene::detail {
@@ -139,10 +141,28 @@ Arrangement arrange(const Wall& wall, const ShapeSettings& /*shape*/) {
     return arrangement;
 }
 
+/// Gives every block its own height, in the order of the list, and lifts each layer until the tallest block of the one below is clear:
+/// nothing overlaps, and most blocks hang a little above those they will rest on.
+void vary_heights(const HeightVariation& variation, std::vector<Placement>& blocks) {
+    const std::vector<double> deviates = draw_deviates(blocks.size(), variation.seed);
+    for (std::size_t i = 0; i < blocks.size(); ++i) blocks[i].height_offset = deviates[i] * variation.deviation.value();
+
+    // layer by layer from the base, as the list has them
+    double bottom = 0.0, tallest = 0.0;
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+        if (i > 0 && blocks[i].layer != blocks[i - 1].layer) bottom += std::exchange(tallest, 0.0);
+        const double height = blocks[i].own_size().z();
+        tallest = std::max(tallest, height);
+        blocks[i].position.z() = bottom + 0.5 * height;
+    }
+}
+
 }  // namespace
 
 Arrangement arrange(const Scene& scene) {
-    return std::visit([&](const auto& structure) { return arrange(structure, scene.shape); }, scene.structure);
+    Arrangement arrangement = std::visit([&](const auto& structure) { return arrange(structure, scene.shape); }, scene.structure);
+    if (const auto variation = find_height_variation(scene)) vary_heights(*variation, arrangement.blocks);
+    return arrangement;
 }
 
 }  // namespace musim::lsdem::scene::detail

@@ -11,7 +11,8 @@ namespace musim::lsdem::scene::detail {
 
 /// A block in its place, in SI; what all blocks of a scene have in common is left to the scene.
 struct Placement {
-    Vector3 size = Vector3::Zero();        ///< edge lengths in the body frame [m]; for spheres, their diameter
+    Vector3 size = Vector3::Zero();        ///< edge lengths of its shape in the body frame [m]; for spheres, their diameter
+    double height_offset = 0.0;            ///< Δ: how much taller than its shape [m]
     Vector3 whole_size = Vector3::Zero();  ///< of the block whose face the stiffnesses belong to: `size`, but for half blocks [m]
     Vector3 position = Vector3::Zero();
     Quaternion orientation = Quaternion::Identity();
@@ -21,6 +22,9 @@ struct Placement {
     bool rotation_locked = false;
     std::string material;  ///< key of Scene::materials; empty: Scene::material
     int layer = 0;         ///< from 1 at the base; 0: in no layer
+
+    /// Edge lengths of the block itself, its own height included [m].
+    Vector3 own_size() const { return {size.x(), size.y(), size.z() + height_offset}; }
 };
 
 /// All blocks of a structure and its spine.

@@ -1,7 +1,6 @@
 #include "lsdem/scene/detail/tiling_search.hpp"
 
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdlib>
 #include <utility>
@@ -172,18 +171,6 @@ Score compute_score(const CellRing& ring, const Partners& odd) {
 }
 
 }  // namespace
-
-std::uint64_t SplitMix64::next() {
-    state_ += 0x9E3779B97F4A7C15ULL;
-    std::uint64_t z = state_;
-    z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9ULL;
-    z = (z ^ (z >> 27U)) * 0x94D049BB133111EBULL;
-    return z ^ (z >> 31U);
-}
-
-std::uint64_t SplitMix64::below(std::uint64_t bound) { return next() % bound; }
-
-std::uint64_t SplitMix64::halvings() { return static_cast<std::uint64_t>(std::countl_zero(next())); }
 
 Cover cover_ring(const CellRing& ring, SplitMix64& random, std::uint64_t node_limit) { return CoverSearch(ring, random, node_limit).run(); }
 

@@ -4,23 +4,9 @@
 #include <optional>
 
 #include "lsdem/scene/detail/cell_ring.hpp"
+#include "lsdem/scene/detail/split_mix64.hpp"
 
 namespace musim::lsdem::scene::detail {
-
-/// Random numbers that are the same everywhere: SplitMix64 [Steele14].
-class SplitMix64 {
-  public:
-    explicit SplitMix64(std::uint64_t seed) : state_(seed) {}
-    /// Uniform in 0 ... bound − 1; the bias of the remainder is below bound/2^64.
-    std::uint64_t below(std::uint64_t bound);
-    /// k with probability 2^−(k+1): an exponential law in integers.
-    std::uint64_t halvings();
-
-  private:
-    std::uint64_t next();
-
-    std::uint64_t state_;
-};
 
 /// Outcome of the exact cover.
 struct Cover {
