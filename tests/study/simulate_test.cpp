@@ -38,6 +38,16 @@ TEST_CASE("the ground carries the weight of a stack that rests") {
     CHECK(*run.base_reaction_over_weight == doctest::Approx(1.0).epsilon(1e-9));
 }
 
+TEST_CASE("the block table holds each block's own height") {
+    Specimen column = make_column(2);
+    const double offset = 0.01 * column.model.shapes[0].half_extents.z();
+    column.model.blocks[1].height_offset = offset;
+    column.model.blocks[1].position.z() += 0.5 * offset;
+    const RunResult run = simulate(column, make_plan(column, 1));
+    CHECK(run.blocks.size[1].z() - run.blocks.size[0].z() == doctest::Approx(offset).epsilon(1e-12));
+    CHECK(run.blocks.size[1].head<2>() == run.blocks.size[0].head<2>());
+}
+
 TEST_CASE("frames come at every n-th sample, the start included") {
     const Specimen column = make_column(2);
     TimePlan plan = make_plan(column, 10);

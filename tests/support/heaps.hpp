@@ -78,4 +78,17 @@ inline Model make_running_bond(const Stone& stone, std::size_t rows, std::size_t
     return model;
 }
 
+/// Makes blocks up to `most` shorter than their shape, each with its own height; their bottoms stay where they are.
+inline Model shortened(Model model, double most) {
+    std::mt19937 random(13);
+    std::uniform_real_distribution<double> even(0.0, 1.0);
+    for (Block& block : model.blocks) {
+        const double part = most * even(random), height = 2.0 * model.shapes[block.shape].half_extents.z();
+        block.height_offset = -part * height;
+        block.mass *= 1.0 - part;
+        block.position.z() -= 0.5 * part * height;
+    }
+    return model;
+}
+
 }  // namespace musim::lsdem::tests

@@ -40,6 +40,7 @@ Model scale_model(const Model& model, const Stone& stone, const ExactScale& scal
     for (Block& block : twin.blocks) {
         block.mass *= scale.density * scale.length * scale.length * scale.length;
         block.position *= scale.length;
+        block.height_offset *= scale.length;
         block.velocity *= scale.velocity();
         block.angular_velocity /= scale.time;
     }
@@ -93,6 +94,22 @@ TEST_CASE("a model at one sixteenth or one sixty-fourth of the size repeats the 
         REQUIRE(large.statistics().rebuilds > 1);
         const double moved = (large.position(0) - large.base().displacement - prototype.blocks[0].position).norm();
         REQUIRE(moved > 1e-3 * stone.size.z());
+    }
+}
+
+TEST_CASE("blocks of unequal height repeat their prototype to the last bit, by patches and by nodes") {
+    const Stone stone = wood();
+    const ExactScale scale{1.0 / 16.0, 0.25, 1.0, 1.0};
+    for (const FaceContact faces : {FaceContact::patch, FaceContact::nodes}) {
+        Model prototype = shortened(make_shaken_wall(stone), 0.01);
+        prototype.face_contact = faces;
+        const double step = 0.8 * compute_critical_time_step(prototype);
+        Simulation large(prototype, step), small(scale_model(prototype, stone, scale), step * scale.time);
+        large.advance(5000);
+        small.advance(5000);
+        CHECK(count_differences(small, large, scale) == 0);
+        REQUIRE(large.energy().friction_loss > 0.0);
+        CHECK(compute_critical_time_step(small.model()) == compute_critical_time_step(prototype) * scale.time);
     }
 }
 

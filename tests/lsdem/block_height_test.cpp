@@ -1,0 +1,297 @@
+#include "lsdem/block_height.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <random>
+#include <set>
+#include <stdexcept>
+#include <vector>
+
+#include "lsdem/neighbors.hpp"
+#include "lsdem/simulation.hpp"
+#include "lsdem/time_step.hpp"
+#include "tests/support/heaps.hpp"
+#include "tests/support/models.hpp"
+#include "tests/support/motion.hpp"
+#include "tests/support/relative.hpp"
+
+using namespace musim::lsdem;
+using namespace musim::lsdem::tests;
+
+namespace {
+
+/// The same blocks twice: as one shape whose blocks have height offsets, and each with a shape of its own height.
+struct Twins {
+    Model offset, own;
+
+    template <class Change>
+    void change(const Change& change) {
+        change(offset);
+        change(own);
+    }
+};
+
+/// A block that stands by its own: where, turned how, and how much taller than the stone it is [part of its height].
+struct Place {
+    double strain = 0.0;
+    Vector3 position = Vector3::Zero();  ///< centre of mass [m]
+    Quaternion orientation = Quaternion::Identity();
+    Vector3 velocity = Vector3::Zero();
+    Vector3 angular_velocity = Vector3::Zero();
+};
+
+/// `voxel`: of grids [m], or zero for closed-form boxes.
+Shape make_stone_shape(const Stone& stone, double height, const NodeLattice& lattice, double voxel) {
+    const Vector3 size(stone.size.x(), stone.size.y(), height);
+    return voxel > 0.0 ? make_grid_box_shape(size, lattice, voxel) : make_box_shape(size, lattice);
+}
+
+Twins make_twins(const Stone& stone, const std::vector<Place>& places, double voxel = 0.0) {
+    const NodeLattice lattice = make_node_lattice(stone.size, stone.nodes_per_face);
+    Twins twins;
+    twins.offset = twins.own = make_model(stone);
+    twins.offset.shapes = {make_stone_shape(stone, stone.size.z(), lattice, voxel)};
+    twins.own.shapes.clear();
+    for (const Place& place : places) {
+        Block block;
+        const double offset = place.strain * stone.size.z();
+        block.mass = stone.density * stone.size.x() * stone.size.y() * (stone.size.z() + offset);
+        block.position = place.position;
+        block.orientation = place.orientation;
+        block.velocity = place.velocity;
+        block.angular_velocity = place.angular_velocity;
+        block.shape = twins.own.shapes.size();
+        twins.own.shapes.push_back(make_stone_shape(stone, stone.size.z() + offset, lattice, voxel));
+        twins.own.blocks.push_back(block);
+        block.shape = 0;
+        block.height_offset = offset;
+        twins.offset.blocks.push_back(block);
+    }
+    return twins;
+}
+
+/// Upright blocks of these strains on each other, at nominal contact.
+std::vector<Place> stack(const Stone& stone, const std::vector<double>& strains, double x = 0.0) {
+    std::vector<Place> places;
+    double bottom = 0.0;
+    for (const double strain : strains) {
+        const double height = stone.size.z() * (1.0 + strain);
+        places.push_back({.strain = strain, .position = {x, 0.0, bottom + 0.5 * height}});
+        bottom += height;
+    }
+    return places;
+}
+
+/// How far the blocks of two twins moved, and how far the twins came apart.
+struct Comparison {
+    double moved = 0.0;   ///< farthest any block went or turned [heights, rad]
+    double apart = 0.0;   ///< largest difference between the twins [heights, rad]
+    double losses = 0.0;  ///< difference of friction and damping losses over their sum [-]
+};
+
+Comparison compare(const Twins& twins, double height, std::uint64_t steps) {
+    const double step = 0.5 * compute_critical_time_step(twins.own);
+    Simulation a(twins.offset, step), b(twins.own, step);
+    const Kinematics start = b.kinematics();
+    Comparison result;
+    constexpr std::uint64_t kLooks = 20;
+    for (std::uint64_t look = 0; look < kLooks; ++look) {
+        advance(a, steps / kLooks);
+        advance(b, steps / kLooks);
+        for (std::size_t i = 0; i < twins.own.blocks.size(); ++i) {
+            result.moved = std::max({result.moved, (b.position(i) - start.position[i]).norm() / height,
+                                     b.orientation(i).angularDistance(start.orientation[i])});
+            result.apart = std::max({result.apart, (a.position(i) - b.position(i)).norm() / height,
+                                     (a.orientation(i).coeffs() - b.orientation(i).coeffs()).norm()});
+        }
+    }
+    const Energy of_a = a.energy(), of_b = b.energy();
+    const double lost = of_b.friction_loss + of_b.damping_loss;
+    REQUIRE(lost > 0.0);
+    result.losses = std::abs(of_a.friction_loss + of_a.damping_loss - lost) / lost;
+    return result;
+}
+
+/// The twins move by more than `least_motion` [heights, rad] and alike. A height, a spacing or a dashpot that is off in its last bit makes
+/// overlaps, a millionth of a height, differ by 1e-10 of themselves, and impacts and slip let that grow: seen are 6e-12 heights at most.
+void check_same(const Twins& twins, std::uint64_t steps, double least_motion) {
+    const Comparison result = compare(twins, 2.0 * twins.offset.shapes.front().half_extents.z(), steps);
+    MESSAGE("moved " << result.moved << ", apart " << result.apart << ", losses " << result.losses);
+    CHECK(result.moved > least_motion);
+    CHECK(result.apart < 1e-10);
+    CHECK(result.losses < 1e-8);
+}
+
+/// Faces that meet in patches, and by the nodes of one or of both blocks.
+template <class Check>
+void for_all_contacts(Twins twins, const Check& check) {
+    check(twins);
+    twins.change([](Model& model) { model.face_contact = FaceContact::nodes; });
+    check(twins);
+    twins.change([](Model& model) { model.contact_nodes = ContactNodes::both; });
+    check(twins);
+}
+
+/// A push of the base that makes blocks slide and rock.
+void shake(Model& model) {
+    model.ground.motion[0] = sample_velocity(0.02, 40, [](double t) { return 0.25 * std::sin(300.0 * t); });
+    model.ground.motion[1] = sample_velocity(0.02, 40, [](double t) { return 0.15 * std::sin(200.0 * t); });
+}
+
+const std::vector<double> kStrains{0.03, -0.02, 0.0, 0.01};
+
+/// A fast block on its way to hit the side of the one next to it.
+std::vector<Place> collide(const Stone& stone, double strain, double other) {
+    std::vector<Place> places = stack(stone, {strain});
+    places.push_back(stack(stone, {other}, 1.01 * stone.size.x()).front());
+    places.front().velocity = {0.2, 0.05, 0.0};
+    return places;
+}
+
+/// What a neighbor search finds.
+ContactList find_contacts(const Model& model) {
+    NeighborSearch search(model);
+    Bodies bodies(model);
+    bodies.previous_position = bodies.position;
+    bodies.previous_rotation = bodies.rotation;
+    ContactList list;
+    PairWork finished;
+    search.rebuild(bodies, BasePose{}, list, finished);
+    return list;
+}
+
+}  // namespace
+
+TEST_CASE("a shaken column of offset blocks moves as one of blocks with shapes of their own") {
+    Twins twins = make_twins(wood(), stack(wood(), kStrains));
+    twins.change(shake);
+    for_all_contacts(twins, [](const Twins& t) { check_same(t, 3000, 1e-3); });
+    twins.change([](Model& model) { model.stiffness_sharing = StiffnessSharing::per_contact; });
+    check_same(twins, 3000, 1e-3);
+}
+
+TEST_CASE("an offset block strikes the side of its neighbor as one with a shape of its own") {
+    // side faces meet: their heights bound the patch, and cells of nodes stretch along them
+    for_all_contacts(make_twins(wood(), collide(wood(), 0.03, -0.02)), [](const Twins& t) { check_same(t, 3000, 1e-2); });
+}
+
+TEST_CASE("offset blocks that lie on either side slip and press as those with shapes of their own") {
+    // on the face across x and on that across y; the upper one ends within the face of the lower one
+    for (const int axis : {0, 1}) {
+        const Quaternion turn(Eigen::AngleAxisd(0.5 * kPi, Vector3::Unit(1 - axis)));
+        std::vector<Place> places;
+        for (const int i : {0, 1}) {
+            const Vector3 position = (i + 0.5) * wood().size[axis] * Vector3::UnitZ() + 0.1 * i * wood().size.z() * Vector3::Unit(axis);
+            places.push_back({.strain = i == 0 ? 0.03 : -0.02, .position = position, .orientation = turn});
+        }
+        Twins twins = make_twins(wood(), places);
+        twins.change(shake);
+        for_all_contacts(twins, [](const Twins& t) { check_same(t, 4000, 2e-3); });
+    }
+}
+
+TEST_CASE("offset blocks thrown on each other at all angles fall as those with shapes of their own") {
+    std::vector<Place> places;
+    std::mt19937 random(11);
+    const double pitch = wood().size.norm();
+    for (std::size_t i = 0; i < kStrains.size(); ++i) {
+        const auto n = static_cast<double>(i);
+        places.push_back({.strain = kStrains[i],
+                          .position = pitch * Vector3(0.02 * n, 0.01 * n, 0.75 * (n + 0.7)),
+                          .orientation = random_orientation(random),
+                          .velocity = {0.0, 0.0, -1.0 - n}});
+    }
+    Twins twins = make_twins(wood(), places);
+    check_same(twins, 12000, 1.0);
+    twins.change([](Model& model) { model.face_contact = FaceContact::nodes; });
+    check_same(twins, 12000, 1.0);
+}
+
+// Offsets of whole voxels, so that the own grids hold the same samples.
+TEST_CASE("one grid level set serves blocks of all heights") {
+    const Stone stone = wood();
+    const double part = 1.0 / 60.0, voxel = part * stone.size.z();
+    Twins column = make_twins(stone, stack(stone, {3.0 * part, -2.0 * part, part, 0.0}), voxel);
+    column.change(shake);
+    check_same(column, 3000, 1e-3);
+    check_same(make_twins(stone, collide(stone, 3.0 * part, -2.0 * part), voxel), 3000, 1e-2);
+    check_same(make_twins(stone, collide(stone, -part, 2.0 * part), voxel), 3000, 1e-2);
+}
+
+TEST_CASE("patches of blocks that differ in height only are of one kind and fill their groups") {
+    const Stone stone = wood();
+    // four pairs of blocks, each with heights of its own
+    std::vector<Place> uneven, even;
+    for (int i = 0; i < 4; ++i) {
+        const double x = 2.0 * i * stone.size.x();
+        for (const Place& place : stack(stone, {0.01 * i - 0.015, 0.02 - 0.007 * i}, x)) uneven.push_back(place);
+        for (const Place& place : stack(stone, {0.0, 0.0}, x)) even.push_back(place);
+    }
+    const Twins twins = make_twins(stone, uneven);
+    const PatchList same = find_contacts(make_twins(stone, even).offset).patches, offset = find_contacts(twins.offset).patches,
+                    own = find_contacts(twins.own).patches;
+    // on the ground and on each other
+    CHECK(same.kinds.size() == 2);
+    CHECK(offset.kinds.size() == 2);
+    REQUIRE(offset.groups.size() == 2);
+    for (const PatchGroup& group : offset.groups) CHECK(group.count == PatchGroup::kSize);
+    CHECK(own.kinds.size() == 8);
+    // what the heights change is told lane by lane; nothing where there are none
+    for (const PatchGroup& group : offset.groups)
+        for (std::size_t lane = 0; lane < group.count; ++lane)
+            CHECK(group.leader_offset[lane] == twins.offset.blocks[group.leader[lane]].height_offset);
+    for (const PatchGroup& group : same.groups)
+        for (std::size_t lane = 0; lane < group.count; ++lane) CHECK(group.damping[lane] == 1.0);
+}
+
+TEST_CASE("the dashpots of a patch go with the root of the masses that meet in it") {
+    const Stone stone = wood();
+    const ContactList list = find_contacts(make_twins(stone, stack(stone, {0.03, -0.02})).offset);
+    for (const PatchGroup& group : list.patches.groups) {
+        const bool on_ground = group.follower[0] == kGround;
+        // 1.03 m on the ground; 1.03·0.98/(1.03 + 0.98) m against m/2
+        const double expected = on_ground ? std::sqrt(1.03) : std::sqrt(2.0 * 1.03 * 0.98 / 2.01);
+        CHECK(group.damping[0] == relative(expected, 1e-14));
+    }
+    CHECK(list.patches.groups.size() == 2);
+}
+
+TEST_CASE("masses at the height of the shape are one number for blocks that differ in height only") {
+    const Stone stone = wood();
+    const Model model = make_twins(stone, stack(stone, {0.0371, -0.0213, 0.0, 0.0001, -0.0499})).offset;
+    const std::vector<double> masses = compute_nominal_masses(model);
+    CHECK(std::set<double>(masses.begin(), masses.end()) == std::set<double>{model.blocks[2].mass});
+    Model denser = model;
+    denser.blocks[0].mass *= 1.001;
+    CHECK(compute_nominal_masses(denser)[0] == relative(1.001 * model.blocks[2].mass, 1e-14));
+}
+
+TEST_CASE("the time step is that of the shortest and the tallest block") {
+    const Stone stone = wood();
+    const Twins pair = make_twins(stone, stack(stone, {0.05, -0.05}));
+    CHECK(compute_critical_time_step(pair.offset) == relative(compute_critical_time_step(pair.own), 1e-13));
+    const Twins many = make_twins(stone, stack(stone, {0.05, -0.03, 0.0, 0.02, -0.05}));
+    CHECK(compute_critical_time_step(many.offset) == relative(compute_critical_time_step(many.own), 1e-13));
+    CHECK(compute_critical_time_step(many.offset) < compute_critical_time_step(make_twins(stone, stack(stone, {0.0})).offset));
+}
+
+TEST_CASE("an offset that leaves no height, is not finite, or belongs to a round body is refused") {
+    Model model = make_twins(wood(), stack(wood(), {0.0})).offset;
+    const auto refuses = [&](double offset) {
+        model.blocks.front().height_offset = offset;
+        CHECK_THROWS_AS(Simulation(model, 1e-6), std::invalid_argument);
+    };
+    refuses(-wood().size.z());
+    refuses(-2.0 * wood().size.z());
+    refuses(std::numeric_limits<double>::quiet_NaN());
+    refuses(std::numeric_limits<double>::infinity());
+    model.shapes.front() = make_sphere_shape(0.01, 60, 0.001);
+    refuses(1e-6);
+    model.blocks.front().height_offset = 0.0;
+    CHECK_NOTHROW(Simulation(model, 1e-6));
+}
