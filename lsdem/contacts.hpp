@@ -125,7 +125,7 @@ void drop_elastic(const Bodies& bodies, const BasePose& base, const ContactPair&
                   PairWork& work);
 
 /// Forces of list.node_pairs [first, last) at step n, from the poses at n and n − 1; updates history and work. Pairs are independent of
-/// each other. Returns the largest overlap over the height of the leader [-].
+/// each other. Returns the largest overlap over the height of the leader's shape [-].
 double compute_node_pairs(const Model& model, const Bodies& bodies, const BasePose& base, double dt, std::size_t first, std::size_t last,
                           ContactList& list);
 

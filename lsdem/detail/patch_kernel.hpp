@@ -8,7 +8,7 @@
 namespace musim::lsdem::detail {
 
 /// Forces of the patches of groups [first, last), four at a time; compiled for AVX2 and for plain x86-64, same bits. Returns the largest
-/// overlap of any node over the height of its leader [-]. See lsdem/README.md, "Patches".
+/// overlap of any node over the height of its leader's shape [-]. See lsdem/README.md, "Patches".
 double compute_patches(const Bodies& bodies, const BasePose& base, double dt, std::size_t first, std::size_t last, ContactList& list);
 
 /// Where the leader's face is in the follower's frame, as patch_field::place_k ... along_qv hold it, into lane `lane` of `pose`.

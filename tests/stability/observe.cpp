@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "lsdem/block_height.hpp"
 #include "lsdem/scene/detail/overlap.hpp"
 #include "lsdem/scene/scene.hpp"
 #include "lsdem/time_step.hpp"
@@ -14,13 +15,13 @@ namespace {
 
 double smallest_edge(const Model& model) {
     double edge = std::numeric_limits<double>::infinity();
-    for (const Block& block : model.blocks) edge = std::min(edge, 2.0 * model.shapes[block.shape].half_extents.minCoeff());
+    for (const Block& block : model.blocks) edge = std::min(edge, 2.0 * half_extents(model, block).minCoeff());
     return edge;
 }
 
 double greatest_height(const Model& model) {
     double height = 0.0;
-    for (const Block& block : model.blocks) height = std::max(height, 2.0 * model.shapes[block.shape].half_extents.z());
+    for (const Block& block : model.blocks) height = std::max(height, 2.0 * half_extents(model, block).z());
     return height;
 }
 
@@ -32,7 +33,7 @@ double measure_overlap(const Simulation& simulation) {
     for (std::size_t i = 0; i < model.blocks.size(); ++i) {
         const Block& block = model.blocks[i];
         const Matrix3 axes = simulation.orientation(i).toRotationMatrix();
-        bodies.push_back({model.shapes[block.shape].half_extents, simulation.position(i), axes, false, block.fixed});
+        bodies.push_back({half_extents(model, block), simulation.position(i), axes, false, block.fixed});
         if (!model.ground.present || block.fixed) continue;
         const double lowest = simulation.position(i).z() - axes.row(2).cwiseAbs().dot(bodies.back().half);
         deepest = std::max(deepest, simulation.base().displacement.z() - lowest);
