@@ -15,11 +15,14 @@ Bodies::Bodies(const Model& model) {
     height_offset.resize(n);
     fixed.resize(n);
     free.resize(n);
+    preparation_loss.resize(n);
+    start_position.resize(n);
+    start_orientation.resize(n);
     for (std::size_t i = 0; i < n; ++i) {
         const Block& block = model.blocks[i];
         const Vector3 inertia = block.mass * inertia_over_mass(model, block);
-        position[i] = block.position;
-        orientation[i] = block.orientation;
+        position[i] = start_position[i] = block.position;
+        orientation[i] = start_orientation[i] = block.orientation;
         rotation[i] = block.orientation.toRotationMatrix();
         mass[i] = block.mass;
         inverse_mass[i] = 1.0 / block.mass;
@@ -33,6 +36,18 @@ Bodies::Bodies(const Model& model) {
         inverse_inertia[i] = inertia.cwiseInverse();
         momentum[i] = rotation[i] * inertia.cwiseProduct(rotation[i].transpose() * block.angular_velocity);
     }
+}
+
+void Bodies::release(std::size_t i, const Model& model) {
+    const Block& block = model.blocks[i];
+    position[i] = start_position[i] = block.position;
+    orientation[i] = start_orientation[i] = block.orientation;
+    rotation[i] = block.orientation.toRotationMatrix();
+    velocity[i] = block.velocity;
+    momentum[i] = Vector3::Zero();
+    fixed[i] = 0;
+    free[i] = 1.0;
+    if (!block.rotation_locked) inverse_inertia[i] = (block.mass * inertia_over_mass(model, block)).cwiseInverse();
 }
 
 }  // namespace musim::lsdem

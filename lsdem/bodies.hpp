@@ -19,11 +19,17 @@ struct Bodies {
     std::vector<Vector3> inverse_inertia;              ///< of the principal axes [1/(kg·m²)]; zero when rotation is locked
     std::vector<Vector3> half;                         ///< half extents, the own height included, body frame [m]
     std::vector<double> height_offset;                 ///< Δ, see Block [m]
+    std::vector<Vector3> start_position;               ///< where energy of position and falls are counted from [m]
+    std::vector<Quaternion> start_orientation;         ///< body to world
     std::vector<std::uint8_t> fixed;
-    std::vector<double> free;  ///< one, or zero for a fixed block: factor of all accelerations
+    std::vector<double> free;              ///< one, or zero for a fixed block: factor of all accelerations
+    std::vector<double> preparation_loss;  ///< work of Model::velocity_damping up to step n − 1/2 [J]
 
     explicit Bodies(const Model& model);
     std::size_t size() const { return mass.size(); }
+
+    /// Lets go of fixed block i: it takes pose, velocity and inertia from its entry in `model`, without spin.
+    void release(std::size_t i, const Model& model);
 
     /// Angular velocity for the angular momentum `l` in the orientation of step n, world frame [rad/s].
     Vector3 spin(std::size_t i, const Vector3& l) const {

@@ -362,10 +362,7 @@ ContactTotals sum_contacts(const ContactList& list) {
         totals.elastic_shear += tally.elastic_shear;
         totals.touching += tally.touching;
     }
-    for (const PairWork& work : list.work) {
-        totals.work.friction += work.friction;
-        totals.work.damping += work.damping;
-    }
+    for (const PairWork& work : list.work) totals.work += work;
     for (std::size_t g = 0; g < list.patches.groups.size(); ++g) {
         for (std::size_t lane = 0; lane < list.patches.groups[g].count; ++lane) {
             const auto of = [&](std::size_t field) { return list.patches.field(g, field)[lane]; };
@@ -377,6 +374,27 @@ ContactTotals sum_contacts(const ContactList& list) {
         }
     }
     return totals;
+}
+
+void clear_losses(ContactList& list) {
+    std::fill(list.work.begin(), list.work.end(), PairWork{});
+    for (std::size_t g = 0; g < list.patches.groups.size(); ++g) {
+        for (const std::size_t field : {patch_field::friction_loss, patch_field::damping_loss})
+            std::fill_n(list.patches.field(g, field), PatchGroup::kSize, 0.0);
+    }
+}
+
+PairWork& loss_of(const ContactPair& pair, Losses& losses) { return pair.follower == kGround ? losses.ground : losses.block[pair.leader]; }
+
+void add_losses(const ContactList& list, Losses& losses) {
+    for (std::size_t p = 0; p < list.pairs.size(); ++p) {
+        const ContactPair& pair = list.pairs[p];
+        PairWork& sum = loss_of(pair, losses);
+        sum += list.work[p];
+        if (!pair.is_patch()) continue;
+        const auto of = [&](std::size_t field) { return list.patches.field(pair.patch_group, field)[pair.patch_lane]; };
+        sum += PairWork{of(patch_field::friction_loss), of(patch_field::damping_loss)};
+    }
 }
 
 }  // namespace musim::lsdem

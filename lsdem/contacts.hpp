@@ -8,6 +8,7 @@
 
 #include "lsdem/bodies.hpp"
 #include "lsdem/contact_law.hpp"
+#include "lsdem/losses.hpp"
 #include "lsdem/model.hpp"
 #include "lsdem/patches.hpp"
 #include "lsdem/tilted.hpp"
@@ -77,11 +78,6 @@ struct PairTally {
     std::uint32_t touching = 0;                        ///< nodes in contact; of two tilted boxes, one
 };
 
-/// Energy a pair has dissipated since the list was built [J].
-struct PairWork {
-    double friction = 0.0, damping = 0.0;
-};
-
 /// All pairs that may touch before the next rebuild, sorted by (leader, follower), and their nodes.
 struct ContactList {
     std::vector<ContactPair> pairs;
@@ -97,7 +93,7 @@ struct ContactList {
     std::vector<std::uint8_t> faces;  ///< one per pair: the faces that met in the last step, see detail::FlatFollower::code
     /// Contacts found in the very first step are taken as they are, initial overlap included.
     bool first_step = true;
-    std::vector<PairWork> work;  ///< one per pair
+    std::vector<PairWork> work;  ///< one per pair, since the list was built; of a patch, without what its state holds
 };
 
 /// Where the base was and is.
@@ -112,6 +108,15 @@ struct ContactTotals {
     std::size_t touching = 0;
 };
 ContactTotals sum_contacts(const ContactList& list);
+
+/// Entry of `losses` that a pair belongs to.
+PairWork& loss_of(const ContactPair& pair, Losses& losses);
+
+/// Adds what all pairs have dissipated since the list was built, in the order of the list.
+void add_losses(const ContactList& list, Losses& losses);
+
+/// Forgets the losses of all pairs.
+void clear_losses(ContactList& list);
 
 /// Elastic energy of pair `index` [J].
 struct PairElastic {

@@ -37,6 +37,7 @@ class GridLevelSet {
     const Vector3& origin() const { return origin_; }
     double spacing() const { return spacing_; }
     const std::array<std::size_t, 3>& counts() const { return counts_; }
+    const std::vector<double>& values() const { return values_; }  ///< φ at the nodes, i fastest, then j [m]
 
   private:
     /// Lower corner of the cell that holds a point, and the point's place in it, 0...1 along each axis.

@@ -216,7 +216,7 @@ bool NeighborSearch::add_tilted(BlockPair blocks, ContactList& list) const {
     return true;
 }
 
-void NeighborSearch::rebuild(const Bodies& bodies, const BasePose& base, ContactList& list, PairWork& finished) {
+void NeighborSearch::rebuild(const Bodies& bodies, const BasePose& base, ContactList& list, Losses& finished) {
     reference_.position = bodies.position;
     for (Vector3& position : reference_.position) position -= base.displacement;
     reference_.orientation = bodies.orientation;
@@ -288,12 +288,10 @@ void NeighborSearch::rebuild(const Bodies& bodies, const BasePose& base, Contact
         if (old_pair[p] == ContactPair::kNoPatch) continue;
         const PairElastic before = find_elastic(previous_, old_pair[p]), kept = find_elastic(list, p);
         if (before.normal == kept.normal && before.shear == kept.shear) continue;
-        drop_elastic(bodies, base, list.pairs[p], list.forces[p], before, finished);
+        drop_elastic(bodies, base, list.pairs[p], list.forces[p], before, loss_of(list.pairs[p], finished));
         if (list.pairs[p].is_tilted()) list.tilted[list.pairs[p].tilted].inherited = before.normal;
     }
-    const ContactTotals ended = sum_contacts(previous_);
-    finished.friction += ended.work.friction;
-    finished.damping += ended.work.damping;
+    add_losses(previous_, finished);
 }
 
 }  // namespace musim::lsdem

@@ -22,8 +22,9 @@ class NeighborSearch {
   public:
     explicit NeighborSearch(const Model& model);
 
-    /// Makes the list anew. Contacts that persist keep their leader, history and forces; pairs that leave hand their work to `finished`.
-    void rebuild(const Bodies& bodies, const BasePose& base, ContactList& list, PairWork& finished);
+    /// Makes the list anew. Contacts that persist keep their leader, history and forces; what all pairs have dissipated so far goes to
+    /// `finished`, which has an entry per block.
+    void rebuild(const Bodies& bodies, const BasePose& base, ContactList& list, Losses& finished);
 
     /// Where every block was when the list was made, relative to the base. A point of block i has moved since by no more than
     ///   |Δx| + 2 R |Δq|,   R = half its diagonal: a turn by θ moves it by 2 R sin(θ/2), and |Δq| = 2 sin(θ/4).
@@ -33,6 +34,7 @@ class NeighborSearch {
         std::vector<double> diameter;  ///< 2 R [m]
     };
     const Reference& reference() const { return reference_; }
+    Reference& reference() { return reference_; }
     /// The drift above which the list is stale, skin/2 [m].
     double allowed_drift() const { return 0.5 * skin_; }
 

@@ -97,6 +97,7 @@ PatchLattice make_patch_lattice(int count_p, int count_q, PatchSpacing spacing) 
 }
 
 void PatchList::clear() {
+    lattices.clear();
     kinds.clear();
     groups.clear();
     state.clear();

@@ -6,18 +6,24 @@
 #include <cstring>
 #include <limits>
 #include <numbers>
+#include <ostream>
 #include <stdexcept>
+#include <string_view>
 #include <thread>
 #include <utility>
 
+#include "lsdem/archive.hpp"
 #include "lsdem/base_motion.hpp"
 #include "lsdem/block_height.hpp"
 #include "lsdem/bodies.hpp"
 #include "lsdem/contacts.hpp"
 #include "lsdem/detail/motion_kernel.hpp"
 #include "lsdem/detail/patch_kernel.hpp"
+#include "lsdem/detail/velocity_decay.hpp"
+#include "lsdem/model_hash.hpp"
 #include "lsdem/neighbors.hpp"
 #include "lsdem/rotation.hpp"
+#include "lsdem/state_fields.hpp"
 #include "lsdem/thread_team.hpp"
 
 namespace musim::lsdem {
@@ -66,9 +72,14 @@ void require(bool holds, const char* what) {
 
 bool finite(const Vector3& v) { return v.allFinite(); }
 
+void check_velocity_damping(double rate, double time_step) {
+    require(rate >= 0.0 && rate * time_step <= 1.0, "Simulation: the rate of the velocity damping must lie between 0 and 1/time step");
+}
+
 void check_model(const Model& model, double time_step) {
     require(std::isfinite(time_step) && time_step > 0.0, "Simulation: the time step must be positive and finite");
     require(finite(model.gravity), "Simulation: gravity is not finite");
+    check_velocity_damping(model.velocity_damping, time_step);
     for (const Block& block : model.blocks) {
         require(block.shape < model.shapes.size(), "Simulation: a block names a shape that does not exist");
         require(block.material < model.materials.size(), "Simulation: a block names a material that does not exist");
@@ -111,7 +122,8 @@ struct Simulation::Implementation {
     BasePose base;
     NeighborSearch search;
     ContactList list;
-    PairWork finished;  ///< of pairs that have left the list
+    Losses finished;          ///< up to the last rebuild of the list
+    double velocity_damping;  ///< [1/s]
     detail::TouchList touches;
     std::vector<Share> node_shares;        ///< of list.node_pairs, per thread
     std::vector<Share> patch_shares;       ///< of the groups of patches, per thread
@@ -127,6 +139,7 @@ struct Simulation::Implementation {
     int quiet_looks = 0;             ///< in a row at which nothing moved
     std::uint64_t quiet_end = 0;     ///< the step up to which nothing moves
     std::uint64_t skipped = 0;       ///< steps passed over
+    bool preparing = false;          ///< the base stands
     std::optional<Divergence> divergence;
     PhaseTimes times;
     std::vector<double> drift;    ///< per thread, largest of its blocks [m]
@@ -135,12 +148,26 @@ struct Simulation::Implementation {
 
     Implementation(Model given, double time_step, int threads);
 
+    /// The first forces, from the model's initial state.
+    void start();
+    /// Hands the whole state to an archive, or takes it from there.
+    void exchange(Archive& archive);
     void move(double h);
     void update_contacts();
     void rebuild();
+    void release(const Release& given);
+    void restart_ledger();
+    void share_work();
+    detail::VelocityDecay decay_over(double h) const { return {velocity_damping, h}; }
+    /// Velocity after a time of decay [m/s].
+    Vector3 velocity_after(const detail::VelocityDecay& decay, std::size_t i, const Vector3& force) const {
+        return decay.keep * bodies.velocity[i] + decay.push * (force * bodies.inverse_mass[i] + model.gravity);
+    }
     void check_health();
     double kinetic() const;
     Energy find_energy() const;
+    /// Of the damping's impulse on block i at this step, the work on the velocity before it [J].
+    double half_preparation_loss(std::size_t i) const;
     std::uint64_t find_quiet_steps();
     double stored_and_kinetic() const;
     double gravitational() const;
@@ -182,12 +209,18 @@ Simulation::Implementation::Implementation(Model given, double time_step, int th
       bodies(model),
       motion(model.ground.motion),
       search(model),
+      finished{.block = std::vector<PairWork>(model.blocks.size()), .ground = {}},
+      velocity_damping(model.velocity_damping),
       team(choose_threads(threads, model.blocks.size())) {
     drift.assign(static_cast<std::size_t>(team.size()), 0.0);
     overlap.assign(static_cast<std::size_t>(team.size()), 0.0);
     smallest_edge = std::numeric_limits<double>::infinity();
     for (const Vector3& half : bodies.half) smallest_edge = std::min(smallest_edge, 2.0 * half.minCoeff());
+    for (const Block& block : model.blocks) weight_times_edge += block.mass * model.gravity.norm() * smallest_edge;
+    energy_floor = kEnergyFloor * weight_times_edge + find_rounding_energy(model);
+}
 
+void Simulation::Implementation::start() {
     // where everything was one step ago, as the initial velocities have it
     base.displacement = motion.displacement(0.0);
     base.previous = motion.displacement(-dt);
@@ -200,29 +233,44 @@ Simulation::Implementation::Implementation(Model given, double time_step, int th
     update_contacts();
     list.first_step = false;
     start_energy = stored_and_kinetic();
-    for (const Block& block : model.blocks) weight_times_edge += block.mass * model.gravity.norm() * smallest_edge;
-    energy_floor = kEnergyFloor * weight_times_edge + find_rounding_energy(model);
 
     // momenta of step −1/2, so that every step is the same
+    const detail::VelocityDecay half = decay_over(0.5 * dt);
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         if (bodies.fixed[i] != 0) continue;
         const detail::TouchList::Load load = touches.sum(i, list.forces);
-        bodies.velocity[i] -= 0.5 * dt * (load.force * bodies.inverse_mass[i] + model.gravity);
-        if (!bodies.inverse_inertia[i].isZero(0.0)) bodies.momentum[i] -= 0.5 * dt * load.torque;
+        bodies.velocity[i] -= half.push * (load.force * bodies.inverse_mass[i] + model.gravity);
+        bodies.velocity[i] /= half.keep;
+        if (bodies.inverse_inertia[i].isZero(0.0)) continue;
+        bodies.momentum[i] -= half.push * load.torque;
+        bodies.momentum[i] /= half.keep;
+        // that half lies before the start
+        bodies.preparation_loss[i] = -half_preparation_loss(i);
     }
     start_balance = find_energy().balance();
+}
+
+void Simulation::Implementation::exchange(Archive& archive) {
+    double deepest = *std::max_element(overlap.begin(), overlap.end());
+    archive(bodies, base, search.reference(), list, finished, velocity_damping, base_force, base_work);
+    archive(preparing, step, rebuilds, skipped, start_energy, start_balance, quiet_looks, quiet_end, divergence, deepest);
+    if (!archive.loads()) return;
+    overlap.front() = deepest;
+    check_restored(model, bodies, search.reference(), list, finished);
+    share_work();
 }
 
 void Simulation::Implementation::move(double h) {
     ++step;
     base.previous = base.displacement;
-    base.displacement = motion.displacement(static_cast<double>(step) * dt);
+    if (!preparing) base.displacement = motion.displacement(static_cast<double>(step) * dt);
     std::swap(bodies.position, bodies.previous_position);
     std::swap(bodies.rotation, bodies.previous_rotation);
+    const detail::Leap leap{.base_displacement = base.displacement, .gravity = model.gravity, .h = h, .decay = decay_over(h)};
     const auto task = [&](int thread) {
         const Share share = share_of(bodies.size(), thread, team.size());
-        drift[static_cast<std::size_t>(thread)] = detail::move_blocks(touches, list.forces, search.reference(), base.displacement,
-                                                                      model.gravity, h, share.first, share.last, bodies);
+        drift[static_cast<std::size_t>(thread)] =
+            detail::move_blocks(touches, list.forces, search.reference(), leap, share.first, share.last, bodies);
     };
     team.run(task);
 }
@@ -230,7 +278,10 @@ void Simulation::Implementation::move(double h) {
 void Simulation::Implementation::rebuild() {
     ++rebuilds;
     search.rebuild(bodies, base, list, finished);
+    share_work();
+}
 
+void Simulation::Implementation::share_work() {
     touches.rebuild(bodies.size(), list.pairs);
 
     // equal work to each thread: nodes, with boxes at an angle worth as many, and patches
@@ -280,17 +331,46 @@ double Simulation::Implementation::stored_and_kinetic() const {
 
 /// Number of steps from here in which the base stands and nothing moves.
 std::uint64_t Simulation::Implementation::find_quiet_steps() {
-    if (!model.skip_quiet) return 0;
+    // with damping, blocks that hardly move may still fall: forces need not balance
+    if (!model.skip_quiet || velocity_damping > 0.0) return 0;
     quiet_looks = kinetic() <= kQuietEnergy * weight_times_edge ? quiet_looks + 1 : 0;
     if (quiet_looks < kQuietLooks) return 0;
-    const double now = static_cast<double>(step) * dt, still = motion.still_until(now) - now;
+    const double now = static_cast<double>(step) * dt;
+    const double still = preparing ? std::numeric_limits<double>::infinity() : motion.still_until(now) - now;
     return still > dt ? static_cast<std::uint64_t>(std::min(still / dt, 9e15)) - 1 : 0;
+}
+
+void Simulation::Implementation::release(const Release& given) {
+    Block& block = model.blocks[given.block];
+    block.fixed = false;
+    block.position = given.position;
+    block.orientation = given.orientation;
+    block.velocity = given.velocity;
+    const std::size_t i = given.block;
+    bodies.release(i, model);
+    bodies.previous_position[i] = block.position - dt * block.velocity;
+    bodies.previous_rotation[i] = bodies.rotation[i];
+    const detail::VelocityDecay half = decay_over(0.5 * dt);
+    bodies.velocity[i] = (bodies.velocity[i] - half.push * model.gravity) / half.keep;
+    start_energy += 0.5 * block.mass * block.velocity.squaredNorm();
+}
+
+/// The state now becomes the one that energies are counted from.
+void Simulation::Implementation::restart_ledger() {
+    bodies.start_position = bodies.position;
+    bodies.start_orientation = bodies.orientation;
+    clear_losses(list);
+    finished = Losses{.block = std::vector<PairWork>(bodies.size()), .ground = {}};
+    std::fill(bodies.preparation_loss.begin(), bodies.preparation_loss.end(), 0.0);
+    base_work = 0.0;
+    start_energy = stored_and_kinetic();
+    start_balance = find_energy().balance();
 }
 
 double Simulation::Implementation::gravitational() const {
     double sum = 0.0;
     for (std::size_t i = 0; i < bodies.size(); ++i)
-        sum -= bodies.mass[i] * model.gravity.dot(bodies.position[i] - model.blocks[i].position);
+        sum -= bodies.mass[i] * model.gravity.dot(bodies.position[i] - bodies.start_position[i]);
     return sum;
 }
 
@@ -305,22 +385,41 @@ std::size_t Simulation::Implementation::fastest_block() const {
     return fastest;
 }
 
+double Simulation::Implementation::half_preparation_loss(std::size_t i) const {
+    if (velocity_damping == 0.0) return 0.0;
+    const detail::VelocityDecay decay = decay_over(dt);
+    const detail::TouchList::Load load = touches.sum(i, list.forces);
+    const Vector3& velocity = bodies.velocity[i];
+    const Vector3& momentum = bodies.momentum[i];
+    const Vector3 kick = dt * (load.force * bodies.inverse_mass[i] + model.gravity), twist = dt * load.torque;
+    const Vector3 impulse_per_mass = (velocity_after(decay, i, load.force) - velocity) - kick;
+    const Vector3 twist_impulse = (decay.keep * momentum + decay.push * load.torque - momentum) - twist;
+    return -0.5 * (bodies.mass[i] * impulse_per_mass.dot(velocity) + twist_impulse.dot(bodies.spin(i, momentum)));
+}
+
 Energy Simulation::Implementation::find_energy() const {
     Energy energy;
+    const detail::VelocityDecay decay = decay_over(dt);
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         if (bodies.fixed[i] != 0) continue;
         const detail::TouchList::Load load = touches.sum(i, list.forces);
-        const Vector3 next_velocity = bodies.velocity[i] + dt * (load.force * bodies.inverse_mass[i] + model.gravity);
-        const Vector3 next_momentum = bodies.momentum[i] + dt * load.torque;
-        energy.kinetic += 0.5 * bodies.mass[i] * bodies.velocity[i].dot(next_velocity);
-        energy.kinetic += 0.5 * bodies.spin(i, bodies.momentum[i]).dot(next_momentum);
+        const Vector3& velocity = bodies.velocity[i];
+        const Vector3& momentum = bodies.momentum[i];
+        const Vector3 spin = bodies.spin(i, momentum);
+        const Vector3 next_velocity = velocity_after(decay, i, load.force);
+        const Vector3 next_momentum = decay.keep * momentum + decay.push * load.torque;
+        energy.kinetic += 0.5 * bodies.mass[i] * velocity.dot(next_velocity);
+        energy.kinetic += 0.5 * spin.dot(next_momentum);
+        energy.preparation_loss += half_preparation_loss(i);
     }
+    for (const double loss : bodies.preparation_loss) energy.preparation_loss += loss;
     const ContactTotals contacts = sum_contacts(list);
     energy.elastic_normal = contacts.elastic_normal;
     energy.elastic_shear = contacts.elastic_shear;
     energy.gravitational = gravitational();
-    energy.friction_loss = finished.friction + contacts.work.friction;
-    energy.damping_loss = finished.damping + contacts.work.damping;
+    const PairWork before = finished.total();
+    energy.friction_loss = before.friction + contacts.work.friction;
+    energy.damping_loss = before.damping + contacts.work.damping;
     energy.base_work = base_work;
     return energy;
 }
@@ -348,7 +447,10 @@ void Simulation::Implementation::check_health() {
 }
 
 Simulation::Simulation(Model model, double time_step, int threads)
-    : implementation_(std::make_unique<Implementation>(std::move(model), time_step, threads)) {}
+    : implementation_(std::make_unique<Implementation>(std::move(model), time_step, threads)) {
+    implementation_->start();
+}
+Simulation::Simulation(std::unique_ptr<Implementation> implementation) : implementation_(std::move(implementation)) {}
 Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;
@@ -386,6 +488,41 @@ void Simulation::advance(std::uint64_t steps) {
     }
 }
 
+void Simulation::release(const std::vector<Release>& blocks) {
+    Implementation& s = *implementation_;
+    std::vector<std::uint8_t> named(s.bodies.size(), 0);
+    for (const Release& given : blocks) {
+        require(given.block < s.bodies.size() && s.bodies.fixed[given.block] != 0, "Simulation: only a held block can be released");
+        require(named[given.block]++ == 0, "Simulation: a block is released twice");
+        require(finite(given.position) && finite(given.velocity) && std::abs(given.orientation.norm() - 1.0) < 1e-9,
+                "Simulation: a released block's state is not finite, or its quaternion not of unit length");
+    }
+    const double before = s.find_energy().balance();
+    for (const Release& given : blocks) s.release(given);
+    s.rebuild();
+    s.start_balance += s.find_energy().balance() - before;
+    s.quiet_end = s.step;
+    s.quiet_looks = 0;
+}
+
+void Simulation::begin_preparation(double damping_rate) {
+    Implementation& s = *implementation_;
+    set_velocity_damping(damping_rate);
+    s.preparing = true;
+    s.quiet_end = s.step;
+}
+
+void Simulation::end_preparation() {
+    Implementation& s = *implementation_;
+    set_velocity_damping(0.0);
+    s.preparing = false;
+    s.restart_ledger();
+    s.step = s.quiet_end = s.skipped = s.rebuilds = 0;
+    s.quiet_looks = 0;
+    s.times = {};
+    std::fill(s.overlap.begin(), s.overlap.end(), 0.0);
+}
+
 double Simulation::time() const { return static_cast<double>(implementation_->step) * implementation_->dt; }
 double Simulation::time_step() const { return implementation_->dt; }
 const Model& Simulation::model() const { return implementation_->model; }
@@ -402,13 +539,26 @@ Vector3 Simulation::contact_force(std::size_t block) const {
 Vector3 Simulation::velocity(std::size_t block) const {
     const Implementation& s = *implementation_;
     if (s.bodies.fixed.at(block) != 0) return Vector3::Zero();
-    return s.bodies.velocity[block] + 0.5 * s.dt * (contact_force(block) * s.bodies.inverse_mass[block] + s.model.gravity);
+    return s.velocity_after(s.decay_over(0.5 * s.dt), block, contact_force(block));
 }
 
 Vector3 Simulation::angular_velocity(std::size_t block) const {
     const Implementation& s = *implementation_;
     const Vector3& momentum = s.bodies.momentum.at(block);
-    return s.bodies.spin(block, momentum + 0.5 * s.dt * s.touches.sum(block, s.list.forces).torque);
+    const detail::VelocityDecay half = s.decay_over(0.5 * s.dt);
+    return s.bodies.spin(block, half.keep * momentum + half.push * s.touches.sum(block, s.list.forces).torque);
+}
+
+std::vector<ContactForce> Simulation::contact_forces() const {
+    const ContactList& list = implementation_->list;
+    std::vector<ContactForce> forces;
+    for (std::size_t p = 0; p < list.pairs.size(); ++p) {
+        if (list.forces[p].force.isZero(0.0)) continue;
+        const ContactPair& pair = list.pairs[p];
+        const auto follower = pair.follower == kGround ? std::nullopt : std::optional<std::size_t>(pair.follower);
+        forces.push_back({pair.leader, follower, list.forces[p].force});
+    }
+    return forces;
 }
 
 Kinematics Simulation::kinematics() const {
@@ -425,12 +575,50 @@ Kinematics Simulation::kinematics() const {
 
 BaseState Simulation::base() const {
     const BaseMotion& motion = implementation_->motion;
+    if (implementation_->preparing) return {implementation_->base.displacement};
     return {implementation_->base.displacement, motion.velocity(time()), motion.acceleration(time())};
 }
 
 Vector3 Simulation::base_reaction() const { return implementation_->base_force; }
 
 Energy Simulation::energy() const { return implementation_->find_energy(); }
+
+Losses Simulation::losses() const {
+    Losses losses = implementation_->finished;
+    add_losses(implementation_->list, losses);
+    return losses;
+}
+
+void Simulation::set_velocity_damping(double rate) {
+    check_velocity_damping(rate, implementation_->dt);
+    implementation_->velocity_damping = rate;
+    implementation_->quiet_looks = 0;
+}
+
+double Simulation::velocity_damping() const { return implementation_->velocity_damping; }
+
+void Simulation::save(std::ostream& out) const {
+    Implementation& s = *implementation_;
+    std::uint64_t model = hash_model(s.model, s.dt);
+    Archive archive;
+    archive(model, s.dt);
+    s.exchange(archive);
+    write_sealed(out, kStateKind, archive.bytes());
+}
+
+Simulation Simulation::restore(Model model, std::istream& in, int threads) {
+    const std::string bytes = read_sealed(in, kStateKind);
+    Archive archive{std::string_view(bytes)};
+    std::uint64_t wanted = 0;
+    double dt = 0.0;
+    archive(wanted, dt);
+    if (!(dt > 0.0 && std::isfinite(dt)) || hash_model(model, dt) != wanted)
+        throw std::runtime_error("saved state: it belongs to another model or time step");
+    auto restored = std::make_unique<Implementation>(std::move(model), dt, threads);
+    restored->exchange(archive);
+    archive.finish();
+    return Simulation(std::move(restored));
+}
 
 Statistics Simulation::statistics() const {
     const Implementation& s = *implementation_;
@@ -462,19 +650,21 @@ std::string Simulation::state_hash() const {
     return text;
 }
 
-double Simulation::fallen_fraction() const {
+bool Simulation::has_fallen(std::size_t block) const {
     const Implementation& s = *implementation_;
-    if (s.bodies.size() == 0) return 0.0;
+    const Matrix3 start_rotation = s.bodies.start_orientation.at(block).toRotationMatrix();
+    const double height = 2.0 * start_rotation.row(2).cwiseAbs().dot(s.bodies.half[block]);
+    const double sunk = (s.bodies.start_position[block].z() - s.bodies.position[block].z()) + s.base.displacement.z();
+    const double upright = s.bodies.rotation[block].row(2).dot(start_rotation.row(2));
+    return sunk > 0.25 * height || upright < std::numbers::sqrt2 / 2.0;
+}
+
+double Simulation::fallen_fraction() const {
+    const std::size_t blocks = implementation_->bodies.size();
+    if (blocks == 0) return 0.0;
     std::size_t fallen = 0;
-    for (std::size_t i = 0; i < s.bodies.size(); ++i) {
-        const Block& start = s.model.blocks[i];
-        const Matrix3 start_rotation = start.orientation.toRotationMatrix();
-        const double height = 2.0 * start_rotation.row(2).cwiseAbs().dot(s.bodies.half[i]);
-        const double sunk = (start.position.z() - s.bodies.position[i].z()) + s.base.displacement.z();
-        const double upright = s.bodies.rotation[i].row(2).dot(start_rotation.row(2));
-        if (sunk > 0.25 * height || upright < std::numbers::sqrt2 / 2.0) ++fallen;
-    }
-    return static_cast<double>(fallen) / static_cast<double>(s.bodies.size());
+    for (std::size_t i = 0; i < blocks; ++i) fallen += has_fallen(i) ? 1 : 0;
+    return static_cast<double>(fallen) / static_cast<double>(blocks);
 }
 
 }  // namespace musim::lsdem

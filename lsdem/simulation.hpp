@@ -2,29 +2,33 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <iosfwd>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "lsdem/losses.hpp"
 #include "lsdem/model.hpp"
 #include "lsdem/types.hpp"
 
 namespace musim::lsdem {
 
 /// Energy ledger at one instant [J]. Up to the closure error:
-///   kinetic + gravitational + elastic_normal + elastic_shear + friction_loss + damping_loss = initial total + base_work.
+///   kinetic + gravitational + elastic_normal + elastic_shear + friction_loss + damping_loss + preparation_loss
+///     = initial total + base_work.
 struct Energy {
-    double kinetic = 0.0;         ///< time-centred: Σ ½ m v(t−dt/2)·v(t+dt/2), and likewise for the spin
-    double gravitational = 0.0;   ///< −Σ m g·(x − x_start)
-    double elastic_normal = 0.0;  ///< Σ ½ K_n A d²
-    double elastic_shear = 0.0;   ///< Σ ½ K_s A |ξ|²
-    double friction_loss = 0.0;   ///< work of slip against the Coulomb limit since the start
-    double damping_loss = 0.0;    ///< work of the dashpots since the start
-    double base_work = 0.0;       ///< work done by the moving base since the start
+    double kinetic = 0.0;           ///< time-centred: Σ ½ m v(t−dt/2)·v(t+dt/2), and likewise for the spin
+    double gravitational = 0.0;     ///< −Σ m g·(x − x_start)
+    double elastic_normal = 0.0;    ///< Σ ½ K_n A d²
+    double elastic_shear = 0.0;     ///< Σ ½ K_s A |ξ|²
+    double friction_loss = 0.0;     ///< work of slip against the Coulomb limit since the start
+    double damping_loss = 0.0;      ///< work of the dashpots since the start
+    double base_work = 0.0;         ///< work done by the moving base since the start
+    double preparation_loss = 0.0;  ///< work of the velocity damping since the start
 
     double mechanical() const { return kinetic + gravitational + elastic_normal + elastic_shear; }
-    double balance() const { return mechanical() + friction_loss + damping_loss - base_work; }
+    double balance() const { return mechanical() + friction_loss + damping_loss + preparation_loss - base_work; }
 };
 
 /// Time-centred kinematics of all blocks at one instant, structure of arrays, world frame.
@@ -65,9 +69,24 @@ struct Statistics {
     double max_overlap_over_height = 0.0;  ///< largest node overlap ever, over the height of the shape of the block that owns the node
 };
 
-/// Seconds of wall time spent per phase since the start.
+/// Seconds of wall time spent per phase.
 struct PhaseTimes {
     double neighbors = 0.0, contacts = 0.0, motion = 0.0;
+};
+
+/// A held block (Block::fixed), put in its place and let go.
+struct Release {
+    std::size_t block = 0;
+    Vector3 position = Vector3::Zero();               ///< centre of mass, world frame [m]
+    Quaternion orientation = Quaternion::Identity();  ///< body to world
+    Vector3 velocity = Vector3::Zero();               ///< world frame [m/s]
+};
+
+/// What one block bears from another, or from the ground.
+struct ContactForce {
+    std::size_t leader = 0;
+    std::optional<std::size_t> follower;  ///< nothing: the ground
+    Vector3 force = Vector3::Zero();      ///< on the leader, world frame [N]
 };
 
 /// Explicit LS-DEM simulation with a fixed time step. Results are the same bits for any number of threads.
@@ -83,6 +102,32 @@ class Simulation {
     /// Advances by `steps` time steps, or until the run diverges. Neither allocates nor throws in steady state.
     void advance(std::uint64_t steps = 1);
 
+    /// Changes the rate of the velocity damping from now on, see Model::velocity_damping [1/s]; 0 ends it. The ledger stays closed. Throws
+    /// std::invalid_argument unless 0 ≤ rate ≤ 1/dt.
+    void set_velocity_damping(double rate);
+    double velocity_damping() const;  ///< [1/s]
+
+    /// Writes the state, from which `restore` continues to the same bits as if there had been no interruption, with any number of threads;
+    /// about 2 KB per block, in binary form, for machines of the same byte order. Throws std::ios_base::failure if the stream fails.
+    void save(std::ostream& out) const;
+
+    /// The simulation that `save` wrote, of the same model and time step; reads no further than its end. Throws std::runtime_error, which
+    /// says what is wrong, for anything else: no state, one cut off or damaged, one of another model (down to the last bit of any number in
+    /// it) or written by another version; std::invalid_argument as the constructor does.
+    static Simulation restore(Model model, std::istream& in, int threads = 1);
+    /// Puts held blocks in their places and lets them go, each at its velocity. What they bring in gravitational and kinetic energy counts
+    /// as there from the start. Overlaps with other blocks carry no force. Throws std::invalid_argument for a block that is not held, or is
+    /// named twice, and for a state that is not finite.
+    void release(const std::vector<Release>& blocks);
+
+    /// From now on the base stands where it is at t = 0 and velocities decay at `damping_rate` [1/s], as when blocks are laid by hand.
+    /// Throws std::invalid_argument for a rate that is negative or not finite.
+    void begin_preparation(double damping_rate);
+
+    /// Ends it: the state becomes the start of the run. Time is zero again, the base free to move, damping off; ledger, counters and
+    /// extremes begin anew. Contacts keep their history.
+    void end_preparation();
+
     double time() const;         ///< n·dt [s]
     double time_step() const;    ///< [s]
     const Model& model() const;  ///< as given at the start
@@ -94,22 +139,26 @@ class Simulation {
     Vector3 velocity(std::size_t block) const;          ///< time-centred [m/s]
     Vector3 angular_velocity(std::size_t block) const;  ///< time-centred [rad/s]
     BaseState base() const;
-    Vector3 base_reaction() const;                   ///< force of the ground on the blocks now [N]
-    Vector3 contact_force(std::size_t block) const;  ///< sum of all contact forces on a block now [N]
+    Vector3 base_reaction() const;                     ///< force of the ground on the blocks now [N]
+    Vector3 contact_force(std::size_t block) const;    ///< sum of all contact forces on a block now [N]
+    std::vector<ContactForce> contact_forces() const;  ///< of all pairs that touch now, by leader, then by follower
 
     Energy energy() const;
+    Losses losses() const;  ///< where friction and dashpots dissipated energy [J]
     Statistics statistics() const;
-    PhaseTimes phase_times() const;
+    PhaseTimes phase_times() const;  ///< since the start, or since the state was restored
     std::optional<Divergence> divergence() const;
 
     /// 64-bit FNV-1a hash of positions, orientations and momenta of all blocks, as 16 hexadecimal digits.
     std::string state_hash() const;
 
-    /// Fraction of blocks that have fallen: sunk by more than a quarter of their height, or tilted by more than 45° from the start.
-    double fallen_fraction() const;
+    /// Has a block fallen: sunk by more than a quarter of its height relative to the base, or tilted by more than 45° from the start?
+    bool has_fallen(std::size_t block) const;
+    double fallen_fraction() const;  ///< of the blocks [-]
 
   private:
     struct Implementation;
+    explicit Simulation(std::unique_ptr<Implementation> implementation);
     std::unique_ptr<Implementation> implementation_;
 };
 

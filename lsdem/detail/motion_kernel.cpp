@@ -55,9 +55,23 @@ using Four = std::array<std::size_t, kLanes>;
     to[2] = v.z[lane];
 }
 
+[[gnu::always_inline]] inline Lanes dot(const Triple<Lanes>& a, const Triple<Lanes>& b) { return (a.x * b.x + a.y * b.y) + a.z * b.z; }
+
+[[gnu::always_inline]] inline Triple<Lanes> plus(const Triple<Lanes>& a, const Triple<Lanes>& b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+
+/// What a change of momentum from `before` to `after` holds besides `kick`.
+[[gnu::always_inline]] inline Triple<Lanes> beside(const Triple<Lanes>& kick, const Triple<Lanes>& before, const Triple<Lanes>& after) {
+    return {(after.x - before.x) - kick.x, (after.y - before.y) - kick.y, (after.z - before.z) - kick.z};
+}
+
+template <bool damped>
 [[gnu::always_inline]] inline double move_range(const TouchList& touches, const std::vector<PairForce>& forces,
-                                                const NeighborSearch::Reference& reference, const Vector3& base, const Vector3& gravity,
-                                                double h, std::size_t first, std::size_t last, Bodies& bodies) {
+                                                const NeighborSearch::Reference& reference, const Leap& leap, std::size_t first,
+                                                std::size_t last, Bodies& bodies) {
+    const Vector3 &base = leap.base_displacement, &gravity = leap.gravity;
+    const double h = leap.h, keep = leap.decay.keep, push = leap.decay.push;
     const Lanes zero = all(0.0);
     Lanes farthest = zero;
     LaneMask lost{};
@@ -72,11 +86,15 @@ using Four = std::array<std::size_t, kLanes>;
             torque_at[lane] = load[lane].torque.data();
         }
         const Triple<Lanes> force = pick(force_at), torque = pick(torque_at);
-        const Lanes kick = h * pick(bodies.free, i), per_mass = pick(bodies.inverse_mass, i);
+        const Lanes free = pick(bodies.free, i), kick = push * free, per_mass = pick(bodies.inverse_mass, i);
         Triple<Lanes> v = pick(bodies.velocity, i), x = pick(bodies.previous_position, i), l = pick(bodies.momentum, i);
-        v.x += kick * (force.x * per_mass + gravity.x());
-        v.y += kick * (force.y * per_mass + gravity.y());
-        v.z += kick * (force.z * per_mass + gravity.z());
+        const Triple<Lanes> v_before = v, l_before = l;
+        const Triple<Lanes> acceleration{force.x * per_mass + gravity.x(), force.y * per_mass + gravity.y(),
+                                         force.z * per_mass + gravity.z()};
+        if (damped) v = {keep * v.x, keep * v.y, keep * v.z};
+        v.x += kick * acceleration.x;
+        v.y += kick * acceleration.y;
+        v.z += kick * acceleration.z;
         x.x += h * v.x;
         x.y += h * v.y;
         x.z += h * v.z;
@@ -84,12 +102,26 @@ using Four = std::array<std::size_t, kLanes>;
         const Triple<Lanes> inverse_inertia = pick(bodies.inverse_inertia, i);
         const LaneMask turns = inverse_inertia.x > zero;
         const Lanes twist = select(turns, kick, zero);
+        if (damped) l = {keep * l.x, keep * l.y, keep * l.z};
         l.x += twist * torque.x;
         l.y += twist * torque.y;
         l.z += twist * torque.z;
         const Orientation<Lanes> before = pick(bodies.orientation, i);
-        const Orientation<Lanes> turned =
-            turn_freely(before, RotationRows<Lanes>(before).to_body(l), inverse_inertia, h, [](const Lanes& value) { return root(value); });
+        const RotationRows<Lanes> rows_before(before);
+        const Triple<Lanes> l_body = rows_before.to_body(l);
+        const Orientation<Lanes> turned = turn_freely(before, l_body, inverse_inertia, h, [](const Lanes& value) { return root(value); });
+        Lanes loss = zero;
+        if (damped) {
+            // the impulse of the damping times the mean of the velocities before and after it
+            const Lanes whole = h * free, whole_turn = select(turns, whole, zero);
+            const Triple<Lanes> impulse = beside({whole * acceleration.x, whole * acceleration.y, whole * acceleration.z}, v_before, v);
+            const Triple<Lanes> twist_impulse =
+                rows_before.to_body(beside({whole_turn * torque.x, whole_turn * torque.y, whole_turn * torque.z}, l_before, l));
+            const Triple<Lanes> l_sum = plus(rows_before.to_body(l_before), l_body);
+            const Triple<Lanes> spin_sum{inverse_inertia.x * l_sum.x, inverse_inertia.y * l_sum.y, inverse_inertia.z * l_sum.z};
+            loss = pick(bodies.preparation_loss, i) -
+                   0.5 * (pick(bodies.mass, i) * dot(impulse, plus(v_before, v)) + dot(twist_impulse, spin_sum));
+        }
         const Orientation<Lanes> q{select(turns, turned.w, before.w), select(turns, turned.x, before.x), select(turns, turned.y, before.y),
                                    select(turns, turned.z, before.z)};
         const RotationRows<Lanes> rows(q);
@@ -108,6 +140,7 @@ using Four = std::array<std::size_t, kLanes>;
             put(v, lane, bodies.velocity[block].data());
             put(x, lane, bodies.position[block].data());
             put(l, lane, bodies.momentum[block].data());
+            if (damped) bodies.preparation_loss[block] = loss[lane];
             double* const coefficients = bodies.orientation[block].coeffs().data();
             coefficients[0] = q.x[lane], coefficients[1] = q.y[lane], coefficients[2] = q.z[lane], coefficients[3] = q.w[lane];
             double* const r = bodies.rotation[block].data();
@@ -120,24 +153,30 @@ using Four = std::array<std::size_t, kLanes>;
     return std::max(std::max(farthest[0], farthest[1]), std::max(farthest[2], farthest[3]));
 }
 
+/// With or without damping, so that a run without pays nothing for it.
+[[gnu::always_inline]] inline double move_either(const TouchList& touches, const std::vector<PairForce>& forces,
+                                                 const NeighborSearch::Reference& reference, const Leap& leap, std::size_t first,
+                                                 std::size_t last, Bodies& bodies) {
+    return leap.decay.keep == 1.0 ? move_range<false>(touches, forces, reference, leap, first, last, bodies)
+                                  : move_range<true>(touches, forces, reference, leap, first, last, bodies);
+}
+
 MUSIM_AVX2 double move_wide(const TouchList& touches, const std::vector<PairForce>& forces, const NeighborSearch::Reference& reference,
-                            const Vector3& base_displacement, const Vector3& gravity, double h, std::size_t first, std::size_t last,
-                            Bodies& bodies) {
-    return move_range(touches, forces, reference, base_displacement, gravity, h, first, last, bodies);
+                            const Leap& leap, std::size_t first, std::size_t last, Bodies& bodies) {
+    return move_either(touches, forces, reference, leap, first, last, bodies);
 }
 
 double move_plain(const TouchList& touches, const std::vector<PairForce>& forces, const NeighborSearch::Reference& reference,
-                  const Vector3& base_displacement, const Vector3& gravity, double h, std::size_t first, std::size_t last, Bodies& bodies) {
-    return move_range(touches, forces, reference, base_displacement, gravity, h, first, last, bodies);
+                  const Leap& leap, std::size_t first, std::size_t last, Bodies& bodies) {
+    return move_either(touches, forces, reference, leap, first, last, bodies);
 }
 
 }  // namespace
 
 double move_blocks(const TouchList& touches, const std::vector<PairForce>& forces, const NeighborSearch::Reference& reference,
-                   const Vector3& base_displacement, const Vector3& gravity, double h, std::size_t first, std::size_t last,
-                   Bodies& bodies) {
+                   const Leap& leap, std::size_t first, std::size_t last, Bodies& bodies) {
     const auto move = active_instructions() == Instructions::avx2 ? move_wide : move_plain;
-    return move(touches, forces, reference, base_displacement, gravity, h, first, last, bodies);
+    return move(touches, forces, reference, leap, first, last, bodies);
 }
 
 }  // namespace musim::lsdem::detail

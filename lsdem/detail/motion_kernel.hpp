@@ -6,6 +6,7 @@
 
 #include "lsdem/bodies.hpp"
 #include "lsdem/contacts.hpp"
+#include "lsdem/detail/velocity_decay.hpp"
 #include "lsdem/neighbors.hpp"
 
 namespace musim::lsdem::detail {
@@ -44,10 +45,18 @@ class TouchList {
     std::vector<Touch> touches_;
 };
 
-/// One leapfrog step of `h` seconds of blocks [first, last), four side by side; compiled for AVX2 and for plain x86-64, same bits. Bodies
-/// hold the poses of step n as the previous ones; the new ones are written. Returns the largest distance that any point of them may have
+/// How blocks move in one step.
+struct Leap {
+    Vector3 base_displacement = Vector3::Zero();  ///< after the step [m]
+    Vector3 gravity = Vector3::Zero();            ///< [m/s²]
+    double h = 0.0;                               ///< time step [s]
+    VelocityDecay decay{0.0, 0.0};                ///< over h
+};
+
+/// One leapfrog step of blocks [first, last), four side by side; compiled for AVX2 and for plain x86-64, same bits. Bodies hold the poses
+/// of step n as the previous ones; the new ones are written. Returns the largest distance that any point of them may have
 /// moved relative to the base since the neighbor list was made [m]; infinite when a position is not a number.
 double move_blocks(const TouchList& touches, const std::vector<PairForce>& forces, const NeighborSearch::Reference& reference,
-                   const Vector3& base_displacement, const Vector3& gravity, double h, std::size_t first, std::size_t last, Bodies& bodies);
+                   const Leap& leap, std::size_t first, std::size_t last, Bodies& bodies);
 
 }  // namespace musim::lsdem::detail

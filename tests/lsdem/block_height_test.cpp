@@ -160,7 +160,7 @@ ContactList find_contacts(const Model& model) {
     bodies.previous_position = bodies.position;
     bodies.previous_rotation = bodies.rotation;
     ContactList list;
-    PairWork finished;
+    Losses finished{.block = std::vector<PairWork>(model.blocks.size()), .ground = {}};
     search.rebuild(bodies, BasePose{}, list, finished);
     return list;
 }

@@ -68,7 +68,7 @@ double find_drift(const NeighborSearch& search, Bodies bodies, const BasePose& b
     musim::lsdem::detail::TouchList touches;
     touches.rebuild(bodies.size(), {});
     bodies.previous_position = bodies.position;
-    return musim::lsdem::detail::move_blocks(touches, {}, search.reference(), base.displacement, Vector3::Zero(), 0.0, 0, bodies.size(),
+    return musim::lsdem::detail::move_blocks(touches, {}, search.reference(), {.base_displacement = base.displacement}, 0, bodies.size(),
                                              bodies);
 }
 
@@ -82,7 +82,7 @@ TEST_CASE("the neighbor list of a random heap holds every touching node that bru
             const Bodies bodies(model);
             NeighborSearch search(model);
             ContactList list;
-            PairWork finished;
+            Losses finished{std::vector<PairWork>(bodies.size()), {}};
             search.rebuild(bodies, BasePose{}, list, finished);
             const std::set<Entry> near = listed(list), touching = find_by_brute_force(model, bodies);
             REQUIRE(touching.size() > 100);
@@ -102,7 +102,7 @@ TEST_CASE("the neighbor list of a random heap holds every pair of boxes of which
         const Bodies bodies(model);
         NeighborSearch search(model);
         ContactList list;
-        PairWork finished;
+        Losses finished{std::vector<PairWork>(bodies.size()), {}};
         search.rebuild(bodies, BasePose{}, list, finished);
         std::size_t blocks = 0, missed = 0;
         for (const auto& [leader, follower, node] : find_by_brute_force(model, bodies)) {
@@ -124,7 +124,7 @@ TEST_CASE("the list stays complete while no block has drifted farther than allow
         Bodies bodies(model);
         NeighborSearch search(model);
         ContactList list;
-        PairWork finished;
+        Losses finished{std::vector<PairWork>(bodies.size()), {}};
         search.rebuild(bodies, BasePose{}, list, finished);
         // as far as allowed: half by moving, half by turning
         const double allowed = search.allowed_drift();
@@ -155,7 +155,7 @@ TEST_CASE("drift is measured against the base") {
     Bodies bodies(model);
     NeighborSearch search(model);
     ContactList list;
-    PairWork finished;
+    Losses finished{std::vector<PairWork>(bodies.size()), {}};
     search.rebuild(bodies, BasePose{}, list, finished);
     BasePose moved;
     moved.displacement = {0.01, 0.0, 0.0};

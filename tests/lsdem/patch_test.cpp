@@ -32,7 +32,7 @@ struct Contacts {
     explicit Contacts(const Model& model) : search(model), bodies(model) {
         bodies.previous_position = bodies.position;
         bodies.previous_rotation = bodies.rotation;
-        PairWork finished;
+        Losses finished{std::vector<PairWork>(bodies.size()), {}};
         search.rebuild(bodies, BasePose{}, list, finished);
         REQUIRE(list.pairs.size() == 1);
         REQUIRE(list.pairs.front().is_patch());

@@ -37,6 +37,7 @@ Model scale_model(const Model& model, const Stone& stone, const ExactScale& scal
         material->shear_stiffness *= stiffness_per_area;
     }
     twin.gravity *= scale.gravity;
+    twin.velocity_damping /= scale.time;
     for (Block& block : twin.blocks) {
         block.mass *= scale.density * scale.length * scale.length * scale.length;
         block.position *= scale.length;
@@ -111,6 +112,23 @@ TEST_CASE("blocks of unequal height repeat their prototype to the last bit, by p
         REQUIRE(large.energy().friction_loss > 0.0);
         CHECK(compute_critical_time_step(small.model()) == compute_critical_time_step(prototype) * scale.time);
     }
+}
+
+TEST_CASE("preparation damping at a rate that scales as 1/time repeats the prototype to the last bit, too") {
+    const Stone stone = wood();
+    Model prototype = make_shaken_wall(stone);
+    prototype.velocity_damping = 192.0;
+    const double step = 0.8 * compute_critical_time_step(prototype);
+    const ExactScale scale{1.0 / 16.0, 0.25, 1.0, 1.0};
+    Simulation large(prototype, step), small(scale_model(prototype, stone, scale), step * scale.time);
+    for (int sample = 0; sample < 4; ++sample) {
+        large.advance(1000);
+        small.advance(1000);
+        CHECK(count_differences(small, large, scale) == 0);
+    }
+    REQUIRE(large.energy().preparation_loss > 0.0);
+    // λ_E = λ_l⁴ for λ_ρ = λ_g = 1
+    CHECK(small.energy().preparation_loss * 65536.0 == large.energy().preparation_loss);
 }
 
 // Density with stiffness in proportion: forces scale, motion does not.
