@@ -213,6 +213,16 @@ void check(const SignalMotion& motion, const JsonPlace& place) {
     if (motion.dt) require_positive(*motion.dt, place.at("dt"));
 }
 
+void check(const Preparation& preparation, const JsonPlace& place, const Scene& scene) {
+    if (preparation.damping_rate) require_positive(*preparation.damping_rate, place.at("damping_rate"));
+    const bool listed = std::holds_alternative<BlockList>(scene.structure);
+    if (listed && preparation.placing.value_or(Placing::as_drawn) != Placing::as_drawn)
+        fail(place.at("placing"), "only columns, towers and walls have layers to be placed (these are single blocks); use \"as_drawn\"");
+    if (listed && preparation.specimen)
+        fail(place.at("specimen"), "only columns, towers and walls are made from specimens (these are single blocks); leave it out");
+    if (preparation.specimen && preparation.placing) fail(place.at("placing"), "a specimen is placed already; leave one of the two out");
+}
+
 void check(std::monostate /*still*/, const JsonPlace& /*place*/) {}
 
 }  // namespace
@@ -247,6 +257,8 @@ void check_scene(const Scene& scene, const std::string& origin) {
         fail(motion, "there is no ground to move (/ground/present is false); leave one of the two out");
     }
     if (scene.ground.friction) require_not_negative(*scene.ground.friction, root.at("ground").at("friction"));
+
+    if (scene.preparation) check(*scene.preparation, root.at("preparation"), scene);
 
     require_positive(scene.time.duration, root.at("time").at("duration"));
     if (scene.time.step) require_positive(*scene.time.step, root.at("time").at("step"));

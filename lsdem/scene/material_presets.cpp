@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "lsdem/scene/detail/json_text.hpp"
 #include "lsdem/scene/scene_error.hpp"
@@ -34,12 +35,27 @@ const std::vector<MaterialPreset>& presets() {
         const std::string_view wave_source =
             "Harmon et al. 2023, Table 3, with ten times the printed stiffness, which the measured bar wave speed and the printed time "
             "step ask for";
+        // periods of the cameras over the printed numbers of steps per picture
+        const scaling::Time wood_step = 1.0 / (4800.0 * 20.0) * scaling::si::seconds;
+        const scaling::Time aluminium_step = 1.0 / (4800.0 * 80.0) * scaling::si::seconds;
+        const scaling::Time concrete_step = 1.0 / (2000.0 * 34.0) * scaling::si::seconds;
+        // E = 69 GPa of aluminium alloys, with the density of Table 3
+        const scaling::Velocity aluminium_bar = scaling::Velocity::from_value(std::sqrt(69e9 / 2632.0));
+        const auto small = reference_block(107.0);
         return std::vector<MaterialPreset>{
-            {"wood", make_material(800.0, 30.0, 26.0, 0.63, 0.3), 1.0 / 107.0, reference_block(107.0), kTable3},
-            {"concrete", make_material(2320.0, 1050.0, 1000.0, 0.59, 0.5), 1.0 / 25.0, reference_block(25.0), kTable3},
-            {"aluminium", wave, 1.0 / 107.0, reference_block(107.0), wave_source},
-            {"al_wave", wave, 1.0 / 107.0, reference_block(107.0), wave_source},
-            {"al_printed", make_material(2632.0, 51.0, 48.0, 0.18, 0.5), 1.0 / 107.0, reference_block(107.0), kTable3},
+            {"wood", make_material(800.0, 30.0, 26.0, 0.63, 0.3), 1.0 / 107.0, small, kTable3, wood_step, "1/96000 s", {}},
+            {"concrete",
+             make_material(2320.0, 1050.0, 1000.0, 0.59, 0.5),
+             1.0 / 25.0,
+             reference_block(25.0),
+             kTable3,
+             concrete_step,
+             "1/68000 s",
+             {}},
+            {"aluminium", wave, 1.0 / 107.0, small, wave_source, aluminium_step, "1/384000 s", aluminium_bar},
+            {"al_wave", wave, 1.0 / 107.0, small, wave_source, aluminium_step, "1/384000 s", aluminium_bar},
+            {"al_printed", make_material(2632.0, 51.0, 48.0, 0.18, 0.5), 1.0 / 107.0, small, kTable3, aluminium_step, "1/384000 s",
+             aluminium_bar},
         };
     }();
     return kPresets;

@@ -282,12 +282,41 @@ void read_gravity(const JsonObject& object, Triple<scaling::Acceleration>& gravi
     for (std::size_t k = 0; k < 3; ++k) gravity[k] = detail::to_quantity<scaling::Acceleration>(value[k], place.at(k));
 }
 
-TimeSettings parse_time(const JsonObject& object, double safety) {
+Preparation parse_preparation(const JsonObject& object, const std::filesystem::path& origin) {
+    Preparation preparation;
+    if (object.has("placing")) preparation.placing = static_cast<Placing>(object.choice("placing", placing_names()));
+    preparation.damping_rate = object.optional_quantity<scaling::Frequency>("damping_rate");
+    if (object.has("specimen")) preparation.specimen = resolve(object.text("specimen"), origin);
+    return preparation;
+}
+
+/// Name of the preset that a material is taken from; empty when all its properties are given.
+std::string find_preset_name(const json& material) {
+    if (material.is_string()) return material.get<std::string>();
+    return material.contains("preset") ? material["preset"].get<std::string>() : std::string();
+}
+
+/// Time step of a preset, for a scene whose material is one.
+scaling::Time find_camera_step(const std::string& preset, const JsonPlace& place) {
+    if (preset.empty()) {
+        fail(place, fmt::format("\"camera\" is the step of a material preset, and the scene's material is none (presets are {}); name one, "
+                                "or give a step or \"auto\"",
+                                detail::join(material_preset_names())));
+    }
+    return find_material_preset(preset).camera_step;
+}
+
+/// `preset`: name of the scene's material, empty for none.
+TimeSettings parse_time(const JsonObject& object, double safety, const std::string& preset) {
     TimeSettings time;
     time.safety = safety;
     time.duration = object.quantity<scaling::Time>("duration");
-    const bool automatic = !object.has("step") || object.get("step") == "auto";
-    if (!automatic) time.step = object.quantity<scaling::Time>("step");
+    const json step = object.has("step") ? object.get("step") : json("auto");
+    if (step == "camera") {
+        time.step = find_camera_step(preset, object.place("step"));
+    } else if (step != "auto") {
+        time.step = object.quantity<scaling::Time>("step");
+    }
     object.read("safety", time.safety);
     return time;
 }
@@ -369,7 +398,11 @@ Scene parse_scene(std::string_view json_text, const std::filesystem::path& origi
         if (ground.has("friction")) scene.ground.friction = ground.number("friction");
     }
     read_contact(object, scene);
-    scene.time = parse_time(JsonObject(object.get("time"), object.place("time"), "time"), scene.time.safety);
+    if (object.has("preparation")) {
+        scene.preparation = parse_preparation(JsonObject(object.get("preparation"), object.place("preparation"), "preparation"), origin);
+    }
+    scene.time = parse_time(JsonObject(object.get("time"), object.place("time"), "time"), scene.time.safety,
+                            find_preset_name(object.get("material")));
     if (object.has("output")) {
         const JsonObject output(object.get("output"), object.place("output"), "output");
         output.read_quantity("spine_rate", scene.output.spine_rate);

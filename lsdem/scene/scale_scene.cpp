@@ -83,6 +83,7 @@ Scene scale_scene(const Scene& scene, const scaling::Similitude& similitude) {
     std::visit([&](auto& structure) { scaler.scale(structure); }, scaled.structure);
     scaler.scale(scaled.base_motion);
     if (scaled.ground.friction) *scaled.ground.friction *= similitude.friction();
+    if (scaled.preparation) scaler.scale(scaled.preparation->damping_rate);
     scaler.scale(scaled.time.duration);
     scaler.scale(scaled.time.step);
     scaler.scale(scaled.output.spine_rate);

@@ -13,6 +13,7 @@
 #include "lsdem/model.hpp"
 #include "lsdem/scene/accuracy_presets.hpp"
 #include "lsdem/scene/material_presets.hpp"
+#include "lsdem/scene/preparation.hpp"
 #include "lsdem/scene/tower_tiling.hpp"
 #include "records/sample_unit.hpp"
 #include "scaling/similitude.hpp"
@@ -235,6 +236,7 @@ struct Scene {
     Structure structure;
     BaseMotion base_motion;
     GroundSettings ground;
+    std::optional<Preparation> preparation;  ///< default: none, unless blocks differ in height
     ContactNodes contact_nodes = ContactNodes::leader;
     StiffnessSharing stiffness_sharing = StiffnessSharing::per_area;
     FaceContact face_contact = FaceContact::patch;

@@ -6,7 +6,7 @@ const std::map<std::string, std::vector<std::string>>& scene_keys() {
     static const std::map<std::string, std::vector<std::string>> kKeys = {
         {"scene",
          {"schema", "name", "gravity", "material", "materials", "shape", "structure", "base_motion", "ground", "contact", "time", "output",
-          "accuracy"}},
+          "accuracy", "preparation"}},
         {"material", {"preset", "density", "normal_stiffness", "shear_stiffness", "friction", "restitution", "shear_damping_ratio"}},
         {"shape", {"kind", "level_set", "nodes_per_face", "nodes", "voxel", "radius"}},
         {"blocks", {"kind", "blocks"}},
@@ -26,6 +26,7 @@ const std::map<std::string, std::vector<std::string>>& scene_keys() {
         {"synthetic", {"signal", "direction", "start", "factors", "dt", "pga", "pgv", "duration", "seed"}},
         {"ground", {"present", "friction"}},
         {"contact", {"nodes", "stiffness", "faces", "spacing"}},
+        {"preparation", {"placing", "damping_rate", "specimen"}},
         {"time", {"duration", "step", "safety"}},
         {"output", {"spine_rate", "frame_rate"}},
     };

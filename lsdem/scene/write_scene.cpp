@@ -192,6 +192,13 @@ std::string write_scene(const Scene& scene) {
                         {"spacing", scene.patch_spacing == PatchSpacing::even ? "even" : "lobatto"}}},
                       {"time", time},
                       {"output", output}};
+    if (scene.preparation) {
+        ordered_json preparation = ordered_json::object();
+        if (scene.preparation->placing) preparation["placing"] = to_string(*scene.preparation->placing);
+        put(preparation, "damping_rate", scene.preparation->damping_rate);
+        if (scene.preparation->specimen) preparation["specimen"] = scene.preparation->specimen->string();
+        root["preparation"] = preparation;
+    }
     if (scene.accuracy) root["accuracy"] = to_string(*scene.accuracy);
     return root.dump(2) + "\n";
 }

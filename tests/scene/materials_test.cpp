@@ -5,6 +5,8 @@
 #include <cmath>
 #include <string>
 
+#include "lsdem/scene/scale_scene.hpp"
+#include "lsdem/scene/scene_json.hpp"
 #include "tests/scene/made_scene.hpp"
 
 using namespace musim;
@@ -58,4 +60,26 @@ TEST_CASE("the same solid in a larger block keeps its wave speed and becomes sti
 TEST_CASE("an unknown material is refused with the known ones") {
     musim::lsdem::scene::testing::check_message(musim::lsdem::scene::testing::error_of([] { find_material_preset("marble"); }),
                                                 {"\"marble\"", "wood", "concrete", "aluminium"});
+}
+
+// The papers' steps are a camera's period over a whole number: 1/4800 s over 20 and 80, 1/2000 s over 34.
+TEST_CASE("a step \"camera\" is the preset's, scales like a given one, and needs a preset") {
+    const auto parse = [](const std::string& material) {
+        return parse_scene(
+            R"({"schema": "musim-scene/1", "material": )" + material +
+            R"(, "structure": {"kind": "column", "layers": 1, "block": [1, 2, 3]}, "time": {"duration": 1, "step": "camera"}})");
+    };
+    CHECK(parse(R"("wood")").time.step->value() == doctest::Approx(10.4166667e-6).epsilon(1e-8));
+    CHECK(parse(R"({"preset": "concrete", "friction": 0.5})").time.step->value() == doctest::Approx(14.7058824e-6).epsilon(1e-8));
+    const Scene aluminium = parse(R"("al_printed")");
+    CHECK(aluminium.time.step->value() == doctest::Approx(2.60416667e-6).epsilon(1e-8));
+    // λ_t = √λ_l
+    const Scene twin = scale_scene(aluminium, scaling::Similitude({.length = 1.0 / 16.0}, scaling::Law::mu));
+    CHECK(twin.time.step->value() == aluminium.time.step->value() / 4.0);
+    CHECK(parse_scene(write_scene(aluminium)) == aluminium);
+    CHECK_THROWS_WITH_AS(
+        parse(R"({"density": 1, "normal_stiffness": 1, "shear_stiffness": 1, "friction": 1, "restitution": 1})"),
+        "scene: /time/step: \"camera\" is the step of a material preset, and the scene's material is none (presets are wood, concrete, "
+        "aluminium, al_wave, al_printed); name one, or give a step or \"auto\"",
+        SceneError);
 }

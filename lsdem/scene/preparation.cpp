@@ -1,0 +1,12 @@
+#include "lsdem/scene/preparation.hpp"
+
+namespace musim::lsdem::scene {
+
+const std::vector<std::string>& placing_names() {
+    static const std::vector<std::string> kNames{"as_drawn", "resting", "layers"};
+    return kNames;
+}
+
+std::string to_string(Placing placing) { return placing_names()[static_cast<std::size_t>(placing)]; }
+
+}  // namespace musim::lsdem::scene

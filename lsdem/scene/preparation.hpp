@@ -1,0 +1,33 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scaling/units.hpp"
+
+namespace musim::lsdem::scene {
+
+/// How blocks come to their places before the motion begins.
+enum class Placing {
+    as_drawn,  ///< where the structure has them
+    resting,   ///< each on the plane it rests on, see put_to_rest
+    layers     ///< layer by layer, each lowered onto those that have settled [Harmon23, section 5]
+};
+
+/// What happens before the motion: blocks are placed, or taken from a specimen prepared before, and come to rest under damped velocities.
+struct Preparation {
+    std::optional<Placing> placing;  ///< default: resting when blocks differ in height, else as drawn
+    std::optional<scaling::Frequency>
+        damping_rate;  ///< α of v' = −α v; default: the blocks' frequency parameter, see lsdem/study/settle.hpp
+    std::optional<std::filesystem::path> specimen;  ///< absolute path of a prepared specimen, instead of placing
+
+    bool operator==(const Preparation&) const = default;
+};
+
+/// "as_drawn", "resting", "layers", in this order.
+const std::vector<std::string>& placing_names();
+std::string to_string(Placing placing);
+
+}  // namespace musim::lsdem::scene
