@@ -3,15 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
-#include <mutex>
-#include <thread>
 
 #include "lsdem/study/accuracy_cases.hpp"
 #include "lsdem/study/accuracy_tower.hpp"
+#include "lsdem/study/detail/side_by_side.hpp"
 
 namespace musim::lsdem::study {
 namespace {
@@ -83,31 +81,6 @@ std::size_t find_first(const std::vector<AccuracyRow>& rows, std::size_t row) {
         return other.setting == rows[row].setting && (other.family == "shadow") == (rows[row].family == "shadow");
     };
     return static_cast<std::size_t>(std::find_if(rows.begin(), rows.end(), same) - rows.begin());
-}
-
-/// Does all jobs on some threads; `on_progress` is called with the fraction done.
-void run_side_by_side(const std::vector<std::function<void()>>& jobs, int threads, const std::function<void(double)>& on_progress) {
-    std::atomic<std::size_t> next{0}, done{0};
-    std::exception_ptr failure;
-    std::mutex mutex;
-    const auto work = [&] {
-        for (std::size_t job = next++; job < jobs.size(); job = next++) {
-            try {
-                jobs[job]();
-            } catch (...) {
-                const std::lock_guard lock(mutex);
-                if (!failure) failure = std::current_exception();
-            }
-            if (on_progress) on_progress(static_cast<double>(++done) / static_cast<double>(jobs.size()));
-        }
-    };
-    const int wanted = threads > 0 ? threads : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-    {
-        std::vector<std::jthread> others;
-        for (int t = 1; t < wanted; ++t) others.emplace_back(work);
-        work();
-    }
-    if (failure) std::rethrow_exception(failure);
 }
 
 /// The converged run of the tower: nodes and steps far beyond the finest preset.
@@ -191,7 +164,7 @@ AccuracySweep sweep_accuracy(const SweepOptions& options) {
             if (find_first(rows, r) == r) jobs.emplace_back([&problem = cases[c], &row] { row.outcome = run_case(problem, row.setting); });
         }
     }
-    run_side_by_side(jobs, options.threads, options.on_progress);
+    detail::run_side_by_side(jobs, options.threads, options.on_progress);
 
     tower.add_panels(sweep.panels);
     sweep.earthquake = tower.earthquake();

@@ -120,7 +120,7 @@ Specimen make_specimen(int courses, const AccuracySetting& setting) {
     for (Shape& shape : built.model.shapes) shape.patch_spacing = setting.spacing;
     apply(setting, built.model);
     let_settle(built.model, built.structure.layer);
-    return {std::move(built.model), {}, std::move(built.structure.layer)};
+    return {std::move(built.model), {}, std::move(built.structure.layer), {}};
 }
 
 /// Largest magnitude [m/s]; not a number when the run diverged.

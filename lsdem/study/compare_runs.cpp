@@ -28,7 +28,8 @@ struct BackScaling {
 bool same_energy(const Energy& p, const Energy& m, const BackScaling& back) {
     return back.same(p.kinetic, m.kinetic) && back.same(p.gravitational, m.gravitational) &&
            back.same(p.elastic_normal, m.elastic_normal) && back.same(p.elastic_shear, m.elastic_shear) &&
-           back.same(p.friction_loss, m.friction_loss) && back.same(p.damping_loss, m.damping_loss) && back.same(p.base_work, m.base_work);
+           back.same(p.friction_loss, m.friction_loss) && back.same(p.damping_loss, m.damping_loss) &&
+           back.same(p.base_work, m.base_work) && back.same(p.preparation_loss, m.preparation_loss);
 }
 
 bool are_bitwise_identical(const RunResult& prototype, const RunResult& model, const scaling::Similitude& similitude) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lsdem/simulation.hpp"
+#include "lsdem/study/settle.hpp"
 #include "lsdem/types.hpp"
 
 /// Studies on scenes: single runs, paired runs at several scales, their results on disk and their picture.
@@ -40,11 +41,22 @@ struct Frames {
     std::vector<Eigen::Vector3f> velocity;    ///< [m/s]
 };
 
+/// When blocks fell, and where they were then (Simulation::has_fallen), seen at the samples; one entry per block. Displacements are from
+/// the start, relative to the base, world frame.
+struct Falls {
+    std::vector<double> time;           ///< first sample at which the block had fallen [s]; not a number while it stands
+    std::vector<Vector3> displacement;  ///< of its centre of mass then [m]; likewise
+    std::vector<Vector3> at_collapse;   ///< of all blocks at RunResult::collapse_time [m]; empty before
+};
+
 /// What the blocks are, for results on disk.
 struct BlockTable {
     std::vector<Vector3> size;  ///< edge lengths of the bounding box in the body frame [m]
     std::vector<double> mass;   ///< [kg]
     std::vector<int> layer;     ///< from 1 at the base; 0: in no layer
+
+    /// b: the shorter of the sides across the body's z axis [m].
+    double thin_side(std::size_t block) const { return size[block].head<2>().minCoeff(); }
 };
 
 /// How a run ended. Collapse is a result: the run goes on to its end. Divergence is a numerical failure and ends the run.
@@ -59,6 +71,7 @@ struct RunResult {
     std::optional<Divergence> divergence;  ///< where and when, when the run diverged
     std::optional<double> collapse_time;   ///< first sample with enough fallen blocks [s]
 
+    std::optional<Rest> rest;                  ///< how it settled before t = 0; nothing when it was not to
     double time_step = 0.0;                    ///< [s]
     std::optional<double> critical_time_step;  ///< of the structure as built [s]; nothing when no block can move
     std::uint64_t steps = 0;                   ///< done
@@ -66,9 +79,11 @@ struct RunResult {
     Spine spine;
     History history;
     Frames frames;  ///< empty unless the scene asks for them
+    Falls falls;
     Kinematics initial;
     Kinematics final;
     Statistics statistics;
+    Losses losses;           ///< where energy was dissipated since the start [J]
     std::string state_hash;  ///< of the final state
 
     double energy_closure = 0.0;                      ///< see compute_energy_closure
@@ -77,7 +92,7 @@ struct RunResult {
 };
 
 /// Largest change of the energy balance over the largest energy in play,
-///   max_t |B(t) − B(0)| / max_t (E_kin + |E_grav(t) − E_grav(0)| + E_el + W_friction + W_damping + |W_base|),
+///   max_t |B(t) − B(0)| / max_t (E_kin + |E_grav(t) − E_grav(0)| + E_el + W_friction + W_damping + W_preparation + |W_base|),
 /// both over the sampled history [-]; 0 when nothing ever moves.
 double compute_energy_closure(const std::vector<Energy>& energy);
 

@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <limits>
 #include <stdexcept>
+
+#include "lsdem/study/detail/svg.hpp"
 
 namespace musim::lsdem::study {
 namespace {
@@ -24,51 +26,21 @@ constexpr double kLegendDash = 44.0;
 /// A curve is thinned to its least and greatest value in each of these bins: 2 px, finer than the widest line is thick.
 constexpr std::size_t kBins = 400;
 
-struct LineStyle {
-    const char* color;
-    double width;
-    const char* dash;
-};
+/// A curve in a band is this wide, so that the band shows beside it [px].
+constexpr double kMeanWidth = 1.3;
 
-/// Colours of Okabe and Ito's palette, chosen for all kinds of colour vision; the dashes tell the lines apart in grey.
-constexpr std::array<LineStyle, 6> kStyles{{{"#56B4E9", 3.4, ""},
-                                            {"#D55E00", 1.6, "8 7"},
-                                            {"#000000", 1.3, "1.5 4"},
-                                            {"#009E73", 1.3, "9 3 1.5 3"},
-                                            {"#CC79A7", 1.3, "4 4"},
-                                            {"#0072B2", 1.3, "12 5"}}};
+using Axis = detail::PlotAxis;
+using detail::draw_line;
+using detail::draw_text;
+using detail::kLineStyles;
+using detail::round_down;
+using detail::stroke;
 
-/// Linear map of data to pixels.
-struct Axis {
-    double data_min = 0.0;
-    double data_max = 1.0;
-    double pixel_min = 0.0;
-    double pixel_max = 1.0;
-
-    double operator()(double value) const { return pixel_min + (value - data_min) / (data_max - data_min) * (pixel_max - pixel_min); }
-};
-
-std::string escape(const std::string& text) {
-    std::string safe;
-    for (const char c : text) {
-        switch (c) {
-            case '&':
-                safe += "&amp;";
-                break;
-            case '<':
-                safe += "&lt;";
-                break;
-            case '>':
-                safe += "&gt;";
-                break;
-            case '"':
-                safe += "&quot;";
-                break;
-            default:
-                safe += c;
-        }
-    }
-    return safe;
+/// How the curves of run `r` are drawn.
+detail::LineStyle style_of(const StackedPlot& plot, std::size_t r) {
+    detail::LineStyle style = kLineStyles[r % kLineStyles.size()];
+    if (!plot.runs[r].spread.empty()) style.width = kMeanWidth;
+    return style;
 }
 
 /// What fits into the width of the plot at 6.2 px a letter.
@@ -77,24 +49,21 @@ std::string shorten(const std::string& text) {
     return text.size() <= kFits ? text : text.substr(0, kFits) + " ...";
 }
 
-/// 1, 2 or 5 times a power of ten, nearest below `value`.
-double round_down(double value) {
-    const double decade = std::pow(10.0, std::floor(std::log10(value)));
-    const double leading = value / decade;
-    if (leading >= 5.0) return 5.0 * decade;
-    return leading >= 2.0 ? 2.0 * decade : decade;
-}
-
 void require_consistent(const StackedPlot& plot) {
     for (const PlotCurves& run : plot.runs) {
         if (run.y.size() != plot.row_labels.size()) {
             throw std::invalid_argument(
                 fmt::format("plot: run '{}' has {} curves for {} rows", run.label, run.y.size(), plot.row_labels.size()));
         }
-        for (const std::vector<double>& curve : run.y) {
-            if (curve.size() != run.x.size()) {
-                throw std::invalid_argument(
-                    fmt::format("plot: run '{}' has {} values at {} abscissas", run.label, curve.size(), run.x.size()));
+        if (!run.spread.empty() && run.spread.size() != run.y.size())
+            throw std::invalid_argument(
+                fmt::format("plot: run '{}' has {} bands for {} curves", run.label, run.spread.size(), run.y.size()));
+        for (const auto* curves : {&run.y, &run.spread}) {
+            for (const std::vector<double>& curve : *curves) {
+                if (curve.size() != run.x.size()) {
+                    throw std::invalid_argument(
+                        fmt::format("plot: run '{}' has {} values at {} abscissas", run.label, curve.size(), run.x.size()));
+                }
             }
         }
     }
@@ -112,15 +81,16 @@ Axis make_x_axis(const StackedPlot& plot) {
     return {first, last, kLeft, kLeft + kPlotWidth};
 }
 
-/// Largest finite absolute value of all curves: the data a row spacing stands for. A diverged run must not flatten the others, hence no
-/// more than a hundred times the first run's.
+/// Largest finite absolute value of all curves and bands: the data a row spacing stands for. A diverged run must not flatten the others,
+/// hence no more than a hundred times the first run's.
 double find_row_scale(const StackedPlot& plot) {
     double scale = 0.0;
     double first_run = 0.0;
     for (const PlotCurves& run : plot.runs) {
-        for (const std::vector<double>& curve : run.y) {
-            for (const double value : curve) {
-                if (std::isfinite(value)) scale = std::max(scale, std::abs(value));
+        for (std::size_t row = 0; row < run.y.size(); ++row) {
+            for (std::size_t i = 0; i < run.x.size(); ++i) {
+                const double value = std::abs(run.y[row][i]), spread = run.spread.empty() ? 0.0 : run.spread[row][i];
+                if (std::isfinite(value)) scale = std::max(scale, std::isfinite(spread) ? value + spread : value);
             }
         }
         if (&run == &plot.runs.front()) first_run = scale;
@@ -164,17 +134,34 @@ std::string make_path(const std::vector<double>& x, const std::vector<double>& y
     return path;
 }
 
-void draw_text(std::string& svg, double x, double y, const char* anchor, const char* style, const std::string& text) {
-    svg += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\" {}>{}</text>\n", x, y, anchor, style, escape(text));
-}
-
-void draw_line(std::string& svg, double x1, double y1, double x2, double y2, const char* style) {
-    svg += fmt::format("<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" {}/>\n", x1, y1, x2, y2, style);
-}
-
-std::string stroke(const LineStyle& line) {
-    const std::string dash = *line.dash != '\0' ? fmt::format(" stroke-dasharray=\"{}\"", line.dash) : "";
-    return fmt::format("stroke=\"{}\" stroke-width=\"{}\"{} fill=\"none\" stroke-linejoin=\"round\"", line.color, line.width, dash);
+/// Outlines of a band y ± spread: in each bin its greatest value forward, its least backward; a bin without any parts the outline.
+std::string make_band_path(const std::vector<double>& x, const std::vector<double>& y, const std::vector<double>& spread,
+                           const Axis& x_axis, const Axis& y_axis) {
+    std::string path, upper, lower;
+    const auto close = [&] {
+        if (!upper.empty()) path += "M" + upper + lower + "Z";
+        upper.clear();
+        lower.clear();
+    };
+    const std::size_t bin = std::max<std::size_t>(1, x.size() / kBins);
+    for (std::size_t begin = 0; begin < x.size(); begin += bin) {
+        const std::size_t end = std::min(begin + bin, x.size());
+        double low = std::numeric_limits<double>::infinity(), high = -low;
+        for (std::size_t i = begin; i < end; ++i) {
+            if (!std::isfinite(y[i]) || !std::isfinite(spread[i])) continue;
+            low = std::min(low, y[i] - spread[i]);
+            high = std::max(high, y[i] + spread[i]);
+        }
+        if (high < low) {
+            close();
+            continue;
+        }
+        const double px = x_axis(x[begin]);
+        fmt::format_to(std::back_inserter(upper), "{:.1f} {:.1f} ", px, y_axis(high));
+        lower = fmt::format("{:.1f} {:.1f} ", px, y_axis(low)) + lower;
+    }
+    close();
+    return path;
 }
 
 void draw_x_ticks(std::string& svg, const Axis& x_axis, double bottom) {
@@ -190,7 +177,7 @@ void draw_x_ticks(std::string& svg, const Axis& x_axis, double bottom) {
 void draw_legend(std::string& svg, const StackedPlot& plot) {
     double x = kLeft;
     for (std::size_t r = 0; r < plot.runs.size(); ++r) {
-        const std::string style = stroke(kStyles[r % kStyles.size()]);
+        const std::string style = stroke(style_of(plot, r));
         draw_line(svg, x, 70.0, x + kLegendDash, 70.0, style.c_str());
         draw_text(svg, x + kLegendDash + 7.0, 74.0, "start", "", plot.runs[r].label);
         // 7.2 px is the mean width of a letter at this size
@@ -218,13 +205,9 @@ std::string make_svg(const StackedPlot& plot) {
     const Axis x_axis = make_x_axis(plot);
     const double row_scale = find_row_scale(plot);
 
-    std::string svg = fmt::format(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} {1:.0f}\" "
-        "font-family=\"DejaVu Sans, Helvetica, Arial, sans-serif\" font-size=\"13\" fill=\"#222\">\n"
-        "<style>.small{{font-size:11.5px}} .title{{font-size:15px;font-weight:bold}}</style>\n"
-        "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n"
-        "<clipPath id=\"frame\"><rect x=\"{2:.1f}\" y=\"{3:.1f}\" width=\"{4:.1f}\" height=\"{5:.1f}\"/></clipPath>\n",
-        width, height, kLeft, kTop, kPlotWidth, bottom - kTop);
+    std::string svg = detail::open_svg(width, height);
+    svg += fmt::format("<clipPath id=\"frame\"><rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/></clipPath>\n", kLeft,
+                       kTop, kPlotWidth, bottom - kTop);
 
     // axes: frame, ticks, labels, legend
     draw_text(svg, kLeft, 26.0, "start", "class=\"title\"", plot.title);
@@ -235,8 +218,7 @@ std::string make_svg(const StackedPlot& plot) {
                        kPlotWidth, bottom - kTop);
     draw_scale_bar(svg, row_scale);
     draw_text(svg, kLeft + 0.5 * kPlotWidth, height - 14.0, "middle", "", plot.x_label);
-    svg += fmt::format("<text transform=\"translate(20 {:.1f}) rotate(-90)\" text-anchor=\"middle\">{}</text>\n", 0.5 * (kTop + bottom),
-                       escape(plot.y_label));
+    detail::draw_upward_text(svg, 20.0, 0.5 * (kTop + bottom), plot.y_label);
 
     // one row per level, every run on top of the one before
     svg += "<g clip-path=\"url(#frame)\">\n";
@@ -245,8 +227,12 @@ std::string make_svg(const StackedPlot& plot) {
         const Axis y_axis{0.0, row_scale, zero, zero - kRowSpacing};
         draw_line(svg, kLeft, zero, kLeft + kPlotWidth, zero, "stroke=\"#d0d0d0\"");
         for (std::size_t r = 0; r < plot.runs.size(); ++r) {
+            if (!plot.runs[r].spread.empty()) {
+                const std::string band = make_band_path(plot.runs[r].x, plot.runs[r].y[row], plot.runs[r].spread[row], x_axis, y_axis);
+                svg += fmt::format("<path class=\"band\" d=\"{}\" fill=\"{}\" fill-opacity=\"0.3\"/>\n", band, style_of(plot, r).color);
+            }
             const std::string path = make_path(plot.runs[r].x, plot.runs[r].y[row], x_axis, y_axis);
-            svg += fmt::format("<path d=\"{}\" {}/>\n", path, stroke(kStyles[r % kStyles.size()]));
+            svg += fmt::format("<path d=\"{}\" {}/>\n", path, stroke(style_of(plot, r)));
         }
     }
     svg += "</g>\n";

@@ -10,6 +10,8 @@ struct PlotCurves {
     std::string label;                   ///< in the legend
     std::vector<double> x;               ///< abscissa of all its curves, increasing
     std::vector<std::vector<double>> y;  ///< one curve per row of the plot, each as long as `x`
+    /// Half width of a band about each curve, shaded; none where it is not finite. Empty: no bands.
+    std::vector<std::vector<double>> spread = {};
 };
 
 /// Curves of several runs, one row per level of a structure, the lowest level at the bottom, as in Fig. 8 of [Harmon23].
@@ -24,7 +26,8 @@ struct StackedPlot {
 
 /// The plot as an SVG document: white ground, rows spaced by their largest value, a scale bar per row spacing, colours that stay apart in
 /// every kind of colour vision together with dashes that stay apart without colour. Curves are thinned to what the picture can show,
-/// peaks kept. Throws std::invalid_argument when a run has another number of curves than the plot has rows, or of values than abscissas.
+/// peaks kept. Throws std::invalid_argument when a run has another number of curves than the plot has rows, or of values or half widths
+/// than abscissas.
 std::string make_svg(const StackedPlot& plot);
 
 }  // namespace musim::lsdem::study

@@ -2,20 +2,56 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "lsdem/scene/build_model.hpp"
+#include "lsdem/study/specimen_file.hpp"
 
 namespace musim::lsdem::study {
 namespace {
+
+bool differ_in_height(const Specimen& specimen) {
+    const std::vector<Block>& blocks = specimen.model.blocks;
+    return std::any_of(blocks.begin(), blocks.end(), [](const Block& block) { return block.height_offset != 0.0; });
+}
 
 /// Nearest whole number, one at least.
 std::uint64_t round_count(double value) { return static_cast<std::uint64_t>(std::max(1.0, std::round(value))); }
 
 }  // namespace
 
-Specimen make_specimen(const scene::Scene& scene) {
+Specimen make_upright_specimen(const scene::Scene& scene) {
     scene::BuiltModel built = scene::build_model(scene);
-    return {std::move(built.model), {built.structure.spine.block, built.structure.spine.level}, std::move(built.structure.layer)};
+    return {std::move(built.model), {built.structure.spine.block, built.structure.spine.level}, std::move(built.structure.layer), {}};
+}
+
+bool wants_preparation(const scene::Scene& scene, const Specimen& upright) { return scene.preparation || differ_in_height(upright); }
+
+PreparationSettings find_preparation(const scene::Scene& scene, const Specimen& upright) {
+    const std::vector<Block>& blocks = upright.model.blocks;
+    const scene::Preparation wanted = scene.preparation.value_or(scene::Preparation{});
+    PreparationSettings preparation;
+    preparation.placing = wanted.placing.value_or(differ_in_height(upright) ? scene::Placing::resting : scene::Placing::as_drawn);
+    preparation.settling.damping_rate =
+        wanted.damping_rate
+            ? wanted.damping_rate->value()
+            : choose_damping_rate(2.0 * upright.model.shapes[blocks.front().shape].half_extents, upright.model.gravity.norm());
+    return preparation;
+}
+
+Specimen make_specimen(const scene::Scene& scene, const RunSettings& settings) {
+    Specimen specimen = make_upright_specimen(scene);
+    if (!wants_preparation(scene, specimen)) return specimen;
+    const PreparationSettings preparation = find_preparation(scene, specimen);
+    if (scene.preparation && scene.preparation->specimen) {
+        take_places(*scene.preparation->specimen, specimen);
+    } else if (preparation.placing == scene::Placing::layers) {
+        specimen = prepare(specimen, scene::compute_time_step(scene, specimen.model).value(), preparation, settings).specimen;
+    } else if (preparation.placing == scene::Placing::resting) {
+        place_resting(specimen);
+    }
+    specimen.settling = preparation.settling;
+    return specimen;
 }
 
 TimePlan make_time_plan(const scene::Scene& scene, const Model& model) {
@@ -37,8 +73,12 @@ TimePlan make_time_plan(const scene::Scene& scene, const Model& model) {
 }
 
 RunResult run_scene(const scene::Scene& scene, const RunSettings& settings) {
-    const Specimen specimen = make_specimen(scene);
+    const Specimen specimen = make_specimen(scene, settings);
     return simulate(specimen, make_time_plan(scene, specimen.model), settings);
+}
+
+RunResult resume_scene(const scene::Scene& scene, Checkpoint checkpoint, const RunSettings& settings) {
+    return resume(make_specimen(scene), std::move(checkpoint), settings);
 }
 
 }  // namespace musim::lsdem::study

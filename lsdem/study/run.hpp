@@ -1,12 +1,27 @@
 #pragma once
 
+#include <optional>
+
 #include "lsdem/scene/scene.hpp"
+#include "lsdem/study/prepare.hpp"
 #include "lsdem/study/simulate.hpp"
 
 namespace musim::lsdem::study {
 
-/// The kernel's model of a scene, with its spine and layers. Throws scene::SceneError, records::ReadError, records::ProcessingError.
-Specimen make_specimen(const scene::Scene& scene);
+/// The kernel's model of a scene as it is drawn, with its spine and layers: blocks of unequal height stand upright, without touching deeper
+/// than contact. Throws scene::SceneError, records::ReadError, records::ProcessingError.
+Specimen make_upright_specimen(const scene::Scene& scene);
+
+/// Is the specimen of a scene prepared before it runs? When the scene says how, or when its blocks differ in height.
+bool wants_preparation(const scene::Scene& scene, const Specimen& upright);
+
+/// How the specimen of a scene is prepared: as the scene says, else on resting planes when blocks differ in height, else as drawn.
+/// Velocities decay at the scene's rate, else at that of choose_damping_rate for the first block.
+PreparationSettings find_preparation(const scene::Scene& scene, const Specimen& upright);
+
+/// The specimen of a scene in its places: as drawn, taken from a file, on resting planes, or after a preparation layer by layer, which runs
+/// with `settings`. Throws as make_upright_specimen does.
+Specimen make_specimen(const scene::Scene& scene, const RunSettings& settings = {});
 
 /// Steps, samples and frames of a scene's run.
 ///
@@ -17,5 +32,9 @@ TimePlan make_time_plan(const scene::Scene& scene, const Model& model);
 
 /// Runs a scene.
 RunResult run_scene(const scene::Scene& scene, const RunSettings& settings = {});
+
+/// Carries on the run of a scene from a checkpoint, see resume(). The scene is the checkpoint's own; a record that it names is read again.
+/// Throws std::runtime_error also when the record has changed: the model is then another one.
+RunResult resume_scene(const scene::Scene& scene, Checkpoint checkpoint, const RunSettings& settings = {});
 
 }  // namespace musim::lsdem::study

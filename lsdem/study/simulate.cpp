@@ -4,13 +4,17 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <sstream>
 #include <stdexcept>
+#include <utility>
 
 #include "lsdem/block_height.hpp"
 #include "lsdem/time_step.hpp"
 
 namespace musim::lsdem::study {
 namespace {
+
+using Clock = std::chrono::steady_clock;
 
 BlockTable make_block_table(const Specimen& specimen) {
     BlockTable table;
@@ -37,6 +41,29 @@ void reserve(History& history, const TimePlan& plan, std::size_t spine) {
     for (auto* series : {&history.spine_position, &history.spine_velocity, &history.spine_rotation}) series->reserve(samples * spine);
 }
 
+/// Of all blocks, standing.
+Falls make_standing(std::size_t blocks) {
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    return {.time = std::vector<double>(blocks, kNone),
+            .displacement = std::vector<Vector3>(blocks, Vector3::Constant(kNone)),
+            .at_collapse = {}};
+}
+
+/// Dates the blocks that have fallen since the last sample, and the collapse.
+void note_falls(RunResult& run, const Simulation& simulation) {
+    const Vector3 base = simulation.base().displacement;
+    const auto displacement = [&](std::size_t b) { return Vector3((simulation.position(b) - run.initial.position[b]) - base); };
+    const std::size_t blocks = run.falls.time.size();
+    for (std::size_t b = 0; b < blocks; ++b) {
+        if (!std::isnan(run.falls.time[b]) || !simulation.has_fallen(b)) continue;
+        run.falls.time[b] = simulation.time();
+        run.falls.displacement[b] = displacement(b);
+    }
+    if (run.collapse_time || !(simulation.fallen_fraction() >= kCollapsedFraction)) return;
+    run.collapse_time = simulation.time();
+    for (std::size_t b = 0; b < blocks; ++b) run.falls.at_collapse.push_back(displacement(b));
+}
+
 void add_sample(RunResult& run, const Simulation& simulation) {
     History& history = run.history;
     history.time.push_back(simulation.time());
@@ -47,7 +74,7 @@ void add_sample(RunResult& run, const Simulation& simulation) {
         history.spine_velocity.push_back(simulation.velocity(block));
         history.spine_rotation.push_back(rotation_vector(run.initial.orientation[block], simulation.orientation(block)));
     }
-    if (!run.collapse_time && simulation.fallen_fraction() >= kCollapsedFraction) run.collapse_time = simulation.time();
+    note_falls(run, simulation);
 }
 
 void add_frame(RunResult& run, const Simulation& simulation) {
@@ -84,6 +111,7 @@ void finish(RunResult& run, const Simulation& simulation) {
     run.final = simulation.kinematics();
     run.statistics = simulation.statistics();
     run.steps = run.statistics.steps;
+    run.losses = simulation.losses();
     run.state_hash = simulation.state_hash();
     run.energy_closure = compute_energy_closure(run.history.energy);
     run.base_reaction_over_weight = base_reaction_over_weight(simulation);
@@ -95,38 +123,84 @@ void finish(RunResult& run, const Simulation& simulation) {
     }
 }
 
-}  // namespace
-
-TimePlan TimePlan::scaled(double time_factor) const {
-    TimePlan plan = *this;
-    plan.time_step = time_step * time_factor;
-    return plan;
-}
-
-RunResult simulate(const Specimen& specimen, const TimePlan& plan, const RunSettings& settings) {
-    const auto start = std::chrono::steady_clock::now();
-    Simulation simulation(specimen.model, plan.time_step, settings.threads);
-
-    RunResult run;
+/// What follows from specimen and plan.
+void describe(RunResult& run, const Specimen& specimen, const TimePlan& plan) {
     run.time_step = plan.time_step;
     run.critical_time_step = find_critical_time_step(specimen.model);
     run.spine = specimen.spine;
     run.blocks = make_block_table(specimen);
-    run.initial = simulation.kinematics();
-    reserve(run.history, plan, run.spine.size());
-    add_sample(run, simulation);
-    if (plan.samples_per_frame > 0) add_frame(run, simulation);
+}
 
-    for (std::uint64_t k = 1; k <= plan.samples; ++k) {
+/// From sample `done` to the end of the plan. `start`: when this part of the run began.
+void carry_on(RunResult& run, Simulation& simulation, const TimePlan& plan, std::uint64_t done, Clock::time_point start,
+              const RunSettings& settings) {
+    const double wall_time_before = run.wall_time;
+    std::optional<CheckpointWriter> checkpoints;
+    if (settings.checkpoint) checkpoints.emplace(*settings.checkpoint);
+    for (std::uint64_t k = done + 1; k <= plan.samples; ++k) {
         simulation.advance(plan.steps_per_sample);
         if (simulation.divergence()) break;
         add_sample(run, simulation);
         if (plan.samples_per_frame > 0 && k % plan.samples_per_frame == 0) add_frame(run, simulation);
+        run.wall_time = wall_time_before + std::chrono::duration<double>(Clock::now() - start).count();
+        if (checkpoints) checkpoints->after_sample(k, plan, run, simulation);
         if (settings.on_progress) settings.on_progress(static_cast<double>(k) / static_cast<double>(plan.samples));
     }
-
     finish(run, simulation);
-    run.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    run.wall_time = wall_time_before + std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// Do the histories read from a checkpoint belong to the state read from it?
+bool fits(const TimePlan& plan, std::uint64_t done, const RunResult& run, const Simulation& simulation) {
+    const History& history = run.history;
+    const std::size_t samples = static_cast<std::size_t>(done) + 1, of_spine = samples * run.spine.size();
+    const std::size_t blocks = run.blocks.mass.size();
+    const std::size_t frames = plan.samples_per_frame > 0 ? done / plan.samples_per_frame + 1 : 0;
+    const auto all_of_size = [](std::size_t size, const auto&... vectors) { return ((vectors.size() == size) && ...); };
+    return plan.time_step == simulation.time_step() && done <= plan.samples &&
+           simulation.statistics().steps == done * plan.steps_per_sample &&
+           all_of_size(samples, history.time, history.base, history.energy) &&
+           all_of_size(of_spine, history.spine_position, history.spine_velocity, history.spine_rotation) &&
+           all_of_size(frames, run.frames.time) &&
+           all_of_size(frames * blocks, run.frames.position, run.frames.quaternion, run.frames.velocity) &&
+           all_of_size(blocks, run.falls.time, run.falls.displacement) &&
+           all_of_size(run.collapse_time ? blocks : 0, run.falls.at_collapse) &&
+           all_of_size(blocks, run.initial.position, run.initial.orientation, run.initial.velocity, run.initial.angular_velocity);
+}
+
+}  // namespace
+
+RunResult simulate(const Specimen& specimen, const TimePlan& plan, const RunSettings& settings) {
+    const Clock::time_point start = Clock::now();
+    Simulation simulation(specimen.model, plan.time_step, settings.threads);
+
+    RunResult run;
+    describe(run, specimen, plan);
+    if (specimen.settling) {
+        simulation.begin_preparation(specimen.settling->damping_rate);
+        run.rest = settle(simulation, *specimen.settling);
+        simulation.end_preparation();
+    }
+    run.initial = simulation.kinematics();
+    run.falls = make_standing(run.blocks.mass.size());
+    reserve(run.history, plan, run.spine.size());
+    add_sample(run, simulation);
+    if (plan.samples_per_frame > 0) add_frame(run, simulation);
+    carry_on(run, simulation, plan, 0, start, settings);
+    return run;
+}
+
+RunResult resume(const Specimen& specimen, Checkpoint checkpoint, const RunSettings& settings) {
+    const Clock::time_point start = Clock::now();
+    std::istringstream state(std::move(checkpoint.state));
+    Simulation simulation = Simulation::restore(specimen.model, state, settings.threads);
+
+    RunResult run = std::move(checkpoint.run);
+    describe(run, specimen, checkpoint.plan);
+    if (!fits(checkpoint.plan, checkpoint.samples_done, run, simulation))
+        throw std::runtime_error("checkpoint: its histories do not fit its state");
+    reserve(run.history, checkpoint.plan, run.spine.size());
+    carry_on(run, simulation, checkpoint.plan, checkpoint.samples_done, start, settings);
     return run;
 }
 

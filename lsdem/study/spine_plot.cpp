@@ -27,14 +27,6 @@ Vector3 find_base_peaks(const History& history) {
     return peaks;
 }
 
-/// Indices of the spine blocks to show, bottom to top.
-std::vector<std::size_t> choose_rows(std::size_t spine) {
-    const std::size_t rows = std::min(spine, kMaxRows);
-    std::vector<std::size_t> chosen;
-    for (std::size_t r = 0; r < rows; ++r) chosen.push_back(rows > 1 ? r * (spine - 1) / (rows - 1) : 0);
-    return chosen;
-}
-
 struct PlotUnits {
     Eigen::Index axis = 0;
     double time = 1.0;      ///< dimensionless time per second of the prototype
@@ -57,6 +49,13 @@ PlotCurves make_curves(const std::string& label, const RunResult& run, const sca
 }
 
 }  // namespace
+
+std::vector<std::size_t> choose_rows(std::size_t spine) {
+    const std::size_t rows = std::min(spine, kMaxRows);
+    std::vector<std::size_t> chosen;
+    for (std::size_t r = 0; r < rows; ++r) chosen.push_back(rows > 1 ? r * (spine - 1) / (rows - 1) : 0);
+    return chosen;
+}
 
 MotionScales find_motion_scales(const Specimen& specimen) {
     const Model& model = specimen.model;

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
+#include <vector>
 
 #include "lsdem/study/pair.hpp"
 #include "lsdem/study/plot.hpp"
@@ -16,6 +18,9 @@ struct MotionScales {
 
 /// Scales of a specimen.
 MotionScales find_motion_scales(const Specimen& specimen);
+
+/// Indices of the spine blocks to show in a picture, bottom to top: at most ten, evenly chosen, the lowest and the highest among them.
+std::vector<std::size_t> choose_rows(std::size_t spine);
 
 /// Spine velocities of the prototype and its models (not the shadow) along the axis that the base shakes most, or along which the spine
 /// moves most when the base stands: v/PGV, or v/√(μ g l), over t √(μ g/l), every run scaled back to the prototype. At most ten levels,

@@ -32,12 +32,35 @@ nlohmann::json make_summary(const RunResult& run) {
     if (run.base_reaction_over_weight) summary["base_reaction_over_weight"] = *run.base_reaction_over_weight;
     if (run.critical_time_step) summary["critical_dt_s"] = *run.critical_time_step;
     if (run.collapse_time) summary["collapse_time_s"] = *run.collapse_time;
+    if (const auto failure = find_failure(run)) summary["failure"] = to_json(*failure);
+    if (run.rest) {
+        summary["rest"] = {{"at_rest", run.rest->at_rest},
+                           {"steps", run.rest->steps},
+                           {"kinetic_over_weight_height", run.rest->kinetic},
+                           {"base_reaction_over_weight", run.rest->reaction_over_weight}};
+    }
     summary["doubts"] = find_doubts(run);
     if (run.divergence) {
-        summary["divergence"] = {
-            {"kind", std::string(name_of(run.divergence->kind))}, {"block", run.divergence->block}, {"time_s", run.divergence->time}};
+        summary["divergence"] = {{"kind", std::string(name_of(run.divergence->kind))},
+                                 {"block", run.divergence->block},
+                                 {"time_s", run.divergence->time},
+                                 {"what", describe_divergence(run)}};
     }
     return summary;
+}
+
+nlohmann::json to_json(const Failure& failure) {
+    const FailureMeasures& m = failure.measures;
+    nlohmann::json object{{"mode", to_string(failure.mode)},
+                          {"time_s", failure.time},
+                          {"measures",
+                           {{"fallen", m.fallen},
+                            {"outward_share", m.outward_share},
+                            {"bulge", m.bulge},
+                            {"bulge_height", m.bulge_height},
+                            {"inward_share_above", m.inward_share_above}}}};
+    if (!failure.why.empty()) object["why"] = failure.why;
+    return object;
 }
 
 nlohmann::json to_json(const scaling::Similitude& similitude) {

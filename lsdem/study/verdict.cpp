@@ -49,6 +49,13 @@ std::string describe_divergence(const RunResult& run) {
 std::vector<std::string> find_doubts(const RunResult& run) {
     std::vector<std::string> doubts;
     if (run.divergence) return doubts;
+    if (run.rest && run.rest->steps > 0 && !run.rest->at_rest) {
+        doubts.push_back(
+            fmt::format("the specimen had not come to rest before the motion (after {} steps its liveliest block kept {:.3g} of "
+                        "its weight times its height, the base bore {:.6f} of the weight); does it stand at all? If so, lower the "
+                        "preparation's \"damping_rate\"",
+                        run.rest->steps, run.rest->kinetic, run.rest->reaction_over_weight));
+    }
     if (above_critical(run)) {
         doubts.push_back(
             fmt::format("the time step {:.4g} s is above the critical {:.4g} s (an unstable motion can stay bounded and go "

@@ -82,6 +82,7 @@ void write_history(Hdf5File& file, const RunResult& run) {
     write_scalars(file, "/energy/elastic", column(energy, [](const Energy& e) { return e.elastic_normal + e.elastic_shear; }), "J");
     write_scalars(file, "/energy/friction", column(energy, [](const Energy& e) { return e.friction_loss; }), "J");
     write_scalars(file, "/energy/damping", column(energy, [](const Energy& e) { return e.damping_loss; }), "J");
+    write_scalars(file, "/energy/preparation", column(energy, [](const Energy& e) { return e.preparation_loss; }), "J");
     write_scalars(file, "/energy/base_work", column(energy, [](const Energy& e) { return e.base_work; }), "J");
 }
 
@@ -94,6 +95,21 @@ void write_blocks(Hdf5File& file, const RunResult& run) {
     write_quaternions(file, "/blocks/initial_quaternion", run.initial.orientation);
     write_vectors(file, "/blocks/final_position", {n}, run.final.position, "m");
     write_quaternions(file, "/blocks/final_quaternion", run.final.orientation);
+}
+
+void write_falls(Hdf5File& file, const Falls& falls) {
+    if (falls.time.empty()) return;
+    const hsize_t n = falls.time.size();
+    write_scalars(file, "/blocks/fall_time", falls.time, "s");
+    write_vectors(file, "/blocks/fall_displacement", {n}, falls.displacement, "m");
+    if (!falls.at_collapse.empty()) write_vectors(file, "/blocks/collapse_displacement", {n}, falls.at_collapse, "m");
+}
+
+/// By the block that leads the interface, see lsdem::Losses.
+void write_losses(Hdf5File& file, const Losses& losses) {
+    write_scalars(file, "/losses/friction", column(losses.block, [](const PairWork& work) { return work.friction; }), "J");
+    write_scalars(file, "/losses/damping", column(losses.block, [](const PairWork& work) { return work.damping; }), "J");
+    write_scalars(file, "/losses/ground", {losses.ground.friction, losses.ground.damping}, "J");
 }
 
 void write_frames(Hdf5File& file, const RunResult& run) {
@@ -112,6 +128,8 @@ std::vector<char> make_hdf5(const RunResult& run, const ResultHeader& header) {
     Hdf5File file;
     write_history(file, run);
     write_blocks(file, run);
+    write_falls(file, run.falls);
+    write_losses(file, run.losses);
     write_frames(file, run);
     file.write_attribute("scene", header.scene);
     file.write_attribute("similitude", header.similitude ? to_json(*header.similitude).dump() : "null");

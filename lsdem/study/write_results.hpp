@@ -20,7 +20,8 @@ struct ResultHeader {
 /// A directory of results that appear all together or not at all: nothing is left half-written when the disk is full.
 class ResultFolder {
   public:
-    /// Makes the directory. Throws records::WriteError, so that an unusable one is met before the run and not after.
+    /// Makes the directory and keeps it to this process. Throws records::WriteError, so that an unusable one, or one that another musim is
+    /// working in, is met before the run and not after.
     explicit ResultFolder(const std::filesystem::path& directory) : files_(directory) {}
 
     /// Adds to `subfolder` (may be empty): result.h5 (HDF5, layout in README.md), result.xdmf (opens it in ParaView), spine.csv and

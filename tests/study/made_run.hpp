@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 #include "lsdem/study/history.hpp"
 #include "scaling/similitude.hpp"
@@ -13,6 +14,9 @@ inline RunResult make_made_run(std::size_t samples) {
     RunResult run;
     run.time_step = 0.001;
     run.blocks = {.size = {{1.0, 2.0, 3.0}, {1.5, 2.0, 3.0}}, .mass = {10.0, 20.0}, .layer = {1, 2}};
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    run.falls = {.time = {kNone, 0.5}, .displacement = {Vector3::Constant(kNone), {0.5, 0.0, -1.0}}, .at_collapse = {}};
+    run.losses = {.block = {{0.3, 0.2}, {0.0, 0.0}}, .ground = {0.4, 0.1}};
     run.spine = {.block = {0, 1}, .level = {1, 2}};
     run.state_hash = "0123456789abcdef";
     for (std::size_t k = 0; k < samples; ++k) {
@@ -46,8 +50,8 @@ inline RunResult scale_run(RunResult run, const scaling::Similitude& s) {
         base.acceleration *= s.acceleration();
     }
     for (Energy& e : run.history.energy) {
-        for (double* part :
-             {&e.kinetic, &e.gravitational, &e.elastic_normal, &e.elastic_shear, &e.friction_loss, &e.damping_loss, &e.base_work}) {
+        for (double* part : {&e.kinetic, &e.gravitational, &e.elastic_normal, &e.elastic_shear, &e.friction_loss, &e.damping_loss,
+                             &e.preparation_loss, &e.base_work}) {
             *part *= s.energy();
         }
     }

@@ -48,6 +48,12 @@ TEST_CASE("a sound run raises no doubt, a doubtful one says each number") {
     CHECK(says(doubts[0], "0.00072 s"));
     CHECK(says(doubts[1], "0.1 of a block's height"));
     CHECK(says(doubts[2], "open by 0.2"));
+    run.rest = Rest{.at_rest = false, .steps = 640, .kinetic = 0.001, .reaction_over_weight = 0.75};
+    REQUIRE(find_doubts(run).size() == 4);
+    CHECK(says(find_doubts(run)[0], "640 steps"));
+    CHECK(says(find_doubts(run)[0], "bore 0.750000 of the weight"));
+    run.rest->at_rest = true;
+    CHECK(find_doubts(run).size() == 3);
     // a run that diverged has its own sentence
     run.divergence = Divergence{};
     CHECK(find_doubts(run).empty());

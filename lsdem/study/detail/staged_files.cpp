@@ -43,6 +43,8 @@ std::vector<fs::path> find_missing(const fs::path& directory) {
 StagedFiles::StagedFiles(fs::path directory)
     : directory_(std::move(directory)), staging_(directory_ / kStagingFolder), created_(find_missing(directory_)) {
     try {
+        make_directories(directory_);
+        lock_.emplace(directory_);
         make_directories(staging_);
     } catch (...) {
         remove_all();
@@ -70,7 +72,8 @@ void StagedFiles::commit() {
 
 void StagedFiles::remove_all() noexcept {
     std::error_code ignored;
-    fs::remove_all(staging_, ignored);
+    // what another process keeps is its own
+    if (lock_) fs::remove_all(staging_, ignored);
     // one that is not empty stays
     for (const fs::path& made : created_) fs::remove(made, ignored);
 }

@@ -1,8 +1,11 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string_view>
 #include <vector>
+
+#include "lsdem/study/detail/folder_lock.hpp"
 
 namespace musim::lsdem::study::detail {
 
@@ -12,7 +15,7 @@ namespace musim::lsdem::study::detail {
 /// written, and the directories that were made for it.
 class StagedFiles {
   public:
-    /// Makes the directory and its parents. Throws records::WriteError when it cannot.
+    /// Makes the directory and its parents, and keeps it to itself. Throws records::WriteError when it cannot.
     explicit StagedFiles(std::filesystem::path directory);
     ~StagedFiles();
     StagedFiles(const StagedFiles&) = delete;
@@ -28,6 +31,7 @@ class StagedFiles {
     void remove_all() noexcept;
 
     std::filesystem::path directory_;
+    std::optional<FolderLock> lock_;
     std::filesystem::path staging_;
     std::vector<std::filesystem::path> created_;  ///< directories that were not there before, innermost first
     std::vector<std::filesystem::path> names_;

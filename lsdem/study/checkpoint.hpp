@@ -1,0 +1,67 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+
+#include "lsdem/simulation.hpp"
+#include "lsdem/study/history.hpp"
+#include "lsdem/study/time_plan.hpp"
+
+namespace musim::lsdem::study {
+
+/// Where and how often a run writes what it needs to go on after it was killed.
+struct CheckpointSettings {
+    std::filesystem::path file;
+    std::string scene;            ///< as JSON text, for whoever resumes
+    std::string program_version;  ///< only the same one may resume
+    double interval = 60.0;       ///< wall time between two checkpoints [s]; 0: one after every sample
+    std::uint64_t samples = 0;    ///< when positive: one after so many samples, whatever the wall time
+    /// Told why a checkpoint could not be written; the run goes on, and the checkpoint before stays.
+    std::function<void(const std::string&)> on_failure = {};
+};
+
+/// A run as far as it had come. Of `run` it holds the collapse time, falls, the rest before the motion, the initial kinematics, histories,
+/// frames and the wall time.
+struct Checkpoint {
+    std::string program_version;
+    std::string scene;  ///< as JSON text
+    TimePlan plan;
+    std::uint64_t samples_done = 0;
+    RunResult run;
+    std::string state;  ///< Simulation::save
+
+    double fraction_done() const { return static_cast<double>(samples_done) / static_cast<double>(plan.samples); }
+};
+
+/// The name of the checkpoint in a folder of results.
+inline constexpr const char* kCheckpointName = "checkpoint";
+
+/// Reads a checkpoint of this program version. Throws std::runtime_error `FILE: what; what to do` when there is none, it is damaged, or it
+/// was written by another version.
+Checkpoint read_checkpoint(const std::filesystem::path& file, const std::string& program_version);
+
+/// Removes a checkpoint, and what a kill left of one that was being written. Nothing happens when there is none.
+void remove_checkpoint(const std::filesystem::path& file) noexcept;
+
+/// Writes the checkpoints of one run as they fall due; the file changes from one to the next in one step.
+class CheckpointWriter {
+  public:
+    explicit CheckpointWriter(CheckpointSettings settings) : settings_(std::move(settings)) {}
+
+    /// Sample `done` has just been taken.
+    void after_sample(std::uint64_t done, const TimePlan& plan, RunResult& run, const Simulation& simulation);
+
+  private:
+    using Clock = std::chrono::steady_clock;
+
+    bool is_due(std::uint64_t done) const;
+    void write(std::uint64_t done, const TimePlan& plan, RunResult& run, const Simulation& simulation) const;
+
+    CheckpointSettings settings_;
+    Clock::time_point last_ = Clock::now();
+};
+
+}  // namespace musim::lsdem::study

@@ -1,0 +1,71 @@
+#include "lsdem/study/detail/hdf5_reader.hpp"
+
+#include <fmt/format.h>
+
+#include "lsdem/study/read_results.hpp"
+
+namespace musim::lsdem::study::detail {
+namespace {
+
+hid_t open_file(const std::filesystem::path& path) {
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+    const hid_t file = std::filesystem::is_regular_file(path) ? H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT) : hid_t{-1};
+    if (file < 0) {
+        throw ResultError(fmt::format("{}: cannot be read ({}); name a directory that `musim run -o DIR` has written", path.string(),
+                                      std::filesystem::exists(path) ? "it is no HDF5 file" : "there is no such file"));
+    }
+    return file;
+}
+
+}  // namespace
+
+Hdf5Reader::Hdf5Reader(const std::filesystem::path& path) : path_(path), file_(open_file(path), H5Fclose, "open " + path.string()) {}
+
+void Hdf5Reader::fail(const std::string& what) const {
+    throw ResultError(fmt::format("{}: {} (it is no result of musim, or damaged); run the scene again", path_.string(), what));
+}
+
+bool Hdf5Reader::has(const std::string& path) const {
+    // every group on the way must be there
+    for (std::size_t at = path.find('/', 1); at != std::string::npos; at = path.find('/', at + 1))
+        if (H5Lexists(file_, path.substr(0, at).c_str(), H5P_DEFAULT) <= 0) return false;
+    return H5Lexists(file_, path.c_str(), H5P_DEFAULT) > 0;
+}
+
+template <class Number>
+Hdf5Data<Number> Hdf5Reader::read(const std::string& path, std::size_t rank, hid_t type) const {
+    if (!has(path)) fail(fmt::format("has no {}", path));
+    const Hdf5Handle set(H5Dopen2(file_, path.c_str(), H5P_DEFAULT), H5Dclose, "open " + path);
+    const Hdf5Handle space(H5Dget_space(set), H5Sclose, "describe " + path);
+    if (H5Sget_simple_extent_ndims(space) != static_cast<int>(rank)) fail(fmt::format("{} has not {} dimensions", path, rank));
+    Hdf5Data<Number> data;
+    data.shape.resize(rank);
+    H5Sget_simple_extent_dims(space, data.shape.data(), nullptr);
+    std::size_t count = 1;
+    for (const hsize_t n : data.shape) count *= n;
+    data.values.resize(count);
+    if (count > 0 && H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data.values.data()) < 0)
+        fail(fmt::format("{} cannot be read", path));
+    return data;
+}
+
+Hdf5Data<double> Hdf5Reader::doubles(const std::string& path, std::size_t rank) const {
+    return read<double>(path, rank, H5T_NATIVE_DOUBLE);
+}
+Hdf5Data<float> Hdf5Reader::floats(const std::string& path, std::size_t rank) const { return read<float>(path, rank, H5T_NATIVE_FLOAT); }
+Hdf5Data<long long> Hdf5Reader::integers(const std::string& path, std::size_t rank) const {
+    return read<long long>(path, rank, H5T_NATIVE_LLONG);
+}
+
+std::string Hdf5Reader::attribute(const std::string& name) const {
+    const Hdf5Handle root(H5Gopen2(file_, "/", H5P_DEFAULT), H5Gclose, "open the root group");
+    if (H5Aexists(root, name.c_str()) <= 0) fail(fmt::format("has no attribute \"{}\"", name));
+    const Hdf5Handle attribute(H5Aopen(root, name.c_str(), H5P_DEFAULT), H5Aclose, "open " + name);
+    const Hdf5Handle type(H5Aget_type(attribute), H5Tclose, "describe " + name);
+    if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) > 0) fail(fmt::format("attribute \"{}\" is no text", name));
+    std::string text(H5Tget_size(type), '\0');
+    if (H5Aread(attribute, type, text.data()) < 0) fail(fmt::format("attribute \"{}\" cannot be read", name));
+    return text.substr(0, text.find('\0'));
+}
+
+}  // namespace musim::lsdem::study::detail

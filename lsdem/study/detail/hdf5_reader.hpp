@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "lsdem/study/detail/hdf5_file.hpp"
+
+namespace musim::lsdem::study::detail {
+
+/// A dataset in memory, row by row.
+template <class Number>
+struct Hdf5Data {
+    std::vector<hsize_t> shape;
+    std::vector<Number> values;
+};
+
+/// An HDF5 file to read from. Throws ResultError, with the file's path in front.
+class Hdf5Reader {
+  public:
+    explicit Hdf5Reader(const std::filesystem::path& path);
+
+    bool has(const std::string& path) const;
+
+    /// Dataset of a given rank. Numbers are converted to the type asked for.
+    Hdf5Data<double> doubles(const std::string& path, std::size_t rank) const;
+    Hdf5Data<float> floats(const std::string& path, std::size_t rank) const;
+    Hdf5Data<long long> integers(const std::string& path, std::size_t rank) const;
+
+    /// Text attribute of the file itself.
+    std::string attribute(const std::string& name) const;
+
+    /// Throws ResultError: the file, what is wrong, and what to do.
+    [[noreturn]] void fail(const std::string& what) const;
+
+  private:
+    template <class Number>
+    Hdf5Data<Number> read(const std::string& path, std::size_t rank, hid_t type) const;
+
+    std::filesystem::path path_;
+    Hdf5Handle file_;
+};
+
+}  // namespace musim::lsdem::study::detail

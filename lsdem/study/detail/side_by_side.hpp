@@ -1,0 +1,12 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+namespace musim::lsdem::study::detail {
+
+/// Does all jobs, `threads` at a time (0: all cores), first come first served. `on_progress`, when given, is called with the fraction done,
+/// from any of the threads. When jobs throw, the others are still done, then the first exception is thrown again.
+void run_side_by_side(const std::vector<std::function<void()>>& jobs, int threads, const std::function<void(double)>& on_progress = {});
+
+}  // namespace musim::lsdem::study::detail

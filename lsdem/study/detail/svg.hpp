@@ -1,0 +1,55 @@
+#pragma once
+
+#include <array>
+#include <string>
+
+/// What all pictures of musim share: text, lines, colours, round numbers.
+namespace musim::lsdem::study::detail {
+
+/// Linear map of data to pixels.
+struct PlotAxis {
+    double data_min = 0.0;
+    double data_max = 1.0;
+    double pixel_min = 0.0;
+    double pixel_max = 1.0;
+
+    double operator()(double value) const { return pixel_min + (value - data_min) / (data_max - data_min) * (pixel_max - pixel_min); }
+};
+
+/// How a curve is drawn.
+struct LineStyle {
+    const char* color;
+    double width;
+    const char* dash;
+};
+
+/// Colours of Okabe and Ito's palette, chosen for all kinds of colour vision; the dashes tell the lines apart in grey.
+inline constexpr std::array<LineStyle, 6> kLineStyles{{{"#56B4E9", 3.4, ""},
+                                                       {"#D55E00", 1.6, "8 7"},
+                                                       {"#000000", 1.3, "1.5 4"},
+                                                       {"#009E73", 1.3, "9 3 1.5 3"},
+                                                       {"#CC79A7", 1.3, "4 4"},
+                                                       {"#0072B2", 1.3, "12 5"}}};
+
+/// Text with the characters that XML reserves replaced.
+std::string escape(const std::string& text);
+
+/// 1, 2 or 5 times a power of ten, nearest below `value` > 0.
+double round_down(double value);
+
+/// Opens a document of `width` x `height` [px] on white ground, with the classes `title` and `small` for text.
+std::string open_svg(double width, double height);
+
+/// Text at (x, y) [px]; `anchor`: start, middle or end; `style`: further attributes.
+void draw_text(std::string& svg, double x, double y, const char* anchor, const char* style, const std::string& text);
+
+/// Text turned to run upward, its middle at (x, y) [px].
+void draw_upward_text(std::string& svg, double x, double y, const std::string& text);
+
+/// Line from (x1, y1) to (x2, y2) [px]; `style`: further attributes.
+void draw_line(std::string& svg, double x1, double y1, double x2, double y2, const char* style);
+
+/// Attributes of a curve.
+std::string stroke(const LineStyle& line);
+
+}  // namespace musim::lsdem::study::detail

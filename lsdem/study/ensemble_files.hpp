@@ -1,0 +1,27 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "lsdem/study/ensemble.hpp"
+#include "lsdem/study/plot.hpp"
+#include "lsdem/study/write_results.hpp"
+
+namespace musim::lsdem::study {
+
+/// The summary but for its histories, in one JSON object; layout in README.md. What a sample cannot give (the deviation of one member) is
+/// null. Holds nothing that differs from one computation of the same members to the next, such as run times.
+nlohmann::json to_json(const EnsembleSummary& summary, const std::string& version);
+
+/// One member as it stands in the list of to_json.
+nlohmann::json to_json(const MemberResult& member);
+
+/// Spine velocities along the main motion, one row per level, mean over the members and the band mean ± sd: v/√(μ g l) over t √(μ g/l), or
+/// dimensional without friction or gravity. As Fig. 8 of [Harmon23].
+StackedPlot make_ensemble_plot(const EnsembleSummary& summary);
+
+/// Adds ensemble.json, ensemble.h5, ensemble.csv and ensemble.svg to a folder; those of histories only when a member is a result. Layouts
+/// in README.md. Throws records::WriteError.
+void add_ensemble(ResultFolder& folder, const EnsembleSummary& summary, const std::string& version);
+
+}  // namespace musim::lsdem::study

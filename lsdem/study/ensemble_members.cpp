@@ -1,0 +1,111 @@
+#include "lsdem/study/ensemble_members.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <variant>
+
+#include "lsdem/scene/scene_error.hpp"
+#include "lsdem/scene/scene_json.hpp"
+#include "lsdem/study/checkpoint.hpp"
+#include "lsdem/study/detail/content_name.hpp"
+#include "lsdem/study/specimen_batch.hpp"
+#include "records/error.hpp"
+
+namespace musim::lsdem::study {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Standard deviation of the block heights [m]; 0 for an explicit list of blocks.
+double height_deviation_of(const scene::Scene& scene) {
+    return std::visit(
+        [](const auto& structure) {
+            if constexpr (requires { structure.height_deviation; }) return structure.height_deviation.value();
+            return 0.0;
+        },
+        scene.structure);
+}
+
+void require_ensemble(const scene::Scene& scene) {
+    if (!(height_deviation_of(scene) > 0.0)) {
+        throw scene::SceneError(
+            fmt::format("{}: all members would be the same (its blocks are of one height); give a column, tower or wall a "
+                        "\"height_deviation\"",
+                        scene.name));
+    }
+    if (scene.preparation && scene.preparation->specimen) {
+        throw scene::SceneError(
+            fmt::format("{}: names one specimen, {} (members have blocks of other heights); leave \"preparation.specimen\" out, each then "
+                        "settles itself",
+                        scene.name, scene.preparation->specimen->string()));
+    }
+    if (!scene.time.step && !(scene.output.spine_rate.value() > 0.0)) {
+        throw scene::SceneError(fmt::format(
+            "{}: members would be sampled at different times (an automatic step depends on the blocks); give an \"output.spine_rate\"",
+            scene.name));
+    }
+}
+
+std::string name_file_content(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+    if (!file) throw records::ReadError(fmt::format("{}: cannot be read (a file that the scene names); check the path", path.string()));
+    return detail::name_content(bytes);
+}
+
+/// The scene with every path of a file replaced by what `name` makes of it.
+template <class Name>
+scene::Scene rename_files(scene::Scene scene, const Name& name) {
+    if (auto* record = std::get_if<scene::RecordMotion>(&scene.base_motion.source)) record->file = name(record->file);
+    if (auto* tower = std::get_if<scene::Tower>(&scene.structure); tower != nullptr && tower->tiling_file)
+        tower->tiling_file = name(*tower->tiling_file);
+    return scene;
+}
+
+}  // namespace
+
+std::vector<EnsembleMember> plan_ensemble(const scene::Scene& scene, int members, const std::string& version) {
+    require_ensemble(scene);
+    std::vector<EnsembleMember> plan;
+    for (int i = 0; i < members; ++i) {
+        EnsembleMember member;
+        member.seed = seed_of(scene) + static_cast<std::uint64_t>(i);
+        member.scene = with_seed(scene, member.seed);
+        member.scene_text = scene::write_scene(member.scene);
+        const std::string content = scene::write_scene(rename_files(member.scene, name_file_content));
+        member.name = "member-" + detail::name_content(nlohmann::json{content, version}.dump());
+        plan.push_back(std::move(member));
+    }
+    return plan;
+}
+
+fs::path member_folder(const fs::path& directory, const EnsembleMember& member) { return directory / "members" / member.name; }
+
+std::string to_string(MemberState state) {
+    switch (state) {
+        case MemberState::waiting:
+            return "waiting";
+        case MemberState::unfinished:
+            return "unfinished";
+        case MemberState::finished:
+            break;
+    }
+    return "finished";
+}
+
+MemberState find_state(const fs::path& directory, const EnsembleMember& member) {
+    const fs::path folder = member_folder(directory, member);
+    // a checkpoint goes last: results beside one may be the half of them
+    if (fs::exists(folder / kCheckpointName)) return MemberState::unfinished;
+    return fs::exists(folder / "result.h5") && fs::exists(folder / "summary.json") ? MemberState::finished : MemberState::waiting;
+}
+
+bool is_scene_of(const std::string& scene_text, const EnsembleMember& member) {
+    const auto forget = [](const fs::path&) { return fs::path("/file"); };
+    return rename_files(scene::parse_scene(scene_text), forget) == rename_files(member.scene, forget);
+}
+
+}  // namespace musim::lsdem::study

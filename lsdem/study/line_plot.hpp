@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace musim::lsdem::study {
+
+/// One series of a line plot.
+struct PlotSeries {
+    std::string label;            ///< in the legend; empty: not named there
+    std::vector<double> x, y;     ///< equally long; points that are not finite are left out
+    bool marks = false;           ///< a dot at every point
+    bool line = true;             ///< the points joined
+    int style = -1;               ///< colour and dash; series of the same number look alike; -1: the next one
+    std::vector<double> y_error;  ///< half lengths of bars at the points; empty: none
+};
+
+/// Curves over one pair of axes.
+struct LinePlot {
+    std::string title;
+    std::string subtitle;  ///< smaller, below
+    std::string x_label;
+    std::string y_label;
+    std::vector<PlotSeries> series;
+    bool y_from_zero = false;  ///< the vertical axis includes 0
+};
+
+/// The plot as an SVG document, axes with round ticks, legend on the right. Throws std::invalid_argument when x and y of a series differ
+/// in length.
+std::string make_svg(const LinePlot& plot);
+
+}  // namespace musim::lsdem::study

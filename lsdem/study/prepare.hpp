@@ -1,0 +1,54 @@
+#pragma once
+
+#include <vector>
+
+#include "lsdem/scene/preparation.hpp"
+#include "lsdem/study/settle.hpp"
+#include "lsdem/study/simulate.hpp"
+
+namespace musim::lsdem::study {
+
+/// How a specimen is prepared.
+struct PreparationSettings {
+    scene::Placing placing = scene::Placing::resting;
+    Settling settling;
+    double lowering = 0.02;  ///< speed at which a layer is let down, over √(gH) [-]
+    /// Blocks are this much taller while the specimen is prepared, so that faces start out of contact when it is used, with whatever
+    /// stiffness [m]; see expected_overlap. Edges that carry a block alone sink in deeper and keep the rest of their overlap.
+    double enlargement = 0.0;
+    /// A layer is lowered when every block below has less kinetic energy than this part of its weight times its height, a drop from as much
+    /// of it [-]; or after layer_patience/α, since a block that is nearly balanced tips slowly and goes on doing so under the next layer.
+    double layer_rest = 1e-8;
+    double layer_patience = 5.0;
+};
+
+/// What prepared blocks bear and how they stand; one entry per layer.
+struct LayerState {
+    double mean_tilt = 0.0, max_tilt = 0.0;   ///< of the blocks' axes from the vertical [rad]
+    double mean_force = 0.0, sd_force = 0.0;  ///< normal force between two blocks, or a block and the ground, on the layer's lower side [N]
+};
+
+/// A specimen in its settled state.
+struct PreparedSpecimen {
+    Specimen specimen;               ///< poses as settled, heights as given
+    Rest rest;                       ///< of the last settling
+    std::vector<LayerState> layers;  ///< from 1 at the base
+    std::vector<double> tilt;        ///< of every block [rad]
+    std::vector<double> force;       ///< normal force of every contact, over m g of a block [-]
+    std::uint64_t steps = 0;         ///< of all settling
+    std::uint64_t block_steps = 0;   ///< the same times the blocks that moved: what it cost
+    double max_overlap = 0.0;        ///< largest overlap at rest over the height of a block [-]
+};
+
+/// Puts upright blocks on the planes they rest on, see scene::put_to_rest. Blocks must be in layers.
+void place_resting(Specimen& specimen);
+
+/// Overlap to expect where the first layer bears everything [m]: four times N m g/k_n, for faces that carry with a quarter of their area.
+double expected_overlap(const Specimen& specimen);
+
+/// Prepares a specimen whose blocks stand upright at their places in plan (make_specimen of a scene). Throws std::invalid_argument as
+/// Simulation does, and for blocks without layers; a preparation that diverges says so in `rest`.
+PreparedSpecimen prepare(const Specimen& upright, double time_step, const PreparationSettings& preparation,
+                         const RunSettings& settings = {});
+
+}  // namespace musim::lsdem::study

@@ -1,0 +1,163 @@
+#include "lsdem/study/read_results.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "lsdem/study/detail/hdf5_reader.hpp"
+
+namespace musim::lsdem::study {
+namespace {
+
+namespace fs = std::filesystem;
+using detail::Hdf5Reader;
+
+/// Checks that a dataset has as many rows as the others and a given width.
+template <class Number>
+void require_shape(const Hdf5Reader& file, const std::string& path, const detail::Hdf5Data<Number>& data,
+                   const std::vector<hsize_t>& shape) {
+    if (data.shape != shape) file.fail(fmt::format("{} has another size than the rest", path));
+}
+
+std::vector<Vector3> read_vectors(const Hdf5Reader& file, const std::string& path, std::vector<hsize_t> shape) {
+    const auto data = file.doubles(path, shape.size() + 1);
+    shape.push_back(3);
+    require_shape(file, path, data, shape);
+    std::vector<Vector3> vectors(data.values.size() / 3);
+    for (std::size_t i = 0; i < vectors.size(); ++i) vectors[i] = Eigen::Map<const Vector3>(&data.values[3 * i]);
+    return vectors;
+}
+
+std::vector<Quaternion> read_quaternions(const Hdf5Reader& file, const std::string& path, hsize_t n) {
+    const auto data = file.doubles(path, 2);
+    require_shape(file, path, data, {n, 4});
+    std::vector<Quaternion> quaternions;
+    for (std::size_t i = 0; i < n; ++i) {
+        const double* q = &data.values[4 * i];
+        quaternions.emplace_back(q[0], q[1], q[2], q[3]);
+    }
+    return quaternions;
+}
+
+template <class FloatVector>
+std::vector<FloatVector> read_frame_vectors(const Hdf5Reader& file, const std::string& path, const std::vector<hsize_t>& shape) {
+    const auto data = file.floats(path, 3);
+    require_shape(file, path, data, shape);
+    const std::size_t width = shape[2];
+    std::vector<FloatVector> vectors(data.values.size() / width);
+    for (std::size_t i = 0; i < vectors.size(); ++i) vectors[i] = Eigen::Map<const FloatVector>(&data.values[width * i]);
+    return vectors;
+}
+
+void read_history(const Hdf5Reader& file, StoredRun& run) {
+    History& history = run.history;
+    auto time = file.doubles("/time", 1);
+    history.time = std::move(time.values);
+    const hsize_t nt = history.time.size();
+    if (nt == 0) file.fail("holds no sample");
+
+    const auto displacement = read_vectors(file, "/base/displacement", {nt});
+    const auto velocity = read_vectors(file, "/base/velocity", {nt});
+    const auto acceleration = read_vectors(file, "/base/acceleration", {nt});
+    for (std::size_t k = 0; k < nt; ++k) history.base.push_back({displacement[k], velocity[k], acceleration[k]});
+
+    for (const long long block : file.integers("/spine/block", 1).values) run.spine.block.push_back(static_cast<std::size_t>(block));
+    for (const long long level : file.integers("/spine/level", 1).values) run.spine.level.push_back(static_cast<int>(level));
+    const hsize_t ns = run.spine.block.size();
+    if (run.spine.level.size() != ns) file.fail("/spine/level has another size than the rest");
+    for (const std::size_t block : run.spine.block)
+        if (block >= run.blocks.mass.size()) file.fail("/spine/block names a block that is not there");
+    history.spine_position = read_vectors(file, "/spine/position", {nt, ns});
+    history.spine_velocity = read_vectors(file, "/spine/velocity", {nt, ns});
+    history.spine_rotation = read_vectors(file, "/spine/rotation_vector", {nt, ns});
+}
+
+void read_blocks(const Hdf5Reader& file, StoredRun& run) {
+    run.blocks.mass = file.doubles("/blocks/mass", 1).values;
+    const hsize_t n = run.blocks.mass.size();
+    run.blocks.size = read_vectors(file, "/blocks/size", {n});
+    for (const long long layer : file.integers("/blocks/layer", 1).values) run.blocks.layer.push_back(static_cast<int>(layer));
+    if (run.blocks.layer.size() != n) file.fail("/blocks/layer has another size than the rest");
+    run.initial.position = read_vectors(file, "/blocks/initial_position", {n});
+    run.final.position = read_vectors(file, "/blocks/final_position", {n});
+    run.initial.orientation = read_quaternions(file, "/blocks/initial_quaternion", n);
+    run.final.orientation = read_quaternions(file, "/blocks/final_quaternion", n);
+}
+
+void read_falls(const Hdf5Reader& file, StoredRun& run) {
+    if (!file.has("/blocks/fall_time")) return;
+    const hsize_t n = run.blocks.mass.size();
+    auto time = file.doubles("/blocks/fall_time", 1);
+    require_shape(file, "/blocks/fall_time", time, {n});
+    run.falls.time = std::move(time.values);
+    run.falls.displacement = read_vectors(file, "/blocks/fall_displacement", {n});
+    if (file.has("/blocks/collapse_displacement")) run.falls.at_collapse = read_vectors(file, "/blocks/collapse_displacement", {n});
+}
+
+void read_losses(const Hdf5Reader& file, StoredRun& run) {
+    if (!file.has("/losses/friction")) return;
+    const auto friction = file.doubles("/losses/friction", 1), damping = file.doubles("/losses/damping", 1);
+    const auto ground = file.doubles("/losses/ground", 1);
+    const hsize_t n = run.blocks.mass.size();
+    require_shape(file, "/losses/friction", friction, {n});
+    require_shape(file, "/losses/damping", damping, {n});
+    require_shape(file, "/losses/ground", ground, {2});
+    Losses losses{.block = {}, .ground = {ground.values[0], ground.values[1]}};
+    for (std::size_t b = 0; b < n; ++b) losses.block.push_back({friction.values[b], damping.values[b]});
+    run.losses = std::move(losses);
+}
+
+void read_frames(const Hdf5Reader& file, StoredRun& run) {
+    if (!file.has("/frames/time")) return;
+    run.frames.time = file.doubles("/frames/time", 1).values;
+    const hsize_t nf = run.frames.time.size(), n = run.blocks.mass.size();
+    run.frames.position = read_frame_vectors<Eigen::Vector3f>(file, "/frames/position", {nf, n, 3});
+    run.frames.quaternion = read_frame_vectors<Eigen::Vector4f>(file, "/frames/quaternion", {nf, n, 4});
+    run.frames.velocity = read_frame_vectors<Eigen::Vector3f>(file, "/frames/velocity", {nf, n, 3});
+}
+
+/// Status and collapse from the summary beside the file.
+void read_summary(const fs::path& path, StoredRun& run) {
+    std::ifstream file(path);
+    const nlohmann::json summary = nlohmann::json::parse(file, nullptr, false);
+    const std::string status = summary.is_object() ? summary.value("status", "") : std::string();
+    if (status == "completed") {
+        run.status = RunStatus::completed;
+    } else if (status == "collapsed") {
+        run.status = RunStatus::collapsed;
+    } else if (status == "diverged") {
+        run.status = RunStatus::diverged;
+    } else {
+        throw ResultError(fmt::format("{}: has no status of a run (it is missing or damaged); run the scene again", path.string()));
+    }
+    if (summary.contains("collapse_time_s") && summary["collapse_time_s"].is_number()) run.collapse_time = summary["collapse_time_s"];
+    const auto divergence = summary.value("divergence", nlohmann::json::object());
+    if (run.status == RunStatus::diverged) run.divergence = divergence.value("what", "diverged");
+    run.at_rest = summary.value("rest", nlohmann::json::object()).value("at_rest", true);
+}
+
+}  // namespace
+
+StoredRun read_run(const fs::path& directory) {
+    if (!fs::is_directory(directory)) {
+        throw ResultError(
+            fmt::format("{}: is no directory of results (there is none of that name); name one that `musim run -o DIR` has written",
+                        directory.string()));
+    }
+    StoredRun run;
+    run.directory = directory;
+    const Hdf5Reader file(directory / "result.h5");
+    read_blocks(file, run);
+    read_history(file, run);
+    read_falls(file, run);
+    read_losses(file, run);
+    read_frames(file, run);
+    run.scene = file.attribute("scene");
+    run.state_hash = file.attribute("state_hash");
+    run.final.time = run.history.time.back();
+    read_summary(directory / "summary.json", run);
+    return run;
+}
+
+}  // namespace musim::lsdem::study

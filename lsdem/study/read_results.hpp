@@ -1,0 +1,41 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include "lsdem/study/history.hpp"
+
+namespace musim::lsdem::study {
+
+/// A directory or file that holds no usable results: says where, what, why and what to do, in one line.
+class ResultError : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+/// What a result directory holds of a run.
+struct StoredRun {
+    std::filesystem::path directory;
+    RunStatus status = RunStatus::completed;
+    std::optional<double> collapse_time;  ///< [s]
+    std::string divergence;               ///< why it diverged, in one sentence; empty when it did not
+    bool at_rest = true;                  ///< false: it was to settle before t = 0 and did not
+    std::string state_hash;               ///< of the final state
+    std::string scene;                    ///< as JSON text
+    BlockTable blocks;
+    Spine spine;
+    History history;
+    Frames frames;                 ///< empty when none were kept
+    Falls falls;                   ///< empty in results of versions before they were kept
+    std::optional<Losses> losses;  ///< nothing in results of versions before they were kept
+    Kinematics initial;            ///< poses only
+    Kinematics final;              ///< poses only, at the last sample
+};
+
+/// Reads DIR/result.h5 and DIR/summary.json as ResultFolder::add_run writes them. Throws ResultError when one is missing, unreadable, of
+/// another layout, or holds no sample.
+StoredRun read_run(const std::filesystem::path& directory);
+
+}  // namespace musim::lsdem::study

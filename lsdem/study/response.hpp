@@ -1,0 +1,77 @@
+#pragma once
+
+#include <array>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lsdem/study/damage.hpp"
+#include "lsdem/study/failure.hpp"
+#include "lsdem/study/read_results.hpp"
+#include "lsdem/study/structural_speed.hpp"
+
+/// Response of one run: how motion travelled up, how far blocks moved and turned, what was left.
+namespace musim::lsdem::study {
+
+struct ResponseSettings {
+    std::optional<int> axis;  ///< 0, 1, 2: x, y, z of the speeds; nothing: along which the base moves most, or the spine when it stands
+    double threshold = 0.1;   ///< see SpeedSettings
+    std::optional<std::array<double, 2>> window;  ///< part of the histories for the speeds [s]; nothing: all
+};
+
+/// One level of the spine. Displacements relative to the base, rotations relative to the start.
+struct SpineLevel {
+    int level = 0;
+    double height = 0.0;                              ///< of the centre at the start [m]
+    Vector3 residual_displacement = Vector3::Zero();  ///< at the end [m]
+    Vector3 peak_displacement = Vector3::Zero();      ///< largest absolute value of each component [m]
+    Vector3 peak_velocity = Vector3::Zero();          ///< likewise, absolute motion [m/s]
+    double in_plane_peak = 0.0,
+           in_plane_residual = 0.0;  ///< rotation about the horizontal axis across the motion, as a camera sees it [rad]
+    double vertical_peak = 0.0, vertical_residual = 0.0;  ///< rotation about the vertical [rad]
+};
+
+/// What makes the speeds dimensionless; from the scene that the run carries.
+struct SpeedScales {
+    double friction = 0.0;       ///< μ of the scene's material [-]
+    double gravity = 0.0;        ///< [m/s²]
+    double height = 0.0;         ///< l, from the lowest to the highest point of the blocks [m]
+    double elastic_speed = 0.0;  ///< c_e = H·√(k/m) of the lowest spine block: k_s for horizontal motion, k_n for vertical [m/s]
+
+    /// √(μ g l) [m/s].
+    double sliding_speed() const;
+};
+
+struct Response {
+    int axis = 0;
+    std::vector<SpeedEstimate> speeds;
+    SpeedScales scales;
+    std::vector<SpineLevel> spine;
+    Damage damage;
+    RunStatus status = RunStatus::completed;
+    std::optional<double> collapse_time;  ///< [s]
+    std::optional<Failure> failure;       ///< of a run that collapsed
+};
+
+/// Measures a run. Throws ResultError when its scene cannot be read or the window holds fewer than two samples.
+Response measure_response(const StoredRun& run, const ResponseSettings& settings = {});
+
+/// "x", "y" or "z".
+std::string axis_name(int axis);
+
+/// Everything in one object; angles in degrees, other quantities in SI units that the keys name. Speeds that cannot be had are null, with
+/// the reason in "why".
+nlohmann::json to_json(const Response& response);
+
+/// level,height_m,residual_x_m,...: one line per level of the spine.
+std::string make_spine_levels_csv(const Response& response);
+
+/// Residual displacement over level, as Fig. 10 of [Harmon23].
+std::string make_residual_svg(const Response& response, const std::string& name);
+/// Peak and residual rotations over level.
+std::string make_rotation_svg(const Response& response, const std::string& name);
+/// Lag over height for every estimate of the speed.
+std::string make_lag_svg(const Response& response, const std::string& name);
+
+}  // namespace musim::lsdem::study

@@ -1,0 +1,88 @@
+#include "lsdem/study/run_members.hpp"
+
+#include <exception>
+#include <mutex>
+#include <numeric>
+
+#include "lsdem/study/detail/side_by_side.hpp"
+#include "lsdem/study/run.hpp"
+#include "lsdem/study/write_results.hpp"
+
+namespace musim::lsdem::study {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Mean of what the running members have done.
+class SharedProgress {
+  public:
+    SharedProgress(std::size_t members, const std::function<void(double)>& tell) : done_(members, 0.0), tell_(tell) {}
+
+    void update(std::size_t member, double fraction) {
+        const std::lock_guard lock(mutex_);
+        done_[member] = fraction;
+        if (tell_) tell_(std::accumulate(done_.begin(), done_.end(), 0.0) / static_cast<double>(done_.size()));
+    }
+
+  private:
+    std::vector<double> done_;
+    const std::function<void(double)>& tell_;
+    std::mutex mutex_;
+};
+
+/// The HDF5 library need not be one for several threads.
+std::mutex& result_file_mutex() {
+    static std::mutex mutex;
+    return mutex;
+}
+
+void run_member(const EnsembleMember& member, const MemberSettings& settings, const std::function<void(double)>& on_progress,
+                MemberReport& report) {
+    const fs::path directory = member_folder(settings.directory, member);
+    const fs::path checkpoint = directory / kCheckpointName;
+    // the folder first: it keeps other processes off the member
+    ResultFolder folder(directory);
+    const RunSettings run_settings{.threads = 1,
+                                   .on_progress = on_progress,
+                                   .checkpoint = CheckpointSettings{.file = checkpoint,
+                                                                    .scene = member.scene_text,
+                                                                    .program_version = settings.version,
+                                                                    .interval = settings.checkpoint_interval,
+                                                                    .on_failure = settings.on_no_checkpoint}};
+    report.resumed = fs::exists(checkpoint);
+    const RunResult run = report.resumed ? resume_scene(member.scene, read_checkpoint(checkpoint, settings.version), run_settings)
+                                         : run_scene(member.scene, run_settings);
+    const std::lock_guard lock(result_file_mutex());
+    folder.add_run("", run, {.scene = member.scene_text, .similitude = {}, .program_version = settings.version});
+    folder.commit();
+    remove_checkpoint(checkpoint);
+}
+
+}  // namespace
+
+std::vector<MemberReport> run_members(const std::vector<EnsembleMember>& members, const MemberSettings& settings) {
+    std::vector<MemberReport> reports(members.size());
+    std::vector<std::size_t> pending;
+    for (std::size_t i = 0; i < members.size(); ++i) {
+        reports[i].reused = find_state(settings.directory, members[i]) == MemberState::finished;
+        if (!reports[i].reused) pending.push_back(i);
+    }
+    SharedProgress progress(pending.size(), settings.on_progress);
+    std::vector<std::function<void()>> jobs;
+    for (std::size_t job = 0; job < pending.size(); ++job) {
+        jobs.emplace_back([&, job] {
+            const std::size_t i = pending[job];
+            try {
+                run_member(
+                    members[i], settings, [&, job](double fraction) { progress.update(job, fraction); }, reports[i]);
+            } catch (const std::exception& error) {
+                reports[i].error = error.what();
+            }
+            progress.update(job, 1.0);
+        });
+    }
+    detail::run_side_by_side(jobs, settings.threads);
+    return reports;
+}
+
+}  // namespace musim::lsdem::study

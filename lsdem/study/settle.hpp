@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+#include "lsdem/simulation.hpp"
+
+namespace musim::lsdem::study {
+
+/// How a structure is brought to rest before anything is done to it.
+struct Settling {
+    double damping_rate = 0.0;  ///< α of v' = −α v while it settles [1/s]
+    double rest = 1e-12;        ///< at rest when every block's kinetic energy is below this part of its weight times its height [-]
+    double reaction = 1e-5;     ///< and the base bears the weight to within this [-]
+    double patience = 60.0;     ///< given up after this many times 1/α [-]
+};
+
+/// Damping rate in which blocks come to rest soonest: their frequency parameter p = √(3g/(4R)) about the longer lower edge [Housner63].
+///
+/// What takes longest is a block that tips from nearly balanced to its resting face: θ' grows like exp(p t) without damping, and like
+/// exp(p² t/α) with α ≫ p. The papers' c_v = 0.002 per step, α = 192 1/s for wood against p = 18.8 1/s [Harmon23, eq. 12], is five times
+/// slower than α = p, which grows like exp(0.62 p t) and dies as quickly. `size`: of a block; `gravity` [m/s²].
+double choose_damping_rate(const Vector3& size, double gravity);
+
+/// How settling ended.
+struct Rest {
+    bool at_rest = false;               ///< false: patience ran out
+    std::uint64_t steps = 0;            ///< taken
+    double kinetic = 0.0;               ///< of the liveliest block, over its weight times its height [-]
+    double reaction_over_weight = 0.0;  ///< at the end
+};
+
+/// Brings a simulation that is in preparation (Simulation::begin_preparation) to rest. `on_look` is called now and then with a guess of the
+/// part that is done, 0 to 1, from the decay of that energy. Ends early when the simulation diverges.
+Rest settle(Simulation& simulation, const Settling& settling, const std::function<void(double)>& on_look = {});
+
+}  // namespace musim::lsdem::study

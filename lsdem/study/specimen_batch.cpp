@@ -1,0 +1,82 @@
+#include "lsdem/study/specimen_batch.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <variant>
+
+#include "lsdem/scene/build_model.hpp"
+#include "lsdem/scene/scene_error.hpp"
+#include "lsdem/study/detail/side_by_side.hpp"
+#include "lsdem/study/read_results.hpp"
+#include "lsdem/study/run.hpp"
+#include "lsdem/study/specimen_file.hpp"
+#include "records/error.hpp"
+
+namespace musim::lsdem::study {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+SpecimenReport make_specimen_file(const SpecimenBatch& batch, std::uint64_t seed) {
+    const Clock::time_point start = Clock::now();
+    const scene::Scene scene = with_seed(batch.scene, seed);
+    const Specimen upright = make_upright_specimen(scene);
+    PreparationSettings preparation = find_preparation(scene, upright);
+    preparation.enlargement = expected_overlap(upright);
+
+    SpecimenReport report;
+    report.seed = seed;
+    report.blocks = upright.model.blocks.size();
+    const std::string inputs = describe_inputs(scene, preparation);
+    report.file = batch.folder / specimen_file_name(inputs);
+    if (std::filesystem::exists(report.file)) {
+        if (read_specimen_inputs(report.file) != inputs)
+            throw ResultError(report.file.string() + ": made from other inputs (a damaged file, or a rare accident of names); move it");
+        report.reused = true;
+        return report;
+    }
+    report.prepared = prepare(upright, scene::compute_time_step(scene, upright.model).value(), preparation);
+    if (report.prepared.rest.at_rest) write_specimen(report.file, report.prepared, inputs, batch.version);
+    report.wall_time = std::chrono::duration<double>(Clock::now() - start).count();
+    return report;
+}
+
+}  // namespace
+
+scene::Scene with_seed(scene::Scene scene, std::uint64_t seed) {
+    std::visit(
+        [&](auto& structure) {
+            if constexpr (requires { structure.seed; }) {
+                structure.seed = seed;
+            } else {
+                throw scene::SceneError("specimens are made of columns, towers and walls (single blocks are placed as they are)");
+            }
+        },
+        scene.structure);
+    return scene;
+}
+
+std::uint64_t seed_of(const scene::Scene& scene) {
+    return std::visit(
+        [](const auto& structure) -> std::uint64_t {
+            if constexpr (requires { structure.seed; }) return structure.seed;
+            return 1;
+        },
+        scene.structure);
+}
+
+std::vector<SpecimenReport> make_specimens(const SpecimenBatch& batch) {
+    std::error_code error;
+    std::filesystem::create_directories(batch.folder, error);
+    if (error)
+        throw records::WriteError(fmt::format("{}: cannot be made ({}); choose another folder", batch.folder.string(), error.message()));
+    std::vector<SpecimenReport> reports(batch.seeds.size());
+    std::vector<std::function<void()>> jobs;
+    for (std::size_t i = 0; i < batch.seeds.size(); ++i)
+        jobs.emplace_back([&batch, &reports, i] { reports[i] = make_specimen_file(batch, batch.seeds[i]); });
+    detail::run_side_by_side(jobs, batch.threads, batch.on_progress);
+    return reports;
+}
+
+}  // namespace musim::lsdem::study

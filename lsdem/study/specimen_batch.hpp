@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "lsdem/scene/scene.hpp"
+#include "lsdem/study/prepare.hpp"
+
+namespace musim::lsdem::study {
+
+/// Specimens of one scene with several seeds of their blocks' heights.
+struct SpecimenBatch {
+    scene::Scene scene;
+    std::vector<std::uint64_t> seeds;  ///< at least one
+    std::filesystem::path folder;      ///< where the files go; they are named by content
+    std::string version;               ///< of the program, for the files
+    int threads = 0;                   ///< specimens at a time, one thread each; 0: all cores
+    std::function<void(double)> on_progress = {};
+};
+
+/// A specimen that was made, or was there before.
+struct SpecimenReport {
+    std::uint64_t seed = 0;
+    std::filesystem::path file;
+    bool reused = false;  ///< made from the same inputs before; what follows is then not known but `blocks`
+    std::size_t blocks = 0;
+    PreparedSpecimen prepared;
+    double wall_time = 0.0;  ///< [s]
+};
+
+/// Prepares the specimens of a batch, as the scene's `preparation` says (default: on resting planes), side by side, each with blocks taller
+/// by expected_overlap so that it serves other stiffnesses too. A file that is there is not made again. Throws scene::SceneError for a
+/// scene without layers or seeds to vary, records::WriteError, and ResultError for a file in the way.
+std::vector<SpecimenReport> make_specimens(const SpecimenBatch& batch);
+
+/// The scene with another seed of its blocks' heights. Throws scene::SceneError for an explicit list of blocks.
+scene::Scene with_seed(scene::Scene scene, std::uint64_t seed);
+
+/// The seed of a scene's block heights; 1 for an explicit list of blocks.
+std::uint64_t seed_of(const scene::Scene& scene);
+
+}  // namespace musim::lsdem::study

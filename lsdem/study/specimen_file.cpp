@@ -1,0 +1,123 @@
+#include "lsdem/study/specimen_file.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "lsdem/block_height.hpp"
+#include "lsdem/scene/scene_json.hpp"
+#include "lsdem/study/detail/content_name.hpp"
+#include "lsdem/study/detail/hdf5_file.hpp"
+#include "lsdem/study/detail/hdf5_reader.hpp"
+#include "lsdem/study/read_results.hpp"
+#include "records/atomic_file.hpp"
+
+namespace musim::lsdem::study {
+namespace {
+
+constexpr std::string_view kFormat = "musim-specimen/1";
+
+/// Edge lengths that differ by less than this part are the same, written at another scale.
+constexpr double kSameLength = 1e-9;
+
+/// Parts of a scene that a specimen does not depend on.
+constexpr std::array kUnrelated{"schema", "name", "base_motion", "output", "preparation"};
+
+std::vector<double> flatten(const std::vector<Vector3>& vectors) {
+    std::vector<double> values;
+    for (const Vector3& v : vectors) values.insert(values.end(), {v.x(), v.y(), v.z()});
+    return values;
+}
+
+[[noreturn]] void refuse(const std::filesystem::path& file, const std::string& what) {
+    throw ResultError(fmt::format("{}: {}", file.string(), what));
+}
+
+void require_specimen(const detail::Hdf5Reader& reader, const std::filesystem::path& file) {
+    if (!reader.has("/blocks/tilt") || reader.attribute("format") != kFormat)
+        refuse(file, "not a specimen (musim specimen makes them); name another file");
+}
+
+}  // namespace
+
+std::string describe_inputs(const scene::Scene& scene, const PreparationSettings& preparation) {
+    auto inputs = nlohmann::ordered_json::parse(scene::write_scene(scene));
+    for (const char* key : kUnrelated) inputs.erase(key);
+    inputs["time"].erase("duration");
+    inputs["preparation"] = {{"placing", scene::to_string(preparation.placing)},
+                             {"damping_rate", preparation.settling.damping_rate},
+                             {"rest", preparation.settling.rest},
+                             {"reaction", preparation.settling.reaction},
+                             {"patience", preparation.settling.patience},
+                             {"lowering", preparation.lowering},
+                             {"enlargement", preparation.enlargement},
+                             {"layer_rest", preparation.layer_rest},
+                             {"layer_patience", preparation.layer_patience}};
+    return inputs.dump();
+}
+
+std::string specimen_file_name(const std::string& inputs) { return "specimen-" + detail::name_content(inputs) + ".h5"; }
+
+void write_specimen(const std::filesystem::path& file, const PreparedSpecimen& prepared, const std::string& inputs,
+                    const std::string& version) {
+    const Model& model = prepared.specimen.model;
+    std::vector<Vector3> size, position;
+    std::vector<double> offset, quaternion;
+    for (const Block& block : model.blocks) {
+        size.push_back(2.0 * half_extents(model, block));
+        position.push_back(block.position);
+        offset.push_back(block.height_offset);
+        const Quaternion& q = block.orientation;
+        quaternion.insert(quaternion.end(), {q.w(), q.x(), q.y(), q.z()});
+    }
+    const hsize_t n = model.blocks.size();
+    const std::vector<long long> layer(prepared.specimen.layer.begin(), prepared.specimen.layer.end());
+    detail::Hdf5File out;
+    out.write("/blocks/size", {n, 3}, flatten(size).data(), "m");
+    out.write("/blocks/height_offset", {n}, offset.data(), "m");
+    out.write("/blocks/layer", {n}, layer.data(), "1");
+    out.write("/blocks/position", {n, 3}, flatten(position).data(), "m");
+    out.write("/blocks/quaternion", {n, 4}, quaternion.data(), "1");
+    out.write("/blocks/tilt", {n}, prepared.tilt.data(), "rad");
+    out.write("/contacts/normal_force_over_block_weight", {prepared.force.size()}, prepared.force.data(), "1");
+    out.write_attribute("format", std::string(kFormat));
+    out.write_attribute("inputs", inputs);
+    out.write_attribute("program_version", version);
+    const std::vector<char> bytes = out.image();
+    records::write_file_atomically(file, {bytes.data(), bytes.size()});
+}
+
+std::string read_specimen_inputs(const std::filesystem::path& file) {
+    const detail::Hdf5Reader reader(file);
+    require_specimen(reader, file);
+    return reader.attribute("inputs");
+}
+
+void take_places(const std::filesystem::path& file, Specimen& specimen) {
+    const detail::Hdf5Reader reader(file);
+    require_specimen(reader, file);
+    const auto size = reader.doubles("/blocks/size", 2), position = reader.doubles("/blocks/position", 2);
+    const auto quaternion = reader.doubles("/blocks/quaternion", 2);
+    const auto layer = reader.integers("/blocks/layer", 1);
+    std::vector<Block>& blocks = specimen.model.blocks;
+    const std::size_t n = blocks.size();
+    if (size.values.size() != 3 * n || position.values.size() != 3 * n || quaternion.values.size() != 4 * n || layer.values.size() != n)
+        refuse(file, fmt::format("{} blocks where the scene has {} (a specimen of another structure); prepare one of this",
+                                 layer.values.size(), n));
+    const double scale = 2.0 * half_extents(specimen.model, blocks[0]).z() / size.values[2];
+    for (std::size_t i = 0; i < n; ++i) {
+        const Vector3 here = 2.0 * half_extents(specimen.model, blocks[i]), there = Eigen::Map<const Vector3>(&size.values[3 * i]);
+        const bool same = ((here - scale * there).cwiseAbs() - kSameLength * here).maxCoeff() <= 0.0;
+        if (!same || layer.values[i] != specimen.layer[i])
+            refuse(file, fmt::format("block {} is {:.6g} x {:.6g} x {:.6g} m in layer {} where the scene has {:.6g} x {:.6g} x {:.6g} m in "
+                                     "layer {} (other heights, seed or tiling); prepare a specimen of this scene",
+                                     i, scale * there.x(), scale * there.y(), scale * there.z(), layer.values[i], here.x(), here.y(),
+                                     here.z(), specimen.layer[i]));
+        const double* q = &quaternion.values[4 * i];
+        blocks[i].position = scale * Eigen::Map<const Vector3>(&position.values[3 * i]);
+        blocks[i].orientation = Quaternion(q[0], q[1], q[2], q[3]);
+    }
+}
+
+}  // namespace musim::lsdem::study

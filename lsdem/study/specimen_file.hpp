@@ -1,0 +1,30 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "lsdem/scene/scene.hpp"
+#include "lsdem/study/prepare.hpp"
+
+namespace musim::lsdem::study {
+
+/// Everything that a prepared specimen follows from, as JSON text: structure, shapes, materials, ground, gravity, contact and step of the
+/// scene, and how it is prepared; not its name, motion, duration or output. Equal texts make equal specimens, bit for bit.
+std::string describe_inputs(const scene::Scene& scene, const PreparationSettings& preparation);
+
+/// Name of the file of a specimen made from `inputs`: "specimen-", the name of the text (detail::name_content), ".h5".
+std::string specimen_file_name(const std::string& inputs);
+
+/// Writes a specimen as HDF5, all or nothing; layout in README.md. Throws records::WriteError.
+void write_specimen(const std::filesystem::path& file, const PreparedSpecimen& prepared, const std::string& inputs,
+                    const std::string& version);
+
+/// The inputs that a specimen file was made from. Throws ResultError when it is none.
+std::string read_specimen_inputs(const std::filesystem::path& file);
+
+/// Puts the blocks of `specimen` where they stand in the file, which may be of another scale: places are multiplied by the ratio of the
+/// first blocks' heights. Throws ResultError for a file that is no specimen, or one of other blocks: their number, layers, or edge
+/// lengths to within 1e-9 of themselves.
+void take_places(const std::filesystem::path& file, Specimen& specimen);
+
+}  // namespace musim::lsdem::study

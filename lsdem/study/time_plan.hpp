@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstdint>
+
+namespace musim::lsdem::study {
+
+/// When a run steps, samples and ends. Counts, so that similar runs do exactly the same steps.
+struct TimePlan {
+    double time_step = 0.0;  ///< [s]
+    std::uint64_t steps_per_sample = 1;
+    std::uint64_t samples = 0;            ///< after the one at t = 0
+    std::uint64_t samples_per_frame = 0;  ///< 0: no frames
+
+    std::uint64_t steps() const { return steps_per_sample * samples; }
+    double duration() const { return static_cast<double>(steps()) * time_step; }  ///< [s]
+
+    /// The plan of a similar run: the same counts, the time step multiplied by λ_t.
+    TimePlan scaled(double time_factor) const {
+        TimePlan plan = *this;
+        plan.time_step = time_step * time_factor;
+        return plan;
+    }
+};
+
+}  // namespace musim::lsdem::study

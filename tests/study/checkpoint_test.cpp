@@ -1,0 +1,228 @@
+#include "lsdem/study/checkpoint.hpp"
+
+#include <doctest/doctest.h>
+
+#include <unistd.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "lsdem/study/simulate.hpp"
+#include "tests/study/made_specimen.hpp"
+
+using namespace musim::lsdem;
+using namespace musim::lsdem::study;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder of its own, removed at the end.
+class Folder {
+  public:
+    Folder() {
+        std::string pattern = (fs::temp_directory_path() / "musim-checkpoint-XXXXXX").string();
+        path_ = mkdtemp(pattern.data());
+    }
+    ~Folder() { fs::remove_all(path_); }
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
+
+    fs::path file() const { return path_ / kCheckpointName; }
+    std::size_t count() const { return static_cast<std::size_t>(std::distance(fs::directory_iterator(path_), fs::directory_iterator())); }
+
+  private:
+    fs::path path_;
+};
+
+/// A column that slides, of which frames are kept.
+struct Slide {
+    Specimen specimen = make_column(3, 0.1);
+    TimePlan plan = make_plan(specimen, 60);
+
+    Slide() { plan.samples_per_frame = 7; }
+
+    RunSettings settings(const Folder& folder, std::uint64_t every, const char* version = "1.2") const {
+        RunSettings settings;
+        settings.checkpoint =
+            CheckpointSettings{.file = folder.file(), .scene = "{\"a\": 1}", .program_version = version, .samples = every};
+        return settings;
+    }
+};
+
+std::string read_bytes(const fs::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+void write_bytes(const fs::path& file, const std::string& bytes) { std::ofstream(file, std::ios::binary) << bytes; }
+
+std::string refusal(const fs::path& file, const std::string& version = "1.2") {
+    try {
+        (void)read_checkpoint(file, version);
+    } catch (const std::runtime_error& error) {
+        return error.what();
+    }
+    return {};
+}
+
+/// Everything but the wall time.
+void check_same(const RunResult& a, const RunResult& b) {
+    CHECK(a.state_hash == b.state_hash);
+    CHECK(a.status == b.status);
+    CHECK(a.steps == b.steps);
+    CHECK(a.collapse_time == b.collapse_time);
+    CHECK(a.critical_time_step == b.critical_time_step);
+    CHECK(a.energy_closure == b.energy_closure);
+    CHECK(a.base_reaction_over_weight == b.base_reaction_over_weight);
+    CHECK(a.history.time == b.history.time);
+    CHECK(a.history.spine_position == b.history.spine_position);
+    CHECK(a.history.spine_velocity == b.history.spine_velocity);
+    CHECK(a.history.spine_rotation == b.history.spine_rotation);
+    REQUIRE(a.history.energy.size() == b.history.energy.size());
+    for (std::size_t k = 0; k < a.history.energy.size(); ++k) CHECK(a.history.energy[k].balance() == b.history.energy[k].balance());
+    CHECK(a.frames.time == b.frames.time);
+    CHECK(a.frames.position == b.frames.position);
+    CHECK(a.initial.position == b.initial.position);
+    CHECK(a.final.position == b.final.position);
+    CHECK(a.blocks.mass == b.blocks.mass);
+    CHECK(a.spine.block == b.spine.block);
+    CHECK(a.losses.total().friction == b.losses.total().friction);
+    REQUIRE(a.falls.time.size() == b.falls.time.size());
+    for (std::size_t i = 0; i < a.falls.time.size(); ++i) {
+        REQUIRE(std::isnan(a.falls.time[i]) == std::isnan(b.falls.time[i]));
+        if (std::isnan(a.falls.time[i])) continue;
+        CHECK(a.falls.time[i] == b.falls.time[i]);
+        CHECK(a.falls.displacement[i] == b.falls.displacement[i]);
+    }
+    CHECK(a.falls.at_collapse == b.falls.at_collapse);
+    REQUIRE(a.rest.has_value() == b.rest.has_value());
+    if (a.rest) CHECK(a.rest->steps == b.rest->steps);
+}
+
+}  // namespace
+
+TEST_CASE("a run resumed from any of its checkpoints ends in the bits of an uninterrupted one") {
+    const Slide slide;
+    const RunResult whole = simulate(slide.specimen, slide.plan);
+    REQUIRE(whole.history.energy.back().friction_loss > 0.0);
+    const std::uint64_t intervals[] = {1, 7, 20, 59};
+    for (const std::uint64_t every : intervals) {
+        CAPTURE(every);
+        const Folder folder;
+        check_same(simulate(slide.specimen, slide.plan, slide.settings(folder, every)), whole);
+        // the last checkpoint before the end: at the end come results
+        Checkpoint checkpoint = read_checkpoint(folder.file(), "1.2");
+        CHECK(checkpoint.samples_done == (slide.plan.samples - 1) / every * every);
+        CHECK(checkpoint.fraction_done() == static_cast<double>(checkpoint.samples_done) / 60.0);
+        CHECK(checkpoint.scene == "{\"a\": 1}");
+        CHECK(folder.count() == 1);
+        const double wall_time_before = checkpoint.run.wall_time;
+        const RunResult resumed = resume(slide.specimen, std::move(checkpoint), {.threads = 2});
+        check_same(resumed, whole);
+        // wall time adds up over the parts
+        CHECK(wall_time_before > 0.0);
+        CHECK(resumed.wall_time > wall_time_before);
+    }
+}
+
+TEST_CASE("a collapse before the checkpoint keeps its date") {
+    Slide slide;
+    slide.specimen.model.blocks[2].position.z() += 0.4;
+    slide.specimen.model.blocks[2].position.x() += 0.7;
+    slide.plan.samples = 400;
+    const RunResult whole = simulate(slide.specimen, slide.plan);
+    REQUIRE(whole.status == RunStatus::collapsed);
+    REQUIRE(*whole.collapse_time < whole.history.time[350]);
+    // the block that was dropped beside the column, and of 3 one is enough
+    CHECK(whole.falls.time[2] == *whole.collapse_time);
+    CHECK(whole.falls.displacement[2] == whole.falls.at_collapse[2]);
+    CHECK(std::isnan(whole.falls.time[0]));
+    const Folder folder;
+    simulate(slide.specimen, slide.plan, slide.settings(folder, 350));
+    check_same(resume(slide.specimen, read_checkpoint(folder.file(), "1.2")), whole);
+}
+
+TEST_CASE("a resumed run still knows how its specimen came to rest") {
+    Slide slide;
+    slide.specimen.settling = Settling{.damping_rate = 5.0};
+    const RunResult whole = simulate(slide.specimen, slide.plan);
+    REQUIRE(whole.rest->at_rest);
+    REQUIRE(whole.rest->steps > 0);
+    const Folder folder;
+    simulate(slide.specimen, slide.plan, slide.settings(folder, 20));
+    check_same(resume(slide.specimen, read_checkpoint(folder.file(), "1.2")), whole);
+}
+
+TEST_CASE("by wall time, an interval of zero is every sample and a long one is never") {
+    const Slide slide;
+    for (const double interval : {0.0, 1e9}) {
+        const Folder folder;
+        RunSettings settings = slide.settings(folder, 0);
+        settings.checkpoint->interval = interval;
+        simulate(slide.specimen, slide.plan, settings);
+        CHECK(fs::exists(folder.file()) == (interval == 0.0));
+        if (interval == 0.0) CHECK(read_checkpoint(folder.file(), "1.2").samples_done == 59);
+    }
+}
+
+TEST_CASE("a checkpoint that cannot be written is told, and the run goes on") {
+    const Slide slide;
+    const Folder folder;
+    RunSettings settings = slide.settings(folder, 20);
+    settings.checkpoint->file = folder.file() / "no" / "such" / "folder";
+    std::vector<std::string> told;
+    settings.checkpoint->on_failure = [&](const std::string& why) { told.push_back(why); };
+    check_same(simulate(slide.specimen, slide.plan, settings), simulate(slide.specimen, slide.plan));
+    REQUIRE(told.size() == 2);
+    CHECK(told.front().find("no/such/folder") != std::string::npos);
+}
+
+TEST_CASE("checkpoints that are missing, damaged, cut off or of another version are refused with the file's name") {
+    const Slide slide;
+    const Folder folder;
+    CHECK(refusal(folder.file()).find("there is no checkpoint") != std::string::npos);
+    simulate(slide.specimen, slide.plan, slide.settings(folder, 20));
+    CHECK(refusal(folder.file()).empty());
+    CHECK(refusal(folder.file(), "1.3").find("begun by musim 1.2, this is 1.3") != std::string::npos);
+    const std::string good = read_bytes(folder.file());
+    for (std::size_t at = 0; at < good.size(); at += good.size() / 200) {
+        std::string damaged = good;
+        damaged[at] = static_cast<char>(damaged[at] ^ 4);
+        for (const std::string& bad : {damaged, good.substr(0, at)}) {
+            write_bytes(folder.file(), bad);
+            const std::string why = refusal(folder.file());
+            CHECK_MESSAGE(why.starts_with(folder.file().string() + ": the run cannot be continued"), "at ", at, ": ", why);
+        }
+    }
+}
+
+TEST_CASE("a checkpoint of another specimen is refused") {
+    const Slide slide;
+    const Folder folder;
+    simulate(slide.specimen, slide.plan, slide.settings(folder, 20));
+    CHECK_THROWS_AS(resume(make_column(2, 0.1), read_checkpoint(folder.file(), "1.2")), std::runtime_error);
+    CHECK_THROWS_AS(resume(make_column(3, 0.11), read_checkpoint(folder.file(), "1.2")), std::runtime_error);
+    // the same model with fewer blocks in its spine: the histories tell
+    Specimen shorter = slide.specimen;
+    shorter.spine.block.pop_back();
+    shorter.spine.level.pop_back();
+    CHECK_THROWS_AS(resume(shorter, read_checkpoint(folder.file(), "1.2")), std::runtime_error);
+}
+
+TEST_CASE("removing a checkpoint takes what a kill left of another one along, and nothing else") {
+    const Folder folder;
+    for (const char* name : {"checkpoint", ".checkpoint.4711.3.tmp", "result.h5", ".result.1.tmp"})
+        write_bytes(folder.file().parent_path() / name, "x");
+    remove_checkpoint(folder.file());
+    CHECK(folder.count() == 2);
+    CHECK(fs::exists(folder.file().parent_path() / "result.h5"));
+    remove_checkpoint(folder.file());
+    CHECK(folder.count() == 2);
+}

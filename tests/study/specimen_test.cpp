@@ -1,0 +1,195 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "lsdem/scene/build_model.hpp"
+#include "lsdem/scene/scale_scene.hpp"
+#include "lsdem/scene/scene_json.hpp"
+#include "lsdem/study/prepare.hpp"
+#include "lsdem/study/read_results.hpp"
+#include "lsdem/study/run.hpp"
+#include "lsdem/study/specimen_batch.hpp"
+#include "lsdem/study/specimen_file.hpp"
+
+using namespace musim;
+using namespace musim::lsdem;
+using namespace musim::lsdem::study;
+
+namespace {
+
+scene::Scene make_wall_scene(int layers = 4, const std::string& more = "") {
+    return scene::parse_scene(
+        R"({"schema": "musim-scene/1", "name": "uneven wall", "material": "wood", "structure": {"kind": "wall", "layers": )" +
+        std::to_string(layers) +
+        R"(, "blocks_per_layer": 2, "block": ["12.710 mm", "26.355 mm", "39.780 mm"], "height_deviation": "0.155 mm",
+        "seed": 3}, "time": {"duration": "10 ms"}, "output": {"spine_rate": "4800 Hz"})" +
+        more + "}");
+}
+
+/// A folder of its own, removed at the end.
+class TemporaryFolder {
+  public:
+    explicit TemporaryFolder(const std::string& name) : path_(std::filesystem::temp_directory_path() / ("musim-" + name)) {
+        std::filesystem::remove_all(path_);
+    }
+    ~TemporaryFolder() { std::filesystem::remove_all(path_); }
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+    const std::filesystem::path& path() const { return path_; }
+
+  private:
+    std::filesystem::path path_;
+};
+
+SpecimenBatch make_batch(const std::filesystem::path& folder, const scene::Scene& scene) {
+    return {.scene = scene, .seeds = {3}, .folder = folder, .version = "test", .threads = 1};
+}
+
+}  // namespace
+
+TEST_CASE("blocks of unequal height come to rest before the motion, the base bears the weight, and nothing creeps") {
+    const scene::Scene scene = make_wall_scene();
+    const RunResult run = run_scene(scene);
+    REQUIRE(run.rest.has_value());
+    CHECK(run.rest->at_rest);
+    CHECK(std::abs(run.rest->reaction_over_weight - 1.0) < 1e-5);
+    CHECK(std::abs(*run.base_reaction_over_weight - 1.0) < 1e-4);
+    CHECK(run.history.time.front() == 0.0);
+    for (std::size_t i = 0; i < run.initial.position.size(); ++i)
+        CHECK((run.final.position[i] - run.initial.position[i]).norm() < 1e-6 * run.blocks.size[i].z());
+    // and they do lean
+    const double lean = (run.initial.orientation.back() * Vector3::UnitZ()).head<2>().norm();
+    CHECK(lean > 1e-4);
+}
+
+TEST_CASE("layer by layer and by resting planes the same blocks come to about the same places") {
+    const scene::Scene scene = make_wall_scene();
+    const Specimen upright = make_upright_specimen(scene);
+    const double step = scene::compute_time_step(scene, upright.model).value();
+    PreparationSettings settings = find_preparation(scene, upright);
+    REQUIRE(settings.placing == scene::Placing::resting);
+    const PreparedSpecimen resting = prepare(upright, step, settings);
+    settings.placing = scene::Placing::layers;
+    const PreparedSpecimen layers = prepare(upright, step, settings);
+    REQUIRE(resting.rest.at_rest);
+    REQUIRE(layers.rest.at_rest);
+    double weight = 0.0;
+    for (const Block& block : upright.model.blocks) weight += block.mass * upright.model.gravity.norm();
+    double base_force = 0.0;
+    for (const PreparedSpecimen* prepared : {&resting, &layers}) {
+        REQUIRE(prepared->layers.size() == 4);
+        CHECK(prepared->layers[0].max_tilt < 1e-4);
+        CHECK(prepared->layers[3].mean_tilt > prepared->layers[0].mean_tilt);
+        base_force = 2.0 * prepared->layers[0].mean_force;
+        // two blocks stand on the ground
+        CHECK(base_force == doctest::Approx(weight).epsilon(0.01));
+    }
+    // the tilt of a block is its height difference over its pitch: about 0.16 mm·√2/13 mm = 1 degree; of one structure the two ways agree
+    // to a few tenths
+    for (std::size_t i = 0; i < resting.tilt.size(); ++i) CHECK(std::abs(resting.tilt[i] - layers.tilt[i]) < 0.01);
+    CHECK(resting.block_steps < layers.block_steps);
+}
+
+TEST_CASE("a specimen is made once from the same inputs, and again from others") {
+    const TemporaryFolder folder("specimen-reuse");
+    const scene::Scene scene = make_wall_scene(3);
+    const auto first = make_specimens(make_batch(folder.path(), scene));
+    REQUIRE(first.size() == 1);
+    CHECK_FALSE(first[0].reused);
+    scene::Scene renamed = scene;
+    renamed.name = "other name, same wall";
+    renamed.time.duration = 2.0 * scene.time.duration;
+    const auto second = make_specimens(make_batch(folder.path(), renamed));
+    CHECK(second[0].reused);
+    CHECK(second[0].file == first[0].file);
+    scene::Scene slippery = scene;
+    slippery.material.friction = 0.5;
+    CHECK(make_specimens(make_batch(folder.path(), slippery))[0].file != first[0].file);
+    SpecimenBatch other_seed = make_batch(folder.path(), scene);
+    other_seed.seeds = {4};
+    CHECK(make_specimens(other_seed)[0].file != first[0].file);
+}
+
+TEST_CASE("a specimen serves other materials and scales") {
+    const TemporaryFolder folder("specimen-scale");
+    scene::Scene scene = make_wall_scene(3);
+    const std::filesystem::path file = make_specimens(make_batch(folder.path(), scene))[0].file;
+    scene.preparation.emplace().specimen = file;
+    const Specimen taken = make_specimen(scene);
+    REQUIRE(taken.settling.has_value());
+    // stiffer, more slippery blocks take the same places: nothing jumps, nothing slides far
+    scene::Scene other = scene;
+    other.material.normal_stiffness *= 16.0;
+    other.material.shear_stiffness *= 16.0;
+    other.material.friction = 0.4;
+    const RunResult run = run_scene(other);
+    CHECK(run.rest->at_rest);
+    for (std::size_t i = 0; i < run.initial.position.size(); ++i)
+        CHECK((run.initial.position[i] - taken.model.blocks[i].position).norm() < 2e-3 * run.blocks.size[i].z());
+
+    // a power of four: the same bits
+    const scene::Scene small = scene::scale_scene(scene, scaling::Similitude({.length = 1.0 / 16.0}, scaling::Law::exact));
+    const Specimen scaled = make_specimen(small);
+    for (std::size_t i = 0; i < taken.model.blocks.size(); ++i) {
+        CHECK(scaled.model.blocks[i].position * 16.0 == taken.model.blocks[i].position);
+        CHECK(scaled.model.blocks[i].orientation.coeffs() == taken.model.blocks[i].orientation.coeffs());
+    }
+}
+
+TEST_CASE("a scene with blocks of unequal height and its twin at 1:16 settle and run to the same bits") {
+    const scene::Scene scene = make_wall_scene(3);
+    const scaling::Similitude similitude({.length = 1.0 / 16.0}, scaling::Law::exact);
+    const RunResult large = run_scene(scene), small = run_scene(scene::scale_scene(scene, similitude));
+    REQUIRE(large.rest->steps > 0);
+    CHECK(large.rest->steps == small.rest->steps);
+    for (std::size_t i = 0; i < large.final.position.size(); ++i) {
+        CHECK(small.final.position[i] * 16.0 == large.final.position[i]);
+        CHECK(small.final.velocity[i] * 4.0 == large.final.velocity[i]);
+    }
+}
+
+TEST_CASE("a file that is no specimen, or one of another wall, is refused with what to do") {
+    const TemporaryFolder folder("specimen-bad");
+    scene::Scene scene = make_wall_scene(3);
+    const std::filesystem::path file = make_specimens(make_batch(folder.path(), scene))[0].file;
+    const auto message = [&](const scene::Scene& given) -> std::string {
+        try {
+            make_specimen(given);
+        } catch (const ResultError& error) {
+            return error.what();
+        }
+        return "";
+    };
+    const auto with_file = [](scene::Scene given, const std::filesystem::path& path) {
+        given.preparation.emplace().specimen = path;
+        return given;
+    };
+    CHECK(message(with_file(make_wall_scene(4), file)).find("prepare one of this") != std::string::npos);
+    scene::Scene other = scene;
+    std::get<scene::Wall>(other.structure).seed = 9;
+    CHECK(message(with_file(other, file)).find("prepare a specimen of this scene") != std::string::npos);
+    CHECK(message(with_file(scene, folder.path() / "nothing.h5")).find("nothing.h5") != std::string::npos);
+    std::ofstream(folder.path() / "text.h5") << "no HDF5";
+    CHECK(message(with_file(scene, folder.path() / "text.h5")).find("text.h5") != std::string::npos);
+}
+
+TEST_CASE("a preparation that a scene asks for is read, written, scaled and checked") {
+    const scene::Scene scene = make_wall_scene(3, R"(, "preparation": {"placing": "layers", "damping_rate": "30 Hz"})");
+    REQUIRE(scene.preparation.has_value());
+    CHECK(scene.preparation->placing == scene::Placing::layers);
+    CHECK(scene::parse_scene(scene::write_scene(scene)) == scene);
+    const auto twin = scene::scale_scene(scene, scaling::Similitude({.length = 1.0 / 16.0}, scaling::Law::exact));
+    CHECK(twin.preparation->damping_rate->value() == 120.0);
+    const auto refused = [](const std::string& more) { CHECK_THROWS_AS(make_wall_scene(3, more), scene::SceneError); };
+    refused(R"(, "preparation": {"placing": "thrown"})");
+    refused(R"(, "preparation": {"damping_rate": "0 Hz"})");
+    refused(R"(, "preparation": {"placing": "layers", "specimen": "a.h5"})");
+    CHECK_THROWS_AS(scene::parse_scene(R"({"schema": "musim-scene/1", "material": "wood", "structure": {"kind": "blocks", "blocks":
+        [{"size": ["1 cm", "2 cm", "3 cm"], "position": [0, 0, "1.5 cm"]}]}, "time": {"duration": "1 s"},
+        "preparation": {"placing": "resting"}})"),
+                    scene::SceneError);
+}
