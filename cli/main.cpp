@@ -45,7 +45,11 @@ int run(int argc, char** argv) {
     add_record_command(app, action);
     add_run_command(app, action);
     add_pair_command(app, action);
+    add_specimen_command(app, action);
+    add_ensemble_command(app, action);
     add_bench_command(app, action);
+    add_calibrate_command(app, action);
+    add_response_command(app, action);
 
     try {
         app.parse(argc, argv);

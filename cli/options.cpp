@@ -33,6 +33,17 @@ void add_json_option(CLI::App& command, bool& json) {
     command.add_flag("--json", json, "Print one JSON object on stdout and nothing else there");
 }
 
+void add_checkpoint_interval_option(CLI::App& command, Number& seconds) {
+    command
+        .add_option("--checkpoint-interval", seconds,
+                    "Seconds of wall time between two checkpoints in DIR, 0 for one per sample (default 60)")
+        ->type_name("SECONDS")
+        ->check([](const std::string& text) {
+            Number number;
+            return lexical_cast(text, number) && number >= 0.0 ? std::string() : text + " is negative";
+        });
+}
+
 void add_threads_option(CLI::App& command, int& threads) {
     command.add_option("--threads", threads, "Threads; results are the same for any number (default: all cores)")
         ->check(CLI::NonNegativeNumber);

@@ -35,6 +35,9 @@ struct SimilitudeOptions {
 /// Adds --json.
 void add_json_option(CLI::App& command, bool& json);
 
+/// Adds --checkpoint-interval [s of wall time].
+void add_checkpoint_interval_option(CLI::App& command, Number& seconds);
+
 /// Adds --threads; 0 means all cores.
 void add_threads_option(CLI::App& command, int& threads);
 

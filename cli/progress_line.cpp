@@ -25,7 +25,8 @@ std::string format_duration(double seconds) {
 
 }  // namespace
 
-ProgressLine::ProgressLine(std::string what) : what_(std::move(what)), terminal_(isatty(STDERR_FILENO) == 1), next_(start_ + kPatience) {}
+ProgressLine::ProgressLine(std::string what, double fraction_before)
+    : what_(std::move(what)), fraction_before_(fraction_before), terminal_(isatty(STDERR_FILENO) == 1), next_(start_ + kPatience) {}
 
 ProgressLine::~ProgressLine() {
     // leaves a clean line behind
@@ -35,9 +36,9 @@ ProgressLine::~ProgressLine() {
 void ProgressLine::update(double fraction) {
     const std::lock_guard lock(mutex_);
     const auto now = Clock::now();
-    if (now < next_ || !(fraction > 0.0)) return;
+    if (now < next_ || !(fraction > fraction_before_)) return;
     const double elapsed = std::chrono::duration<double>(now - start_).count();
-    const double left = elapsed * (1.0 - fraction) / fraction;
+    const double left = elapsed * (1.0 - fraction) / (fraction - fraction_before_);
     note("{}{}: {:.0f} %, {} left{}", terminal_ ? "\r" : "", what_, 100.0 * fraction, format_duration(left), terminal_ ? "\x1b[K" : "\n");
     std::fflush(stderr);
     shown_ = true;

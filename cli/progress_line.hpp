@@ -10,7 +10,8 @@ namespace musim::cli {
 /// rewritten in place, elsewhere a new line follows every ten seconds.
 class ProgressLine {
   public:
-    explicit ProgressLine(std::string what);
+    /// `fraction_before`: done by an earlier run that this one continues.
+    explicit ProgressLine(std::string what, double fraction_before = 0.0);
     ~ProgressLine();
     ProgressLine(const ProgressLine&) = delete;
     ProgressLine& operator=(const ProgressLine&) = delete;
@@ -22,6 +23,7 @@ class ProgressLine {
     using Clock = std::chrono::steady_clock;
 
     std::string what_;
+    double fraction_before_;
     bool terminal_;
     bool shown_ = false;
     Clock::time_point start_ = Clock::now();

@@ -1,10 +1,13 @@
 #include "lsdem/study/run.hpp"
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
@@ -13,17 +16,21 @@
 #include "cli/report.hpp"
 #include "cli/version.hpp"
 #include "lsdem/scene/scene_json.hpp"
+#include "lsdem/study/failure.hpp"
 #include "lsdem/study/write_results.hpp"
 
 namespace musim::cli {
 namespace {
 
+namespace fs = std::filesystem;
 namespace scene = lsdem::scene;
 
 struct RunOptions {
     std::string scene;
     std::string out;
+    std::string resume;
     std::optional<Number> duration;
+    Number checkpoint_interval{60.0};
     int threads = 0;
     bool json = false;
 };
@@ -38,34 +45,108 @@ void print_run(const scene::Scene& scene, const study::RunResult& run) {
     if (run.base_reaction_over_weight) print(", base reaction {:.6f} of the weight at the end", *run.base_reaction_over_weight);
     print("\n  state hash {}\n", run.state_hash);
     if (run.collapse_time) print("  collapsed at {:.4g} s\n", *run.collapse_time);
+    if (const auto failure = study::find_failure(run)) print("  {}\n", study::describe(*failure));
+}
+
+fs::path checkpoint_in(const std::string& directory) { return fs::path(directory) / study::kCheckpointName; }
+
+/// What a run starts or continues with.
+struct Begin {
+    scene::Scene scene;
+    std::string scene_text;
+    std::optional<study::Checkpoint> checkpoint;  ///< of a run to resume
+};
+
+Begin begin_anew(const RunOptions& options) {
+    Begin begin{.scene = scene::read_scene(options.scene), .scene_text = {}, .checkpoint = {}};
+    if (options.duration) begin.scene.time.duration = options.duration->value * scaling::si::seconds;
+    scene::check_scene(begin.scene, options.scene);
+    begin.scene_text = scene::write_scene(begin.scene);
+    return begin;
+}
+
+/// Refuses to write over the only trace of an unfinished run.
+void refuse_old_checkpoint(const std::string& directory) {
+    if (!fs::exists(checkpoint_in(directory))) return;
+    throw std::runtime_error(
+        fmt::format("{0}: an unfinished run left its checkpoint here; continue it with `musim run --resume {0}`, or remove "
+                    "{1} to start anew",
+                    directory, checkpoint_in(directory).string()));
+}
+
+void require_checkpoint(const std::string& directory) {
+    if (fs::exists(checkpoint_in(directory))) return;
+    const bool finished = fs::exists(fs::path(directory) / "summary.json");
+    throw std::runtime_error(fmt::format("{}: {}", directory,
+                                         finished
+                                             ? "the run here has finished; there is nothing to resume"
+                                             : "there is no checkpoint to resume from (a run leaves its first after --checkpoint-interval "
+                                               "seconds); start the run anew"));
+}
+
+Begin begin_from(const std::string& directory) {
+    const fs::path file = checkpoint_in(directory);
+    Begin begin{.scene = {}, .scene_text = {}, .checkpoint = study::read_checkpoint(file, kVersion)};
+    begin.scene_text = begin.checkpoint->scene;
+    begin.scene = scene::parse_scene(begin.scene_text, file);
+    return begin;
+}
+
+study::RunResult carry_out(Begin begin, const RunOptions& options, const std::string& directory) {
+    study::RunSettings settings{.threads = options.threads};
+    if (!directory.empty()) {
+        settings.checkpoint =
+            study::CheckpointSettings{.file = checkpoint_in(directory),
+                                      .scene = begin.scene_text,
+                                      .program_version = kVersion,
+                                      .interval = options.checkpoint_interval,
+                                      .on_failure = [](const std::string& why) { note("musim: warning: no checkpoint: {}\n", why); }};
+    }
+    ProgressLine progress(begin.scene.name, begin.checkpoint ? begin.checkpoint->fraction_done() : 0.0);
+    settings.on_progress = [&](double fraction) { progress.update(fraction); };
+    if (!begin.checkpoint) return study::run_scene(begin.scene, settings);
+    try {
+        return study::resume_scene(begin.scene, std::move(*begin.checkpoint), settings);
+    } catch (const std::runtime_error& error) {
+        throw std::runtime_error(
+            fmt::format("{}: the run cannot be continued ({}); has the scene's record or the program changed since? If so, start it anew",
+                        checkpoint_in(directory).string(), error.what()));
+    }
 }
 
 int run_run(const RunOptions& options) {
-    scene::Scene scene = scene::read_scene(options.scene);
-    if (options.duration) scene.time.duration = options.duration->value * scaling::si::seconds;
-    scene::check_scene(scene, options.scene);
+    const bool resumes = !options.resume.empty();
+    const std::string& directory = resumes ? options.resume : options.out;
+    if (resumes) require_checkpoint(directory);
 
     // the folder first: better no run than one without a place for its results
+    std::optional<Begin> begin;
+    if (!resumes) begin = begin_anew(options);
     std::optional<study::ResultFolder> folder;
-    if (!options.out.empty()) folder.emplace(options.out);
-    study::RunResult run;
-    {
-        ProgressLine progress(scene.name);
-        run = study::run_scene(scene, {.threads = options.threads, .on_progress = [&](double fraction) { progress.update(fraction); }});
+    if (!directory.empty()) folder.emplace(directory);
+    if (resumes) {
+        begin = begin_from(directory);
+    } else if (folder) {
+        refuse_old_checkpoint(directory);
     }
+    const scene::Scene scene = begin->scene;
+    const std::string scene_text = begin->scene_text;
+    const study::RunResult run = carry_out(std::move(*begin), options, directory);
     if (folder) {
-        folder->add_run("", run, {.scene = scene::write_scene(scene), .similitude = {}, .program_version = kVersion});
+        folder->add_run("", run, {.scene = scene_text, .similitude = {}, .program_version = kVersion});
         folder->commit();
+        study::remove_checkpoint(checkpoint_in(directory));
     }
 
     if (options.json) {
         print_json(study::make_summary(run));
     } else {
         print_run(scene, run);
-        if (folder) print("Results in {}\n", options.out);
+        if (folder) print("Results in {}\n", directory);
     }
-    report_doubts(options.scene, run);
-    return report_divergence(options.scene, run) ? kNumericalFailure : kDone;
+    const std::string& where = resumes ? directory : options.scene;
+    report_doubts(where, run);
+    return report_divergence(where, run) ? kNumericalFailure : kDone;
 }
 
 }  // namespace
@@ -73,19 +154,35 @@ int run_run(const RunOptions& options) {
 void add_run_command(CLI::App& app, Action& action) {
     auto options = std::make_shared<RunOptions>();
     CLI::App* command = app.add_subcommand("run", "One simulation of a scene");
-    command->add_option("scene", options->scene, "Scene file (JSON, schema musim-scene/1)")->required()->type_name("SCENE.json");
-    command->add_option("-o,--out", options->out, "Directory for result.h5, result.xdmf, spine.csv and summary.json")->type_name("DIR");
-    command->add_option("--duration", options->duration, "Simulated time [s], instead of the scene's")->type_name("NUMBER");
+    CLI::Option* scene_file = command->add_option("scene", options->scene, "Scene file (JSON, schema musim-scene/1)");
+    scene_file->type_name("SCENE.json");
+    CLI::Option* out = command->add_option("-o,--out", options->out, "Directory for result.h5, result.xdmf, spine.csv and summary.json");
+    out->type_name("DIR");
+    CLI::Option* duration = command->add_option("--duration", options->duration, "Simulated time [s], instead of the scene's");
+    duration->type_name("NUMBER");
+    command->add_option("--resume", options->resume, "Continue the run that was killed while it worked on DIR")
+        ->type_name("DIR")
+        ->excludes(scene_file)
+        ->excludes(out)
+        ->excludes(duration);
+    add_checkpoint_interval_option(*command, options->checkpoint_interval);
     add_threads_option(*command, options->threads);
     add_json_option(*command, options->json);
     command->footer(
         "Examples:\n"
         "  musim run examples/tower_prototype.json -o out/tower\n"
         "  musim run examples/tower_prototype.json --duration 1/2 --threads 1 --json\n"
+        "  musim run --resume out/tower\n"
+        "A run with -o writes checkpoints into DIR. After a kill, --resume continues from the last one; the results are the same to the "
+        "last\n"
+        "bit. The scene is the checkpoint's; a record it names must be unchanged. A finished run leaves no checkpoint.\n"
         "Exit code 4: the run diverged; results up to then are written all the same. A doubtful run (step above the critical one, blocks "
         "deep\n"
         "in each other, open energy balance) is a warning on stderr.");
-    command->callback([&action, options] { action = [options] { return run_run(*options); }; });
+    command->callback([&action, options] {
+        if (options->scene.empty() && options->resume.empty()) throw CLI::RequiredError("scene (or --resume)");
+        action = [options] { return run_run(*options); };
+    });
 }
 
 }  // namespace musim::cli

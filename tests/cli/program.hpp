@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <string>
 
 namespace musim::cli {
@@ -50,14 +51,20 @@ class Workplace {
         return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_all(out), read_all(err)};
     }
 
+    /// Runs commands of the shell.
+    void shell(const std::string& commands) const {
+        const std::string command = "cd '" + path_.string() + "' && { " + commands + "; }";
+        if (std::system(command.c_str()) == -1) throw std::runtime_error("there is no shell");
+    }
+
     void write(const std::string& name, const std::string& text) const { std::ofstream(path_ / name) << text; }
     bool has(const std::string& name) const { return std::filesystem::exists(path_ / name); }
     std::string read(const std::string& name) const { return read_all(path_ / name); }
 
-    /// How many visible files and folders there are.
-    long count() const {
+    /// How many files and folders there are, but for what run() leaves; in a folder of it, all.
+    long count(const std::string& folder = ".") const {
         long n = 0;
-        for (const auto& entry : std::filesystem::directory_iterator(path_))
+        for (const auto& entry : std::filesystem::directory_iterator(path_ / folder))
             n += entry.path().filename().string().starts_with(".std") ? 0 : 1;
         return n;
     }

@@ -1,0 +1,144 @@
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "tests/cli/program.hpp"
+
+using namespace musim::cli;
+
+namespace {
+
+/// Two blocks on ground that is shaken by `base_motion`; 100 samples.
+std::string make_scene(const std::string& base_motion) {
+    return R"({"schema": "musim-scene/1", "name": "two blocks",
+ "material": {"density": 2320, "normal_stiffness": "2 GN/m", "shear_stiffness": "2 GN/m", "friction": 0.3, "restitution": 0.3},
+ "shape": {"kind": "box", "nodes_per_face": 25}, "structure": {"kind": "blocks", "blocks": [
+   {"size": ["2 m", "2 m", "1 m"], "position": ["0 m", "0 m", "0.5 m"]},
+   {"size": ["2 m", "2 m", "1 m"], "position": ["0.2 m", "0 m", "1.5 m"]}]},
+ "base_motion": )" +
+           base_motion + R"(,
+ "time": {"duration": "0.5 s", "step": "auto"}, "output": {"spine_rate": "200 Hz", "frame_rate": "40 Hz"}})";
+}
+
+const char* const kSine = R"({"signal": "sine", "direction": "x", "amplitude": "0.6 g", "frequency": "2 Hz", "cycles": 2})";
+
+/// Starts `musim ARGUMENTS`, which works on `out`, waits for a checkpoint that it writes, and kills it at once. One checkpoint per sample,
+/// so that there is time enough: each waits for the disk.
+void kill_halfway(const Workplace& here, const std::string& arguments, const std::string& before_kill = ":") {
+    here.write("kill.sh", "touch before; sleep 0.02; " MUSIM_PROGRAM " " + arguments +
+                              " --checkpoint-interval 0 >first.out 2>first.err & pid=$!\n"
+                              "until [ out/checkpoint -nt before ] || ! kill -0 $pid 2>/dev/null; do sleep 0.002; done\n" +
+                              before_kill + "\nkill -9 $pid; wait $pid; rm -f before kill.sh first.out first.err\n");
+    here.shell("sh kill.sh >/dev/null 2>&1");
+}
+
+void check_same_results(const Workplace& here) {
+    for (const std::string name : {"result.h5", "result.xdmf", "spine.csv"})
+        CHECK_MESSAGE(here.read("out/" + name) == here.read("whole/" + name), name);
+    auto resumed = nlohmann::json::parse(here.read("out/summary.json")), whole = nlohmann::json::parse(here.read("whole/summary.json"));
+    resumed.erase("wall_s");
+    whole.erase("wall_s");
+    CHECK(resumed == whole);
+}
+
+}  // namespace
+
+TEST_CASE("a run that is killed twice and resumed has the results of one that was not, to the byte") {
+    const Workplace here;
+    here.write("scene.json", make_scene(kSine));
+    REQUIRE(here.run("run scene.json -o whole --threads 1").exit_code == 0);
+    CHECK_FALSE(here.has("whole/checkpoint"));
+
+    kill_halfway(here, "run scene.json -o out");
+    REQUIRE(here.has("out/checkpoint"));
+    REQUIRE_FALSE(here.has("out/summary.json"));
+    // the scene file is not needed any more
+    here.write("scene.json", "gone");
+    kill_halfway(here, "run --resume out");
+    REQUIRE(here.has("out/checkpoint"));
+    REQUIRE_FALSE(here.has("out/summary.json"));
+    const Outcome outcome = here.run("run --resume out --json");
+    CHECK(outcome.exit_code == 0);
+    CHECK(outcome.json()["state_hash"] == nlohmann::json::parse(here.read("whole/summary.json"))["state_hash"]);
+    check_same_results(here);
+    // nothing but results is left
+    CHECK(here.count("out") == 4);
+
+    const Outcome again = here.run("run --resume out");
+    CHECK(again.exit_code == 3);
+    CHECK(again.has_one_error_line());
+    CHECK(again.err.find("has finished") != std::string::npos);
+}
+
+TEST_CASE("nothing else works on the directory of a run, nor starts anew over its checkpoint") {
+    const Workplace here;
+    here.write("scene.json", make_scene(kSine));
+    kill_halfway(here, "run scene.json -o out",
+                 MUSIM_PROGRAM " run --resume out 2>resume.txt; echo $? >>resume.txt\n" MUSIM_PROGRAM
+                               " run scene.json -o out 2>anew.txt; echo $? >>anew.txt");
+    REQUIRE(here.has("out/checkpoint"));
+    for (const char* name : {"resume.txt", "anew.txt"}) {
+        CHECK_MESSAGE(here.read(name).find("another musim is working in this directory") != std::string::npos, here.read(name));
+        CHECK(here.read(name).ends_with("\n3\n"));
+    }
+    const Outcome anew = here.run("run scene.json -o out");
+    CHECK(anew.exit_code == 3);
+    CHECK(anew.has_one_error_line());
+    CHECK(anew.err.find("musim run --resume out") != std::string::npos);
+    CHECK(here.run("run --resume out").exit_code == 0);
+    // and over a finished run one may
+    CHECK(here.run("run scene.json -o out").exit_code == 0);
+}
+
+TEST_CASE("a run whose record has changed or gone cannot be resumed, until it is back") {
+    const Workplace here;
+    REQUIRE(here.run("rescale synthetic --length 1 --law froude -o record.csv").exit_code == 0);
+    here.write("scene.json", make_scene(R"({"record": "record.csv", "components": {"x": "1"}})"));
+    REQUIRE(here.run("run scene.json -o whole").exit_code == 0);
+    kill_halfway(here, "run scene.json -o out");
+    REQUIRE(here.has("out/checkpoint"));
+    REQUIRE_FALSE(here.has("out/summary.json"));
+    here.shell("mv record.csv kept.csv");
+    const Outcome gone = here.run("run --resume out");
+    CHECK(gone.exit_code == 3);
+    CHECK_MESSAGE(gone.err.find("record.csv") != std::string::npos, gone.err);
+    REQUIRE(here.run("rescale synthetic --length 1/2 --law froude -o record.csv").exit_code == 0);
+    const Outcome changed = here.run("run --resume out");
+    CHECK(changed.exit_code == 3);
+    CHECK(changed.has_one_error_line());
+    CHECK_MESSAGE(changed.err.find("has the scene's record or the program changed") != std::string::npos, changed.err);
+    here.shell("mv kept.csv record.csv");
+    CHECK(here.run("run --resume out").exit_code == 0);
+    check_same_results(here);
+}
+
+TEST_CASE("there is one clear line when there is nothing to resume from") {
+    const Workplace here;
+    const auto refused = [&](const std::string& word) {
+        const Outcome outcome = here.run("run --resume out");
+        CHECK(outcome.exit_code == 3);
+        CHECK(outcome.has_one_error_line());
+        CHECK_MESSAGE(outcome.err.find(word) != std::string::npos, outcome.err);
+    };
+    refused("no checkpoint");
+    // a directory that is not there is not made
+    CHECK(here.count() == 0);
+    here.shell("mkdir out");
+    refused("no checkpoint");
+    here.write("out/checkpoint", "not a checkpoint, but longer than the head of one");
+    refused("out/checkpoint: the run cannot be continued");
+    here.write("out/checkpoint", "");
+    refused("cut off");
+}
+
+TEST_CASE("usage of --resume and --checkpoint-interval is checked") {
+    const Workplace here;
+    here.write("scene.json", make_scene(kSine));
+    for (const std::string wrong : {"run", "run scene.json --resume out", "run --resume out -o out", "run --resume out --duration 1",
+                                    "run scene.json --checkpoint-interval -1", "run scene.json --checkpoint-interval often"}) {
+        const Outcome outcome = here.run(wrong);
+        CHECK_MESSAGE(outcome.exit_code == 2, wrong);
+        CHECK_MESSAGE(outcome.has_one_error_line(), outcome.err);
+    }
+    CHECK(here.run("run scene.json --checkpoint-interval 1/2").exit_code == 0);
+}
