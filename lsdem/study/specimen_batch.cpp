@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <mutex>
 #include <variant>
 
 #include "lsdem/scene/build_model.hpp"
@@ -18,7 +19,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-SpecimenReport make_specimen_file(const SpecimenBatch& batch, std::uint64_t seed) {
+/// `files`: one file at a time, since the HDF5 library need not be built for threads.
+SpecimenReport make_specimen_file(const SpecimenBatch& batch, std::uint64_t seed, std::mutex& files) {
     const Clock::time_point start = Clock::now();
     const scene::Scene scene = with_seed(batch.scene, seed);
     const Specimen upright = make_upright_specimen(scene);
@@ -31,13 +33,17 @@ SpecimenReport make_specimen_file(const SpecimenBatch& batch, std::uint64_t seed
     const std::string inputs = describe_inputs(scene, preparation);
     report.file = batch.folder / specimen_file_name(inputs);
     if (std::filesystem::exists(report.file)) {
+        const std::lock_guard lock(files);
         if (read_specimen_inputs(report.file) != inputs)
             throw ResultError(report.file.string() + ": made from other inputs (a damaged file, or a rare accident of names); move it");
         report.reused = true;
         return report;
     }
     report.prepared = prepare(upright, scene::compute_time_step(scene, upright.model).value(), preparation);
-    if (report.prepared.rest.at_rest) write_specimen(report.file, report.prepared, inputs, batch.version);
+    if (report.prepared.rest.at_rest) {
+        const std::lock_guard lock(files);
+        write_specimen(report.file, report.prepared, inputs, batch.version);
+    }
     report.wall_time = std::chrono::duration<double>(Clock::now() - start).count();
     return report;
 }
@@ -71,10 +77,11 @@ std::vector<SpecimenReport> make_specimens(const SpecimenBatch& batch) {
     std::filesystem::create_directories(batch.folder, error);
     if (error)
         throw records::WriteError(fmt::format("{}: cannot be made ({}); choose another folder", batch.folder.string(), error.message()));
+    std::mutex files;
     std::vector<SpecimenReport> reports(batch.seeds.size());
     std::vector<std::function<void()>> jobs;
     for (std::size_t i = 0; i < batch.seeds.size(); ++i)
-        jobs.emplace_back([&batch, &reports, i] { reports[i] = make_specimen_file(batch, batch.seeds[i]); });
+        jobs.emplace_back([&batch, &reports, &files, i] { reports[i] = make_specimen_file(batch, batch.seeds[i], files); });
     detail::run_side_by_side(jobs, batch.threads, batch.on_progress);
     return reports;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <string>
 
 #include "lsdem/scene/build_model.hpp"
@@ -112,6 +113,28 @@ TEST_CASE("a specimen is made once from the same inputs, and again from others")
     SpecimenBatch other_seed = make_batch(folder.path(), scene);
     other_seed.seeds = {4};
     CHECK(make_specimens(other_seed)[0].file != first[0].file);
+}
+
+TEST_CASE("specimens made side by side are those made one by one") {
+    const TemporaryFolder together("specimen-together"), apart("specimen-apart");
+    const scene::Scene scene = make_wall_scene(2);
+    SpecimenBatch batch = make_batch(together.path(), scene);
+    batch.seeds = {3, 4, 5, 6};
+    batch.threads = 2;
+    const auto side_by_side = make_specimens(batch);
+    batch.folder = apart.path();
+    batch.threads = 1;
+    const auto one_by_one = make_specimens(batch);
+    const auto bytes = [](const std::filesystem::path& file) {
+        std::ifstream in(file, std::ios::binary);
+        return std::string(std::istreambuf_iterator<char>(in), {});
+    };
+    for (std::size_t i = 0; i < 4; ++i) {
+        CHECK(side_by_side[i].seed == 3 + i);
+        CHECK(side_by_side[i].file.filename() == one_by_one[i].file.filename());
+        REQUIRE_FALSE(bytes(one_by_one[i].file).empty());
+        CHECK(bytes(side_by_side[i].file) == bytes(one_by_one[i].file));
+    }
 }
 
 TEST_CASE("a specimen serves other materials and scales") {
