@@ -201,9 +201,9 @@ void add_ensemble_command(CLI::App& app, Action& action) {
     add_json_option(*command, options->json);
     command->footer(
         "Examples:\n"
-        "  musim ensemble wall.json -o out/walls --members 10\n"
-        "  musim ensemble wall.json -o out/walls --list\n"
-        "  musim ensemble wall.json -o out/walls --only 3 --threads 1 --json\n"
+        "  musim ensemble examples/uneven_wall.json -o out/walls --members 10\n"
+        "  musim ensemble examples/uneven_wall.json -o out/walls --list\n"
+        "  musim ensemble examples/uneven_wall.json -o out/walls --only 3 --threads 1 --json\n"
         "  musim ensemble --compare out/walls out/walls_107\n"
         "Members run side by side, one thread each, into DIR/members/NAME, as `musim run` writes there. The same command again runs what "
         "is\n"

@@ -108,6 +108,16 @@ TEST_CASE("an ensemble that is killed goes on from its checkpoints to the same b
     CHECK_MESSAGE(outcome.out.find("1 resumed") != std::string::npos, outcome.out);
     for (const std::string file : {"/ensemble.json", "/ensemble.h5", "/ensemble.csv"})
         CHECK_MESSAGE(here.read("out" + file) == here.read("whole" + file), file);
+    // how a member came to rest is known although that was before the kill
+    const auto summary = nlohmann::json::parse(here.read("out/ensemble.json"));
+    for (std::size_t i = 0; i < 2; ++i) {
+        const std::string file = "/members/" + name_of(summary, i) + "/summary.json";
+        auto killed = nlohmann::json::parse(here.read("out" + file)), whole = nlohmann::json::parse(here.read("whole" + file));
+        killed.erase("wall_s");
+        whole.erase("wall_s");
+        CHECK(killed == whole);
+        CHECK(killed["rest"]["at_rest"] == true);
+    }
     // nothing else is left
     CHECK(here.count("out") == here.count("whole"));
 }
