@@ -131,8 +131,8 @@ void add_specimen_command(CLI::App& app, Action& action) {
     add_json_option(*command, options->json);
     command->footer(
         "Examples:\n"
-        "  musim specimen examples/full_tower_uneven.json -o specimens --seeds 10\n"
-        "  musim specimen examples/full_tower_uneven.json -o specimens --placing layers --json\n"
+        "  musim specimen examples/uneven_wall.json -o specimens --seeds 10\n"
+        "  musim specimen examples/uneven_wall.json -o specimens --placing layers --json\n"
         "A scene uses one with \"preparation\": {\"specimen\": \"specimens/specimen-0123456789abcdef.h5\"}, at any scale.\n"
         "Exit code 4: a specimen did not come to rest.");
     command->callback([&action, options] { action = [options] { return run_specimen(*options); }; });

@@ -72,7 +72,8 @@ TEST_CASE("blocks of unequal height share their shapes, weigh what they measure 
         CHECK(model.shapes.size() == even.shapes.size());
         CHECK(model.materials.size() == even.materials.size());
 
-        std::vector<double> top(built.structure.layer.back() + 2, 0.0), bottom(built.structure.layer.back() + 2, 1e9);
+        const auto levels = static_cast<std::size_t>(built.structure.layer.back()) + 2;
+        std::vector<double> top(levels, 0.0), bottom(levels, 1e9);
         for (std::size_t i = 0; i < model.blocks.size(); ++i) {
             const Block& block = model.blocks[i];
             const auto layer = static_cast<std::size_t>(built.structure.layer[i]);
