@@ -15,6 +15,10 @@ namespace {
 /// Expected overlap over that of a flat base.
 constexpr double kOverlapFactor = 4.0;
 
+/// The next layer comes when the base bears what is there to this part of it: looser than at the end, since a block that still tips is not
+/// borne in full.
+constexpr double kLayerReaction = 1e-3;
+
 /// Where a preparation stands, for progress: the layers are worth this much of it, the last settling the rest.
 constexpr double kLayersWorth = 0.9;
 
@@ -49,8 +53,7 @@ class LayerByLayer {
         Settling rule = settings_.settling;
         rule.rest = std::max(rule.rest, settings_.layer_rest);
         rule.patience = std::min(rule.patience, settings_.layer_patience);
-        // what has settled bears all that lies on it, but a layer on its way down is not borne yet
-        rule.reaction = 1e-3;
+        rule.reaction = kLayerReaction;
         for (std::size_t k = 0; k < layers_.size(); ++k) {
             if (k > 0) lower(k);
             const Rest rest = settle(simulation_, rule);

@@ -37,7 +37,7 @@ struct PreparedSpecimen {
     std::vector<double> force;       ///< normal force of every contact, over m g of a block [-]
     std::uint64_t steps = 0;         ///< of all settling
     std::uint64_t block_steps = 0;   ///< the same times the blocks that moved: what it cost
-    double max_overlap = 0.0;        ///< largest overlap at rest over the height of a block [-]
+    double max_overlap = 0.0;        ///< largest overlap ever met on the way, over the height of a block [-]
 };
 
 /// Puts upright blocks on the planes they rest on, see scene::put_to_rest. Blocks must be in layers.

@@ -18,8 +18,8 @@ struct Settling {
 /// Damping rate in which blocks come to rest soonest: their frequency parameter p = √(3g/(4R)) about the longer lower edge [Housner63].
 ///
 /// What takes longest is a block that tips from nearly balanced to its resting face: θ' grows like exp(p t) without damping, and like
-/// exp(p² t/α) with α ≫ p. The papers' c_v = 0.002 per step, α = 192 1/s for wood against p = 18.8 1/s [Harmon23, eq. 12], is five times
-/// slower than α = p, which grows like exp(0.62 p t) and dies as quickly. `size`: of a block; `gravity` [m/s²].
+/// exp(p² t/α) with α ≫ p. The papers' c_v = 0.002 per step, α = 192 1/s for wood against p = 18.8 1/s [Harmon23, eq. 12], is six times
+/// slower than α = p, which grows like exp(0.62 p t). `size`: of a block; `gravity` [m/s²].
 double choose_damping_rate(const Vector3& size, double gravity);
 
 /// How settling ended.

@@ -97,22 +97,24 @@ TEST_CASE("a box whose centre of mass nothing carries stays upright on the highe
 }
 
 TEST_CASE("boxes side by side lean only as far as their neighbors leave room") {
-    // the right one of the two upper boxes would lean over the left one, a hair's breadth away
+    // the right one of the upper boxes reaches from the low top in the middle to the inner edge of the high one: it leans to the left,
+    // where the other stands upright on level tops, a hair's breadth away
     const double gap = 0.001, d = 0.03;
-    std::vector<BoxPose> boxes{box_at(0.0, 0.0), box_at(kWide + gap, 0.0, kHigh + d), box_at(0.0, 0.0),
-                               box_at(0.5 * (kWide + gap) + 0.3, 0.0)};
-    boxes[2].position.x() = 0.5 * (kWide + gap) + 0.3 - kWide - gap;
-    const std::vector<int> layer{1, 1, 2, 2};
-    std::vector<BoxPose> alone{boxes[0], boxes[1], boxes[3]};
-    const std::vector<int> alone_layer{1, 1, 2};
-    put_to_rest(alone, alone_layer);
-    put_to_rest(boxes, layer);
+    const BoxPose low = box_at(0.0, 0.0), high = box_at(0.6, 0.0, kHigh + d), level = box_at(-0.6, 0.0);
+    const BoxPose leaning = box_at(0.25, 0.0), neighbor = box_at(0.25 - kWide - gap, 0.0);
     const auto tilt = [](const BoxPose& box) { return std::acos((box.orientation * Vector3::UnitZ()).z()); };
-    CHECK(tilt(alone[2]) >= 0.0);
-    // left box: over the low one and a sliver of the high one; whatever they do, they do not overlap: their upper corners keep apart
-    const Vector3 left = boxes[2].position + boxes[2].orientation * Vector3(0.5 * kWide, 0.0, 0.5 * kHigh);
-    const Vector3 right = boxes[3].position + boxes[3].orientation * Vector3(-0.5 * kWide, 0.0, 0.5 * kHigh);
-    CHECK(left.x() <= right.x() + 1e-6 * kWide);
+
+    std::vector<BoxPose> alone{low, high, level, leaning};
+    put_to_rest(alone, std::vector<int>{1, 1, 1, 2});
+    const double free_tilt = std::atan(d / 0.35);
+    CHECK(tilt(alone[3]) == doctest::Approx(free_tilt).epsilon(1e-12));
+
+    std::vector<BoxPose> beside{low, high, level, neighbor, leaning};
+    put_to_rest(beside, std::vector<int>{1, 1, 1, 2, 2});
+    CHECK(tilt(beside[3]) == 0.0);
+    // its upper corner moves by the height times the tilt; bisection finds the tilt to a thousandth of the free one, twice
+    CHECK(tilt(beside[4]) <= gap / kHigh * (1.0 + 1e-2));
+    CHECK(tilt(beside[4]) >= gap / kHigh - free_tilt / 1000.0);
 }
 
 TEST_CASE("resting poses scale by powers of four bit for bit") {

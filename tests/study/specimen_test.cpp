@@ -1,4 +1,5 @@
 #include <doctest/doctest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -34,7 +35,8 @@ scene::Scene make_wall_scene(int layers = 4, const std::string& more = "") {
 /// A folder of its own, removed at the end.
 class TemporaryFolder {
   public:
-    explicit TemporaryFolder(const std::string& name) : path_(std::filesystem::temp_directory_path() / ("musim-" + name)) {
+    explicit TemporaryFolder(const std::string& name)
+        : path_(std::filesystem::temp_directory_path() / ("musim-" + name + "-" + std::to_string(getpid()))) {
         std::filesystem::remove_all(path_);
     }
     ~TemporaryFolder() { std::filesystem::remove_all(path_); }
