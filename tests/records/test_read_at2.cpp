@@ -4,7 +4,7 @@
 
 #include "records/read_at2.hpp"
 #include "records/read_record.hpp"
-#include "tests/records/temporary_folder.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace musim::records {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "records/read_record.hpp"
-#include "tests/records/temporary_folder.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace musim::records {
 namespace {

@@ -12,6 +12,7 @@
 #include "records/error.hpp"
 #include "tests/scene/made_scene.hpp"
 #include "tests/support/shared_records.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 using namespace musim;
 using namespace musim::lsdem::scene;
@@ -34,11 +35,10 @@ double largest(const std::vector<double>& values) {
 
 /// A text record of two columns, 2 Hz sine of 1 m/s² windowed to rest, in a folder of its own.
 struct TextRecord {
-    std::filesystem::path folder = std::filesystem::temp_directory_path() / "musim_base_components_test";
+    tests::TemporaryFolder folder;
 
     TextRecord() {
-        std::filesystem::create_directories(folder);
-        std::ofstream file(folder / "motion.txt");
+        std::ofstream file(folder.path() / "motion.txt");
         file.precision(17);
         for (int k = 0; k <= 400; ++k) {
             const double t = 0.01 * k;
@@ -46,8 +46,7 @@ struct TextRecord {
             file << t << ' ' << envelope * envelope * std::sin(4.0 * pi * t) << ' ' << 0.5 * envelope << '\n';
         }
     }
-    ~TextRecord() { std::filesystem::remove_all(folder); }
-    std::filesystem::path scene() const { return folder / "scene.json"; }
+    std::filesystem::path scene() const { return folder.path() / "scene.json"; }
 };
 
 }  // namespace

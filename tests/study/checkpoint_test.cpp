@@ -2,8 +2,6 @@
 
 #include <doctest/doctest.h>
 
-#include <unistd.h>
-
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
@@ -15,30 +13,19 @@
 
 #include "lsdem/study/simulate.hpp"
 #include "tests/study/made_specimen.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 using namespace musim::lsdem;
 using namespace musim::lsdem::study;
+using musim::tests::bytes_of;
 
 namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder of its own, removed at the end.
-class Folder {
-  public:
-    Folder() {
-        std::string pattern = (fs::temp_directory_path() / "musim-checkpoint-XXXXXX").string();
-        path_ = mkdtemp(pattern.data());
-    }
-    ~Folder() { fs::remove_all(path_); }
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-
-    fs::path file() const { return path_ / kCheckpointName; }
-    std::size_t count() const { return static_cast<std::size_t>(std::distance(fs::directory_iterator(path_), fs::directory_iterator())); }
-
-  private:
-    fs::path path_;
+/// A folder for a checkpoint.
+struct Folder : musim::tests::TemporaryFolder {
+    fs::path file() const { return path() / kCheckpointName; }
 };
 
 /// A column that slides, of which frames are kept.
@@ -55,11 +42,6 @@ struct Slide {
         return settings;
     }
 };
-
-std::string read_bytes(const fs::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
 
 void write_bytes(const fs::path& file, const std::string& bytes) { std::ofstream(file, std::ios::binary) << bytes; }
 
@@ -191,7 +173,7 @@ TEST_CASE("checkpoints that are missing, damaged, cut off or of another version 
     simulate(slide.specimen, slide.plan, slide.settings(folder, 20));
     CHECK(refusal(folder.file()).empty());
     CHECK(refusal(folder.file(), "1.3").find("begun by musim 1.2, this is 1.3") != std::string::npos);
-    const std::string good = read_bytes(folder.file());
+    const std::string good = bytes_of(folder.file());
     for (std::size_t at = 0; at < good.size(); at += good.size() / 200) {
         std::string damaged = good;
         damaged[at] = static_cast<char>(damaged[at] ^ 4);

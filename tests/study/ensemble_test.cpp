@@ -13,6 +13,7 @@
 #include "lsdem/study/ensemble_files.hpp"
 #include "lsdem/study/read_results.hpp"
 #include "tests/study/made_run.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 using namespace musim::lsdem;
 using namespace musim::lsdem::study;
@@ -137,8 +138,8 @@ TEST_CASE("a scene that makes no ensemble is refused with the reason") {
 }
 
 TEST_CASE("a summary keeps every member, and takes means over those that are results") {
-    const std::filesystem::path directory = std::filesystem::temp_directory_path() / "musim-ensemble-test";
-    std::filesystem::remove_all(directory);
+    const musim::tests::TemporaryFolder folder;
+    const std::filesystem::path& directory = folder.path();
     const auto members = plan_ensemble(make_wall(kRate), 6, "1.0");
     const double amplitude[] = {1.0, 2.0, 4.0, 100.0, 100.0, 100.0};
     for (std::size_t i = 0; i < 5; ++i) {
@@ -153,9 +154,9 @@ TEST_CASE("a summary keeps every member, and takes means over those that are res
             run.divergence = Divergence{.kind = Divergence::Kind::too_fast, .block = 1, .time = 0.05};
         }
         if (i == 4) run.rest = Rest{};
-        ResultFolder folder(member_folder(directory, members[i]));
-        folder.add_run("", run, {.scene = members[i].scene_text, .similitude = {}, .program_version = "1.0"});
-        folder.commit();
+        ResultFolder results(member_folder(directory, members[i]));
+        results.add_run("", run, {.scene = members[i].scene_text, .similitude = {}, .program_version = "1.0"});
+        results.commit();
         CHECK(find_state(directory, members[i]) == MemberState::finished);
     }
     std::vector<MemberReport> reports(6);
@@ -187,7 +188,6 @@ TEST_CASE("a summary keeps every member, and takes means over those that are res
     const EnsembleSummary mixed = summarize_ensemble(directory, {members[0]}, {MemberReport{}});
     CHECK(mixed.members[0].status == MemberStatus::failed);
     CHECK(mixed.members[0].reason.find("another scene") != std::string::npos);
-    std::filesystem::remove_all(directory);
 }
 
 TEST_CASE("overlap is the fraction of levels and times at which the other's mean lies in the band, or within two standard errors") {

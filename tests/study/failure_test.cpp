@@ -16,7 +16,7 @@
 #include "lsdem/study/run.hpp"
 #include "lsdem/study/summary.hpp"
 #include "lsdem/study/write_results.hpp"
-#include "tests/records/temporary_folder.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 using namespace musim::lsdem;
 using namespace musim::lsdem::study;

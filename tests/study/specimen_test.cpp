@@ -1,5 +1,4 @@
 #include <doctest/doctest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,10 +15,13 @@
 #include "lsdem/study/run.hpp"
 #include "lsdem/study/specimen_batch.hpp"
 #include "lsdem/study/specimen_file.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 using namespace musim;
 using namespace musim::lsdem;
 using namespace musim::lsdem::study;
+using musim::tests::bytes_of;
+using musim::tests::TemporaryFolder;
 
 namespace {
 
@@ -31,22 +33,6 @@ scene::Scene make_wall_scene(int layers = 4, const std::string& more = "") {
         "seed": 3}, "time": {"duration": "10 ms"}, "output": {"spine_rate": "4800 Hz"})" +
         more + "}");
 }
-
-/// A folder of its own, removed at the end.
-class TemporaryFolder {
-  public:
-    explicit TemporaryFolder(const std::string& name)
-        : path_(std::filesystem::temp_directory_path() / ("musim-" + name + "-" + std::to_string(getpid()))) {
-        std::filesystem::remove_all(path_);
-    }
-    ~TemporaryFolder() { std::filesystem::remove_all(path_); }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-    const std::filesystem::path& path() const { return path_; }
-
-  private:
-    std::filesystem::path path_;
-};
 
 SpecimenBatch make_batch(const std::filesystem::path& folder, const scene::Scene& scene) {
     return {.scene = scene, .seeds = {3}, .folder = folder, .version = "test", .threads = 1};
@@ -98,7 +84,7 @@ TEST_CASE("layer by layer and by resting planes the same blocks come to about th
 }
 
 TEST_CASE("a specimen is made once from the same inputs, and again from others") {
-    const TemporaryFolder folder("specimen-reuse");
+    const TemporaryFolder folder;
     const scene::Scene scene = make_wall_scene(3);
     const auto first = make_specimens(make_batch(folder.path(), scene));
     REQUIRE(first.size() == 1);
@@ -118,7 +104,7 @@ TEST_CASE("a specimen is made once from the same inputs, and again from others")
 }
 
 TEST_CASE("specimens made side by side are those made one by one") {
-    const TemporaryFolder together("specimen-together"), apart("specimen-apart");
+    const TemporaryFolder together, apart;
     const scene::Scene scene = make_wall_scene(2);
     SpecimenBatch batch = make_batch(together.path(), scene);
     batch.seeds = {3, 4, 5, 6};
@@ -127,20 +113,16 @@ TEST_CASE("specimens made side by side are those made one by one") {
     batch.folder = apart.path();
     batch.threads = 1;
     const auto one_by_one = make_specimens(batch);
-    const auto bytes = [](const std::filesystem::path& file) {
-        std::ifstream in(file, std::ios::binary);
-        return std::string(std::istreambuf_iterator<char>(in), {});
-    };
     for (std::size_t i = 0; i < 4; ++i) {
         CHECK(side_by_side[i].seed == 3 + i);
         CHECK(side_by_side[i].file.filename() == one_by_one[i].file.filename());
-        REQUIRE_FALSE(bytes(one_by_one[i].file).empty());
-        CHECK(bytes(side_by_side[i].file) == bytes(one_by_one[i].file));
+        REQUIRE_FALSE(bytes_of(one_by_one[i].file).empty());
+        CHECK(bytes_of(side_by_side[i].file) == bytes_of(one_by_one[i].file));
     }
 }
 
 TEST_CASE("a specimen serves other materials and scales") {
-    const TemporaryFolder folder("specimen-scale");
+    const TemporaryFolder folder;
     scene::Scene scene = make_wall_scene(3);
     const std::filesystem::path file = make_specimens(make_batch(folder.path(), scene))[0].file;
     scene.preparation.emplace().specimen = file;
@@ -178,7 +160,7 @@ TEST_CASE("a scene with blocks of unequal height and its twin at 1:16 settle and
 }
 
 TEST_CASE("a file that is no specimen, or one of another wall, is refused with what to do") {
-    const TemporaryFolder folder("specimen-bad");
+    const TemporaryFolder folder;
     scene::Scene scene = make_wall_scene(3);
     const std::filesystem::path file = make_specimens(make_batch(folder.path(), scene))[0].file;
     const auto message = [&](const scene::Scene& given) -> std::string {

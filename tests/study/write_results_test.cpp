@@ -16,29 +16,14 @@
 
 #include "records/error.hpp"
 #include "tests/study/made_run.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 using namespace musim::lsdem::study;
+using musim::tests::bytes_of;
+using musim::tests::TemporaryFolder;
 namespace fs = std::filesystem;
 
 namespace {
-
-/// A directory of its own for each test, removed at its end.
-class ScratchDirectory {
-  public:
-    explicit ScratchDirectory(const std::string& name) : path_(fs::temp_directory_path() / ("musim-study-" + name)) {
-        fs::remove_all(path_);
-        fs::create_directories(path_);
-    }
-    ~ScratchDirectory() { fs::remove_all(path_); }
-    ScratchDirectory(const ScratchDirectory&) = delete;
-    ScratchDirectory& operator=(const ScratchDirectory&) = delete;
-
-    const fs::path& path() const { return path_; }
-    bool empty() const { return fs::is_empty(path_); }
-
-  private:
-    fs::path path_;
-};
 
 /// Files may not grow beyond `bytes` while this lives: stands in for a full disk.
 class FileSizeLimit {
@@ -59,11 +44,6 @@ class FileSizeLimit {
     rlimit before_{};
     void (*handler_)(int);
 };
-
-std::string read_all(const fs::path& path) {
-    std::ifstream file(path);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
 
 /// Shape and units of a dataset, as text: "200 2 3 [m/s]".
 std::string describe(hid_t set) {
@@ -139,7 +119,7 @@ void write_results(const fs::path& directory, const RunResult& run, const Result
 }  // namespace
 
 TEST_CASE("result.h5 holds every dataset of the contract in its shape and unit") {
-    const ScratchDirectory scratch("layout");
+    const TemporaryFolder scratch;
     write_results(scratch.path() / "run", with_frames(make_made_run(200)), kHeader);
 
     const std::map<std::string, std::string> expected{{"time", "200 [s]"},
@@ -178,7 +158,7 @@ TEST_CASE("result.h5 holds every dataset of the contract in its shape and unit")
 }
 
 TEST_CASE("result.h5 gives back the numbers, quaternions with w first, and its origin") {
-    const ScratchDirectory scratch("numbers");
+    const TemporaryFolder scratch;
     const RunResult run = make_made_run(50);
     ResultHeader header = kHeader;
     header.similitude.emplace(musim::scaling::ScaleFactors{.length = 0.25}, musim::scaling::Law::exact);
@@ -206,7 +186,7 @@ TEST_CASE("result.h5 gives back the numbers, quaternions with w first, and its o
 }
 
 TEST_CASE("a scene longer than the classic attribute limit of 64 KiB is stored whole") {
-    const ScratchDirectory scratch("long-scene");
+    const TemporaryFolder scratch;
     ResultHeader header = kHeader;
     header.scene = std::string(300000, 'x');
     write_results(scratch.path(), make_made_run(2), header);
@@ -214,11 +194,11 @@ TEST_CASE("a scene longer than the classic attribute limit of 64 KiB is stored w
 }
 
 TEST_CASE("spine.csv has a column per level and direction and a line per sample that reads back exactly") {
-    const ScratchDirectory scratch("csv");
+    const TemporaryFolder scratch;
     const RunResult run = make_made_run(30);
     write_results(scratch.path(), run, kHeader);
 
-    std::istringstream csv(read_all(scratch.path() / "spine.csv"));
+    std::istringstream csv(bytes_of(scratch.path() / "spine.csv"));
     std::string line;
     std::getline(csv, line);
     CHECK(line ==
@@ -233,9 +213,9 @@ TEST_CASE("spine.csv has a column per level and direction and a line per sample 
 }
 
 TEST_CASE("summary.json has the keys of the contract, with null where there is nothing to say") {
-    const ScratchDirectory scratch("summary");
+    const TemporaryFolder scratch;
     write_results(scratch.path(), make_made_run(3), kHeader);
-    const auto summary = nlohmann::json::parse(read_all(scratch.path() / "summary.json"));
+    const auto summary = nlohmann::json::parse(bytes_of(scratch.path() / "summary.json"));
     for (const char* key : {"status", "blocks", "steps", "dt_s", "wall_s", "contact_nodes", "state_hash", "energy_closure",
                             "max_overlap_over_height", "base_reaction_over_weight"}) {
         CHECK_MESSAGE(summary.contains(key), key);
@@ -246,10 +226,10 @@ TEST_CASE("summary.json has the keys of the contract, with null where there is n
 }
 
 TEST_CASE("result.xdmf names every frame, or the first and last instant of a run without frames") {
-    const ScratchDirectory scratch("xdmf");
+    const TemporaryFolder scratch;
     const auto grids = [&](const RunResult& run) {
         write_results(scratch.path(), run, kHeader);
-        const std::string xdmf = read_all(scratch.path() / "result.xdmf");
+        const std::string xdmf = bytes_of(scratch.path() / "result.xdmf");
         std::size_t n = 0;
         for (std::size_t at = xdmf.find("<Time "); at != std::string::npos; at = xdmf.find("<Time ", at + 1)) ++n;
         return n;
@@ -259,50 +239,50 @@ TEST_CASE("result.xdmf names every frame, or the first and last instant of a run
 }
 
 TEST_CASE("a full disk gives one clear error and leaves nothing behind") {
-    const ScratchDirectory scratch("full");
+    const TemporaryFolder scratch;
     const RunResult run = make_made_run(2000);
     {
         const FileSizeLimit limit(4096);
         CHECK_THROWS_WITH_AS(write_results(scratch.path() / "a/b", run, kHeader), doctest::Contains("result.h5"),
                              musim::records::WriteError);
     }
-    CHECK(scratch.empty());
+    CHECK(scratch.count() == 0);
 }
 
 TEST_CASE("results that cannot be written leave older ones untouched") {
-    const ScratchDirectory scratch("keep");
+    const TemporaryFolder scratch;
     write_results(scratch.path(), make_made_run(5), kHeader);
-    const std::string before = read_all(scratch.path() / "result.h5");
+    const std::string before = bytes_of(scratch.path() / "result.h5");
     {
         const FileSizeLimit limit(4096);
         CHECK_THROWS_AS(write_results(scratch.path(), make_made_run(2000), kHeader), musim::records::WriteError);
     }
-    CHECK(read_all(scratch.path() / "result.h5") == before);
-    CHECK(std::distance(fs::directory_iterator(scratch.path()), {}) == 4);
+    CHECK(bytes_of(scratch.path() / "result.h5") == before);
+    CHECK(scratch.count() == 4);
 }
 
 TEST_CASE("an output directory below a file is refused") {
-    const ScratchDirectory scratch("below");
+    const TemporaryFolder scratch;
     std::ofstream(scratch.path() / "file") << "kept";
     CHECK_THROWS_AS(write_results(scratch.path() / "file/run", make_made_run(2), kHeader), musim::records::WriteError);
     CHECK_THROWS_AS(write_results(scratch.path() / "file", make_made_run(2), kHeader), musim::records::WriteError);
-    CHECK(read_all(scratch.path() / "file") == "kept");
+    CHECK(bytes_of(scratch.path() / "file") == "kept");
 }
 
 TEST_CASE("several runs and texts appear together or not at all") {
-    const ScratchDirectory scratch("together");
+    const TemporaryFolder scratch;
     {
         ResultFolder folder(scratch.path() / "pair");
         folder.add_run("prototype", make_made_run(3), kHeader);
         folder.add_text("spine.svg", "<svg/>");
         CHECK_FALSE(fs::exists(scratch.path() / "pair/prototype"));
     }
-    CHECK(scratch.empty());
+    CHECK(scratch.count() == 0);
 
     ResultFolder folder(scratch.path() / "pair");
     folder.add_run("prototype", make_made_run(3), kHeader);
     folder.add_text("spine.svg", "<svg/>");
     folder.commit();
     CHECK(fs::exists(scratch.path() / "pair/prototype/result.h5"));
-    CHECK(read_all(scratch.path() / "pair/spine.svg") == "<svg/>");
+    CHECK(bytes_of(scratch.path() / "pair/spine.svg") == "<svg/>");
 }

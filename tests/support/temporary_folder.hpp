@@ -1,21 +1,21 @@
 #pragma once
 
-#include <unistd.h>
-
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 
 namespace musim::tests {
 
-/// A folder of its own that goes with the object.
+/// An empty folder that no other test, process or run shares, since tests run side by side; it goes with the object.
 class TemporaryFolder {
   public:
     TemporaryFolder() {
-        static int count = 0;
-        path_ = std::filesystem::temp_directory_path() / ("musim_records_" + std::to_string(::getpid()) + "_" + std::to_string(++count));
-        std::filesystem::create_directories(path_);
+        std::string pattern = (std::filesystem::temp_directory_path() / "musim-test-XXXXXX").string();
+        if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no folder can be made: " + pattern);
+        path_ = pattern;
     }
     TemporaryFolder(const TemporaryFolder&) = delete;
     TemporaryFolder& operator=(const TemporaryFolder&) = delete;
