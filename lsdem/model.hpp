@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "lsdem/shape.hpp"
@@ -69,6 +70,15 @@ enum class FaceContact {
     nodes   ///< the leader's own nodes, their cells clipped at the follower's edges
 };
 
+/// What the normal springs of a contact hold at the start.
+struct Preload {
+    std::size_t leader = 0;
+    std::optional<std::size_t> follower;  ///< nothing: the ground
+    double energy = 0.0;                  ///< [J]
+
+    bool operator==(const Preload&) const = default;
+};
+
 /// Everything that defines a simulation, apart from its time step.
 struct Model {
     std::vector<Shape> shapes;
@@ -83,6 +93,10 @@ struct Model {
     /// Rate α at which velocities and spins decay towards rest, dv/dt = F/m − α·v [1/s]; only for preparing a specimen while the base
     /// stands. The velocity damping of [Harmon23, eq. 12], v ← (1 − c_v)·v in each step, is α = −ln(1 − c_v)/dt. See lsdem/README.md.
     double velocity_damping = 0.0;
+    /// How blocks that stand already bear on each other, whatever their springs: of each contact as much overlap is left without force as
+    /// makes it hold this energy, or all it can hold; contacts that are not named bear nothing at first. The two blocks may be given in
+    /// either order. Empty: blocks bear by how much they overlap at the start. Contacts computed node by node don't take it.
+    std::vector<Preload> preload;
 };
 
 }  // namespace musim::lsdem

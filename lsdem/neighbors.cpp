@@ -4,10 +4,12 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <tuple>
 #include <utility>
 
 #include "lsdem/block_height.hpp"
+#include "lsdem/detail/patch_kernel.hpp"
 
 namespace musim::lsdem {
 namespace {
@@ -283,15 +285,45 @@ void NeighborSearch::rebuild(const Bodies& bodies, const BasePose& base, Contact
         list.faces[p] = previous_.faces[o];
     }
     place_patches(plans, bodies, base, previous_, old_pair, list);
-    // a pair that meets in another way from now on starts anew
+    // a pair that meets in another way from now on bears on what it bore, but slips anew
     for (std::size_t p = 0; p < list.pairs.size(); ++p) {
         if (old_pair[p] == ContactPair::kNoPatch) continue;
-        const PairElastic before = find_elastic(previous_, old_pair[p]), kept = find_elastic(list, p);
+        const ContactPair& pair = list.pairs[p];
+        const PairElastic before = find_elastic(previous_, old_pair[p]);
+        PairElastic kept = find_elastic(list, p);
         if (before.normal == kept.normal && before.shear == kept.shear) continue;
-        drop_elastic(bodies, base, list.pairs[p], list.forces[p], before, loss_of(list.pairs[p], finished));
-        if (list.pairs[p].is_tilted()) list.tilted[list.pairs[p].tilted].inherited = before.normal;
+        if (pair.is_patch()) detail::inherit_energy(list.patches, pair.patch_group, pair.patch_lane, before.normal);
+        kept = find_elastic(list, p);
+        PairWork& work = loss_of(pair, finished);
+        if (kept.normal > 0.0) {
+            work.damping += before.normal - kept.normal;
+            work.friction += before.shear;
+        } else {
+            drop_elastic(bodies, base, pair, list.forces[p], before, work);
+        }
+        if (pair.is_tilted()) list.tilted[pair.tilted].inherited = before.normal;
     }
     add_losses(previous_, finished);
+}
+
+void preload_contacts(const std::vector<Preload>& preloads, ContactList& list) {
+    list.first_step = false;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, double> energies;
+    for (const Preload& preload : preloads) {
+        const auto leader = static_cast<std::uint32_t>(preload.leader);
+        energies[{leader, preload.follower ? static_cast<std::uint32_t>(*preload.follower) : kGround}] += preload.energy;
+    }
+    for (std::size_t p = 0; p < list.pairs.size(); ++p) {
+        const ContactPair& pair = list.pairs[p];
+        auto found = energies.find({pair.leader, pair.follower});
+        if (found == energies.end()) found = energies.find({pair.follower, pair.leader});
+        if (found == energies.end()) continue;
+        if (pair.is_patch()) {
+            detail::inherit_energy(list.patches, pair.patch_group, pair.patch_lane, found->second);
+        } else if (pair.is_tilted()) {
+            list.tilted[pair.tilted].inherited = list.tallies[p].elastic_normal = found->second;
+        }
+    }
 }
 
 }  // namespace musim::lsdem

@@ -93,6 +93,12 @@ void check_model(const Model& model, double time_step) {
             "Simulation: a block's initial state is not finite");
         require(std::abs(block.orientation.norm() - 1.0) < 1e-9, "Simulation: a block's quaternion must have unit length");
     }
+    for (const Preload& preload : model.preload) {
+        require(preload.leader < model.blocks.size() && preload.follower.value_or(0) < model.blocks.size(),
+                "Simulation: a preload names a block that does not exist");
+        require(std::isfinite(preload.energy) && preload.energy >= 0.0,
+                "Simulation: the energy of a preload must be finite and not negative");
+    }
 }
 
 /// Thread `index` of `count` gets the items [first, last).
@@ -230,6 +236,7 @@ void Simulation::Implementation::start() {
             rotate_freely(bodies.orientation[i], bodies.momentum[i], bodies.inverse_inertia[i], -dt).toRotationMatrix();
     }
     rebuild();
+    if (!model.preload.empty()) preload_contacts(model.preload, list);
     update_contacts();
     list.first_step = false;
     start_energy = stored_and_kinetic();
@@ -556,7 +563,7 @@ std::vector<ContactForce> Simulation::contact_forces() const {
         if (list.forces[p].force.isZero(0.0)) continue;
         const ContactPair& pair = list.pairs[p];
         const auto follower = pair.follower == kGround ? std::nullopt : std::optional<std::size_t>(pair.follower);
-        forces.push_back({pair.leader, follower, list.forces[p].force});
+        forces.push_back({pair.leader, follower, list.forces[p].force, find_elastic(list, p).normal});
     }
     return forces;
 }

@@ -87,6 +87,7 @@ struct ContactForce {
     std::size_t leader = 0;
     std::optional<std::size_t> follower;  ///< nothing: the ground
     Vector3 force = Vector3::Zero();      ///< on the leader, world frame [N]
+    double energy = 0.0;                  ///< of its normal springs [J]
 };
 
 /// Explicit LS-DEM simulation with a fixed time step. Results are the same bits for any number of threads.

@@ -291,6 +291,9 @@ FacePose make_pose(const PatchKind& kind, const PatchSizes& sizes, const Matrix3
 
 PatchSizes make_sizes(const PatchKind& kind, const PatchHeights& heights) { return {kind, all(heights.leader), all(heights.follower)}; }
 
+/// Halvings until an overlap without force is found, to some digits below a double's.
+constexpr int kLateHalvings = 40;
+
 }  // namespace
 
 void write_patch_pose(const PatchKind& kind, const PatchHeights& heights, const Matrix3& leader, const Matrix3& follower,
@@ -309,6 +312,47 @@ PatchSize measure_patch(const PatchKind& kind, const PatchHeights& heights, cons
     const PatchSizes sizes = make_sizes(kind, heights);
     const Cover cover = find_cover(kind, sizes, make_pose(kind, sizes, leader, follower, offset));
     return {2.0 * cover.half_p[0], 2.0 * cover.half_q[0]};
+}
+
+void inherit_energy(PatchList& patches, std::size_t group_index, std::size_t lane, double energy) {
+    const PatchGroup& group = patches.groups[group_index];
+    const PatchKind& kind = patches.kinds[group.kind];
+    const PatchLattice& lattice = patches.lattices[kind.lattice];
+    const PatchSizes sizes(kind, load(group.leader_offset.data()), load(group.follower_offset.data()));
+    const State state{patches.field(group_index, 0)};
+    const FacePose pose{state.get_vector(patch_field::place_k), state.get_vector(patch_field::along_pk),
+                        state.get_vector(patch_field::along_qk)};
+    const Cover cover = find_cover(kind, sizes, pose);
+    const Affine overlap = find_motion(kind, sizes, cover, pose, FacePose{}).overlap;
+    const double deepest = highest(overlap)[lane];
+    if (!(deepest > 0.0) || cover.exists[lane] == 0) return;
+
+    const double area = 4.0 * cover.half_p[lane] * cover.half_q[lane];
+    double touching = 0.0;
+    const auto stored = [&](double late) {
+        double sum = 0.0;
+        touching = 0.0;
+        for (std::size_t i = 0; i < lattice.size(); ++i) {
+            const double d = overlap.at[lane] + overlap.s[lane] * lattice.s[i] + overlap.t[lane] * lattice.t[i] - late;
+            if (d <= 0.0) continue;
+            sum += lattice.w[i] * d * d;
+            touching += 1.0;
+        }
+        return 0.5 * area * kind.law.normal_stiffness * sum;
+    };
+    double late = 0.0;
+    if (stored(0.0) > energy) {
+        double low = 0.0, high = deepest;
+        for (int i = 0; i < kLateHalvings; ++i) {
+            const double middle = 0.5 * (low + high);
+            (stored(middle) > energy ? low : high) = middle;
+        }
+        late = high;
+    }
+    const auto set = [&](std::size_t field, double value) { state.at[field * kWidth + lane] = value; };
+    set(patch_field::elastic_normal, stored(late));
+    set(patch_field::late, late);
+    set(patch_field::touching, touching);
 }
 
 namespace {

@@ -22,4 +22,8 @@ struct PatchSize {
 PatchSize measure_patch(const PatchKind& kind, const PatchHeights& heights, const Matrix3& leader, const Matrix3& follower,
                         const Vector3& offset);
 
+/// Makes a new patch store `energy` [J], or all it can store where its blocks are, by an overlap that carries no force: it takes over from
+/// a contact that met in another way, and what that one bore must not drop.
+void inherit_energy(PatchList& patches, std::size_t group, std::size_t lane, double energy);
+
 }  // namespace musim::lsdem::detail

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <optional>
 
 #include "lsdem/scene/detail/overlap.hpp"
@@ -18,10 +19,6 @@ constexpr int kMaxLooks = 8;
 
 /// Halvings of the tilt until a box clears its neighbors.
 constexpr int kHalvings = 10;
-
-/// Sweeps over the structure. With one, as if nothing lay on the blocks, a ring of ten layers topples while it settles; with eight it does
-/// not (lsdem/study/README.md).
-constexpr int kSweeps = 8;
 
 /// Passes over a layer; in the second one boxes use the room that others have left.
 constexpr int kPasses = 2;
@@ -41,9 +38,6 @@ struct Footprint {
     Vector3 to_local(const Vector3& point) const {
         const Vector3 from_middle = point - middle;
         return {along_u.dot(from_middle), along_v.dot(from_middle), point.z()};
-    }
-    Vector3 to_world(const Vector3& point) const {
-        return middle + point.x() * along_u + point.y() * along_v + point.z() * Vector3::UnitZ();
     }
 };
 
@@ -93,7 +87,7 @@ double cross(double au, double av, double bu, double bv) { return au * bv - av *
 
 /// The plane through three points, when (u, v) lies inside their triangle in plan.
 struct Facet {
-    Support support;
+    RestingPlane plane;
     double area = 0.0;   ///< twice the triangle's, in plan [m²]
     double value = 0.0;  ///< height at (u, v) [m]
 };
@@ -105,32 +99,29 @@ std::optional<Facet> find_facet(const Vector3& a, const Vector3& b, const Vector
     if (at_b < 0.0 || at_c < 0.0 || at_b + at_c > 1.0) return std::nullopt;
     const double rise_b = b.z() - a.z(), rise_c = c.z() - a.z();
     Facet facet;
-    RestingPlane& plane = facet.support.plane;
-    plane.slope_u = (rise_b * (c.y() - a.y()) - rise_c * (b.y() - a.y())) / area;
-    plane.slope_v = (rise_c * (b.x() - a.x()) - rise_b * (c.x() - a.x())) / area;
-    plane.height = a.z() - plane.slope_u * a.x() - plane.slope_v * a.y();
-    facet.support.part = {1.0 - at_b - at_c, at_b, at_c};
+    facet.plane.slope_u = (rise_b * (c.y() - a.y()) - rise_c * (b.y() - a.y())) / area;
+    facet.plane.slope_v = (rise_c * (b.x() - a.x()) - rise_b * (c.x() - a.x())) / area;
+    facet.plane.height = a.z() - facet.plane.slope_u * a.x() - facet.plane.slope_v * a.y();
     facet.area = std::abs(area);
     facet.value = a.z() + at_b * rise_b + at_c * rise_c;
     return facet;
 }
 
 /// The face of the upper hull over (u, v): of all triangles around it the one that is highest there; of equally high ones the largest.
-std::optional<Support> find_upper_face(std::span<const Vector3> points, double u, double v, double extent) {
+std::optional<RestingPlane> find_upper_face(std::span<const Vector3> points, double u, double v, double extent) {
     std::optional<Facet> best;
     for (std::size_t i = 0; i < points.size(); ++i) {
         for (std::size_t j = i + 1; j < points.size(); ++j) {
             for (std::size_t k = j + 1; k < points.size(); ++k) {
-                std::optional<Facet> facet = find_facet(points[i], points[j], points[k], u, v);
+                const std::optional<Facet> facet = find_facet(points[i], points[j], points[k], u, v);
                 if (!facet) continue;
-                facet->support.point = {i, j, k};
                 const double gain = best ? facet->value - best->value : extent;
                 if (gain > kSameHeight * extent || (gain >= -kSameHeight * extent && facet->area > best->area)) best = facet;
             }
         }
     }
     if (!best) return std::nullopt;
-    return best->support;
+    return best->plane;
 }
 
 double highest(std::span<const Vector3> points) {
@@ -157,105 +148,86 @@ bool near(const BoxPose& a, const BoxPose& b) {
 /// A box on its way to rest.
 struct Settler {
     BoxPose upright;
-    std::vector<std::size_t> carriers;   ///< boxes below that may carry it
     std::vector<std::size_t> neighbors;  ///< boxes of its layer that may be in its way
     std::vector<Vector3> points;
-    std::vector<std::size_t> carrier_of_point;
-    Support support;
-    Load load;
+    RestingPlane plane;
+    double part = 0.0;  ///< of the tilt of its plane that it has
 };
 
-/// All boxes, swept from the ground up and from the top down.
-class Structure {
+/// The boxes of one layer, and where they stand so far.
+class Layer {
   public:
-    Structure(std::span<BoxPose> boxes, std::span<const int> layer) : boxes_(boxes), layer_(layer), settlers_(boxes.size()) {
-        std::size_t below = 0, first = 0;
+    Layer(std::span<const BoxPose> below, std::span<BoxPose> boxes, double clearance)
+        : boxes_(boxes), clearance_(clearance), settlers_(boxes.size()) {
         for (std::size_t i = 0; i < boxes.size(); ++i) {
-            if (layer[i] != layer[first]) below = first, first = i;
             settlers_[i].upright = boxes[i];
-            for (std::size_t j = below; j < first; ++j)
-                if (near(boxes[i], boxes[j])) settlers_[i].carriers.push_back(j);
-            for (std::size_t j = first; j < i; ++j) {
+            for (std::size_t j = 0; j < i; ++j) {
                 if (!near(boxes[i], boxes[j])) continue;
                 settlers_[i].neighbors.push_back(j);
                 settlers_[j].neighbors.push_back(i);
             }
         }
+        for (std::size_t i = 0; i < boxes.size(); ++i) find_plane(i, below);
     }
 
-    /// Places all boxes, each for the load it had.
-    void rise() {
-        for (std::size_t first = 0, last = 0; first < boxes_.size(); first = last) {
-            while (last < boxes_.size() && layer_[last] == layer_[first]) ++last;
-            for (std::size_t i = first; i < last; ++i) find_support(i);
-            for (int pass = 0; pass < kPasses; ++pass)
-                for (std::size_t i = first; i < last; ++i) boxes_[i] = pose(i, find_free_part(i));
-        }
-    }
-
-    /// Finds what each box bears where it stands.
-    void press() {
-        std::vector<double> force(boxes_.size(), 0.0);
-        std::vector<Vector3> moment(boxes_.size(), Vector3::Zero());
-        for (std::size_t i = boxes_.size(); i-- > 0;) {
-            Settler& settler = settlers_[i];
-            const double weight = settler.upright.size.prod();
-            const Vector3 place = force[i] > 0.0 ? Footprint(settler.upright).to_local(moment[i] / force[i]) : Vector3(Vector3::Zero());
-            settler.load = {force[i] / weight, place.x(), place.y()};
-            if (settler.carrier_of_point.empty()) continue;
-            for (std::size_t k = 0; k < 3; ++k) {
-                const std::size_t point = settler.support.point[k], carrier = settler.carrier_of_point[point];
-                const double part = settler.support.part[k] * (weight + force[i]);
-                force[carrier] += part;
-                moment[carrier] += part * Footprint(settler.upright).to_world(settler.points[point]);
-            }
-        }
+    void come_to_rest() {
+        for (int pass = 0; pass < kPasses; ++pass)
+            for (std::size_t i = 0; i < boxes_.size(); ++i) tilt(i, find_free_part(i));
     }
 
   private:
-    void find_support(std::size_t i) {
+    void find_plane(std::size_t i, std::span<const BoxPose> below) {
         Settler& settler = settlers_[i];
-        settler.points.clear();
-        settler.carrier_of_point.clear();
-        for (const std::size_t carrier : settler.carriers) {
-            const std::vector<Vector3> points = cut_top(settler.upright, boxes_[carrier]);
-            settler.points.insert(settler.points.end(), points.begin(), points.end());
-            settler.carrier_of_point.insert(settler.carrier_of_point.end(), points.size(), carrier);
-        }
-        if (settler.points.empty()) {
-            double ground = 0.0;
-            for (const std::size_t carrier : settler.carriers) ground = std::max(ground, find_top(boxes_.subspan(carrier, 1)));
-            settler.points.emplace_back(0.0, 0.0, ground);
-        }
+        std::vector<BoxPose> carriers;
+        std::copy_if(below.begin(), below.end(), std::back_inserter(carriers),
+                     [&](const BoxPose& box) { return near(settler.upright, box); });
+        settler.points = find_support_points(settler.upright, carriers.empty() ? below : carriers);
         const Vector3& size = settler.upright.size;
-        settler.support = find_resting_plane(settler.points, size.z(), std::hypot(size.x(), size.y()), settler.load);
-        boxes_[i] = pose(i, 0.0);
+        settler.plane = find_resting_plane(settler.points, size.z(), std::hypot(size.x(), size.y()));
+        tilt(i, 0.0);
     }
 
     BoxPose pose(std::size_t i, double part) const {
-        return tilt_onto(settlers_[i].upright, settlers_[i].support.plane, settlers_[i].points, part);
+        return tilt_onto(settlers_[i].upright, settlers_[i].plane, settlers_[i].points, part);
     }
 
-    bool is_free(std::size_t i, double part) const {
-        const BoxPose tilted = pose(i, part);
-        return std::none_of(settlers_[i].neighbors.begin(), settlers_[i].neighbors.end(), [&](std::size_t j) {
-            const double edge = std::min(tilted.size.minCoeff(), boxes_[j].size.minCoeff());
-            return detail::compute_overlap(to_body(tilted), to_body(boxes_[j])) > detail::kTouchingTolerance * edge;
-        });
+    void tilt(std::size_t i, double part) {
+        settlers_[i].part = part;
+        boxes_[i] = pose(i, part);
     }
 
+    /// How deep box i, tilted by `part`, reaches into each of its neighbors, less the clearance [m].
+    std::vector<double> find_intrusions(std::size_t i, double part) const {
+        const detail::Body tilted = to_body(pose(i, part));
+        std::vector<double> intrusions;
+        for (const std::size_t j : settlers_[i].neighbors)
+            intrusions.push_back(detail::compute_overlap(tilted, to_body(boxes_[j])) + clearance_);
+        return intrusions;
+    }
+
+    /// No less than what it has: that is free, whereas a neighbor may have taken the room in which it stood upright.
     double find_free_part(std::size_t i) const {
-        if (is_free(i, 1.0)) return 1.0;
-        double low = 0.0, high = 1.0;
+        double low = settlers_[i].part, high = 1.0;
+        const std::vector<double> least = find_intrusions(i, low);
+        const auto is_free = [&](double part) {
+            const std::vector<double> intrusions = find_intrusions(i, part);
+            for (std::size_t n = 0; n < intrusions.size(); ++n) {
+                const Vector3 &size = settlers_[i].upright.size, &other = boxes_[settlers_[i].neighbors[n]].size;
+                const double touching = detail::kTouchingTolerance * std::min(size.minCoeff(), other.minCoeff());
+                if (intrusions[n] > std::max(least[n], 0.0) + touching) return false;
+            }
+            return true;
+        };
+        if (is_free(1.0)) return 1.0;
         for (int halving = 0; halving < kHalvings; ++halving) {
             const double middle = 0.5 * (low + high);
-            (is_free(i, middle) ? low : high) = middle;
+            (is_free(middle) ? low : high) = middle;
         }
         return low;
     }
 
     std::span<BoxPose> boxes_;
-    std::span<const int> layer_;
+    double clearance_;
     std::vector<Settler> settlers_;
 };
 
@@ -271,19 +243,17 @@ std::vector<Vector3> find_support_points(const BoxPose& box, std::span<const Box
     return points;
 }
 
-Support find_resting_plane(std::span<const Vector3> points, double height, double extent, const Load& load) {
-    Support support{{highest(points), 0.0, 0.0}, {}, {}};
+RestingPlane find_resting_plane(std::span<const Vector3> points, double height, double extent) {
+    RestingPlane plane{highest(points), 0.0, 0.0};
     for (int look = 0; look < kMaxLooks; ++look) {
-        const RestingPlane before = support.plane;
+        const RestingPlane before = plane;
         const double lean = -0.5 * height / std::sqrt(1.0 + before.slope_u * before.slope_u + before.slope_v * before.slope_v);
-        const double u = (lean * before.slope_u + load.over_weight * load.u) / (1.0 + load.over_weight);
-        const double v = (lean * before.slope_v + load.over_weight * load.v) / (1.0 + load.over_weight);
-        const auto face = find_upper_face(points, u, v, extent);
-        if (!face) return support;
-        support = *face;
-        if (support.plane.slope_u == before.slope_u && support.plane.slope_v == before.slope_v) break;
+        const auto face = find_upper_face(points, lean * before.slope_u, lean * before.slope_v, extent);
+        if (!face) return before;
+        plane = *face;
+        if (plane.slope_u == before.slope_u && plane.slope_v == before.slope_v) break;
     }
-    return support;
+    return plane;
 }
 
 BoxPose tilt_onto(const BoxPose& box, const RestingPlane& plane, std::span<const Vector3> points, double part) {
@@ -296,13 +266,8 @@ BoxPose tilt_onto(const BoxPose& box, const RestingPlane& plane, std::span<const
     return tilted;
 }
 
-void put_to_rest(std::span<BoxPose> boxes, std::span<const int> layer) {
-    Structure structure(boxes, layer);
-    structure.rise();
-    for (int sweep = 1; sweep < kSweeps; ++sweep) {
-        structure.press();
-        structure.rise();
-    }
+void put_to_rest(std::span<const BoxPose> below, std::span<BoxPose> boxes, double clearance) {
+    Layer(below, boxes, clearance).come_to_rest();
 }
 
 }  // namespace musim::lsdem::scene

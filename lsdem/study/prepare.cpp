@@ -7,13 +7,11 @@
 #include <utility>
 
 #include "lsdem/block_height.hpp"
+#include "lsdem/patches.hpp"
 #include "lsdem/scene/resting_pose.hpp"
 
 namespace musim::lsdem::study {
 namespace {
-
-/// Expected overlap over that of a flat base.
-constexpr double kOverlapFactor = 4.0;
 
 /// The next layer comes when the base bears what is there to this part of it: looser than at the end, since a block that still tips is not
 /// borne in full.
@@ -41,7 +39,11 @@ std::vector<std::pair<std::size_t, std::size_t>> find_layers(const Specimen& spe
     return layers;
 }
 
-/// Lowers one layer after the other onto those that have settled.
+/// Room that a block is given where it is put, so that no contact begins before it is met: the faces of boxes meet in a rectangle whose
+/// corners may lie deeper than those of the true overlap by half a diagonal times kMaxPatchTwist.
+double find_clearance(const Vector3& size) { return 0.5 * std::hypot(size.x(), size.y()) * kMaxPatchTwist; }
+
+/// Puts one layer after the other onto those that have settled: upright and let down, or as it will rest.
 class LayerByLayer {
   public:
     LayerByLayer(const Specimen& upright, double time_step, const PreparationSettings& settings, int threads)
@@ -52,10 +54,10 @@ class LayerByLayer {
     void run(const std::function<void(double)>& on_progress, PreparedSpecimen& prepared) {
         Settling rule = settings_.settling;
         rule.rest = std::max(rule.rest, settings_.layer_rest);
-        rule.patience = std::min(rule.patience, settings_.layer_patience);
+        rule.patience = std::min(rule.patience, resting() ? settings_.resting_patience : settings_.layer_patience);
         rule.reaction = kLayerReaction;
         for (std::size_t k = 0; k < layers_.size(); ++k) {
-            if (k > 0) lower(k);
+            if (k > 0) add(k);
             const Rest rest = settle(simulation_, rule);
             prepared.steps += rest.steps;
             prepared.block_steps += rest.steps * layers_[k].second;
@@ -82,18 +84,24 @@ class LayerByLayer {
         return model;
     }
 
-    void lower(std::size_t k) {
+    bool resting() const { return settings_.placing == scene::Placing::resting; }
+
+    void add(std::size_t k) {
         const Model& model = simulation_.model();
-        std::vector<scene::BoxPose> below;
-        for (std::size_t i = layers_[k - 1].first; i < layers_[k - 1].second; ++i)
+        const auto [first_below, first] = layers_[k - 1];
+        const std::size_t last = layers_[k].second;
+        std::vector<scene::BoxPose> below, boxes;
+        for (std::size_t i = first_below; i < first; ++i)
             below.push_back({2.0 * half_extents(model, model.blocks[i]), simulation_.position(i), simulation_.orientation(i)});
+        for (std::size_t i = first; i < last; ++i) boxes.push_back(box_of(model, model.blocks[i]));
+        const double clearance = find_clearance(boxes.front().size);
+        if (resting()) scene::put_to_rest(below, boxes, clearance);
         std::vector<Release> releases;
-        for (std::size_t i = layers_[k].first; i < layers_[k].second; ++i) {
-            const scene::BoxPose box = box_of(model, model.blocks[i]);
-            const std::vector<Vector3> points = scene::find_support_points(box, below);
-            const scene::BoxPose pose = scene::tilt_onto(box, {}, points, 0.0);
-            const double speed = settings_.lowering * std::sqrt(model.gravity.norm() * box.size.z());
-            releases.push_back({i, pose.position, pose.orientation, {0.0, 0.0, -speed}});
+        for (std::size_t i = first; i < last; ++i) {
+            scene::BoxPose& box = boxes[i - first];
+            if (!resting()) box = scene::tilt_onto(box, {}, scene::find_support_points(box, below), 0.0);
+            const double speed = resting() ? 0.0 : settings_.lowering * std::sqrt(model.gravity.norm() * box.size.z());
+            releases.push_back({i, box.position + clearance * Vector3::UnitZ(), box.orientation, {0.0, 0.0, -speed}});
         }
         simulation_.release(releases);
     }
@@ -138,52 +146,33 @@ void describe(const Simulation& simulation, PreparedSpecimen& prepared) {
 
 }  // namespace
 
-void place_resting(Specimen& specimen) {
-    std::vector<scene::BoxPose> boxes;
-    for (const Block& block : specimen.model.blocks) boxes.push_back(box_of(specimen.model, block));
-    scene::put_to_rest(boxes, specimen.layer);
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
-        specimen.model.blocks[i].position = boxes[i].position;
-        specimen.model.blocks[i].orientation = boxes[i].orientation;
-    }
-}
-
-double expected_overlap(const Specimen& specimen) {
-    const Model& model = specimen.model;
-    const Block& block = model.blocks.at(0);
-    const double face_stiffness = model.materials[block.material].normal_stiffness * model.shapes[block.shape].face_area;
-    const int layers = specimen.layer.empty() ? 1 : *std::max_element(specimen.layer.begin(), specimen.layer.end());
-    return kOverlapFactor * layers * block.mass * model.gravity.norm() / face_stiffness;
-}
-
 PreparedSpecimen prepare(const Specimen& upright, double time_step, const PreparationSettings& preparation, const RunSettings& settings) {
     PreparedSpecimen prepared;
     prepared.specimen = upright;
-    Specimen enlarged = upright;
-    for (Block& block : enlarged.model.blocks) block.height_offset += preparation.enlargement;
-
     const auto relax = [&](Simulation& simulation, double begun) {
         prepared.rest = settle(simulation, preparation.settling, [&](double part) {
             if (settings.on_progress) settings.on_progress(begun + (1.0 - begun) * part);
         });
         prepared.steps += prepared.rest.steps;
         prepared.block_steps += prepared.rest.steps * simulation.model().blocks.size();
-        for (std::size_t i = 0; i < enlarged.model.blocks.size(); ++i) {
-            prepared.specimen.model.blocks[i].position = simulation.position(i);
-            prepared.specimen.model.blocks[i].orientation = simulation.orientation(i);
+        Model& model = prepared.specimen.model;
+        for (std::size_t i = 0; i < model.blocks.size(); ++i) {
+            model.blocks[i].position = simulation.position(i);
+            model.blocks[i].orientation = simulation.orientation(i);
         }
+        for (const ContactForce& contact : simulation.contact_forces())
+            if (contact.energy > 0.0) model.preload.push_back({contact.leader, contact.follower, contact.energy});
         prepared.max_overlap = simulation.statistics().max_overlap_over_height;
         describe(simulation, prepared);
     };
-    if (preparation.placing == scene::Placing::layers) {
-        LayerByLayer layers(enlarged, time_step, preparation, settings.threads);
-        layers.run(settings.on_progress, prepared);
-        relax(layers.simulation(), kLayersWorth);
-    } else {
-        if (preparation.placing == scene::Placing::resting) place_resting(enlarged);
-        Simulation simulation(enlarged.model, time_step, settings.threads);
+    if (preparation.placing == scene::Placing::as_drawn) {
+        Simulation simulation(upright.model, time_step, settings.threads);
         simulation.begin_preparation(preparation.settling.damping_rate);
         relax(simulation, 0.0);
+    } else {
+        LayerByLayer layers(upright, time_step, preparation, settings.threads);
+        layers.run(settings.on_progress, prepared);
+        relax(layers.simulation(), kLayersWorth);
     }
     return prepared;
 }

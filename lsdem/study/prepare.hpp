@@ -13,13 +13,12 @@ struct PreparationSettings {
     scene::Placing placing = scene::Placing::resting;
     Settling settling;
     double lowering = 0.02;  ///< speed at which a layer is let down, over √(gH) [-]
-    /// Blocks are this much taller while the specimen is prepared, so that faces start out of contact when it is used, with whatever
-    /// stiffness [m]; see expected_overlap. Edges that carry a block alone sink in deeper and keep the rest of their overlap.
-    double enlargement = 0.0;
-    /// A layer is lowered when every block below has less kinetic energy than this part of its weight times its height, a drop from as much
-    /// of it [-]; or after layer_patience/α, since a block that is nearly balanced tips slowly and goes on doing so under the next layer.
+    /// The next layer comes when every block below has less kinetic energy than this part of its weight times its height, a drop from as
+    /// much of it [-]; or after its patience over α, since a block that is nearly balanced tips slowly and goes on doing so under the next
+    /// layer. Blocks that come upright have farther to tip than those that come as they will rest.
     double layer_rest = 1e-8;
-    double layer_patience = 5.0;
+    double layer_patience = 5.0;    ///< of Placing::layers [-]
+    double resting_patience = 1.0;  ///< of Placing::resting [-]
 };
 
 /// What prepared blocks bear and how they stand; one entry per layer.
@@ -30,7 +29,7 @@ struct LayerState {
 
 /// A specimen in its settled state.
 struct PreparedSpecimen {
-    Specimen specimen;               ///< poses as settled, heights as given
+    Specimen specimen;               ///< poses as settled, and what the contacts hold, see Model::preload
     Rest rest;                       ///< of the last settling
     std::vector<LayerState> layers;  ///< from 1 at the base
     std::vector<double> tilt;        ///< of every block [rad]
@@ -39,12 +38,6 @@ struct PreparedSpecimen {
     std::uint64_t block_steps = 0;   ///< the same times the blocks that moved: what it cost
     double max_overlap = 0.0;        ///< largest overlap ever met on the way, over the height of a block [-]
 };
-
-/// Puts upright blocks on the planes they rest on, see scene::put_to_rest. Blocks must be in layers.
-void place_resting(Specimen& specimen);
-
-/// Overlap to expect where the first layer bears everything [m]: four times N m g/k_n, for faces that carry with a quarter of their area.
-double expected_overlap(const Specimen& specimen);
 
 /// Prepares a specimen whose blocks stand upright at their places in plan (make_specimen of a scene). Throws std::invalid_argument as
 /// Simulation does, and for blocks without layers; a preparation that diverges says so in `rest`.

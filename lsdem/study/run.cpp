@@ -45,10 +45,8 @@ Specimen make_specimen(const scene::Scene& scene, const RunSettings& settings) {
     const PreparationSettings preparation = find_preparation(scene, specimen);
     if (scene.preparation && scene.preparation->specimen) {
         take_places(*scene.preparation->specimen, specimen);
-    } else if (preparation.placing == scene::Placing::layers) {
+    } else if (preparation.placing != scene::Placing::as_drawn) {
         specimen = prepare(specimen, scene::compute_time_step(scene, specimen.model).value(), preparation, settings).specimen;
-    } else if (preparation.placing == scene::Placing::resting) {
-        place_resting(specimen);
     }
     specimen.settling = preparation.settling;
     return specimen;

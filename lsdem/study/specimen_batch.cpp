@@ -24,8 +24,7 @@ SpecimenReport make_specimen_file(const SpecimenBatch& batch, std::uint64_t seed
     const Clock::time_point start = Clock::now();
     const scene::Scene scene = with_seed(batch.scene, seed);
     const Specimen upright = make_upright_specimen(scene);
-    PreparationSettings preparation = find_preparation(scene, upright);
-    preparation.enlargement = expected_overlap(upright);
+    const PreparationSettings preparation = find_preparation(scene, upright);
 
     SpecimenReport report;
     report.seed = seed;

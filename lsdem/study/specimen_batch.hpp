@@ -31,8 +31,8 @@ struct SpecimenReport {
     double wall_time = 0.0;  ///< [s]
 };
 
-/// Prepares the specimens of a batch, as the scene's `preparation` says (default: on resting planes), side by side, each with blocks taller
-/// by expected_overlap so that it serves other stiffnesses too. A file that is there is not made again. Throws scene::SceneError for a
+/// Prepares the specimens of a batch, as the scene's `preparation` says (default: on resting planes), side by side. A file that is there is
+/// not made again. Throws scene::SceneError for a
 /// scene without layers or seeds to vary, records::WriteError, and ResultError for a file in the way.
 std::vector<SpecimenReport> make_specimens(const SpecimenBatch& batch);
 

@@ -16,13 +16,25 @@
 namespace musim::lsdem::study {
 namespace {
 
-constexpr std::string_view kFormat = "musim-specimen/1";
+constexpr std::string_view kFormat = "musim-specimen/2";
 
 /// Edge lengths that differ by less than this part are the same, written at another scale.
 constexpr double kSameLength = 1e-9;
 
 /// Parts of a scene that a specimen does not depend on.
 constexpr std::array kUnrelated{"schema", "name", "base_motion", "output", "preparation"};
+
+/// The follower of a contact with the ground.
+constexpr long long kGround = -1;
+
+/// What a whole face holds that bears the weight of this block [J]: (m g)²/(2 K_n A).
+double energy_of_weight(const Model& model, std::size_t index) {
+    const Block& block = model.blocks[index];
+    const Shape& shape = model.shapes[block.shape];
+    const Material& material = model.materials[block.material];
+    const double weight = block.mass * model.gravity.norm();
+    return weight * weight / (2.0 * material.normal_stiffness * shape.face_area);
+}
 
 std::vector<double> flatten(const std::vector<Vector3>& vectors) {
     std::vector<double> values;
@@ -51,9 +63,9 @@ std::string describe_inputs(const scene::Scene& scene, const PreparationSettings
                              {"reaction", preparation.settling.reaction},
                              {"patience", preparation.settling.patience},
                              {"lowering", preparation.lowering},
-                             {"enlargement", preparation.enlargement},
                              {"layer_rest", preparation.layer_rest},
-                             {"layer_patience", preparation.layer_patience}};
+                             {"layer_patience", preparation.layer_patience},
+                             {"resting_patience", preparation.resting_patience}};
     return inputs.dump();
 }
 
@@ -73,6 +85,13 @@ void write_specimen(const std::filesystem::path& file, const PreparedSpecimen& p
     }
     const hsize_t n = model.blocks.size();
     const std::vector<long long> layer(prepared.specimen.layer.begin(), prepared.specimen.layer.end());
+    std::vector<long long> leader, follower;
+    std::vector<double> squared_load;
+    for (const Preload& contact : model.preload) {
+        leader.push_back(static_cast<long long>(contact.leader));
+        follower.push_back(contact.follower ? static_cast<long long>(*contact.follower) : kGround);
+        squared_load.push_back(contact.energy / energy_of_weight(model, contact.leader));
+    }
     detail::Hdf5File out;
     out.write("/blocks/size", {n, 3}, flatten(size).data(), "m");
     out.write("/blocks/height_offset", {n}, offset.data(), "m");
@@ -81,6 +100,9 @@ void write_specimen(const std::filesystem::path& file, const PreparedSpecimen& p
     out.write("/blocks/quaternion", {n, 4}, quaternion.data(), "1");
     out.write("/blocks/tilt", {n}, prepared.tilt.data(), "rad");
     out.write("/contacts/normal_force_over_block_weight", {prepared.force.size()}, prepared.force.data(), "1");
+    out.write("/contacts/leader", {leader.size()}, leader.data(), "1");
+    out.write("/contacts/follower", {follower.size()}, follower.data(), "1");
+    out.write("/contacts/squared_load", {squared_load.size()}, squared_load.data(), "1");
     out.write_attribute("format", std::string(kFormat));
     out.write_attribute("inputs", inputs);
     out.write_attribute("program_version", version);
@@ -117,6 +139,18 @@ void take_places(const std::filesystem::path& file, Specimen& specimen) {
         const double* q = &quaternion.values[4 * i];
         blocks[i].position = scale * Eigen::Map<const Vector3>(&position.values[3 * i]);
         blocks[i].orientation = Quaternion(q[0], q[1], q[2], q[3]);
+    }
+    const auto leader = reader.integers("/contacts/leader", 1), follower = reader.integers("/contacts/follower", 1);
+    const auto squared_load = reader.doubles("/contacts/squared_load", 1);
+    const auto known = [&](long long block) { return block >= 0 && block < static_cast<long long>(n); };
+    specimen.model.preload.clear();
+    for (std::size_t i = 0; i < squared_load.values.size(); ++i) {
+        const long long below = leader.values.at(i), above = follower.values.at(i);
+        if (!known(below) || !(known(above) || above == kGround))
+            refuse(file, "a contact names a block that is not there; prepare it again");
+        Preload preload{static_cast<std::size_t>(below), {}, squared_load.values[i] * energy_of_weight(specimen.model, leader.values[i])};
+        if (above != kGround) preload.follower = static_cast<std::size_t>(above);
+        specimen.model.preload.push_back(preload);
     }
 }
 

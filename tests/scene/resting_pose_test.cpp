@@ -24,27 +24,27 @@ Vector3 foot_corner(const BoxPose& box, double u, double v) {
 }  // namespace
 
 TEST_CASE("a box on equal boxes stands upright on them, to the last bit") {
-    std::vector<BoxPose> boxes{box_at(0.0, -0.5), box_at(0.0, 0.5), box_at(0.0, 0.0)};
-    const std::vector<int> layer{1, 1, 2};
-    put_to_rest(boxes, layer);
-    CHECK(boxes[2].position == Vector3(0.0, 0.0, 1.5 * kHigh));
-    CHECK(boxes[2].orientation.coeffs() == Quaternion::Identity().coeffs());
-    CHECK(boxes[0].position == Vector3(0.0, -0.5, 0.5 * kHigh));
+    const std::vector<BoxPose> below{box_at(0.0, -0.5), box_at(0.0, 0.5)};
+    std::vector<BoxPose> box{box_at(0.0, 0.0)};
+    put_to_rest(below, box);
+    CHECK(box[0].position == Vector3(0.0, 0.0, 1.5 * kHigh));
+    CHECK(box[0].orientation.coeffs() == Quaternion::Identity().coeffs());
+    put_to_rest({}, box);
+    CHECK(box[0].position == Vector3(0.0, 0.0, 0.5 * kHigh));
 }
 
 TEST_CASE("a box on two boxes of unequal height leans on the edges that carry it") {
     // two tops of height difference d: the box turns about x until its face meets the inner edge of the high one and the far end on the low
     // one
     const double d = 0.01;
-    std::vector<BoxPose> boxes{box_at(0.0, -0.6), box_at(0.0, 0.6, kHigh + d), box_at(0.0, 0.0)};
-    const std::vector<int> layer{1, 1, 2};
-    put_to_rest(boxes, layer);
+    std::vector<BoxPose> box{box_at(0.0, 0.0)};
+    put_to_rest(std::vector{box_at(0.0, -0.6), box_at(0.0, 0.6, kHigh + d)}, box);
     // inner edges at ∓0.1: the box reaches to −0.5, where the low top ends it
     const double slope = d / 0.6;
-    const Vector3 normal = boxes[2].orientation * Vector3::UnitZ();
+    const Vector3 normal = box[0].orientation * Vector3::UnitZ();
     CHECK(-normal.y() / normal.z() == doctest::Approx(slope).epsilon(1e-12));
     CHECK(std::abs(normal.x()) < 1e-15);
-    const Vector3 foot = boxes[2].position - 0.5 * kHigh * normal;
+    const Vector3 foot = box[0].position - 0.5 * kHigh * normal;
     CHECK(foot.x() == 0.0);
     CHECK(std::abs(foot.y()) < 1e-15);
     CHECK(foot.z() == doctest::Approx(kHigh + 0.5 * slope).epsilon(1e-12));
@@ -60,7 +60,7 @@ TEST_CASE("resting boxes touch what carries them in three places, never pass thr
             box.orientation = Eigen::AngleAxisd(rise(random), Vector3(rise(random) - 0.01, rise(random) - 0.01, 0.0).normalized());
         const BoxPose upright = box_at(0.01, 0.02);
         const std::vector<Vector3> points = find_support_points(upright, below);
-        const RestingPlane plane = find_resting_plane(points, kHigh, std::hypot(kWide, kLong)).plane;
+        const RestingPlane plane = find_resting_plane(points, kHigh, std::hypot(kWide, kLong));
         int touching = 0;
         for (const Vector3& p : points) {
             const double gap = plane.height + plane.slope_u * p.x() + plane.slope_v * p.y() - p.z();
@@ -90,7 +90,7 @@ TEST_CASE("a box whose centre of mass nothing carries stays upright on the highe
     const std::vector<BoxPose> below{box_at(0.4, 0.0)};
     const BoxPose upright = box_at(0.0, 0.0);
     const auto points = find_support_points(upright, below);
-    const RestingPlane plane = find_resting_plane(points, kHigh, 1.0).plane;
+    const RestingPlane plane = find_resting_plane(points, kHigh, 1.0);
     CHECK(plane.height == kHigh);
     CHECK(plane.slope_u == 0.0);
     CHECK(plane.slope_v == 0.0);
@@ -104,34 +104,54 @@ TEST_CASE("boxes side by side lean only as far as their neighbors leave room") {
     const BoxPose leaning = box_at(0.25, 0.0), neighbor = box_at(0.25 - kWide - gap, 0.0);
     const auto tilt = [](const BoxPose& box) { return std::acos((box.orientation * Vector3::UnitZ()).z()); };
 
-    std::vector<BoxPose> alone{low, high, level, leaning};
-    put_to_rest(alone, std::vector<int>{1, 1, 1, 2});
+    const std::vector<BoxPose> below{low, high, level};
+    std::vector<BoxPose> alone{leaning};
+    put_to_rest(below, alone);
     const double free_tilt = std::atan(d / 0.35);
-    CHECK(tilt(alone[3]) == doctest::Approx(free_tilt).epsilon(1e-12));
+    CHECK(tilt(alone[0]) == doctest::Approx(free_tilt).epsilon(1e-12));
 
-    std::vector<BoxPose> beside{low, high, level, neighbor, leaning};
-    put_to_rest(beside, std::vector<int>{1, 1, 1, 2, 2});
-    CHECK(tilt(beside[3]) == 0.0);
+    std::vector<BoxPose> beside{neighbor, leaning};
+    put_to_rest(below, beside);
+    CHECK(tilt(beside[0]) == 0.0);
     // its upper corner moves by the height times the tilt; bisection finds the tilt to a thousandth of the free one, twice
-    CHECK(tilt(beside[4]) <= gap / kHigh * (1.0 + 1e-2));
-    CHECK(tilt(beside[4]) >= gap / kHigh - free_tilt / 1000.0);
+    CHECK(tilt(beside[1]) <= gap / kHigh * (1.0 + 1e-2));
+    CHECK(tilt(beside[1]) >= gap / kHigh - free_tilt / 1000.0);
+
+    // and less where they are to keep clear of each other
+    std::vector<BoxPose> clear{neighbor, leaning};
+    put_to_rest(below, clear, 0.25 * gap);
+    CHECK(tilt(clear[1]) <= 0.75 * gap / kHigh * (1.0 + 1e-2));
+    CHECK(tilt(clear[1]) >= 0.75 * gap / kHigh - free_tilt / 1000.0);
+}
+
+TEST_CASE("boxes that lean toward each other do not overlap") {
+    // each alone would lean into the other by far more than the gap between them, and the first is placed before the second has leaned
+    const double gap = 0.002, d = 0.03;
+    const std::vector<BoxPose> below{box_at(-0.55, 0.0, kHigh + d), box_at(0.0, 0.0), box_at(0.55, 0.0, kHigh + d)};
+    const double offset = 0.5 * (kWide + gap);
+    std::vector<BoxPose> boxes{box_at(-offset, 0.0), box_at(offset, 0.0)};
+    put_to_rest(below, boxes);
+    double apart = 1.0;
+    for (const double side : {-1.0, 1.0}) {
+        const Vector3 left = boxes[0].position + boxes[0].orientation * Vector3(0.5 * kWide, 0.0, side * 0.5 * kHigh);
+        const Vector3 right = boxes[1].position + boxes[1].orientation * Vector3(-0.5 * kWide, 0.0, side * 0.5 * kHigh);
+        apart = std::min(apart, right.x() - left.x());
+    }
+    CHECK(apart > -1e-6 * kWide);
+    CHECK(apart < gap);
 }
 
 TEST_CASE("resting poses scale by powers of four bit for bit") {
     std::mt19937_64 random(3);
     std::uniform_real_distribution<double> rise(0.0, 0.02);
-    std::vector<BoxPose> boxes;
-    std::vector<int> layer;
-    for (int k = 1; k <= 4; ++k) {
-        for (int i = 0; i < 4 - k % 2; ++i) {
-            boxes.push_back(box_at(0.0, 1.05 * (i - 0.5 * (3 - k % 2)), kHigh + rise(random)));
-            layer.push_back(k);
-        }
-    }
-    std::vector<BoxPose> small = boxes;
+    std::vector<BoxPose> below, boxes;
+    for (int i = 0; i < 4; ++i) below.push_back(box_at(0.0, 1.05 * (i - 1.5), kHigh + rise(random)));
+    for (int i = 0; i < 3; ++i) boxes.push_back(box_at(0.0, 1.05 * (i - 1.0), kHigh + rise(random)));
+    std::vector<BoxPose> small_below = below, small = boxes;
+    for (BoxPose& box : small_below) box.size *= 0.0625, box.position *= 0.0625;
     for (BoxPose& box : small) box.size *= 0.0625, box.position *= 0.0625;
-    put_to_rest(boxes, layer);
-    put_to_rest(small, layer);
+    put_to_rest(below, boxes);
+    put_to_rest(small_below, small);
     for (std::size_t i = 0; i < boxes.size(); ++i) {
         CHECK(small[i].position == 0.0625 * boxes[i].position);
         CHECK(small[i].orientation.coeffs() == boxes[i].orientation.coeffs());
