@@ -97,11 +97,7 @@ TEST_CASE("an ensemble that is killed goes on from its checkpoints to the same b
     // 50 samples with a checkpoint each: the kill comes long before the first member's end
     here.write("wall.json", make_scene(R"("spine_rate": "500 Hz")", R"("duration": "0.1 s")"));
     REQUIRE(here.run("ensemble wall.json -o whole --members 2 --threads 1").exit_code == 0);
-    here.write("kill.sh", MUSIM_PROGRAM
-               " ensemble wall.json -o out --members 2 --threads 1 --checkpoint-interval 0 >first.out 2>&1 & pid=$!\n"
-               "until ls out/members/*/checkpoint || ! kill -0 $pid; do sleep 0.002; done\n"
-               "kill -9 $pid; wait $pid\n");
-    here.shell("sh kill.sh >/dev/null 2>&1");
+    here.kill_halfway("ensemble wall.json -o out --members 2 --threads 1 --checkpoint-interval 0", "ls out/members/*/checkpoint");
     REQUIRE_FALSE(here.has("out/ensemble.json"));
     const Outcome outcome = here.run("ensemble wall.json -o out --members 2 --threads 1");
     CHECK(outcome.exit_code == 0);

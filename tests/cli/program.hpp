@@ -45,6 +45,32 @@ class Workplace {
         if (std::system(command.c_str()) == -1) throw std::runtime_error("there is no shell");
     }
 
+    /// Starts `musim ARGUMENTS`, which works on folder `out`, holds it once the shell's condition `halfway` is met, runs `meanwhile`, kills
+    /// it. Should the program have ended before, as it may on a busy machine, all begins again from `out` as it was. The condition can ask
+    /// for what is newer than the file `started`, as all that the program writes is.
+    void kill_halfway(const std::string& arguments, const std::string& halfway, const std::string& meanwhile = ":") const {
+        write("kill.sh", "start() { exec " MUSIM_PROGRAM " " + arguments + "; }\nhalfway() { " + halfway + "; }\nmeanwhile() { " +
+                             meanwhile +
+                             R"(; }
+mkdir -p out
+cp -a out kept
+for attempt in 1 2 3 4 5 6 7 8; do
+    touch started
+    sleep 0.02
+    start &
+    until halfway || ! kill -0 $!; do sleep 0.002; done
+    kill -STOP $! && halfway && meanwhile && killed=yes
+    kill -9 $!
+    wait $!
+    [ "$killed" ] && break
+    rm -rf out
+    cp -a kept out
+done
+rm -rf kept started kill.sh
+)");
+        shell("sh kill.sh >/dev/null 2>&1");
+    }
+
     void write(const std::string& name, const std::string& text) const { std::ofstream(folder_.path() / name) << text; }
     bool has(const std::string& name) const { return std::filesystem::exists(folder_.path() / name); }
     std::string read(const std::string& name) const { return musim::tests::bytes_of(folder_.path() / name); }

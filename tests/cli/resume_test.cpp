@@ -22,14 +22,10 @@ std::string make_scene(const std::string& base_motion) {
 
 const char* const kSine = R"({"signal": "sine", "direction": "x", "amplitude": "0.6 g", "frequency": "2 Hz", "cycles": 2})";
 
-/// Starts `musim ARGUMENTS`, which works on `out`, waits for a checkpoint that it writes, and kills it at once. One checkpoint per sample,
-/// so that there is time enough: each waits for the disk.
-void kill_halfway(const Workplace& here, const std::string& arguments, const std::string& before_kill = ":") {
-    here.write("kill.sh", "touch before; sleep 0.02; " MUSIM_PROGRAM " " + arguments +
-                              " --checkpoint-interval 0 >first.out 2>first.err & pid=$!\n"
-                              "until [ out/checkpoint -nt before ] || ! kill -0 $pid 2>/dev/null; do sleep 0.002; done\n" +
-                              before_kill + "\nkill -9 $pid; wait $pid; rm -f before kill.sh first.out first.err\n");
-    here.shell("sh kill.sh >/dev/null 2>&1");
+/// Kills `musim ARGUMENTS` once it has written a checkpoint. One checkpoint per sample, so that there is time enough: each waits for the
+/// disk.
+void kill_halfway(const Workplace& here, const std::string& arguments, const std::string& meanwhile = ":") {
+    here.kill_halfway(arguments + " --checkpoint-interval 0", "[ out/checkpoint -nt started ]", meanwhile);
 }
 
 void check_same_results(const Workplace& here) {
