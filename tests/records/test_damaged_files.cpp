@@ -8,8 +8,8 @@
 #include "records/read_record.hpp"
 #include "records/synthetic.hpp"
 #include "records/write_record.hpp"
-#include "tests/support/temporary_folder.hpp"
 #include "tests/support/shared_records.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace musim::records {
 namespace {
