@@ -196,7 +196,7 @@ template <bool Faceted, bool Bounded>
     // the block's own height: what lies along z is stretched
     const double strain = Faceted ? leader.strain : 0.0, strain_u = match.u == 2 ? strain : 0.0, strain_v = match.v == 2 ? strain : 0.0,
                  strain_area = match.normal == 2 ? 0.0 : strain;
-    const auto stretched = [](const Lanes& value, double by) { return Faceted ? value + by * value : value; };
+    const auto stretched = [](const Lanes& value, double by) MUSIM_INLINE_LAMBDA { return Faceted ? value + by * value : value; };
     const Lanes zero = all(0.0), none = all(ContactHistory::kNoContact);
     ContactHistory& history = list.history;
     double* const slip_k = history.slip[k].data();
@@ -210,7 +210,7 @@ template <bool Faceted, bool Bounded>
     for (std::size_t entry = pair.first_node, end = entry + pair.node_count; entry < end; entry += kLanes) {
         const std::uint32_t* const index = &list.nodes[entry];
         const bool consecutive = index[3] == index[0] + 3;
-        const auto read = [&](const double* from) { return consecutive ? load(from + index[0]) : gather(from, index); };
+        const auto read = [&](const double* from) MUSIM_INLINE_LAMBDA { return consecutive ? load(from + index[0]) : gather(from, index); };
         const auto left = static_cast<double>(end - entry);
         const LaneMask real = Lanes{0.0, 1.0, 2.0, 3.0} < all(left);
 

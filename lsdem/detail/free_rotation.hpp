@@ -1,5 +1,7 @@
 #pragma once
 
+#include "lsdem/detail/instructions.hpp"
+
 namespace musim::lsdem::detail {
 
 /// Unit quaternion (w, x, y, z): body to world; one block, or four side by side.
@@ -39,27 +41,27 @@ template <class Real, class Root>
 [[gnu::always_inline]] inline Orientation<Real> turn_freely(Orientation<Real> q, Triple<Real> p, const Triple<Real>& inverse_inertia,
                                                             double dt, const Root& root) {
     // tangent of half the angle that the body turns in `h` about one axis
-    const auto half_tangent = [](const Real& momentum, const Real& inverse, double h) {
+    const auto half_tangent = [](const Real& momentum, const Real& inverse, double h) MUSIM_INLINE_LAMBDA {
         const Real half_angle = (0.5 * h) * (momentum * inverse);
         return half_angle * (1.0 + half_angle * half_angle * (1.0 / 3.0));
     };
     // the momentum, seen from the body, turns the other way
-    const auto turn_momentum = [](Real& a, Real& b, const Real& t) {
+    const auto turn_momentum = [](Real& a, Real& b, const Real& t) MUSIM_INLINE_LAMBDA {
         const Real squared = t * t, scale = 1.0 / (1.0 + squared), c = (1.0 - squared) * scale, s = (t + t) * scale, a0 = a;
         a = c * a0 + s * b;
         b = c * b - s * a0;
     };
-    const auto about_x = [&](double h) {
+    const auto about_x = [&](double h) MUSIM_INLINE_LAMBDA {
         const Real t = half_tangent(p.x, inverse_inertia.x, h), w0 = q.w, y0 = q.y;
         turn_momentum(p.y, p.z, t);
         q.w -= t * q.x, q.x += t * w0, q.y += t * q.z, q.z -= t * y0;
     };
-    const auto about_y = [&](double h) {
+    const auto about_y = [&](double h) MUSIM_INLINE_LAMBDA {
         const Real t = half_tangent(p.y, inverse_inertia.y, h), w0 = q.w, x0 = q.x;
         turn_momentum(p.z, p.x, t);
         q.w -= t * q.y, q.y += t * w0, q.x -= t * q.z, q.z += t * x0;
     };
-    const auto about_z = [&](double h) {
+    const auto about_z = [&](double h) MUSIM_INLINE_LAMBDA {
         const Real t = half_tangent(p.z, inverse_inertia.z, h), w0 = q.w, x0 = q.x;
         turn_momentum(p.x, p.y, t);
         q.w -= t * q.z, q.z += t * w0, q.x += t * q.y, q.y -= t * x0;

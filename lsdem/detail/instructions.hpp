@@ -22,3 +22,7 @@ void limit_instructions(Instructions most);
 #else
 #define MUSIM_AVX2
 #endif
+
+/// How four lanes travel into and out of a function depends on the instructions that it is compiled for, and what both paths call is
+/// compiled for the plain ones. So every function that takes or returns lanes is always inlined; a lambda says so before its body.
+#define MUSIM_INLINE_LAMBDA __attribute__((always_inline))

@@ -109,7 +109,8 @@ template <bool damped>
         const Orientation<Lanes> before = pick(bodies.orientation, i);
         const RotationRows<Lanes> rows_before(before);
         const Triple<Lanes> l_body = rows_before.to_body(l);
-        const Orientation<Lanes> turned = turn_freely(before, l_body, inverse_inertia, h, [](const Lanes& value) { return root(value); });
+        const auto root_of = [](const Lanes& value) MUSIM_INLINE_LAMBDA { return root(value); };
+        const Orientation<Lanes> turned = turn_freely(before, l_body, inverse_inertia, h, root_of);
         Lanes loss = zero;
         if (damped) {
             // the impulse of the damping times the mean of the velocities before and after it
