@@ -27,6 +27,7 @@ void add_run_command(CLI::App& app, Action& action);
 void add_pair_command(CLI::App& app, Action& action);
 void add_specimen_command(CLI::App& app, Action& action);
 void add_ensemble_command(CLI::App& app, Action& action);
+void add_sequence_command(CLI::App& app, Action& action);
 void add_bench_command(CLI::App& app, Action& action);
 void add_calibrate_command(CLI::App& app, Action& action);
 void add_response_command(CLI::App& app, Action& action);

@@ -47,6 +47,7 @@ int run(int argc, char** argv) {
     add_pair_command(app, action);
     add_specimen_command(app, action);
     add_ensemble_command(app, action);
+    add_sequence_command(app, action);
     add_bench_command(app, action);
     add_calibrate_command(app, action);
     add_response_command(app, action);

@@ -15,6 +15,7 @@
 #include "cli/progress_line.hpp"
 #include "cli/report.hpp"
 #include "cli/version.hpp"
+#include "lsdem/scene/motions.hpp"
 #include "lsdem/scene/scene_json.hpp"
 #include "lsdem/study/failure.hpp"
 #include "lsdem/study/write_results.hpp"
@@ -61,6 +62,7 @@ Begin begin_anew(const RunOptions& options) {
     Begin begin{.scene = scene::read_scene(options.scene), .scene_text = {}, .checkpoint = {}};
     if (options.duration) begin.scene.time.duration = options.duration->value * scaling::si::seconds;
     scene::check_scene(begin.scene, options.scene);
+    scene::require_single_motion(begin.scene, "a run");
     begin.scene_text = scene::write_scene(begin.scene);
     return begin;
 }
@@ -89,6 +91,10 @@ Begin begin_from(const std::string& directory) {
     Begin begin{.scene = {}, .scene_text = {}, .checkpoint = study::read_checkpoint(file, kVersion)};
     begin.scene_text = begin.checkpoint->scene;
     begin.scene = scene::parse_scene(begin.scene_text, file);
+    if (!begin.scene.motions.empty()) {
+        throw std::runtime_error(fmt::format(
+            "{}: the checkpoint is of a sequence of motions; continue it with `musim sequence --resume {}`", file.string(), directory));
+    }
     return begin;
 }
 

@@ -23,4 +23,10 @@ inline Quaternion rotate_freely(const Quaternion& orientation, const Vector3& mo
     return {q.w, q.x, q.y, q.z};
 }
 
+/// Rotation vector from orientation `from` to `to`, both body to world: world frame, its length the angle [rad].
+inline Vector3 rotation_vector(const Quaternion& from, const Quaternion& to) {
+    const Eigen::AngleAxisd rotation(to * from.conjugate());
+    return rotation.angle() * rotation.axis();
+}
+
 }  // namespace musim::lsdem

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <numbers>
 #include <ostream>
 #include <stdexcept>
 #include <string_view>
@@ -20,6 +19,7 @@
 #include "lsdem/detail/motion_kernel.hpp"
 #include "lsdem/detail/patch_kernel.hpp"
 #include "lsdem/detail/velocity_decay.hpp"
+#include "lsdem/fallen.hpp"
 #include "lsdem/model_hash.hpp"
 #include "lsdem/neighbors.hpp"
 #include "lsdem/rotation.hpp"
@@ -126,6 +126,7 @@ struct Simulation::Implementation {
     Bodies bodies;
     BaseMotion motion;
     BasePose base;
+    Vector3 base_origin = Vector3::Zero();  ///< where the base would be without the present motion [m]
     NeighborSearch search;
     ContactList list;
     Losses finished;          ///< up to the last rebuild of the list
@@ -259,7 +260,7 @@ void Simulation::Implementation::start() {
 
 void Simulation::Implementation::exchange(Archive& archive) {
     double deepest = *std::max_element(overlap.begin(), overlap.end());
-    archive(bodies, base, search.reference(), list, finished, velocity_damping, base_force, base_work);
+    archive(bodies, base, base_origin, search.reference(), list, finished, velocity_damping, base_force, base_work);
     archive(preparing, step, rebuilds, skipped, start_energy, start_balance, quiet_looks, quiet_end, divergence, deepest);
     if (!archive.loads()) return;
     overlap.front() = deepest;
@@ -270,7 +271,7 @@ void Simulation::Implementation::exchange(Archive& archive) {
 void Simulation::Implementation::move(double h) {
     ++step;
     base.previous = base.displacement;
-    if (!preparing) base.displacement = motion.displacement(static_cast<double>(step) * dt);
+    if (!preparing) base.displacement = base_origin + motion.displacement(static_cast<double>(step) * dt);
     std::swap(bodies.position, bodies.previous_position);
     std::swap(bodies.rotation, bodies.previous_rotation);
     const detail::Leap leap{.base_displacement = base.displacement, .gravity = model.gravity, .h = h, .decay = decay_over(h)};
@@ -523,11 +524,19 @@ void Simulation::end_preparation() {
     Implementation& s = *implementation_;
     set_velocity_damping(0.0);
     s.preparing = false;
+    s.base_origin = s.base.displacement - s.motion.displacement(0.0);
     s.restart_ledger();
     s.step = s.quiet_end = s.skipped = s.rebuilds = 0;
     s.quiet_looks = 0;
     s.times = {};
     std::fill(s.overlap.begin(), s.overlap.end(), 0.0);
+}
+
+void Simulation::begin_motion(const std::array<BaseComponent, 3>& motion) {
+    BaseMotion next(motion);
+    implementation_->motion = std::move(next);
+    implementation_->model.ground.motion = motion;
+    end_preparation();
 }
 
 double Simulation::time() const { return static_cast<double>(implementation_->step) * implementation_->dt; }
@@ -582,8 +591,9 @@ Kinematics Simulation::kinematics() const {
 
 BaseState Simulation::base() const {
     const BaseMotion& motion = implementation_->motion;
-    if (implementation_->preparing) return {implementation_->base.displacement};
-    return {implementation_->base.displacement, motion.velocity(time()), motion.acceleration(time())};
+    const Vector3 displacement = implementation_->base.displacement - implementation_->base_origin;
+    if (implementation_->preparing) return {displacement};
+    return {displacement, motion.velocity(time()), motion.acceleration(time())};
 }
 
 Vector3 Simulation::base_reaction() const { return implementation_->base_force; }
@@ -659,11 +669,9 @@ std::string Simulation::state_hash() const {
 
 bool Simulation::has_fallen(std::size_t block) const {
     const Implementation& s = *implementation_;
-    const Matrix3 start_rotation = s.bodies.start_orientation.at(block).toRotationMatrix();
-    const double height = 2.0 * start_rotation.row(2).cwiseAbs().dot(s.bodies.half[block]);
-    const double sunk = (s.bodies.start_position[block].z() - s.bodies.position[block].z()) + s.base.displacement.z();
-    const double upright = s.bodies.rotation[block].row(2).dot(start_rotation.row(2));
-    return sunk > 0.25 * height || upright < std::numbers::sqrt2 / 2.0;
+    const double sunk =
+        (s.bodies.start_position.at(block).z() - s.bodies.position[block].z()) + (s.base.displacement.z() - s.base_origin.z());
+    return lsdem::has_fallen(s.bodies.half[block], s.bodies.start_orientation[block].toRotationMatrix(), s.bodies.rotation[block], sunk);
 }
 
 double Simulation::fallen_fraction() const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <iosfwd>
@@ -42,7 +43,7 @@ struct Kinematics {
 
 /// Motion of the base at one instant, world frame.
 struct BaseState {
-    Vector3 displacement = Vector3::Zero();  ///< [m]
+    Vector3 displacement = Vector3::Zero();  ///< that of the motion, which begins at t = 0 [m]
     Vector3 velocity = Vector3::Zero();      ///< [m/s]
     Vector3 acceleration = Vector3::Zero();  ///< [m/s²], the value that holds just after this instant
 };
@@ -129,9 +130,16 @@ class Simulation {
     /// extremes begin anew. Contacts keep their history.
     void end_preparation();
 
+    /// Ends the present motion of the base, and preparation: another one begins. The state becomes the start of another run, as in
+    /// end_preparation(), and the base goes on from where it is: its displacement is continuous and base() counts it anew. Its velocity
+    /// becomes that of the new motion at once; whoever wants no jump lets both motions meet. Velocities of blocks, contacts and their
+    /// histories are kept; model() has the new motion. Throws std::invalid_argument, and changes nothing, when a sample is not finite or a
+    /// sample interval not positive.
+    void begin_motion(const std::array<BaseComponent, 3>& motion);
+
     double time() const;         ///< n·dt [s]
     double time_step() const;    ///< [s]
-    const Model& model() const;  ///< as given at the start
+    const Model& model() const;  ///< as given at the start, but for the motion of the base (begin_motion)
     int threads() const;
 
     Kinematics kinematics() const;              ///< of all blocks, time-centred
@@ -153,7 +161,7 @@ class Simulation {
     /// 64-bit FNV-1a hash of positions, orientations and momenta of all blocks, as 16 hexadecimal digits.
     std::string state_hash() const;
 
-    /// Has a block fallen: sunk by more than a quarter of its height relative to the base, or tilted by more than 45° from the start?
+    /// Has a block fallen since the start? See lsdem/fallen.hpp.
     bool has_fallen(std::size_t block) const;
     double fallen_fraction() const;  ///< of the blocks [-]
 

@@ -126,7 +126,7 @@ void scale(std::array<BaseComponent, 3>& components, double time, double velocit
 
 }  // namespace
 
-std::array<BaseComponent, 3> make_base_components(const BaseMotion& motion) {
+std::array<BaseComponent, 3> make_base_components(const BaseMotion& motion, const std::string& place) {
     try {
         auto components = std::visit([](const auto& source) { return make_components(source); }, motion.source);
         if (const auto* record = std::get_if<RecordMotion>(&motion.source); record != nullptr && record->scale) {
@@ -136,7 +136,7 @@ std::array<BaseComponent, 3> make_base_components(const BaseMotion& motion) {
         scale(components, motion.factors.time, motion.factors.velocity);
         return components;
     } catch (const records::ProcessingError& error) {
-        throw SceneError(fmt::format("scene: /base_motion: {}", error.what()));
+        throw SceneError(fmt::format("scene: {}: {}", place, error.what()));
     }
 }
 

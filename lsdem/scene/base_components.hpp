@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 
 #include "lsdem/model.hpp"
 #include "lsdem/scene/scene.hpp"
@@ -12,7 +13,8 @@ namespace musim::lsdem::scene {
 /// Signals are sampled from their closed-form velocity. Records are read, then cut, filtered and integrated (records::make_base_motion);
 /// a window starts at t = 0, and so does the earliest component without one. A record's own scale comes next; the factors of scale_scene
 /// come last, one multiplication a sample, so that factors that are powers of two are exact.
-/// Throws records::ReadError for a record that cannot be used, and SceneError for one that cannot be processed as asked.
-std::array<BaseComponent, 3> make_base_components(const BaseMotion& motion);
+/// Throws records::ReadError for a record that cannot be used, and SceneError, which names the motion's `place` in the scene, for one that
+/// cannot be processed as asked.
+std::array<BaseComponent, 3> make_base_components(const BaseMotion& motion, const std::string& place = "/base_motion");
 
 }  // namespace musim::lsdem::scene

@@ -225,6 +225,37 @@ void check(const Preparation& preparation, const JsonPlace& place, const Scene& 
 
 void check(std::monostate /*still*/, const JsonPlace& /*place*/) {}
 
+void check(const BaseMotion& motion, const JsonPlace& place, const Scene& scene) {
+    std::visit([&](const auto& source) { check(source, place); }, motion.source);
+    require_positive(motion.factors.time, place.at("factors").at("time"));
+    require_positive(motion.factors.velocity, place.at("factors").at("velocity"));
+    if (!scene.ground.present && !std::holds_alternative<std::monostate>(motion.source)) {
+        fail(place, "there is no ground to move (/ground/present is false); leave one of the two out");
+    }
+}
+
+/// More repetitions are a slip of the keyboard.
+constexpr int kMostRepetitions = 1000;
+
+void check_motions(const Scene& scene, const JsonPlace& place) {
+    if (!std::holds_alternative<std::monostate>(scene.base_motion.source)) {
+        fail(place, "there is a \"base_motion\" as well (it would be left unused); leave one of the two out");
+    }
+    for (std::size_t k = 0; k < scene.motions.size(); ++k) {
+        const MotionEntry& entry = scene.motions[k];
+        if (std::holds_alternative<std::monostate>(entry.base_motion.source))
+            fail(place.at(k).at("base_motion"), "no motion (a \"record\" or a \"signal\" is wanted); add one");
+        check(entry.base_motion, place.at(k).at("base_motion"), scene);
+        if (entry.duration) require_positive(*entry.duration, place.at(k).at("duration"));
+        if (entry.repeat < 1 || entry.repeat > kMostRepetitions) {
+            fail(place.at(k).at("repeat"), fmt::format("{} (must be from 1 to {}); correct the number", entry.repeat, kMostRepetitions));
+        }
+        if (k == 0 && !entry.settle && entry.repeat == 1) {
+            fail(place.at(k).at("settle"), "no motion comes before the first one (how it begins is up to \"preparation\"); leave it out");
+        }
+    }
+}
+
 }  // namespace
 
 scaling::Length default_pitch(const Triple<scaling::Length>& block) {
@@ -249,18 +280,13 @@ void check_scene(const Scene& scene, const std::string& origin) {
     }
     std::visit([&](const auto& structure) { check(structure, root.at("structure"), scene); }, scene.structure);
 
-    const JsonPlace motion = root.at("base_motion");
-    std::visit([&](const auto& source) { check(source, motion); }, scene.base_motion.source);
-    require_positive(scene.base_motion.factors.time, motion.at("factors").at("time"));
-    require_positive(scene.base_motion.factors.velocity, motion.at("factors").at("velocity"));
-    if (!scene.ground.present && !std::holds_alternative<std::monostate>(scene.base_motion.source)) {
-        fail(motion, "there is no ground to move (/ground/present is false); leave one of the two out");
-    }
+    check(scene.base_motion, root.at("base_motion"), scene);
+    if (!scene.motions.empty()) check_motions(scene, root.at("motions"));
     if (scene.ground.friction) require_not_negative(*scene.ground.friction, root.at("ground").at("friction"));
 
     if (scene.preparation) check(*scene.preparation, root.at("preparation"), scene);
 
-    require_positive(scene.time.duration, root.at("time").at("duration"));
+    if (scene.motions.empty() || scene.time.duration.value() != 0.0) require_positive(scene.time.duration, root.at("time").at("duration"));
     if (scene.time.step) require_positive(*scene.time.step, root.at("time").at("step"));
     require_positive(scene.time.safety, root.at("time").at("safety"));
     if (scene.time.safety > 1.0) {

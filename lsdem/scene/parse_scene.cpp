@@ -269,6 +269,27 @@ BaseMotion parse_base_motion(const json& value, const JsonPlace& place, const st
     return motion;
 }
 
+MotionEntry parse_motion(const json& value, const JsonPlace& place, const std::filesystem::path& origin) {
+    const JsonObject object(value, place, "motion");
+    MotionEntry entry;
+    object.read("name", entry.name);
+    entry.base_motion = parse_base_motion(object.get("base_motion"), object.place("base_motion"), origin);
+    entry.duration = object.optional_quantity<scaling::Time>("duration");
+    object.read("settle", entry.settle);
+    object.read("repeat", entry.repeat);
+    return entry;
+}
+
+std::vector<MotionEntry> parse_motions(const JsonObject& object, const std::filesystem::path& origin) {
+    const json& list = object.get("motions");
+    const JsonPlace place = object.place("motions");
+    if (!list.is_array() || list.empty())
+        fail(place, "a list [ ... ] of motions is wanted; write at least one, or \"base_motion\" instead");
+    std::vector<MotionEntry> motions;
+    for (std::size_t k = 0; k < list.size(); ++k) motions.push_back(parse_motion(list[k], place.at(k), origin));
+    return motions;
+}
+
 /// A magnitude, downwards, or three components; the default stays without either.
 void read_gravity(const JsonObject& object, Triple<scaling::Acceleration>& gravity) {
     if (!object.has("gravity")) return;
@@ -306,11 +327,11 @@ scaling::Time find_camera_step(const std::string& preset, const JsonPlace& place
     return find_material_preset(preset).camera_step;
 }
 
-/// `preset`: name of the scene's material, empty for none.
-TimeSettings parse_time(const JsonObject& object, double safety, const std::string& preset) {
+/// `preset`: name of the scene's material, empty for none. With a list of motions the duration may be left out.
+TimeSettings parse_time(const JsonObject& object, double safety, const std::string& preset, bool has_motions) {
     TimeSettings time;
     time.safety = safety;
-    time.duration = object.quantity<scaling::Time>("duration");
+    if (!has_motions || object.has("duration")) time.duration = object.quantity<scaling::Time>("duration");
     const json step = object.has("step") ? object.get("step") : json("auto");
     if (step == "camera") {
         time.step = find_camera_step(preset, object.place("step"));
@@ -392,6 +413,7 @@ Scene parse_scene(std::string_view json_text, const std::filesystem::path& origi
     scene.structure = parse_structure(object.get("structure"), object.place("structure"), origin, needs_size);
     collect_materials(scene, place);
     if (object.has("base_motion")) scene.base_motion = parse_base_motion(object.get("base_motion"), object.place("base_motion"), origin);
+    if (object.has("motions")) scene.motions = parse_motions(object, origin);
     if (object.has("ground")) {
         const JsonObject ground(object.get("ground"), object.place("ground"), "ground");
         ground.read("present", scene.ground.present);
@@ -401,8 +423,10 @@ Scene parse_scene(std::string_view json_text, const std::filesystem::path& origi
     if (object.has("preparation")) {
         scene.preparation = parse_preparation(JsonObject(object.get("preparation"), object.place("preparation"), "preparation"), origin);
     }
-    scene.time = parse_time(JsonObject(object.get("time"), object.place("time"), "time"), scene.time.safety,
-                            find_preset_name(object.get("material")));
+    const bool has_motions = !scene.motions.empty();
+    const json time = has_motions && !object.has("time") ? json::object() : object.get("time");
+    scene.time = parse_time(JsonObject(time, object.place("time"), "time"), scene.time.safety, find_preset_name(object.get("material")),
+                            has_motions);
     if (object.has("output")) {
         const JsonObject output(object.get("output"), object.place("output"), "output");
         output.read_quantity("spine_rate", scene.output.spine_rate);

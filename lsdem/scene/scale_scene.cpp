@@ -82,6 +82,10 @@ Scene scale_scene(const Scene& scene, const scaling::Similitude& similitude) {
     std::visit([&](auto& shape) { scaler.scale(shape); }, scaled.shape);
     std::visit([&](auto& structure) { scaler.scale(structure); }, scaled.structure);
     scaler.scale(scaled.base_motion);
+    for (MotionEntry& entry : scaled.motions) {
+        scaler.scale(entry.base_motion);
+        scaler.scale(entry.duration);
+    }
     if (scaled.ground.friction) *scaled.ground.friction *= similitude.friction();
     if (scaled.preparation) scaler.scale(scaled.preparation->damping_rate);
     scaler.scale(scaled.time.duration);

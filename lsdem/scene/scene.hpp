@@ -203,6 +203,17 @@ struct BaseMotion {
     bool operator==(const BaseMotion&) const = default;
 };
 
+/// One of several motions that shake the same structure one after another.
+struct MotionEntry {
+    std::string name;                       ///< for people and folders; empty: named after its record or signal
+    BaseMotion base_motion;                 ///< its displacement and velocity count from where the motion before it has left the base
+    std::optional<scaling::Time> duration;  ///< default: TimeSettings::duration, or else until the motion ends
+    bool settle = true;                     ///< does the structure come to rest before it? The first: as without a list of motions
+    int repeat = 1;                         ///< how many times
+
+    bool operator==(const MotionEntry&) const = default;
+};
+
 /// The plane z = 0.
 struct GroundSettings {
     bool present = true;
@@ -212,7 +223,7 @@ struct GroundSettings {
 };
 
 struct TimeSettings {
-    scaling::Time duration{};
+    scaling::Time duration{};           ///< zero only in a scene with a list of motions: as long as each motion
     std::optional<scaling::Time> step;  ///< default ("auto"): `safety` times the critical step of the model
     double safety = 0.8;
 
@@ -235,6 +246,7 @@ struct Scene {
     ShapeSettings shape;
     Structure structure;
     BaseMotion base_motion;
+    std::vector<MotionEntry> motions;  ///< instead of base_motion: one after another, see motions.hpp
     GroundSettings ground;
     std::optional<Preparation> preparation;  ///< default: none, unless blocks differ in height
     ContactNodes contact_nodes = ContactNodes::leader;

@@ -5,8 +5,8 @@ namespace musim::lsdem::scene {
 const std::map<std::string, std::vector<std::string>>& scene_keys() {
     static const std::map<std::string, std::vector<std::string>> kKeys = {
         {"scene",
-         {"schema", "name", "gravity", "material", "materials", "shape", "structure", "base_motion", "ground", "contact", "time", "output",
-          "accuracy", "preparation"}},
+         {"schema", "name", "gravity", "material", "materials", "shape", "structure", "base_motion", "motions", "ground", "contact", "time",
+          "output", "accuracy", "preparation"}},
         {"material", {"preset", "density", "normal_stiffness", "shear_stiffness", "friction", "restitution", "shear_damping_ratio"}},
         {"shape", {"kind", "level_set", "nodes_per_face", "nodes", "voxel", "radius"}},
         {"blocks", {"kind", "blocks"}},
@@ -24,6 +24,7 @@ const std::map<std::string, std::vector<std::string>>& scene_keys() {
         {"half_sine", {"signal", "direction", "start", "factors", "dt", "amplitude", "duration"}},
         {"ricker", {"signal", "direction", "start", "factors", "dt", "amplitude", "frequency"}},
         {"synthetic", {"signal", "direction", "start", "factors", "dt", "pga", "pgv", "duration", "seed"}},
+        {"motion", {"name", "base_motion", "duration", "settle", "repeat"}},
         {"ground", {"present", "friction"}},
         {"contact", {"nodes", "stiffness", "faces", "spacing"}},
         {"preparation", {"placing", "damping_rate", "specimen"}},

@@ -163,6 +163,24 @@ ordered_json to_json(const BaseMotion& motion) {
     return object;
 }
 
+ordered_json to_json(const MotionEntry& entry) {
+    ordered_json object{{"name", entry.name}, {"base_motion", to_json(entry.base_motion)}};
+    put(object, "duration", entry.duration);
+    object["settle"] = entry.settle;
+    object["repeat"] = entry.repeat;
+    return object;
+}
+
+/// With a list of motions, a duration that is not given stays so.
+ordered_json to_json(const TimeSettings& settings, bool has_motions) {
+    ordered_json time = ordered_json::object();
+    if (!has_motions || settings.duration.value() > 0.0) time["duration"] = settings.duration.value();
+    time["step"] = "auto";
+    time["safety"] = settings.safety;
+    put(time, "step", settings.step);
+    return time;
+}
+
 }  // namespace
 
 std::string write_scene(const Scene& scene) {
@@ -171,8 +189,8 @@ std::string write_scene(const Scene& scene) {
     for (const auto& [name, material] : scene.materials) materials[name] = to_json(material);
     ordered_json ground{{"present", scene.ground.present}};
     if (scene.ground.friction) ground["friction"] = *scene.ground.friction;
-    ordered_json time{{"duration", scene.time.duration.value()}, {"step", "auto"}, {"safety", scene.time.safety}};
-    put(time, "step", scene.time.step);
+    ordered_json motions = ordered_json::array();
+    for (const MotionEntry& entry : scene.motions) motions.push_back(to_json(entry));
     ordered_json output{{"spine_rate", scene.output.spine_rate.value()}};
     put(output, "frame_rate", scene.output.frame_rate);
 
@@ -183,14 +201,14 @@ std::string write_scene(const Scene& scene) {
                       {"materials", materials},
                       {"shape", to_json(scene.shape)},
                       {"structure", to_json(scene.structure, with_size)},
-                      {"base_motion", to_json(scene.base_motion)},
+                      {scene.motions.empty() ? "base_motion" : "motions", scene.motions.empty() ? to_json(scene.base_motion) : motions},
                       {"ground", ground},
                       {"contact",
                        {{"nodes", scene.contact_nodes == ContactNodes::leader ? "leader" : "both"},
                         {"stiffness", scene.stiffness_sharing == StiffnessSharing::per_area ? "per_area" : "per_contact"},
                         {"faces", scene.face_contact == FaceContact::patch ? "patch" : "nodes"},
                         {"spacing", scene.patch_spacing == PatchSpacing::even ? "even" : "lobatto"}}},
-                      {"time", time},
+                      {"time", to_json(scene.time, !scene.motions.empty())},
                       {"output", output}};
     if (scene.preparation) {
         ordered_json preparation = ordered_json::object();

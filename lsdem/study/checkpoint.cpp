@@ -38,15 +38,17 @@ static void exchange(Archive& archive, Rest& r) { archive(r.at_rest, r.steps, r.
 
 static void exchange(Archive& archive, Falls& f) { archive(f.time, f.displacement, f.at_collapse); }
 
+static void exchange(Archive& archive, StageOrigin& o) { archive(o.stage, o.time, o.base, o.position, o.orientation); }
+
 static void exchange(Archive& archive, RunResult& r) {
-    archive(r.collapse_time, r.rest, r.initial, r.history, r.frames, r.falls, r.wall_time);
+    archive(r.collapse_time, r.origin, r.rest, r.initial, r.history, r.frames, r.falls, r.wall_time);
 }
 
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr ArchiveKind kKind{{'m', 'u', 's', 'i', 'm', 'R', 'U', 'N'}, 2, "checkpoint"};
+constexpr ArchiveKind kKind{{'m', 'u', 's', 'i', 'm', 'R', 'U', 'N'}, 3, "checkpoint"};
 
 /// One list of what a checkpoint holds, for writing from where things are and for reading.
 void exchange_all(Archive& archive, std::string& program_version, std::string& scene, TimePlan& plan, std::uint64_t& done, RunResult& run,
@@ -93,31 +95,32 @@ void remove_checkpoint(const fs::path& file) noexcept {
     for (const fs::path& leftover : leftovers) fs::remove(leftover, ignored);
 }
 
+void write_checkpoint(const CheckpointSettings& settings, std::uint64_t done, const TimePlan& plan, RunResult& run,
+                      const Simulation& simulation) {
+    std::ostringstream state_stream, out;
+    try {
+        simulation.save(state_stream);
+        std::string version = settings.program_version, scene = settings.scene, state = std::move(state_stream).str();
+        TimePlan same_plan = plan;
+        Archive archive;
+        exchange_all(archive, version, scene, same_plan, done, run, state);
+        write_sealed(out, kKind, archive.bytes());
+        records::write_file_atomically(settings.file, out.view());
+    } catch (const std::runtime_error& error) {
+        if (settings.on_failure) settings.on_failure(error.what());
+    }
+}
+
 void CheckpointWriter::after_sample(std::uint64_t done, const TimePlan& plan, RunResult& run, const Simulation& simulation) {
     // after the last sample come the results
     if (done == plan.samples || !is_due(done)) return;
-    try {
-        write(done, plan, run, simulation);
-    } catch (const std::runtime_error& error) {
-        if (settings_.on_failure) settings_.on_failure(error.what());
-    }
+    write_checkpoint(settings_, done, plan, run, simulation);
     last_ = Clock::now();
 }
 
 bool CheckpointWriter::is_due(std::uint64_t done) const {
     if (settings_.samples > 0) return done % settings_.samples == 0;
     return std::chrono::duration<double>(Clock::now() - last_).count() >= settings_.interval;
-}
-
-void CheckpointWriter::write(std::uint64_t done, const TimePlan& plan, RunResult& run, const Simulation& simulation) const {
-    std::ostringstream state_stream, out;
-    simulation.save(state_stream);
-    std::string version = settings_.program_version, scene = settings_.scene, state = std::move(state_stream).str();
-    TimePlan same_plan = plan;
-    Archive archive;
-    exchange_all(archive, version, scene, same_plan, done, run, state);
-    write_sealed(out, kKind, archive.bytes());
-    records::write_file_atomically(settings_.file, out.view());
 }
 
 }  // namespace musim::lsdem::study

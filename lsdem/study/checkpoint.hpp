@@ -23,8 +23,8 @@ struct CheckpointSettings {
     std::function<void(const std::string&)> on_failure = {};
 };
 
-/// A run as far as it had come. Of `run` it holds the collapse time, falls, the rest before the motion, the initial kinematics, histories,
-/// frames and the wall time.
+/// A run as far as it had come. Of `run` it holds the collapse time, falls, the origin of a stage, the rest before the motion, the initial
+/// kinematics, histories, frames and the wall time.
 struct Checkpoint {
     std::string program_version;
     std::string scene;  ///< as JSON text
@@ -46,6 +46,11 @@ Checkpoint read_checkpoint(const std::filesystem::path& file, const std::string&
 /// Removes a checkpoint, and what a kill left of one that was being written. Nothing happens when there is none.
 void remove_checkpoint(const std::filesystem::path& file) noexcept;
 
+/// Writes a checkpoint of a run whose sample `done` has just been taken; the file changes from the one before in one step. One that cannot
+/// be written is told to CheckpointSettings::on_failure. `run` is not changed.
+void write_checkpoint(const CheckpointSettings& settings, std::uint64_t done, const TimePlan& plan, RunResult& run,
+                      const Simulation& simulation);
+
 /// Writes the checkpoints of one run as they fall due; the file changes from one to the next in one step.
 class CheckpointWriter {
   public:
@@ -58,7 +63,6 @@ class CheckpointWriter {
     using Clock = std::chrono::steady_clock;
 
     bool is_due(std::uint64_t done) const;
-    void write(std::uint64_t done, const TimePlan& plan, RunResult& run, const Simulation& simulation) const;
 
     CheckpointSettings settings_;
     Clock::time_point last_ = Clock::now();

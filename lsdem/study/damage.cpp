@@ -8,16 +8,14 @@
 #include <map>
 #include <numbers>
 
+#include "lsdem/fallen.hpp"
+
 namespace musim::lsdem::study {
 namespace {
 
 /// How far apart the lower face of a block and what carries it may be at the start [heights of the block]: blocks of a specimen lean and
 /// differ in height by some hundredths.
 constexpr double kJointGap = 0.1;
-
-/// A block has fallen when it has sunk by this fraction of its height, or when its axis has turned by more than 45°
-/// (Simulation::fallen_fraction).
-constexpr double kFallenDrop = 0.25;
 
 /// A block at the start: its extent along the world axes.
 struct Standing {
@@ -56,6 +54,7 @@ bool find_meeting(const Standing& upper, const Standing& lower, Vector3& middle)
 }
 
 std::vector<Joint> find_joints(const StoredRun& run, const std::vector<Standing>& standing, const Vector3& base) {
+    const double ground = run.origin ? run.origin->base.z() : 0.0;
     // tops in order, so that only those at the right height are looked at
     std::vector<std::pair<double, std::size_t>> tops;
     for (std::size_t b = 0; b < standing.size(); ++b) tops.emplace_back(standing[b].top(), b);
@@ -73,7 +72,7 @@ std::vector<Joint> find_joints(const StoredRun& run, const std::vector<Standing>
             const Vector3 apart = carry(run, upper, middle) - carry(run, at->second, middle);
             joints.push_back({upper, at->second, false, apart.head<2>().norm()});
         }
-        if (joints.size() == before && std::abs(block.bottom()) <= gap) {
+        if (joints.size() == before && std::abs(block.bottom() - ground) <= gap) {
             const Vector3 middle(block.center.x(), block.center.y(), block.bottom());
             joints.push_back({upper, 0, true, (carry(run, upper, middle) - middle - base).head<2>().norm()});
         }
@@ -161,9 +160,8 @@ Damage assess_damage(const StoredRun& run) {
     for (std::size_t b = 0; b < standing.size(); ++b) {
         const Vector3 moved = run.final.position[b] - run.initial.position[b] - base;
         const Eigen::AngleAxisd rotation(run.final.orientation[b] * run.initial.orientation[b].conjugate());
-        // the block's own upright axis at the start may be any of its three: the turn of what pointed up
-        const Vector3 up = rotation * Vector3::UnitZ();
-        const bool fallen = moved.z() < -kFallenDrop * standing[b].extent.z() || up.z() < std::numbers::sqrt2 / 2.0;
+        const bool fallen = has_fallen(0.5 * run.blocks.size[b], run.initial.orientation[b].toRotationMatrix(),
+                                       run.final.orientation[b].toRotationMatrix(), -moved.z());
         const double side = std::min(standing[b].extent.x(), standing[b].extent.y());
         const double corner = 0.5 * std::hypot(standing[b].extent.x(), standing[b].extent.y()) * rotation.angle();
         const double index = fallen ? 1.0 : std::min(1.0, (slip[b].spread().mean + corner) / side);

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <variant>
 
+#include "lsdem/scene/motions.hpp"
 #include "lsdem/scene/scene_error.hpp"
 #include "lsdem/scene/scene_json.hpp"
 #include "lsdem/study/checkpoint.hpp"
@@ -30,6 +31,7 @@ double height_deviation_of(const scene::Scene& scene) {
 }
 
 void require_ensemble(const scene::Scene& scene) {
+    scene::require_single_motion(scene, "an ensemble");
     if (!(height_deviation_of(scene) > 0.0)) {
         throw scene::SceneError(
             fmt::format("{}: all members would be the same (its blocks are of one height); give a column, tower or wall a "

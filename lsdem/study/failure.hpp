@@ -57,7 +57,7 @@ std::string describe(const Failure& failure);
 /// What there is to judge by.
 struct FailureData {
     const BlockTable& blocks;
-    const std::vector<Vector3>& start;  ///< [m]
+    const std::vector<Vector3>& start;  ///< where the blocks stood, see Falls [m]
     const Falls& falls;
     double collapse_time;  ///< [s]
 };
@@ -71,11 +71,12 @@ struct FailureData {
 /// Describes [Harmon23]'s modes, who tell them by eye; the numbers are ours.
 Failure find_failure(const FailureData& data);
 
-/// The same for a run or a stored run; nothing when it did not collapse, or when the results do not say when blocks fell.
+/// The same for a run or a stored run; nothing when it did not collapse, or when the results do not say when blocks fell. Of a later stage
+/// of a sequence: from the start of the first stage on, since what the stages before have bulged or lost belongs to the failure.
 template <class Run>
 std::optional<Failure> find_failure(const Run& run) {
     if (!run.collapse_time || run.falls.at_collapse.size() != run.blocks.mass.size()) return std::nullopt;
-    return find_failure(FailureData{run.blocks, run.initial.position, run.falls, *run.collapse_time});
+    return find_failure(FailureData{run.blocks, run.standing_position(), run.falls, *run.collapse_time});
 }
 
 }  // namespace musim::lsdem::study

@@ -41,12 +41,21 @@ struct Frames {
     std::vector<Eigen::Vector3f> velocity;    ///< [m/s]
 };
 
-/// When blocks fell, and where they were then (Simulation::has_fallen), seen at the samples; one entry per block. Displacements are from
-/// the start, relative to the base, world frame.
+/// When blocks fell, and where they were then (has_fallen), seen at the samples; one entry per block. Displacements are from the start,
+/// relative to the base, world frame. In a later stage of a sequence the start is that of the first one (StageOrigin).
 struct Falls {
-    std::vector<double> time;           ///< first sample at which the block had fallen [s]; not a number while it stands
+    std::vector<double> time;           ///< first sample at which the block had fallen [s], ≤ 0: in an earlier stage; NaN while it stands
     std::vector<Vector3> displacement;  ///< of its centre of mass then [m]; likewise
     std::vector<Vector3> at_collapse;   ///< of all blocks at RunResult::collapse_time [m]; empty before
+};
+
+/// What a run that is a later stage of a sequence takes over from the stages before it. Falls count from here.
+struct StageOrigin {
+    std::size_t stage = 1;                ///< which one the run is, counted from 0
+    double time = 0.0;                    ///< duration of the motions before it [s]
+    Vector3 base = Vector3::Zero();       ///< displacement of the base before it [m]
+    std::vector<Vector3> position;        ///< of all blocks at the start of the first stage [m]
+    std::vector<Quaternion> orientation;  ///< likewise, body to world
 };
 
 /// What the blocks are, for results on disk.
@@ -71,6 +80,7 @@ struct RunResult {
     std::optional<Divergence> divergence;  ///< where and when, when the run diverged
     std::optional<double> collapse_time;   ///< first sample with enough fallen blocks [s]
 
+    std::optional<StageOrigin> origin;         ///< of a later stage of a sequence
     std::optional<Rest> rest;                  ///< how it settled before t = 0; nothing when it was not to
     double time_step = 0.0;                    ///< [s]
     std::optional<double> critical_time_step;  ///< of the structure as built [s]; nothing when no block can move
@@ -89,6 +99,9 @@ struct RunResult {
     double energy_closure = 0.0;                      ///< see compute_energy_closure
     std::optional<double> base_reaction_over_weight;  ///< at the end, along gravity; nothing without ground or gravity
     double wall_time = 0.0;                           ///< [s]
+
+    /// Centres of mass where falls are counted from [m].
+    const std::vector<Vector3>& standing_position() const { return origin ? origin->position : initial.position; }
 };
 
 /// Largest change of the energy balance over the largest energy in play,

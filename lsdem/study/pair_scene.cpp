@@ -9,6 +9,7 @@
 
 #include "lsdem/scene/block_heights.hpp"
 #include "lsdem/scene/material_presets.hpp"
+#include "lsdem/scene/motions.hpp"
 #include "lsdem/scene/scale_scene.hpp"
 #include "lsdem/scene/scene_error.hpp"
 #include "lsdem/study/run.hpp"
@@ -76,6 +77,7 @@ std::string make_scale_label(double length) {
 
 ScenePair pair_scene(const scene::Scene& prototype, const std::vector<ModelChoice>& models, Materials materials,
                      const RunSettings& settings) {
+    scene::require_single_motion(prototype, "a pair");
     const Similitude identity({}, scaling::Law::exact);
     Specimen specimen = make_specimen(prototype);
     const TimePlan plan = make_time_plan(prototype, specimen.model);

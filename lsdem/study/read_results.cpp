@@ -95,6 +95,22 @@ void read_falls(const Hdf5Reader& file, StoredRun& run) {
     if (file.has("/blocks/collapse_displacement")) run.falls.at_collapse = read_vectors(file, "/blocks/collapse_displacement", {n});
 }
 
+void read_origin(const Hdf5Reader& file, StoredRun& run) {
+    if (!file.has("/origin/stage")) return;
+    const hsize_t n = run.blocks.mass.size();
+    StageOrigin origin;
+    const auto stage = file.integers("/origin/stage", 1);
+    const auto time = file.doubles("/origin/time", 1);
+    require_shape(file, "/origin/stage", stage, {1});
+    require_shape(file, "/origin/time", time, {1});
+    origin.stage = static_cast<std::size_t>(stage.values[0]) - 1;
+    origin.time = time.values[0];
+    origin.base = read_vectors(file, "/origin/base_displacement", {1})[0];
+    origin.position = read_vectors(file, "/origin/position", {n});
+    origin.orientation = read_quaternions(file, "/origin/quaternion", n);
+    run.origin = std::move(origin);
+}
+
 void read_losses(const Hdf5Reader& file, StoredRun& run) {
     if (!file.has("/losses/friction")) return;
     const auto friction = file.doubles("/losses/friction", 1), damping = file.doubles("/losses/damping", 1);
@@ -151,6 +167,7 @@ StoredRun read_run(const fs::path& directory) {
     read_blocks(file, run);
     read_history(file, run);
     read_falls(file, run);
+    read_origin(file, run);
     read_losses(file, run);
     read_frames(file, run);
     run.scene = file.attribute("scene");

@@ -27,11 +27,15 @@ struct StoredRun {
     BlockTable blocks;
     Spine spine;
     History history;
-    Frames frames;                 ///< empty when none were kept
-    Falls falls;                   ///< empty in results of versions before they were kept
-    std::optional<Losses> losses;  ///< nothing in results of versions before they were kept
-    Kinematics initial;            ///< poses only
-    Kinematics final;              ///< poses only, at the last sample
+    Frames frames;                      ///< empty when none were kept
+    Falls falls;                        ///< empty in results of versions before they were kept
+    std::optional<StageOrigin> origin;  ///< of a later stage of a sequence
+    std::optional<Losses> losses;       ///< nothing in results of versions before they were kept
+    Kinematics initial;                 ///< poses only
+    Kinematics final;                   ///< poses only, at the last sample
+
+    /// Centres of mass where falls are counted from [m].
+    const std::vector<Vector3>& standing_position() const { return origin ? origin->position : initial.position; }
 };
 
 /// Reads DIR/result.h5 and DIR/summary.json as ResultFolder::add_run writes them. Throws ResultError when one is missing, unreadable, of

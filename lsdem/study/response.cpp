@@ -19,16 +19,6 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
-/// The axis along which the base moves most; along which the spine does when the base stands.
-int find_strongest_axis(const StoredRun& run) {
-    Vector3 base = Vector3::Zero(), spine = Vector3::Zero();
-    for (const BaseState& state : run.history.base) base += state.velocity.cwiseAbs2();
-    for (const Vector3& v : run.history.spine_velocity) spine += v.cwiseAbs2();
-    Eigen::Index axis = 0;
-    (base.sum() > 0.0 ? base : spine).maxCoeff(&axis);
-    return static_cast<int>(axis);
-}
-
 /// First and one past the last sample of the window.
 std::array<std::size_t, 2> find_samples(const StoredRun& run, const ResponseSettings& settings) {
     const std::vector<double>& time = run.history.time;
@@ -89,31 +79,6 @@ SpeedScales find_scales(const StoredRun& run, int axis) {
     return scales;
 }
 
-std::vector<SpineLevel> measure_spine(const StoredRun& run, int axis) {
-    const History& history = run.history;
-    const std::size_t ns = run.spine.size();
-    // rotation as a camera sees it that looks along the horizontal axis across the motion
-    const int across = axis == 1 ? 0 : 1;
-    std::vector<SpineLevel> levels(ns);
-    for (std::size_t s = 0; s < ns; ++s) {
-        SpineLevel& level = levels[s];
-        level.level = run.spine.level[s];
-        level.height = history.spine_position[s].z();
-        for (std::size_t k = 0; k < history.samples(); ++k) {
-            const Vector3 moved = history.spine_position[k * ns + s] - history.spine_position[s] - history.base[k].displacement;
-            const Vector3& turned = history.spine_rotation[k * ns + s];
-            level.residual_displacement = moved;
-            level.peak_displacement = level.peak_displacement.cwiseMax(moved.cwiseAbs());
-            level.peak_velocity = level.peak_velocity.cwiseMax(history.spine_velocity[k * ns + s].cwiseAbs());
-            level.in_plane_residual = turned[across];
-            level.in_plane_peak = std::max(level.in_plane_peak, std::abs(turned[across]));
-            level.vertical_residual = turned.z();
-            level.vertical_peak = std::max(level.vertical_peak, std::abs(turned.z()));
-        }
-    }
-    return levels;
-}
-
 nlohmann::json to_array(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
 
 nlohmann::json to_json(const SpeedEstimate& estimate, const SpeedScales& scales) {
@@ -164,6 +129,40 @@ PlotSeries make_profile(const std::string& label, const Response& response, cons
 }
 
 }  // namespace
+
+int find_strongest_axis(const StoredRun& run) {
+    Vector3 base = Vector3::Zero(), spine = Vector3::Zero();
+    for (const BaseState& state : run.history.base) base += state.velocity.cwiseAbs2();
+    for (const Vector3& v : run.history.spine_velocity) spine += v.cwiseAbs2();
+    Eigen::Index axis = 0;
+    (base.sum() > 0.0 ? base : spine).maxCoeff(&axis);
+    return static_cast<int>(axis);
+}
+
+std::vector<SpineLevel> measure_spine(const StoredRun& run, int axis) {
+    const History& history = run.history;
+    const std::size_t ns = run.spine.size();
+    // rotation as a camera sees it that looks along the horizontal axis across the motion
+    const int across = axis == 1 ? 0 : 1;
+    std::vector<SpineLevel> levels(ns);
+    for (std::size_t s = 0; s < ns; ++s) {
+        SpineLevel& level = levels[s];
+        level.level = run.spine.level[s];
+        level.height = history.spine_position[s].z();
+        for (std::size_t k = 0; k < history.samples(); ++k) {
+            const Vector3 moved = history.spine_position[k * ns + s] - history.spine_position[s] - history.base[k].displacement;
+            const Vector3& turned = history.spine_rotation[k * ns + s];
+            level.residual_displacement = moved;
+            level.peak_displacement = level.peak_displacement.cwiseMax(moved.cwiseAbs());
+            level.peak_velocity = level.peak_velocity.cwiseMax(history.spine_velocity[k * ns + s].cwiseAbs());
+            level.in_plane_residual = turned[across];
+            level.in_plane_peak = std::max(level.in_plane_peak, std::abs(turned[across]));
+            level.vertical_residual = turned.z();
+            level.vertical_peak = std::max(level.vertical_peak, std::abs(turned.z()));
+        }
+    }
+    return levels;
+}
 
 double SpeedScales::sliding_speed() const { return std::sqrt(friction * gravity * height); }
 

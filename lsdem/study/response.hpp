@@ -57,6 +57,12 @@ struct Response {
 /// Measures a run. Throws ResultError when its scene cannot be read or the window holds fewer than two samples.
 Response measure_response(const StoredRun& run, const ResponseSettings& settings = {});
 
+/// The axis along which the base moves most (0, 1, 2: x, y, z); along which the spine does when the base stands.
+int find_strongest_axis(const StoredRun& run);
+
+/// The spine's levels; in-plane rotations are those about the horizontal axis across `axis`.
+std::vector<SpineLevel> measure_spine(const StoredRun& run, int axis);
+
 /// "x", "y" or "z".
 std::string axis_name(int axis);
 

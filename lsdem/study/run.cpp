@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "lsdem/scene/build_model.hpp"
+#include "lsdem/scene/motions.hpp"
 #include "lsdem/study/specimen_file.hpp"
 
 namespace musim::lsdem::study {
@@ -71,6 +72,7 @@ TimePlan make_time_plan(const scene::Scene& scene, const Model& model) {
 }
 
 RunResult run_scene(const scene::Scene& scene, const RunSettings& settings) {
+    scene::require_single_motion(scene, "a run");
     const Specimen specimen = make_specimen(scene, settings);
     return simulate(specimen, make_time_plan(scene, specimen.model), settings);
 }

@@ -30,7 +30,7 @@ Specimen make_specimen(const scene::Scene& scene, const RunSettings& settings = 
 /// one at least.
 TimePlan make_time_plan(const scene::Scene& scene, const Model& model);
 
-/// Runs a scene.
+/// Runs a scene. Throws as make_specimen does, and SceneError for one with a list of motions.
 RunResult run_scene(const scene::Scene& scene, const RunSettings& settings = {});
 
 /// Carries on the run of a scene from a checkpoint, see resume(). The scene is the checkpoint's own; a record that it names is read again.

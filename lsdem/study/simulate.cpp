@@ -9,6 +9,8 @@
 #include <utility>
 
 #include "lsdem/block_height.hpp"
+#include "lsdem/fallen.hpp"
+#include "lsdem/rotation.hpp"
 #include "lsdem/time_step.hpp"
 
 namespace musim::lsdem::study {
@@ -27,12 +29,6 @@ BlockTable make_block_table(const Specimen& specimen) {
     return table;
 }
 
-/// Rotation vector from orientation `from` to `to`, world frame [rad].
-Vector3 rotation_vector(const Quaternion& from, const Quaternion& to) {
-    const Eigen::AngleAxisd rotation(to * from.conjugate());
-    return rotation.angle() * rotation.axis();
-}
-
 void reserve(History& history, const TimePlan& plan, std::size_t spine) {
     const std::size_t samples = plan.samples + 1;
     history.time.reserve(samples);
@@ -49,19 +45,12 @@ Falls make_standing(std::size_t blocks) {
             .at_collapse = {}};
 }
 
-/// Dates the blocks that have fallen since the last sample, and the collapse.
-void note_falls(RunResult& run, const Simulation& simulation) {
-    const Vector3 base = simulation.base().displacement;
-    const auto displacement = [&](std::size_t b) { return Vector3((simulation.position(b) - run.initial.position[b]) - base); };
-    const std::size_t blocks = run.falls.time.size();
-    for (std::size_t b = 0; b < blocks; ++b) {
-        if (!std::isnan(run.falls.time[b]) || !simulation.has_fallen(b)) continue;
-        run.falls.time[b] = simulation.time();
-        run.falls.displacement[b] = displacement(b);
-    }
-    if (run.collapse_time || !(simulation.fallen_fraction() >= kCollapsedFraction)) return;
-    run.collapse_time = simulation.time();
-    for (std::size_t b = 0; b < blocks; ++b) run.falls.at_collapse.push_back(displacement(b));
+/// Has a block fallen since falls are counted? `base`: how far the base has risen since the start of the run [m].
+bool has_fallen_now(const RunResult& run, const Simulation& simulation, std::size_t b, double base) {
+    const Quaternion& start = run.origin ? run.origin->orientation[b] : run.initial.orientation[b];
+    const double risen = base + (run.origin ? run.origin->base.z() : 0.0);
+    const double sunk = (run.standing_position()[b].z() - simulation.position(b).z()) + risen;
+    return has_fallen(0.5 * run.blocks.size[b], start.toRotationMatrix(), simulation.orientation(b).toRotationMatrix(), sunk);
 }
 
 void add_sample(RunResult& run, const Simulation& simulation) {
@@ -74,7 +63,7 @@ void add_sample(RunResult& run, const Simulation& simulation) {
         history.spine_velocity.push_back(simulation.velocity(block));
         history.spine_rotation.push_back(rotation_vector(run.initial.orientation[block], simulation.orientation(block)));
     }
-    note_falls(run, simulation);
+    note_falls(run, simulation, simulation.time(), simulation.base().displacement);
 }
 
 void add_frame(RunResult& run, const Simulation& simulation) {
@@ -115,12 +104,7 @@ void finish(RunResult& run, const Simulation& simulation) {
     run.state_hash = simulation.state_hash();
     run.energy_closure = compute_energy_closure(run.history.energy);
     run.base_reaction_over_weight = base_reaction_over_weight(simulation);
-    run.divergence = simulation.divergence();
-    if (run.divergence) {
-        run.status = RunStatus::diverged;
-    } else if (run.collapse_time) {
-        run.status = RunStatus::collapsed;
-    }
+    update_status(run, simulation);
 }
 
 /// What follows from specimen and plan.
@@ -165,24 +149,56 @@ bool fits(const TimePlan& plan, std::uint64_t done, const RunResult& run, const 
            all_of_size(frames * blocks, run.frames.position, run.frames.quaternion, run.frames.velocity) &&
            all_of_size(blocks, run.falls.time, run.falls.displacement) &&
            all_of_size(run.collapse_time ? blocks : 0, run.falls.at_collapse) &&
+           (!run.origin || all_of_size(blocks, run.origin->position, run.origin->orientation)) &&
            all_of_size(blocks, run.initial.position, run.initial.orientation, run.initial.velocity, run.initial.angular_velocity);
 }
 
 }  // namespace
 
-RunResult simulate(const Specimen& specimen, const TimePlan& plan, const RunSettings& settings) {
-    const Clock::time_point start = Clock::now();
-    Simulation simulation(specimen.model, plan.time_step, settings.threads);
+void note_falls(RunResult& run, const Simulation& simulation, double time, const Vector3& base) {
+    const Vector3 moved_base = run.origin ? Vector3(run.origin->base + base) : base;
+    const auto displacement = [&](std::size_t b) { return Vector3((simulation.position(b) - run.standing_position()[b]) - moved_base); };
+    const std::size_t blocks = run.falls.time.size();
+    std::size_t fallen = 0;
+    for (std::size_t b = 0; b < blocks; ++b) {
+        if (!has_fallen_now(run, simulation, b, base.z())) continue;
+        ++fallen;
+        if (!std::isnan(run.falls.time[b])) continue;
+        run.falls.time[b] = time;
+        run.falls.displacement[b] = displacement(b);
+    }
+    const bool collapsed = blocks > 0 && static_cast<double>(fallen) / static_cast<double>(blocks) >= kCollapsedFraction;
+    if (run.collapse_time || !collapsed) return;
+    run.collapse_time = time;
+    for (std::size_t b = 0; b < blocks; ++b) run.falls.at_collapse.push_back(displacement(b));
+}
 
+void update_status(RunResult& run, const Simulation& simulation) {
+    run.divergence = simulation.divergence();
+    if (run.divergence) {
+        run.status = RunStatus::diverged;
+    } else if (run.collapse_time) {
+        run.status = RunStatus::collapsed;
+    }
+}
+
+std::optional<Rest> settle_specimen(Simulation& simulation, const Specimen& specimen) {
+    if (!specimen.settling) return std::nullopt;
+    simulation.begin_preparation(specimen.settling->damping_rate);
+    const Rest rest = settle(simulation, *specimen.settling);
+    simulation.end_preparation();
+    return rest;
+}
+
+RunResult simulate(Simulation& simulation, const Specimen& specimen, const TimePlan& plan, RunStart begin, const RunSettings& settings) {
+    const Clock::time_point start = Clock::now();
     RunResult run;
     describe(run, specimen, plan);
-    if (specimen.settling) {
-        simulation.begin_preparation(specimen.settling->damping_rate);
-        run.rest = settle(simulation, *specimen.settling);
-        simulation.end_preparation();
-    }
+    run.rest = begin.rest;
+    run.origin = std::move(begin.origin);
+    run.wall_time = begin.wall_time;
     run.initial = simulation.kinematics();
-    run.falls = make_standing(run.blocks.mass.size());
+    run.falls = begin.falls.time.empty() ? make_standing(run.blocks.mass.size()) : std::move(begin.falls);
     reserve(run.history, plan, run.spine.size());
     add_sample(run, simulation);
     if (plan.samples_per_frame > 0) add_frame(run, simulation);
@@ -190,11 +206,22 @@ RunResult simulate(const Specimen& specimen, const TimePlan& plan, const RunSett
     return run;
 }
 
-RunResult resume(const Specimen& specimen, Checkpoint checkpoint, const RunSettings& settings) {
+RunResult simulate(const Specimen& specimen, const TimePlan& plan, const RunSettings& settings) {
     const Clock::time_point start = Clock::now();
-    std::istringstream state(std::move(checkpoint.state));
-    Simulation simulation = Simulation::restore(specimen.model, state, settings.threads);
+    Simulation simulation(specimen.model, plan.time_step, settings.threads);
+    RunStart begin;
+    begin.rest = settle_specimen(simulation, specimen);
+    begin.wall_time = std::chrono::duration<double>(Clock::now() - start).count();
+    return simulate(simulation, specimen, plan, std::move(begin), settings);
+}
 
+Simulation restore(const Specimen& specimen, const Checkpoint& checkpoint, int threads) {
+    std::istringstream state(checkpoint.state);
+    return Simulation::restore(specimen.model, state, threads);
+}
+
+RunResult resume(Simulation& simulation, const Specimen& specimen, Checkpoint checkpoint, const RunSettings& settings) {
+    const Clock::time_point start = Clock::now();
     RunResult run = std::move(checkpoint.run);
     describe(run, specimen, checkpoint.plan);
     if (!fits(checkpoint.plan, checkpoint.samples_done, run, simulation))
@@ -202,6 +229,11 @@ RunResult resume(const Specimen& specimen, Checkpoint checkpoint, const RunSetti
     reserve(run.history, checkpoint.plan, run.spine.size());
     carry_on(run, simulation, checkpoint.plan, checkpoint.samples_done, start, settings);
     return run;
+}
+
+RunResult resume(const Specimen& specimen, Checkpoint checkpoint, const RunSettings& settings) {
+    Simulation simulation = restore(specimen, checkpoint, settings.threads);
+    return resume(simulation, specimen, std::move(checkpoint), settings);
 }
 
 Specimen make_shadow(Specimen specimen) {

@@ -27,13 +27,41 @@ struct RunSettings {
     std::optional<CheckpointSettings> checkpoint = {};  ///< none: a run that is killed is lost
 };
 
-/// A structure has collapsed when this fraction of its blocks has fallen (Simulation::fallen_fraction). One in twenty: a few blocks may
+/// A structure has collapsed when this fraction of its blocks has fallen (has_fallen). One in twenty: a few blocks may
 /// leave the free edges of a tower that stands; with fewer than 20 blocks it means any one of them. Changes the label only.
 inline constexpr double kCollapsedFraction = 0.05;
 
 /// Lets a specimen come to rest, when it asks for that, and runs it to the end of its plan, or until it diverges. Time, ledger and
 /// rotations count from rest. Throws std::invalid_argument as Simulation does.
 RunResult simulate(const Specimen& specimen, const TimePlan& plan, const RunSettings& settings = {});
+
+/// What a run starts with besides its specimen, when it is one of several on the same structure.
+struct RunStart {
+    std::optional<Rest> rest = {};           ///< how the structure came to rest before it; nothing when it was not to
+    std::optional<StageOrigin> origin = {};  ///< of a later stage
+    Falls falls = {};                        ///< of the stages before; empty: all blocks stand
+    double wall_time = 0.0;                  ///< spent on it so far [s]
+};
+
+/// Lets a specimen come to rest when it asks for that (Simulation::end_preparation follows); nothing when it does not.
+std::optional<Rest> settle_specimen(Simulation& simulation, const Specimen& specimen);
+
+/// Runs a simulation of `specimen` that is at t = 0 to the end of a plan, or until it diverges; the simulation is then at that end.
+RunResult simulate(Simulation& simulation, const Specimen& specimen, const TimePlan& plan, RunStart begin, const RunSettings& settings);
+
+/// The simulation of a specimen as a checkpoint has it. Throws std::runtime_error as Simulation::restore does.
+Simulation restore(const Specimen& specimen, const Checkpoint& checkpoint, int threads);
+
+/// Carries a run on from a checkpoint with the simulation that restore() made of it. Throws std::runtime_error when they do not belong
+/// together.
+RunResult resume(Simulation& simulation, const Specimen& specimen, Checkpoint checkpoint, const RunSettings& settings);
+
+/// Dates the blocks that have fallen since the last look, and the collapse. `time` [s] and `base`, the displacement of the base [m], both
+/// since the start of the run.
+void note_falls(RunResult& run, const Simulation& simulation, double time, const Vector3& base);
+
+/// Status and divergence of a run that has come as far as its simulation.
+void update_status(RunResult& run, const Simulation& simulation);
 
 /// Carries a run on from a checkpoint to the end of its plan; all results but the wall time, which adds up, are the bits of a run without
 /// interruption, with any number of threads. Throws std::runtime_error when the checkpoint is of another specimen.

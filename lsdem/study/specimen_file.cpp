@@ -22,7 +22,7 @@ constexpr std::string_view kFormat = "musim-specimen/2";
 constexpr double kSameLength = 1e-9;
 
 /// Parts of a scene that a specimen does not depend on.
-constexpr std::array kUnrelated{"schema", "name", "base_motion", "output", "preparation"};
+constexpr std::array kUnrelated{"schema", "name", "base_motion", "motions", "output", "preparation"};
 
 /// The follower of a contact with the ground.
 constexpr long long kGround = -1;

@@ -105,6 +105,15 @@ void write_falls(Hdf5File& file, const Falls& falls) {
     if (!falls.at_collapse.empty()) write_vectors(file, "/blocks/collapse_displacement", {n}, falls.at_collapse, "m");
 }
 
+/// What a later stage of a sequence takes over; the stage is counted from 1 as in the names of folders.
+void write_origin(Hdf5File& file, const StageOrigin& origin) {
+    write_integers(file, "/origin/stage", std::vector{origin.stage + 1});
+    write_scalars(file, "/origin/time", {origin.time}, "s");
+    write_vectors(file, "/origin/base_displacement", {1}, {origin.base}, "m");
+    write_vectors(file, "/origin/position", {origin.position.size()}, origin.position, "m");
+    write_quaternions(file, "/origin/quaternion", origin.orientation);
+}
+
 /// By the block that leads the interface, see lsdem::Losses.
 void write_losses(Hdf5File& file, const Losses& losses) {
     write_scalars(file, "/losses/friction", column(losses.block, [](const PairWork& work) { return work.friction; }), "J");
@@ -129,6 +138,7 @@ std::vector<char> make_hdf5(const RunResult& run, const ResultHeader& header) {
     write_history(file, run);
     write_blocks(file, run);
     write_falls(file, run.falls);
+    if (run.origin) write_origin(file, *run.origin);
     write_losses(file, run.losses);
     write_frames(file, run);
     file.write_attribute("scene", header.scene);

@@ -31,7 +31,7 @@ class ResultFolder {
     /// Adds a text file, such as a picture. Throws records::WriteError.
     void add_text(const std::filesystem::path& name, const std::string& text) { files_.write(name, text); }
 
-    /// Lets everything appear, replacing older results. Throws records::WriteError.
+    /// Lets everything appear, replacing older results; more may be added after that. Throws records::WriteError.
     void commit() { files_.commit(); }
 
   private:

@@ -67,6 +67,7 @@ void StagedFiles::commit() {
         fs::rename(staging_ / name, directory_ / name, error);
         require(error, directory_ / name, "be replaced");
     }
+    names_.clear();
     created_.clear();
 }
 

@@ -24,7 +24,7 @@ class StagedFiles {
     /// Writes a file; `name` may hold folders. Throws records::WriteError with the system's reason, e.g. a full disk.
     void write(const std::filesystem::path& name, std::string_view bytes);
 
-    /// Moves all files to their places, replacing older ones. Throws records::WriteError.
+    /// Moves all files to their places, replacing older ones; more may be written and moved after that. Throws records::WriteError.
     void commit();
 
   private:

@@ -1,0 +1,218 @@
+#include "lsdem/study/sequence.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+#include "lsdem/scene/motions.hpp"
+#include "lsdem/scene/scene_json.hpp"
+#include "lsdem/study/read_results.hpp"
+#include "lsdem/study/sequence_plan.hpp"
+#include "lsdem/study/write_results.hpp"
+
+namespace musim::lsdem::study {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+/// Brings base and structure to rest after a motion and looks for falls meanwhile. Returns how far the base has moved since the start of
+/// the stage [m].
+Vector3 come_to_rest(Simulation& simulation, const SequenceStage& stage, const Settling& quiet, RunResult& run, RunStart& next) {
+    // the simulation counts time and base from the start of its present motion
+    double clock = 0.0;
+    Vector3 moved = Vector3::Zero();
+    const auto look = [&] { note_falls(run, simulation, clock + simulation.time(), moved + simulation.base().displacement); };
+
+    // undamped while the base moves: the damping of velocities would hold blocks back against it
+    const Vector3 velocity = simulation.base().velocity;
+    if (!velocity.isZero(0.0)) {
+        clock = simulation.time();
+        moved = simulation.base().displacement;
+        const std::array<BaseComponent, 3> stop = make_stop(stage.motion, velocity);
+        simulation.begin_motion(stop);
+        simulation.advance(static_cast<std::uint64_t>(std::ceil(stop[0].dt / simulation.time_step())));
+        look();
+    }
+    simulation.begin_preparation(quiet.damping_rate);
+    next.rest = settle(simulation, quiet, [&](double) { look(); });
+    update_status(run, simulation);
+    if (run.divergence) run.divergence->time += clock;
+    return moved + simulation.base().displacement;
+}
+
+/// What the next stage takes over from one that has reached its end.
+RunStart pass_on(Simulation& simulation, const SequencePlan& plan, std::size_t stage, RunResult& run) {
+    const Clock::time_point start = Clock::now();
+    RunStart next;
+    const Vector3 moved = plan.stages[stage + 1].settle ? come_to_rest(simulation, plan.stages[stage], plan.quiet, run, next)
+                                                        : simulation.base().displacement;
+    const double duration = plan.stages[stage].plan.duration();
+    next.origin =
+        run.origin ? *run.origin : StageOrigin{.stage = 0, .position = run.initial.position, .orientation = run.initial.orientation};
+    next.origin->stage = stage + 1;
+    next.origin->time += duration;
+    next.origin->base += moved;
+    next.falls = run.falls;
+    // on the clock of the next stage: before its start, at the latest in the quiet phase
+    for (double& time : next.falls.time) time = std::isnan(time) ? time : std::min(time - duration, 0.0);
+    next.wall_time = std::chrono::duration<double>(Clock::now() - start).count();
+    return next;
+}
+
+/// One sequence on its way through its stages.
+class Sequence {
+  public:
+    Sequence(const scene::Scene& scene, SequencePlan plan, ResultFolder& folder, const SequenceSettings& settings)
+        : scene_text_(scene::write_scene(scene)), name_(scene.name), plan_(std::move(plan)), folder_(folder), settings_(settings) {
+        for (const SequenceStage& stage : plan_.stages) samples_ += static_cast<double>(stage.plan.samples);
+    }
+
+    SequenceSummary run() {
+        const Clock::time_point start = Clock::now();
+        Simulation simulation(plan_.specimen.model, plan_.stages.front().plan.time_step, settings_.threads);
+        RunStart begin;
+        begin.rest = settle_specimen(simulation, plan_.specimen);
+        begin.wall_time = std::chrono::duration<double>(Clock::now() - start).count();
+        RunResult first = simulate(simulation, plan_.specimen, plan_.stages.front().plan, std::move(begin), settings_of(0));
+        return carry_on(simulation, 0, std::move(first));
+    }
+
+    SequenceSummary resume(Checkpoint checkpoint) {
+        const std::size_t stage = checkpoint.run.origin ? checkpoint.run.origin->stage : 0;
+        auto [simulation, run] = continue_stage(stage, std::move(checkpoint));
+        return carry_on(simulation, stage, std::move(run));
+    }
+
+  private:
+    std::pair<Simulation, RunResult> continue_stage(std::size_t stage, Checkpoint checkpoint) {
+        try {
+            if (stage >= plan_.stages.size()) throw std::runtime_error("checkpoint: it is of a stage that the scene does not have");
+            plan_.specimen.model.ground.motion = plan_.stages[stage].motion;
+            Simulation simulation = restore(plan_.specimen, checkpoint, settings_.threads);
+            RunResult run = study::resume(simulation, plan_.specimen, std::move(checkpoint), settings_of(stage));
+            return {std::move(simulation), std::move(run)};
+        } catch (const std::runtime_error& error) {
+            throw ResultError(
+                fmt::format("{}: the sequence cannot be continued ({}); has a record of the scene or the program changed since? If "
+                            "so, start it anew",
+                            (settings_.directory / kCheckpointName).string(), error.what()));
+        }
+    }
+
+    /// From the end of the motion of `stage`.
+    SequenceSummary carry_on(Simulation& simulation, std::size_t stage, RunResult run) {
+        while (true) {
+            std::optional<RunStart> next;
+            if (run.status == RunStatus::completed && stage + 1 < plan_.stages.size()) {
+                // from here the quiet phase can be done again
+                const TimePlan& plan = plan_.stages[stage].plan;
+                write_checkpoint(*settings_of(stage).checkpoint, plan.samples, plan, run, simulation);
+                next = pass_on(simulation, plan_, stage, run);
+            }
+            store(stage, run);
+            if (run.status != RunStatus::completed || !next) return summarize(stage + 1);
+            ++stage;
+            simulation.begin_motion(plan_.stages[stage].motion);
+            run = simulate(simulation, plan_.specimen, plan_.stages[stage].plan, std::move(*next), settings_of(stage));
+        }
+    }
+
+    RunSettings settings_of(std::size_t stage) const {
+        double before = 0.0;
+        for (std::size_t k = 0; k < stage; ++k) before += static_cast<double>(plan_.stages[k].plan.samples);
+        const double own = static_cast<double>(plan_.stages[stage].plan.samples);
+        return {.threads = settings_.threads,
+                .on_progress =
+                    [this, before, own](double fraction) {
+                        if (settings_.on_progress) settings_.on_progress((before + own * fraction) / samples_);
+                    },
+                .checkpoint = CheckpointSettings{.file = settings_.directory / kCheckpointName,
+                                                 .scene = scene_text_,
+                                                 .program_version = settings_.version,
+                                                 .interval = settings_.checkpoint_interval,
+                                                 .on_failure = settings_.on_no_checkpoint}};
+    }
+
+    void store(std::size_t stage, const RunResult& run) {
+        const SequenceStage& now = plan_.stages[stage];
+        folder_.add_run(now.folder, run, {.scene = scene::write_scene(now.scene), .similitude = {}, .program_version = settings_.version});
+        folder_.commit();
+        if (settings_.on_stage) settings_.on_stage(now.folder);
+    }
+
+    /// Of the stages that were run, read back, so that it does not depend on how often the work was interrupted.
+    SequenceSummary summarize(std::size_t stages) {
+        std::vector<StageFolder> folders;
+        for (std::size_t k = 0; k < stages; ++k) folders.push_back({plan_.stages[k].name, plan_.stages[k].folder});
+        SequenceSummary summary = summarize_sequence(settings_.directory, name_, plan_.stages.size(), folders);
+        folder_.add_text("sequence.json", to_json(summary).dump(2) + "\n");
+        folder_.add_text("sequence.csv", make_sequence_csv(summary));
+        folder_.add_text("sequence_levels.csv", make_sequence_levels_csv(summary));
+        folder_.commit();
+        remove_checkpoint(settings_.directory / kCheckpointName);
+        return summary;
+    }
+
+    std::string scene_text_;
+    std::string name_;
+    SequencePlan plan_;
+    ResultFolder& folder_;
+    const SequenceSettings& settings_;
+    double samples_ = 0.0;  ///< of all stages
+};
+
+/// Refuses to write over an older sequence.
+void refuse_old_results(const fs::path& directory) {
+    if (fs::exists(directory / kCheckpointName)) {
+        throw ResultError(
+            fmt::format("{0}: an unfinished run left its checkpoint here; continue it with `musim sequence --resume {0}`, or "
+                        "remove {1} and the stages to start anew",
+                        directory.string(), (directory / kCheckpointName).string()));
+    }
+    for (const auto& entry : fs::directory_iterator(directory)) {
+        if (!entry.path().filename().string().starts_with("stage-")) continue;
+        throw ResultError(
+            fmt::format("{}: holds {} of an older sequence (stages are not written over); choose another directory, or remove it",
+                        directory.string(), entry.path().filename().string()));
+    }
+}
+
+void require_checkpoint(const fs::path& directory) {
+    if (fs::exists(directory / kCheckpointName)) return;
+    const bool finished = fs::exists(directory / "sequence.json");
+    throw ResultError(fmt::format("{}: {}", directory.string(),
+                                  finished ? "the sequence here has finished; there is nothing to resume"
+                                           : "there is no checkpoint to resume from (a sequence leaves its first after "
+                                             "--checkpoint-interval seconds, or when its first stage ends); start it anew"));
+}
+
+}  // namespace
+
+SequenceSummary run_sequence(const scene::Scene& scene, const SequenceSettings& settings) {
+    SequencePlan plan = plan_sequence(scene, {.threads = settings.threads});
+    ResultFolder folder(settings.directory);
+    refuse_old_results(settings.directory);
+    return Sequence(scene, std::move(plan), folder, settings).run();
+}
+
+SequenceSummary resume_sequence(const SequenceSettings& settings) {
+    require_checkpoint(settings.directory);
+    ResultFolder folder(settings.directory);
+    const fs::path file = settings.directory / kCheckpointName;
+    Checkpoint checkpoint = read_checkpoint(file, settings.version);
+    const scene::Scene scene = scene::parse_scene(checkpoint.scene, file);
+    if (scene.motions.empty()) {
+        throw ResultError(fmt::format("{}: the checkpoint is of a single run; continue it with `musim run --resume {}`", file.string(),
+                                      settings.directory.string()));
+    }
+    return Sequence(scene, plan_sequence(scene, {.threads = settings.threads}), folder, settings).resume(std::move(checkpoint));
+}
+
+}  // namespace musim::lsdem::study
