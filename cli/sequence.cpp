@@ -50,11 +50,12 @@ void print_sequence(const study::SequenceSummary& summary) {
           study::to_string(summary.status()));
     print("  {:>5} {:<20} {:>10} {:>10} {:>10} {:>10} {:>8}  {}\n", "stage", "name", "base v", "base a", "damage", "damage", "fallen",
           "status");
-    print("  {:>5} {:<20} {:>10} {:>10} {:>10} {:>10} {:>8}\n", "", "", "[m/s]", "[g]", "of stage", "total", "blocks");
+    print("  {:>5} {:<20} {:>10} {:>10} {:>10} {:>10} {:>10} {:>8}\n", "", "", "[m/s]", "[g]", "at start", "of stage", "total", "blocks");
     for (std::size_t k = 0; k < summary.stages.size(); ++k) {
         const study::StageSummary& stage = summary.stages[k];
-        print("  {:>5} {:<20.20} {:>10.4g} {:>10.4g} {:>10.4g} {:>10.4g} {:>8}  {}\n", k + 1, stage.where.name, stage.peak_velocity,
-              stage.peak_acceleration / scaling::kStandardGravity.value(), stage.of_stage.damage.index, stage.of_sequence.damage.index,
+        print("  {:>5} {:<20.20} {:>10.4g} {:>10.4g} {:>10.4g} {:>10.4g} {:>10.4g} {:>8}  {}\n", k + 1, stage.where.name,
+              stage.peak_velocity, stage.peak_acceleration / scaling::kStandardGravity.value(),
+              stage.at_start ? stage.at_start->damage.index : 0.0, stage.of_stage.damage.index, stage.of_sequence.damage.index,
               stage.fallen, study::to_string(stage.status));
     }
     if (const auto time = summary.collapse_time()) {

@@ -22,13 +22,16 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-/// Brings base and structure to rest after a motion and looks for falls meanwhile. Returns how far the base has moved since the start of
-/// the stage [m].
+/// Brings base and structure to rest after a motion, or up to its collapse, and looks for falls meanwhile. Returns how far the base has
+/// moved since the start of the stage [m].
 Vector3 come_to_rest(Simulation& simulation, const SequenceStage& stage, const Settling& quiet, RunResult& run, RunStart& next) {
     // the simulation counts time and base from the start of its present motion
     double clock = 0.0;
     Vector3 moved = Vector3::Zero();
-    const auto look = [&] { note_falls(run, simulation, clock + simulation.time(), moved + simulation.base().displacement); };
+    const auto has_collapsed = [&] {
+        note_falls(run, simulation, clock + simulation.time(), moved + simulation.base().displacement);
+        return run.collapse_time.has_value();
+    };
 
     // undamped while the base moves: the damping of velocities would hold blocks back against it
     const Vector3 velocity = simulation.base().velocity;
@@ -38,10 +41,9 @@ Vector3 come_to_rest(Simulation& simulation, const SequenceStage& stage, const S
         const std::array<BaseComponent, 3> stop = make_stop(stage.motion, velocity);
         simulation.begin_motion(stop);
         simulation.advance(static_cast<std::uint64_t>(std::ceil(stop[0].dt / simulation.time_step())));
-        look();
     }
     simulation.begin_preparation(quiet.damping_rate);
-    next.rest = settle(simulation, quiet, [&](double) { look(); });
+    next.rest = settle(simulation, quiet, {}, has_collapsed);
     update_status(run, simulation);
     if (run.divergence) run.divergence->time += clock;
     return moved + simulation.base().displacement;

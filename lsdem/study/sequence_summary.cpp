@@ -46,7 +46,11 @@ StageSummary summarize_stage(const StoredRun& run, const StageFolder& where, con
     stage.collapse_time = run.collapse_time;
     stage.divergence = run.divergence;
     stage.of_stage = measure_residual(run, stage.axis);
-    stage.of_sequence = measure_residual(measure_from_first(run, losses), stage.axis);
+    stage.of_sequence = stage.of_stage;
+    if (!run.origin) return stage;
+    stage.at_start = measure_residual(measure_from_first(run, run.initial, Vector3::Zero(), {}), stage.axis);
+    const Vector3& moved = run.history.base.back().displacement;
+    stage.of_sequence = measure_residual(measure_from_first(run, run.final, moved, losses), stage.axis);
     return stage;
 }
 
@@ -102,6 +106,7 @@ nlohmann::json to_json(const StageSummary& stage) {
                           {"fallen_blocks_before", stage.fallen_before},
                           {"fallen_blocks", stage.fallen},
                           {"collapse_time_s", or_null(stage.collapse_time)},
+                          {"at_start", stage.at_start ? to_json(*stage.at_start) : nlohmann::json()},
                           {"since_stage_start", to_json(stage.of_stage)},
                           {"since_first_start", to_json(stage.of_sequence)}};
     if (!stage.divergence.empty()) object["divergence"] = stage.divergence;
@@ -134,29 +139,26 @@ std::optional<double> SequenceSummary::collapse_time() const {
     return last.start_time + *last.collapse_time;
 }
 
-StoredRun measure_from_first(const StoredRun& stage, const Losses& losses) {
-    if (!stage.origin) return stage;
+StoredRun measure_from_first(const StoredRun& stage, const Kinematics& pose, const Vector3& base, const std::optional<Losses>& losses) {
     const StageOrigin& origin = *stage.origin;
     StoredRun whole;
     whole.directory = stage.directory;
-    whole.status = stage.status;
-    whole.scene = stage.scene;
     whole.blocks = stage.blocks;
     whole.spine = stage.spine;
     whole.losses = losses;
-    whole.final = stage.final;
     whole.initial.position = origin.position;
     whole.initial.orientation = origin.orientation;
-    whole.history.time = {0.0, origin.time + stage.history.time.back()};
-    whole.history.base = {BaseState{}, BaseState{Vector3(origin.base + stage.history.base.back().displacement)}};
+    whole.final = pose;
+    whole.history.time = {0.0, origin.time};
+    whole.history.base = {BaseState{}, BaseState{Vector3(origin.base + base)}};
     whole.history.spine_velocity.assign(2 * stage.spine.size(), Vector3::Zero());
     for (const std::size_t block : stage.spine.block) {
         whole.history.spine_position.push_back(origin.position[block]);
         whole.history.spine_rotation.emplace_back(Vector3::Zero());
     }
     for (const std::size_t block : stage.spine.block) {
-        whole.history.spine_position.push_back(stage.final.position[block]);
-        whole.history.spine_rotation.push_back(rotation_vector(origin.orientation[block], stage.final.orientation[block]));
+        whole.history.spine_position.push_back(pose.position[block]);
+        whole.history.spine_rotation.push_back(rotation_vector(origin.orientation[block], pose.orientation[block]));
     }
     return whole;
 }
@@ -200,7 +202,7 @@ nlohmann::json to_json(const SequenceSummary& summary) {
 
 std::string make_sequence_csv(const SequenceSummary& summary) {
     std::string csv = "stage,name,status,start_time_s,duration_s,peak_base_velocity_m_s,peak_base_acceleration_m_s2,fallen_blocks";
-    csv += ",collapse_time_s";
+    csv += ",collapse_time_s,damage_index_at_start";
     for (const char* since : {"stage", "total"}) {
         fmt::format_to(
             std::back_inserter(csv),
@@ -214,8 +216,9 @@ std::string make_sequence_csv(const SequenceSummary& summary) {
         std::string name = s.where.name;
         std::replace_if(
             name.begin(), name.end(), [](char c) { return c == ',' || c == '"' || c == '\n'; }, ' ');
-        fmt::format_to(std::back_inserter(csv), "{},{},{},{},{},{},{},{},{}", k + 1, name, to_string(s.status), s.start_time, s.duration,
-                       s.peak_velocity, s.peak_acceleration, s.fallen, s.collapse_time ? fmt::format("{}", *s.collapse_time) : "");
+        fmt::format_to(std::back_inserter(csv), "{},{},{},{},{},{},{},{},{},{}", k + 1, name, to_string(s.status), s.start_time, s.duration,
+                       s.peak_velocity, s.peak_acceleration, s.fallen, s.collapse_time ? fmt::format("{}", *s.collapse_time) : "",
+                       s.at_start ? s.at_start->damage.index : 0.0);
         csv += residual_columns(s.of_stage) + residual_columns(s.of_sequence) + "\n";
     }
     return csv;

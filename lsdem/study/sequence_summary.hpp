@@ -20,7 +20,7 @@ struct StageFolder {
     std::string folder;  ///< within the directory of the sequence
 };
 
-/// What is left at the end of a motion, since some start.
+/// What is left of motions at some moment, since some start.
 struct Residual {
     Damage damage;
     std::vector<SpineLevel> spine;  ///< the residuals only; rotations in the plane of the stage's own strongest axis
@@ -39,8 +39,9 @@ struct StageSummary {
     std::size_t fallen = 0;               ///< at its end, since the start of the first stage; a quiet phase after it included
     std::optional<double> collapse_time;  ///< since its start [s]; after its end: in the quiet phase
     std::string divergence;               ///< why it diverged; empty when it did not
-    Residual of_stage;                    ///< since its own start
-    Residual of_sequence;                 ///< since the start of the first stage
+    std::optional<Residual> at_start;     ///< of a later stage: what the ones before have left when it starts, without energies
+    Residual of_stage;                    ///< at its end, since its own start
+    Residual of_sequence;                 ///< at its end, since the start of the first stage
 };
 
 struct SequenceSummary {
@@ -57,9 +58,9 @@ struct SequenceSummary {
     std::optional<double> collapse_time() const;
 };
 
-/// A later stage as if it had begun with the first: poses from there, energy dissipated in all stages up to it (`losses`); of histories
-/// only the two ends, with residuals in them. The first stage is returned as it is.
-StoredRun measure_from_first(const StoredRun& stage, const Losses& losses);
+/// A later stage as if it had begun with the first, up to a moment of it in which its blocks had `pose` and its base had moved by `base`
+/// [m] since its own start. Of histories only the two ends, with residuals in them. `losses`: energy dissipated until then.
+StoredRun measure_from_first(const StoredRun& stage, const Kinematics& pose, const Vector3& base, const std::optional<Losses>& losses);
 
 /// Reads the stages of a sequence back and sums up. Throws ResultError as read_run does.
 SequenceSummary summarize_sequence(const std::filesystem::path& directory, const std::string& name, std::size_t planned,

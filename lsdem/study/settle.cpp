@@ -47,7 +47,8 @@ double choose_damping_rate(const Vector3& size, double gravity) {
     return std::sqrt(0.75 * gravity / (0.5 * std::hypot(thin, size.z())));
 }
 
-Rest settle(Simulation& simulation, const Settling& settling, const std::function<void(double)>& on_look) {
+Rest settle(Simulation& simulation, const Settling& settling, const std::function<void(double)>& on_look,
+            const std::function<bool()>& give_up) {
     const Weight weight(simulation.model());
     Rest rest;
     if (!weight.exists()) return rest;
@@ -59,6 +60,7 @@ Rest settle(Simulation& simulation, const Settling& settling, const std::functio
         rest.steps += kLookInterval;
         rest.kinetic = find_liveliest(simulation);
         rest.reaction_over_weight = weight.part_of(simulation.base_reaction());
+        if (give_up && give_up()) return rest;
         const bool quiet = rest.kinetic <= settling.rest && std::abs(rest.reaction_over_weight - 1.0) <= settling.reaction;
         looks = quiet ? looks + 1 : 0;
         rest.at_rest = looks == kLooksInARow;

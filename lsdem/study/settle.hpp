@@ -31,7 +31,9 @@ struct Rest {
 };
 
 /// Brings a simulation that is in preparation (Simulation::begin_preparation) to rest. `on_look` is called now and then with a guess of the
-/// part that is done, 0 to 1, from the decay of that energy. Ends early when the simulation diverges.
-Rest settle(Simulation& simulation, const Settling& settling, const std::function<void(double)>& on_look = {});
+/// part that is done, 0 to 1, from the decay of that energy. `give_up` is asked at every look. Ends early, not at rest, when it says so or
+/// when the simulation diverges.
+Rest settle(Simulation& simulation, const Settling& settling, const std::function<void(double)>& on_look = {},
+            const std::function<bool()>& give_up = {});
 
 }  // namespace musim::lsdem::study
