@@ -69,10 +69,7 @@ void print_sequence(const study::SequenceSummary& summary) {
 /// One line on stderr for what is wrong or doubtful; the exit code.
 int report_stages(const std::string& where, const study::SequenceSummary& summary) {
     for (const study::StageSummary& stage : summary.stages) {
-        if (!stage.at_rest) {
-            note("musim: warning: {}: {}: the structure had not come to rest before the motion; lower the preparation's \"damping_rate\"\n",
-                 where, stage.where.folder);
-        }
+        for (const std::string& doubt : stage.doubts) note("musim: warning: {}: {}: {}\n", where, stage.where.folder, doubt);
     }
     const study::StageSummary& last = summary.stages.back();
     if (last.divergence.empty()) return kDone;

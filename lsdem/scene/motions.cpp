@@ -5,17 +5,13 @@
 #include <algorithm>
 
 #include "lsdem/scene/base_components.hpp"
+#include "lsdem/scene/detail/overloaded.hpp"
 #include "lsdem/scene/scene_error.hpp"
 
 namespace musim::lsdem::scene {
 namespace {
 
-template <class... Cases>
-struct Overloaded : Cases... {
-    using Cases::operator()...;
-};
-template <class... Cases>
-Overloaded(Cases...) -> Overloaded<Cases...>;
+using detail::Overloaded;
 
 std::string name_of(const SignalMotion& motion) {
     return std::visit(Overloaded{[](const StepSignal&) { return "step"; }, [](const SineSignal&) { return "sine"; },

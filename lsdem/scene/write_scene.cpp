@@ -1,19 +1,14 @@
 #include <nlohmann/json.hpp>
 
+#include "lsdem/scene/detail/overloaded.hpp"
 #include "lsdem/scene/scene_json.hpp"
 
 namespace musim::lsdem::scene {
 
 namespace {
 
+using detail::Overloaded;
 using nlohmann::ordered_json;
-
-template <class... Cases>
-struct Overloaded : Cases... {
-    using Cases::operator()...;
-};
-template <class... Cases>
-Overloaded(Cases...) -> Overloaded<Cases...>;
 
 constexpr std::array kAxes{"x", "y", "z"};
 

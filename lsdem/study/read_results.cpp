@@ -150,6 +150,7 @@ void read_summary(const fs::path& path, StoredRun& run) {
     if (summary.contains("collapse_time_s") && summary["collapse_time_s"].is_number()) run.collapse_time = summary["collapse_time_s"];
     const auto divergence = summary.value("divergence", nlohmann::json::object());
     if (run.status == RunStatus::diverged) run.divergence = divergence.value("what", "diverged");
+    run.doubts = summary.value("doubts", std::vector<std::string>{});
     run.at_rest = summary.value("rest", nlohmann::json::object()).value("at_rest", true);
 }
 

@@ -4,6 +4,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "lsdem/study/history.hpp"
 
@@ -22,6 +23,7 @@ struct StoredRun {
     std::optional<double> collapse_time;  ///< [s]
     std::string divergence;               ///< why it diverged, in one sentence; empty when it did not
     bool at_rest = true;                  ///< false: it was to settle before t = 0 and did not
+    std::vector<std::string> doubts;      ///< see find_doubts; empty in results of versions before they were kept
     std::string state_hash;               ///< of the final state
     std::string scene;                    ///< as JSON text
     BlockTable blocks;

@@ -45,6 +45,7 @@ StageSummary summarize_stage(const StoredRun& run, const StageFolder& where, con
     }
     stage.collapse_time = run.collapse_time;
     stage.divergence = run.divergence;
+    stage.doubts = run.doubts;
     stage.of_stage = measure_residual(run, stage.axis);
     stage.of_sequence = stage.of_stage;
     if (!run.origin) return stage;
@@ -106,6 +107,7 @@ nlohmann::json to_json(const StageSummary& stage) {
                           {"fallen_blocks_before", stage.fallen_before},
                           {"fallen_blocks", stage.fallen},
                           {"collapse_time_s", or_null(stage.collapse_time)},
+                          {"doubts", stage.doubts},
                           {"at_start", stage.at_start ? to_json(*stage.at_start) : nlohmann::json()},
                           {"since_stage_start", to_json(stage.of_stage)},
                           {"since_first_start", to_json(stage.of_sequence)}};

@@ -39,6 +39,7 @@ struct StageSummary {
     std::size_t fallen = 0;               ///< at its end, since the start of the first stage; a quiet phase after it included
     std::optional<double> collapse_time;  ///< since its start [s]; after its end: in the quiet phase
     std::string divergence;               ///< why it diverged; empty when it did not
+    std::vector<std::string> doubts;      ///< of the run, see find_doubts
     std::optional<Residual> at_start;     ///< of a later stage: what the ones before have left when it starts, without energies
     Residual of_stage;                    ///< at its end, since its own start
     Residual of_sequence;                 ///< at its end, since the start of the first stage

@@ -31,6 +31,7 @@ nlohmann::json make_summary(const RunResult& run) {
                            {"base_reaction_over_weight", nullptr}};
     if (run.base_reaction_over_weight) summary["base_reaction_over_weight"] = *run.base_reaction_over_weight;
     if (run.critical_time_step) summary["critical_dt_s"] = *run.critical_time_step;
+    if (run.origin) summary["stage"] = {{"number", run.origin->stage + 1}, {"time_before_s", run.origin->time}};
     if (run.collapse_time) summary["collapse_time_s"] = *run.collapse_time;
     if (const auto failure = find_failure(run)) summary["failure"] = to_json(*failure);
     if (run.rest) {

@@ -40,6 +40,8 @@ TEST_CASE("a structure is shaken until it collapses, and every stage is a run th
     CHECK(json["motions"] == 4);
     CHECK(json["collapse"]["stage"] == 3);
     CHECK(json["stages"][0]["status"] == "completed");
+    CHECK(json["stages"][0]["doubts"].empty());
+    CHECK(nlohmann::json::parse(here.read("whole/stage-02-jolt/summary.json"))["stage"]["number"] == 2);
     CHECK(here.count("whole") == 6);
     const Outcome response = here.run("response whole/stage-03-blow --json");
     CHECK(response.exit_code == 0);
@@ -89,6 +91,20 @@ TEST_CASE("a sequence that is killed and resumed has the results of one that was
     const Outcome again = here.run("sequence --resume out");
     CHECK(again.exit_code == 3);
     CHECK(again.err.find("has finished") != std::string::npos);
+}
+
+TEST_CASE("what is doubtful about a stage is a warning that names it") {
+    const Workplace here;
+    std::string scene = make_scene();
+    // just above the critical step, and at rest for as long as it is watched
+    scene.replace(scene.find("\"output\""), 8, R"("time": {"step": "13 us"}, "output")");
+    scene.replace(scene.find("0.2 g"), 5, "1e-9 g");
+    scene.replace(scene.find("\"repeat\": 2"), 11, "\"duration\": \"0.01 s\"");
+    scene.replace(scene.find("1.5 g"), 5, "1e-9 g");
+    scene.replace(scene.find("0.5 s"), 5, "0.01 s");
+    here.write("scene.json", scene);
+    const Outcome outcome = here.run("sequence scene.json -o out");
+    CHECK_MESSAGE(outcome.err.find("musim: warning: scene.json: stage-01-jolt: the time step") != std::string::npos, outcome.err);
 }
 
 TEST_CASE("a stage that diverges ends the sequence with its own exit code and is stored") {

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -155,7 +156,7 @@ TEST_CASE("every stage begins where the one before left the structure, at rest, 
         CHECK(run.origin->time == doctest::Approx(0.15 * static_cast<double>(k)));
         CHECK(run.origin->position == runs[0].initial.position);
         // the whole base has moved as far as the motions before: A/ω·T each, less the thousandth that the sampling costs
-        const double each = 9.80665 / (2.0 * M_PI * 8.0) / 8.0, moved = 0.5 * each * static_cast<double>(k);
+        const double each = 9.80665 / (2.0 * std::numbers::pi * 8.0) / 8.0, moved = 0.5 * each * static_cast<double>(k);
         CHECK(run.origin->base.y() == doctest::Approx(moved).epsilon(1e-3));
         // between the stages the blocks came to rest, no farther than they leaned
         CHECK((run.initial.position[0] - runs[k - 1].final.position[0]).norm() < 0.2 * 0.01271);

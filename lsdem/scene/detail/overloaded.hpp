@@ -1,0 +1,13 @@
+#pragma once
+
+namespace musim::lsdem::scene::detail {
+
+/// One function object with the calls of several, for std::visit.
+template <class... Cases>
+struct Overloaded : Cases... {
+    using Cases::operator()...;
+};
+template <class... Cases>
+Overloaded(Cases...) -> Overloaded<Cases...>;
+
+}  // namespace musim::lsdem::scene::detail
