@@ -77,7 +77,7 @@ TEST_CASE("blocks that tumble into each other keep linear and angular momentum t
     CHECK(worst_angular < 1e-12);
 }
 
-TEST_CASE("the energy ledger of a shaken and collapsing pile closes") {
+TEST_CASE("the energy ledger of a shaken and collapsing pile closes" * doctest::test_suite("slow")) {
     Model model = make_loose_pile(wood(), 4, 3);
     model.ground.motion[0] = sample_velocity(0.4, 400, [](double t) { return 0.1 * std::sin(40.0 * t); });
     model.ground.motion[2] = sample_velocity(0.4, 400, [](double t) { return 0.03 * std::sin(70.0 * t); });
