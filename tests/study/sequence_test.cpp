@@ -81,9 +81,10 @@ std::map<std::string, std::string> read_files(const fs::path& directory) {
 void check_same_files(const fs::path& a, const fs::path& b) {
     const auto left = read_files(a), right = read_files(b);
     REQUIRE(left.size() == right.size());
-    for (const auto& [name, bytes] : left) {
+    for (const auto& file : left) {
+        const std::string& name = file.first;
         REQUIRE_MESSAGE(right.contains(name), name);
-        CHECK_MESSAGE(bytes == right.at(name), name);
+        CHECK_MESSAGE(file.second == right.at(name), name);
     }
 }
 
