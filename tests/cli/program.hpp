@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <stdexcept>
 #include <string>
 
@@ -29,14 +30,16 @@ struct Outcome {
 /// An empty folder for each test, gone at its end; the program runs in it.
 class Workplace {
   public:
-    /// Runs `musim ARGUMENTS`; `shell` comes first on the same command line, e.g. a limit.
+    /// Runs `musim ARGUMENTS`; `shell` comes first on the same command line, e.g. a limit. On a slow machine a command may last long enough
+    /// for progress lines, which are left out.
     Outcome run(const std::string& arguments, const std::string& shell = "") const {
         const std::filesystem::path out = folder_.path() / ".stdout";
         const std::filesystem::path err = folder_.path() / ".stderr";
         const std::string command = "cd '" + folder_.path().string() + "' && { " + shell + " " + MUSIM_PROGRAM + " " + arguments +
                                     "; } >'" + out.string() + "' 2>'" + err.string() + "'";
         const int status = std::system(command.c_str());
-        return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, musim::tests::bytes_of(out), musim::tests::bytes_of(err)};
+        return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, musim::tests::bytes_of(out),
+                std::regex_replace(musim::tests::bytes_of(err), std::regex("[^\n]*: [0-9]+ %, [^\n]* left\n"), "")};
     }
 
     /// Runs commands of the shell.
