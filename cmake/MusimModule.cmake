@@ -28,7 +28,7 @@ function(musim_compile_quickly target)
 endfunction()
 
 # For code made of JSON and text, whose speed nobody waits for under a sanitizer: sanitized at -O0 it compiles in half the time of -O1
-# (Clang 14, Address- and UndefinedBehaviorSanitizer: cli/pair.cpp 15 s, not 29 s; fewer checks or less debug information save nothing).
+# (Clang 14, Address- and UndefinedBehaviorSanitizer: cli/pair.cpp 15 s, not 29 s; fewer checks save nothing).
 function(musim_sanitize_quickly target)
   if(MUSIM_SANITIZE)
     target_compile_options(${target} PRIVATE -O0)

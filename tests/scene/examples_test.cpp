@@ -43,7 +43,7 @@ bool validates(const json& document) {
 
 std::vector<std::filesystem::path> list_examples() {
     std::vector<std::filesystem::path> files;
-    for (const auto& entry : std::filesystem::directory_iterator(kRoot / "examples")) {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(kRoot / "examples")) {
         if (entry.path().extension() == ".json") files.push_back(entry.path());
     }
     std::sort(files.begin(), files.end());
