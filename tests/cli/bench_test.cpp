@@ -36,7 +36,7 @@ std::vector<std::map<std::string, std::string>> parse_csv(const std::string& tex
 
 }  // namespace
 
-TEST_CASE("bench accuracy writes a table whose Pareto marks hold, and a plot, and prints JSON" * doctest::test_suite("slow")) {
+TEST_CASE("bench accuracy writes a table whose Pareto marks hold and a plot and prints JSON" * doctest::test_suite("slow")) {
     const Workplace here;
     const Outcome outcome = here.run("bench accuracy --quick -o out --json");
     REQUIRE_MESSAGE(outcome.exit_code == 0, outcome.err);

@@ -92,8 +92,7 @@ TEST_CASE("layer by layer and by resting planes the same blocks come to about th
     for (std::size_t i = 0; i < resting.tilt.size(); ++i) CHECK(std::abs(resting.tilt[i] - layers.tilt[i]) < 0.025);
 }
 
-TEST_CASE("specimens from resting planes are those of layer by layer in the mean, at a fraction of the cost" *
-          doctest::test_suite("slow")) {
+TEST_CASE("specimens from resting planes are those of layer by layer in the mean and cost less" * doctest::test_suite("slow")) {
     scene::Scene scene = scene::parse_scene(
         R"({"schema": "musim-scene/1", "name": "ring", "material": "wood", "structure": {"kind": "tower", "layers": 6, "tiling": "ring_14",
         "block": ["12.710 mm", "26.355 mm", "39.780 mm"], "height_deviation": "0.155 mm", "seed": 1}, "time": {"duration": "10 ms"}})",
