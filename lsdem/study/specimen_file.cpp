@@ -148,7 +148,9 @@ void take_places(const std::filesystem::path& file, Specimen& specimen) {
         const long long below = leader.values.at(i), above = follower.values.at(i);
         if (!known(below) || !(known(above) || above == kGround))
             refuse(file, "a contact names a block that is not there; prepare it again");
-        Preload preload{static_cast<std::size_t>(below), {}, squared_load.values[i] * energy_of_weight(specimen.model, leader.values[i])};
+        Preload preload{static_cast<std::size_t>(below),
+                        {},
+                        squared_load.values[i] * energy_of_weight(specimen.model, static_cast<std::size_t>(below))};
         if (above != kGround) preload.follower = static_cast<std::size_t>(above);
         specimen.model.preload.push_back(preload);
     }
