@@ -290,13 +290,13 @@ void NeighborSearch::rebuild(const Bodies& bodies, const BasePose& base, Contact
         if (old_pair[p] == ContactPair::kNoPatch) continue;
         const ContactPair& pair = list.pairs[p];
         const PairElastic before = find_elastic(previous_, old_pair[p]);
-        PairElastic kept = find_elastic(list, p);
-        if (before.normal == kept.normal && before.shear == kept.shear) continue;
+        const PairElastic carried = find_elastic(list, p);
+        if (before.normal == carried.normal && before.shear == carried.shear) continue;
         if (pair.is_patch()) detail::inherit_energy(list.patches, pair.patch_group, pair.patch_lane, before.normal);
-        kept = find_elastic(list, p);
+        const double kept = find_elastic(list, p).normal;
         PairWork& work = loss_of(pair, finished);
-        if (kept.normal > 0.0) {
-            work.damping += before.normal - kept.normal;
+        if (kept > 0.0) {
+            work.damping += before.normal - kept;
             work.friction += before.shear;
         } else {
             drop_elastic(bodies, base, pair, list.forces[p], before, work);

@@ -32,8 +32,8 @@ struct SpecimenReport {
 };
 
 /// Prepares the specimens of a batch, as the scene's `preparation` says (default: on resting planes), side by side. A file that is there is
-/// not made again. Throws scene::SceneError for a
-/// scene without layers or seeds to vary, records::WriteError, and ResultError for a file in the way.
+/// not made again. Throws scene::SceneError for a scene without layers or seeds to vary, records::WriteError, and ResultError for a file in
+/// the way.
 std::vector<SpecimenReport> make_specimens(const SpecimenBatch& batch);
 
 /// The scene with another seed of its blocks' heights. Throws scene::SceneError for an explicit list of blocks.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "lsdem/block_height.hpp"
@@ -143,11 +144,16 @@ void take_places(const std::filesystem::path& file, Specimen& specimen) {
     const auto leader = reader.integers("/contacts/leader", 1), follower = reader.integers("/contacts/follower", 1);
     const auto squared_load = reader.doubles("/contacts/squared_load", 1);
     const auto known = [&](long long block) { return block >= 0 && block < static_cast<long long>(n); };
+    if (leader.values.size() != squared_load.values.size() || follower.values.size() != squared_load.values.size())
+        refuse(file, "the lists of its contacts differ in length (a damaged file); prepare it again");
     specimen.model.preload.clear();
     for (std::size_t i = 0; i < squared_load.values.size(); ++i) {
-        const long long below = leader.values.at(i), above = follower.values.at(i);
+        const long long below = leader.values[i], above = follower.values[i];
         if (!known(below) || !(known(above) || above == kGround))
-            refuse(file, "a contact names a block that is not there; prepare it again");
+            refuse(file, fmt::format("contact {} names a block that is not there (a damaged file); prepare it again", i));
+        if (!(std::isfinite(squared_load.values[i]) && squared_load.values[i] >= 0.0))
+            refuse(file,
+                   fmt::format("contact {} bears {:.6g} squared weights (a damaged file); prepare it again", i, squared_load.values[i]));
         Preload preload{static_cast<std::size_t>(below),
                         {},
                         squared_load.values[i] * energy_of_weight(specimen.model, static_cast<std::size_t>(below))};

@@ -249,6 +249,18 @@ TEST_CASE("a file that is no specimen, or one of another wall, is refused with w
     std::get<scene::Wall>(other.structure).seed = 9;
     CHECK(message(with_file(other, file)).find("prepare a specimen of this scene") != std::string::npos);
     CHECK(message(with_file(scene, folder.path() / "nothing.h5")).find("nothing.h5") != std::string::npos);
+
+    const Specimen upright = make_upright_specimen(scene);
+    PreparedSpecimen damaged;
+    damaged.specimen = upright;
+    damaged.tilt.assign(upright.model.blocks.size(), 0.0);
+    damaged.force = {1.0};
+    const std::filesystem::path damaged_file = folder.path() / "damaged.h5";
+    for (const Preload& bad : {Preload{0, upright.model.blocks.size(), 1e-6}, Preload{0, 1, -1e-6}}) {
+        damaged.specimen.model.preload = {bad};
+        write_specimen(damaged_file, damaged, "{}", "test");
+        CHECK(message(with_file(scene, damaged_file)).find("contact 0") != std::string::npos);
+    }
     std::ofstream(folder.path() / "text.h5") << "no HDF5";
     CHECK(message(with_file(scene, folder.path() / "text.h5")).find("text.h5") != std::string::npos);
 }
