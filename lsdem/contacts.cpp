@@ -40,6 +40,8 @@ using detail::FlatFollower;
 using detail::PairSums;
 using detail::RelativePose;
 using detail::Row;
+using detail::row_of;
+using detail::rows_of;
 using detail::StepLaw;
 
 /// Share of a node's faces that looks along −normal, `normal` in the leader's frame: of a faceted shape the face that looks most that way.
@@ -240,6 +242,12 @@ void store(const PairSums& sums, const Matrix3& frame, const Vector3& leader_in_
     work.damping += sums.damping;
 }
 
+/// Of a pair that does not touch.
+void clear(PairForce& result, PairTally& tally) {
+    result = PairForce{};
+    tally = PairTally{};
+}
+
 /// Area of every node in contact when a pair shares its stiffness per contact, from the number that touched a step ago; zero otherwise.
 double find_equal_area(const Model& model, const Shape& leader, const PairTally& before) {
     if (model.stiffness_sharing == StiffnessSharing::per_area) return 0.0;
@@ -262,17 +270,23 @@ void compute_block_contact(const Model& model, const Bodies& bodies, const BaseP
     const Shape& leader = model.shapes[model.blocks[l].shape];
     const Shape& follower = model.shapes[model.blocks[f].shape];
     const Vector3 &leader_half = bodies.half[l], &follower_half = bodies.half[f];
-    const Matrix3 to_follower = bodies.rotation[f].transpose(), to_old_follower = bodies.previous_rotation[f].transpose();
+    const Matrix3 to_follower = bodies.rotation[f].transpose(), rotation = to_follower * bodies.rotation[l];
     const Vector3 position = to_follower * (bodies.position[l] - bodies.position[f]);
-    const RelativePose pose(to_follower * bodies.rotation[l], position, to_old_follower * bodies.previous_rotation[l],
+    FlatFollower face;
+    face.half = row_of(follower_half);
+    const detail::BoxPair boxes{row_of(leader_half), face.half};
+    if (pair.is_tilted() && !list.tilted[pair.tilted].touches && detail::are_apart(boxes, rows_of(rotation), row_of(position))) {
+        list.tilted[pair.tilted] = TiltedContact{};
+        clear(list.forces[index], list.tallies[index]);
+        return;
+    }
+    const Matrix3 to_old_follower = bodies.previous_rotation[f].transpose();
+    const RelativePose pose(rotation, position, to_old_follower * bodies.previous_rotation[l],
                             to_old_follower * (bodies.previous_position[l] - bodies.previous_position[f]));
     const StepLaw law(pair.law, dt);
-    FlatFollower face;
-    face.half = {follower_half.x(), follower_half.y(), follower_half.z()};
     PairSums sums;
     if (pair.is_tilted()) {
-        detail::compute_tilted_contact({{leader_half.x(), leader_half.y(), leader_half.z()}, face.half}, pose, law, list.first_step,
-                                       list.tallies[index], list.tilted[pair.tilted], sums);
+        detail::compute_tilted_contact(boxes, pose, law, list.first_step, list.tallies[index], list.tilted[pair.tilted], sums);
         store(sums, bodies.rotation[f], position, list.forces[index], list.tallies[index], list.work[index]);
         return;
     }
@@ -281,8 +295,7 @@ void compute_block_contact(const Model& model, const Bodies& bodies, const BaseP
     const bool apart = !find_contact_faces(pose, leader_half, face);
     face.leader_axis = leader.faceted ? face.leader_axis : 0;
     if (apart && list.tallies[index].touching == 0) {
-        list.forces[index] = PairForce{};
-        list.tallies[index] = PairTally{};
+        clear(list.forces[index], list.tallies[index]);
         return;
     }
     if (const auto* grid = std::get_if<GridLevelSet>(&follower.level_set)) {

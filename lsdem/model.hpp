@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -70,12 +71,19 @@ enum class FaceContact {
     nodes   ///< the leader's own nodes, their cells clipped at the follower's edges
 };
 
-/// What the normal springs of a contact hold at the start.
+/// What the springs of a contact hold at the start: the normal ones some energy, those of friction some force.
 struct Preload {
-    std::size_t leader = 0;
+    std::size_t leader = 0;               ///< leads the contact, whichever block is lower
     std::optional<std::size_t> follower;  ///< nothing: the ground
-    double energy = 0.0;                  ///< [J]
+    double energy = 0.0;                  ///< of the normal springs [J]
+    Vector3 friction = Vector3::Zero();   ///< on the leader, world frame [N]; beyond the Coulomb limit the contact slides at once
+    /// The nodes of a patch along the leader's two axes in the face, 0 of any other contact; the patch begins with as many.
+    std::size_t count_p = 0, count_q = 0;
+    /// Friction node by node, K_s ξ along the follower's two axes in the face [Pa].
+    std::vector<double> traction_u = {}, traction_v = {};
+    std::uint8_t faces = 0;  ///< TiltedFaces::code of the faces by which boxes at an angle meet; 0: those with the least depth
 
+    bool is_finite() const;
     bool operator==(const Preload&) const = default;
 };
 

@@ -44,7 +44,9 @@ static void exchange(Archive& archive, BaseComponent& c) { archive(c.start, c.dt
 
 static void exchange(Archive& archive, Ground& g) { archive(g.present, g.material, g.motion); }
 
-static void exchange(Archive& archive, Preload& p) { archive(p.leader, p.follower, p.energy); }
+static void exchange(Archive& archive, Preload& p) {
+    archive(p.leader, p.follower, p.energy, p.friction, p.count_p, p.count_q, p.traction_u, p.traction_v, p.faces);
+}
 
 static void exchange(Archive& archive, Model& m) {
     archive(m.shapes, m.materials, m.blocks, m.ground, m.gravity, m.contact_nodes, m.stiffness_sharing, m.skip_quiet, m.face_contact,

@@ -4,12 +4,12 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <tuple>
 #include <utility>
 
 #include "lsdem/block_height.hpp"
 #include "lsdem/detail/patch_kernel.hpp"
+#include "lsdem/preloads.hpp"
 
 namespace musim::lsdem {
 namespace {
@@ -187,7 +187,7 @@ bool NeighborSearch::plan_patch(BlockPair blocks, const Bodies& bodies, const Ba
     if (kind->law.friction == 0.0) kind->law.shear_stiffness = kind->law.shear_damping = 0.0;
     kind->viscous = kind->law.shear_damping > 0.0;
     const double damping = std::sqrt(effective_mass(blocks, mass_) / nominal_mass);
-    plans.push_back({static_cast<std::uint32_t>(list.pairs.size()), *kind, damping});
+    plans.push_back({static_cast<std::uint32_t>(list.pairs.size()), *kind, damping, 0, 0});
     ContactPair pair;
     pair.leader = blocks.leader;
     pair.follower = blocks.follower;
@@ -228,7 +228,12 @@ void NeighborSearch::rebuild(const Bodies& bodies, const BasePose& base, Contact
     list.node_pairs.clear();
     list.nodes.clear();
     list.tilted.clear();
+    // what stands already meets as it met before, even where it could meet in another way too
+    const bool first = previous_.first_step && previous_.pairs.empty();
+    static const std::vector<Preload> kNone;
+    const PreloadMap standing(first ? model_->preload : kNone);
     const auto had = [&](std::uint32_t leader, std::uint32_t follower) {
+        if (standing.find(leader, follower) != nullptr) return true;
         ContactPair wanted;
         wanted.leader = leader;
         wanted.follower = follower;
@@ -254,8 +259,17 @@ void NeighborSearch::rebuild(const Bodies& bodies, const BasePose& base, Contact
     std::sort(directed.begin(), directed.end(),
               [](const BlockPair& a, const BlockPair& b) { return std::tie(a.leader, a.follower) < std::tie(b.leader, b.follower); });
     std::vector<PatchPlan> plans;
-    for (const BlockPair& p : directed)
-        if (!plan_patch(p, bodies, base, list, plans) && !add_tilted(p, list)) add_pair(p, bodies, base, list);
+    for (const BlockPair& p : directed) {
+        const Preload* held = standing.find(p.leader, p.follower);
+        const bool at_an_angle = held != nullptr && held->faces != 0;
+        if (!at_an_angle && plan_patch(p, bodies, base, list, plans)) {
+            if (held == nullptr) continue;
+            plans.back().count_p = static_cast<int>(held->count_p);
+            plans.back().count_q = static_cast<int>(held->count_q);
+        } else if (!add_tilted(p, list)) {
+            add_pair(p, bodies, base, list);
+        }
+    }
 
     list.history.reset(list.nodes.size(), std::any_of(list.pairs.begin(), list.pairs.end(), [](const ContactPair& pair) {
                            return !pair.is_patch() && pair.law.shear_damping > 0.0;
@@ -292,7 +306,7 @@ void NeighborSearch::rebuild(const Bodies& bodies, const BasePose& base, Contact
         const PairElastic before = find_elastic(previous_, old_pair[p]);
         const PairElastic carried = find_elastic(list, p);
         if (before.normal == carried.normal && before.shear == carried.shear) continue;
-        if (pair.is_patch()) detail::inherit_energy(list.patches, pair.patch_group, pair.patch_lane, before.normal);
+        if (pair.is_patch()) detail::inherit_load(list.patches, pair.patch_group, pair.patch_lane, {.energy = before.normal});
         const double kept = find_elastic(list, p).normal;
         PairWork& work = loss_of(pair, finished);
         if (kept > 0.0) {
@@ -304,26 +318,6 @@ void NeighborSearch::rebuild(const Bodies& bodies, const BasePose& base, Contact
         if (pair.is_tilted()) list.tilted[pair.tilted].inherited = before.normal;
     }
     add_losses(previous_, finished);
-}
-
-void preload_contacts(const std::vector<Preload>& preloads, ContactList& list) {
-    list.first_step = false;
-    std::map<std::pair<std::uint32_t, std::uint32_t>, double> energies;
-    for (const Preload& preload : preloads) {
-        const auto leader = static_cast<std::uint32_t>(preload.leader);
-        energies[{leader, preload.follower ? static_cast<std::uint32_t>(*preload.follower) : kGround}] += preload.energy;
-    }
-    for (std::size_t p = 0; p < list.pairs.size(); ++p) {
-        const ContactPair& pair = list.pairs[p];
-        auto found = energies.find({pair.leader, pair.follower});
-        if (found == energies.end()) found = energies.find({pair.follower, pair.leader});
-        if (found == energies.end()) continue;
-        if (pair.is_patch()) {
-            detail::inherit_energy(list.patches, pair.patch_group, pair.patch_lane, found->second);
-        } else if (pair.is_tilted()) {
-            list.tilted[pair.tilted].inherited = list.tallies[p].elastic_normal = found->second;
-        }
-    }
 }
 
 }  // namespace musim::lsdem

@@ -65,7 +65,4 @@ class NeighborSearch {
 /// Who leads a new contact: the lower block, as in the papers; at equal height the one listed first.
 bool leads(const Bodies& bodies, std::uint32_t a, std::uint32_t b);
 
-/// Makes the contacts of a list that is new hold what `preloads` say, see Model::preload.
-void preload_contacts(const std::vector<Preload>& preloads, ContactList& list);
-
 }  // namespace musim::lsdem

@@ -84,14 +84,25 @@ class OldSlip {
         const auto count = static_cast<std::size_t>(lattice_.count_p);
         const auto [i, along_p] = find_place(s, lattice_.s, count, 1);
         const auto [j, along_q] = find_place(t, lattice_.t, static_cast<std::size_t>(lattice_.count_q), count);
-        const auto at = [&](std::size_t a, std::size_t b) { return own[first_ + b * count + a]; };
+        // what is common to the nodes moved those that touched when they were last looked at
+        const bool all_touched = field(patch_field::touching) == static_cast<double>(lattice_.size());
+        const auto at = [&](std::size_t a, std::size_t b) {
+            const std::size_t node = b * count + a;
+            const bool touched = all_touched || affine(patch_field::seen, node) > 0.0;
+            return own[first_ + node] + (touched ? affine(common, node) : 0.0);
+        };
         const double low = at(i, j) + along_p * (at(i + 1, j) - at(i, j)),
                      high = at(i, j + 1) + along_p * (at(i + 1, j + 1) - at(i, j + 1));
-        const auto field = [&](std::size_t index) { return patches_.field(group_, index)[lane_]; };
-        return low + along_q * (high - low) + (field(common) + s * field(common + 1) + t * field(common + 2));
+        return low + along_q * (high - low);
     }
 
   private:
+    double field(std::size_t index) const { return patches_.field(group_, index)[lane_]; }
+    /// An affine function over the lattice, of which three fields tell, at a node.
+    double affine(std::size_t first, std::size_t node) const {
+        return (field(first) + lattice_.s[node] * field(first + 1)) + lattice_.t[node] * field(first + 2);
+    }
+
     struct Place {
         std::size_t first;
         double fraction;
@@ -127,14 +138,16 @@ class PatchPlacer {
         const ContactPair* old = find_old(plan);
         const PatchHeights heights{bodies_.height_offset[pair.leader],
                                    pair.follower == kGround ? 0.0 : bodies_.height_offset[pair.follower], plan.damping};
-        choose_lattice(pair, old, heights, plan.kind);
+        choose_lattice(pair, old, heights, plan);
         const std::uint32_t kind = list_.patches.find_kind(plan.kind);
-        open_.resize(list_.patches.kinds.size(), kNone);
-        if (open_[kind] == kNone) open_[kind] = add_group(kind);
-        const std::uint32_t index = open_[kind];
+        open_.resize(list_.patches.kinds.size(), {kNone, kNone});
+        // patches that touch nothing keep to themselves: a group of them costs little
+        const bool touched = old != nullptr && previous_.patches.field(old->patch_group, patch_field::touching)[old->patch_lane] > 0.0;
+        std::uint32_t& index = open_[kind][touched ? 1 : 0];
+        if (index == kNone) index = add_group(kind);
         add_lane(plan.pair, heights, index);
         start_lane(plan.pair, heights, old);
-        if (list_.patches.groups[index].count == PatchGroup::kSize) open_[kind] = kNone;
+        if (list_.patches.groups[index].count == PatchGroup::kSize) index = kNone;
     }
 
   private:
@@ -151,7 +164,12 @@ class PatchPlacer {
         return patches.kinds[patches.groups[pair.patch_group].kind];
     }
 
-    void choose_lattice(const ContactPair& pair, const ContactPair* old, const PatchHeights& heights, PatchKind& kind) const {
+    void choose_lattice(const ContactPair& pair, const ContactPair* old, const PatchHeights& heights, PatchPlan& plan) const {
+        PatchKind& kind = plan.kind;
+        if (plan.count_p >= 2 && plan.count_q >= 2) {
+            kind.lattice = list_.patches.find_lattice(plan.count_p, plan.count_q, kind.spacing);
+            return;
+        }
         const PairPoses poses = find_pair_poses(bodies_, base_, pair.leader, pair.follower, false);
         const detail::PatchSize size = detail::measure_patch(kind, heights, poses.leader, poses.follower, poses.offset);
         const auto count = [&](double length, const PatchLength& spacing) {
@@ -238,7 +256,7 @@ class PatchPlacer {
     const ContactList& previous_;
     const std::vector<std::uint32_t>& old_pair_;
     ContactList& list_;
-    std::vector<std::uint32_t> open_;  ///< per kind, the group that is not full yet
+    std::vector<std::array<std::uint32_t, 2>> open_;  ///< per kind, the groups that are not full yet: of open patches, of touching ones
 };
 
 }  // namespace

@@ -28,7 +28,8 @@ std::optional<PatchKind> find_patch_kind(const Model& model, const Bodies& bodie
 struct PatchPlan {
     std::uint32_t pair = 0;  ///< into ContactList::pairs
     PatchKind kind;
-    double damping = 1.0;  ///< see PatchHeights
+    double damping = 1.0;          ///< see PatchHeights
+    int count_p = 0, count_q = 0;  ///< nodes along the leader's two axes in the face; 0: as many as the size of a new patch asks for
 };
 
 /// Puts the planned patches into groups of four of one kind, in the order of the list. A patch that was there before in `previous` keeps

@@ -131,6 +131,25 @@ enum Index : std::size_t {
     drag_v,
     drag_vs,
     drag_vt,
+    // overlap when the nodes were last looked at, affine over the lattice: those touched where it is above zero [m]
+    seen,
+    seen_s,
+    seen_t,
+    // of a patch that touches with some of its nodes, at that look: how far the nearest open node was from touching and the nearest
+    // touching
+    // one from parting [m], the box on the lattice that holds those that touch, and their sums Σ w (1, s, t, s², st, t²)
+    gap,
+    hold,
+    box_s,
+    box_t,
+    box_half_s,
+    box_half_t,
+    touching_w,
+    touching_ws,
+    touching_wt,
+    touching_wss,
+    touching_wst,
+    touching_wtt,
     count
 };
 }  // namespace patch_field

@@ -22,6 +22,7 @@
 #include "lsdem/fallen.hpp"
 #include "lsdem/model_hash.hpp"
 #include "lsdem/neighbors.hpp"
+#include "lsdem/preloads.hpp"
 #include "lsdem/rotation.hpp"
 #include "lsdem/state_fields.hpp"
 #include "lsdem/thread_team.hpp"
@@ -96,8 +97,8 @@ void check_model(const Model& model, double time_step) {
     for (const Preload& preload : model.preload) {
         require(preload.leader < model.blocks.size() && preload.follower.value_or(0) < model.blocks.size(),
                 "Simulation: a preload names a block that does not exist");
-        require(std::isfinite(preload.energy) && preload.energy >= 0.0,
-                "Simulation: the energy of a preload must be finite and not negative");
+        require(preload.is_finite() && preload.energy >= 0.0,
+                "Simulation: the energy of a preload must be finite and not negative, its friction finite");
     }
 }
 
@@ -237,7 +238,7 @@ void Simulation::Implementation::start() {
             rotate_freely(bodies.orientation[i], bodies.momentum[i], bodies.inverse_inertia[i], -dt).toRotationMatrix();
     }
     rebuild();
-    if (!model.preload.empty()) preload_contacts(model.preload, list);
+    if (!model.preload.empty()) preload_contacts(model.preload, bodies, list);
     update_contacts();
     list.first_step = false;
     start_energy = stored_and_kinetic();
@@ -576,6 +577,8 @@ std::vector<ContactForce> Simulation::contact_forces() const {
     }
     return forces;
 }
+
+std::vector<Preload> Simulation::preloads() const { return find_preloads(implementation_->bodies, implementation_->list); }
 
 Kinematics Simulation::kinematics() const {
     Kinematics all;

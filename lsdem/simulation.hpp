@@ -152,6 +152,9 @@ class Simulation {
     Vector3 contact_force(std::size_t block) const;    ///< sum of all contact forces on a block now [N]
     std::vector<ContactForce> contact_forces() const;  ///< of all pairs that touch now, by leader, then by follower
 
+    /// What all contacts that touch hold now, as Model::preload of a structure that is to begin where this one is.
+    std::vector<Preload> preloads() const;
+
     Energy energy() const;
     Losses losses() const;  ///< where friction and dashpots dissipated energy [J]
     Statistics statistics() const;

@@ -13,6 +13,14 @@ struct TiltedFaces {
     double side = 1.0;
 
     bool operator==(const TiltedFaces&) const = default;
+
+    /// As one number from 1 to kCodes.
+    std::uint8_t code() const { return static_cast<std::uint8_t>(1 + 2 * (3 * k + n) + (side < 0.0 ? 1 : 0)); }
+    static constexpr std::uint8_t kCodes = 18;
+    static TiltedFaces of_code(std::uint8_t code) {
+        const int faces = (code - 1) / 2;
+        return {static_cast<std::uint8_t>(faces / 3), static_cast<std::uint8_t>(faces % 3), code % 2 == 0 ? -1.0 : 1.0};
+    }
 };
 
 /// Forces at points of the leader, summed so that their moment and their work over a step follow exactly.

@@ -16,6 +16,9 @@ using Row = std::array<double, 3>;
 
 inline double dot(const Row& a, const Row& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
+inline Row row_of(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
+inline std::array<Row, 3> rows_of(const Matrix3& m) { return {row_of(m.row(0)), row_of(m.row(1)), row_of(m.row(2))}; }
+
 /// Axis along which a vector is largest.
 std::size_t largest_axis(const Row& v);
 

@@ -88,37 +88,63 @@ struct PatchSlips {
           own_v(state.get_affine(patch_field::own_v)),
           own_squared(state.get(patch_field::own_squared)) {}
 
-    /// Σ wξ(1, s, t) along u and v, and Σ w|ξ|².
-    [[gnu::always_inline]] Affine moments_u(const PatchLattice& lattice) const { return sum_of(own_u, moments(common_u, lattice)); }
-    [[gnu::always_inline]] Affine moments_v(const PatchLattice& lattice) const { return sum_of(own_v, moments(common_v, lattice)); }
-    [[gnu::always_inline]] Lanes squares(const PatchLattice& lattice) const {
+    /// Σ wξ(1, s, t) along u and v, and Σ w|ξ|², over the nodes that touch: a lattice or a part of it.
+    template <class Nodes>
+    [[gnu::always_inline]] Affine moments_u(const Nodes& nodes) const {
+        return sum_of(own_u, moments(common_u, nodes));
+    }
+    template <class Nodes>
+    [[gnu::always_inline]] Affine moments_v(const Nodes& nodes) const {
+        return sum_of(own_v, moments(common_v, nodes));
+    }
+    template <class Nodes>
+    [[gnu::always_inline]] Lanes squares(const Nodes& nodes) const {
         return (own_squared + 2.0 * (contract(own_u, common_u) + contract(own_v, common_v))) +
-               (contract(moments(common_u, lattice), common_u) + contract(moments(common_v, lattice), common_v));
+               (contract(moments(common_u, nodes), common_u) + contract(moments(common_v, nodes), common_v));
     }
 };
 
-/// Sums over patches all of whose nodes touch, none pulled by its dashpot; the tangential part holds if none slides either.
-[[gnu::always_inline]] inline PatchSums sum_pressed(const PatchKind& kind, const PatchLattice& lattice, const PatchLaw& law,
+/// Sums over the nodes that touch, a lattice or a part of it, none of them pulled by its dashpot; the tangential part holds if none slides
+/// either. `touching`: their number.
+template <class Nodes>
+[[gnu::always_inline]] inline PatchSums sum_pressed(const PatchKind& kind, const Nodes& nodes, const PatchLaw& law,
                                                     const PatchMotion& motion, const Affine& pressure, const PatchSlips& slips,
-                                                    const Lanes& area) {
+                                                    const Lanes& area, const Lanes& touching) {
     PatchSums sums;
-    sums.pressure = scaled(area, moments(pressure, lattice));
-    sums.dashpot = scaled(-law.cn * area, moments(motion.opening, lattice));
-    sums.elastic_normal = (0.5 * law.kn) * area * contract(moments(motion.overlap, lattice), motion.overlap);
+    sums.pressure = scaled(area, moments(pressure, nodes));
+    sums.dashpot = scaled(-law.cn * area, moments(motion.opening, nodes));
+    sums.elastic_normal = (0.5 * law.kn) * area * contract(moments(motion.overlap, nodes), motion.overlap);
     sums.overlap = highest(motion.overlap);
-    sums.touching = all(static_cast<double>(lattice.size()));
-    sums.shear_u = scaled(-law.ks * area, slips.moments_u(lattice));
-    sums.shear_v = scaled(-law.ks * area, slips.moments_v(lattice));
+    sums.touching = touching;
+    sums.shear_u = scaled(-law.ks * area, slips.moments_u(nodes));
+    sums.shear_v = scaled(-law.ks * area, slips.moments_v(nodes));
     sums.drag_u = sums.drag_v = zero_affine();
     if (kind.viscous) {
-        sums.drag_u = scaled(-law.cs * area, moments(motion.slide_u, lattice));
-        sums.drag_v = scaled(-law.cs * area, moments(motion.slide_v, lattice));
+        sums.drag_u = scaled(-law.cs * area, moments(motion.slide_u, nodes));
+        sums.drag_v = scaled(-law.cs * area, moments(motion.slide_v, nodes));
         sums.shear_u = sum_of(sums.shear_u, sums.drag_u);
         sums.shear_v = sum_of(sums.shear_v, sums.drag_v);
     }
-    sums.elastic_shear = (0.5 * law.ks) * area * slips.squares(lattice);
+    sums.elastic_shear = (0.5 * law.ks) * area * slips.squares(nodes);
     sums.friction = all(0.0);
     return sums;
+}
+
+/// By how much the node nearest to sliding may have come nearer since the nodes were last looked at [Pa]: all that has changed since, the
+/// largest change of each over the nodes that touch. `on`: an affine function there.
+template <class OnNodes>
+[[gnu::always_inline]] inline Lanes find_approach(const PatchKind& kind, const PatchLaw& law, const PatchMotion& motion,
+                                                  const PatchSlips& slips, const Affine& relief, const OnNodes& on) {
+    Lanes nearer = law.ks * (farthest(on(slips.common_u)) + farthest(on(slips.common_v))) + law.mu * larger(highest(on(relief)), all(0.0));
+    if (kind.viscous) nearer += law.cs * (farthest(on(motion.slide_u)) + farthest(on(motion.slide_v)));
+    return nearer;
+}
+
+/// Do the nodes that touched when `some` patches were last looked at still do, and no others?
+[[gnu::always_inline]] inline LaneMask find_unchanged(const LaneMask& some, const PatchMotion& motion, const TouchingNodes& nodes,
+                                                      State state) {
+    const Affine risen = difference_of(state.get_affine(patch_field::seen), motion.overlap);
+    return some & (-lowest(risen) < state.get(patch_field::gap)) & (highest(nodes.in_box(risen)) < state.get(patch_field::hold));
 }
 
 /// Makes tractions and history of what the nodes of pressed patches slipped. The loss is what the springs were given, by slips at both ends
@@ -220,10 +246,16 @@ struct Resultant {
     state.set(patch_field::late, late);
     motion.overlap.at -= late;
 
+    if (!any((touched > zero) | (highest(motion.overlap) > zero))) {
+        for (std::size_t lane = 0; lane < group.count; ++lane) list.forces[group.pair[lane]] = PairForce{};
+        return 0.0;
+    }
+
     // overlap and pressure are affine: their corners tell whether all nodes touch and push, now and a step ago
     const Affine pressure = pressure_of(law, motion);
+    const LaneMask whole = touched == all(static_cast<double>(lattice.size()));
     const LaneMask pressed = (lowest(motion.overlap) > zero) & (lowest(pressure) > zero) & cover.exists &
-                             (lowest(sum_of(motion.overlap, motion.opening)) > zero) & (touched == static_cast<double>(lattice.size()));
+                             (lowest(sum_of(motion.overlap, motion.opening)) > zero) & whole;
 
     // no node can reach the Coulomb limit before all that has changed since the nodes were last looked at could carry the nearest there
     const PatchSlips before(state);
@@ -231,32 +263,43 @@ struct Resultant {
     slips.common_u = sum_of(before.common_u, motion.slide_u);
     slips.common_v = sum_of(before.common_v, motion.slide_v);
     const Affine relief = difference_of(state.get_affine(patch_field::pressure), pressure);
-    Lanes nearer = law.ks * (farthest(slips.common_u) + farthest(slips.common_v)) + law.mu * larger(highest(relief), zero);
-    if (kind.viscous) nearer += law.cs * (farthest(motion.slide_u) + farthest(motion.slide_v));
+    const Lanes slack = state.get(patch_field::slack);
+    const LaneMask some = (touched > zero) & ~whole & (slack > zero) & cover.exists;
     LaneMask stuck = pressed;
-    if (law.mu > 0.0) stuck &= nearer < state.get(patch_field::slack);
-
-    PatchSums sums = any(pressed) ? sum_pressed(kind, lattice, law, motion, pressure, slips, area) : PatchSums{};
-    if (!all_of(stuck)) {
-        const LaneMask sliding = kind.viscous ? LaneMask{} : pressed & ~stuck;
-        PressedSums nodes;
+    PatchSums sums;
+    if (any(some)) {
+        const TouchingNodes nodes(state, lattice, some);
+        const auto in_box = [&](const Affine& a) MUSIM_INLINE_LAMBDA { return nodes.in_box(a); };
+        stuck |= find_unchanged(some, motion, nodes, state);
+        if (law.mu > 0.0) stuck &= find_approach(kind, law, motion, slips, relief, in_box) < slack;
+        sums = sum_pressed(kind, nodes, law, motion, pressure, slips, area, touched);
+    } else {
+        const auto everywhere = [](const Affine& a) MUSIM_INLINE_LAMBDA { return a; };
+        if (law.mu > 0.0) stuck &= find_approach(kind, law, motion, slips, relief, everywhere) < slack;
+        sums = sum_pressed(kind, lattice, law, motion, pressure, slips, area, touched);
+    }
+    const LaneMask sliding = kind.viscous ? LaneMask{} : pressed & ~stuck;
+    const auto pass_of = [&](std::size_t lane) MUSIM_INLINE_LAMBDA {
+        const std::size_t first = group.first_slot + lane * lattice.w.size();
+        return NodePass(lattice, law, motion, area[lane], lane, &patches.slip_u[first], &patches.slip_v[first], state);
+    };
+    if (any(~(stuck | sliding))) {
         for (std::size_t lane = 0; lane < group.count; ++lane) {
-            if (stuck[lane] != 0) continue;
+            if ((stuck[lane] | sliding[lane]) != 0) continue;
             if (!(touched[lane] > 0.0) && !(highest(motion.overlap)[lane] > 0.0)) {
                 sums.set_nothing(lane);
-                continue;
-            }
-            const std::size_t first = group.first_slot + lane * lattice.w.size();
-            const NodePass pass(lattice, law, motion, area[lane], lane, &patches.slip_u[first], &patches.slip_v[first], state);
-            if (sliding[lane] != 0) {
-                pass.run_pressed(pressure, nodes);
             } else if (kind.viscous) {
-                pass.run<true>(sums);
+                pass_of(lane).run<true>(sums);
             } else {
-                pass.run<false>(sums);
+                pass_of(lane).run<false>(sums);
             }
         }
-        if (any(sliding)) take_up_slips(sliding, nodes, motion, lattice, law.ks * area, before, sums, state);
+    }
+    if (any(sliding)) {
+        PressedSums nodes;
+        for (std::size_t lane = 0; lane < group.count; ++lane)
+            if (sliding[lane] != 0) pass_of(lane).run_pressed(pressure, nodes);
+        take_up_slips(sliding, nodes, motion, lattice, law.ks * area, before, sums, state);
     }
     if (any(stuck)) {
         const PatchSlips now(state);
@@ -314,29 +357,77 @@ PatchSize measure_patch(const PatchKind& kind, const PatchHeights& heights, cons
     return {2.0 * cover.half_p[0], 2.0 * cover.half_q[0]};
 }
 
-void inherit_energy(PatchList& patches, std::size_t group_index, std::size_t lane, double energy) {
+namespace {
+
+/// The faces of four patches where their states have them.
+struct StoredPose {
+    FacePose face;
+    Cover cover;
+
+    [[gnu::always_inline]] StoredPose(const PatchKind& kind, const PatchGroup& group, const double* fields)
+        : face{vector_at(fields, patch_field::place_k), vector_at(fields, patch_field::along_pk), vector_at(fields, patch_field::along_qk)},
+          cover(find_cover(kind, PatchSizes(kind, load(group.leader_offset.data()), load(group.follower_offset.data())), face)) {}
+
+    double area(std::size_t lane) const { return cover.exists[lane] != 0 ? 4.0 * cover.half_p[lane] * cover.half_q[lane] : 0.0; }
+
+  private:
+    [[gnu::always_inline]] static LaneVector vector_at(const double* fields, std::size_t index) {
+        const double* at = fields + index * kWidth;
+        return {load(at), load(at + kWidth), load(at + 2 * kWidth)};
+    }
+};
+
+}  // namespace
+
+PatchLoad find_load(const PatchList& patches, std::size_t group_index, std::size_t lane) {
+    const PatchGroup& group = patches.groups[group_index];
+    const PatchKind& kind = patches.kinds[group.kind];
+    const PatchLattice& lattice = patches.lattices[kind.lattice];
+    const auto affine = [&](std::size_t field, std::size_t node) {
+        const auto of = [&](std::size_t i) { return patches.field(group_index, field + i)[lane]; };
+        return (of(0) + lattice.s[node] * of(1)) + lattice.t[node] * of(2);
+    };
+    const bool whole = patches.field(group_index, patch_field::touching)[lane] == static_cast<double>(lattice.size());
+    const double stiffness = kind.law.shear_stiffness, area = StoredPose(kind, group, patches.field(group_index, 0)).area(lane);
+    const std::size_t first = group.first_slot + lane * lattice.w.size();
+    PatchLoad load;
+    load.energy = patches.field(group_index, patch_field::elastic_normal)[lane];
+    for (std::size_t i = 0; i < lattice.size(); ++i) {
+        // what is common to the nodes moved those that touched when they were last looked at
+        const bool touched = whole || affine(patch_field::seen, i) > 0.0;
+        const double u = stiffness * (patches.slip_u[first + i] + (touched ? affine(patch_field::slip_u, i) : 0.0)),
+                     v = stiffness * (patches.slip_v[first + i] + (touched ? affine(patch_field::slip_v, i) : 0.0));
+        load.friction_u -= area * lattice.w[i] * u;
+        load.friction_v -= area * lattice.w[i] * v;
+        load.traction_u.push_back(u);
+        load.traction_v.push_back(v);
+    }
+    return load;
+}
+
+void inherit_load(PatchList& patches, std::size_t group_index, std::size_t lane, const PatchLoad& load_before) {
+    const double energy = load_before.energy;
     const PatchGroup& group = patches.groups[group_index];
     const PatchKind& kind = patches.kinds[group.kind];
     const PatchLattice& lattice = patches.lattices[kind.lattice];
     const PatchSizes sizes(kind, load(group.leader_offset.data()), load(group.follower_offset.data()));
     const State state{patches.field(group_index, 0)};
-    const FacePose pose{state.get_vector(patch_field::place_k), state.get_vector(patch_field::along_pk),
-                        state.get_vector(patch_field::along_qk)};
-    const Cover cover = find_cover(kind, sizes, pose);
+    const StoredPose stored_pose(kind, group, state.at);
+    const FacePose& pose = stored_pose.face;
+    const Cover& cover = stored_pose.cover;
     const Affine overlap = find_motion(kind, sizes, cover, pose, FacePose{}).overlap;
     const double deepest = highest(overlap)[lane];
     if (!(deepest > 0.0) || cover.exists[lane] == 0) return;
 
-    const double area = 4.0 * cover.half_p[lane] * cover.half_q[lane];
-    double touching = 0.0;
+    const double area = stored_pose.area(lane);
+    const auto depth = [&](std::size_t i, double late) {
+        return overlap.at[lane] + overlap.s[lane] * lattice.s[i] + overlap.t[lane] * lattice.t[i] - late;
+    };
     const auto stored = [&](double late) {
         double sum = 0.0;
-        touching = 0.0;
         for (std::size_t i = 0; i < lattice.size(); ++i) {
-            const double d = overlap.at[lane] + overlap.s[lane] * lattice.s[i] + overlap.t[lane] * lattice.t[i] - late;
-            if (d <= 0.0) continue;
+            const double d = std::max(0.0, depth(i, late));
             sum += lattice.w[i] * d * d;
-            touching += 1.0;
         }
         return 0.5 * area * kind.law.normal_stiffness * sum;
     };
@@ -352,7 +443,35 @@ void inherit_energy(PatchList& patches, std::size_t group_index, std::size_t lan
     const auto set = [&](std::size_t field, double value) { state.at[field * kWidth + lane] = value; };
     set(patch_field::elastic_normal, stored(late));
     set(patch_field::late, late);
+
+    double touching = 0.0, weight = 0.0;
+    for (std::size_t i = 0; i < lattice.size(); ++i) {
+        if (!(depth(i, late) > 0.0)) continue;
+        touching += 1.0;
+        weight += lattice.w[i];
+    }
     set(patch_field::touching, touching);
+
+    const double per_stiffness = kind.law.shear_stiffness > 0.0 ? 1.0 / kind.law.shear_stiffness : 0.0;
+    const double per_area = area * weight > 0.0 ? 1.0 / (area * weight) : 0.0;
+    const bool by_node = load_before.traction_u.size() == lattice.size() && load_before.traction_v.size() == lattice.size();
+    std::array<double, 7> own{};  // Σ w (1, s, t) ξ along u and v, Σ w |ξ|²
+    const std::size_t first = group.first_slot + lane * lattice.w.size();
+    for (std::size_t i = 0; i < lattice.size(); ++i) {
+        const bool touches = depth(i, late) > 0.0;
+        const double traction_u = by_node ? load_before.traction_u[i] : -load_before.friction_u * per_area,
+                     traction_v = by_node ? load_before.traction_v[i] : -load_before.friction_v * per_area;
+        const double u = touches ? per_stiffness * traction_u : 0.0, v = touches ? per_stiffness * traction_v : 0.0;
+        patches.slip_u[first + i] = u, patches.slip_v[first + i] = v;
+        const double w = lattice.w[i], ws = lattice.ws[i], wt = lattice.wt[i];
+        const std::array<double, 7> share{w * u, ws * u, wt * u, w * v, ws * v, wt * v, w * (u * u + v * v)};
+        for (std::size_t k = 0; k < own.size(); ++k) own[k] += share[k];
+    }
+    static_assert(patch_field::own_squared == patch_field::own_u + 6);
+    for (std::size_t k = 0; k < own.size(); ++k) set(patch_field::own_u + k, own[k]);
+    for (std::size_t field = patch_field::slip_u; field <= patch_field::slip_vt; ++field) set(field, 0.0);
+    set(patch_field::elastic_shear, 0.5 * area * kind.law.shear_stiffness * own.back());
+    set(patch_field::slack, -1.0);
 }
 
 namespace {

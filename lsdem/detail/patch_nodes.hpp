@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
 
 #include "lsdem/detail/contact_kernel.hpp"
 #include "lsdem/detail/patch_geometry.hpp"
@@ -55,6 +56,38 @@ struct PressedSums {
     [[gnu::always_inline]] Lanes fold_squares() const { return sums(squares[0], squares[1], squares[2], squares[3]); }
 };
 
+/// The nodes of four patches that touch, as sums over them and as the box on the lattice that holds them.
+struct TouchingNodes {
+    Lanes w, ws, wt, wss, wst, wtt;              ///< Σ w (1, s, t, s², st, t²)
+    Lanes box_s, box_t, box_half_s, box_half_t;  ///< middle and half extents
+
+    /// As noted when the nodes of `some` patches were last looked at; of the others, all nodes.
+    [[gnu::always_inline]] TouchingNodes(State state, const PatchLattice& lattice, const LaneMask& some) {
+        const Lanes zero = all(0.0), one = all(1.0);
+        w = select(some, state.get(patch_field::touching_w), one);
+        ws = select(some, state.get(patch_field::touching_ws), zero);
+        wt = select(some, state.get(patch_field::touching_wt), zero);
+        wss = select(some, state.get(patch_field::touching_wss), all(lattice.second_p));
+        wst = select(some, state.get(patch_field::touching_wst), zero);
+        wtt = select(some, state.get(patch_field::touching_wtt), all(lattice.second_q));
+        box_s = select(some, state.get(patch_field::box_s), zero);
+        box_t = select(some, state.get(patch_field::box_t), zero);
+        box_half_s = select(some, state.get(patch_field::box_half_s), one);
+        box_half_t = select(some, state.get(patch_field::box_half_t), one);
+    }
+
+    /// An affine function over the box in place of the lattice.
+    [[gnu::always_inline]] Affine in_box(const Affine& a) const {
+        return {(a.at + a.s * box_s) + a.t * box_t, a.s * box_half_s, a.t * box_half_t};
+    }
+};
+
+/// Σ w·f·(1, s, t) over the nodes that touch.
+[[gnu::always_inline]] inline Affine moments(const Affine& a, const TouchingNodes& nodes) {
+    return {(nodes.w * a.at + nodes.ws * a.s) + nodes.wt * a.t, (nodes.ws * a.at + nodes.wss * a.s) + nodes.wst * a.t,
+            (nodes.wt * a.at + nodes.wst * a.s) + nodes.wtt * a.t};
+}
+
 /// Looks at every node of one patch of a group.
 class NodePass {
   public:
@@ -69,6 +102,9 @@ class NodePass {
         const NodeAffine slide_u(motion_.slide_u, lane_), slide_v(motion_.slide_v, lane_);
         const NodeAffine since_u(state_.get_affine(patch_field::slip_u), lane_), since_v(state_.get_affine(patch_field::slip_v), lane_);
         const Lanes zero = all(0.0), one = all(1.0), cn = all(law_.cn[lane_]), cs = all(law_.cs[lane_]);
+        // what is common to the nodes moved those that touched at the last look
+        const NodeAffine seen(state_.get_affine(patch_field::seen), lane_);
+        const LaneMask all_touched = all(get(patch_field::touching)) == all(static_cast<double>(lattice_.size()));
         NodeSums pressures, dashpots, drags_u, drags_v, owns_u, owns_v;
         Lanes normal_energy{}, squares{}, lost{}, count{}, deepest{};
         LaneMask sliding{}, clamped{};
@@ -77,7 +113,9 @@ class NodePass {
             const Lanes s = load(&lattice_.s[i]), t = load(&lattice_.t[i]), w = load(&lattice_.w[i]);
             const Lanes overlap = d(s, t), apart = opening(s, t);
             const LaneMask active = (overlap > zero) & (w > zero);
-            const Lanes old_u = load(slip_u_ + i) + since_u(s, t), old_v = load(slip_v_ + i) + since_v(s, t);
+            const LaneMask touched = all_touched | (seen(s, t) > zero);
+            const Lanes old_u = load(slip_u_ + i) + select(touched, since_u(s, t), zero),
+                        old_v = load(slip_v_ + i) + select(touched, since_v(s, t), zero);
             // most nodes of a patch that stands on an edge are open, and were
             if (!any(active | (old_u != zero) | (old_v != zero))) continue;
             const Lanes elastic = law_.kn * overlap, damped = elastic - cn * apart;
@@ -145,8 +183,16 @@ class NodePass {
         sums.friction[lane_] = 0.5 * area_ * sum(lost);
         sums.overlap[lane_] = largest(deepest);
         sums.touching[lane_] = touching;
-        const bool whole = touching == static_cast<double>(lattice_.size()) && !any(sliding) && !any(clamped);
-        write_own(owns_u, owns_v, sum(squares), whole);
+        const bool settled = touching > 0.0 && law_.mu > 0.0 && !any(sliding) && !any(clamped);
+        write_own(owns_u, owns_v, sum(squares));
+        for (std::size_t i = 0; i < 3; ++i) set(patch_field::seen + i, part(motion_.overlap, i));
+        if (!settled) {
+            set(patch_field::slack, -1.0);
+        } else if (touching == static_cast<double>(lattice_.size())) {
+            set(patch_field::slack, find_slack());
+        } else {
+            note_touching();
+        }
     }
 
     /// For a patch all of whose nodes touched and do, without tangential dashpots: only what friction makes of each of them.
@@ -188,13 +234,12 @@ class NodePass {
         to.t[lane_] += from.t[lane_];
     }
 
-    /// The nodes have taken up what was common to them; `whole`: all touch and none slides.
-    [[gnu::always_inline]] void write_own(const NodeSums& u, const NodeSums& v, double squares, bool whole) const {
+    /// The nodes have taken up what was common to them.
+    [[gnu::always_inline]] void write_own(const NodeSums& u, const NodeSums& v, double squares) const {
         for (std::size_t field = patch_field::slip_u; field <= patch_field::slip_vt; ++field) set(field, 0.0);
         set(patch_field::own_u, sum(u.at)), set(patch_field::own_us, sum(u.s)), set(patch_field::own_ut, sum(u.t));
         set(patch_field::own_v, sum(v.at)), set(patch_field::own_vs, sum(v.s)), set(patch_field::own_vt, sum(v.t));
         set(patch_field::own_squared, squares);
-        set(patch_field::slack, whole ? find_slack() : -1.0);
     }
 
     /// How far the node nearest to sliding is from it [Pa]; all touch and none slides. Notes the pressures this holds for.
@@ -206,12 +251,50 @@ class NodePass {
             const Lanes u = load(slip_u_ + i), v = load(slip_v_ + i);
             least = smaller(least, law_.mu * at(load(&lattice_.s[i]), load(&lattice_.t[i])) - law_.ks * root(u * u + v * v));
         }
-        set(patch_field::pressure, pressure.at[lane_]);
-        set(patch_field::pressure_s, pressure.s[lane_]);
-        set(patch_field::pressure_t, pressure.t[lane_]);
+        write_pressure(pressure);
         return smallest(least);
     }
 
+    /// Of a patch that touches with some of its nodes, none of which slides: which they are, and how far all are from a change.
+    [[gnu::always_inline]] void note_touching() const {
+        const Affine pressure = pressure_of(law_, motion_);
+        const NodeAffine at(pressure, lane_), d(motion_.overlap, lane_);
+        const Lanes zero = all(0.0), one = all(1.0), never = all(std::numeric_limits<double>::infinity());
+        NodeSums ones;
+        Lanes sum_ss{}, sum_st{}, sum_tt{};
+        Lanes slack = never, gap = never, hold = never, low_s = one, low_t = one, high_s = -one, high_t = -one;
+        for (std::size_t i = 0; i < lattice_.w.size(); i += kLanes) {
+            const Lanes s = load(&lattice_.s[i]), t = load(&lattice_.t[i]), w = load(&lattice_.w[i]);
+            const Lanes overlap = d(s, t);
+            const LaneMask exists = w > zero, touches = exists & (overlap > zero);
+            gap = smaller(gap, select(exists & ~touches, -overlap, never));
+            if (!any(touches)) continue;
+            const Lanes u = load(slip_u_ + i), v = load(slip_v_ + i);
+            slack = smaller(slack, select(touches, law_.mu * at(s, t) - law_.ks * root(u * u + v * v), never));
+            hold = smaller(hold, select(touches, overlap, never));
+            low_s = smaller(low_s, select(touches, s, one)), high_s = larger(high_s, select(touches, s, -one));
+            low_t = smaller(low_t, select(touches, t, one)), high_t = larger(high_t, select(touches, t, -one));
+            const Lanes weight = select(touches, w, zero), weight_s = select(touches, load(&lattice_.ws[i]), zero),
+                        weight_t = select(touches, load(&lattice_.wt[i]), zero);
+            ones.add(one, weight, weight_s, weight_t);
+            sum_ss += weight_s * s, sum_st += weight_s * t, sum_tt += weight_t * t;
+        }
+        write_pressure(pressure);
+        set(patch_field::slack, smallest(slack));
+        set(patch_field::gap, smallest(gap)), set(patch_field::hold, smallest(hold));
+        const double from_s = smallest(low_s), to_s = largest(high_s), from_t = smallest(low_t), to_t = largest(high_t);
+        set(patch_field::box_s, 0.5 * (from_s + to_s)), set(patch_field::box_half_s, 0.5 * (to_s - from_s));
+        set(patch_field::box_t, 0.5 * (from_t + to_t)), set(patch_field::box_half_t, 0.5 * (to_t - from_t));
+        set(patch_field::touching_w, sum(ones.at)), set(patch_field::touching_ws, sum(ones.s));
+        set(patch_field::touching_wt, sum(ones.t)), set(patch_field::touching_wss, sum(sum_ss));
+        set(patch_field::touching_wst, sum(sum_st)), set(patch_field::touching_wtt, sum(sum_tt));
+    }
+
+    [[gnu::always_inline]] void write_pressure(const Affine& pressure) const {
+        for (std::size_t i = 0; i < 3; ++i) set(patch_field::pressure + i, part(pressure, i));
+    }
+    [[gnu::always_inline]] double part(const Affine& a, std::size_t i) const { return (i == 0 ? a.at : i == 1 ? a.s : a.t)[lane_]; }
+    [[gnu::always_inline]] double get(std::size_t field) const { return state_.at[field * kWidth + lane_]; }
     [[gnu::always_inline]] void set(std::size_t field, double value) const { state_.at[field * kWidth + lane_] = value; }
 
     const PatchLattice& lattice_;

@@ -29,16 +29,26 @@ struct FaceAffine {
 enum class Edge : std::int8_t { other, plus_u, minus_u, plus_v, minus_v };
 
 struct Vertex {
-    double a = 0.0, b = 0.0;
-    Edge edge = Edge::other;  ///< from here to the next
+    double a, b;
+    Edge edge;  ///< from here to the next
 };
 
 /// Convex polygon on the leader's face, counter-clockwise in (a, b).
 class FacePolygon {
   public:
-    FacePolygon() = default;
-    FacePolygon(double half_a, double half_b)
-        : count_(4), vertices_{Vertex{-half_a, -half_b}, Vertex{half_a, -half_b}, Vertex{half_a, half_b}, Vertex{-half_a, half_b}} {}
+    FacePolygon() {}
+    FacePolygon(double half_a, double half_b) : count_(4) {
+        vertices_[0] = {-half_a, -half_b, Edge::other}, vertices_[1] = {half_a, -half_b, Edge::other};
+        vertices_[2] = {half_a, half_b, Edge::other}, vertices_[3] = {-half_a, half_b, Edge::other};
+    }
+    /// Room for vertices that are not there is neither cleared nor copied: polygons are made several times a contact and step.
+    FacePolygon(const FacePolygon& other) : count_(other.count_) { std::copy_n(other.vertices_.begin(), count_, vertices_.begin()); }
+    FacePolygon& operator=(const FacePolygon& other) {
+        count_ = other.count_;
+        std::copy_n(other.vertices_.begin(), count_, vertices_.begin());
+        return *this;
+    }
+    ~FacePolygon() = default;
 
     std::size_t size() const { return count_; }
     const Vertex& operator[](std::size_t i) const { return vertices_[i]; }
@@ -46,24 +56,29 @@ class FacePolygon {
 
     /// Keeps what lies where `inside` is positive [SutherlandHodgman74].
     void clip(const FaceAffine& inside, Edge edge = Edge::other) {
+        std::array<double, kMost> at;
         std::size_t within = 0;
-        for (std::size_t i = 0; i < count_; ++i) within += inside(vertices_[i].a, vertices_[i].b) > 0.0 ? 1 : 0;
+        for (std::size_t i = 0; i < count_; ++i) {
+            at[i] = inside(vertices_[i].a, vertices_[i].b);
+            within += at[i] > 0.0 ? 1 : 0;
+        }
         if (within == count_) return;
         if (within == 0) {
             count_ = 0;
             return;
         }
-        FacePolygon kept;
-        for (std::size_t i = 0; i < count_ && kept.count_ + 2 <= kMost; ++i) {
+        std::array<Vertex, kMost> kept;
+        std::size_t count = 0;
+        for (std::size_t i = 0; i < count_ && count + 2 <= kMost; ++i) {
             const Vertex &from = vertices_[i], &to = next(i);
-            const double here = inside(from.a, from.b), there = inside(to.a, to.b);
-            if (here > 0.0) kept.vertices_[kept.count_++] = from;
+            const double here = at[i], there = at[i + 1 == count_ ? 0 : i + 1];
+            if (here > 0.0) kept[count++] = from;
             if ((here > 0.0) == (there > 0.0)) continue;
             const double part = here / (here - there);
-            kept.vertices_[kept.count_++] = {from.a + part * (to.a - from.a), from.b + part * (to.b - from.b),
-                                             here > 0.0 ? edge : from.edge};
+            kept[count++] = {from.a + part * (to.a - from.a), from.b + part * (to.b - from.b), here > 0.0 ? edge : from.edge};
         }
-        *this = kept;
+        std::copy_n(kept.begin(), count, vertices_.begin());
+        count_ = count;
     }
 
     double largest(const FaceAffine& f) const {
@@ -77,12 +92,12 @@ class FacePolygon {
     template <class Visit>
     void integrate(const Visit& visit) const {
         for (std::size_t i = 1; i + 1 < count_; ++i) {
-            const std::array corner{vertices_[0], vertices_[i], vertices_[i + 1]};
-            const double twice =
-                (corner[1].a - corner[0].a) * (corner[2].b - corner[0].b) - (corner[2].a - corner[0].a) * (corner[1].b - corner[0].b);
+            const std::array corner{&vertices_[0], &vertices_[i], &vertices_[i + 1]};
+            const double twice = (corner[1]->a - corner[0]->a) * (corner[2]->b - corner[0]->b) -
+                                 (corner[2]->a - corner[0]->a) * (corner[1]->b - corner[0]->b);
             const double weight = std::max(0.0, twice) / 6.0;
             for (std::size_t j = 0; j < 3; ++j) {
-                const Vertex &one = corner[j], &two = corner[(j + 1) % 3];
+                const Vertex &one = *corner[j], &two = *corner[(j + 1) % 3];
                 visit(0.5 * (one.a + two.a), 0.5 * (one.b + two.b), weight);
             }
         }
@@ -92,7 +107,7 @@ class FacePolygon {
     // four sides, four planes of the follower, depth, `late` and pressure: one more vertex each, and room for what rounding may add
     static constexpr std::size_t kMost = 16;
     std::size_t count_ = 0;
-    std::array<Vertex, kMost> vertices_{};
+    std::array<Vertex, kMost> vertices_;
 };
 
 /// The leader's face as the follower sees it: a point of it is (n, p, q) = (face_n, a, b) in the leader's axes.
@@ -125,14 +140,16 @@ struct FaceView {
     /// The part of the leader's face that lies in the follower.
     FacePolygon find_overlap(const BoxPair& boxes) const {
         FacePolygon polygon(boxes.leader[p], boxes.leader[q]);
+        // boxes overlap by a small part of a face: what is left of it then lies within most other planes
+        polygon.clip(depth);
         const auto clip = [&](std::size_t axis, double sign, Edge edge) {
-            polygon.clip({boxes.follower[axis] - sign * y[axis].at, -sign * y[axis].by_a, -sign * y[axis].by_b}, edge);
+            if (polygon.size() > 0)
+                polygon.clip({boxes.follower[axis] - sign * y[axis].at, -sign * y[axis].by_a, -sign * y[axis].by_b}, edge);
         };
         clip(u, 1.0, Edge::plus_u);
         clip(u, -1.0, Edge::minus_u);
         clip(v, 1.0, Edge::plus_v);
         clip(v, -1.0, Edge::minus_v);
-        polygon.clip(depth);
         return polygon;
     }
 };
@@ -170,14 +187,17 @@ void add_edges(const FaceView& view, const FacePolygon& polygon, const FaceAffin
 /// Load of a polygon of the leader's face on which `depth` is positive.
 TiltedLoad compute_load(const FaceView& view, const FacePolygon& polygon, const FaceAffine& depth, double stiffness) {
     TiltedLoad load;
+    double force = 0.0, force_a = 0.0, force_b = 0.0;
     polygon.integrate([&](double a, double b, double weight) {
-        const double d = std::max(0.0, depth(a, b)), force = stiffness * weight * d;
+        const double d = std::max(0.0, depth(a, b)), share = stiffness * weight * d;
         load.area += weight;
-        load.energy += 0.5 * force * d;
-        Row normal{};
-        normal[view.k] = view.side * force;
-        load.force.add(normal, view.point(a, b));
+        load.energy += 0.5 * share * d;
+        force += share, force_a += share * a, force_b += share * b;
     });
+    load.force.force[view.k] = view.side * force;
+    load.force.by_place[view.k][view.n] = view.side * force * view.face_n;
+    load.force.by_place[view.k][view.p] = view.side * force_a;
+    load.force.by_place[view.k][view.q] = view.side * force_b;
     add_edges(view, polygon, depth, stiffness, load.force);
     return load;
 }
@@ -201,9 +221,8 @@ Meeting find_meeting(const BoxPair& boxes, const FaceView& view, const TiltedFac
 }
 
 /// Are the boxes apart across an edge of one and an edge of the other? Edges nearly parallel to each other are left to the faces.
-bool edges_separate(const BoxPair& boxes, const RelativePose& pose) {
+bool edges_separate(const BoxPair& boxes, const std::array<Row, 3>& q, const Row& position) {
     constexpr double kParallel = 1e-6;
-    const auto& q = pose.rotation;
     for (std::size_t a = 0; a < 3; ++a) {
         const std::size_t a1 = (a + 1) % 3, a2 = (a + 2) % 3;
         for (std::size_t b = 0; b < 3; ++b) {
@@ -211,7 +230,7 @@ bool edges_separate(const BoxPair& boxes, const RelativePose& pose) {
             if (1.0 - q[a][b] * q[a][b] < kParallel) continue;
             const double of_follower = boxes.follower[a1] * std::abs(q[a2][b]) + boxes.follower[a2] * std::abs(q[a1][b]);
             const double of_leader = boxes.leader[b1] * std::abs(q[a][b2]) + boxes.leader[b2] * std::abs(q[a][b1]);
-            const double offset = std::abs(pose.position[a2] * q[a1][b] - pose.position[a1] * q[a2][b]);
+            const double offset = std::abs(position[a2] * q[a1][b] - position[a1] * q[a2][b]);
             if (offset > of_follower + of_leader) return true;
         }
     }
@@ -328,20 +347,23 @@ TiltedLoad compute_tilted_load(const BoxPair& boxes, const RelativePose& pose, c
     return load;
 }
 
-double find_least_overlap(const BoxPair& boxes, const RelativePose& pose) {
-    const auto& q = pose.rotation;
+double find_least_overlap(const BoxPair& boxes, const std::array<Row, 3>& q, const Row& position) {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t a = 0; a < 3; ++a) {
         double of_leader = 0.0, of_follower = 0.0, offset = 0.0;
         for (std::size_t b = 0; b < 3; ++b) {
             of_leader += std::abs(q[a][b]) * boxes.leader[b];
             of_follower += std::abs(q[b][a]) * boxes.follower[b];
-            offset += q[b][a] * pose.position[b];
+            offset += q[b][a] * position[b];
         }
-        least = std::min(least, boxes.follower[a] + of_leader - std::abs(pose.position[a]));
+        least = std::min(least, boxes.follower[a] + of_leader - std::abs(position[a]));
         least = std::min(least, boxes.leader[a] + of_follower - std::abs(offset));
     }
     return least;
+}
+
+bool are_apart(const BoxPair& boxes, const std::array<Row, 3>& rotation, const Row& position) {
+    return find_least_overlap(boxes, rotation, position) <= 0.0 || edges_separate(boxes, rotation, position);
 }
 
 Row compute_moment(const PlacedForce& forces, const RelativePose& pose) {
@@ -358,12 +380,37 @@ double compute_work(const PlacedForce& forces, const RelativePose& pose) {
     return work;
 }
 
+bool start_tilted_contact(const BoxPair& boxes, const std::array<Row, 3>& rotation, const Row& position, const Interface& law,
+                          const TiltedFaces& faces, double energy, const Row& friction, TiltedContact& contact, PairTally& tally) {
+    const FaceView view(boxes, rotation, position, faces);
+    Meeting meeting = find_meeting(boxes, view, faces);
+    if (!meeting.exists) return false;
+    contact = TiltedContact{};
+    contact.touches = true;
+    contact.faces = faces;
+    contact.late = find_late(view, meeting, law.normal_stiffness, energy);
+    const FaceAffine depth = less(view.depth, contact.late);
+    meeting.polygon.clip(depth);
+    const TiltedLoad load = compute_load(view, meeting.polygon, depth, law.normal_stiffness);
+    contact.area = load.area;
+    contact.elastic = load.force;
+    tally.elastic_normal = load.energy;
+    const double stiffness = load.area * law.shear_stiffness;
+    if (!(load.energy > 0.0 && stiffness > 0.0)) return true;
+    for (std::size_t r = 0; r < 3; ++r) {
+        contact.place[r] = load.force.by_place[view.k][r] / load.force.force[view.k];
+        contact.slip[r] = -friction[r] / stiffness;
+    }
+    contact.shear = friction;
+    tally.elastic_shear = 0.5 * stiffness * dot(contact.slip, contact.slip);
+    return true;
+}
+
 void compute_tilted_contact(const BoxPair& boxes, const RelativePose& pose, const StepLaw& law, bool first_step, const PairTally& stored,
                             TiltedContact& contact, PairSums& sums) {
-    const double least = find_least_overlap(boxes, pose);
+    const double least = find_least_overlap(boxes, pose.rotation, pose.position);
     const TiltedContact before = contact;
     contact = TiltedContact{};
-    if (!before.touches && (least <= 0.0 || edges_separate(boxes, pose))) return;
 
     // the faces that met stay, unless the boxes overlap much less across others
     Meeting meeting;

@@ -21,14 +21,24 @@ struct TiltedLoad {
 /// Load of the polygon of the leader's face that lies deeper than `late` [m] in the follower, for K_n = `stiffness` [Pa/m].
 TiltedLoad compute_tilted_load(const BoxPair& boxes, const RelativePose& pose, const TiltedFaces& faces, double late, double stiffness);
 
-/// Smallest overlap of the boxes along any of their six face normals [m]; negative: a normal separates them.
-double find_least_overlap(const BoxPair& boxes, const RelativePose& pose);
+/// Smallest overlap of the boxes along any of their six face normals [m]; negative: a normal separates them. `rotation`, `position`: of the
+/// leader in the follower's frame, see RelativePose.
+double find_least_overlap(const BoxPair& boxes, const std::array<Row, 3>& rotation, const Row& position);
+
+/// Does a plane separate the boxes, along a face of one or along two edges? Boxes that overlap never are apart.
+bool are_apart(const BoxPair& boxes, const std::array<Row, 3>& rotation, const Row& position);
 
 /// Moment of placed forces about the follower's origin [N·m], and their work over the last step [J].
 Row compute_moment(const PlacedForce& forces, const RelativePose& pose);
 double compute_work(const PlacedForce& forces, const RelativePose& pose);
 
-/// Contact of two boxes at an angle; `before`: what it stored at the last step. `first_step`: initial overlap carries force.
+/// Starts a contact of two boxes at an angle as one that has met by `faces` before: it stores `energy` [J], or all it can, by an overlap
+/// that carries no force, and bears `friction` [N, follower's frame]. False, and nothing is changed, when the faces do not meet.
+bool start_tilted_contact(const BoxPair& boxes, const std::array<Row, 3>& rotation, const Row& position, const Interface& law,
+                          const TiltedFaces& faces, double energy, const Row& friction, TiltedContact& contact, PairTally& tally);
+
+/// Contact of two boxes at an angle that touched at the last step, or are not apart; `before`: what it stored at the last step.
+/// `first_step`: initial overlap carries force.
 void compute_tilted_contact(const BoxPair& boxes, const RelativePose& pose, const StepLaw& law, bool first_step, const PairTally& before,
                             TiltedContact& contact, PairSums& sums);
 

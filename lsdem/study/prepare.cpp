@@ -160,8 +160,7 @@ PreparedSpecimen prepare(const Specimen& upright, double time_step, const Prepar
             model.blocks[i].position = simulation.position(i);
             model.blocks[i].orientation = simulation.orientation(i);
         }
-        for (const ContactForce& contact : simulation.contact_forces())
-            if (contact.energy > 0.0) model.preload.push_back({contact.leader, contact.follower, contact.energy});
+        model.preload = simulation.preloads();
         prepared.max_overlap = simulation.statistics().max_overlap_over_height;
         describe(simulation, prepared);
     };

@@ -12,12 +12,13 @@
 #include "lsdem/study/detail/hdf5_file.hpp"
 #include "lsdem/study/detail/hdf5_reader.hpp"
 #include "lsdem/study/read_results.hpp"
+#include "lsdem/tilted.hpp"
 #include "records/atomic_file.hpp"
 
 namespace musim::lsdem::study {
 namespace {
 
-constexpr std::string_view kFormat = "musim-specimen/2";
+constexpr std::string_view kFormat = "musim-specimen/3";
 
 /// Edge lengths that differ by less than this part are the same, written at another scale.
 constexpr double kSameLength = 1e-9;
@@ -28,12 +29,19 @@ constexpr std::array kUnrelated{"schema", "name", "base_motion", "motions", "out
 /// The follower of a contact with the ground.
 constexpr long long kGround = -1;
 
+double weight_of(const Model& model, std::size_t index) { return model.blocks[index].mass * model.gravity.norm(); }
+
+/// The traction of a face that bears the weight of this block along itself [Pa].
+double traction_of_weight(const Model& model, std::size_t index) {
+    return weight_of(model, index) / model.shapes[model.blocks[index].shape].face_area;
+}
+
 /// What a whole face holds that bears the weight of this block [J]: (m g)²/(2 K_n A).
 double energy_of_weight(const Model& model, std::size_t index) {
     const Block& block = model.blocks[index];
     const Shape& shape = model.shapes[block.shape];
     const Material& material = model.materials[block.material];
-    const double weight = block.mass * model.gravity.norm();
+    const double weight = weight_of(model, index);
     return weight * weight / (2.0 * material.normal_stiffness * shape.face_area);
 }
 
@@ -50,6 +58,52 @@ std::vector<double> flatten(const std::vector<Vector3>& vectors) {
 void require_specimen(const detail::Hdf5Reader& reader, const std::filesystem::path& file) {
     if (!reader.has("/blocks/tilt") || reader.attribute("format") != kFormat)
         refuse(file, "not a specimen (musim specimen makes them); name another file");
+}
+
+/// What the contacts of a specimen hold, at the weights and stiffnesses of `model`.
+std::vector<Preload> read_preloads(const detail::Hdf5Reader& reader, const std::filesystem::path& file, const Model& model) {
+    const auto leader = reader.integers("/contacts/leader", 1), follower = reader.integers("/contacts/follower", 1);
+    const auto nodes = reader.integers("/contacts/nodes", 2), faces = reader.integers("/contacts/faces", 1);
+    const auto squared_load = reader.doubles("/contacts/squared_load", 1);
+    const auto friction = reader.doubles("/contacts/friction_over_block_weight", 2);
+    const auto node_friction = reader.doubles("/contacts/node_friction", 2);
+    const auto known = [&](long long block) { return block >= 0 && block < static_cast<long long>(model.blocks.size()); };
+    const std::size_t contacts = squared_load.values.size();
+    if (leader.values.size() != contacts || follower.values.size() != contacts || nodes.values.size() != 2 * contacts ||
+        faces.values.size() != contacts || friction.values.size() != 3 * contacts)
+        refuse(file, "the lists of its contacts differ in length (a damaged file); prepare it again");
+    std::vector<Preload> preloads(contacts);
+    std::size_t node = 0;
+    for (std::size_t i = 0; i < contacts; ++i) {
+        const long long below = leader.values[i], above = follower.values[i];
+        const long long along_p = nodes.values[2 * i], along_q = nodes.values[2 * i + 1];
+        if (!known(below) || !(known(above) || above == kGround))
+            refuse(file, fmt::format("contact {} names a block that is not there (a damaged file); prepare it again", i));
+        if (!(std::isfinite(squared_load.values[i]) && squared_load.values[i] >= 0.0))
+            refuse(file,
+                   fmt::format("contact {} bears {:.6g} squared weights (a damaged file); prepare it again", i, squared_load.values[i]));
+        if (faces.values[i] < 0 || faces.values[i] > TiltedFaces::kCodes)
+            refuse(file, fmt::format("contact {} names faces that no box has (a damaged file); prepare it again", i));
+        const auto left = static_cast<long long>(node_friction.values.size() / 2 - node);
+        if (along_p < 0 || along_q < 0 || (along_q > 0 && along_p > left / along_q))
+            refuse(file, fmt::format("contact {} has {} x {} nodes where {} are left (a damaged file); prepare it again", i, along_p,
+                                     along_q, left));
+        Preload& preload = preloads[i];
+        preload.leader = static_cast<std::size_t>(below);
+        if (above != kGround) preload.follower = static_cast<std::size_t>(above);
+        preload.energy = squared_load.values[i] * energy_of_weight(model, preload.leader);
+        preload.friction = weight_of(model, preload.leader) * Eigen::Map<const Vector3>(&friction.values[3 * i]);
+        preload.count_p = static_cast<std::size_t>(along_p), preload.count_q = static_cast<std::size_t>(along_q);
+        preload.faces = static_cast<std::uint8_t>(faces.values[i]);
+        const double unit = traction_of_weight(model, preload.leader);
+        for (long long k = 0; k < along_p * along_q; ++k, ++node) {
+            preload.traction_u.push_back(unit * node_friction.values[2 * node]);
+            preload.traction_v.push_back(unit * node_friction.values[2 * node + 1]);
+        }
+        if (!preload.is_finite())
+            refuse(file, fmt::format("the friction of contact {} is not finite (a damaged file); prepare it again", i));
+    }
+    return preloads;
 }
 
 }  // namespace
@@ -88,10 +142,19 @@ void write_specimen(const std::filesystem::path& file, const PreparedSpecimen& p
     const std::vector<long long> layer(prepared.specimen.layer.begin(), prepared.specimen.layer.end());
     std::vector<long long> leader, follower;
     std::vector<double> squared_load;
+    std::vector<Vector3> friction;
+    std::vector<long long> nodes, faces;
+    std::vector<double> node_friction;
     for (const Preload& contact : model.preload) {
         leader.push_back(static_cast<long long>(contact.leader));
         follower.push_back(contact.follower ? static_cast<long long>(*contact.follower) : kGround);
         squared_load.push_back(contact.energy / energy_of_weight(model, contact.leader));
+        friction.emplace_back(contact.friction / weight_of(model, contact.leader));
+        faces.push_back(contact.faces);
+        nodes.insert(nodes.end(), {static_cast<long long>(contact.count_p), static_cast<long long>(contact.count_q)});
+        const double unit = traction_of_weight(model, contact.leader);
+        for (std::size_t i = 0; i < contact.traction_u.size(); ++i)
+            node_friction.insert(node_friction.end(), {contact.traction_u[i] / unit, contact.traction_v[i] / unit});
     }
     detail::Hdf5File out;
     out.write("/blocks/size", {n, 3}, flatten(size).data(), "m");
@@ -104,6 +167,10 @@ void write_specimen(const std::filesystem::path& file, const PreparedSpecimen& p
     out.write("/contacts/leader", {leader.size()}, leader.data(), "1");
     out.write("/contacts/follower", {follower.size()}, follower.data(), "1");
     out.write("/contacts/squared_load", {squared_load.size()}, squared_load.data(), "1");
+    out.write("/contacts/friction_over_block_weight", {friction.size(), 3}, flatten(friction).data(), "1");
+    out.write("/contacts/faces", {faces.size()}, faces.data(), "1");
+    out.write("/contacts/nodes", {nodes.size() / 2, 2}, nodes.data(), "1");
+    out.write("/contacts/node_friction", {node_friction.size() / 2, 2}, node_friction.data(), "1");
     out.write_attribute("format", std::string(kFormat));
     out.write_attribute("inputs", inputs);
     out.write_attribute("program_version", version);
@@ -141,25 +208,7 @@ void take_places(const std::filesystem::path& file, Specimen& specimen) {
         blocks[i].position = scale * Eigen::Map<const Vector3>(&position.values[3 * i]);
         blocks[i].orientation = Quaternion(q[0], q[1], q[2], q[3]);
     }
-    const auto leader = reader.integers("/contacts/leader", 1), follower = reader.integers("/contacts/follower", 1);
-    const auto squared_load = reader.doubles("/contacts/squared_load", 1);
-    const auto known = [&](long long block) { return block >= 0 && block < static_cast<long long>(n); };
-    if (leader.values.size() != squared_load.values.size() || follower.values.size() != squared_load.values.size())
-        refuse(file, "the lists of its contacts differ in length (a damaged file); prepare it again");
-    specimen.model.preload.clear();
-    for (std::size_t i = 0; i < squared_load.values.size(); ++i) {
-        const long long below = leader.values[i], above = follower.values[i];
-        if (!known(below) || !(known(above) || above == kGround))
-            refuse(file, fmt::format("contact {} names a block that is not there (a damaged file); prepare it again", i));
-        if (!(std::isfinite(squared_load.values[i]) && squared_load.values[i] >= 0.0))
-            refuse(file,
-                   fmt::format("contact {} bears {:.6g} squared weights (a damaged file); prepare it again", i, squared_load.values[i]));
-        Preload preload{static_cast<std::size_t>(below),
-                        {},
-                        squared_load.values[i] * energy_of_weight(specimen.model, static_cast<std::size_t>(below))};
-        if (above != kGround) preload.follower = static_cast<std::size_t>(above);
-        specimen.model.preload.push_back(preload);
-    }
+    specimen.model.preload = read_preloads(reader, file, specimen.model);
 }
 
 }  // namespace musim::lsdem::study

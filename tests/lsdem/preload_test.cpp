@@ -36,7 +36,7 @@ TEST_CASE("blocks that stand already bear what they are said to bear, however de
     const Stone stone = wood();
     Model model = make_sunk_blocks(stone);
     const double weight = stone.weight(), one = weight * weight / (2.0 * stone.normal_stiffness);
-    model.preload = {{0, {}, 4.0 * one}, {1, 0, one}};  // in either order
+    model.preload = {{0, {}, 4.0 * one}, {0, 1, one}};
     const Simulation simulation(model, 0.1 * compute_critical_time_step(model));
     const auto forces = simulation.contact_forces();
     REQUIRE(forces.size() == 2);
@@ -61,6 +61,44 @@ TEST_CASE("contacts that no preload names bear nothing at first") {
     const Simulation simulation(model, 0.1 * compute_critical_time_step(model));
     CHECK(upward_force(simulation, 0, std::nullopt) < 0.0);
     CHECK(upward_force(simulation, 0, 1) == 0.0);
+}
+
+TEST_CASE("a pile goes on in another simulation with the forces that its contacts hold, friction included") {
+    // a beam, turned and tilted so that it meets its supports as boxes at an angle, and one of these stands on the ground
+    const Stone stone = wood();
+    Model model = make_model(stone);
+    const double h = stone.size.z(), span = stone.size.y();
+    for (const double y : {-span, span}) {
+        model.blocks.push_back(make_block(stone, {0.0, y, 0.5 * h + (y > 0.0 ? 0.02 * h : 0.0)}));
+        model.blocks.back().fixed = y > 0.0;
+    }
+    const Quaternion turn(Eigen::AngleAxisd(0.08, Vector3::UnitZ())), lie(Eigen::AngleAxisd(0.5 * kPi, Vector3::UnitX()));
+    model.blocks.push_back(make_block(stone, {0.0, 0.0, h + 0.6 * stone.size.y()}, turn * lie));
+    const double step = 0.5 * compute_critical_time_step(model), rate = 4.0 * std::sqrt(kGravity / h);
+    Simulation settled(model, step);
+    settled.begin_preparation(rate);
+    settled.advance(200000);
+    REQUIRE(settled.velocity(2).norm() < 1e-5 * std::sqrt(kGravity * h));
+
+    for (std::size_t b = 0; b < model.blocks.size(); ++b) {
+        model.blocks[b].position = settled.position(b);
+        model.blocks[b].orientation = settled.orientation(b);
+    }
+    model.preload = settled.preloads();
+    const Simulation taken(model, step);
+    const auto before = settled.contact_forces(), after = taken.contact_forces();
+    REQUIRE(before.size() >= 3);
+    REQUIRE(after.size() == before.size());
+    double friction = 0.0;
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        CHECK(after[i].leader == before[i].leader);
+        CHECK((after[i].force - before[i].force).norm() < 1e-4 * stone.weight());
+        CHECK((taken.preloads()[i].friction - model.preload[i].friction).norm() < 1e-4 * stone.weight());
+        friction = std::max(friction, model.preload[i].friction.norm());
+    }
+    CHECK(friction > 5e-3 * stone.weight());
+    CHECK(std::any_of(model.preload.begin(), model.preload.end(), [](const Preload& p) { return p.faces != 0; }));
+    CHECK(std::any_of(model.preload.begin(), model.preload.end(), [](const Preload& p) { return !p.traction_u.empty(); }));
 }
 
 TEST_CASE("a preload of a block that is not there, or of less than nothing, is refused") {

@@ -137,7 +137,7 @@ TEST_CASE("a prepared specimen bears what it bore, and its blocks stay where the
     REQUIRE(prepared.rest.at_rest);
     REQUIRE_FALSE(prepared.specimen.model.preload.empty());
     Simulation simulation(prepared.specimen.model, step);
-    CHECK(simulation.base_reaction().z() == doctest::Approx(upright.model.gravity.norm() * total_mass(upright.model)).epsilon(1e-3));
+    CHECK(simulation.base_reaction().z() == doctest::Approx(upright.model.gravity.norm() * total_mass(upright.model)).epsilon(1e-5));
     // one that is begun by its overlaps alone jumps
     double height = 0.0, lively = 0.0;
     simulation.begin_preparation(prepared_rate(scene, upright));
@@ -147,9 +147,9 @@ TEST_CASE("a prepared specimen bears what it bore, and its blocks stay where the
     }
     for (std::size_t b = 0; b < upright.model.blocks.size(); ++b) {
         height = 2.0 * half_extents(upright.model, upright.model.blocks[b]).z();
-        CHECK((simulation.position(b) - prepared.specimen.model.blocks[b].position).norm() < 1e-4 * height);
+        CHECK((simulation.position(b) - prepared.specimen.model.blocks[b].position).norm() < 1e-7 * height);
     }
-    CHECK(lively < 1e-3 * std::sqrt(upright.model.gravity.norm() * height));
+    CHECK(lively < 1e-5 * std::sqrt(upright.model.gravity.norm() * height));
 }
 
 TEST_CASE("a specimen is made once from the same inputs, and again from others") {
@@ -197,6 +197,8 @@ TEST_CASE("a specimen serves other materials and scales") {
     scene.preparation.emplace().specimen = file;
     const Specimen taken = make_specimen(scene);
     REQUIRE(taken.settling.has_value());
+    // where it was prepared it is at rest as it is: as many looks as it takes to believe that
+    CHECK(run_scene(scene).rest->steps <= 4 * 64);
     // stiffer, more slippery blocks take the same places: nothing jumps, nothing slides far
     scene::Scene other = scene;
     other.material.normal_stiffness *= 16.0;
