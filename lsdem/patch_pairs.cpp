@@ -80,16 +80,19 @@ class OldSlip {
           lattice_(patches.lattices[patches.kinds[patches.groups[group_].kind].lattice]),
           first_(patches.groups[group_].first_slot + lane_ * lattice_.w.size()) {}
 
+    bool all_touched() const { return field(patch_field::touching) == static_cast<double>(lattice_.size()); }
+
     double operator()(const std::vector<double>& own, std::size_t common, double s, double t) const {
+        // a place that was open has not slipped; what is common to the nodes moved those that touched when they were last looked at
+        const bool all = all_touched();
+        if (!all && !(seen(s, t) > 0.0)) return 0.0;
         const auto count = static_cast<std::size_t>(lattice_.count_p);
         const auto [i, along_p] = find_place(s, lattice_.s, count, 1);
         const auto [j, along_q] = find_place(t, lattice_.t, static_cast<std::size_t>(lattice_.count_q), count);
-        // what is common to the nodes moved those that touched when they were last looked at
-        const bool all_touched = field(patch_field::touching) == static_cast<double>(lattice_.size());
         const auto at = [&](std::size_t a, std::size_t b) {
             const std::size_t node = b * count + a;
-            const bool touched = all_touched || affine(patch_field::seen, node) > 0.0;
-            return own[first_ + node] + (touched ? affine(common, node) : 0.0);
+            const bool touched = all || seen(lattice_.s[node], lattice_.t[node]) > 0.0;
+            return own[first_ + node] + (touched ? affine(common, lattice_.s[node], lattice_.t[node]) : 0.0);
         };
         const double low = at(i, j) + along_p * (at(i + 1, j) - at(i, j)),
                      high = at(i, j + 1) + along_p * (at(i + 1, j + 1) - at(i, j + 1));
@@ -98,10 +101,9 @@ class OldSlip {
 
   private:
     double field(std::size_t index) const { return patches_.field(group_, index)[lane_]; }
-    /// An affine function over the lattice, of which three fields tell, at a node.
-    double affine(std::size_t first, std::size_t node) const {
-        return (field(first) + lattice_.s[node] * field(first + 1)) + lattice_.t[node] * field(first + 2);
-    }
+    /// An affine function over the lattice, of which three fields tell.
+    double affine(std::size_t first, double s, double t) const { return (field(first) + s * field(first + 1)) + t * field(first + 2); }
+    double seen(double s, double t) const { return affine(patch_field::seen, s, t); }
 
     struct Place {
         std::size_t first;
@@ -249,6 +251,7 @@ class PatchPlacer {
         }
         for (std::size_t field = patch_field::slip_u; field <= patch_field::slip_vt; ++field) set(field, 0.0);
         set(patch_field::slack, -1.0);
+        if (slip.all_touched()) set(patch_field::touching, static_cast<double>(lattice.size()));
     }
 
     const Bodies& bodies_;

@@ -443,6 +443,9 @@ void inherit_load(PatchList& patches, std::size_t group_index, std::size_t lane,
     const auto set = [&](std::size_t field, double value) { state.at[field * kWidth + lane] = value; };
     set(patch_field::elastic_normal, stored(late));
     set(patch_field::late, late);
+    set(patch_field::seen, overlap.at[lane] - late);
+    set(patch_field::seen_s, overlap.s[lane]);
+    set(patch_field::seen_t, overlap.t[lane]);
 
     double touching = 0.0, weight = 0.0;
     for (std::size_t i = 0; i < lattice.size(); ++i) {

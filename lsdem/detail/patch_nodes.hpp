@@ -111,14 +111,14 @@ class NodePass {
 
         for (std::size_t i = 0; i < lattice_.w.size(); i += kLanes) {
             const Lanes s = load(&lattice_.s[i]), t = load(&lattice_.t[i]), w = load(&lattice_.w[i]);
-            const Lanes overlap = d(s, t), apart = opening(s, t);
+            const Lanes overlap = d(s, t);
             const LaneMask active = (overlap > zero) & (w > zero);
             const LaneMask touched = all_touched | (seen(s, t) > zero);
+            // most nodes of a patch that stands on an edge are open, and were: they have not slipped
+            if (!any(active | touched)) continue;
             const Lanes old_u = load(slip_u_ + i) + select(touched, since_u(s, t), zero),
                         old_v = load(slip_v_ + i) + select(touched, since_v(s, t), zero);
-            // most nodes of a patch that stands on an edge are open, and were
-            if (!any(active | (old_u != zero) | (old_v != zero))) continue;
-            const Lanes elastic = law_.kn * overlap, damped = elastic - cn * apart;
+            const Lanes apart = opening(s, t), elastic = law_.kn * overlap, damped = elastic - cn * apart;
             const LaneMask pulled = damped <= zero;
             clamped |= pulled & active;
             const Lanes pressure = select(active & ~pulled, damped, zero);

@@ -413,13 +413,15 @@ void compute_tilted_contact(const BoxPair& boxes, const RelativePose& pose, cons
     contact = TiltedContact{};
 
     // the faces that met stay, unless the boxes overlap much less across others
-    Meeting meeting;
-    if (before.touches && least > 0.0)
-        meeting = find_meeting(boxes, FaceView(boxes, pose.rotation, pose.position, before.faces), before.faces);
+    FaceView view(boxes, pose.rotation, pose.position, before.faces);
+    Meeting meeting = before.touches && least > 0.0 ? find_meeting(boxes, view, before.faces) : Meeting{};
     const bool still_meet = meeting.exists;
     if (least > 0.0 && (!still_meet || least < kTakeOver * meeting.deepest)) {
         const Meeting other = choose_faces(boxes, pose);
-        if (!still_meet || (other.exists && other.deepest < kTakeOver * meeting.deepest)) meeting = other;
+        if (!still_meet || (other.exists && other.deepest < kTakeOver * meeting.deepest)) {
+            meeting = other;
+            view = FaceView(boxes, pose.rotation, pose.position, meeting.faces);
+        }
     }
     const bool lasts = before.touches && meeting.exists && meeting.faces == before.faces;
     const bool changes = before.touches && meeting.exists && !lasts;
@@ -430,7 +432,6 @@ void compute_tilted_contact(const BoxPair& boxes, const RelativePose& pose, cons
     TiltedLoad load;
     PlacedForce total;
     if (meeting.exists) {
-        const FaceView view(boxes, pose.rotation, pose.position, meeting.faces);
         // overlap that no force has worked against carries none
         if (lasts) {
             contact.late = std::min(before.late, meeting.deepest);
@@ -449,9 +450,8 @@ void compute_tilted_contact(const BoxPair& boxes, const RelativePose& pose, cons
                 std::min(meeting.deepest, find_meeting(boxes, FaceView(boxes, rotation, position, meeting.faces), meeting.faces).deepest);
         }
         const FaceAffine depth = less(view.depth, contact.late);
-        FacePolygon polygon = meeting.polygon;
-        if (contact.late > 0.0) polygon.clip(depth);
-        load = compute_load(view, polygon, depth, law.kn);
+        if (contact.late > 0.0) meeting.polygon.clip(depth);
+        load = compute_load(view, meeting.polygon, depth, law.kn);
         contact.area = load.area;
         contact.elastic = load.force;
 
@@ -459,7 +459,7 @@ void compute_tilted_contact(const BoxPair& boxes, const RelativePose& pose, cons
         if (load.energy > 0.0) {
             contact.damping = find_damping(law, load, view.k, compute_work(load.force, pose));
             total.add(contact.elastic, contact.damping);
-            const double part = lasts ? 1.0 : find_part_since_touch(polygon, depth, find_opening(pose, view));
+            const double part = lasts ? 1.0 : find_part_since_touch(meeting.polygon, depth, find_opening(pose, view));
             slide(pose, law, load, view.k, part, lasts ? before : TiltedContact{}, contact);
             total.add(contact.shear, contact.place);
         }
