@@ -110,7 +110,8 @@ enum Index : std::size_t {
     own_vs,
     own_vt,
     own_squared,
-    // pressure when the own slips were written, affine over the lattice [Pa], and how far every node was from sliding; negative: unknown
+    // pressure when the own slips were written, affine over the lattice [Pa], and how far every node was from sliding; negative: unknown;
+    // zero: of a patch that touches with some of its nodes, which are not noted yet
     pressure,
     pressure_s,
     pressure_t,

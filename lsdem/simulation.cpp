@@ -521,6 +521,8 @@ void Simulation::begin_preparation(double damping_rate) {
     s.quiet_end = s.step;
 }
 
+void Simulation::renew_neighbors() { implementation_->rebuild(); }
+
 void Simulation::end_preparation() {
     Implementation& s = *implementation_;
     set_velocity_damping(0.0);

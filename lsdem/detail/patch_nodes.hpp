@@ -184,14 +184,18 @@ class NodePass {
         sums.overlap[lane_] = largest(deepest);
         sums.touching[lane_] = touching;
         const bool settled = touching > 0.0 && law_.mu > 0.0 && !any(sliding) && !any(clamped);
+        const bool stays = get(patch_field::slack) >= 0.0 && get(patch_field::touching) == touching;
         write_own(owns_u, owns_v, sum(squares));
         for (std::size_t i = 0; i < 3; ++i) set(patch_field::seen + i, part(motion_.overlap, i));
         if (!settled) {
             set(patch_field::slack, -1.0);
         } else if (touching == static_cast<double>(lattice_.size())) {
             set(patch_field::slack, find_slack());
-        } else {
+        } else if (stays) {
             note_touching();
+        } else {
+            // a block that rocks or slides changes its nodes from step to step: noting them would not pay
+            set(patch_field::slack, 0.0);
         }
     }
 

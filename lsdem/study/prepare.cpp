@@ -150,11 +150,17 @@ PreparedSpecimen prepare(const Specimen& upright, double time_step, const Prepar
     PreparedSpecimen prepared;
     prepared.specimen = upright;
     const auto relax = [&](Simulation& simulation, double begun) {
-        prepared.rest = settle(simulation, preparation.settling, [&](double part) {
-            if (settings.on_progress) settings.on_progress(begun + (1.0 - begun) * part);
-        });
-        prepared.steps += prepared.rest.steps;
-        prepared.block_steps += prepared.rest.steps * simulation.model().blocks.size();
+        const auto come_to_rest = [&] {
+            prepared.rest = settle(simulation, preparation.settling, [&](double part) {
+                if (settings.on_progress) settings.on_progress(begun + (1.0 - begun) * part);
+            });
+            prepared.steps += prepared.rest.steps;
+            prepared.block_steps += prepared.rest.steps * simulation.model().blocks.size();
+        };
+        come_to_rest();
+        // whoever uses the specimen begins with a new list: where a contact then meets in another way, it does so here
+        simulation.renew_neighbors();
+        if (prepared.rest.at_rest) come_to_rest();
         Model& model = prepared.specimen.model;
         for (std::size_t i = 0; i < model.blocks.size(); ++i) {
             model.blocks[i].position = simulation.position(i);

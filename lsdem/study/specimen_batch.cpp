@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <mutex>
+#include <numeric>
+#include <thread>
 #include <variant>
 
 #include "lsdem/scene/build_model.hpp"
@@ -19,8 +22,32 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+/// How far a batch is: the mean of its specimens.
+class BatchProgress {
+  public:
+    explicit BatchProgress(const SpecimenBatch& batch) : batch_(batch), done_(batch.seeds.size(), 0.0) {}
+    void update(std::size_t specimen, double fraction) {
+        if (!batch_.on_progress) return;
+        const std::lock_guard lock(mutex_);
+        done_[specimen] = fraction;
+        batch_.on_progress(std::accumulate(done_.begin(), done_.end(), 0.0) / static_cast<double>(done_.size()));
+    }
+
+  private:
+    const SpecimenBatch& batch_;
+    std::mutex mutex_;
+    std::vector<double> done_;
+};
+
+/// Cores that are left over when each specimen has one go to the specimens.
+int threads_of_each(const SpecimenBatch& batch) {
+    const int threads = batch.threads > 0 ? batch.threads : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    return std::max(1, threads / static_cast<int>(batch.seeds.size()));
+}
+
 /// `files`: one file at a time, since the HDF5 library need not be built for threads.
-SpecimenReport make_specimen_file(const SpecimenBatch& batch, std::uint64_t seed, std::mutex& files) {
+SpecimenReport make_specimen_file(const SpecimenBatch& batch, std::size_t index, std::mutex& files, BatchProgress& progress) {
+    const std::uint64_t seed = batch.seeds[index];
     const Clock::time_point start = Clock::now();
     const scene::Scene scene = with_seed(batch.scene, seed);
     const Specimen upright = make_upright_specimen(scene);
@@ -38,7 +65,10 @@ SpecimenReport make_specimen_file(const SpecimenBatch& batch, std::uint64_t seed
         report.reused = true;
         return report;
     }
-    report.prepared = prepare(upright, scene::compute_time_step(scene, upright.model).value(), preparation);
+    RunSettings settings;
+    settings.threads = threads_of_each(batch);
+    settings.on_progress = [&](double fraction) { progress.update(index, fraction); };
+    report.prepared = prepare(upright, scene::compute_time_step(scene, upright.model).value(), preparation, settings);
     if (report.prepared.rest.at_rest) {
         const std::lock_guard lock(files);
         write_specimen(report.file, report.prepared, inputs, batch.version);
@@ -77,11 +107,15 @@ std::vector<SpecimenReport> make_specimens(const SpecimenBatch& batch) {
     if (error)
         throw records::WriteError(fmt::format("{}: cannot be made ({}); choose another folder", batch.folder.string(), error.message()));
     std::mutex files;
+    BatchProgress progress(batch);
     std::vector<SpecimenReport> reports(batch.seeds.size());
     std::vector<std::function<void()>> jobs;
     for (std::size_t i = 0; i < batch.seeds.size(); ++i)
-        jobs.emplace_back([&batch, &reports, &files, i] { reports[i] = make_specimen_file(batch, batch.seeds[i], files); });
-    detail::run_side_by_side(jobs, batch.threads, batch.on_progress);
+        jobs.emplace_back([&, i] {
+            reports[i] = make_specimen_file(batch, i, files, progress);
+            progress.update(i, 1.0);
+        });
+    detail::run_side_by_side(jobs, batch.threads);
     return reports;
 }
 

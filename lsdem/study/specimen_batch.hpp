@@ -17,7 +17,7 @@ struct SpecimenBatch {
     std::vector<std::uint64_t> seeds;  ///< at least one
     std::filesystem::path folder;      ///< where the files go; they are named by content
     std::string version;               ///< of the program, for the files
-    int threads = 0;                   ///< specimens at a time, one thread each; 0: all cores
+    int threads = 0;                   ///< specimens at a time; those left over are shared by the specimens; 0: all cores
     std::function<void(double)> on_progress = {};
 };
 

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <vector>
 
 #include "lsdem/block_height.hpp"
 #include "lsdem/scene/build_model.hpp"
@@ -178,7 +179,13 @@ TEST_CASE("specimens made side by side are those made one by one") {
     SpecimenBatch batch = make_batch(together.path(), scene);
     batch.seeds = {3, 4, 5, 6};
     batch.threads = 2;
+    std::vector<double> progress;
+    batch.on_progress = [&](double fraction) { progress.push_back(fraction); };
     const auto side_by_side = make_specimens(batch);
+    // not only when one is done
+    CHECK(progress.size() > 4 * batch.seeds.size());
+    CHECK(progress.back() == doctest::Approx(1.0));
+    batch.on_progress = {};
     batch.folder = apart.path();
     batch.threads = 1;
     const auto one_by_one = make_specimens(batch);
