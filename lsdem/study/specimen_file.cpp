@@ -56,8 +56,11 @@ std::vector<double> flatten(const std::vector<Vector3>& vectors) {
 }
 
 void require_specimen(const detail::Hdf5Reader& reader, const std::filesystem::path& file) {
-    if (!reader.has("/blocks/tilt") || reader.attribute("format") != kFormat)
-        refuse(file, "not a specimen (musim specimen makes them); name another file");
+    const std::string format = reader.has("/blocks/tilt") ? reader.attribute("format") : "";
+    if (format == kFormat) return;
+    if (format.starts_with("musim-specimen/"))
+        refuse(file, fmt::format("it has format {}, this program reads {} (another version wrote it); prepare it again", format, kFormat));
+    refuse(file, "not a specimen (musim specimen makes them); name another file");
 }
 
 /// What the contacts of a specimen hold, at the weights and stiffnesses of `model`.
