@@ -83,7 +83,8 @@ struct Preload {
     std::vector<double> traction_u = {}, traction_v = {};
     std::uint8_t faces = 0;  ///< TiltedFaces::code of the faces by which boxes at an angle meet; 0: those with the least depth
 
-    bool is_finite() const;
+    /// All its numbers are finite, as many tractions as nodes, and faces that a box has?
+    bool is_sound() const;
     bool operator==(const Preload&) const = default;
 };
 

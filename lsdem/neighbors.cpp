@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "lsdem/block_height.hpp"
-#include "lsdem/detail/patch_kernel.hpp"
+#include "lsdem/detail/patch_state.hpp"
 #include "lsdem/preloads.hpp"
 
 namespace musim::lsdem {

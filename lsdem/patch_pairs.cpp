@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "lsdem/detail/patch_kernel.hpp"
+#include "lsdem/detail/patch_state.hpp"
 
 namespace musim::lsdem {
 namespace {
@@ -70,40 +70,32 @@ bool is_box(const Shape& shape) { return shape.faceted && std::holds_alternative
 
 int count_along(double length, double spacing) { return std::max(2, 1 + static_cast<int>(std::lround(length / spacing))); }
 
-/// Own slip of a patch's nodes, what is common to them added, at any place of its old lattice.
+/// Slip of a patch at any place of its old lattice.
 class OldSlip {
   public:
-    OldSlip(const PatchList& patches, const ContactPair& pair)
-        : patches_(patches),
-          group_(pair.patch_group),
-          lane_(pair.patch_lane),
-          lattice_(patches.lattices[patches.kinds[patches.groups[group_].kind].lattice]),
-          first_(patches.groups[group_].first_slot + lane_ * lattice_.w.size()) {}
+    explicit OldSlip(const PatchView& patch) : patch_(patch) {}
 
-    bool all_touched() const { return field(patch_field::touching) == static_cast<double>(lattice_.size()); }
+    double u(double s, double t) const {
+        return between(s, t, [&](std::size_t node) { return patch_.slip_u(node); });
+    }
+    double v(double s, double t) const {
+        return between(s, t, [&](std::size_t node) { return patch_.slip_v(node); });
+    }
 
-    double operator()(const std::vector<double>& own, std::size_t common, double s, double t) const {
-        // a place that was open has not slipped; what is common to the nodes moved those that touched when they were last looked at
-        const bool all = all_touched();
-        if (!all && !(seen(s, t) > 0.0)) return 0.0;
-        const auto count = static_cast<std::size_t>(lattice_.count_p);
-        const auto [i, along_p] = find_place(s, lattice_.s, count, 1);
-        const auto [j, along_q] = find_place(t, lattice_.t, static_cast<std::size_t>(lattice_.count_q), count);
-        const auto at = [&](std::size_t a, std::size_t b) {
-            const std::size_t node = b * count + a;
-            const bool touched = all || seen(lattice_.s[node], lattice_.t[node]) > 0.0;
-            return own[first_ + node] + (touched ? affine(common, lattice_.s[node], lattice_.t[node]) : 0.0);
-        };
+  private:
+    /// A place that was open has not slipped.
+    template <class AtNode>
+    double between(double s, double t, const AtNode& at_node) const {
+        if (!patch_.touched(s, t)) return 0.0;
+        const PatchLattice& lattice = patch_.lattice();
+        const auto count = static_cast<std::size_t>(lattice.count_p);
+        const auto [i, along_p] = find_place(s, lattice.s, count, 1);
+        const auto [j, along_q] = find_place(t, lattice.t, static_cast<std::size_t>(lattice.count_q), count);
+        const auto at = [&](std::size_t a, std::size_t b) { return at_node(b * count + a); };
         const double low = at(i, j) + along_p * (at(i + 1, j) - at(i, j)),
                      high = at(i, j + 1) + along_p * (at(i + 1, j + 1) - at(i, j + 1));
         return low + along_q * (high - low);
     }
-
-  private:
-    double field(std::size_t index) const { return patches_.field(group_, index)[lane_]; }
-    /// An affine function over the lattice, of which three fields tell.
-    double affine(std::size_t first, double s, double t) const { return (field(first) + s * field(first + 1)) + t * field(first + 2); }
-    double seen(double s, double t) const { return affine(patch_field::seen, s, t); }
 
     struct Place {
         std::size_t first;
@@ -117,10 +109,7 @@ class OldSlip {
         return {first, (s - low) / (high - low)};
     }
 
-    const PatchList& patches_;
-    std::size_t group_, lane_;
-    const PatchLattice& lattice_;
-    std::size_t first_;
+    const PatchView& patch_;
 };
 
 /// The same faces with the same law, whatever the nodes.
@@ -244,14 +233,15 @@ class PatchPlacer {
             std::copy_n(&previous_.patches.slip_v[from], slots, &patches.slip_v[first]);
             return;
         }
-        const OldSlip slip(previous_.patches, *old);
+        const PatchView before(previous_.patches, old->patch_group, old->patch_lane);
+        const OldSlip slip(before);
         for (std::size_t i = 0; i < lattice.size(); ++i) {
-            patches.slip_u[first + i] = slip(previous_.patches.slip_u, patch_field::slip_u, lattice.s[i], lattice.t[i]);
-            patches.slip_v[first + i] = slip(previous_.patches.slip_v, patch_field::slip_v, lattice.s[i], lattice.t[i]);
+            patches.slip_u[first + i] = slip.u(lattice.s[i], lattice.t[i]);
+            patches.slip_v[first + i] = slip.v(lattice.s[i], lattice.t[i]);
         }
         for (std::size_t field = patch_field::slip_u; field <= patch_field::slip_vt; ++field) set(field, 0.0);
         set(patch_field::slack, -1.0);
-        if (slip.all_touched()) set(patch_field::touching, static_cast<double>(lattice.size()));
+        if (before.all_touched()) set(patch_field::touching, static_cast<double>(lattice.size()));
     }
 
     const Bodies& bodies_;

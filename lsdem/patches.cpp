@@ -123,4 +123,11 @@ std::uint32_t PatchList::find_kind(const PatchKind& kind) {
     return static_cast<std::uint32_t>(kinds.size() - 1);
 }
 
+PatchView::PatchView(const PatchList& patches, std::size_t group, std::size_t lane)
+    : patches_(patches),
+      group_(group),
+      lane_(lane),
+      lattice_(patches.lattices[patches.kinds[patches.groups[group].kind].lattice]),
+      first_(patches.groups[group].first_slot + lane * lattice_.w.size()) {}
+
 }  // namespace musim::lsdem

@@ -136,9 +136,8 @@ enum Index : std::size_t {
     seen,
     seen_s,
     seen_t,
-    // of a patch that touches with some of its nodes, at that look: how far the nearest open node was from touching and the nearest
-    // touching
-    // one from parting [m], the box on the lattice that holds those that touch, and their sums Σ w (1, s, t, s², st, t²)
+    // of a patch that touches with some of its nodes, at that look: how far the nearest open node was from touching, and the nearest
+    // touching one from parting [m]; the box on the lattice that holds those that touch; their sums Σ w (1, s, t, s², st, t²)
     gap,
     hold,
     box_s,
@@ -174,6 +173,34 @@ struct PatchList {
     std::uint32_t find_lattice(int count_p, int count_q, PatchSpacing spacing);
     /// Index of the kind, added on first use.
     std::uint32_t find_kind(const PatchKind& kind);
+};
+
+/// One patch of a list as it is between steps.
+class PatchView {
+  public:
+    PatchView(const PatchList& patches, std::size_t group, std::size_t lane);
+
+    const PatchLattice& lattice() const { return lattice_; }
+    double field(std::size_t index) const { return patches_.field(group_, index)[lane_]; }
+    bool all_touched() const { return field(patch_field::touching) == static_cast<double>(lattice_.size()); }
+    /// Did a node at this place of the lattice touch when the nodes were last looked at?
+    bool touched(double s, double t) const { return all_touched() || affine(patch_field::seen, s, t) > 0.0; }
+    /// ξ of a node along the follower's u and v [m]: its own, and what has been common since to those that touched.
+    double slip_u(std::size_t node) const { return patches_.slip_u[first_ + node] + common(patch_field::slip_u, node); }
+    double slip_v(std::size_t node) const { return patches_.slip_v[first_ + node] + common(patch_field::slip_v, node); }
+
+  private:
+    /// An affine function over the lattice, of which three fields tell.
+    double affine(std::size_t first, double s, double t) const { return (field(first) + s * field(first + 1)) + t * field(first + 2); }
+    double common(std::size_t slip, std::size_t node) const {
+        const double s = lattice_.s[node], t = lattice_.t[node];
+        return touched(s, t) ? affine(slip, s, t) : 0.0;
+    }
+
+    const PatchList& patches_;
+    std::size_t group_, lane_;
+    const PatchLattice& lattice_;
+    std::size_t first_;  ///< of its nodes' own slips
 };
 
 }  // namespace musim::lsdem

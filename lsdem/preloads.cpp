@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "lsdem/detail/patch_kernel.hpp"
+#include "lsdem/detail/patch_state.hpp"
 #include "lsdem/detail/tilted_kernel.hpp"
 
 namespace musim::lsdem {
@@ -31,11 +31,14 @@ bool start(const Bodies& bodies, const ContactPair& pair, const Preload& preload
 
 }  // namespace
 
-bool Preload::is_finite() const {
+bool Preload::is_sound() const {
     const auto all_finite = [](const std::vector<double>& values) {
         return std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
     };
-    return std::isfinite(energy) && friction.allFinite() && all_finite(traction_u) && all_finite(traction_v);
+    const std::size_t nodes = traction_u.size();
+    const bool as_many = traction_v.size() == nodes && count_p <= nodes && count_q <= nodes && count_p * count_q == nodes;
+    return as_many && faces <= TiltedFaces::kCodes && std::isfinite(energy) && friction.allFinite() && all_finite(traction_u) &&
+           all_finite(traction_v);
 }
 
 PreloadMap::PreloadMap(const std::vector<Preload>& preloads) {

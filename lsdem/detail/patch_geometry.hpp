@@ -183,6 +183,16 @@ struct Cover {
     return {(place + along_p * cover.middle_p) + along_q * cover.middle_q, along_p * cover.half_p, along_q * cover.half_q};
 }
 
+/// Depth of the leader's face below the follower's, over the lattice.
+[[gnu::always_inline]] inline Affine find_overlap(const PatchKind& kind, const PatchSizes& sizes, const Cover& cover,
+                                                  const FacePose& pose) {
+    const double side = kind.side;
+    Affine overlap = over_lattice(cover, side * (sizes.face_k - pose.place.x), -side * pose.along_p.x, -side * pose.along_q.x);
+    // faces beside each other do not touch
+    overlap.at = select(cover.exists, overlap.at, -(magnitude(overlap.s) + magnitude(overlap.t)));
+    return overlap;
+}
+
 /// What moves at the nodes in this step, and where they are.
 struct PatchMotion {
     Affine overlap;           ///< less what was noticed late [m]

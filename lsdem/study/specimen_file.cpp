@@ -103,8 +103,8 @@ std::vector<Preload> read_preloads(const detail::Hdf5Reader& reader, const std::
             preload.traction_u.push_back(unit * node_friction.values[2 * node]);
             preload.traction_v.push_back(unit * node_friction.values[2 * node + 1]);
         }
-        if (!preload.is_finite())
-            refuse(file, fmt::format("the friction of contact {} is not finite (a damaged file); prepare it again", i));
+        if (!preload.is_sound())
+            refuse(file, fmt::format("the friction of contact {} is damaged (a number is missing or not finite); prepare it again", i));
     }
     return preloads;
 }

@@ -4,8 +4,10 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <vector>
 
 #include "lsdem/simulation.hpp"
+#include "lsdem/tilted.hpp"
 #include "lsdem/time_step.hpp"
 #include "tests/support/models.hpp"
 
@@ -109,6 +111,26 @@ TEST_CASE("a preload of a block that is not there, or of less than nothing, is r
         wrong.preload = {bad};
         CHECK_THROWS_AS(Simulation(wrong, step), std::invalid_argument);
     }
+    Preload known{0, 1, 1.0};
+    known.count_p = 2, known.count_q = 3;
+    known.traction_u = known.traction_v = std::vector<double>(6, 0.0);
+    const auto accepts = [&](const Preload& preload) {
+        Model given = model;
+        given.preload = {preload};
+        try {
+            Simulation simulation(given, step);
+        } catch (const std::invalid_argument&) {
+            return false;
+        }
+        return true;
+    };
+    CHECK(accepts(known));
+    Preload fewer = known, endless = known, other_faces = known, unknown_friction = known;
+    fewer.traction_v.pop_back();
+    endless.count_p = std::size_t{1} << 40U;
+    other_faces.faces = TiltedFaces::kCodes + 1;
+    unknown_friction.traction_u.back() = unknown;
+    for (const Preload& bad : {fewer, endless, other_faces, unknown_friction}) CHECK_FALSE(accepts(bad));
 }
 
 TEST_CASE("a block that slides onto another is carried without a break when the strip they share becomes a patch") {
