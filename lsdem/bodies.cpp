@@ -15,6 +15,7 @@ Bodies::Bodies(const Model& model) {
     height_offset.resize(n);
     fixed.resize(n);
     free.resize(n);
+    travel.resize(n);
     preparation_loss.resize(n);
     start_position.resize(n);
     start_orientation.resize(n);

@@ -22,7 +22,9 @@ struct Bodies {
     std::vector<Vector3> start_position;               ///< where energy of position and falls are counted from [m]
     std::vector<Quaternion> start_orientation;         ///< body to world
     std::vector<std::uint8_t> fixed;
-    std::vector<double> free;              ///< one, or zero for a fixed block: factor of all accelerations
+    std::vector<double> free;  ///< one, or zero for a fixed block: factor of all accelerations
+    /// Length of the way that no point of the block has exceeded, seen from the base, up to step n: grows and never falls [m].
+    std::vector<double> travel;
     std::vector<double> preparation_loss;  ///< work of Model::velocity_damping up to step n − 1/2 [J]
 
     explicit Bodies(const Model& model);

@@ -5,6 +5,7 @@
 
 #include "lsdem/block_height.hpp"
 #include "lsdem/detail/contact_kernel.hpp"
+#include "lsdem/detail/prefetch.hpp"
 #include "lsdem/detail/tilted_kernel.hpp"
 
 namespace musim::lsdem {
@@ -227,6 +228,9 @@ bool find_contact_faces(const RelativePose& pose, const Vector3& leader_half, Fl
     return widest_gap < 0.0;
 }
 
+/// How far the two blocks of a pair have travelled [m].
+double find_travel(const ContactPair& pair, const Bodies& bodies) { return bodies.travel[pair.leader] + bodies.travel[pair.follower]; }
+
 /// Stores the sums of a pair, turned to the world frame; `frame`: follower's frame to world.
 void store(const PairSums& sums, const Matrix3& frame, const Vector3& leader_in_follower, PairForce& result, PairTally& tally,
            PairWork& work) {
@@ -275,10 +279,15 @@ void compute_block_contact(const Model& model, const Bodies& bodies, const BaseP
     FlatFollower face;
     face.half = row_of(follower_half);
     const detail::BoxPair boxes{row_of(leader_half), face.half};
-    if (pair.is_tilted() && !list.tilted[pair.tilted].touches && detail::are_apart(boxes, rows_of(rotation), row_of(position))) {
-        list.tilted[pair.tilted] = TiltedContact{};
-        clear(list.forces[index], list.tallies[index]);
-        return;
+    if (pair.is_tilted() && !list.tilted[pair.tilted].touches) {
+        const double gap = detail::find_gap(boxes, rows_of(rotation), row_of(position));
+        const double trusted = list.first_step ? 0.0 : list.trusted_gap * gap;
+        list.next_look[index] = trusted > 0.0 ? find_travel(pair, bodies) + trusted : 0.0;
+        if (gap > 0.0) {
+            list.tilted[pair.tilted] = TiltedContact{};
+            clear(list.forces[index], list.tallies[index]);
+            return;
+        }
     }
     const Matrix3 to_old_follower = bodies.previous_rotation[f].transpose();
     const RelativePose pose(rotation, position, to_old_follower * bodies.previous_rotation[l],
@@ -324,13 +333,38 @@ void compute_ground_contact(const Model& model, const Bodies& bodies, const Base
     store(sums, Matrix3::Identity(), position, list.forces[index], list.tallies[index], list.work[index]);
 }
 
+/// So many pairs before its turn a pair is asked for. Affects speed only.
+constexpr std::size_t kAhead = 2;
+
+void prefetch_pair(const Bodies& bodies, const ContactList& list, std::size_t index) {
+    const ContactPair& pair = list.pairs[index];
+    if (!pair.is_tilted()) return;
+    for (const std::uint32_t block : {pair.leader, pair.follower}) {
+        detail::prefetch(&bodies.rotation[block]);
+        detail::prefetch(&bodies.previous_rotation[block]);
+        detail::prefetch(&bodies.position[block]);
+        detail::prefetch(&bodies.previous_position[block]);
+    }
+    detail::prefetch(&list.tilted[pair.tilted]);
+    detail::prefetch(&list.tallies[index]);
+    detail::prefetch(&list.forces[index]);
+}
+
 }  // namespace
 
 double compute_node_pairs(const Model& model, const Bodies& bodies, const BasePose& base, double dt, std::size_t first, std::size_t last,
                           ContactList& list) {
-    double deepest = 0.0;
+    // what may touch, first of all, so that the memory of each can be asked for ahead of its turn
+    std::size_t end = first;
     for (std::size_t i = first; i < last; ++i) {
-        const std::size_t index = list.node_pairs[i];
+        const std::uint32_t index = list.node_pairs[i];
+        const double next_look = list.next_look[index];
+        if (!(next_look > 0.0 && find_travel(list.pairs[index], bodies) < next_look)) list.due[end++] = index;
+    }
+    double deepest = 0.0;
+    for (std::size_t i = first; i < end; ++i) {
+        if (i + kAhead < end) prefetch_pair(bodies, list, list.due[i + kAhead]);
+        const std::size_t index = list.due[i];
         const ContactPair& pair = list.pairs[index];
         if (pair.follower == kGround) {
             compute_ground_contact(model, bodies, base, dt, index, list);
@@ -387,6 +421,18 @@ ContactTotals sum_contacts(const ContactList& list) {
         }
     }
     return totals;
+}
+
+std::size_t count_apart(const Bodies& bodies, const ContactList& list) {
+    const auto is_apart = [&](std::size_t p) {
+        const ContactPair& pair = list.pairs[p];
+        const double next_look =
+            pair.is_patch() ? list.patches.next_look[pair.patch_group * PatchGroup::kSize + pair.patch_lane] : list.next_look[p];
+        return next_look > 0.0 && find_travel(pair, bodies) < next_look;
+    };
+    std::size_t count = 0;
+    for (std::size_t p = 0; p < list.pairs.size(); ++p) count += is_apart(p) ? 1 : 0;
+    return count;
 }
 
 void clear_losses(ContactList& list) {

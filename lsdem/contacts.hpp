@@ -78,6 +78,11 @@ struct PairTally {
     std::uint32_t touching = 0;                        ///< nodes in contact; of two tilted boxes, one
 };
 
+/// A pair that is found apart is passed over until its two blocks have together travelled this part of the gap [-]. The depth of a face
+/// changes by less than twice what the blocks move, as the patch that it is taken over wanders too: a factor of two is left. Affects speed
+/// only, never results.
+inline constexpr double kTrustedGap = 0.25;
+
 /// All pairs that may touch before the next rebuild, sorted by (leader, follower), and their nodes.
 struct ContactList {
     std::vector<ContactPair> pairs;
@@ -89,8 +94,11 @@ struct ContactList {
     std::vector<TiltedContact> tilted;
     std::vector<std::uint32_t> node_pairs;  ///< the pairs that are no patches
     std::vector<std::uint32_t> ground_pairs;
-    std::vector<PairTally> tallies;   ///< one per pair; of a patch, unused
-    std::vector<std::uint8_t> faces;  ///< one per pair: the faces that met in the last step, see detail::FlatFollower::code
+    std::vector<PairTally> tallies;    ///< one per pair; of a patch, unused
+    double trusted_gap = kTrustedGap;  ///< zero: every pair is looked at in every step [-]
+    std::vector<std::uint32_t> due;    ///< room for one entry per node pair: those that a step has to look at, per thread
+    std::vector<double> next_look;     ///< one per pair: Bodies::travel of both blocks below which they cannot meet; of a patch, unused [m]
+    std::vector<std::uint8_t> faces;   ///< one per pair: the faces that met in the last step, see detail::FlatFollower::code
     /// Contacts found in the very first step are taken as they are, initial overlap included.
     bool first_step = true;
     std::vector<PairWork> work;  ///< one per pair, since the list was built; of a patch, without what its state holds
@@ -108,6 +116,9 @@ struct ContactTotals {
     std::size_t touching = 0;
 };
 ContactTotals sum_contacts(const ContactList& list);
+
+/// Number of pairs that are known to be apart, see kTrustedGap.
+std::size_t count_apart(const Bodies& bodies, const ContactList& list);
 
 /// Entry of `losses` that a pair belongs to.
 PairWork& loss_of(const ContactPair& pair, Losses& losses);

@@ -98,6 +98,7 @@ struct Model {
     ContactNodes contact_nodes = ContactNodes::leader;
     StiffnessSharing stiffness_sharing = StiffnessSharing::per_area;
     bool skip_quiet = true;                         ///< pass over time in which the base stands and nothing moves
+    bool skip_apart = true;                         ///< pass over pairs that cannot have met since they were found apart; same results
     FaceContact face_contact = FaceContact::patch;  ///< of StiffnessSharing::per_area; per_contact counts the leader's nodes
     /// Rate α at which velocities and spins decay towards rest, dv/dt = F/m − α·v [1/s]; only for preparing a specimen while the base
     /// stands. The velocity damping of [Harmon23, eq. 12], v ← (1 − c_v)·v in each step, is α = −ln(1 − c_v)/dt. See lsdem/README.md.

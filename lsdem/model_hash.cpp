@@ -49,8 +49,8 @@ static void exchange(Archive& archive, Preload& p) {
 }
 
 static void exchange(Archive& archive, Model& m) {
-    archive(m.shapes, m.materials, m.blocks, m.ground, m.gravity, m.contact_nodes, m.stiffness_sharing, m.skip_quiet, m.face_contact,
-            m.velocity_damping, m.preload);
+    archive(m.shapes, m.materials, m.blocks, m.ground, m.gravity, m.contact_nodes, m.stiffness_sharing, m.skip_quiet, m.skip_apart,
+            m.face_contact, m.velocity_damping, m.preload);
 }
 
 std::uint64_t hash_model(Model model, double time_step) {

@@ -277,6 +277,9 @@ void NeighborSearch::rebuild(const Bodies& bodies, const BasePose& base, Contact
     list.ground_pairs.clear();
     list.forces.assign(list.pairs.size(), PairForce{});
     list.tallies.assign(list.pairs.size(), PairTally{});
+    list.due.resize(list.node_pairs.size());
+    list.trusted_gap = model_->skip_apart ? kTrustedGap : 0.0;
+    list.next_look.assign(list.pairs.size(), 0.0);
     list.faces.assign(list.pairs.size(), 0);
     list.first_step = previous_.first_step;
     list.work.assign(list.pairs.size(), PairWork{});
@@ -296,6 +299,7 @@ void NeighborSearch::rebuild(const Bodies& bodies, const BasePose& base, Contact
             carry_history(*old, previous_, list.pairs[p], list);
         }
         list.tallies[p] = previous_.tallies[o];
+        list.next_look[p] = previous_.next_look[o];
         list.faces[p] = previous_.faces[o];
     }
     place_patches(plans, bodies, base, previous_, old_pair, list);

@@ -118,6 +118,9 @@ bool same_faces(PatchKind a, const PatchKind& b) {
     return a == b;
 }
 
+/// New patches whose faces are nearer than this part of the nodes' spacing will touch soon [-]. Affects speed only.
+constexpr double kAlmost = 1.0 / 1024.0;
+
 class PatchPlacer {
   public:
     PatchPlacer(const Bodies& bodies, const BasePose& base, const ContactList& previous, const std::vector<std::uint32_t>& old_pair,
@@ -133,8 +136,9 @@ class PatchPlacer {
         const std::uint32_t kind = list_.patches.find_kind(plan.kind);
         open_.resize(list_.patches.kinds.size(), {kNone, kNone});
         // patches that touch nothing keep to themselves: a group of them costs little
-        const bool touched = old != nullptr && previous_.patches.field(old->patch_group, patch_field::touching)[old->patch_lane] > 0.0;
-        std::uint32_t& index = open_[kind][touched ? 1 : 0];
+        const bool touches = old != nullptr ? previous_.patches.field(old->patch_group, patch_field::touching)[old->patch_lane] > 0.0
+                                            : measure(plan.kind, pair, heights).depth > -kAlmost * plan.kind.spacing_p.nominal;
+        std::uint32_t& index = open_[kind][touches ? 1 : 0];
         if (index == kNone) index = add_group(kind);
         add_lane(plan.pair, heights, index);
         start_lane(plan.pair, heights, old);
@@ -155,14 +159,18 @@ class PatchPlacer {
         return patches.kinds[patches.groups[pair.patch_group].kind];
     }
 
+    detail::PatchSize measure(const PatchKind& kind, const ContactPair& pair, const PatchHeights& heights) const {
+        const PairPoses poses = find_pair_poses(bodies_, base_, pair.leader, pair.follower, false);
+        return detail::measure_patch(kind, heights, poses.leader, poses.follower, poses.offset);
+    }
+
     void choose_lattice(const ContactPair& pair, const ContactPair* old, const PatchHeights& heights, PatchPlan& plan) const {
         PatchKind& kind = plan.kind;
         if (plan.count_p >= 2 && plan.count_q >= 2) {
             kind.lattice = list_.patches.find_lattice(plan.count_p, plan.count_q, kind.spacing);
             return;
         }
-        const PairPoses poses = find_pair_poses(bodies_, base_, pair.leader, pair.follower, false);
-        const detail::PatchSize size = detail::measure_patch(kind, heights, poses.leader, poses.follower, poses.offset);
+        const detail::PatchSize size = measure(kind, pair, heights);
         const auto count = [&](double length, const PatchLength& spacing) {
             return count_along(length, spacing.nominal + spacing.per_offset * heights.leader);
         };
@@ -187,6 +195,7 @@ class PatchPlacer {
         patches.slip_u.resize(slots, 0.0);
         patches.slip_v.resize(slots, 0.0);
         patches.state.resize(patches.groups.size() * patch_field::count * PatchGroup::kSize, 0.0);
+        patches.next_look.resize(patches.groups.size() * PatchGroup::kSize, 0.0);
         return static_cast<std::uint32_t>(patches.groups.size() - 1);
     }
 
@@ -220,6 +229,8 @@ class PatchPlacer {
         }
         for (std::size_t field = 0; field < patch_field::count; ++field)
             set(field, previous_.patches.field(old->patch_group, field)[old->patch_lane]);
+        patches.next_look[pair.patch_group * PatchGroup::kSize + pair.patch_lane] =
+            previous_.patches.next_look[old->patch_group * PatchGroup::kSize + old->patch_lane];
         set(patch_field::damping_loss, 0.0);
         set(patch_field::friction_loss, 0.0);
 
@@ -301,6 +312,7 @@ void place_patches(const std::vector<PatchPlan>& plans, const Bodies& bodies, co
     list.patches.clear();
     PatchPlacer placer(bodies, base, previous, old_pair, list);
     for (const PatchPlan& plan : plans) placer.place(plan);
+    list.patches.due.resize(list.patches.groups.size());
 }
 
 }  // namespace musim::lsdem

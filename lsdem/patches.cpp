@@ -101,6 +101,7 @@ void PatchList::clear() {
     kinds.clear();
     groups.clear();
     state.clear();
+    next_look.clear();
     slip_u.clear();
     slip_v.clear();
 }

@@ -160,6 +160,8 @@ struct PatchList {
     std::vector<PatchKind> kinds;
     std::vector<PatchGroup> groups;
     std::vector<double> state;           ///< [group][field][lane]
+    std::vector<std::uint32_t> due;      ///< room for one entry per group: those that a step has to look at, per thread
+    std::vector<double> next_look;       ///< [group][lane], see kTrustedGap; zero: in the next step [m]
     std::vector<double> slip_u, slip_v;  ///< own slips of the nodes along the follower's u and v [m]
 
     double* field(std::size_t group, std::size_t index) { return &state[(group * patch_field::count + index) * PatchGroup::kSize]; }

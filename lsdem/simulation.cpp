@@ -57,8 +57,10 @@ constexpr int kQuietLooks = 16;
 /// A block may cross this part of the smallest edge in one step.
 constexpr double kMaxStride = 0.5;
 
-/// Two boxes at an angle cost about as much as this many nodes. Affects speed only.
+/// What pairs cost, in nodes: two boxes at an angle that touch, four patches of which one touches. What does not touch is mostly passed
+/// over. Affects speed only.
 constexpr std::size_t kNodesPerTiltedPair = 32;
+constexpr std::size_t kNodesPerPatchGroup = 16;
 
 /// Blocks that make a second thread worth its two meetings a step. Affects speed only.
 constexpr std::size_t kBlocksPerThread = 256;
@@ -111,6 +113,22 @@ struct Share {
 Share share_of(std::size_t items, int index, int count) {
     const auto i = static_cast<std::size_t>(index), n = static_cast<std::size_t>(count);
     return {items * i / n, items * (i + 1) / n};
+}
+
+/// Items in a row for each thread, of about equal work.
+template <class WorkOf>
+std::vector<Share> share_equally(std::size_t items, int threads, const WorkOf& work_of) {
+    std::vector<Share> shares(static_cast<std::size_t>(threads));
+    std::size_t work = 0, done = 0, item = 0;
+    for (std::size_t i = 0; i < items; ++i) work += work_of(i);
+    for (int thread = 0; thread < threads; ++thread) {
+        Share& share = shares[static_cast<std::size_t>(thread)];
+        const std::size_t goal = share_of(work, thread, threads).last;
+        share.first = item;
+        for (; item < items && (done < goal || thread + 1 == threads); ++item) done += work_of(item);
+        share.last = item;
+    }
+    return shares;
 }
 
 /// FNV-1a over the bytes of a vector.
@@ -241,6 +259,7 @@ void Simulation::Implementation::start() {
     rebuild();
     if (!model.preload.empty()) preload_contacts(model.preload, bodies, list);
     update_contacts();
+    share_work();  // now that it is known what touches
     list.first_step = false;
     start_energy = stored_and_kinetic();
 
@@ -276,7 +295,11 @@ void Simulation::Implementation::move(double h) {
     if (!preparing) base.displacement = base_origin + motion.displacement(static_cast<double>(step) * dt);
     std::swap(bodies.position, bodies.previous_position);
     std::swap(bodies.rotation, bodies.previous_rotation);
-    const detail::Leap leap{.base_displacement = base.displacement, .gravity = model.gravity, .h = h, .decay = decay_over(h)};
+    const detail::Leap leap{.base_displacement = base.displacement,
+                            .base_step = base.displacement - base.previous,
+                            .gravity = model.gravity,
+                            .h = h,
+                            .decay = decay_over(h)};
     const auto task = [&](int thread) {
         const Share share = share_of(bodies.size(), thread, team.size());
         drift[static_cast<std::size_t>(thread)] =
@@ -294,20 +317,18 @@ void Simulation::Implementation::rebuild() {
 void Simulation::Implementation::share_work() {
     touches.rebuild(bodies.size(), list.pairs);
 
-    // equal work to each thread: nodes, with boxes at an angle worth as many, and patches
-    node_shares.assign(static_cast<std::size_t>(team.size()), {});
-    patch_shares.assign(static_cast<std::size_t>(team.size()), {});
-    const auto work_of = [&](std::uint32_t pair) { return std::max<std::size_t>(list.pairs[pair].node_count, kNodesPerTiltedPair); };
-    std::size_t work = 0, done = 0, p = 0;
-    for (const std::uint32_t pair : list.node_pairs) work += work_of(pair);
-    for (int thread = 0; thread < team.size(); ++thread) {
-        Share& share = node_shares[static_cast<std::size_t>(thread)];
-        const std::size_t goal = share_of(work, thread, team.size()).last;
-        share.first = p;
-        for (; p < list.node_pairs.size() && (done < goal || thread + 1 == team.size()); ++p) done += work_of(list.node_pairs[p]);
-        share.last = p;
-        patch_shares[static_cast<std::size_t>(thread)] = share_of(list.patches.groups.size(), thread, team.size());
-    }
+    const auto work_of_pair = [&](std::size_t i) -> std::size_t {
+        const ContactPair& pair = list.pairs[list.node_pairs[i]];
+        if (pair.is_tilted()) return list.tilted[pair.tilted].touches ? kNodesPerTiltedPair : 1;
+        return pair.node_count;
+    };
+    const auto work_of_group = [&](std::size_t group) -> std::size_t {
+        const double* const touching = list.patches.field(group, patch_field::touching);
+        const bool any = std::any_of(touching, touching + PatchGroup::kSize, [](double nodes) { return nodes > 0.0; });
+        return any ? kNodesPerPatchGroup : 1;
+    };
+    node_shares = share_equally(list.node_pairs.size(), team.size(), work_of_pair);
+    patch_shares = share_equally(list.patches.groups.size(), team.size(), work_of_group);
 }
 
 void Simulation::Implementation::update_contacts() {
@@ -357,6 +378,7 @@ void Simulation::Implementation::release(const Release& given) {
     block.orientation = given.orientation;
     block.velocity = given.velocity;
     const std::size_t i = given.block;
+    bodies.travel[i] += (block.position - bodies.position[i]).norm() + search.reference().diameter[i];
     bodies.release(i, model);
     bodies.previous_position[i] = block.position - dt * block.velocity;
     bodies.previous_rotation[i] = bodies.rotation[i];
@@ -649,6 +671,7 @@ Statistics Simulation::statistics() const {
     statistics.steps = s.step;
     statistics.skipped = s.skipped;
     statistics.pairs = s.list.pairs.size();
+    statistics.apart = count_apart(s.bodies, s.list);
     statistics.contact_nodes = sum_contacts(s.list).touching;
     statistics.rebuilds = s.rebuilds;
     statistics.max_overlap_over_height = *std::max_element(s.overlap.begin(), s.overlap.end());

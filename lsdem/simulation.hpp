@@ -65,6 +65,7 @@ struct Statistics {
     std::uint64_t steps = 0;               ///< time over time step
     std::uint64_t skipped = 0;             ///< of these, passed over because nothing moved
     std::size_t pairs = 0;                 ///< in the neighbor list now
+    std::size_t apart = 0;                 ///< of these, known to be apart: a step passes over them
     std::size_t contact_nodes = 0;         ///< touching now
     std::uint64_t rebuilds = 0;            ///< of the neighbor list
     double max_overlap_over_height = 0.0;  ///< largest node overlap ever, over the height of the shape of the block that owns the node

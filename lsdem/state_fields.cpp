@@ -5,8 +5,8 @@
 namespace musim::lsdem {
 
 void exchange(Archive& archive, Bodies& b) {
-    archive(b.position, b.previous_position, b.rotation, b.previous_rotation, b.orientation, b.velocity, b.momentum, b.preparation_loss,
-            b.start_position, b.start_orientation);
+    archive(b.position, b.previous_position, b.rotation, b.previous_rotation, b.orientation, b.velocity, b.momentum, b.travel,
+            b.preparation_loss, b.start_position, b.start_orientation);
 }
 
 void exchange(Archive& archive, BasePose& base) { archive(base.displacement, base.previous); }
@@ -62,11 +62,15 @@ static void exchange(Archive& archive, PatchGroup& g) {
     archive(g.kind, g.count, g.pair, g.leader, g.follower, g.first_slot, g.leader_offset, g.follower_offset, g.damping);
 }
 
-static void exchange(Archive& archive, PatchList& p) { archive(p.lattices, p.kinds, p.groups, p.state, p.slip_u, p.slip_v); }
+static void exchange(Archive& archive, PatchList& p) {
+    archive(p.lattices, p.kinds, p.groups, p.state, p.next_look, p.slip_u, p.slip_v);
+    p.due.resize(p.groups.size());
+}
 
 void exchange(Archive& archive, ContactList& l) {
-    archive(l.pairs, l.nodes, l.history, l.forces, l.patches, l.tilted, l.node_pairs, l.ground_pairs, l.tallies, l.faces, l.first_step,
-            l.work);
+    archive(l.pairs, l.nodes, l.history, l.forces, l.patches, l.tilted, l.node_pairs, l.ground_pairs, l.tallies, l.trusted_gap, l.next_look,
+            l.faces, l.first_step, l.work);
+    l.due.resize(l.node_pairs.size());
 }
 
 namespace {
@@ -99,6 +103,7 @@ void check_patches(const Model& model, const ContactList& list) {
         expect(std::max({kind.k, kind.u, kind.v, kind.n, kind.p, kind.q}) < 3);
     }
     expect_size(patches.groups.size() * patch_field::count * PatchGroup::kSize, patches.state);
+    expect_size(patches.groups.size() * PatchGroup::kSize, patches.next_look);
     expect_size(patches.slip_u.size(), patches.slip_v);
     for (const PatchGroup& group : patches.groups) {
         expect(group.kind < patches.kinds.size() && group.count <= PatchGroup::kSize);
@@ -117,9 +122,9 @@ void check_restored(const Model& model, const Bodies& bodies, const NeighborSear
                     const Losses& losses) {
     const std::size_t blocks = model.blocks.size(), pairs = list.pairs.size(), entries = list.nodes.size();
     expect_size(blocks, bodies.position, bodies.previous_position, bodies.rotation, bodies.previous_rotation, bodies.orientation,
-                bodies.velocity, bodies.momentum, bodies.preparation_loss, bodies.start_position, bodies.start_orientation,
+                bodies.velocity, bodies.momentum, bodies.travel, bodies.preparation_loss, bodies.start_position, bodies.start_orientation,
                 reference.position, reference.orientation, losses.block);
-    expect_size(pairs, list.forces, list.tallies, list.faces, list.work);
+    expect_size(pairs, list.forces, list.tallies, list.next_look, list.faces, list.work);
     const ContactHistory& history = list.history;
     expect_size(entries, history.damping_pressure, history.late, history.slip[0], history.slip[1], history.slip[2]);
     expect_size(history.has_viscous() ? entries : 0, history.viscous[0], history.viscous[1], history.viscous[2]);

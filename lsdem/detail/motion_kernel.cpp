@@ -66,6 +66,15 @@ using Four = std::array<std::size_t, kLanes>;
     return {(after.x - before.x) - kick.x, (after.y - before.y) - kick.y, (after.z - before.z) - kick.z};
 }
 
+/// |a − b|²
+[[gnu::always_inline]] inline Lanes square_of_difference(const Orientation<Lanes>& a, const Orientation<Lanes>& b) {
+    const Lanes w = a.w - b.w, x = a.x - b.x, y = a.y - b.y, z = a.z - b.z;
+    return (w * w + x * x) + (y * y + z * z);
+}
+
+/// More than the rounding of a sum: a travel that many small ways make does not fall behind them.
+constexpr double kUpward = 1.0 + 2.0 * std::numeric_limits<double>::epsilon();
+
 template <bool damped>
 [[gnu::always_inline]] inline double move_range(const TouchList& touches, const std::vector<PairForce>& forces,
                                                 const NeighborSearch::Reference& reference, const Leap& leap, std::size_t first,
@@ -127,12 +136,15 @@ template <bool damped>
                                    select(turns, turned.z, before.z)};
         const RotationRows<Lanes> rows(q);
 
+        const Triple<Lanes> moved{h * v.x - leap.base_step.x(), h * v.y - leap.base_step.y(), h * v.z - leap.base_step.z()};
+        const Lanes diameter = pick(reference.diameter, i);
+        const Lanes way = root(dot(moved, moved)) + diameter * root(square_of_difference(q, before));
+        const Lanes travel = kUpward * (pick(bodies.travel, i) + way);
+
         const Triple<Lanes> at = pick(reference.position, i);
         const Lanes dx = (x.x - base.x()) - at.x, dy = (x.y - base.y()) - at.y, dz = (x.z - base.z()) - at.z;
-        const Orientation<Lanes> q0 = pick(reference.orientation, i);
-        const Lanes dq =
-            ((q.w - q0.w) * (q.w - q0.w) + (q.x - q0.x) * (q.x - q0.x)) + ((q.y - q0.y) * (q.y - q0.y) + (q.z - q0.z) * (q.z - q0.z));
-        const Lanes drift = root((dx * dx + dy * dy) + dz * dz) + pick(reference.diameter, i) * root(dq);
+        const Lanes turn = square_of_difference(q, pick(reference.orientation, i));
+        const Lanes drift = root((dx * dx + dy * dy) + dz * dz) + diameter * root(turn);
         farthest = larger(farthest, drift);
         lost |= drift != drift;
 
@@ -141,6 +153,7 @@ template <bool damped>
             put(v, lane, bodies.velocity[block].data());
             put(x, lane, bodies.position[block].data());
             put(l, lane, bodies.momentum[block].data());
+            bodies.travel[block] = travel[lane];
             if (damped) bodies.preparation_loss[block] = loss[lane];
             double* const coefficients = bodies.orientation[block].coeffs().data();
             coefficients[0] = q.x[lane], coefficients[1] = q.y[lane], coefficients[2] = q.z[lane], coefficients[3] = q.w[lane];

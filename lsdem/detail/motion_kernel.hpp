@@ -48,6 +48,7 @@ class TouchList {
 /// How blocks move in one step.
 struct Leap {
     Vector3 base_displacement = Vector3::Zero();  ///< after the step [m]
+    Vector3 base_step = Vector3::Zero();          ///< what it moves in the step [m]
     Vector3 gravity = Vector3::Zero();            ///< [m/s²]
     double h = 0.0;                               ///< time step [s]
     VelocityDecay decay{0.0, 0.0};                ///< over h

@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <vector>
 
 #include "lsdem/detail/instructions.hpp"
 #include "lsdem/detail/patch_geometry.hpp"
 #include "lsdem/detail/patch_nodes.hpp"
+#include "lsdem/detail/prefetch.hpp"
 
 namespace musim::lsdem::detail {
 namespace {
@@ -25,21 +28,27 @@ struct EdgePush {
     return {high + low, high - low};
 }
 
+/// The poses of all blocks and the base at one step.
+struct StepPoses {
+    const std::vector<Matrix3>& rotation;
+    const std::vector<Vector3>& position;
+    const Vector3& base;
+};
+
 /// Poses of the blocks of four patches, world frame.
 struct GroupPoses {
     LaneVector offset;                  ///< leader's centre less the follower's [m]
     LaneVector axis_k, axis_u, axis_v;  ///< of the follower
     FacePose face;                      ///< the leader's face in the follower's frame
 
-    [[gnu::always_inline]] GroupPoses(const PatchGroup& group, const PatchKind& kind, const PatchSizes& sizes, const Bodies& bodies,
-                                      const BasePose& base) {
+    [[gnu::always_inline]] GroupPoses(const PatchGroup& group, const PatchKind& kind, const PatchSizes& sizes, const StepPoses& at) {
         static constexpr std::array<double, 9> kWorld{1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0};
         LanePointers leader_rotation, leader_position, follower_rotation, follower_position;
         for (std::size_t lane = 0; lane < kWidth; ++lane) {
-            leader_rotation[lane] = bodies.rotation[group.leader[lane]].data();
-            leader_position[lane] = bodies.position[group.leader[lane]].data();
-            follower_rotation[lane] = kind.bounded ? bodies.rotation[group.follower[lane]].data() : kWorld.data();
-            follower_position[lane] = kind.bounded ? bodies.position[group.follower[lane]].data() : base.displacement.data();
+            leader_rotation[lane] = at.rotation[group.leader[lane]].data();
+            leader_position[lane] = at.position[group.leader[lane]].data();
+            follower_rotation[lane] = kind.bounded ? at.rotation[group.follower[lane]].data() : kWorld.data();
+            follower_position[lane] = kind.bounded ? at.position[group.follower[lane]].data() : at.base.data();
         }
         // matrices are stored by columns: an axis of a block is three numbers in a row
         offset = load_vectors(leader_position, 0) - load_vectors(follower_position, 0);
@@ -72,6 +81,16 @@ struct GroupPoses {
     const Lanes sudden = smaller((1.0 / (kSuddenPart * sizes.spacing_p * sizes.spacing_q)) * area, all(1.0));
     const Lanes noticed = larger(highest(sum_of(motion.overlap, motion.opening)), zero) * sudden;
     return select(touched > zero, smaller(late, larger(highest(motion.overlap), zero)), noticed);
+}
+
+/// How far the two blocks of each patch have travelled.
+[[gnu::always_inline]] inline Lanes find_travel(const PatchGroup& group, const Bodies& bodies) {
+    return gather(bodies.travel.data(), group.leader.data()) + gather(bodies.travel.data(), group.follower.data());
+}
+
+/// How far faces that do not touch are apart, or beside each other; `overlap`: the whole, with what carries no force [m].
+[[gnu::always_inline]] inline Lanes find_gap(const Cover& cover, const Lanes& overlap) {
+    return select(cover.exists, -overlap, larger(-cover.half_p, -cover.half_q));
 }
 
 /// Slips of the nodes of four patches: what is common to them, and the moments of their own.
@@ -229,9 +248,15 @@ struct Resultant {
     const State state{patches.field(index, 0)};
     const Lanes zero = all(0.0);
 
-    const GroupPoses poses(group, kind, sizes, bodies, base);
-    const FacePose change = minus(poses.face, {state.get_vector(patch_field::place_k), state.get_vector(patch_field::along_pk),
-                                               state.get_vector(patch_field::along_qk)});
+    const GroupPoses poses(group, kind, sizes, {bodies.rotation, bodies.position, base.displacement});
+    FacePose last{state.get_vector(patch_field::place_k), state.get_vector(patch_field::along_pk), state.get_vector(patch_field::along_qk)};
+    double* const next_look = &patches.next_look[index * kWidth];
+    if (any(load(next_look) > zero)) {
+        // the last step may have passed over the group
+        last = GroupPoses(group, kind, sizes, {bodies.previous_rotation, bodies.previous_position, base.previous}).face;
+        store(zero, next_look);
+    }
+    const FacePose change = minus(poses.face, last);
     state.set_vector(patch_field::place_k, poses.face.place);
     state.set_vector(patch_field::along_pk, poses.face.along_p);
     state.set_vector(patch_field::along_qk, poses.face.along_q);
@@ -246,6 +271,10 @@ struct Resultant {
 
     if (!any((touched > zero) | (highest(motion.overlap) > zero))) {
         for (std::size_t lane = 0; lane < group.count; ++lane) list.forces[group.pair[lane]] = PairForce{};
+        if (kind.bounded && !list.first_step) {
+            const Lanes trusted = list.trusted_gap * find_gap(cover, highest(motion.overlap) + late);
+            store(select(trusted > zero, find_travel(group, bodies) + trusted, zero), next_look);
+        }
         return 0.0;
     }
 
@@ -321,10 +350,42 @@ struct Resultant {
     return deepest / kind.height;
 }
 
+/// Writes the groups of [first, last) that have a patch which may touch to PatchList::due, from `first` on; returns their end there.
+[[gnu::always_inline]] inline std::size_t list_due_groups(const Bodies& bodies, std::size_t first, std::size_t last, PatchList& patches) {
+    std::size_t end = first;
+    for (std::size_t index = first; index < last; ++index) {
+        const Lanes next_look = load(&patches.next_look[index * kWidth]);
+        const bool apart = !any(next_look <= all(0.0)) && all_of(find_travel(patches.groups[index], bodies) < next_look);
+        if (!apart) patches.due[end++] = static_cast<std::uint32_t>(index);
+    }
+    return end;
+}
+
+/// So many groups before its turn a group is asked for. Affects speed only.
+constexpr std::size_t kAhead = 2;
+
+[[gnu::always_inline]] inline void prefetch_group(const Bodies& bodies, const ContactList& list, std::size_t index) {
+    const PatchGroup& group = list.patches.groups[index];
+    for (std::size_t lane = 0; lane < kWidth; ++lane) {
+        prefetch(&bodies.rotation[group.leader[lane]]);
+        prefetch(&bodies.position[group.leader[lane]]);
+        prefetch(&list.forces[group.pair[lane]]);
+        if (group.follower[lane] == kGround) continue;
+        prefetch(&bodies.rotation[group.follower[lane]]);
+        prefetch(&bodies.position[group.follower[lane]]);
+    }
+    prefetch(list.patches.field(index, 0), patch_field::count * kWidth);
+}
+
 [[gnu::always_inline]] inline double compute_range(const Bodies& bodies, const BasePose& base, double dt, std::size_t first,
                                                    std::size_t last, ContactList& list) {
+    const std::size_t end = list_due_groups(bodies, first, last, list.patches);
+    const std::vector<std::uint32_t>& due = list.patches.due;
     double deepest = 0.0;
-    for (std::size_t index = first; index < last; ++index) deepest = std::max(deepest, compute_group(bodies, base, dt, index, list));
+    for (std::size_t i = first; i < end; ++i) {
+        if (i + kAhead < end) prefetch_group(bodies, list, due[i + kAhead]);
+        deepest = std::max(deepest, compute_group(bodies, base, dt, due[i], list));
+    }
     return deepest;
 }
 

@@ -56,8 +56,9 @@ void write_patch_pose(const PatchKind& kind, const PatchHeights& heights, const 
 PatchSize measure_patch(const PatchKind& kind, const PatchHeights& heights, const Matrix3& leader, const Matrix3& follower,
                         const Vector3& offset) {
     const PatchSizes sizes = make_sizes(kind, heights);
-    const Cover cover = find_cover(kind, sizes, make_pose(kind, sizes, leader, follower, offset));
-    return {2.0 * cover.half_p[0], 2.0 * cover.half_q[0]};
+    const FacePose pose = make_pose(kind, sizes, leader, follower, offset);
+    const Cover cover = find_cover(kind, sizes, pose);
+    return {2.0 * cover.half_p[0], 2.0 * cover.half_q[0], highest(find_overlap(kind, sizes, cover, pose))[0]};
 }
 
 PatchLoad find_load(const PatchList& patches, std::size_t group_index, std::size_t lane) {

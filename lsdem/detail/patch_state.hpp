@@ -13,9 +13,10 @@ namespace musim::lsdem::detail {
 void write_patch_pose(const PatchKind& kind, const PatchHeights& heights, const Matrix3& leader, const Matrix3& follower,
                       const Vector3& offset, std::size_t lane, double* pose);
 
-/// Lengths of the rectangle in which the faces cover each other, along p and q [m]; negative: they do not.
+/// The rectangle in which the faces cover each other [m].
 struct PatchSize {
-    double p = 0.0, q = 0.0;
+    double p = 0.0, q = 0.0;  ///< lengths along p and q; negative: they do not cover each other
+    double depth = 0.0;       ///< largest depth of the leader's face there
 };
 PatchSize measure_patch(const PatchKind& kind, const PatchHeights& heights, const Matrix3& leader, const Matrix3& follower,
                         const Vector3& offset);

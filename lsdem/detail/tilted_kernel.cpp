@@ -220,9 +220,11 @@ Meeting find_meeting(const BoxPair& boxes, const FaceView& view, const TiltedFac
     return meeting;
 }
 
-/// Are the boxes apart across an edge of one and an edge of the other? Edges nearly parallel to each other are left to the faces.
-bool edges_separate(const BoxPair& boxes, const std::array<Row, 3>& q, const Row& position) {
+/// How far the boxes are apart across an edge of one and an edge of the other, times the sine of the angle between these edges [m]. Edges
+/// nearly parallel to each other are left to the faces.
+double find_gap_of_edges(const BoxPair& boxes, const std::array<Row, 3>& q, const Row& position) {
     constexpr double kParallel = 1e-6;
+    double widest = 0.0;
     for (std::size_t a = 0; a < 3; ++a) {
         const std::size_t a1 = (a + 1) % 3, a2 = (a + 2) % 3;
         for (std::size_t b = 0; b < 3; ++b) {
@@ -231,10 +233,10 @@ bool edges_separate(const BoxPair& boxes, const std::array<Row, 3>& q, const Row
             const double of_follower = boxes.follower[a1] * std::abs(q[a2][b]) + boxes.follower[a2] * std::abs(q[a1][b]);
             const double of_leader = boxes.leader[b1] * std::abs(q[a][b2]) + boxes.leader[b2] * std::abs(q[a][b1]);
             const double offset = std::abs(position[a2] * q[a1][b] - position[a1] * q[a2][b]);
-            if (offset > of_follower + of_leader) return true;
+            widest = std::max(widest, offset - (of_follower + of_leader));
         }
     }
-    return false;
+    return widest;
 }
 
 /// The faces that meet: of all that look at each other those with the smallest depth, measured along the leader's normal. When two boxes
@@ -362,8 +364,9 @@ double find_least_overlap(const BoxPair& boxes, const std::array<Row, 3>& q, con
     return least;
 }
 
-bool are_apart(const BoxPair& boxes, const std::array<Row, 3>& rotation, const Row& position) {
-    return find_least_overlap(boxes, rotation, position) <= 0.0 || edges_separate(boxes, rotation, position);
+double find_gap(const BoxPair& boxes, const std::array<Row, 3>& rotation, const Row& position) {
+    const double of_faces = -find_least_overlap(boxes, rotation, position);
+    return of_faces > 0.0 ? of_faces : find_gap_of_edges(boxes, rotation, position);
 }
 
 Row compute_moment(const PlacedForce& forces, const RelativePose& pose) {

@@ -25,8 +25,9 @@ TiltedLoad compute_tilted_load(const BoxPair& boxes, const RelativePose& pose, c
 /// leader in the follower's frame, see RelativePose.
 double find_least_overlap(const BoxPair& boxes, const std::array<Row, 3>& rotation, const Row& position);
 
-/// Does a plane separate the boxes, along a face of one or along two edges? Boxes that overlap never are apart.
-bool are_apart(const BoxPair& boxes, const std::array<Row, 3>& rotation, const Row& position);
+/// How far a plane separates the boxes, along a face of one or along two edges: they are no nearer to each other [m]. Zero or less: none
+/// does; of boxes that overlap none ever does.
+double find_gap(const BoxPair& boxes, const std::array<Row, 3>& rotation, const Row& position);
 
 /// Moment of placed forces about the follower's origin [N·m], and their work over the last step [J].
 Row compute_moment(const PlacedForce& forces, const RelativePose& pose);

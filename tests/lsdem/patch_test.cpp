@@ -54,6 +54,7 @@ struct Contacts {
 /// Moves the upper block by a displacement and a rotation vector about its centre.
 void move_upper(Bodies& bodies, const Vector3& displacement, const Vector3& turn) {
     bodies.position[1] += displacement;
+    bodies.travel[1] += displacement.norm() + 2.0 * bodies.half[1].norm() * turn.norm();
     if (turn.norm() > 0.0) bodies.rotation[1] = Eigen::AngleAxisd(turn.norm(), turn.normalized()) * bodies.rotation[1];
 }
 

@@ -215,6 +215,7 @@ TEST_CASE("a state of another model is refused, down to the last bit of any numb
         [&](Model& m) { m.stiffness_sharing = StiffnessSharing::per_contact; },
         [&](Model& m) { m.face_contact = FaceContact::nodes; },
         [&](Model& m) { m.skip_quiet = !m.skip_quiet; },
+        [&](Model& m) { m.skip_apart = !m.skip_apart; },
         [&](Model& m) { m.velocity_damping = 1e-300; },
         [&](Model& m) { up(m.shapes[1].nodes.half_z.back()); },
         [&](Model& m) { m.shapes[0].patch_spacing = PatchSpacing::lobatto; },
