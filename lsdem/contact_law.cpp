@@ -14,6 +14,18 @@ double log_decrement(double zeta) {
     return gap > 0.0 ? 2.0 * zeta * std::acos(zeta) / std::sqrt(gap) : 2.0 * zeta * std::acosh(zeta) / std::sqrt(-gap);
 }
 
+/// The inverse of the decrement.
+double find_damping_ratio(double restitution) {
+    const double wanted = -std::log(restitution);
+    // the decrement grows monotonically with ζ: bracket, then bisect to the last bit
+    double low = 0.0, high = 1.0;
+    while (log_decrement(high) < wanted) high *= 2.0;
+    for (double middle = 0.5 * high; middle > low && middle < high; middle = 0.5 * (low + high)) {
+        (log_decrement(middle) < wanted ? low : high) = middle;
+    }
+    return low;
+}
+
 /// Stiffness of two springs in series, each half a block thick; equal ones are kept to the last bit.
 double in_series(double a, double b) { return a == b ? a : 2.0 * a * b / (a + b); }
 
@@ -26,14 +38,13 @@ double compute_restitution(double damping_ratio) {
 
 double compute_damping_ratio(double restitution) {
     if (!(restitution > 0.0 && restitution <= 1.0)) throw std::invalid_argument("restitution must lie in (0, 1]");
-    const double wanted = -std::log(restitution);
-    // the decrement grows monotonically with ζ: bracket, then bisect to the last bit
-    double low = 0.0, high = 1.0;
-    while (log_decrement(high) < wanted) high *= 2.0;
-    for (double middle = 0.5 * high; middle > low && middle < high; middle = 0.5 * (low + high)) {
-        (log_decrement(middle) < wanted ? low : high) = middle;
-    }
-    return low;
+    // asked for by pair after pair of the same material
+    struct Known {
+        double restitution = 1.0, ratio = 0.0;
+    };
+    thread_local Known last;
+    if (restitution != last.restitution) last = {restitution, find_damping_ratio(restitution)};
+    return last.ratio;
 }
 
 Interface make_interface(const Material& a, const Material& b, double effective_mass, double face_area) {
