@@ -33,6 +33,7 @@ struct PairOptions {
     std::vector<std::string> components;
     std::string out;
     std::optional<Number> duration;
+    bool each_alone = false;
     int threads = 0;
     bool json = false;
 };
@@ -49,6 +50,8 @@ study::AxisComponents parse_components(const std::vector<std::string>& texts) {
 }
 
 std::vector<study::ModelChoice> make_choices(const PairOptions& options) {
+    if (options.each_alone && options.materials != "own")
+        throw CLI::ValidationError("--each-alone", "exact materials distort nothing; add --materials own");
     if (!options.presets.empty() && options.presets.size() != options.lengths.size()) {
         throw CLI::ValidationError("--material", "give one per --length, in the same order, or none");
     }
@@ -87,6 +90,20 @@ std::string format_difference(const study::RunDifference& difference) {
                        difference.bitwise_identical ? "yes" : "no");
 }
 
+/// What each property of a model's own material does alone, the largest effect first.
+void print_alone(study::PairedRun model, double shadow) {
+    if (model.alone.empty()) return;
+    std::sort(model.alone.begin(), model.alone.end(),
+              [](const auto& a, const auto& b) { return a.difference.rms_velocity > b.difference.rms_velocity; });
+    print("\nEach property of {} alone, in a model that is exact otherwise\n", model.label);
+    print("{:<18} {:>10} {:>11} {:>11} {:>11}\n", "property", "factor", "rms diff.", "max diff.", "of shadow's");
+    for (const study::LoneDistortion& lone : model.alone) {
+        print("{:<18} {:>10.4g} {:>11.3g} {:>11.3g} {:>11.3g}{}\n", lone.property, lone.factor, lone.difference.rms_velocity,
+              lone.difference.max_velocity, lone.difference.rms_velocity / shadow,
+              lone.status == study::RunStatus::completed ? "" : "  " + study::to_string(lone.status));
+    }
+}
+
 void print_study(const study::ScenePair& pair) {
     const study::PairStudy& study = pair.study;
     print("{}, {} materials: spine velocities v/λ_v at t/λ_t against the prototype\n", pair.prototype.name,
@@ -104,6 +121,7 @@ void print_study(const study::ScenePair& pair) {
         print("\nDistortions of {}\n", model.label);
         print_distortions(model.distortions);
     }
+    for (const study::PairedRun& model : study.models) print_alone(model, study.shadow.difference.rms_velocity);
     print("\n`parts`: prototype time at which a velocity first differs by {:g} of its peak\n", study::kPartingLevel);
     if (study.materials == study::Materials::exact) {
         print("{}: rms below {:g} times the shadow's ({:.3g}) or below {:g}\n", study.consistent() ? "Consistent" : "NOT consistent",
@@ -152,7 +170,8 @@ int run_pair(const PairOptions& options) {
     {
         ProgressLine progress(prototype.name);
         pair = study::pair_scene(prototype, choices, options.materials == "own" ? study::Materials::own : study::Materials::exact,
-                                 {.threads = options.threads, .on_progress = [&](double fraction) { progress.update(fraction); }});
+                                 {.threads = options.threads, .on_progress = [&](double fraction) { progress.update(fraction); }},
+                                 options.each_alone);
     }
     if (folder) write_study(*folder, *pair);
 
@@ -178,6 +197,8 @@ void add_pair_command(CLI::App& app, Action& action) {
         ->capture_default_str();
     command->add_option("--material", options->presets, "Preset of each model with own materials (default: the one measured at that scale)")
         ->type_name("PRESET");
+    command->add_flag("--each-alone", options->each_alone,
+                      "With own materials: also run a model for each property that differs, exact otherwise, and tell what it does alone");
     CLI::Option* record =
         command->add_option("--record", options->record, "Shake with the strong motion of this record instead of the scene's")
             ->type_name("FILE");
@@ -196,6 +217,7 @@ void add_pair_command(CLI::App& app, Action& action) {
         "  musim pair examples/tower_prototype.json --length 1/16 --length 1/64 --json\n"
         "  musim pair examples/tower_prototype.json --length 1/107 --record CICLC.v1 --component x=360 -o out/ridgecrest\n"
         "  musim pair examples/tower_prototype.json --length 1/107 --materials own --material aluminium\n"
+        "  musim pair examples/tower_prototype.json --length 1/107 --materials own --each-alone\n"
         "The shadow is the prototype with one coordinate of every block moved by one unit in the last place: the yardstick of what "
         "rounding\n"
         "alone may do. Exit code 5: a model with exact materials differs by more than three times the shadow and by more than 1e-9.");

@@ -26,14 +26,23 @@ struct PairMember {
     std::vector<scaling::Distortion> distortions = {};  ///< requirements the specimen does not meet
 };
 
+/// What one property of a model's own material does alone.
+struct LoneDistortion {
+    std::string property;  ///< "friction", "normal stiffness", "shear stiffness" or "restitution"
+    double factor = 1.0;   ///< the property over what similitude asks for
+    RunStatus status = RunStatus::completed;
+    RunDifference difference;  ///< from the prototype, scaled back
+};
+
 /// A member after its run.
 struct PairedRun {
     std::string label;
     scaling::Similitude similitude;
     std::vector<scaling::Distortion> distortions;
     RunResult run;
-    RunDifference difference;  ///< from the prototype, scaled back
-    bool consistent = false;   ///< see is_consistent; always true of the shadow
+    RunDifference difference;                ///< from the prototype, scaled back
+    bool consistent = false;                 ///< see is_consistent; always true of the shadow
+    std::vector<LoneDistortion> alone = {};  ///< when asked for: each property that differs, in a model that is exact otherwise
 };
 
 /// A prototype, its shadow and its models.

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstddef>
+#include <iterator>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -22,11 +24,22 @@ using scaling::Similitude;
 /// A scale within this of a preset's is that scale: 1/25 typed as 0.04 is meant. Only chooses a default material.
 constexpr double kSameScale = 1e-6;
 
+/// Properties off by less than this are those that similitude asks for [-]: the rounding of some twenty products and roots stays far below.
+constexpr double kSameProperty = 1e-12;
+
 /// A model's scene with its similitude to the prototype and what that distorts.
 struct ScaledScene {
     scene::Scene scene;
     Similitude similitude;
     std::vector<scaling::Distortion> distortions;
+};
+
+/// A model with one property of a material of its own.
+struct LoneScene {
+    std::string property;
+    double factor = 1.0;
+    scene::Scene scene;
+    Similitude similitude;
 };
 
 const scene::MaterialPreset& find_preset(const ModelChoice& choice) {
@@ -67,6 +80,37 @@ ScaledScene scale_with_own(const scene::Scene& prototype, const ModelChoice& cho
     return scaled;
 }
 
+/// One scene for every property in which `own` is not what its similitude asks for.
+std::vector<LoneScene> find_lone_scenes(const scene::Scene& prototype, const ScaledScene& own) {
+    const Similitude exact({.length = own.similitude.length(), .density = own.similitude.density()}, scaling::Law::exact);
+    const scene::Scene by_law = scene::scale_scene(prototype, own.similitude), twin = scene::scale_scene(prototype, exact);
+    const scene::BlockMaterial &has = own.scene.material, &asked = by_law.material;
+    std::vector<LoneScene> scenes;
+    const auto add = [&](const char* property, double factor, const scene::Scene& scene, const Similitude& similitude,
+                         const auto& distort) {
+        if (std::abs(factor - 1.0) <= kSameProperty) return;
+        scenes.push_back({property, factor, scene, similitude});
+        scenes.back().scene.time.step.reset();
+        distort(scenes.back().scene.material);
+    };
+    using Material = scene::BlockMaterial;
+    add("friction", own.similitude.friction(), by_law, own.similitude, [](Material&) {});
+    const double normal = has.normal_stiffness / asked.normal_stiffness, shear = has.shear_stiffness / asked.shear_stiffness,
+                 restitution = has.restitution / asked.restitution;
+    add("normal stiffness", normal, twin, exact, [&](Material& material) { material.normal_stiffness *= normal; });
+    add("shear stiffness", shear, twin, exact, [&](Material& material) { material.shear_stiffness *= shear; });
+    add("restitution", restitution, twin, exact, [&](Material& material) { material.restitution = has.restitution; });
+    return scenes;
+}
+
+/// A scene that steps as its own stiffness asks.
+PairMember make_member(const std::string& label, const scene::Scene& scene, const Similitude& similitude,
+                       const std::vector<scaling::Distortion>& distortions = {}) {
+    Specimen specimen = make_specimen(scene);
+    const TimePlan plan = make_time_plan(scene, specimen.model);
+    return {label, std::move(specimen), plan, similitude, distortions};
+}
+
 }  // namespace
 
 std::string make_scale_label(double length) {
@@ -76,7 +120,7 @@ std::string make_scale_label(double length) {
 }
 
 ScenePair pair_scene(const scene::Scene& prototype, const std::vector<ModelChoice>& models, Materials materials,
-                     const RunSettings& settings) {
+                     const RunSettings& settings, bool each_alone) {
     scene::require_single_motion(prototype, "a pair");
     const Similitude identity({}, scaling::Law::exact);
     Specimen specimen = make_specimen(prototype);
@@ -87,17 +131,32 @@ ScenePair pair_scene(const scene::Scene& prototype, const std::vector<ModelChoic
                    .models = {},
                    .scales = find_motion_scales(original.specimen),
                    .study = {{}, {}, {"", identity, {}, {}, {}, {}}, {}}};
-    std::vector<PairMember> members;
+    std::vector<PairMember> members, lone_members;
+    std::vector<std::vector<LoneScene>> lone_scenes;
     for (const ModelChoice& choice : models) {
+        const std::string label = make_scale_label(choice.length);
         ScaledScene scaled = materials == Materials::exact ? scale_exactly(prototype, choice.length) : scale_with_own(prototype, choice);
-        Specimen model = make_specimen(scaled.scene);
-        // an exact model steps as its prototype does; one of its own material as its own stiffness asks
-        const TimePlan model_plan =
-            materials == Materials::exact ? plan.scaled(scaled.similitude.time()) : make_time_plan(scaled.scene, model.model);
-        members.push_back({make_scale_label(choice.length), std::move(model), model_plan, scaled.similitude, scaled.distortions});
+        members.push_back(make_member(label, scaled.scene, scaled.similitude, scaled.distortions));
+        // an exact model steps as its prototype does
+        if (materials == Materials::exact) members.back().plan = plan.scaled(scaled.similitude.time());
+        lone_scenes.push_back(each_alone && materials == Materials::own ? find_lone_scenes(prototype, scaled) : std::vector<LoneScene>{});
+        for (const LoneScene& lone : lone_scenes.back())
+            lone_members.push_back(make_member(label + ", " + lone.property, lone.scene, lone.similitude));
         pair.models.push_back(std::move(scaled.scene));
     }
+    members.insert(members.end(), std::make_move_iterator(lone_members.begin()), std::make_move_iterator(lone_members.end()));
     pair.study = run_pair(original, members, materials, settings);
+
+    // the runs beside the models go to the models they belong to
+    std::vector<PairedRun>& runs = pair.study.models;
+    std::size_t run = models.size();
+    for (std::size_t m = 0; m < models.size(); ++m) {
+        for (const LoneScene& lone : lone_scenes[m]) {
+            runs[m].alone.push_back({lone.property, lone.factor, runs[run].run.status, runs[run].difference});
+            ++run;
+        }
+    }
+    runs.erase(runs.begin() + static_cast<std::ptrdiff_t>(models.size()), runs.end());
     return pair;
 }
 

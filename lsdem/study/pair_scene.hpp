@@ -30,8 +30,10 @@ std::string make_scale_label(double length);
 ///
 /// With Materials::exact every model is scaled so that all groups are equal (law `exact`). With Materials::own it has the density,
 /// stiffness, friction and restitution of its preset, fitted to its block size, and gets the base motion of the mu law; what that distorts
-/// is listed. Throws scene::SceneError (also for an unknown preset, or a scale without one), scaling::SimilitudeError, records::ReadError.
+/// is listed. With `each_alone` every model has runs beside it that tell what each property of its material that differs does alone
+/// (PairedRun::alone): stiffnesses and restitution in a model that is exact otherwise, friction with the base motion of the mu law. Throws
+/// scene::SceneError (also for an unknown preset, or a scale without one), scaling::SimilitudeError, records::ReadError.
 ScenePair pair_scene(const scene::Scene& prototype, const std::vector<ModelChoice>& models, Materials materials,
-                     const RunSettings& settings = {});
+                     const RunSettings& settings = {}, bool each_alone = false);
 
 }  // namespace musim::lsdem::study

@@ -87,6 +87,18 @@ nlohmann::json to_json(const std::vector<scaling::Distortion>& distortions) {
     return list;
 }
 
+static nlohmann::json to_json(const std::vector<LoneDistortion>& alone) {
+    nlohmann::json all = nlohmann::json::array();
+    for (const LoneDistortion& lone : alone) {
+        all.push_back({{"property", lone.property},
+                       {"factor", lone.factor},
+                       {"status", to_string(lone.status)},
+                       {"max_relative_velocity_difference", lone.difference.max_velocity},
+                       {"rms_relative_velocity_difference", lone.difference.rms_velocity}});
+    }
+    return all;
+}
+
 nlohmann::json to_json(const PairStudy& study) {
     nlohmann::json runs = {make_labelled_summary("prototype", study.prototype),
                            make_labelled_summary(study.shadow.label, study.shadow.run)};
@@ -104,7 +116,8 @@ nlohmann::json to_json(const PairStudy& study) {
              {"digits", model.difference.digits()},
              {"parting_time_s", model.difference.parting_time ? nlohmann::json(*model.difference.parting_time) : nlohmann::json()},
              {"consistent", model.consistent},
-             {"distortions", to_json(model.distortions)}});
+             {"distortions", to_json(model.distortions)},
+             {"alone", to_json(model.alone)}});
     }
     return {{"runs", runs}, {"pairs", pairs}, {"consistent", study.consistent()}};
 }
