@@ -22,9 +22,14 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
+/// What coming to rest after a stage counts in the progress of a sequence, in lengths of that stage. A guess: a structure that has tilted
+/// sways for long.
+constexpr double kQuietWorth = 0.5;
+
 /// Brings base and structure to rest after a motion, or up to its collapse, and looks for falls meanwhile. Returns how far the base has
 /// moved since the start of the stage [m].
-Vector3 come_to_rest(Simulation& simulation, const SequenceStage& stage, const Settling& quiet, RunResult& run, RunStart& next) {
+Vector3 come_to_rest(Simulation& simulation, const SequenceStage& stage, const Settling& quiet, RunResult& run, RunStart& next,
+                     const std::function<void(double)>& on_look) {
     // the simulation counts time and base from the start of its present motion
     double clock = 0.0;
     Vector3 moved = Vector3::Zero();
@@ -43,17 +48,18 @@ Vector3 come_to_rest(Simulation& simulation, const SequenceStage& stage, const S
         simulation.advance(static_cast<std::uint64_t>(std::ceil(stop[0].dt / simulation.time_step())));
     }
     simulation.begin_preparation(quiet.damping_rate);
-    next.rest = settle(simulation, quiet, {}, has_collapsed);
+    next.rest = settle(simulation, quiet, on_look, has_collapsed);
     update_status(run, simulation);
     if (run.divergence) run.divergence->time += clock;
     return moved + simulation.base().displacement;
 }
 
 /// What the next stage takes over from one that has reached its end.
-RunStart pass_on(Simulation& simulation, const SequencePlan& plan, std::size_t stage, RunResult& run) {
+RunStart pass_on(Simulation& simulation, const SequencePlan& plan, std::size_t stage, RunResult& run,
+                 const std::function<void(double)>& on_look) {
     const Clock::time_point start = Clock::now();
     RunStart next;
-    const Vector3 moved = plan.stages[stage + 1].settle ? come_to_rest(simulation, plan.stages[stage], plan.quiet, run, next)
+    const Vector3 moved = plan.stages[stage + 1].settle ? come_to_rest(simulation, plan.stages[stage], plan.quiet, run, next, on_look)
                                                         : simulation.base().displacement;
     const double duration = plan.stages[stage].plan.duration();
     next.origin =
@@ -73,7 +79,7 @@ class Sequence {
   public:
     Sequence(const scene::Scene& scene, SequencePlan plan, ResultFolder& folder, const SequenceSettings& settings)
         : scene_text_(scene::write_scene(scene)), name_(scene.name), plan_(std::move(plan)), folder_(folder), settings_(settings) {
-        for (const SequenceStage& stage : plan_.stages) samples_ += static_cast<double>(stage.plan.samples);
+        for (std::size_t k = 0; k < plan_.stages.size(); ++k) work_ += motion_work(k) + quiet_work(k);
     }
 
     SequenceSummary run() {
@@ -116,7 +122,8 @@ class Sequence {
                 // from here the quiet phase can be done again
                 const TimePlan& plan = plan_.stages[stage].plan;
                 write_checkpoint(*settings_of(stage).checkpoint, plan.samples, plan, run, simulation);
-                next = pass_on(simulation, plan_, stage, run);
+                const double before = work_before(stage) + motion_work(stage), own = quiet_work(stage);
+                next = pass_on(simulation, plan_, stage, run, [&](double part) { report(before + own * part); });
             }
             store(stage, run);
             if (run.status != RunStatus::completed || !next) return summarize(stage + 1);
@@ -126,15 +133,25 @@ class Sequence {
         }
     }
 
+    /// Work in samples: of the motion of a stage, of coming to rest after it, and of all before it.
+    double motion_work(std::size_t stage) const { return static_cast<double>(plan_.stages[stage].plan.samples); }
+    double quiet_work(std::size_t stage) const {
+        const bool comes_to_rest = stage + 1 < plan_.stages.size() && plan_.stages[stage + 1].settle;
+        return comes_to_rest ? kQuietWorth * motion_work(stage) : 0.0;
+    }
+    double work_before(std::size_t stage) const {
+        double work = 0.0;
+        for (std::size_t k = 0; k < stage; ++k) work += motion_work(k) + quiet_work(k);
+        return work;
+    }
+    void report(double done) const {
+        if (settings_.on_progress) settings_.on_progress(done / work_);
+    }
+
     RunSettings settings_of(std::size_t stage) const {
-        double before = 0.0;
-        for (std::size_t k = 0; k < stage; ++k) before += static_cast<double>(plan_.stages[k].plan.samples);
-        const double own = static_cast<double>(plan_.stages[stage].plan.samples);
+        const double before = work_before(stage), own = motion_work(stage);
         return {.threads = settings_.threads,
-                .on_progress =
-                    [this, before, own](double fraction) {
-                        if (settings_.on_progress) settings_.on_progress((before + own * fraction) / samples_);
-                    },
+                .on_progress = [this, before, own](double fraction) { report(before + own * fraction); },
                 .checkpoint = CheckpointSettings{.file = settings_.directory / kCheckpointName,
                                                  .scene = scene_text_,
                                                  .program_version = settings_.version,
@@ -167,7 +184,7 @@ class Sequence {
     SequencePlan plan_;
     ResultFolder& folder_;
     const SequenceSettings& settings_;
-    double samples_ = 0.0;  ///< of all stages
+    double work_ = 0.0;  ///< of all stages [samples]
 };
 
 /// Refuses to write over an older sequence.
