@@ -40,7 +40,7 @@ void check_same_bits(Model model, int looks, std::uint64_t steps_between) {
     }
     // both have happened
     CHECK(most_apart > model.blocks.size() / 8);
-    CHECK(most_touching > model.blocks.size() / 8);
+    CHECK(most_touching > model.blocks.size() / 16);
 }
 
 }  // namespace
