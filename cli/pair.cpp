@@ -91,13 +91,14 @@ std::string format_difference(const study::RunDifference& difference) {
 }
 
 /// What each property of a model's own material does alone, the largest effect first.
-void print_alone(study::PairedRun model, double shadow) {
+void print_alone(const study::PairedRun& model, double shadow) {
     if (model.alone.empty()) return;
-    std::sort(model.alone.begin(), model.alone.end(),
+    std::vector<study::LoneDistortion> alone = model.alone;
+    std::sort(alone.begin(), alone.end(),
               [](const auto& a, const auto& b) { return a.difference.rms_velocity > b.difference.rms_velocity; });
     print("\nEach property of {} alone, in a model that is exact otherwise\n", model.label);
     print("{:<18} {:>10} {:>11} {:>11} {:>11}\n", "property", "factor", "rms diff.", "max diff.", "of shadow's");
-    for (const study::LoneDistortion& lone : model.alone) {
+    for (const study::LoneDistortion& lone : alone) {
         print("{:<18} {:>10.4g} {:>11.3g} {:>11.3g} {:>11.3g}{}\n", lone.property, lone.factor, lone.difference.rms_velocity,
               lone.difference.max_velocity, lone.difference.rms_velocity / shadow,
               lone.status == study::RunStatus::completed ? "" : "  " + study::to_string(lone.status));

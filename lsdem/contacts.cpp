@@ -231,6 +231,11 @@ bool find_contact_faces(const RelativePose& pose, const Vector3& leader_half, Fl
 /// How far the two blocks of a pair have travelled [m].
 double find_travel(const ContactPair& pair, const Bodies& bodies) { return bodies.travel[pair.leader] + bodies.travel[pair.follower]; }
 
+/// Can the blocks of a pair not have met since it was found apart? `next_look`: see ContactList; zero of a pair with the ground.
+bool known_apart(const ContactPair& pair, double next_look, const Bodies& bodies) {
+    return next_look > 0.0 && find_travel(pair, bodies) < next_look;
+}
+
 /// Stores the sums of a pair, turned to the world frame; `frame`: follower's frame to world.
 void store(const PairSums& sums, const Matrix3& frame, const Vector3& leader_in_follower, PairForce& result, PairTally& tally,
            PairWork& work) {
@@ -358,8 +363,7 @@ double compute_node_pairs(const Model& model, const Bodies& bodies, const BasePo
     std::size_t end = first;
     for (std::size_t i = first; i < last; ++i) {
         const std::uint32_t index = list.node_pairs[i];
-        const double next_look = list.next_look[index];
-        if (!(next_look > 0.0 && find_travel(list.pairs[index], bodies) < next_look)) list.due[end++] = index;
+        if (!known_apart(list.pairs[index], list.next_look[index], bodies)) list.due[end++] = index;
     }
     double deepest = 0.0;
     for (std::size_t i = first; i < end; ++i) {
@@ -426,9 +430,8 @@ ContactTotals sum_contacts(const ContactList& list) {
 std::size_t count_apart(const Bodies& bodies, const ContactList& list) {
     const auto is_apart = [&](std::size_t p) {
         const ContactPair& pair = list.pairs[p];
-        const double next_look =
-            pair.is_patch() ? list.patches.next_look[pair.patch_group * PatchGroup::kSize + pair.patch_lane] : list.next_look[p];
-        return next_look > 0.0 && find_travel(pair, bodies) < next_look;
+        const std::size_t patch = pair.patch_group * PatchGroup::kSize + pair.patch_lane;
+        return known_apart(pair, pair.is_patch() ? list.patches.next_look[patch] : list.next_look[p], bodies);
     };
     std::size_t count = 0;
     for (std::size_t p = 0; p < list.pairs.size(); ++p) count += is_apart(p) ? 1 : 0;

@@ -10,9 +10,6 @@ namespace musim::scaling {
 
 namespace {
 
-/// Relative rounding of a group factor: some twenty products and roots of doubles, 1e-16 each, stay far below; a real distortion far above.
-constexpr double kRounding = 1e-12;
-
 constexpr std::string_view kRegimeGroup = "mu/tan(alpha)";
 
 /// What a group off by `factor` does to the response, by the group's name.
@@ -136,7 +133,7 @@ std::vector<Distortion> find_distortions(const Similitude& similitude, const Mod
     std::vector<Distortion> distortions;
     for (const NamedFactor& group : group_factors(similitude, facts)) {
         const double deviation = std::abs(group.value - 1.0);
-        if (deviation <= kRounding) continue;
+        if (deviation <= kFactorRounding) continue;
         Distortion distortion{.group = std::string(group.name),
                               .factor = group.value,
                               .severity = deviation < kNoteLimit ? Severity::note : Severity::warning,

@@ -45,6 +45,10 @@ std::vector<NamedFactor> group_factors(const Similitude& similitude, const Model
 /// Throws SimilitudeError when a given value is not positive and finite.
 std::vector<Distortion> find_distortions(const Similitude& similitude, const ModelFacts& facts = {});
 
+/// A factor this near to one is one [-]: some twenty products and roots of doubles, 1e-16 each, stay far below; a real distortion far
+/// above.
+inline constexpr double kFactorRounding = 1e-12;
+
 /// A group off by less than this is a note, not a warning [-]. Why this value: 5 % on each friction coefficient leave 7.1 % in λ_μ
 /// (README.md), so below 10 % a test cannot tell the distortion from its own uncertainty. Changes labels only, never factors.
 inline constexpr double kNoteLimit = 0.10;

@@ -24,9 +24,6 @@ using scaling::Similitude;
 /// A scale within this of a preset's is that scale: 1/25 typed as 0.04 is meant. Only chooses a default material.
 constexpr double kSameScale = 1e-6;
 
-/// Properties off by less than this are those that similitude asks for [-]: the rounding of some twenty products and roots stays far below.
-constexpr double kSameProperty = 1e-12;
-
 /// A model's scene with its similitude to the prototype and what that distorts.
 struct ScaledScene {
     scene::Scene scene;
@@ -88,7 +85,7 @@ std::vector<LoneScene> find_lone_scenes(const scene::Scene& prototype, const Sca
     std::vector<LoneScene> scenes;
     const auto add = [&](const char* property, double factor, const scene::Scene& scene, const Similitude& similitude,
                          const auto& distort) {
-        if (std::abs(factor - 1.0) <= kSameProperty) return;
+        if (std::abs(factor - 1.0) <= scaling::kFactorRounding) return;
         scenes.push_back({property, factor, scene, similitude});
         scenes.back().scene.time.step.reset();
         distort(scenes.back().scene.material);

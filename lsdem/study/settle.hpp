@@ -12,7 +12,7 @@ struct Settling {
     double damping_rate = 0.0;  ///< α of v' = −α v while it settles [1/s]
     double rest = 1e-12;        ///< at rest when every block's kinetic energy is below this part of its weight times its height [-]
     double reaction = 1e-5;     ///< and the base bears the weight to within this [-]
-    double patience = 120.0;    ///< given up after this many times 1/α [-]
+    double patience = 120.0;    ///< given up after this many times 1/α; a ring of 38 layers, whose blocks tip one by one, needs 65 [-]
 };
 
 /// Damping rate in which blocks come to rest soonest: their frequency parameter p = √(3g/(4R)) about the longer lower edge [Housner63].

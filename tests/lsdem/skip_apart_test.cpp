@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <sstream>
 
 #include "lsdem/simulation.hpp"
 #include "lsdem/time_step.hpp"
@@ -56,6 +57,21 @@ TEST_CASE("passing over pairs that are apart changes no bit of blocks that colli
 }
 
 TEST_CASE("passing over pairs that are apart changes no bit of a pile") { check_same_bits(make_loose_pile(wood(), 3, 3), 40, 800); }
+
+TEST_CASE("a saved state knows which pairs are apart and goes on to the same bits") {
+    Model model = shortened(make_running_bond(wood(), 3, 8, 8), 0.01);
+    model.ground.motion[0] = velocity_step(1.0);
+    Simulation straight(model, 0.8 * compute_critical_time_step(model), 1);
+    straight.advance(1500);
+    REQUIRE(straight.statistics().apart > model.blocks.size() / 8);
+    std::stringstream file;
+    straight.save(file);
+    Simulation restored = Simulation::restore(model, file, 2);
+    CHECK(restored.statistics().apart == straight.statistics().apart);
+    straight.advance(1500);
+    restored.advance(1500);
+    CHECK(restored.state_hash() == straight.state_hash());
+}
 
 TEST_CASE("a block let go beside others is not passed over for what it was apart before") {
     const Stone stone = wood();
