@@ -1,0 +1,49 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json_fwd.hpp>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/commands.hpp"
+#include "cli/options.hpp"
+#include "lsdem/study/block_sample.hpp"
+#include "lsdem/study/write_results.hpp"
+
+/// What the tests of `musim calibrate` share; each adds its own subcommand.
+namespace musim::cli {
+
+inline constexpr double kDegree = std::numbers::pi / 180.0;
+inline constexpr double kMega = 1e6;
+
+/// The block under test: a preset, and what is said otherwise.
+struct SampleOptions {
+    std::string material;
+    std::vector<Number> block;
+    std::optional<Number> density, normal_stiffness, shear_stiffness, friction, ground_friction, restitution;
+
+    void add_to(CLI::App& command);
+    lsdem::study::BlockSample sample() const;
+};
+
+/// What every test has besides its own options.
+struct TestOptions {
+    SampleOptions sample;
+    std::string out;
+    int threads = 0;
+    bool json = false;
+
+    void add_to(CLI::App& command, const char* files);
+    std::optional<lsdem::study::ResultFolder> make_folder() const;
+};
+
+nlohmann::json describe_sample(const lsdem::study::BlockSample& sample);
+
+void add_stiffness_command(CLI::App& calibrate, Action& action);
+void add_friction_command(CLI::App& calibrate, Action& action);
+void add_restitution_command(CLI::App& calibrate, Action& action);
+void add_presets_command(CLI::App& calibrate, Action& action);
+
+}  // namespace musim::cli
