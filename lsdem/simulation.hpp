@@ -84,6 +84,9 @@ struct Release {
     Vector3 velocity = Vector3::Zero();               ///< world frame [m/s]
 };
 
+/// Puts a held block of a model in its place and lets it go, as Simulation::release does with its own.
+void release_block(const Release& release, Model& model);
+
 /// What one block bears from another, or from the ground.
 struct ContactForce {
     std::size_t leader = 0;
