@@ -45,4 +45,19 @@ void ProgressLine::update(double fraction) {
     next_ = now + (terminal_ ? Clock::duration(200ms) : Clock::duration(10s));
 }
 
+std::function<void(double)> ProgressInParts::of_preparation() {
+    return [this](double fraction) {
+        if (!preparation_) preparation_.emplace(what_ + ", preparing");
+        preparation_->update(fraction);
+    };
+}
+
+std::function<void(double)> ProgressInParts::of_run() {
+    return [this](double fraction) {
+        preparation_.reset();
+        if (!run_) run_.emplace(what_, fraction_before_);
+        run_->update(fraction);
+    };
+}
+
 }  // namespace musim::cli

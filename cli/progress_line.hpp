@@ -1,7 +1,9 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <mutex>
+#include <optional>
 #include <string>
 
 namespace musim::cli {
@@ -29,6 +31,21 @@ class ProgressLine {
     Clock::time_point start_ = Clock::now();
     Clock::time_point next_;
     std::mutex mutex_;
+};
+
+/// The progress of a preparation, and then that of a run: two lines one after the other.
+class ProgressInParts {
+  public:
+    /// `fraction_before`: of the run, see ProgressLine.
+    explicit ProgressInParts(std::string what, double fraction_before = 0.0) : what_(std::move(what)), fraction_before_(fraction_before) {}
+
+    std::function<void(double)> of_preparation();
+    std::function<void(double)> of_run();
+
+  private:
+    std::string what_;
+    double fraction_before_;
+    std::optional<ProgressLine> preparation_, run_;
 };
 
 }  // namespace musim::cli

@@ -108,8 +108,9 @@ study::RunResult carry_out(Begin begin, const RunOptions& options, const std::st
                                       .interval = options.checkpoint_interval,
                                       .on_failure = [](const std::string& why) { note("musim: warning: no checkpoint: {}\n", why); }};
     }
-    ProgressLine progress(begin.scene.name, begin.checkpoint ? begin.checkpoint->fraction_done() : 0.0);
-    settings.on_progress = [&](double fraction) { progress.update(fraction); };
+    ProgressInParts progress(begin.scene.name, begin.checkpoint ? begin.checkpoint->fraction_done() : 0.0);
+    settings.on_preparation = progress.of_preparation();
+    settings.on_progress = progress.of_run();
     if (!begin.checkpoint) return study::run_scene(begin.scene, settings);
     try {
         return study::resume_scene(begin.scene, std::move(*begin.checkpoint), settings);

@@ -33,13 +33,14 @@ struct SequenceOptions {
 };
 
 study::SequenceSummary carry_out(const SequenceOptions& options) {
-    ProgressLine progress(options.resume.empty() ? options.scene : options.resume);
+    ProgressInParts progress(options.resume.empty() ? options.scene : options.resume);
     const study::SequenceSettings settings{
         .directory = options.directory(),
         .version = kVersion,
         .threads = options.threads,
         .checkpoint_interval = options.checkpoint_interval,
-        .on_progress = [&](double fraction) { progress.update(fraction); },
+        .on_progress = progress.of_run(),
+        .on_preparation = progress.of_preparation(),
         .on_no_checkpoint = [](const std::string& why) { note("musim: warning: no checkpoint: {}\n", why); }};
     if (!options.resume.empty()) return study::resume_sequence(settings);
     return study::run_sequence(scene::read_scene(options.scene), settings);

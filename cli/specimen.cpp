@@ -28,6 +28,7 @@ struct SpecimenOptions {
     std::string out = ".";
     std::string placing;
     int seeds = 1;
+    Number checkpoint_interval{60.0};
     int threads = 0;
     bool json = false;
 };
@@ -39,7 +40,11 @@ double largest_tilt(const study::PreparedSpecimen& prepared) {
 }
 
 nlohmann::json to_json(const study::SpecimenReport& report) {
-    nlohmann::json object{{"file", report.file.string()}, {"seed", report.seed}, {"reused", report.reused}, {"blocks", report.blocks}};
+    nlohmann::json object{{"file", report.file.string()},
+                          {"seed", report.seed},
+                          {"reused", report.reused},
+                          {"resumed", report.resumed},
+                          {"blocks", report.blocks}};
     if (report.reused) return object;
     const study::PreparedSpecimen& prepared = report.prepared;
     nlohmann::json layers = nlohmann::json::array();
@@ -66,7 +71,8 @@ void print_report(const study::SpecimenReport& report) {
         return;
     }
     const study::PreparedSpecimen& prepared = report.prepared;
-    print("{}: seed {}, {} blocks\n", report.file.string(), report.seed, report.blocks);
+    print("{}: seed {}, {} blocks{}\n", report.file.string(), report.seed, report.blocks,
+          report.resumed ? ", gone on with from a checkpoint" : "");
     print("  {} after {} steps in {:.2f} s; base reaction {:.6f} of the weight, largest tilt {:.3g} degrees, overlap {:.3g} of a height\n",
           prepared.rest.at_rest ? "at rest" : "NOT at rest", prepared.steps, report.wall_time, prepared.rest.reaction_over_weight,
           largest_tilt(prepared) * kDegrees, prepared.max_overlap);
@@ -86,6 +92,8 @@ int run_specimen(const SpecimenOptions& options) {
     batch.folder = options.out;
     batch.version = kVersion;
     batch.threads = options.threads;
+    batch.checkpoint_interval = options.checkpoint_interval;
+    batch.on_warning = [](const std::string& what) { note("musim: warning: {}\n", what); };
     std::vector<study::SpecimenReport> reports;
     {
         ProgressLine progress(batch.scene.name);
@@ -127,6 +135,7 @@ void add_specimen_command(CLI::App& app, Action& action) {
         ->type_name("N")
         ->check(CLI::PositiveNumber)
         ->capture_default_str();
+    add_checkpoint_interval_option(*command, options->checkpoint_interval);
     add_threads_option(*command, options->threads);
     add_json_option(*command, options->json);
     command->footer(
@@ -134,6 +143,7 @@ void add_specimen_command(CLI::App& app, Action& action) {
         "  musim specimen examples/uneven_wall.json -o specimens --seeds 10\n"
         "  musim specimen examples/uneven_wall.json -o specimens --placing layers --json\n"
         "A scene uses one with \"preparation\": {\"specimen\": \"specimens/specimen-0123456789abcdef.h5\"}, at any scale.\n"
+        "A preparation that was killed goes on from its last checkpoint when the same command is given again.\n"
         "Exit code 4: a specimen did not come to rest.");
     command->callback([&action, options] { action = [options] { return run_specimen(*options); }; });
 }

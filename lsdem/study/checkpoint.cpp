@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "lsdem/archive.hpp"
+#include "lsdem/state_fields.hpp"
 #include "records/atomic_file.hpp"
 
 // The fields that a checkpoint consists of, type by type. With a new one, the version in kKind is raised.
@@ -19,6 +20,16 @@ static void exchange(Archive& archive, Energy& e) {
 }
 
 static void exchange(Archive& archive, Kinematics& k) { archive(k.time, k.position, k.orientation, k.velocity, k.angular_velocity); }
+
+static void exchange(Archive& archive, Statistics& s) {
+    archive(s.steps, s.skipped, s.pairs, s.apart, s.contact_nodes, s.rebuilds, s.max_overlap_over_height);
+}
+
+static void exchange(Archive& archive, Release& r) { archive(r.block, r.position, r.orientation, r.velocity); }
+
+static void exchange(Archive& archive, Preload& p) {
+    archive(p.leader, p.follower, p.energy, p.friction, p.count_p, p.count_q, p.traction_u, p.traction_v, p.faces);
+}
 
 static void exchange(Archive& archive, BaseState& b) { archive(b.displacement, b.velocity, b.acceleration); }
 
@@ -41,19 +52,51 @@ static void exchange(Archive& archive, Falls& f) { archive(f.time, f.displacemen
 static void exchange(Archive& archive, StageOrigin& o) { archive(o.stage, o.time, o.base, o.position, o.orientation); }
 
 static void exchange(Archive& archive, RunResult& r) {
-    archive(r.collapse_time, r.origin, r.rest, r.initial, r.history, r.frames, r.falls, r.wall_time);
+    archive(r.status, r.collapse_time, r.origin, r.rest, r.steps, r.initial, r.history, r.frames, r.falls, r.final, r.statistics, r.losses);
+    archive(r.state_hash, r.energy_closure, r.base_reaction_over_weight, r.wall_time);
 }
+
+static void exchange(Archive& archive, SettlingState& s) { archive(s.steps, s.quiet_looks, s.liveliest); }
+
+static void exchange(Archive& archive, PreparationState& p) {
+    archive(p.round, p.steps, p.block_steps, p.settling, p.releases, p.simulation);
+}
+
+static void exchange(Archive& archive, PreparedPlaces& p) { archive(p.position, p.orientation, p.preload); }
+
+static void exchange(Archive& archive, QuietState& q) { archive(q.clock, q.moved, q.stop, q.wall_time, q.settling); }
 
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr ArchiveKind kKind{{'m', 'u', 's', 'i', 'm', 'R', 'U', 'N'}, 3, "checkpoint"};
+constexpr ArchiveKind kKind{{'m', 'u', 's', 'i', 'm', 'R', 'U', 'N'}, 4, "checkpoint"};
+
+/// The fields of a checkpoint beside its run, which need not be copied to be written.
+struct Beside {
+    std::string program_version, scene;
+    std::optional<PreparedPlaces> places;
+    std::optional<PreparationState> preparation;
+    TimePlan plan;
+    std::uint64_t samples_done = 0;
+    std::optional<QuietState> quiet;
+    std::string state;
+};
 
 /// One list of what a checkpoint holds, for writing from where things are and for reading.
-void exchange_all(Archive& archive, std::string& program_version, std::string& scene, TimePlan& plan, std::uint64_t& done, RunResult& run,
-                  std::string& state) {
-    archive(program_version, scene, plan, done, run, state);
+template <class Fields>
+void exchange_all(Archive& archive, Fields& c, RunResult& run) {
+    archive(c.program_version, c.scene, c.places, c.preparation, c.plan, c.samples_done, run, c.quiet, c.state);
+}
+
+void write_file(const CheckpointSettings& settings, Beside& beside, RunResult& run) {
+    beside.program_version = settings.program_version;
+    beside.scene = settings.scene;
+    std::ostringstream out;
+    Archive archive;
+    exchange_all(archive, beside, run);
+    write_sealed(out, kKind, archive.bytes());
+    records::write_file_atomically(settings.file, out.view());
 }
 
 }  // namespace
@@ -69,7 +112,7 @@ Checkpoint read_checkpoint(const fs::path& file, const std::string& program_vers
         archive(c.program_version);
         if (c.program_version == program_version) {
             archive = Archive{std::string_view(bytes)};
-            exchange_all(archive, c.program_version, c.scene, c.plan, c.samples_done, c.run, c.state);
+            exchange_all(archive, c, c.run);
             archive.finish();
         }
     } catch (const std::runtime_error& error) {
@@ -96,16 +139,28 @@ void remove_checkpoint(const fs::path& file) noexcept {
 }
 
 void write_checkpoint(const CheckpointSettings& settings, std::uint64_t done, const TimePlan& plan, RunResult& run,
-                      const Simulation& simulation) {
-    std::ostringstream state_stream, out;
+                      const Simulation& simulation, const std::optional<QuietState>& quiet) {
     try {
-        simulation.save(state_stream);
-        std::string version = settings.program_version, scene = settings.scene, state = std::move(state_stream).str();
-        TimePlan same_plan = plan;
-        Archive archive;
-        exchange_all(archive, version, scene, same_plan, done, run, state);
-        write_sealed(out, kKind, archive.bytes());
-        records::write_file_atomically(settings.file, out.view());
+        std::ostringstream state;
+        simulation.save(state);
+        Beside beside;
+        beside.places = settings.places;
+        beside.plan = plan;
+        beside.samples_done = done;
+        beside.quiet = quiet;
+        beside.state = std::move(state).str();
+        write_file(settings, beside, run);
+    } catch (const std::runtime_error& error) {
+        if (settings.on_failure) settings.on_failure(error.what());
+    }
+}
+
+void write_checkpoint(const CheckpointSettings& settings, PreparationState preparation) {
+    try {
+        Beside beside;
+        beside.preparation = std::move(preparation);
+        RunResult none;
+        write_file(settings, beside, none);
     } catch (const std::runtime_error& error) {
         if (settings.on_failure) settings.on_failure(error.what());
     }
@@ -115,6 +170,12 @@ void CheckpointWriter::after_sample(std::uint64_t done, const TimePlan& plan, Ru
     // after the last sample come the results
     if (done == plan.samples || !is_due(done)) return;
     write_checkpoint(settings_, done, plan, run, simulation);
+    last_ = Clock::now();
+}
+
+void CheckpointWriter::after_look(const std::function<void(const CheckpointSettings&)>& write) {
+    if (!is_due(++looks_)) return;
+    write(settings_);
     last_ = Clock::now();
 }
 

@@ -4,10 +4,12 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "lsdem/simulation.hpp"
 #include "lsdem/study/history.hpp"
+#include "lsdem/study/preparation_state.hpp"
 #include "lsdem/study/time_plan.hpp"
 
 namespace musim::lsdem::study {
@@ -18,22 +20,34 @@ struct CheckpointSettings {
     std::string scene;            ///< as JSON text, for whoever resumes
     std::string program_version;  ///< only the same one may resume
     double interval = 60.0;       ///< wall time between two checkpoints [s]; 0: one after every sample
-    std::uint64_t samples = 0;    ///< when positive: one after so many samples, whatever the wall time
+    std::uint64_t samples = 0;    ///< when positive: one after so many samples, or looks while it settles, whatever the wall time
+    std::optional<PreparedPlaces> places = {};  ///< of a specimen that was prepared, so that it need not be again
     /// Told why a checkpoint could not be written; the run goes on, and the checkpoint before stays.
     std::function<void(const std::string&)> on_failure = {};
 };
 
-/// A run as far as it had come. Of `run` it holds the collapse time, falls, the origin of a stage, the rest before the motion, the initial
-/// kinematics, histories, frames and the wall time.
+/// The quiet phase after a run, before the next motion of a sequence, as far as it has come.
+struct QuietState {
+    double clock = 0.0;               ///< from the start of the run to that of the simulation's present motion [s]
+    Vector3 moved = Vector3::Zero();  ///< displacement of the base up to there [m]
+    Vector3 stop = Vector3::Zero();   ///< velocity from which the base was brought to rest [m/s]; zero: it stood
+    double wall_time = 0.0;           ///< [s]
+    SettlingState settling;
+};
+
+/// A run as far as it had come. Of `run` it holds all but what follows from specimen and plan, and a divergence.
 struct Checkpoint {
     std::string program_version;
-    std::string scene;  ///< as JSON text
+    std::string scene;                            ///< as JSON text
+    std::optional<PreparedPlaces> places;         ///< of a specimen that has been prepared
+    std::optional<PreparationState> preparation;  ///< of one that was being prepared: what follows is then empty
     TimePlan plan;
     std::uint64_t samples_done = 0;
     RunResult run;
-    std::string state;  ///< Simulation::save
+    std::optional<QuietState> quiet;  ///< the run had ended, and what came after it
+    std::string state;                ///< Simulation::save
 
-    double fraction_done() const { return static_cast<double>(samples_done) / static_cast<double>(plan.samples); }
+    double fraction_done() const { return preparation ? 0.0 : static_cast<double>(samples_done) / static_cast<double>(plan.samples); }
 };
 
 /// The name of the checkpoint in a folder of results.
@@ -46,10 +60,13 @@ Checkpoint read_checkpoint(const std::filesystem::path& file, const std::string&
 /// Removes a checkpoint, and what a kill left of one that was being written. Nothing happens when there is none.
 void remove_checkpoint(const std::filesystem::path& file) noexcept;
 
-/// Writes a checkpoint of a run whose sample `done` has just been taken; the file changes from the one before in one step. One that cannot
-/// be written is told to CheckpointSettings::on_failure. `run` is not changed.
+/// Writes a checkpoint of a run whose sample `done` has just been taken, or of the quiet phase after it; the file changes from the one
+/// before in one step. One that cannot be written is told to CheckpointSettings::on_failure. `run` is not changed.
 void write_checkpoint(const CheckpointSettings& settings, std::uint64_t done, const TimePlan& plan, RunResult& run,
-                      const Simulation& simulation);
+                      const Simulation& simulation, const std::optional<QuietState>& quiet = {});
+
+/// The same of a preparation.
+void write_checkpoint(const CheckpointSettings& settings, PreparationState preparation);
 
 /// Writes the checkpoints of one run as they fall due; the file changes from one to the next in one step.
 class CheckpointWriter {
@@ -59,12 +76,16 @@ class CheckpointWriter {
     /// Sample `done` has just been taken.
     void after_sample(std::uint64_t done, const TimePlan& plan, RunResult& run, const Simulation& simulation);
 
+    /// Something that settles has just been looked at; `write` is called when a checkpoint is due.
+    void after_look(const std::function<void(const CheckpointSettings&)>& write);
+
   private:
     using Clock = std::chrono::steady_clock;
 
     bool is_due(std::uint64_t done) const;
 
     CheckpointSettings settings_;
+    std::uint64_t looks_ = 0;
     Clock::time_point last_ = Clock::now();
 };
 

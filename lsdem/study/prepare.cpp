@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
+#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -43,34 +43,74 @@ std::vector<std::pair<std::size_t, std::size_t>> find_layers(const Specimen& spe
 /// corners may lie deeper than those of the true overlap by half a diagonal times kMaxPatchTwist.
 double find_clearance(const Vector3& size) { return 0.5 * std::hypot(size.x(), size.y()) * kMaxPatchTwist; }
 
-/// Puts one layer after the other onto those that have settled: upright and let down, or as it will rest.
-class LayerByLayer {
+/// One preparation on its way: layer after layer comes to rest, each put onto those that have, upright and let down, or as it will rest;
+/// then the whole.
+class Preparation {
   public:
-    LayerByLayer(const Specimen& upright, double time_step, const PreparationSettings& settings, int threads)
-        : layers_(find_layers(upright)), settings_(settings), simulation_(hold_upper_layers(upright, layers_), time_step, threads) {
-        simulation_.begin_preparation(settings.settling.damping_rate);
-    }
+    Preparation(const Specimen& upright, double time_step, const PreparationSettings& settings, int threads,
+                const std::optional<PreparationState>& from)
+        : placing_(settings.placing),
+          layers_(by_layers() ? find_layers(upright) : Layers{}),
+          settings_(settings),
+          state_(from.value_or(PreparationState{})),
+          resumes_(from.has_value()),
+          simulation_(begin(upright, time_step, threads)) {}
 
-    void run(const std::function<void(double)>& on_progress, PreparedSpecimen& prepared) {
-        Settling rule = settings_.settling;
-        rule.rest = std::max(rule.rest, settings_.layer_rest);
-        rule.patience = std::min(rule.patience, resting() ? settings_.resting_patience : settings_.layer_patience);
-        rule.reaction = kLayerReaction;
-        for (std::size_t k = 0; k < layers_.size(); ++k) {
-            if (k > 0) add(k);
-            const Rest rest = settle(simulation_, rule);
-            prepared.steps += rest.steps;
-            prepared.block_steps += rest.steps * layers_[k].second;
-            if (simulation_.divergence()) return;
-            const double done = static_cast<double>(layers_[k].second) / static_cast<double>(layers_.back().second);
-            if (on_progress) on_progress(kLayersWorth * done * done);
+    void run(const RunSettings& settings, PreparedSpecimen& prepared) {
+        CheckpointWriter checkpoints(settings.checkpoint.value_or(CheckpointSettings{}));
+        for (; state_.round < layer_rounds() + settings_.whole_rounds; ++state_.round, state_.settling = {}) {
+            if (!resumes_) begin_round();
+            resumes_ = false;
+            SettlingWatch watch;
+            watch.on_progress = [&](double part) {
+                if (settings.on_progress) settings.on_progress(progress(part));
+            };
+            if (settings.checkpoint) {
+                watch.on_state = [&](const SettlingState& now) {
+                    state_.settling = now;
+                    checkpoints.after_look([&](const CheckpointSettings& to) { write_checkpoint(to, save()); });
+                };
+            }
+            prepared.rest = settle(simulation_, rule(), watch, state_.settling);
+            state_.steps += prepared.rest.steps;
+            state_.block_steps += prepared.rest.steps * blocks_in_round();
+            const bool hopeless = state_.round >= layer_rounds() && !prepared.rest.at_rest;
+            if (simulation_.divergence() || hopeless) break;
         }
+        prepared.steps = state_.steps;
+        prepared.block_steps = state_.block_steps;
     }
 
-    Simulation& simulation() { return simulation_; }
+    const Simulation& simulation() const { return simulation_; }
 
   private:
     using Layers = std::vector<std::pair<std::size_t, std::size_t>>;
+
+    bool by_layers() const { return placing_ != scene::Placing::as_drawn; }
+    bool resting() const { return placing_ == scene::Placing::resting; }
+    std::size_t layer_rounds() const { return layers_.size(); }
+    bool in_layers() const { return state_.round < layer_rounds(); }
+    std::size_t blocks_in_round() const { return in_layers() ? layers_[state_.round].second : simulation_.model().blocks.size(); }
+
+    Simulation begin(const Specimen& upright, double time_step, int threads) const {
+        Model model = by_layers() ? hold_upper_layers(upright, layers_) : upright.model;
+        if (resumes_) {
+            for (const Release& release : state_.releases) release_block(release, model);
+            std::istringstream saved(state_.simulation);
+            return Simulation::restore(std::move(model), saved, threads);
+        }
+        Simulation simulation(std::move(model), time_step, threads);
+        simulation.begin_preparation(settings_.settling.damping_rate);
+        return simulation;
+    }
+
+    PreparationState save() const {
+        PreparationState state = state_;
+        std::ostringstream out;
+        simulation_.save(out);
+        state.simulation = std::move(out).str();
+        return state;
+    }
 
     /// Layers above the first are held where they meet nothing: as high above the structure as it is high.
     static Model hold_upper_layers(const Specimen& upright, const Layers& layers) {
@@ -84,9 +124,30 @@ class LayerByLayer {
         return model;
     }
 
-    bool resting() const { return settings_.placing == scene::Placing::resting; }
+    void begin_round() {
+        if (in_layers() && state_.round > 0) add_layer(state_.round);
+        if (state_.round > layer_rounds()) simulation_.renew_neighbors();
+    }
 
-    void add(std::size_t k) {
+    Settling rule() const {
+        Settling rule = settings_.settling;
+        if (!in_layers()) return rule;
+        rule.rest = std::max(rule.rest, settings_.layer_rest);
+        rule.patience = std::min(rule.patience, resting() ? settings_.resting_patience : settings_.layer_patience);
+        rule.reaction = kLayerReaction;
+        return rule;
+    }
+
+    /// A guess of the part that is done, from that of the present round. The work of a layer goes with the blocks below it.
+    double progress(double part) const {
+        const double whole_worth = by_layers() ? 1.0 - kLayersWorth : 1.0;
+        const auto rounds_left = static_cast<double>(layer_rounds() + settings_.whole_rounds - state_.round);
+        if (!in_layers()) return 1.0 - whole_worth * (rounds_left - part) / static_cast<double>(settings_.whole_rounds);
+        const double done = (static_cast<double>(state_.round) + part) / static_cast<double>(layer_rounds());
+        return kLayersWorth * done * done;
+    }
+
+    void add_layer(std::size_t k) {
         const Model& model = simulation_.model();
         const auto [first_below, first] = layers_[k - 1];
         const std::size_t last = layers_[k].second;
@@ -104,26 +165,32 @@ class LayerByLayer {
             releases.push_back({i, box.position + clearance * Vector3::UnitZ(), box.orientation, {0.0, 0.0, -speed}});
         }
         simulation_.release(releases);
+        state_.releases.insert(state_.releases.end(), releases.begin(), releases.end());
     }
 
+    scene::Placing placing_;
     Layers layers_;
-    PreparationSettings settings_;
+    const PreparationSettings& settings_;
+    PreparationState state_;
+    bool resumes_;  ///< in the middle of the present round
     Simulation simulation_;
 };
 
 void describe(const Simulation& simulation, PreparedSpecimen& prepared) {
     const Model& model = prepared.specimen.model;
-    const auto layers = find_layers(prepared.specimen);
     const Vector3 up = -model.gravity.normalized();
-    std::vector<std::vector<double>> forces(layers.size());
     for (std::size_t i = 0; i < model.blocks.size(); ++i) {
         const double cosine = std::clamp((simulation.orientation(i) * Vector3::UnitZ()).dot(up), -1.0, 1.0);
         prepared.tilt.push_back(std::acos(cosine));
     }
+    const std::vector<int>& layer = prepared.specimen.layer;
+    if (std::find(layer.begin(), layer.end(), 0) != layer.end()) return;
+    const auto layers = find_layers(prepared.specimen);
+    std::vector<std::vector<double>> forces(layers.size());
     for (const ContactForce& contact : simulation.contact_forces()) {
         // the leader is the lower block, or the one on the ground
-        const auto leader_layer = static_cast<std::size_t>(prepared.specimen.layer[contact.leader]);
-        const std::size_t upper = contact.follower ? static_cast<std::size_t>(prepared.specimen.layer[*contact.follower]) : leader_layer;
+        const auto leader_layer = static_cast<std::size_t>(layer[contact.leader]);
+        const std::size_t upper = contact.follower ? static_cast<std::size_t>(layer[*contact.follower]) : leader_layer;
         if (contact.follower && upper != leader_layer + 1) continue;
         const double force = std::abs(contact.force.dot(up));
         forces[upper - 1].push_back(force);
@@ -146,40 +213,43 @@ void describe(const Simulation& simulation, PreparedSpecimen& prepared) {
 
 }  // namespace
 
-PreparedSpecimen prepare(const Specimen& upright, double time_step, const PreparationSettings& preparation, const RunSettings& settings) {
+PreparedSpecimen prepare(const Specimen& upright, double time_step, const PreparationSettings& preparation, const RunSettings& settings,
+                         const std::optional<PreparationState>& from) {
     PreparedSpecimen prepared;
     prepared.specimen = upright;
-    const auto relax = [&](Simulation& simulation, double begun) {
-        const auto come_to_rest = [&] {
-            prepared.rest = settle(simulation, preparation.settling, [&](double part) {
-                if (settings.on_progress) settings.on_progress(begun + (1.0 - begun) * part);
-            });
-            prepared.steps += prepared.rest.steps;
-            prepared.block_steps += prepared.rest.steps * simulation.model().blocks.size();
-        };
-        come_to_rest();
-        // whoever uses the specimen begins with a new list: where a contact then meets in another way, it does so here
-        simulation.renew_neighbors();
-        if (prepared.rest.at_rest) come_to_rest();
-        Model& model = prepared.specimen.model;
-        for (std::size_t i = 0; i < model.blocks.size(); ++i) {
-            model.blocks[i].position = simulation.position(i);
-            model.blocks[i].orientation = simulation.orientation(i);
-        }
-        model.preload = simulation.preloads();
-        prepared.max_overlap = simulation.statistics().max_overlap_over_height;
-        describe(simulation, prepared);
-    };
-    if (preparation.placing == scene::Placing::as_drawn) {
-        Simulation simulation(upright.model, time_step, settings.threads);
-        simulation.begin_preparation(preparation.settling.damping_rate);
-        relax(simulation, 0.0);
-    } else {
-        LayerByLayer layers(upright, time_step, preparation, settings.threads);
-        layers.run(settings.on_progress, prepared);
-        relax(layers.simulation(), kLayersWorth);
+    Preparation work(upright, time_step, preparation, settings.threads, from);
+    work.run(settings, prepared);
+    const Simulation& simulation = work.simulation();
+    Model& model = prepared.specimen.model;
+    for (std::size_t i = 0; i < model.blocks.size(); ++i) {
+        model.blocks[i].position = simulation.position(i);
+        model.blocks[i].orientation = simulation.orientation(i);
     }
+    model.preload = simulation.preloads();
+    prepared.max_overlap = simulation.statistics().max_overlap_over_height;
+    describe(simulation, prepared);
     return prepared;
+}
+
+PreparedPlaces places_of(const Specimen& specimen) {
+    PreparedPlaces places;
+    for (const Block& block : specimen.model.blocks) {
+        places.position.push_back(block.position);
+        places.orientation.push_back(block.orientation);
+    }
+    places.preload = specimen.model.preload;
+    return places;
+}
+
+void put_in_place(const PreparedPlaces& places, Specimen& specimen) {
+    std::vector<Block>& blocks = specimen.model.blocks;
+    if (places.position.size() != blocks.size() || places.orientation.size() != blocks.size())
+        throw std::runtime_error("checkpoint: it is of other blocks");
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+        blocks[i].position = places.position[i];
+        blocks[i].orientation = places.orientation[i];
+    }
+    specimen.model.preload = places.preload;
 }
 
 }  // namespace musim::lsdem::study

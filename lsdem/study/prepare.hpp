@@ -1,8 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "lsdem/scene/preparation.hpp"
+#include "lsdem/study/preparation_state.hpp"
 #include "lsdem/study/settle.hpp"
 #include "lsdem/study/simulate.hpp"
 
@@ -19,6 +21,9 @@ struct PreparationSettings {
     double layer_rest = 1e-8;
     double layer_patience = 5.0;    ///< of Placing::layers [-]
     double resting_patience = 1.0;  ///< of Placing::resting [-]
+    /// How often the whole comes to rest, each time with a new neighbor list. Whoever uses the specimen begins with one, and where a
+    /// contact then meets in another way, it is to do so here. One that has been prepared, and comes from its file, need not again.
+    std::size_t whole_rounds = 2;
 };
 
 /// What prepared blocks bear and how they stand; one entry per layer.
@@ -31,7 +36,7 @@ struct LayerState {
 struct PreparedSpecimen {
     Specimen specimen;               ///< poses as settled, and what the contacts hold, see Model::preload
     Rest rest;                       ///< of the last settling
-    std::vector<LayerState> layers;  ///< from 1 at the base
+    std::vector<LayerState> layers;  ///< from 1 at the base; empty for blocks that are in no layers
     std::vector<double> tilt;        ///< of every block [rad]
     std::vector<double> force;       ///< normal force of every contact, over m g of a block [-]
     std::uint64_t steps = 0;         ///< of all settling
@@ -39,9 +44,17 @@ struct PreparedSpecimen {
     double max_overlap = 0.0;        ///< largest overlap ever met on the way, over the height of a block [-]
 };
 
-/// Prepares a specimen whose blocks stand upright at their places in plan (make_specimen of a scene). Throws std::invalid_argument as
-/// Simulation does, and for blocks without layers; a preparation that diverges says so in `rest`.
+/// Prepares a specimen whose blocks stand upright at their places in plan (make_specimen of a scene), or goes on from where a preparation
+/// of the same specimen was, to the same bits. Where it stands is written to settings.checkpoint as it falls due. Throws
+/// std::invalid_argument as Simulation does, and for blocks without layers that are to be placed, std::runtime_error when `from` is of
+/// another specimen; a preparation that diverges says so in `rest`.
 PreparedSpecimen prepare(const Specimen& upright, double time_step, const PreparationSettings& preparation,
-                         const RunSettings& settings = {});
+                         const RunSettings& settings = {}, const std::optional<PreparationState>& from = {});
+
+/// Where the blocks of a specimen are.
+PreparedPlaces places_of(const Specimen& specimen);
+
+/// Puts the blocks of a specimen where they were. Throws std::runtime_error when those are other blocks.
+void put_in_place(const PreparedPlaces& places, Specimen& specimen);
 
 }  // namespace musim::lsdem::study

@@ -40,17 +40,30 @@ PreparationSettings find_preparation(const scene::Scene& scene, const Specimen& 
     return preparation;
 }
 
-Specimen make_specimen(const scene::Scene& scene, const RunSettings& settings) {
+Specimen make_specimen(const scene::Scene& scene, const RunSettings& settings, const Checkpoint* from) {
     Specimen specimen = make_upright_specimen(scene);
     if (!wants_preparation(scene, specimen)) return specimen;
-    const PreparationSettings preparation = find_preparation(scene, specimen);
-    if (scene.preparation && scene.preparation->specimen) {
-        take_places(*scene.preparation->specimen, specimen);
-    } else if (preparation.placing != scene::Placing::as_drawn) {
-        specimen = prepare(specimen, scene::compute_time_step(scene, specimen.model).value(), preparation, settings).specimen;
+    PreparationSettings preparation = find_preparation(scene, specimen);
+    if (from != nullptr && from->places) {
+        put_in_place(*from->places, specimen);
+    } else {
+        if (scene.preparation && scene.preparation->specimen) {
+            take_places(*scene.preparation->specimen, specimen);
+            preparation.placing = scene::Placing::as_drawn;
+            preparation.whole_rounds = 1;
+        }
+        const double time_step = scene::compute_time_step(scene, specimen.model).value();
+        RunSettings own = settings;
+        own.on_progress = settings.on_preparation;
+        specimen = prepare(specimen, time_step, preparation, own, from != nullptr ? from->preparation : std::nullopt).specimen;
     }
     specimen.settling = preparation.settling;
     return specimen;
+}
+
+RunSettings keep_places(RunSettings settings, const Specimen& specimen) {
+    if (settings.checkpoint && specimen.settling) settings.checkpoint->places = places_of(specimen);
+    return settings;
 }
 
 TimePlan make_time_plan(const scene::Scene& scene, const Model& model) {
@@ -74,11 +87,14 @@ TimePlan make_time_plan(const scene::Scene& scene, const Model& model) {
 RunResult run_scene(const scene::Scene& scene, const RunSettings& settings) {
     scene::require_single_motion(scene, "a run");
     const Specimen specimen = make_specimen(scene, settings);
-    return simulate(specimen, make_time_plan(scene, specimen.model), settings);
+    return simulate(specimen, make_time_plan(scene, specimen.model), keep_places(settings, specimen));
 }
 
 RunResult resume_scene(const scene::Scene& scene, Checkpoint checkpoint, const RunSettings& settings) {
-    return resume(make_specimen(scene), std::move(checkpoint), settings);
+    const Specimen specimen = make_specimen(scene, settings, &checkpoint);
+    const RunSettings with_places = keep_places(settings, specimen);
+    if (checkpoint.preparation) return simulate(specimen, make_time_plan(scene, specimen.model), with_places);
+    return resume(specimen, std::move(checkpoint), with_places);
 }
 
 }  // namespace musim::lsdem::study

@@ -19,9 +19,13 @@ bool wants_preparation(const scene::Scene& scene, const Specimen& upright);
 /// Velocities decay at the scene's rate, else at that of choose_damping_rate for the first block.
 PreparationSettings find_preparation(const scene::Scene& scene, const Specimen& upright);
 
-/// The specimen of a scene in its places: as drawn, taken from a file, on resting planes, or after a preparation layer by layer, which runs
-/// with `settings`. Throws as make_upright_specimen does.
-Specimen make_specimen(const scene::Scene& scene, const RunSettings& settings = {});
+/// The specimen of a scene in its places and at rest there, when it is to be prepared: placed as drawn, as a file has it, on resting
+/// planes, or layer by layer. The preparation runs with `settings`; it is not done again, or from where it was, when a checkpoint says so.
+/// Throws as make_upright_specimen and prepare do.
+Specimen make_specimen(const scene::Scene& scene, const RunSettings& settings = {}, const Checkpoint* from = nullptr);
+
+/// The settings of a run whose checkpoints hold where the blocks of its specimen are, when it was prepared.
+RunSettings keep_places(RunSettings settings, const Specimen& specimen);
 
 /// Steps, samples and frames of a scene's run.
 ///

@@ -13,6 +13,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// What preparing a specimen counts in the progress of its member. A guess: a tall tower of unequal blocks takes about as long to prepare
+/// as to shake.
+constexpr double kPreparationWorth = 0.5;
+
 /// Mean of what the running members have done.
 class SharedProgress {
   public:
@@ -42,8 +46,14 @@ void run_member(const EnsembleMember& member, const MemberSettings& settings, co
     const fs::path checkpoint = directory / kCheckpointName;
     // the folder first: it keeps other processes off the member
     ResultFolder folder(directory);
+    double prepared = 0.0;
     const RunSettings run_settings{.threads = 1,
-                                   .on_progress = on_progress,
+                                   .on_progress = [&](double fraction) { on_progress(prepared + (1.0 - prepared) * fraction); },
+                                   .on_preparation =
+                                       [&](double fraction) {
+                                           prepared = kPreparationWorth;
+                                           on_progress(prepared * fraction);
+                                       },
                                    .checkpoint = CheckpointSettings{.file = checkpoint,
                                                                     .scene = member.scene_text,
                                                                     .program_version = settings.version,

@@ -12,7 +12,9 @@
 
 #include "lsdem/scene/motions.hpp"
 #include "lsdem/scene/scene_json.hpp"
+#include "lsdem/study/quiet_phase.hpp"
 #include "lsdem/study/read_results.hpp"
+#include "lsdem/study/run.hpp"
 #include "lsdem/study/sequence_plan.hpp"
 #include "lsdem/study/write_results.hpp"
 
@@ -26,59 +28,45 @@ using Clock = std::chrono::steady_clock;
 /// sways for long.
 constexpr double kQuietWorth = 0.5;
 
-/// Brings base and structure to rest after a motion, or up to its collapse, and looks for falls meanwhile. Returns how far the base has
-/// moved since the start of the stage [m].
-Vector3 come_to_rest(Simulation& simulation, const SequenceStage& stage, const Settling& quiet, RunResult& run, RunStart& next,
-                     const std::function<void(double)>& on_look) {
-    // the simulation counts time and base from the start of its present motion
-    double clock = 0.0;
-    Vector3 moved = Vector3::Zero();
-    const auto has_collapsed = [&] {
-        note_falls(run, simulation, clock + simulation.time(), moved + simulation.base().displacement);
-        return run.collapse_time.has_value();
-    };
-
-    // undamped while the base moves: the damping of velocities would hold blocks back against it
-    const Vector3 velocity = simulation.base().velocity;
-    if (!velocity.isZero(0.0)) {
-        clock = simulation.time();
-        moved = simulation.base().displacement;
-        const std::array<BaseComponent, 3> stop = make_stop(stage.motion, velocity);
-        simulation.begin_motion(stop);
-        simulation.advance(static_cast<std::uint64_t>(std::ceil(stop[0].dt / simulation.time_step())));
-    }
-    simulation.begin_preparation(quiet.damping_rate);
-    next.rest = settle(simulation, quiet, on_look, has_collapsed);
-    update_status(run, simulation);
-    if (run.divergence) run.divergence->time += clock;
-    return moved + simulation.base().displacement;
-}
-
-/// What the next stage takes over from one that has reached its end.
-RunStart pass_on(Simulation& simulation, const SequencePlan& plan, std::size_t stage, RunResult& run,
-                 const std::function<void(double)>& on_look) {
-    const Clock::time_point start = Clock::now();
+/// What the next stage takes over from one that has reached its end. `quiet`: how it came to rest between them; nothing when it did not.
+RunStart pass_on(const Simulation& simulation, const TimePlan& plan, std::size_t stage, const RunResult& run,
+                 const std::optional<QuietEnd>& quiet) {
     RunStart next;
-    const Vector3 moved = plan.stages[stage + 1].settle ? come_to_rest(simulation, plan.stages[stage], plan.quiet, run, next, on_look)
-                                                        : simulation.base().displacement;
-    const double duration = plan.stages[stage].plan.duration();
     next.origin =
         run.origin ? *run.origin : StageOrigin{.stage = 0, .position = run.initial.position, .orientation = run.initial.orientation};
     next.origin->stage = stage + 1;
-    next.origin->time += duration;
-    next.origin->base += moved;
+    next.origin->time += plan.duration();
+    next.origin->base += quiet ? quiet->moved : simulation.base().displacement;
     next.falls = run.falls;
     // on the clock of the next stage: before its start, at the latest in the quiet phase
-    for (double& time : next.falls.time) time = std::isnan(time) ? time : std::min(time - duration, 0.0);
-    next.wall_time = std::chrono::duration<double>(Clock::now() - start).count();
+    for (double& time : next.falls.time) time = std::isnan(time) ? time : std::min(time - plan.duration(), 0.0);
+    if (quiet) {
+        next.rest = quiet->rest;
+        next.wall_time = quiet->wall_time;
+    }
     return next;
+}
+
+/// How its specimen is prepared and where its checkpoints go.
+RunSettings find_run_settings(const scene::Scene& scene, const SequenceSettings& settings) {
+    return {.threads = settings.threads,
+            .on_preparation = settings.on_preparation,
+            .checkpoint = CheckpointSettings{.file = settings.directory / kCheckpointName,
+                                             .scene = scene::write_scene(scene),
+                                             .program_version = settings.version,
+                                             .interval = settings.checkpoint_interval,
+                                             .on_failure = settings.on_no_checkpoint}};
 }
 
 /// One sequence on its way through its stages.
 class Sequence {
   public:
     Sequence(const scene::Scene& scene, SequencePlan plan, ResultFolder& folder, const SequenceSettings& settings)
-        : scene_text_(scene::write_scene(scene)), name_(scene.name), plan_(std::move(plan)), folder_(folder), settings_(settings) {
+        : name_(scene.name),
+          plan_(std::move(plan)),
+          checkpoint_(keep_places(find_run_settings(scene, settings), plan_.specimen).checkpoint),
+          folder_(folder),
+          settings_(settings) {
         for (std::size_t k = 0; k < plan_.stages.size(); ++k) work_ += motion_work(k) + quiet_work(k);
     }
 
@@ -94,17 +82,20 @@ class Sequence {
 
     SequenceSummary resume(Checkpoint checkpoint) {
         const std::size_t stage = checkpoint.run.origin ? checkpoint.run.origin->stage : 0;
+        const std::optional<QuietState> quiet = checkpoint.quiet;
         auto [simulation, run] = continue_stage(stage, std::move(checkpoint));
-        return carry_on(simulation, stage, std::move(run));
+        return carry_on(simulation, stage, std::move(run), quiet);
     }
 
   private:
     std::pair<Simulation, RunResult> continue_stage(std::size_t stage, Checkpoint checkpoint) {
         try {
             if (stage >= plan_.stages.size()) throw std::runtime_error("checkpoint: it is of a stage that the scene does not have");
-            plan_.specimen.model.ground.motion = plan_.stages[stage].motion;
+            const SequenceStage& now = plan_.stages[stage];
+            plan_.specimen.model.ground.motion = checkpoint.quiet ? find_motion(now, *checkpoint.quiet) : now.motion;
             Simulation simulation = restore(plan_.specimen, checkpoint, settings_.threads);
-            RunResult run = study::resume(simulation, plan_.specimen, std::move(checkpoint), settings_of(stage));
+            RunResult run = checkpoint.quiet ? recall_finished(plan_.specimen, std::move(checkpoint))
+                                             : study::resume(simulation, plan_.specimen, std::move(checkpoint), settings_of(stage));
             return {std::move(simulation), std::move(run)};
         } catch (const std::runtime_error& error) {
             throw ResultError(
@@ -114,23 +105,36 @@ class Sequence {
         }
     }
 
-    /// From the end of the motion of `stage`.
-    SequenceSummary carry_on(Simulation& simulation, std::size_t stage, RunResult run) {
+    /// From the end of the motion of `stage`, or from within the quiet phase after it.
+    SequenceSummary carry_on(Simulation& simulation, std::size_t stage, RunResult run, std::optional<QuietState> quiet = {}) {
         while (true) {
             std::optional<RunStart> next;
             if (run.status == RunStatus::completed && stage + 1 < plan_.stages.size()) {
-                // from here the quiet phase can be done again
-                const TimePlan& plan = plan_.stages[stage].plan;
-                write_checkpoint(*settings_of(stage).checkpoint, plan.samples, plan, run, simulation);
-                const double before = work_before(stage) + motion_work(stage), own = quiet_work(stage);
-                next = pass_on(simulation, plan_, stage, run, [&](double part) { report(before + own * part); });
+                std::optional<QuietEnd> end;
+                if (plan_.stages[stage + 1].settle) end = come_to_rest_after(simulation, stage, run, quiet);
+                next = pass_on(simulation, plan_.stages[stage].plan, stage, run, end);
             }
+            quiet.reset();
             store(stage, run);
             if (run.status != RunStatus::completed || !next) return summarize(stage + 1);
             ++stage;
             simulation.begin_motion(plan_.stages[stage].motion);
             run = simulate(simulation, plan_.specimen, plan_.stages[stage].plan, std::move(*next), settings_of(stage));
         }
+    }
+
+    QuietEnd come_to_rest_after(Simulation& simulation, std::size_t stage, RunResult& run, const std::optional<QuietState>& from) {
+        const TimePlan& plan = plan_.stages[stage].plan;
+        const CheckpointSettings checkpoint = *settings_of(stage).checkpoint;
+        if (!from) write_checkpoint(checkpoint, plan.samples, plan, run, simulation);
+        CheckpointWriter checkpoints(checkpoint);
+        const double before = work_before(stage) + motion_work(stage), own = quiet_work(stage);
+        QuietWatch watch;
+        watch.on_progress = [&](double part) { report(before + own * part); };
+        watch.on_state = [&](const QuietState& state) {
+            checkpoints.after_look([&](const CheckpointSettings& to) { write_checkpoint(to, plan.samples, plan, run, simulation, state); });
+        };
+        return come_to_rest(simulation, plan_.stages[stage], plan_.quiet, run, watch, from);
     }
 
     /// Work in samples: of the motion of a stage, of coming to rest after it, and of all before it.
@@ -152,11 +156,7 @@ class Sequence {
         const double before = work_before(stage), own = motion_work(stage);
         return {.threads = settings_.threads,
                 .on_progress = [this, before, own](double fraction) { report(before + own * fraction); },
-                .checkpoint = CheckpointSettings{.file = settings_.directory / kCheckpointName,
-                                                 .scene = scene_text_,
-                                                 .program_version = settings_.version,
-                                                 .interval = settings_.checkpoint_interval,
-                                                 .on_failure = settings_.on_no_checkpoint}};
+                .checkpoint = checkpoint_};
     }
 
     void store(std::size_t stage, const RunResult& run) {
@@ -179,9 +179,9 @@ class Sequence {
         return summary;
     }
 
-    std::string scene_text_;
     std::string name_;
     SequencePlan plan_;
+    std::optional<CheckpointSettings> checkpoint_;
     ResultFolder& folder_;
     const SequenceSettings& settings_;
     double work_ = 0.0;  ///< of all stages [samples]
@@ -215,9 +215,10 @@ void require_checkpoint(const fs::path& directory) {
 }  // namespace
 
 SequenceSummary run_sequence(const scene::Scene& scene, const SequenceSettings& settings) {
-    SequencePlan plan = plan_sequence(scene, {.threads = settings.threads});
+    SequencePlan plan = plan_sequence(scene);
     ResultFolder folder(settings.directory);
     refuse_old_results(settings.directory);
+    plan.specimen = make_specimen(plan.stages.front().scene, find_run_settings(scene, settings));
     return Sequence(scene, std::move(plan), folder, settings).run();
 }
 
@@ -231,7 +232,10 @@ SequenceSummary resume_sequence(const SequenceSettings& settings) {
         throw ResultError(fmt::format("{}: the checkpoint is of a single run; continue it with `musim run --resume {}`", file.string(),
                                       settings.directory.string()));
     }
-    return Sequence(scene, plan_sequence(scene, {.threads = settings.threads}), folder, settings).resume(std::move(checkpoint));
+    SequencePlan plan = plan_sequence(scene);
+    plan.specimen = make_specimen(plan.stages.front().scene, find_run_settings(scene, settings), &checkpoint);
+    Sequence sequence(scene, std::move(plan), folder, settings);
+    return checkpoint.preparation ? sequence.run() : sequence.resume(std::move(checkpoint));
 }
 
 }  // namespace musim::lsdem::study

@@ -17,6 +17,7 @@ struct SequenceSettings {
     int threads = 1;                                                ///< 0: all cores
     double checkpoint_interval = 60.0;                              ///< wall time between two checkpoints [s]; 0: one after every sample
     std::function<void(double)> on_progress = {};                   ///< called now and then with the fraction done, 0 to 1
+    std::function<void(double)> on_preparation = {};                ///< likewise, while the specimen is being prepared
     std::function<void(const std::string&)> on_stage = {};          ///< told the folder of every stage once it is stored
     std::function<void(const std::string&)> on_no_checkpoint = {};  ///< told why a checkpoint could not be written; the run goes on
 };

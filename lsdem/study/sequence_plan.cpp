@@ -63,14 +63,14 @@ void check_seam(const scene::Scene& scene, const SequenceStage& before, std::siz
 
 }  // namespace
 
-SequencePlan plan_sequence(const scene::Scene& scene, const RunSettings& settings) {
+SequencePlan plan_sequence(const scene::Scene& scene) {
     std::vector<scene::StageScene> scenes = scene::expand_motions(scene);
     if (scenes.empty()) {
         throw scene::SceneError(fmt::format(
             "scene \"{}\": has no list of motions (one motion is a plain run); use `musim run`, or give \"motions\"", scene.name));
     }
     SequencePlan plan;
-    plan.specimen = make_specimen(scenes.front().scene, settings);
+    plan.specimen = make_upright_specimen(scenes.front().scene);
     plan.quiet = find_preparation(scene, plan.specimen).settling;
     for (std::size_t k = 0; k < scenes.size(); ++k) {
         SequenceStage stage{.name = scenes[k].name,

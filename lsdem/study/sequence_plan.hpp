@@ -25,7 +25,7 @@ struct SequenceStage {
 
 /// Several motions that shake one specimen one after another.
 struct SequencePlan {
-    Specimen specimen;  ///< its model has the first motion
+    Specimen specimen;  ///< as drawn, not prepared yet (make_specimen of the first stage's scene); its model has the first motion
     Settling quiet;     ///< how it comes to rest between motions
     std::vector<SequenceStage> stages;
 };
@@ -39,8 +39,8 @@ inline constexpr double kSeamlessVelocity = 1e-6;
 ///
 /// Throws SceneError for a scene without a list of motions; for a motion without a quiet phase before it that does not begin with the
 /// velocity that the one before it ends with; for a base that keeps a velocity it took in a jump, before a quiet phase, since nothing says
-/// how it stops. Else as make_specimen does. `settings` are for a preparation layer by layer.
-SequencePlan plan_sequence(const scene::Scene& scene, const RunSettings& settings = {});
+/// how it stops. Else as make_upright_specimen does.
+SequencePlan plan_sequence(const scene::Scene& scene);
 
 /// How the base comes to rest from `velocity` [m/s] before a quiet phase: at the largest acceleration of the motion it ends, no harder than
 /// the motion itself. Requires that the motion has an acceleration.

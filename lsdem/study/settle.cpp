@@ -47,28 +47,29 @@ double choose_damping_rate(const Vector3& size, double gravity) {
     return std::sqrt(0.75 * gravity / (0.5 * std::hypot(thin, size.z())));
 }
 
-Rest settle(Simulation& simulation, const Settling& settling, const std::function<void(double)>& on_look,
-            const std::function<bool()>& give_up) {
+Rest settle(Simulation& simulation, const Settling& settling, const SettlingWatch& watch, SettlingState state) {
     const Weight weight(simulation.model());
     Rest rest;
     if (!weight.exists()) return rest;
     const double most_steps = settling.patience / (settling.damping_rate * simulation.time_step());
-    double first = 0.0;
-    for (int looks = 0; looks < kLooksInARow && static_cast<double>(rest.steps) < most_steps;) {
+    while (static_cast<double>(state.steps) < most_steps) {
         simulation.advance(kLookInterval);
-        if (simulation.divergence()) return rest;
-        rest.steps += kLookInterval;
+        if (simulation.divergence()) break;
+        state.steps += kLookInterval;
         rest.kinetic = find_liveliest(simulation);
         rest.reaction_over_weight = weight.part_of(simulation.base_reaction());
-        if (give_up && give_up()) return rest;
         const bool quiet = rest.kinetic <= settling.rest && std::abs(rest.reaction_over_weight - 1.0) <= settling.reaction;
-        looks = quiet ? looks + 1 : 0;
-        rest.at_rest = looks == kLooksInARow;
-        first = std::max(first, rest.kinetic);
-        if (on_look && first > settling.rest)
-            on_look(std::clamp(std::log(rest.kinetic / first) / std::log(settling.rest / first), 0.0, 1.0));
+        state.quiet_looks = quiet ? state.quiet_looks + 1 : 0;
+        state.liveliest = std::max(state.liveliest, rest.kinetic);
+        if (watch.on_progress && state.liveliest > settling.rest)
+            watch.on_progress(std::clamp(std::log(rest.kinetic / state.liveliest) / std::log(settling.rest / state.liveliest), 0.0, 1.0));
+        if (watch.give_up && watch.give_up()) break;
+        rest.at_rest = state.quiet_looks == kLooksInARow;
+        if (rest.at_rest) break;
+        if (watch.on_state) watch.on_state(state);
     }
-    if (on_look) on_look(1.0);
+    rest.steps = state.steps;
+    if (watch.on_progress) watch.on_progress(1.0);
     return rest;
 }
 

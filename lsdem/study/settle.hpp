@@ -30,10 +30,22 @@ struct Rest {
     double reaction_over_weight = 0.0;  ///< at the end
 };
 
-/// Brings a simulation that is in preparation (Simulation::begin_preparation) to rest. `on_look` is called now and then with a guess of the
-/// part that is done, 0 to 1, from the decay of that energy. `give_up` is asked at every look. Ends early, not at rest, when it says so or
-/// when the simulation diverges.
-Rest settle(Simulation& simulation, const Settling& settling, const std::function<void(double)>& on_look = {},
-            const std::function<bool()>& give_up = {});
+/// How far a settling has come; with the state of its simulation, all it needs to go on to the same bits.
+struct SettlingState {
+    std::uint64_t steps = 0;  ///< taken
+    int quiet_looks = 0;      ///< in a row, up to now
+    double liveliest = 0.0;   ///< largest kinetic energy of a block so far, over its weight times its height [-]
+};
+
+/// What is told and asked while a simulation comes to rest, at every look, in this order; any may be empty.
+struct SettlingWatch {
+    std::function<void(double)> on_progress = {};             ///< told a guess of the part that is done, 0 to 1
+    std::function<bool()> give_up = {};                       ///< ends the settling, not at rest, when it says so
+    std::function<void(const SettlingState&)> on_state = {};  ///< told where it stands, unless it has ended
+};
+
+/// Brings a simulation that is in preparation (Simulation::begin_preparation) to rest, or carries that on from `state`. The part that is
+/// done is guessed from the decay of the liveliest block's energy. Ends early, not at rest, when the simulation diverges.
+Rest settle(Simulation& simulation, const Settling& settling, const SettlingWatch& watch = {}, SettlingState state = {});
 
 }  // namespace musim::lsdem::study

@@ -134,16 +134,14 @@ void carry_on(RunResult& run, Simulation& simulation, const TimePlan& plan, std:
     run.wall_time = wall_time_before + std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Do the histories read from a checkpoint belong to the state read from it?
-bool fits(const TimePlan& plan, std::uint64_t done, const RunResult& run, const Simulation& simulation) {
+/// Are the histories read from a checkpoint as long as its plan and progress say?
+bool fits(const TimePlan& plan, std::uint64_t done, const RunResult& run) {
     const History& history = run.history;
     const std::size_t samples = static_cast<std::size_t>(done) + 1, of_spine = samples * run.spine.size();
     const std::size_t blocks = run.blocks.mass.size();
     const std::size_t frames = plan.samples_per_frame > 0 ? done / plan.samples_per_frame + 1 : 0;
     const auto all_of_size = [](std::size_t size, const auto&... vectors) { return ((vectors.size() == size) && ...); };
-    return plan.time_step == simulation.time_step() && done <= plan.samples &&
-           simulation.statistics().steps == done * plan.steps_per_sample &&
-           all_of_size(samples, history.time, history.base, history.energy) &&
+    return done <= plan.samples && all_of_size(samples, history.time, history.base, history.energy) &&
            all_of_size(of_spine, history.spine_position, history.spine_velocity, history.spine_rotation) &&
            all_of_size(frames, run.frames.time) &&
            all_of_size(frames * blocks, run.frames.position, run.frames.quaternion, run.frames.velocity) &&
@@ -224,10 +222,19 @@ RunResult resume(Simulation& simulation, const Specimen& specimen, Checkpoint ch
     const Clock::time_point start = Clock::now();
     RunResult run = std::move(checkpoint.run);
     describe(run, specimen, checkpoint.plan);
-    if (!fits(checkpoint.plan, checkpoint.samples_done, run, simulation))
+    const bool same_step = checkpoint.plan.time_step == simulation.time_step() &&
+                           simulation.statistics().steps == checkpoint.samples_done * checkpoint.plan.steps_per_sample;
+    if (!same_step || !fits(checkpoint.plan, checkpoint.samples_done, run))
         throw std::runtime_error("checkpoint: its histories do not fit its state");
     reserve(run.history, checkpoint.plan, run.spine.size());
     carry_on(run, simulation, checkpoint.plan, checkpoint.samples_done, start, settings);
+    return run;
+}
+
+RunResult recall_finished(const Specimen& specimen, Checkpoint checkpoint) {
+    RunResult run = std::move(checkpoint.run);
+    describe(run, specimen, checkpoint.plan);
+    if (!fits(checkpoint.plan, checkpoint.samples_done, run)) throw std::runtime_error("checkpoint: its histories do not fit its plan");
     return run;
 }
 

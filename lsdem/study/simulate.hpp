@@ -24,6 +24,7 @@ struct Specimen {
 struct RunSettings {
     int threads = 1;                                    ///< 0: all cores
     std::function<void(double)> on_progress = {};       ///< called now and then with the fraction done, 0 to 1, from the thread that runs
+    std::function<void(double)> on_preparation = {};    ///< likewise, while a specimen is being prepared
     std::optional<CheckpointSettings> checkpoint = {};  ///< none: a run that is killed is lost
 };
 
@@ -43,7 +44,8 @@ struct RunStart {
     double wall_time = 0.0;                  ///< spent on it so far [s]
 };
 
-/// Lets a specimen come to rest when it asks for that (Simulation::end_preparation follows); nothing when it does not.
+/// Lets a specimen come to rest when it asks for that (Simulation::end_preparation follows); nothing when it does not. One that was
+/// prepared is at rest within a few hundred steps.
 std::optional<Rest> settle_specimen(Simulation& simulation, const Specimen& specimen);
 
 /// Runs a simulation of `specimen` that is at t = 0 to the end of a plan, or until it diverges; the simulation is then at that end.
@@ -55,6 +57,9 @@ Simulation restore(const Specimen& specimen, const Checkpoint& checkpoint, int t
 /// Carries a run on from a checkpoint with the simulation that restore() made of it. Throws std::runtime_error when they do not belong
 /// together.
 RunResult resume(Simulation& simulation, const Specimen& specimen, Checkpoint checkpoint, const RunSettings& settings);
+
+/// The run of a checkpoint of the quiet phase after it. Throws std::runtime_error when its histories do not fit its plan.
+RunResult recall_finished(const Specimen& specimen, Checkpoint checkpoint);
 
 /// Dates the blocks that have fallen since the last look, and the collapse. `time` [s] and `base`, the displacement of the base [m], both
 /// since the start of the run.

@@ -45,6 +45,18 @@ int threads_of_each(const SpecimenBatch& batch) {
     return std::max(1, threads / static_cast<int>(batch.seeds.size()));
 }
 
+/// What a preparation of the same specimen that was killed has left.
+std::optional<PreparationState> find_unfinished(const SpecimenBatch& batch, const CheckpointSettings& checkpoint) {
+    if (!std::filesystem::exists(checkpoint.file)) return std::nullopt;
+    try {
+        Checkpoint found = read_checkpoint(checkpoint.file, batch.version);
+        if (found.scene == checkpoint.scene && found.preparation) return std::move(found.preparation);
+    } catch (const std::runtime_error& error) {
+        if (batch.on_warning) batch.on_warning(error.what());
+    }
+    return std::nullopt;
+}
+
 /// `files`: one file at a time, since the HDF5 library need not be built for threads.
 SpecimenReport make_specimen_file(const SpecimenBatch& batch, std::size_t index, std::mutex& files, BatchProgress& progress) {
     const std::uint64_t seed = batch.seeds[index];
@@ -68,11 +80,19 @@ SpecimenReport make_specimen_file(const SpecimenBatch& batch, std::size_t index,
     RunSettings settings;
     settings.threads = threads_of_each(batch);
     settings.on_progress = [&](double fraction) { progress.update(index, fraction); };
-    report.prepared = prepare(upright, scene::compute_time_step(scene, upright.model).value(), preparation, settings);
+    settings.checkpoint = CheckpointSettings{.file = report.file.string() + ".checkpoint",
+                                             .scene = inputs,
+                                             .program_version = batch.version,
+                                             .interval = batch.checkpoint_interval,
+                                             .on_failure = batch.on_warning};
+    const std::optional<PreparationState> from = find_unfinished(batch, *settings.checkpoint);
+    report.resumed = from.has_value();
+    report.prepared = prepare(upright, scene::compute_time_step(scene, upright.model).value(), preparation, settings, from);
     if (report.prepared.rest.at_rest) {
         const std::lock_guard lock(files);
         write_specimen(report.file, report.prepared, inputs, batch.version);
     }
+    remove_checkpoint(settings.checkpoint->file);
     report.wall_time = std::chrono::duration<double>(Clock::now() - start).count();
     return report;
 }

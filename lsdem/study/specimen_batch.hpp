@@ -14,26 +14,30 @@ namespace musim::lsdem::study {
 /// Specimens of one scene with several seeds of their blocks' heights.
 struct SpecimenBatch {
     scene::Scene scene;
-    std::vector<std::uint64_t> seeds;  ///< at least one
-    std::filesystem::path folder;      ///< where the files go; they are named by content
-    std::string version;               ///< of the program, for the files
-    int threads = 0;                   ///< specimens at a time; those left over are shared by the specimens; 0: all cores
+    std::vector<std::uint64_t> seeds;   ///< at least one
+    std::filesystem::path folder;       ///< where the files go; they are named by content
+    std::string version;                ///< of the program, for the files
+    int threads = 0;                    ///< specimens at a time; those left over are shared by the specimens; 0: all cores
+    double checkpoint_interval = 60.0;  ///< wall time between two checkpoints of a specimen [s]
     std::function<void(double)> on_progress = {};
+    std::function<void(const std::string&)> on_warning = {};  ///< told why a checkpoint could not be written or used, from any thread
 };
 
 /// A specimen that was made, or was there before.
 struct SpecimenReport {
     std::uint64_t seed = 0;
     std::filesystem::path file;
-    bool reused = false;  ///< made from the same inputs before; what follows is then not known but `blocks`
+    bool reused = false;   ///< made from the same inputs before; what follows is then not known but `blocks`
+    bool resumed = false;  ///< gone on with from a checkpoint that was left in the folder
     std::size_t blocks = 0;
     PreparedSpecimen prepared;
     double wall_time = 0.0;  ///< [s]
 };
 
 /// Prepares the specimens of a batch, as the scene's `preparation` says (default: on resting planes), side by side. A file that is there is
-/// not made again. Throws scene::SceneError for a scene without layers or seeds to vary, records::WriteError, and ResultError for a file in
-/// the way.
+/// not made again. A preparation that is killed leaves its checkpoint beside where the file would be, and the next call goes on from there,
+/// to the same file. Throws scene::SceneError for a scene without layers or seeds to vary, records::WriteError, and ResultError for a file
+/// in the way.
 std::vector<SpecimenReport> make_specimens(const SpecimenBatch& batch);
 
 /// The scene with another seed of its blocks' heights. Throws scene::SceneError for an explicit list of blocks.

@@ -321,12 +321,12 @@ TEST_CASE("a sequence killed anywhere and resumed has the files of one that was 
     const TemporaryFolder folder;
     const fs::path whole = folder.path() / "whole";
     shake(scene, whole);
-    // in the first, a later and the last stage, and right after one was stored; then once more
+    // in the first, a later and the last stage, in the quiet phase after the first, and right after one was stored; then once more
     struct Kill {
         double first, second;
         std::string stored;
     };
-    for (const Kill& kill : {Kill{0.1, 0.2, ""}, Kill{0.5, 0.9, ""}, Kill{2.0, 2.0, "stage-01-sine"}}) {
+    for (const Kill& kill : {Kill{0.1, 0.2, ""}, Kill{0.5, 0.9, ""}, Kill{0.3, 0.33, ""}, Kill{2.0, 2.0, "stage-01-sine"}}) {
         CAPTURE(kill.first);
         CAPTURE(kill.stored);
         const fs::path out = folder.path() / "out";

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "lsdem/simulation.hpp"
+#include "lsdem/study/settle.hpp"
+#include "lsdem/types.hpp"
+
+namespace musim::lsdem::study {
+
+/// How far a preparation has come, and all it needs to go on to the same bits.
+struct PreparationState {
+    std::size_t round = 0;                     ///< which settling it is in: one per layer, then those of the whole
+    std::uint64_t steps = 0, block_steps = 0;  ///< of the rounds before, see PreparedSpecimen
+    SettlingState settling;                    ///< of this round
+    std::vector<Release> releases;             ///< blocks put in their places so far
+    std::string simulation;                    ///< Simulation::save
+};
+
+/// Where the blocks of a prepared specimen are, and what their contacts hold.
+struct PreparedPlaces {
+    std::vector<Vector3> position;        ///< centres of mass [m]
+    std::vector<Quaternion> orientation;  ///< body to world
+    std::vector<Preload> preload;         ///< see Model::preload
+};
+
+}  // namespace musim::lsdem::study
