@@ -20,7 +20,7 @@ enum class Placing {
 struct Preparation {
     std::optional<Placing> placing;  ///< default: resting when blocks differ in height, else as drawn
     std::optional<scaling::Frequency>
-        damping_rate;  ///< α of v' = −α v; default: the blocks' frequency parameter, see lsdem/study/settle.hpp
+        damping_rate;  ///< α of v' = −α v; default: half of the blocks' frequency parameter, see lsdem/study/settle.hpp
     std::optional<std::filesystem::path> specimen;  ///< absolute path of a prepared specimen, instead of placing
 
     bool operator==(const Preparation&) const = default;

@@ -44,7 +44,7 @@ double find_liveliest(const Simulation& simulation) {
 
 double choose_damping_rate(const Vector3& size, double gravity) {
     const double thin = std::min(size.x(), size.y());
-    return std::sqrt(0.75 * gravity / (0.5 * std::hypot(thin, size.z())));
+    return 0.5 * std::sqrt(0.75 * gravity / (0.5 * std::hypot(thin, size.z())));
 }
 
 Rest settle(Simulation& simulation, const Settling& settling, const SettlingWatch& watch, SettlingState state) {

@@ -10,16 +10,20 @@ namespace musim::lsdem::study {
 /// How a structure is brought to rest before anything is done to it.
 struct Settling {
     double damping_rate = 0.0;  ///< α of v' = −α v while it settles [1/s]
-    double rest = 1e-12;        ///< at rest when every block's kinetic energy is below this part of its weight times its height [-]
-    double reaction = 1e-5;     ///< and the base bears the weight to within this [-]
-    double patience = 120.0;    ///< given up after this many times 1/α; a ring of 38 layers, whose blocks tip one by one, needs 65 [-]
+    /// At rest when every block's kinetic energy is below this part of its weight times its height: velocities below 1.4e-5 of sqrt(gH),
+    /// a thousandth of what an earthquake brings [-].
+    double rest = 1e-10;
+    double reaction = 1e-5;  ///< and the base bears the weight to within this [-]
+    double patience = 60.0;  ///< given up after this many times 1/α; a ring of 38 layers, whose blocks tip one by one, needs 33 [-]
 };
 
-/// Damping rate in which blocks come to rest soonest: their frequency parameter p = √(3g/(4R)) about the longer lower edge [Housner63].
+/// Damping rate in which blocks come to rest soonest: half their frequency parameter p = √(3g/(4R)) about the longer lower edge
+/// [Housner63].
 ///
-/// What takes longest is a block that tips from nearly balanced to its resting face: θ' grows like exp(p t) without damping, and like
-/// exp(p² t/α) with α ≫ p. The papers' c_v = 0.002 per step, α = 192 1/s for wood against p = 18.8 1/s [Harmon23, eq. 12], is six times
-/// slower than α = p, which grows like exp(0.62 p t). `size`: of a block; `gravity` [m/s²].
+/// What takes longest is a block that tips from nearly balanced to its resting face, and the sway of all. The former grows as exp(s t),
+/// s = √(p² + α²/4) − α/2: 0.62 p at α = p, 0.78 p at half of it, and like p²/α with α ≫ p. The papers' c_v = 0.002 per step, α = 192 1/s
+/// for wood against p = 18.8 1/s [Harmon23, eq. 12], is eight times slower. Sway decays with α/2 up to twice its own frequency, 8 rad/s in
+/// a tower of 38 such layers, and slower beyond. `size`: of a block; `gravity` [m/s²].
 double choose_damping_rate(const Vector3& size, double gravity);
 
 /// How settling ended.
