@@ -66,6 +66,28 @@ TEST_CASE("a run that is killed twice and resumed has the results of one that wa
     CHECK(again.err.find("has finished") != std::string::npos);
 }
 
+TEST_CASE("a run that is killed while it prepares its specimen goes on from there, and so does a specimen") {
+    const Workplace here;
+    here.write("wall.json", R"({"schema": "musim-scene/1", "name": "uneven wall", "material": "wood", "structure": {"kind": "wall",
+        "layers": 3, "blocks_per_layer": 2, "block": ["12.710 mm", "26.355 mm", "39.780 mm"], "height_deviation": "0.155 mm", "seed": 3},
+        "time": {"duration": "5 ms"}, "output": {"spine_rate": "4800 Hz"}})");
+    REQUIRE(here.run("run wall.json -o whole").exit_code == 0);
+    kill_halfway(here, "run wall.json -o out");
+    REQUIRE(here.has("out/checkpoint"));
+    here.shell("mv wall.json scene.json");
+    CHECK(here.run("run --resume out").exit_code == 0);
+    check_same_results(here);
+
+    REQUIRE(here.run("specimen scene.json -o made").exit_code == 0);
+    here.shell("rm -rf out");
+    here.kill_halfway("specimen scene.json -o out --checkpoint-interval 0", "ls out | grep -q 'h5.checkpoint$'");
+    const Outcome outcome = here.run("specimen scene.json -o out --json");
+    REQUIRE(outcome.exit_code == 0);
+    CHECK(outcome.json()["specimens"][0]["resumed"] == true);
+    here.shell("diff -r made out >difference.txt");
+    CHECK(here.read("difference.txt").empty());
+}
+
 TEST_CASE("nothing else works on the directory of a run, nor starts anew over its checkpoint") {
     const Workplace here;
     here.write("scene.json", make_scene(kSine));
