@@ -25,8 +25,8 @@ std::string format_duration(double seconds) {
 
 }  // namespace
 
-ProgressLine::ProgressLine(std::string what, double fraction_before)
-    : what_(std::move(what)), fraction_before_(fraction_before), terminal_(isatty(STDERR_FILENO) == 1), next_(start_ + kPatience) {}
+ProgressLine::ProgressLine(std::string what, bool continues)
+    : what_(std::move(what)), continues_(continues), terminal_(isatty(STDERR_FILENO) == 1), next_(start_ + kPatience) {}
 
 ProgressLine::~ProgressLine() {
     // leaves a clean line behind
@@ -36,6 +36,11 @@ ProgressLine::~ProgressLine() {
 void ProgressLine::update(double fraction) {
     const std::lock_guard lock(mutex_);
     const auto now = Clock::now();
+    if (continues_) {
+        continues_ = false;
+        fraction_before_ = fraction;
+        start_ = now;
+    }
     if (now < next_ || !(fraction > fraction_before_)) return;
     const double elapsed = std::chrono::duration<double>(now - start_).count();
     const double left = elapsed * (1.0 - fraction) / (fraction - fraction_before_);
@@ -55,7 +60,7 @@ std::function<void(double)> ProgressInParts::of_preparation() {
 std::function<void(double)> ProgressInParts::of_run() {
     return [this](double fraction) {
         preparation_.reset();
-        if (!run_) run_.emplace(what_, fraction_before_);
+        if (!run_) run_.emplace(what_, continues_);
         run_->update(fraction);
     };
 }

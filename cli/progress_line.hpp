@@ -12,8 +12,8 @@ namespace musim::cli {
 /// rewritten in place, elsewhere a new line follows every ten seconds.
 class ProgressLine {
   public:
-    /// `fraction_before`: done by an earlier run that this one continues.
-    explicit ProgressLine(std::string what, double fraction_before = 0.0);
+    /// `continues`: the first fraction told was done by an earlier run, and the time left is counted from there.
+    explicit ProgressLine(std::string what, bool continues = false);
     ~ProgressLine();
     ProgressLine(const ProgressLine&) = delete;
     ProgressLine& operator=(const ProgressLine&) = delete;
@@ -25,7 +25,8 @@ class ProgressLine {
     using Clock = std::chrono::steady_clock;
 
     std::string what_;
-    double fraction_before_;
+    bool continues_;
+    double fraction_before_ = 0.0;
     bool terminal_;
     bool shown_ = false;
     Clock::time_point start_ = Clock::now();
@@ -36,15 +37,15 @@ class ProgressLine {
 /// The progress of a preparation, and then that of a run: two lines one after the other.
 class ProgressInParts {
   public:
-    /// `fraction_before`: of the run, see ProgressLine.
-    explicit ProgressInParts(std::string what, double fraction_before = 0.0) : what_(std::move(what)), fraction_before_(fraction_before) {}
+    /// `continues`: the run does, see ProgressLine.
+    explicit ProgressInParts(std::string what, bool continues = false) : what_(std::move(what)), continues_(continues) {}
 
     std::function<void(double)> of_preparation();
     std::function<void(double)> of_run();
 
   private:
     std::string what_;
-    double fraction_before_;
+    bool continues_;
     std::optional<ProgressLine> preparation_, run_;
 };
 

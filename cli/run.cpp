@@ -108,7 +108,7 @@ study::RunResult carry_out(Begin begin, const RunOptions& options, const std::st
                                       .interval = options.checkpoint_interval,
                                       .on_failure = [](const std::string& why) { note("musim: warning: no checkpoint: {}\n", why); }};
     }
-    ProgressInParts progress(begin.scene.name, begin.checkpoint ? begin.checkpoint->fraction_done() : 0.0);
+    ProgressInParts progress(begin.scene.name, begin.checkpoint.has_value());
     settings.on_preparation = progress.of_preparation();
     settings.on_progress = progress.of_run();
     if (!begin.checkpoint) return study::run_scene(begin.scene, settings);

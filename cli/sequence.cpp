@@ -33,7 +33,8 @@ struct SequenceOptions {
 };
 
 study::SequenceSummary carry_out(const SequenceOptions& options) {
-    ProgressInParts progress(options.resume.empty() ? options.scene : options.resume);
+    const bool resumes = !options.resume.empty();
+    ProgressInParts progress(resumes ? options.resume : options.scene, resumes);
     const study::SequenceSettings settings{
         .directory = options.directory(),
         .version = kVersion,
@@ -42,7 +43,7 @@ study::SequenceSummary carry_out(const SequenceOptions& options) {
         .on_progress = progress.of_run(),
         .on_preparation = progress.of_preparation(),
         .on_no_checkpoint = [](const std::string& why) { note("musim: warning: no checkpoint: {}\n", why); }};
-    if (!options.resume.empty()) return study::resume_sequence(settings);
+    if (resumes) return study::resume_sequence(settings);
     return study::run_sequence(scene::read_scene(options.scene), settings);
 }
 

@@ -46,8 +46,6 @@ struct Checkpoint {
     RunResult run;
     std::optional<QuietState> quiet;  ///< the run had ended, and what came after it
     std::string state;                ///< Simulation::save
-
-    double fraction_done() const { return preparation ? 0.0 : static_cast<double>(samples_done) / static_cast<double>(plan.samples); }
 };
 
 /// The name of the checkpoint in a folder of results.

@@ -102,7 +102,6 @@ TEST_CASE("a run resumed from any of its checkpoints ends in the bits of an unin
         // the last checkpoint before the end: at the end come results
         Checkpoint checkpoint = read_checkpoint(folder.file(), "1.2");
         CHECK(checkpoint.samples_done == (slide.plan.samples - 1) / every * every);
-        CHECK(checkpoint.fraction_done() == static_cast<double>(checkpoint.samples_done) / 60.0);
         CHECK(checkpoint.scene == "{\"a\": 1}");
         CHECK(folder.count() == 1);
         const double wall_time_before = checkpoint.run.wall_time;
