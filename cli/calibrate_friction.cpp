@@ -26,9 +26,10 @@ int run_friction(const FrictionOptions& options) {
     std::optional<study::ResultFolder> folder = options.test.make_folder();
     const study::BlockSample sample = options.test.sample.sample();
     std::vector<study::TiltCase> cases;
-    for (const auto pose : {study::TiltPose::lying, study::TiltPose::upright})
+    for (const auto pose : {study::TiltPose::lying, study::TiltPose::upright}) {
         for (const auto support : {study::TiltSupport::ground, study::TiltSupport::block})
             for (const auto side : {study::TiltSide::wide, study::TiltSide::other}) cases.push_back({support, pose, side});
+    }
     std::vector<study::TiltResult> results(cases.size());
     std::vector<std::function<void()>> jobs;
     for (std::size_t i = 0; i < cases.size(); ++i)

@@ -30,6 +30,7 @@ struct RestitutionOptions {
 
 std::vector<double> to_values(const std::vector<Number>& numbers, double factor = 1.0) {
     std::vector<double> values;
+    values.reserve(numbers.size());
     for (const Number& number : numbers) values.push_back(number * factor);
     return values;
 }
@@ -100,6 +101,7 @@ int run_restitution(const RestitutionOptions& options) {
         ProgressLine progress("search");
         for (const study::RockingCurve& curve : curves) searches.push_back({&curve, {}});
         std::vector<std::function<void()>> jobs;
+        jobs.reserve(searches.size());
         for (NamedSearch& s : searches)
             jobs.emplace_back([&] { s.search = study::find_restitution(sample, *s.curve, *options.target, options.safety); });
         study::detail::run_side_by_side(jobs, options.test.threads, [&](double fraction) { progress.update(fraction); });
@@ -133,12 +135,13 @@ int run_restitution(const RestitutionOptions& options) {
     for (const NamedSearch& s : searches) {
         const std::string name =
             fmt::format("{} side on {}, {:.4g} degrees", to_string(s.curve->side), to_string(s.curve->support), s.curve->start / kDegree);
-        if (s.search.restitution)
+        if (s.search.restitution) {
             print("  mean r = {:.4g}, {}: C_res = {:.4f} (gives {:.4f})\n", options.target->value, name, *s.search.restitution,
                   s.search.reached);
-        else
+        } else {
             print("  mean r = {:.4g}, {}: not reached by any C_res of the curve, which gives {:.3f} to {:.3f}\n", options.target->value,
                   name, s.search.lowest, s.search.highest);
+        }
     }
     if (folder) print("Curves in {}\n", options.test.out);
     return kDone;

@@ -112,6 +112,7 @@ int run_stiffness(const StiffnessOptions& options) {
         .damped = options.damped};
     std::vector<Direction> directions = make_directions(options, sample);
     std::vector<std::function<void()>> jobs;
+    jobs.reserve(directions.size());
     for (Direction& d : directions) {
         jobs.emplace_back([&] {
             d.measured = study::measure_wave_speed(sample, d.kind, settings);

@@ -108,9 +108,10 @@ nlohmann::json add_fields(study::ResultFolder& folder, const study::StoredRun& r
     for (const Number& time : options.fields) {
         const std::size_t frame = study::find_frame(run, time);
         pictures.push_back({frame, study::take_picture(run, frame, {.side = side, .columns = static_cast<std::size_t>(options.pixels)})});
-        for (const int block : pictures.back().image.block)
-            if (block >= 0)
-                limit = std::max(limit, std::abs(study::find_velocity(run, frame, static_cast<std::size_t>(block), side, component)));
+        for (const int block : pictures.back().image.block) {
+            if (block < 0) continue;
+            limit = std::max(limit, std::abs(study::find_velocity(run, frame, static_cast<std::size_t>(block), side, component)));
+        }
     }
     nlohmann::json list = nlohmann::json::array();
     for (const Picture& picture : pictures) {

@@ -30,12 +30,14 @@ GridLevelSet::GridLevelSet(const Vector3& origin, double spacing, std::array<std
     if (!(spacing > 0.0)) throw std::invalid_argument("GridLevelSet: the spacing must be positive");
     if (*std::min_element(counts.begin(), counts.end()) < 2) throw std::invalid_argument("GridLevelSet: two nodes a side at least");
     values_.reserve(counts[0] * counts[1] * counts[2]);
-    for (std::size_t k = 0; k < counts[2]; ++k)
-        for (std::size_t j = 0; j < counts[1]; ++j)
+    for (std::size_t k = 0; k < counts[2]; ++k) {
+        for (std::size_t j = 0; j < counts[1]; ++j) {
             for (std::size_t i = 0; i < counts[0]; ++i) {
                 const Vector3 step{static_cast<double>(i), static_cast<double>(j), static_cast<double>(k)};
                 values_.push_back(distance(origin + spacing * step));
             }
+        }
+    }
 }
 
 GridLevelSet::Cell GridLevelSet::find_cell(const Vector3& x) const {

@@ -63,12 +63,13 @@ SurfaceNodes make_box_nodes(const Vector3& size, const NodeLattice& lattice) {
     const auto add_layer = [&](int k, bool border_only) {
         const bool x_slowest = size.x() >= size.y();
         const int slow_count = x_slowest ? lattice.nx : lattice.ny, fast_count = x_slowest ? lattice.ny : lattice.nx;
-        for (int s = 0; s < slow_count; ++s)
+        for (int s = 0; s < slow_count; ++s) {
             for (int f = 0; f < fast_count; ++f) {
                 const bool border = s == 0 || s == slow_count - 1 || f == 0 || f == fast_count - 1;
                 if (border_only && !border) continue;
                 add_box_node(nodes, size, counts, x_slowest ? std::array{s, f, k} : std::array{f, s, k});
             }
+        }
     };
     add_layer(lattice.nz - 1, false);
     add_layer(0, false);

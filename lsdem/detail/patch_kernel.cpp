@@ -51,12 +51,13 @@ struct GroupPoses {
             follower_position[lane] = kind.bounded ? at.position[group.follower[lane]].data() : at.base.data();
         }
         // matrices are stored by columns: an axis of a block is three numbers in a row
+        constexpr std::size_t kAxis = 3;
         offset = load_vectors(leader_position, 0) - load_vectors(follower_position, 0);
-        axis_k = load_vectors(follower_rotation, 3U * kind.k);
-        axis_u = load_vectors(follower_rotation, 3U * kind.u);
-        axis_v = load_vectors(follower_rotation, 3U * kind.v);
-        const LaneVector center = offset + sizes.face_n * load_vectors(leader_rotation, 3U * kind.n);
-        face = {seen(center), seen(load_vectors(leader_rotation, 3U * kind.p)), seen(load_vectors(leader_rotation, 3U * kind.q))};
+        axis_k = load_vectors(follower_rotation, kAxis * kind.k);
+        axis_u = load_vectors(follower_rotation, kAxis * kind.u);
+        axis_v = load_vectors(follower_rotation, kAxis * kind.v);
+        const LaneVector center = offset + sizes.face_n * load_vectors(leader_rotation, kAxis * kind.n);
+        face = {seen(center), seen(load_vectors(leader_rotation, kAxis * kind.p)), seen(load_vectors(leader_rotation, kAxis * kind.q))};
     }
 
     [[gnu::always_inline]] LaneVector seen(const LaneVector& v) const { return {dot(axis_k, v), dot(axis_u, v), dot(axis_v, v)}; }

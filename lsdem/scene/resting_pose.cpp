@@ -66,7 +66,7 @@ std::vector<Vector3> cut(const std::vector<Vector3>& polygon, Eigen::Index axis,
         const Vector3 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
         const double over_a = side * a[axis] - limit, over_b = side * b[axis] - limit;
         if (over_a <= 0.0) kept.push_back(a);
-        if ((over_a < 0.0 && over_b > 0.0) || (over_a > 0.0 && over_b < 0.0)) kept.push_back(a + (b - a) * (over_a / (over_a - over_b)));
+        if ((over_a < 0.0 && over_b > 0.0) || (over_a > 0.0 && over_b < 0.0)) kept.emplace_back(a + (b - a) * (over_a / (over_a - over_b)));
     }
     return kept;
 }

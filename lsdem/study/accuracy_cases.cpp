@@ -52,7 +52,8 @@ Block make_block(const Wood& wood, const Vector3& position, const Quaternion& or
 
 double relative_error(double measured, double expected) {
     const double error = std::abs(measured / expected - 1.0);
-    return std::isfinite(error) ? error : kInfinity;
+    if (!std::isfinite(error)) return kInfinity;
+    return error;
 }
 
 /// ∫ f from a to b by Simpson's rule with 2n intervals.
@@ -265,7 +266,7 @@ AccuracyOutcome run_settle(const AccuracySetting& setting) {
     const double lowest = 2.0 * std::sin(0.5 * kPi / (2 * kCount + 1));
     // the lowest mode decays with ζ ω1²/(ω0 sqrt 2): to e^-25
     const double rate = compute_damping_ratio(wood.restitution) * lowest * lowest * wood.frequency() / std::sqrt(2.0);
-    const double expected = wood.mass() * kGravity / wood.normal_stiffness * (kCount * (kCount + 1) / 2);
+    const double expected = wood.mass() * kGravity / wood.normal_stiffness * (0.5 * kCount * (kCount + 1));
 
     MeteredSimulation run(model, setting);
     advance_to(run.simulation(), 25.0 / rate);

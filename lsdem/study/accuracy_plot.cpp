@@ -168,7 +168,8 @@ std::string make_accuracy_svg(const AccuracySweep& sweep) {
     }
     for (std::size_t p = 0; p < sweep.panels.size(); ++p) {
         const double x0 = kLeft + static_cast<double>(p % kColumns) * (kPanelWidth + kGapX);
-        const double y0 = kTop + static_cast<double>(p / kColumns) * (kPanelHeight + kGapY);
+        const std::size_t row = p / kColumns;
+        const double y0 = kTop + static_cast<double>(row) * (kPanelHeight + kGapY);
         draw_panel(svg, sweep.panels[p], x0, y0);
     }
     svg += "</svg>\n";

@@ -102,9 +102,10 @@ class TowerPanels {
 
     void add_jobs(std::vector<std::function<void()>>& jobs) {
         jobs.emplace_back([this] { reference_ = tower_.run(make_tower_reference(quick_)); });
-        for (std::size_t r = rows_.size(); r-- > 0;)
-            if (find_first(rows_, r) == r)
-                jobs.emplace_back([this, r] { motions_[r] = tower_.run(rows_[r].setting, rows_[r].family == "shadow"); });
+        for (std::size_t r = rows_.size(); r-- > 0;) {
+            if (find_first(rows_, r) != r) continue;
+            jobs.emplace_back([this, r] { motions_[r] = tower_.run(rows_[r].setting, rows_[r].family == "shadow"); });
+        }
     }
 
     void add_panels(std::vector<AccuracyPanel>& panels) const {

@@ -113,12 +113,14 @@ std::string make_rocking_svg(const BlockSample& sample, const std::vector<Rockin
         plot.series.push_back({.label = label, .x = {low, high}, .y = {level, level}, .style = style, .y_error = {}});
     };
     // the dashed styles of the plot begin at 6
-    for (const RockingSide side : {RockingSide::thin, RockingSide::wide})
+    for (const RockingSide side : {RockingSide::thin, RockingSide::wide}) {
         add_level(fmt::format("Housner, {} {:.3f}", to_string(side), housner_ratio(sample, side)), housner_ratio(sample, side),
                   side == RockingSide::thin ? 6 : 7);
-    for (const double degrees : {22.0, 11.0, 6.0})
+    }
+    for (const double degrees : {22.0, 11.0, 6.0}) {
         add_level(fmt::format("wood, {} degrees: {}", degrees, *find_published_ratio(degrees * kDegree)),
                   *find_published_ratio(degrees * kDegree), 17);
+    }
     return make_svg(plot);
 }
 

@@ -102,9 +102,10 @@ std::string make_svg(const LinePlot& plot) {
     // the ranges of all series
     Range x_range, y_range;
     for (const PlotSeries& series : plot.series) {
-        if (series.x.size() != series.y.size())
+        if (series.x.size() != series.y.size()) {
             throw std::invalid_argument(
                 fmt::format("plot: series '{}' has {} abscissas for {} values", series.label, series.x.size(), series.y.size()));
+        }
         for (const double x : series.x) x_range.add(x);
         for (std::size_t i = 0; i < series.y.size(); ++i) {
             const double error = i < series.y_error.size() ? series.y_error[i] : 0.0;

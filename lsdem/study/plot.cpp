@@ -55,9 +55,10 @@ void require_consistent(const StackedPlot& plot) {
             throw std::invalid_argument(
                 fmt::format("plot: run '{}' has {} curves for {} rows", run.label, run.y.size(), plot.row_labels.size()));
         }
-        if (!run.spread.empty() && run.spread.size() != run.y.size())
+        if (!run.spread.empty() && run.spread.size() != run.y.size()) {
             throw std::invalid_argument(
                 fmt::format("plot: run '{}' has {} bands for {} curves", run.label, run.spread.size(), run.y.size()));
+        }
         for (const auto* curves : {&run.y, &run.spread}) {
             for (const std::vector<double>& curve : *curves) {
                 if (curve.size() != run.x.size()) {
@@ -158,7 +159,7 @@ std::string make_band_path(const std::vector<double>& x, const std::vector<doubl
         }
         const double px = x_axis(x[begin]);
         fmt::format_to(std::back_inserter(upper), "{:.1f} {:.1f} ", px, y_axis(high));
-        lower = fmt::format("{:.1f} {:.1f} ", px, y_axis(low)) + lower;
+        lower.insert(0, fmt::format("{:.1f} {:.1f} ", px, y_axis(low)));
     }
     close();
     return path;

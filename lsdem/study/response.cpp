@@ -242,9 +242,10 @@ std::string make_residual_svg(const Response& response, const std::string& name)
                   .y_label = "level",
                   .series = {},
                   .y_from_zero = true};
-    for (int axis = 0; axis < 3; ++axis)
+    for (int axis = 0; axis < 3; ++axis) {
         plot.series.push_back(
             make_profile("along " + axis_name(axis), response, [&](const SpineLevel& l) { return 1e3 * l.residual_displacement[axis]; }));
+    }
     return make_svg(plot);
 }
 

@@ -130,11 +130,12 @@ std::vector<SpecimenReport> make_specimens(const SpecimenBatch& batch) {
     BatchProgress progress(batch);
     std::vector<SpecimenReport> reports(batch.seeds.size());
     std::vector<std::function<void()>> jobs;
-    for (std::size_t i = 0; i < batch.seeds.size(); ++i)
+    for (std::size_t i = 0; i < batch.seeds.size(); ++i) {
         jobs.emplace_back([&, i] {
             reports[i] = make_specimen_file(batch, i, files, progress);
             progress.update(i, 1.0);
         });
+    }
     detail::run_side_by_side(jobs, batch.threads);
     return reports;
 }

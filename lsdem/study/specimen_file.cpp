@@ -82,15 +82,17 @@ std::vector<Preload> read_preloads(const detail::Hdf5Reader& reader, const std::
         const long long along_p = nodes.values[2 * i], along_q = nodes.values[2 * i + 1];
         if (!known(below) || !(known(above) || above == kGround))
             refuse(file, fmt::format("contact {} names a block that is not there (a damaged file); prepare it again", i));
-        if (!(std::isfinite(squared_load.values[i]) && squared_load.values[i] >= 0.0))
+        if (!(std::isfinite(squared_load.values[i]) && squared_load.values[i] >= 0.0)) {
             refuse(file,
                    fmt::format("contact {} bears {:.6g} squared weights (a damaged file); prepare it again", i, squared_load.values[i]));
+        }
         if (faces.values[i] < 0 || faces.values[i] > TiltedFaces::kCodes)
             refuse(file, fmt::format("contact {} names faces that no box has (a damaged file); prepare it again", i));
         const auto left = static_cast<long long>(node_friction.values.size() / 2 - node);
-        if (along_p < 0 || along_q < 0 || (along_q > 0 && along_p > left / along_q))
+        if (along_p < 0 || along_q < 0 || (along_q > 0 && along_p > left / along_q)) {
             refuse(file, fmt::format("contact {} has {} x {} nodes where {} are left (a damaged file); prepare it again", i, along_p,
                                      along_q, left));
+        }
         Preload& preload = preloads[i];
         preload.leader = static_cast<std::size_t>(below);
         if (above != kGround) preload.follower = static_cast<std::size_t>(above);
@@ -135,7 +137,7 @@ void write_specimen(const std::filesystem::path& file, const PreparedSpecimen& p
     std::vector<Vector3> size, position;
     std::vector<double> offset, quaternion;
     for (const Block& block : model.blocks) {
-        size.push_back(2.0 * half_extents(model, block));
+        size.emplace_back(2.0 * half_extents(model, block));
         position.push_back(block.position);
         offset.push_back(block.height_offset);
         const Quaternion& q = block.orientation;
@@ -195,18 +197,20 @@ void take_places(const std::filesystem::path& file, Specimen& specimen) {
     const auto layer = reader.integers("/blocks/layer", 1);
     std::vector<Block>& blocks = specimen.model.blocks;
     const std::size_t n = blocks.size();
-    if (size.values.size() != 3 * n || position.values.size() != 3 * n || quaternion.values.size() != 4 * n || layer.values.size() != n)
+    if (size.values.size() != 3 * n || position.values.size() != 3 * n || quaternion.values.size() != 4 * n || layer.values.size() != n) {
         refuse(file, fmt::format("{} blocks where the scene has {} (a specimen of another structure); prepare one of this",
                                  layer.values.size(), n));
+    }
     const double scale = 2.0 * half_extents(specimen.model, blocks[0]).z() / size.values[2];
     for (std::size_t i = 0; i < n; ++i) {
         const Vector3 here = 2.0 * half_extents(specimen.model, blocks[i]), there = Eigen::Map<const Vector3>(&size.values[3 * i]);
         const bool same = ((here - scale * there).cwiseAbs() - kSameLength * here).maxCoeff() <= 0.0;
-        if (!same || layer.values[i] != specimen.layer[i])
+        if (!same || layer.values[i] != specimen.layer[i]) {
             refuse(file, fmt::format("block {} is {:.6g} x {:.6g} x {:.6g} m in layer {} where the scene has {:.6g} x {:.6g} x {:.6g} m in "
                                      "layer {} (other heights, seed or tiling); prepare a specimen of this scene",
                                      i, scale * there.x(), scale * there.y(), scale * there.z(), layer.values[i], here.x(), here.y(),
                                      here.z(), specimen.layer[i]));
+        }
         const double* q = &quaternion.values[4 * i];
         blocks[i].position = scale * Eigen::Map<const Vector3>(&position.values[3 * i]);
         blocks[i].orientation = Quaternion(q[0], q[1], q[2], q[3]);

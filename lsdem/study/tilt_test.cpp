@@ -134,9 +134,10 @@ std::string to_string(TiltEvent event) { return event == TiltEvent::slips ? "sli
 double TiltResult::friction() const { return std::tan(angle()); }
 
 TiltResult run_tilt_test(const BlockSample& given, const TiltCase& test, double resolution) {
-    if (!(resolution > 0.0) || resolution > 0.1)
+    if (!(resolution > 0.0) || resolution > 0.1) {
         throw std::invalid_argument(
             fmt::format("tilt test: the resolution is {} rad (must be positive, 0.1 at most); correct it", resolution));
+    }
     const Slope slope = make_slope(given, test);
     BlockSample sample = given;
     sample.restitution = std::min(sample.restitution, kQuietRestitution);

@@ -43,9 +43,10 @@ double stiffness_of(const BlockSample& sample, WaveKind kind) {
 double frequency(const BlockSample& sample, WaveKind kind) { return std::sqrt(stiffness_of(sample, kind) / sample.mass()); }
 
 void require_layers(int layers) {
-    if (layers < kLeastLayers)
+    if (layers < kLeastLayers) {
         throw std::invalid_argument(fmt::format(
             "wave test: {} layers (the wave returning from the top would disturb the fit); take {} or more", layers, kLeastLayers));
+    }
 }
 
 /// First time at which a history reaches a level, linear between samples.
