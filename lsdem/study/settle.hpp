@@ -14,7 +14,7 @@ struct Settling {
     /// a thousandth of what an earthquake brings [-].
     double rest = 1e-10;
     double reaction = 1e-5;  ///< and the base bears the weight to within this [-]
-    double patience = 60.0;  ///< given up after this many times 1/α; a ring of 38 layers, whose blocks tip one by one, needs 33 [-]
+    double patience = 60.0;  ///< given up after this many times 1/α; a ring of 38 layers, whose blocks tip one by one, needs 18 [-]
 };
 
 /// Damping rate in which blocks come to rest soonest: half their frequency parameter p = √(3g/(4R)) about the longer lower edge

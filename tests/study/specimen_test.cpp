@@ -127,8 +127,7 @@ TEST_CASE("specimens from resting planes are those of layer by layer in the mean
     // 210 tilts and some 500 forces each: the means agree within three standard errors of their difference
     CHECK(std::abs(tilt[0].mean() - tilt[1].mean()) < 3.0 * std::sqrt(tilt[0].variance_of_mean() + tilt[1].variance_of_mean()));
     CHECK(std::abs(force[0].mean() - force[1].mean()) < 3.0 * std::sqrt(force[0].variance_of_mean() + force[1].variance_of_mean()));
-    // the last settling, most of the cost of so low a ring, is common to both
-    CHECK(cost[0] < 0.8 * static_cast<double>(cost[1]));
+    CHECK(cost[0] < 0.7 * static_cast<double>(cost[1]));
     MESSAGE("mean tilts ", tilt[0].mean(), " and ", tilt[1].mean(), ", forces ", force[0].mean(), " and ", force[1].mean(), ", cost ",
             static_cast<double>(cost[0]) / static_cast<double>(cost[1]));
 }
