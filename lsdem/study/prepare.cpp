@@ -13,9 +13,9 @@
 namespace musim::lsdem::study {
 namespace {
 
-/// The next layer comes when the base bears what is there to this part of it: looser than at the end, since a block that still tips is not
-/// borne in full.
-constexpr double kLayerReaction = 1e-3;
+/// A round before the last ends when the base bears what is there to this part of it: looser than at the end, since a block that still tips
+/// is not borne in full.
+constexpr double kEarlyReaction = 1e-3;
 
 /// Where a preparation stands, for progress: the layers are worth this much of it, the last settling the rest.
 constexpr double kLayersWorth = 0.9;
@@ -90,6 +90,7 @@ class Preparation {
     bool resting() const { return placing_ == scene::Placing::resting; }
     std::size_t layer_rounds() const { return layers_.size(); }
     bool in_layers() const { return state_.round < layer_rounds(); }
+    bool is_last() const { return state_.round + 1 == layer_rounds() + settings_.whole_rounds; }
     std::size_t blocks_in_round() const { return in_layers() ? layers_[state_.round].second : simulation_.model().blocks.size(); }
 
     Simulation begin(const Specimen& upright, double time_step, int threads) const {
@@ -127,14 +128,19 @@ class Preparation {
     void begin_round() {
         if (in_layers() && state_.round > 0) add_layer(state_.round);
         if (state_.round > layer_rounds()) simulation_.renew_neighbors();
+        if (is_last()) simulation_.set_velocity_damping(settings_.last_damping * settings_.settling.damping_rate);
     }
 
     Settling rule() const {
         Settling rule = settings_.settling;
-        if (!in_layers()) return rule;
+        if (is_last()) return rule;
+        rule.reaction = kEarlyReaction;
+        if (!in_layers()) {
+            rule.rest = std::max(rule.rest, settings_.early_rest);
+            return rule;
+        }
         rule.rest = std::max(rule.rest, settings_.layer_rest);
         rule.patience = std::min(rule.patience, resting() ? settings_.resting_patience : settings_.layer_patience);
-        rule.reaction = kLayerReaction;
         return rule;
     }
 

@@ -24,6 +24,8 @@ struct PreparationSettings {
     /// How often the whole comes to rest, each time with a new neighbor list. Whoever uses the specimen begins with one, and where a
     /// contact then meets in another way, it is to do so here. One that has been prepared, and comes from its file, need not again.
     std::size_t whole_rounds = 2;
+    double early_rest = 1e-6;   ///< all of these rounds but the last end at this: what moves on is moved anew by the new list [-]
+    double last_damping = 1.5;  ///< α of the last round over that of the others: no block tips any more, sway decays [-]
 };
 
 /// What prepared blocks bear and how they stand; one entry per layer.
