@@ -12,9 +12,6 @@ namespace musim::records {
 namespace detail {
 namespace {
 
-/// Below this, uncorrected accelerograms hold drift and noise; the usual corner for strong motion [Hz] (README.md, "Uncorrected records").
-constexpr double kUncorrectedCornerHz = 0.05;
-
 /// Fixed columns of a block of samples, Fortran's (8f9.6): 8 values a line, 9 letters each.
 struct Columns {
     std::size_t per_line = 8;

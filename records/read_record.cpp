@@ -90,6 +90,17 @@ bool looks_like_peer(const TextFile& file) {
     return false;
 }
 
+/// A text format: how its files are told from others, and who reads them. The first that matches reads the file.
+struct TextFormat {
+    bool (*matches)(const TextFile&);
+    GroundMotion (*parse)(const TextFile&, const ReadOptions&);
+};
+
+constexpr TextFormat kTextFormats[] = {
+    {looks_like_csmip, detail::parse_csmip},
+    {looks_like_peer, detail::parse_at2},
+};
+
 }  // namespace
 
 GroundMotion read_record(const std::filesystem::path& path, const ReadOptions& options) {
@@ -97,8 +108,8 @@ GroundMotion read_record(const std::filesystem::path& path, const ReadOptions& o
     refuse_binary(path, bytes);
     const TextFile file(path, std::move(bytes));
     refuse_unsupported(file);
-    if (looks_like_csmip(file)) return detail::parse_csmip(file, options);
-    if (looks_like_peer(file)) return detail::parse_at2(file, options);
+    for (const TextFormat& format : kTextFormats)
+        if (format.matches(file)) return format.parse(file, options);
     return detail::parse_text(file, options);
 }
 

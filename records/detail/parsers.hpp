@@ -7,6 +7,9 @@
 /// One parser per format, on a file already in memory; errors as in the public headers.
 namespace musim::records::detail {
 
+/// Below this, uncorrected accelerograms hold drift and noise; the usual corner for strong motion [Hz] (README.md, "Uncorrected records").
+inline constexpr double kUncorrectedCornerHz = 0.05;
+
 GroundMotion parse_at2(const TextFile& file, const ReadOptions& options);
 GroundMotion parse_csmip(const TextFile& file, const ReadOptions& options);
 GroundMotion parse_text(const TextFile& file, const ReadOptions& options);

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <chrono>
+#include <optional>
+
+namespace musim::records {
+
+/// An instant, coordinated universal time, to the microsecond; leap seconds are not counted.
+using UtcTime = std::chrono::sys_time<std::chrono::microseconds>;
+
+/// The instant that a clock `hours_ahead` of UTC shows as this date and time of day; nothing when there is no such date or time. A second
+/// of 60 (a leap second) counts as the next minute's first.
+std::optional<UtcTime> make_utc_time(int year, int month, int day, int hour, int minute, double second, double hours_ahead = 0.0);
+
+}  // namespace musim::records
