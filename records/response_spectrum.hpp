@@ -1,0 +1,35 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "records/time_series.hpp"
+
+namespace musim::records {
+
+/// Largest responses of damped oscillators to one motion of their base, one entry per period.
+///
+///   ü + 2ζω u̇ + ω² u = −a(t),   ω = 2π/T,   u relative to the base
+struct ResponseSpectrum {
+    double damping = 0.05;                            ///< ζ, fraction of critical [-]
+    std::vector<double> period;                       ///< T [s]
+    std::vector<double> displacement;                 ///< SD = max|u| [m]
+    std::vector<double> velocity;                     ///< SV = max|u̇| [m/s]
+    std::vector<double> acceleration;                 ///< SA = max|ü + a|, of the mass in space [m/s²]
+    std::vector<double> pseudo_velocity() const;      ///< PSV = ω·SD [m/s]; zero at T = 0
+    std::vector<double> pseudo_acceleration() const;  ///< PSA = ω²·SD [m/s²]; at T = 0 SA, the peak of the motion
+};
+
+/// Spectrum of an acceleration, exact where that is linear between its samples [NigamJennings69]; responses are looked at at the samples,
+/// from rest at the first to the last. T = 0 stands for a rigid oscillator. Any damping ratio ζ ≥ 0, above critical too. What is computed
+/// depends on T/dt and ζ only: a record scaled in time and amplitude has the scaled spectrum. Throws ProcessingError for another quantity
+/// and for a period or damping ratio that is negative or not finite.
+ResponseSpectrum compute_response_spectrum(const TimeSeries& acceleration, std::span<const scaling::Time> periods, double damping = 0.05);
+
+/// u(t) of one oscillator, at the samples; as above, but T must be positive.
+TimeSeries compute_oscillator_response(const TimeSeries& acceleration, scaling::Time period, double damping = 0.05);
+
+/// `count` ≥ 2 periods from `first` to `last`, in even steps of their logarithm. Throws ProcessingError unless 0 < first < last.
+std::vector<scaling::Time> make_periods(scaling::Time first, scaling::Time last, std::size_t count);
+
+}  // namespace musim::records

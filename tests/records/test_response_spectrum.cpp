@@ -1,0 +1,235 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "records/processing.hpp"
+#include "records/read_record.hpp"
+#include "records/response_spectrum.hpp"
+#include "records/rotated_peaks.hpp"
+#include "tests/support/shared_records.hpp"
+
+namespace musim::records {
+namespace {
+
+using scaling::si::seconds;
+using std::numbers::pi;
+
+TimeSeries make_acceleration(std::vector<double> samples, double dt) {
+    return {SampleQuantity::acceleration, 0.0 * seconds, dt * seconds, std::move(samples)};
+}
+
+/// An uneven but fixed sequence in [−1, 1].
+std::vector<double> make_noise(std::size_t count, unsigned seed) {
+    std::vector<double> samples;
+    unsigned state = seed;
+    for (std::size_t i = 0; i < count; ++i) {
+        state = 1664525U * state + 1013904223U;
+        samples.push_back(static_cast<double>(state) / 2147483648.0 - 1.0);
+    }
+    return samples;
+}
+
+TEST_CASE("an oscillator under a constant acceleration follows the closed form at any step and damping") {
+    // u = −(a/ω²)(1 − e^{−ζωt}(cos ω_d t + ζω/ω_d sin ω_d t)) below critical damping, and its continuation above
+    constexpr double kPeriod = 2.0, kLoad = 3.0;
+    const double omega = 2.0 * pi / kPeriod;
+    for (const double damping : {0.0, 0.02, 0.05, 0.7, 1.5}) {
+        for (const double dt : {0.3, 0.02, 0.001}) {
+            CAPTURE(damping);
+            CAPTURE(dt);
+            const TimeSeries response =
+                compute_oscillator_response(make_acceleration(std::vector<double>(400, kLoad), dt), kPeriod * seconds, damping);
+            double worst = 0.0;
+            for (std::size_t i = 0; i < response.size(); ++i) {
+                const double t = response.time(i).value();
+                double free = 0.0;
+                if (damping < 1.0) {
+                    const double damped = omega * std::sqrt(1.0 - damping * damping);
+                    free = std::exp(-damping * omega * t) * (std::cos(damped * t) + damping * omega / damped * std::sin(damped * t));
+                } else {
+                    const double root = omega * std::sqrt(damping * damping - 1.0), slow = damping * omega - root,
+                                 fast = damping * omega + root;
+                    free = (fast * std::exp(-slow * t) - slow * std::exp(-fast * t)) / (fast - slow);
+                }
+                worst = std::max(worst, std::abs(response.samples()[i] + kLoad / (omega * omega) * (1.0 - free)));
+            }
+            // rounding of 400 steps, relative to a/ω²
+            CHECK(worst < 1e-12 * kLoad / (omega * omega));
+        }
+    }
+}
+
+TEST_CASE("a ramp is followed exactly, critical damping and tiny steps included") {
+    // u = −(r/ω²)(t − 2ζ/ω) + homogeneous part; at ζ = 1: u = −(r/ω²)(t − 2/ω + (t + 2/ω)e^{−ωt})
+    constexpr double kPeriod = 1.0, kRate = 5.0;
+    const double omega = 2.0 * pi / kPeriod;
+    for (const double dt : {0.2, 0.01, 1e-5}) {
+        CAPTURE(dt);
+        std::vector<double> ramp;
+        for (int i = 0; i < 300; ++i) ramp.push_back(kRate * dt * i);
+        const TimeSeries response = compute_oscillator_response(make_acceleration(ramp, dt), kPeriod * seconds, 1.0);
+        for (const std::size_t i : {std::size_t{1}, std::size_t{20}, std::size_t{299}}) {
+            const double t = response.time(i).value(), x = omega * t;
+            // for small x the closed form is a difference of large numbers: −r t³/6 (1 − x/2 + 3x²/20 − ...)
+            const double exact = x < 0.01 ? -kRate * t * t * t / 6.0 * (1.0 - x / 2.0 + 3.0 * x * x / 20.0 - x * x * x / 30.0)
+                                          : -kRate / (omega * omega) * (t - 2.0 / omega + (t + 2.0 / omega) * std::exp(-x));
+            CHECK(response.samples()[i] == doctest::Approx(exact).epsilon(x < 0.01 ? 1e-9 : 1e-10));
+        }
+    }
+}
+
+TEST_CASE("spectra hold the peaks of the responses, and pseudo values follow from them") {
+    const TimeSeries motion = make_acceleration(make_noise(3000, 7), 0.01);
+    std::vector<scaling::Time> periods = make_periods(0.03 * seconds, 4.0 * seconds, 21);
+    periods.insert(periods.begin(), 0.0 * seconds);
+    const ResponseSpectrum spectrum = compute_response_spectrum(motion, periods, 0.05);
+    const std::vector<double> psa = spectrum.pseudo_acceleration(), psv = spectrum.pseudo_velocity();
+    double peak = 0.0;
+    for (const double a : motion.samples()) peak = std::max(peak, std::abs(a));
+    CHECK(psa[0] == peak);
+    CHECK(spectrum.acceleration[0] == peak);
+    CHECK(spectrum.displacement[0] == 0.0);
+    CHECK(psv[0] == 0.0);
+    for (std::size_t i = 1; i < periods.size(); ++i) {
+        const TimeSeries response = compute_oscillator_response(motion, periods[i], 0.05);
+        double most = 0.0;
+        for (const double u : response.samples()) most = std::max(most, std::abs(u));
+        const double omega = 2.0 * pi / periods[i].value();
+        CHECK(spectrum.displacement[i] == most);
+        CHECK(psa[i] == doctest::Approx(omega * omega * most).epsilon(1e-14));
+        CHECK(psv[i] == doctest::Approx(omega * most).epsilon(1e-14));
+    }
+    // a stiff oscillator rides with its base, a soft one stays where it is
+    const std::array ends{1e-3 * seconds, 1e4 * seconds};
+    const ResponseSpectrum extreme = compute_response_spectrum(motion, ends, 0.05);
+    CHECK(extreme.pseudo_acceleration()[0] == doctest::Approx(peak).epsilon(0.05));
+    CHECK(extreme.acceleration[1] < 1e-3 * peak);
+}
+
+TEST_CASE("a record scaled in time and amplitude has the scaled spectrum to the last bit when the factors are powers of two") {
+    const std::vector<double> samples = make_noise(2000, 3);
+    std::vector<double> scaled = samples;
+    for (double& a : scaled) a *= 4.0;
+    const std::vector<scaling::Time> periods = make_periods(0.02 * seconds, 3.0 * seconds, 13);
+    std::vector<scaling::Time> scaled_periods = periods;
+    for (scaling::Time& period : scaled_periods) period *= 0.125;
+    const ResponseSpectrum one = compute_response_spectrum(make_acceleration(samples, 0.005), periods);
+    const ResponseSpectrum two = compute_response_spectrum(make_acceleration(scaled, 0.005 * 0.125), scaled_periods);
+    for (std::size_t i = 0; i < periods.size(); ++i) {
+        CHECK(two.acceleration[i] == 4.0 * one.acceleration[i]);
+        CHECK(two.velocity[i] == 0.5 * one.velocity[i]);
+        CHECK(two.displacement[i] == 0.0625 * one.displacement[i]);
+    }
+}
+
+TEST_CASE("impossible periods and damping ratios are refused in words") {
+    const TimeSeries motion = make_acceleration({0.0, 1.0, 0.0}, 0.01);
+    const std::array good{1.0 * seconds}, negative{-1.0 * seconds};
+    CHECK_THROWS_WITH_AS(compute_response_spectrum(motion, negative), "period is -1 s (must be 0 or more); change it", ProcessingError);
+    CHECK_THROWS_WITH_AS(compute_response_spectrum(motion, good, -0.1),
+                         "damping ratio is -0.1 (must be a fraction of critical from 0 up); give 0.05 for 5 %", ProcessingError);
+    CHECK_THROWS_WITH_AS(compute_oscillator_response(motion, 0.0 * seconds), "period is 0 s (must be above 0); change it", ProcessingError);
+    CHECK_THROWS_AS(compute_response_spectrum(integrate(motion), good), ProcessingError);
+    CHECK_THROWS_AS(make_periods(1.0 * seconds, 0.5 * seconds, 10), ProcessingError);
+}
+
+TEST_CASE("rotated peaks are those of brute force, and of a circle the same in every direction") {
+    const std::vector<double> x = make_noise(5000, 11), y = make_noise(5000, 12);
+    std::array<double, 180> peaks{};
+    for (std::size_t degree = 0; degree < peaks.size(); ++degree) {
+        const double angle = static_cast<double>(degree) * (pi / 180.0), c = std::cos(angle), s = std::sin(angle);
+        for (std::size_t i = 0; i < x.size(); ++i) peaks[degree] = std::max(peaks[degree], std::abs(x[i] * c + y[i] * s));
+    }
+    const RotatedPeaks found = find_rotated_peaks(x, y);
+    CHECK(found.largest == peaks[static_cast<std::size_t>(found.largest_at)]);
+    std::sort(peaks.begin(), peaks.end());
+    CHECK(found.least == peaks.front());
+    CHECK(found.median == 0.5 * (peaks[89] + peaks[90]));
+    CHECK(found.largest == peaks.back());
+
+    std::vector<double> circle_x, circle_y;
+    for (int degree = 0; degree < 360; ++degree) {
+        circle_x.push_back(std::cos(degree * pi / 180.0));
+        circle_y.push_back(std::sin(degree * pi / 180.0));
+    }
+    const RotatedPeaks round = find_rotated_peaks(circle_x, circle_y);
+    CHECK(round.least == doctest::Approx(1.0).epsilon(1e-12));
+    CHECK(round.largest == doctest::Approx(1.0).epsilon(1e-12));
+    // along a line RotD00 is what is left across it, one degree apart at most
+    const std::vector<double> line{0.0, 1.0, -2.0, 0.5};
+    const RotatedPeaks straight = find_rotated_peaks(line, std::vector<double>(4, 0.0));
+    CHECK(straight.largest == 2.0);
+    CHECK(straight.largest_at == 0.0);
+    CHECK(straight.least < 1e-15);
+    CHECK_THROWS_AS(find_rotated_peaks(line, std::vector<double>(3, 0.0)), ProcessingError);
+}
+
+/// PEER NGA-West2's own spectra of a pair of components: RotD50 and both, 5 %, in g.
+struct PublishedSpectra {
+    std::vector<scaling::Time> periods;
+    std::vector<double> rotd50, h1, h2;
+};
+
+/// From reference/peer_nga_west2.json.gz, unpacked by gzip; empty when that is not to be had.
+std::string unpack(const std::filesystem::path& file) {
+    std::string text;
+    FILE* const pipe = popen(("gzip -dc '" + file.string() + "'").c_str(), "r");  // NOLINT(cert-env33-c): a fixed command
+    if (pipe == nullptr) return text;
+    std::array<char, 65536> chunk{};
+    for (std::size_t got = 1; got > 0;) {
+        got = fread(chunk.data(), 1, chunk.size(), pipe);
+        text.append(chunk.data(), got);
+    }
+    pclose(pipe);
+    return text;
+}
+
+PublishedSpectra read_spectra(const nlohmann::json& record) {
+    PublishedSpectra spectra;
+    for (const double period : record.at("period")) spectra.periods.push_back(period * seconds);
+    for (const nlohmann::json& entry : record.at("spectra")) {
+        if (entry.at("damping") != 0.05) continue;
+        spectra.rotd50 = entry.at("rotd50").get<std::vector<double>>();
+        spectra.h1 = entry.at("h1").get<std::vector<double>>();
+        spectra.h2 = entry.at("h2").get<std::vector<double>>();
+    }
+    return spectra;
+}
+
+TEST_CASE("spectra and RotD50 of Chino Hills are PEER's own") {
+    if (!tests::have_shared_records()) return;
+    const auto table = nlohmann::json::parse(unpack(tests::shared_records() / "reference" / "peer_nga_west2.json.gz"));
+    REQUIRE(table.size() == 2);
+    const double g = scaling::kStandardGravity.value();
+    for (const nlohmann::json& record : table) {
+        const PublishedSpectra published = read_spectra(record);
+        const auto load = [&](int i) {
+            return read_record(tests::shared_records() / "peer" / record.at("fnames").at(i).get<std::string>()).components.at(0).series;
+        };
+        const TimeSeries first = load(0), second = load(1);
+        const std::vector<double> h1 = compute_response_spectrum(first, published.periods).pseudo_acceleration(),
+                                  h2 = compute_response_spectrum(second, published.periods).pseudo_acceleration();
+        const std::vector<RotatedPeaks> rotated = compute_rotated_spectrum(first, second, published.periods);
+        for (std::size_t i = 0; i < published.periods.size(); ++i) {
+            const double period = published.periods[i].value();
+            CAPTURE(record.at("rsn").get<int>());
+            CAPTURE(period);
+            // below 0.05 s PEER's values differ from the exact recursion by up to 2 %, for a cause that is not known
+            // (shared/records/README.md); RotD50 has five digits
+            const double tolerance = period >= 0.05 ? 1e-4 : 0.025;
+            CHECK(h1[i] / g == doctest::Approx(published.h1[i]).epsilon(tolerance));
+            CHECK(h2[i] / g == doctest::Approx(published.h2[i]).epsilon(tolerance));
+            CHECK(rotated[i].median / g == doctest::Approx(published.rotd50[i]).epsilon(tolerance));
+        }
+    }
+}
+
+}  // namespace
+}  // namespace musim::records
