@@ -1,28 +1,17 @@
 #include "records/measures.hpp"
 
-#include <fftw3.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
-#include <mutex>
+#include <complex>
 
 #include "records/detail/energy.hpp"
 #include "records/detail/rest_correction.hpp"
+#include "records/detail/transform.hpp"
 
 namespace musim::records {
 namespace {
-
-struct FreeFftw {
-    void operator()(void* memory) const { fftw_free(memory); }
-};
-
-/// FFTW plans one transform at a time.
-std::mutex& planning() {
-    static std::mutex mutex;
-    return mutex;
-}
 
 std::optional<scaling::Time> find_largest(const ResponseSpectrum& spectrum, const std::vector<double>& values) {
     std::optional<std::size_t> largest;
@@ -62,25 +51,11 @@ std::optional<scaling::Time> compute_bracketed_duration(const TimeSeries& accele
 
 FourierAmplitudes compute_fourier_amplitudes(const TimeSeries& acceleration) {
     require_quantity(acceleration, SampleQuantity::acceleration, "the Fourier amplitudes");
-    const std::span<const double> a = acceleration.samples();
-    const std::size_t count = a.size() / 2 + 1;
-    const std::unique_ptr<double, FreeFftw> in(fftw_alloc_real(a.size()));
-    const std::unique_ptr<fftw_complex, FreeFftw> out(fftw_alloc_complex(count));
-    if (!in || !out) throw std::bad_alloc();
-    const auto plan = [&] {
-        const std::lock_guard lock(planning());
-        return fftw_plan_dft_r2c_1d(static_cast<int>(a.size()), in.get(), out.get(), FFTW_ESTIMATE);
-    }();
-    std::copy(a.begin(), a.end(), in.get());
-    fftw_execute(plan);
-    {
-        const std::lock_guard lock(planning());
-        fftw_destroy_plan(plan);
-    }
+    const detail::Transform transform(acceleration.samples());
     FourierAmplitudes spectrum;
     const double dt = acceleration.dt().value();
-    spectrum.step = 1.0 / (static_cast<double>(a.size()) * acceleration.dt());
-    for (std::size_t i = 0; i < count; ++i) spectrum.amplitude.push_back(dt * std::hypot(out.get()[i][0], out.get()[i][1]));
+    spectrum.step = 1.0 / (static_cast<double>(acceleration.size()) * acceleration.dt());
+    for (const std::complex<double>& value : transform.spectrum()) spectrum.amplitude.push_back(dt * std::abs(value));
     return spectrum;
 }
 

@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <numbers>
 #include <numeric>
 
 #include "records/detail/energy.hpp"
 #include "records/detail/rest_correction.hpp"
+#include "records/detail/transform.hpp"
 
 namespace musim::records {
 namespace {
@@ -26,6 +28,11 @@ double dot(const std::vector<double>& a, const std::vector<double>& b) {
 void remove_part(std::vector<double>& vector, const std::vector<double>& direction) {
     const double part = dot(vector, direction);
     for (std::size_t i = 0; i < vector.size(); ++i) vector[i] -= part * direction[i];
+}
+
+void refuse_displacement(const TimeSeries& series) {
+    if (series.quantity() == SampleQuantity::displacement)
+        throw ProcessingError("a displacement is not integrated (nothing is its rate); integrate acceleration or velocity");
 }
 
 }  // namespace
@@ -96,11 +103,48 @@ TimeSeries taper(const TimeSeries& series, double fraction) {
     return series.with_samples(std::move(samples));
 }
 
-TimeSeries integrate(const TimeSeries& series) {
-    if (series.quantity() == SampleQuantity::displacement) {
-        throw ProcessingError("a displacement is not integrated (nothing is its rate); integrate acceleration or velocity");
+TimeSeries pad(const TimeSeries& series, scaling::Time before, scaling::Time after) {
+    constexpr double kMostSamples = 1e8;  // a gigabyte: surely a slip in the time
+    const double dt = series.dt().value(), first = std::round(before.value() / dt), last = std::round(after.value() / dt);
+    if (!(before.value() >= 0.0 && after.value() >= 0.0 && first + last <= kMostSamples)) {
+        throw ProcessingError(
+            fmt::format("{:.6g} s before and {:.6g} s after the record are impossible (0 or more, at most 1e8 samples); change them",
+                        before.value(), after.value()));
     }
+    std::vector<double> samples(static_cast<std::size_t>(first), 0.0);
+    samples.insert(samples.end(), series.samples().begin(), series.samples().end());
+    samples.resize(samples.size() + static_cast<std::size_t>(last), 0.0);
+    return {series.quantity(), series.start() - first * series.dt(), series.dt(), std::move(samples)};
+}
+
+TimeSeries bring_to_rest(const TimeSeries& acceleration) {
+    require_quantity(acceleration, SampleQuantity::acceleration, "the correction to rest");
+    constexpr std::size_t kFewestSamples = 4;
+    if (acceleration.size() < kFewestSamples)
+        throw ProcessingError(fmt::format("{} samples cannot end at rest (at least {} are needed); use a longer record",
+                                          acceleration.size(), kFewestSamples));
+    const double dt = acceleration.dt().value();
+    const std::vector<double> velocity = detail::cumulative_trapezoid(acceleration.samples(), dt);
+    const double moved = detail::cumulative_trapezoid(velocity, dt).back();
+    std::vector<double> samples = detail::rest_correction(acceleration.size(), dt, velocity.back(), moved);
+    for (std::size_t i = 0; i < samples.size(); ++i) samples[i] = acceleration.samples()[i] - samples[i];
+    return acceleration.with_samples(std::move(samples));
+}
+
+TimeSeries integrate(const TimeSeries& series) {
+    refuse_displacement(series);
     return series.with_samples(neighbor(series.quantity(), 1), detail::cumulative_trapezoid(series.samples(), series.dt().value()));
+}
+
+TimeSeries integrate_by_frequency(const TimeSeries& series) {
+    refuse_displacement(series);
+    detail::Transform transform(series.samples());
+    const double step = 2.0 * std::numbers::pi / (static_cast<double>(series.size()) * series.dt().value());
+    transform.apply([&](std::size_t i) {
+        const bool no_phase = i == 0 || 2 * i == series.size();
+        return no_phase ? std::complex<double>() : std::complex<double>(0.0, -1.0 / (step * static_cast<double>(i)));
+    });
+    return series.with_samples(neighbor(series.quantity(), 1), transform.back());
 }
 
 TimeSeries differentiate(const TimeSeries& series) {
@@ -117,14 +161,22 @@ TimeSeries differentiate(const TimeSeries& series) {
     return series.with_samples(neighbor(series.quantity(), -1), std::move(rate));
 }
 
-TimeWindow find_strong_motion(const TimeSeries& acceleration, double margin) {
+TimeWindow find_energy_window(const TimeSeries& acceleration, double from, double to, double margin) {
     require_quantity(acceleration, SampleQuantity::acceleration, "the strong-motion window");
+    if (!(from >= 0.0 && from < to && to <= 1.0 && margin >= 0.0 && std::isfinite(margin))) {
+        throw ProcessingError(fmt::format(
+            "a window from {} to {} of the energy, {} of it added, is impossible (0 to 1, the first below); change it", from, to, margin));
+    }
     const std::vector<double> energy = detail::cumulative_square(acceleration);
     if (!(energy.back() > 0.0)) throw ProcessingError("record has no motion (all samples zero); choose another component");
-    const scaling::Time first = detail::time_of_share(acceleration, energy, 0.005);
-    const scaling::Time last = detail::time_of_share(acceleration, energy, 0.995);
+    const scaling::Time first = detail::time_of_share(acceleration, energy, from);
+    const scaling::Time last = detail::time_of_share(acceleration, energy, to);
     const scaling::Time reach = margin * (last - first);
     return {std::max(acceleration.start(), first - reach), std::min(acceleration.end(), last + reach)};
+}
+
+TimeWindow find_strong_motion(const TimeSeries& acceleration, double margin) {
+    return find_energy_window(acceleration, 0.005, 0.995, margin);
 }
 
 }  // namespace musim::records

@@ -25,26 +25,33 @@ TimeSeries remove_baseline(const TimeSeries& series, int order);
 /// Fades both ends to zero with a half cosine over `fraction` of the record each: w = (1 − cos(π t/T))/2. Throws unless 0 ≤ fraction ≤ 1/2.
 TimeSeries taper(const TimeSeries& series, double fraction);
 
-/// Butterworth high-pass of the given order run forward and backward: no phase shift, amplitudes times
-///
-///   |H|² = 1 / (1 + (tan(π f_c dt)/tan(π f dt))^(2·order)),   1/2 at the corner f_c.
-///
-/// Second-order sections by the bilinear transform with the corner prewarped. Zeros are put before and after the record for as long as
-/// the filter remembers (to 1e-6), as [Boore05] advises, and taken off again: a record that is quiet at zero level at its ends, or tapered,
-/// keeps clean ends. Level it first (remove_initial_level, remove_baseline); an offset would ring like a step.
-/// Throws unless order is 1 to 8, 0 < f_c dt < 1/2, and the filter remembers no more than 10^8 steps.
+/// apply_butterworth() as a high-pass without phase shift.
 TimeSeries high_pass(const TimeSeries& series, scaling::Frequency corner, int order);
+
+/// Zeros before and after the record, for so long; the samples keep their times. Throws for a negative time and for more than 10^8 samples.
+TimeSeries pad(const TimeSeries& series, scaling::Time before, scaling::Time after);
+
+/// Takes out what keeps an acceleration, integrated by trapezoids from zero, from ending with zero velocity and displacement: two shapes as
+/// long as the record, zero at both ends (README.md, "Ending at rest"). Throws for another quantity and fewer than four samples.
+TimeSeries bring_to_rest(const TimeSeries& acceleration);
 
 /// Trapezoid integral from zero: acceleration → velocity, velocity → displacement. Throws for a displacement.
 /// For a piecewise linear velocity (what simulations prescribe) the displacement is exact.
 TimeSeries integrate(const TimeSeries& series);
 
+/// Integral by division by 2πif in the frequency domain, its mean taken out: exact for a motion that repeats itself, such as one that is
+/// quiet at zero level at both ends. Throws as integrate().
+TimeSeries integrate_by_frequency(const TimeSeries& series);
+
 /// Central differences (one-sided at the ends): displacement → velocity, velocity → acceleration. Throws for an acceleration and for one
 /// sample.
 TimeSeries differentiate(const TimeSeries& series);
 
-/// Where an acceleration record shakes: from 0.5 % to 99.5 % of ∫a²dt, widened by `margin` times that length on both sides, within the
-/// record. Throws for other quantities and for a record without motion.
+/// From the share `from` to the share `to` of ∫a²dt, linear between samples, widened by `margin` times that length on both sides, within
+/// the record. Throws for other quantities, for a record without motion, and unless 0 ≤ from < to ≤ 1 and margin ≥ 0.
+TimeWindow find_energy_window(const TimeSeries& acceleration, double from, double to, double margin);
+
+/// Where an acceleration record shakes: find_energy_window() from 0.5 % to 99.5 %.
 TimeWindow find_strong_motion(const TimeSeries& acceleration, double margin = 0.1);
 
 }  // namespace musim::records
