@@ -135,6 +135,7 @@ void add_record_command(CLI::App& app, Action& action) {
         "  musim record info IELC180.AT2 IELC270.AT2 --json\n"
         "  musim record info motion.txt --unit g --dt 0.005");
     info->callback([&action, options] { action = [options] { return run_record_info(*options); }; });
+    add_record_process_command(*command, action);
 }
 
 }  // namespace musim::cli
