@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
+#include "records/detail/direction.hpp"
+#include "records/detail/fixed_columns.hpp"
+#include "records/detail/header_checks.hpp"
 #include "records/detail/parsers.hpp"
 #include "records/detail/text.hpp"
 
@@ -12,24 +14,17 @@ namespace musim::records {
 namespace detail {
 namespace {
 
-/// Fixed columns of a block of samples, Fortran's (8f9.6): 8 values a line, 9 letters each.
-struct Columns {
-    std::size_t per_line = 8;
-    std::size_t width = 0;
-};
-
 /// One block of samples, or rather the line that announces it.
 struct BlockHeader {
     std::size_t line = 0;
     std::size_t count = 0;
     scaling::Time dt = {};
     SampleUnit unit = {};
-    Columns columns = {};
+    FixedColumns columns = {};
 };
 
 struct Channel {
-    std::string name;
-    std::optional<double> azimuth_deg;
+    Direction direction;
     std::optional<TimeSeries> series;  ///< of the wanted quantity
     SampleUnit unit;
     bool is_corrected = false;
@@ -41,33 +36,16 @@ bool announces_samples(std::string_view line) {
     return contains_ignoring_case(line, "ACCELEROGRAM POINTS AT") || contains_ignoring_case(line, "DATA EQUALLY SPACED AT");
 }
 
-// text up to the next gap of three blanks: header lines hold several fields
-std::string first_field(std::string_view line) { return std::string(trim(line.substr(0, line.find("   ")))); }
-
-// "(8f9.6)" somewhere in the line; nothing when the file leaves it out
-std::optional<Columns> find_columns(std::string_view line) {
-    for (std::size_t open = line.find('('); open != std::string_view::npos; open = line.find('(', open + 1)) {
-        std::string_view rest = line.substr(open + 1);
-        const std::size_t letter = rest.find_first_of("fFeE");
-        if (letter == std::string_view::npos) continue;
-        const std::optional<std::size_t> per_line = parse_count(rest.substr(0, letter));
-        rest.remove_prefix(letter + 1);
-        const std::optional<std::size_t> width = parse_count(take_token(rest, ".)"));
-        if (per_line && width && *per_line > 0 && *width > 0) return Columns{*per_line, *width};
-    }
-    return std::nullopt;
-}
-
 // without a format the first line of samples tells: eight right-justified numbers of equal width
-Columns infer_columns(const TextFile& file, std::size_t line, std::size_t count) {
-    const Columns usual;
+FixedColumns infer_columns(const TextFile& file, std::size_t line, std::size_t count) {
+    const FixedColumns usual;
     const std::size_t values = std::min(count, usual.per_line);
     const std::size_t length = file.line(line + 1).size();
     if (length == 0 || length % values != 0) {
         file.fail(line + 1, fmt::format("column width cannot be told ({} letters for {} values)", length, values),
                   "add the Fortran format, e.g. (8f10.3), to the line above");
     }
-    return {usual.per_line, length / values};
+    return {.per_line = usual.per_line, .width = length / values};
 }
 
 SampleUnit read_unit(const TextFile& file, std::size_t index) {
@@ -104,64 +82,25 @@ BlockHeader read_block_header(const TextFile& file, std::size_t index) {
     if (!step) file.fail(index, fmt::format("time step {} is no number", quoted(number)), "correct the line");
     header.dt = checked_dt(file, index, is_rate ? 1.0 / *step : *step);
 
-    header.columns = find_columns(line).value_or(Columns{});
+    header.columns = find_columns(line).value_or(FixedColumns{});
     if (header.columns.width == 0) header.columns = infer_columns(file, index, header.count);
     return header;
 }
 
-std::size_t lines_of(const BlockHeader& header) { return (header.count - 1) / header.columns.per_line + 1; }
-
-std::vector<double> read_samples(const TextFile& file, const BlockHeader& header) {
-    const auto& [per_line, width] = header.columns;
-    std::vector<double> samples;
-    for (std::size_t i = 0; i < header.count; ++i) {
-        const std::size_t index = header.line + 1 + i / per_line;
-        const std::size_t column = i % per_line;
-        const std::string_view line = file.line(index);
-        if (line.size() <= column * width) {
-            file.fail(std::min(index, file.size() - 1), fmt::format("sample {} of {} is missing (file is truncated)", i + 1, header.count),
-                      "fetch the record again");
-        }
-        const std::string_view text = trim(line.substr(column * width, width));
-        if (text.find('.') == std::string_view::npos) {
-            file.fail(index, fmt::format("sample {} is {} (no decimal point in its column)", i + 1, quoted(text)),
-                      "check the Fortran format above the samples");
-        }
-        samples.push_back(checked_sample(file, index, text, i + 1, header.unit.si));
-
-        const bool ends_line = column + 1 == per_line || i + 1 == header.count;
-        if (ends_line && line.size() > (column + 1) * width) {
-            file.fail(index, fmt::format("line goes on after sample {} (more values than the header's {})", i + 1, header.count),
-                      "correct the number of points");
-        }
-    }
-    return samples;
+// "Chan  2: 360 Deg   Location: Abutment 1"
+Direction read_title(std::string_view title) {
+    const std::string_view rest = title.substr(title.find(':') + 1);
+    return read_direction(first_field(trim(rest.substr(0, find_ignoring_case(rest, "Location")))));
 }
 
-// "Chan  2: 360 Deg   Location: Abutment 1" → "360", 360°; "Chan 3: Up" → "Up", no azimuth
-void read_orientation(std::string_view title, Channel& channel) {
-    std::string_view rest = title.substr(title.find(':') + 1);
-    rest = rest.substr(0, find_ignoring_case(rest, "Location"));
-    const std::string orientation = first_field(trim(rest));
-    const std::size_t degrees = find_ignoring_case(orientation, " DEG");
-    channel.name = trim(std::string_view(orientation).substr(0, degrees));
-    if (degrees != std::string_view::npos) channel.azimuth_deg = parse_real(channel.name);
-}
-
-// direction as text and as the 11th of the 16 five-letter integers on the second line of the integer header: 0 and -999 stand for unknown
-void check_azimuth(const TextFile& file, std::size_t title_line, std::size_t integer_line, const Channel& channel) {
-    if (!channel.azimuth_deg) return;
+// the azimuth is the 11th of the 16 five-letter integers on the second line of the integer header
+void check_stored_azimuth(const TextFile& file, std::size_t title_line, std::size_t integer_line, const Direction& direction) {
     constexpr std::size_t kAzimuthColumn = 50;
     constexpr std::size_t kIntegerWidth = 5;
     const std::string_view line = file.line(integer_line);
     if (line.size() < kAzimuthColumn + kIntegerWidth) return;
     const std::optional<double> stored = parse_real(trim(line.substr(kAzimuthColumn, kIntegerWidth)));
-    if (!stored || *stored == 0.0 || *stored == -999.0) return;
-    if (std::fmod(*stored, 360.0) != std::fmod(*channel.azimuth_deg, 360.0) || *stored > 360.0) {
-        file.fail(integer_line,
-                  fmt::format("azimuth is {} (line {} says {} Deg; header is damaged)", *stored, title_line + 1, channel.name),
-                  "fetch the record again or correct the header");
-    }
+    if (stored) check_azimuth(file, integer_line, *stored, direction, title_line);
 }
 
 // counts and length in the text header must agree with the line above the samples
@@ -184,13 +123,8 @@ void check_header(const TextFile& file, std::size_t start, std::size_t text_line
         if (length_at == std::string_view::npos) continue;
         std::string_view rest = line.substr(std::min(line.find('=', length_at), line.size() - 1) + 1);
         const std::optional<double> length = parse_real(take_token(rest));
-        if (!length || *length <= 0.0) continue;
-        // 1 % and two steps: the length is rounded to whole seconds or counts one sample less
-        const double dt = block.dt.value();
-        if (std::abs(static_cast<double>(block.count) * dt - *length) > 0.01 * *length + 2.0 * dt) {
-            file.fail(block.line, fmt::format("{} points of {} s do not make the {} s of line {}", block.count, dt, *length, index + 1),
-                      "correct the time step or the number of points");
-        }
+        if (!length) continue;
+        check_record_length(file, block.line, block.count, block.dt, *length, index);
     }
 }
 
@@ -209,8 +143,8 @@ Channel read_channel(const TextFile& file, std::size_t& index, SampleQuantity wa
     std::size_t title = start;
     while (title < start + text_lines && !starts_with_ignoring_case(trim(file.line(title)), "CHAN")) ++title;
     if (title == start + text_lines) file.fail(start, "channel title is missing (no 'Chan n: direction')", "fetch the record again");
-    read_orientation(file.line(title), channel);
-    check_azimuth(file, title, start + text_lines + 1, channel);
+    channel.direction = read_title(file.line(title));
+    check_stored_azimuth(file, title, start + text_lines + 1, channel.direction);
 
     index = start + text_lines;
     const std::size_t headers_end = std::min(file.size(), start + 60);  // longest header known: 46 lines
@@ -224,8 +158,8 @@ Channel read_channel(const TextFile& file, std::size_t& index, SampleQuantity wa
     while (announces_samples(file.line(index))) {
         const BlockHeader block = read_block_header(file, index);
         check_header(file, start, text_lines, block);
-        std::vector<double> samples = read_samples(file, block);
-        index = block.line + 1 + lines_of(block);
+        std::vector<double> samples = read_block(file, {block.line + 1, block.count, block.columns}, block.unit.si);
+        index = block.line + 1 + lines_of(block.count, block.columns);
         if (block.unit.quantity != wanted || channel.series) continue;
         channel.unit = block.unit;
         channel.series.emplace(wanted, 0.0 * scaling::si::seconds, block.dt, std::move(samples));
@@ -259,7 +193,7 @@ GroundMotion parse_csmip(const TextFile& file, const ReadOptions& options) {
             motion.event = first_field(file.line(start + (is_corrected ? 2 : 1)));
             motion.station = first_field(file.line(start + (is_corrected ? 6 : 5)));
         }
-        motion.components.push_back({std::move(channel.name), channel.azimuth_deg, *std::move(channel.series)});
+        motion.components.push_back({std::move(channel.direction.name), channel.direction.azimuth_deg, *std::move(channel.series)});
     }
     motion.format = is_corrected ? "CSMIP V2" : "CSMIP V1";
     if (!is_corrected) motion.integration_corner = kUncorrectedCornerHz * scaling::si::hertz;

@@ -52,7 +52,6 @@ struct Signature {
 };
 
 constexpr Signature kUnsupported[] = {
-    {"COSMOS", 0, "(Format v0"},
     {"GeoNet", 0, "GNS Science"},
     {"SMC", 0, "0 UNKNOWN"},
     {"SMC", 0, "1 UNCORRECTED ACCELEROGRAM"},
@@ -77,6 +76,8 @@ void refuse_unsupported(const TextFile& file) {
     }
 }
 
+bool looks_like_cosmos(const TextFile& file) { return contains_ignoring_case(file.line(0), "(FORMAT V0"); }
+
 bool looks_like_csmip(const TextFile& file) {
     return find_ignoring_case(file.line(0), "CORRECTED ACCELEROGRAM") == 0 ||
            find_ignoring_case(file.line(0), "UNCORRECTED ACCELEROGRAM DATA") == 0;
@@ -97,6 +98,7 @@ struct TextFormat {
 };
 
 constexpr TextFormat kTextFormats[] = {
+    {looks_like_cosmos, detail::parse_cosmos},
     {looks_like_csmip, detail::parse_csmip},
     {looks_like_peer, detail::parse_at2},
 };

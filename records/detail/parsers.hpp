@@ -11,6 +11,7 @@ namespace musim::records::detail {
 inline constexpr double kUncorrectedCornerHz = 0.05;
 
 GroundMotion parse_at2(const TextFile& file, const ReadOptions& options);
+GroundMotion parse_cosmos(const TextFile& file, const ReadOptions& options);
 GroundMotion parse_csmip(const TextFile& file, const ReadOptions& options);
 GroundMotion parse_text(const TextFile& file, const ReadOptions& options);
 

@@ -30,6 +30,8 @@ std::string_view take_token(std::string_view& rest, std::string_view separators)
     return token;
 }
 
+std::string_view first_field(std::string_view line) { return trim(line.substr(0, line.find("   "))); }
+
 std::optional<double> parse_real(std::string_view text) {
     if (text.starts_with('+')) text.remove_prefix(1);
     if (text.empty() || text.front() == '+') return std::nullopt;

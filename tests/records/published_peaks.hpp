@@ -20,7 +20,7 @@ struct PublishedPeak {
     double pgv;   ///< three digits [cm/s]; 0: not published
 };
 
-inline constexpr std::array<PublishedPeak, 63> kPublishedPeaks{{
+inline constexpr std::array<PublishedPeak, 68> kPublishedPeaks{{
     {"csmip/CICLC.v1", 0.0, "", 0, 31932, 0.01, 0.34426, "g", 234.360, 26.1},
     {"csmip/CICLC.v1", 0.0, "", 1, 32080, 0.01, 0.5108, "g", 235.700, 43.6},
     {"csmip/CICLC.v1", 0.0, "", 2, 32190, 0.01, 0.34743, "g", 234.390, 18.5},
@@ -34,6 +34,11 @@ inline constexpr std::array<PublishedPeak, 63> kPublishedPeaks{{
     {"csmip/CE89146.V2", 0.0, "", 1, 12000, 0.005, 20.529, "cm/s2", 30.585, 0.983},
     {"csmip/CE89146.V2", 0.0, "", 2, 12000, 0.005, -44.2, "cm/s2", 30.575, 2.78},
     {"csmip/chan001.v2", 0.0, "", 0, 13000, 0.005, 17.433, "cm/s2", 20.270, 0.204},
+    {"cosmos/CE23837.V1C", 0.0, "", 0, 13400, 0.005, -0.10543, "g", 31.575, 2.69},
+    {"cosmos/CE23837.V1C", 0.0, "", 1, 13400, 0.005, 0.048759, "g", 30.085, 0.938},
+    {"cosmos/CE23837.V1C", 0.0, "", 2, 13400, 0.005, -0.05902, "g", 32.075, 1.83},
+    {"cosmos/Cosmos12TimeSeriesTest.v1", 0.0, "", 0, 7000, 0.01, -161.96, "cm/s2", 27.850, 5.77},
+    {"cosmos/us1000hyfh_akbmrp_AKBMR--n.1000hyfh.BNZ.--.acc.V2c", 0.0, "", 0, 42000, 0.005, -6.8515, "cm/s2", 76.215, 0.775},
     {"peer/IELC180.AT2", 0.0, "", 0, 4000, 0.01, -0.31288, "g", 2.150, 29.7},
     {"peer/IELC180.DT2", 0.0, "", 0, 4000, 0.01, 13.306, "cm", 4.160, 0.0},
     {"peer/TAK000.AT2", 0.0, "", 0, 4096, 0.01, 0.61771, "g", 5.820, 121.0},
