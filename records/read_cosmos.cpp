@@ -1,13 +1,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cmath>
 
 #include "records/detail/direction.hpp"
-#include "records/detail/fixed_columns.hpp"
 #include "records/detail/header_checks.hpp"
+#include "records/detail/numeric_header.hpp"
 #include "records/detail/parsers.hpp"
 #include "records/detail/text.hpp"
 
@@ -26,16 +25,6 @@ enum RealNumber : std::size_t {
     kPeak
 };
 constexpr double kUnknown = -999.0;
-
-/// A header of numbers: where they stand and what they are.
-struct NumericHeader {
-    NumberBlock block;
-    std::vector<double> numbers = {};
-
-    std::size_t line_of(std::size_t number) const { return block.line + (number - 1) / block.columns.per_line; }
-    double at(std::size_t number) const { return number <= numbers.size() ? numbers[number - 1] : kUnknown; }
-    std::size_t end() const { return block.line + lines_of(block.count, block.columns); }
-};
 
 /// One channel as the file holds it.
 struct Channel {
@@ -67,14 +56,12 @@ FixedColumns stated_columns(const TextFile& file, std::size_t index) {
 }
 
 // "100 Integer-header values follow on  10 lines, Format= (10I8)"
-NumericHeader read_numeric_header(const TextFile& file, std::size_t index, std::string_view title, std::string_view noun) {
+NumericHeader read_announced_header(const TextFile& file, std::size_t index, std::string_view title, std::string_view noun) {
     if (!contains_ignoring_case(file.line(index), title)) {
         file.fail(std::min(index, file.size() - 1), fmt::format("header line is missing (no '{} values follow')", title),
                   "fetch the record again");
     }
-    NumericHeader header{.block = {index + 1, leading_count(file, index, noun), stated_columns(file, index), noun}};
-    header.numbers = read_block(file, header.block);
-    return header;
+    return read_numeric_header(file, {index + 1, leading_count(file, index, noun), stated_columns(file, index), noun}, kUnknown);
 }
 
 // "(Format v01.20 with 13 text lines)"
@@ -122,29 +109,27 @@ Direction read_title(std::string_view title) {
 }
 
 std::optional<UtcTime> find_start(const NumericHeader& integers, const NumericHeader& reals) {
-    std::array<int, 5> parts{};
-    constexpr std::array<std::size_t, 5> kParts{kStartYear, kStartMonth, kStartDay, kStartHour, kStartMinute};
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-        const double part = integers.at(kParts[i]);
-        if (part < 0.0 || part > 9999.0) return std::nullopt;
-        parts[i] = static_cast<int>(part);
-    }
-    const double second = reals.at(kStartSecond);
-    if (second < 0.0) return std::nullopt;
-    return make_utc_time(parts[0], parts[1], parts[2], parts[3], parts[4], second);
+    const std::optional<int> year = integers.find_small(kStartYear);
+    const std::optional<int> month = integers.find_small(kStartMonth);
+    const std::optional<int> day = integers.find_small(kStartDay);
+    const std::optional<int> hour = integers.find_small(kStartHour);
+    const std::optional<int> minute = integers.find_small(kStartMinute);
+    const std::optional<double> second = reals.find(kStartSecond);
+    if (!year || !month || !day || !hour || !minute || !second) return std::nullopt;
+    return make_utc_time(*year, *month, *day, *hour, *minute, *second);
 }
 
 // what one count is worth: volts by the recorder, g by the sensor
 SampleUnit unit_of_counts(const TextFile& file, const NumericHeader& reals) {
-    for (const std::size_t number : {std::size_t{kMicrovoltsPerCount}, std::size_t{kVoltsPerG}, std::size_t{kGain}}) {
-        if (reals.at(number) > 0.0) continue;
-        file.fail(
-            reals.line_of(number),
-            fmt::format("real-header value {} is {} (counts need microvolts per count, volts per g and gain)", number, reals.at(number)),
-            "use the record in physical units (V1)");
-    }
-    const double volts = reals.at(kMicrovoltsPerCount) * 1e-6 / reals.at(kGain);
-    return {"counts", SampleQuantity::acceleration, volts / reals.at(kVoltsPerG) * scaling::kStandardGravity.value()};
+    const auto positive = [&](std::size_t number) {
+        const double value = reals.find(number).value_or(kUnknown);
+        if (value > 0.0) return value;
+        file.fail(reals.line_of(number),
+                  fmt::format("real-header value {} is {} (counts need microvolts per count, volts per g and gain)", number, value),
+                  "use the record in physical units (V1)");
+    };
+    const double volts = 1e-6 * positive(kMicrovoltsPerCount) / positive(kGain);
+    return {"counts", SampleQuantity::acceleration, volts / positive(kVoltsPerG) * scaling::kStandardGravity.value()};
 }
 
 // "13400 acceleration pts, approx  67 secs, units=g.     (02)Format=(8f9.6)"
@@ -163,12 +148,12 @@ SampleUnit read_unit(const TextFile& file, std::size_t index, const NumericHeade
 
 std::vector<double> read_samples(const TextFile& file, const Channel& channel, const NumericHeader& reals, scaling::Time dt) {
     const std::size_t count = leading_count(file, channel.data, "point");
-    check_record_length(file, channel.data, count, dt, reals.at(kLengthInSeconds), reals.line_of(kLengthInSeconds));
+    check_record_length(file, channel.data, count, dt, reals.find(kLengthInSeconds).value_or(0.0), reals.line_of(kLengthInSeconds));
     std::vector<double> samples = read_block(file, {channel.data + 1, count, stated_columns(file, channel.data)}, channel.unit.si);
-    if (const double peak = reals.at(kPeak); peak != kUnknown) {
+    if (const std::optional<double> peak = reals.find(kPeak)) {
         // networks state the peak before they round the samples, or remove their mean: four digits agree
-        const double tolerance = 1e-3 * std::abs(peak);
-        check_peak(file, reals.line_of(kPeak), samples, {peak, tolerance, channel.unit.si, channel.unit.name});
+        const double tolerance = 1e-3 * std::abs(*peak);
+        check_peak(file, reals.line_of(kPeak), samples, {*peak, tolerance, channel.unit.si, channel.unit.name});
     }
     return samples;
 }
@@ -177,19 +162,20 @@ std::vector<double> read_samples(const TextFile& file, const Channel& channel, c
 Channel read_channel(const TextFile& file, std::size_t& index) {
     Channel channel{.start = index};
     const std::size_t text_lines = count_text_lines(file, index);
-    const NumericHeader integers = read_numeric_header(file, index + text_lines, "Integer-header", "integer-header value");
-    const NumericHeader reals = read_numeric_header(file, integers.end(), "Real-header", "real-header value");
+    const NumericHeader integers = read_announced_header(file, index + text_lines, "Integer-header", "integer-header value");
+    const NumericHeader reals = read_announced_header(file, integers.end(), "Real-header", "real-header value");
     channel.data = skip_comments(file, reals.end());
 
     constexpr std::size_t kTitleLine = 8;
     channel.direction = read_title(file.line(channel.start + kTitleLine));
-    check_azimuth(file, integers.line_of(kAzimuth), integers.at(kAzimuth), channel.direction, channel.start + kTitleLine);
+    check_azimuth(file, integers.line_of(kAzimuth), integers.find(kAzimuth).value_or(0.0), channel.direction, channel.start + kTitleLine);
     const std::string code = find_channel_code(file, reals.end(), channel.data);
     if (equal_ignoring_case(channel.direction.name, "Other") && !code.empty()) channel.direction.name = code;
     channel.first_sample = find_start(integers, reals);
 
     channel.unit = read_unit(file, channel.data, reals);
-    const scaling::Time dt = checked_dt(file, reals.line_of(kStepInMilliseconds), 1e-3 * reals.at(kStepInMilliseconds));
+    const scaling::Time dt =
+        checked_dt(file, reals.line_of(kStepInMilliseconds), 1e-3 * reals.find(kStepInMilliseconds).value_or(kUnknown));
     std::vector<double> samples = read_samples(file, channel, reals, dt);
     index = channel.data + 1 + lines_of(samples.size(), stated_columns(file, channel.data));
     channel.series.emplace(channel.unit.quantity, 0.0 * scaling::si::seconds, dt, std::move(samples));

@@ -53,11 +53,6 @@ struct Signature {
 
 constexpr Signature kUnsupported[] = {
     {"GeoNet", 0, "GNS Science"},
-    {"SMC", 0, "0 UNKNOWN"},
-    {"SMC", 0, "1 UNCORRECTED ACCELEROGRAM"},
-    {"SMC", 0, "2 CORRECTED ACCELEROGRAM"},
-    {"SMC", 0, "3 VELOCITY"},
-    {"SMC", 0, "4 DISPLACEMENT"},
     {"K-NET/KiK-net", 0, "Origin Time       "},
     {"ESM (ITACA) ASCII", 0, "EVENT_NAME:"},
     {"AFAD", 0, "STRONG GROUND MOTION RECORDS OF TURKIYE"},
@@ -83,6 +78,14 @@ bool looks_like_csmip(const TextFile& file) {
            find_ignoring_case(file.line(0), "UNCORRECTED ACCELEROGRAM DATA") == 0;
 }
 
+bool looks_like_smc(const TextFile& file) {
+    const std::string_view line = file.line(0);
+    for (const std::string_view title : {"0 UNKNOWN", "1 UNCORRECTED ACCELEROGRAM", "2 CORRECTED ACCELEROGRAM", "3 VELOCITY",
+                                         "4 DISPLACEMENT", "5 RESPONSE SPECTRA", "6 FOURIER AMPLITUDE SPECTRA"})
+        if (find_ignoring_case(line, title) == 0) return true;
+    return false;
+}
+
 bool looks_like_peer(const TextFile& file) {
     constexpr std::size_t kHeaderLines = 20;  // PEER needs four; free-text headers of the same family were met with seven
     for (std::size_t index = 0; index < kHeaderLines; ++index) {
@@ -100,6 +103,7 @@ struct TextFormat {
 constexpr TextFormat kTextFormats[] = {
     {looks_like_cosmos, detail::parse_cosmos},
     {looks_like_csmip, detail::parse_csmip},
+    {looks_like_smc, detail::parse_smc},
     {looks_like_peer, detail::parse_at2},
 };
 

@@ -20,7 +20,7 @@ struct PublishedPeak {
     double pgv;   ///< three digits [cm/s]; 0: not published
 };
 
-inline constexpr std::array<PublishedPeak, 68> kPublishedPeaks{{
+inline constexpr std::array<PublishedPeak, 74> kPublishedPeaks{{
     {"csmip/CICLC.v1", 0.0, "", 0, 31932, 0.01, 0.34426, "g", 234.360, 26.1},
     {"csmip/CICLC.v1", 0.0, "", 1, 32080, 0.01, 0.5108, "g", 235.700, 43.6},
     {"csmip/CICLC.v1", 0.0, "", 2, 32190, 0.01, 0.34743, "g", 234.390, 18.5},
@@ -39,6 +39,12 @@ inline constexpr std::array<PublishedPeak, 68> kPublishedPeaks{{
     {"cosmos/CE23837.V1C", 0.0, "", 2, 13400, 0.005, -0.05902, "g", 32.075, 1.83},
     {"cosmos/Cosmos12TimeSeriesTest.v1", 0.0, "", 0, 7000, 0.01, -161.96, "cm/s2", 27.850, 5.77},
     {"cosmos/us1000hyfh_akbmrp_AKBMR--n.1000hyfh.BNZ.--.acc.V2c", 0.0, "", 0, 42000, 0.005, -6.8515, "cm/s2", 76.215, 0.775},
+    {"smc/np01002p_4225a_a.smc", 0.0, "", 0, 7183, 0.005, -222.52, "cm/s2", 7.550, 35.2},
+    {"smc/0111a.smc", 0.0, "", 0, 6001, 0.005, 104.41, "cm/s2", 10.170, 8.09},
+    {"smc/0165b_a.smc", 0.0, "", 0, 6014, 0.005, 274.45, "cm/s2", 3.430, 9.91},
+    {"smc/A-CAT090.AT2.smc", 0.0, "", 0, 1646, 0.02, 41.355, "cm/s2", 11.420, 3.8},
+    {"smc/A-CAT180.AT2.smc", 0.0, "", 0, 1646, 0.02, -58.009, "cm/s2", 6.600, 2.41},
+    {"smc/2516b_a.smc", 0.0, "", 0, 41200, 0.005, 39.104, "cm/s2", 47.615, 1.2},
     {"peer/IELC180.AT2", 0.0, "", 0, 4000, 0.01, -0.31288, "g", 2.150, 29.7},
     {"peer/IELC180.DT2", 0.0, "", 0, 4000, 0.01, 13.306, "cm", 4.160, 0.0},
     {"peer/TAK000.AT2", 0.0, "", 0, 4096, 0.01, 0.61771, "g", 5.820, 121.0},
