@@ -4,88 +4,26 @@
 
 #include <algorithm>
 
+#include "records/detail/announced_block.hpp"
 #include "records/detail/direction.hpp"
-#include "records/detail/fixed_columns.hpp"
 #include "records/detail/header_checks.hpp"
 #include "records/detail/parsers.hpp"
 #include "records/detail/text.hpp"
+#include "records/detail/volume1_pairs.hpp"
 
 namespace musim::records {
 namespace detail {
 namespace {
-
-/// One block of samples, or rather the line that announces it.
-struct BlockHeader {
-    std::size_t line = 0;
-    std::size_t count = 0;
-    scaling::Time dt = {};
-    SampleUnit unit = {};
-    FixedColumns columns = {};
-};
 
 struct Channel {
     Direction direction;
     std::optional<TimeSeries> series;  ///< of the wanted quantity
     SampleUnit unit;
     bool is_corrected = false;
+    std::string note = {};  ///< how uneven samples became even
 };
 
 bool starts_with_ignoring_case(std::string_view line, std::string_view start) { return find_ignoring_case(line, start) == 0; }
-
-bool announces_samples(std::string_view line) {
-    return contains_ignoring_case(line, "ACCELEROGRAM POINTS AT") || contains_ignoring_case(line, "DATA EQUALLY SPACED AT");
-}
-
-// without a format the first line of samples tells: eight right-justified numbers of equal width
-FixedColumns infer_columns(const TextFile& file, std::size_t line, std::size_t count) {
-    const FixedColumns usual;
-    const std::size_t values = std::min(count, usual.per_line);
-    const std::size_t length = file.line(line + 1).size();
-    if (length == 0 || length % values != 0) {
-        file.fail(line + 1, fmt::format("column width cannot be told ({} letters for {} values)", length, values),
-                  "add the Fortran format, e.g. (8f10.3), to the line above");
-    }
-    return {.per_line = usual.per_line, .width = length / values};
-}
-
-SampleUnit read_unit(const TextFile& file, std::size_t index) {
-    const std::string_view line = file.line(index);
-    for (const std::string_view phrase : {std::string_view("UNITS OF"), std::string_view("UNITS:"), std::string_view(", IN ")}) {
-        const std::size_t found = find_ignoring_case(line, phrase);
-        if (found == std::string_view::npos) continue;
-        std::string_view rest = line.substr(found + phrase.size());
-        const std::string_view name = take_token(rest, " )");
-        if (const std::optional<SampleUnit> unit = find_sample_unit(name)) return *unit;
-        file.fail(index, fmt::format("unit {} is unknown (known: {})", quoted(name), sample_unit_names()), "correct the line");
-    }
-    file.fail(index, "unit is missing (no 'units of')", "write e.g. 'in units of g'");
-}
-
-// "32080 Accelerogram points at 100 pts/sec in units of g.       Format: (8f9.6)"
-// " 7500 points of accel data equally spaced at  .010 sec, in cm/sec2. (8f10.6)"
-BlockHeader read_block_header(const TextFile& file, std::size_t index) {
-    const std::string_view line = file.line(index);
-    BlockHeader header{.line = index, .unit = read_unit(file, index)};
-
-    std::string_view rest = line;
-    const std::string_view count = take_token(rest);
-    const std::optional<std::size_t> points = parse_count(count);
-    if (!points || *points == 0) {
-        file.fail(index, fmt::format("number of points {} is unusable (must be a positive integer)", quoted(count)), "correct the line");
-    }
-    header.count = *points;
-
-    rest = line.substr(find_ignoring_case(line, " AT ") + 4);
-    const std::string_view number = take_token(rest);
-    const bool is_rate = starts_with_ignoring_case(trim(rest), "PTS");
-    const std::optional<double> step = parse_real(number);
-    if (!step) file.fail(index, fmt::format("time step {} is no number", quoted(number)), "correct the line");
-    header.dt = checked_dt(file, index, is_rate ? 1.0 / *step : *step);
-
-    header.columns = find_columns(line).value_or(FixedColumns{});
-    if (header.columns.width == 0) header.columns = infer_columns(file, index, header.count);
-    return header;
-}
 
 // "Chan  2: 360 Deg   Location: Abutment 1"
 Direction read_title(std::string_view title) {
@@ -128,6 +66,39 @@ void check_header(const TextFile& file, std::size_t start, std::size_t text_line
     }
 }
 
+// even samples below the lines that announce them, from line `index`, which is left behind them
+void read_blocks(const TextFile& file, std::size_t start, std::size_t text_lines, std::size_t& index, SampleQuantity wanted,
+                 Channel& channel) {
+    const std::size_t headers_end = std::min(file.size(), start + 60);  // longest header known: 46 lines
+    while (index < headers_end && !announces_samples(file.line(index))) ++index;
+    if (index == headers_end) {
+        file.fail(start, "no line announces samples (neither evenly spaced nor pairs in sec and g/10)", "fetch the record again");
+    }
+
+    // volume 2 holds three blocks, of which one is wanted; all are read, so that damage anywhere is seen
+    while (announces_samples(file.line(index))) {
+        const BlockHeader block = read_block_header(file, index);
+        check_header(file, start, text_lines, block);
+        std::vector<double> samples = read_block(file, {block.line + 1, block.count, block.columns}, block.unit.si);
+        index = block.line + 1 + lines_of(block.count, block.columns);
+        if (block.unit.quantity != wanted || channel.series) continue;
+        channel.unit = block.unit;
+        channel.series.emplace(wanted, 0.0 * scaling::si::seconds, block.dt, std::move(samples));
+    }
+    if (!channel.series) file.fail(start, fmt::format("channel has no {}", to_string(wanted)), "ask for another --quantity");
+}
+
+// (time, value) pairs of the channel that starts on line `index`, which is left behind them
+void read_pairs(const TextFile& file, std::size_t& index, SampleQuantity wanted, Channel& channel) {
+    if (wanted != SampleQuantity::acceleration) {
+        file.fail(index, fmt::format("channel has no {}", to_string(wanted)), "ask for another --quantity");
+    }
+    ResampledSeries resampled = read_volume1_pairs(file, index);
+    channel.unit = kTenthOfG;
+    channel.note = std::move(resampled.note);
+    channel.series = std::move(resampled.series);
+}
+
 // one channel from line `index`; leaves `index` behind its end mark
 Channel read_channel(const TextFile& file, std::size_t& index, SampleQuantity wanted) {
     const std::size_t start = index;
@@ -146,25 +117,12 @@ Channel read_channel(const TextFile& file, std::size_t& index, SampleQuantity wa
     channel.direction = read_title(file.line(title));
     check_stored_azimuth(file, title, start + text_lines + 1, channel.direction);
 
-    index = start + text_lines;
-    const std::size_t headers_end = std::min(file.size(), start + 60);  // longest header known: 46 lines
-    while (index < headers_end && !announces_samples(file.line(index))) ++index;
-    if (index == headers_end) {
-        file.fail(start, "no line announces evenly spaced samples (uneven (time, value) pairs are not supported)",
-                  "use the corrected record (V2)");
+    if (!channel.is_corrected && announces_volume1_pairs(file, start)) {
+        read_pairs(file, index, wanted, channel);
+    } else {
+        index = start + text_lines;
+        read_blocks(file, start, text_lines, index, wanted, channel);
     }
-
-    // volume 2 holds three blocks, of which one is wanted; all are read, so that damage anywhere is seen
-    while (announces_samples(file.line(index))) {
-        const BlockHeader block = read_block_header(file, index);
-        check_header(file, start, text_lines, block);
-        std::vector<double> samples = read_block(file, {block.line + 1, block.count, block.columns}, block.unit.si);
-        index = block.line + 1 + lines_of(block.count, block.columns);
-        if (block.unit.quantity != wanted || channel.series) continue;
-        channel.unit = block.unit;
-        channel.series.emplace(wanted, 0.0 * scaling::si::seconds, block.dt, std::move(samples));
-    }
-    if (!channel.series) file.fail(start, fmt::format("channel has no {}", to_string(wanted)), "ask for another --quantity");
 
     if (!file.line(index).starts_with("/&")) {
         file.fail(std::min(index, file.size() - 1), "end mark '/&' of the channel is missing (truncated, or more samples than announced)",
@@ -180,6 +138,7 @@ GroundMotion parse_csmip(const TextFile& file, const ReadOptions& options) {
     const SampleQuantity wanted = options.quantity.value_or(SampleQuantity::acceleration);
     GroundMotion motion{.source = file.path().string()};
     bool is_corrected = false;
+    std::vector<std::string> notes;
     for (std::size_t index = 0; index < file.size();) {
         if (file.line(index).empty()) {
             ++index;
@@ -193,11 +152,13 @@ GroundMotion parse_csmip(const TextFile& file, const ReadOptions& options) {
             motion.event = first_field(file.line(start + (is_corrected ? 2 : 1)));
             motion.station = first_field(file.line(start + (is_corrected ? 6 : 5)));
         }
+        if (!channel.note.empty()) notes.push_back(fmt::format("{}: {}", channel.direction.name, channel.note));
         motion.components.push_back({std::move(channel.direction.name), channel.direction.azimuth_deg, *std::move(channel.series)});
     }
     motion.format = is_corrected ? "CSMIP V2" : "CSMIP V1";
     if (!is_corrected) motion.integration_corner = kUncorrectedCornerHz * scaling::si::hertz;
     motion.history.push_back(fmt::format("read {} from {}", motion.format, file.path().filename().string()));
+    motion.history.insert(motion.history.end(), notes.begin(), notes.end());
     return motion;
 }
 

@@ -57,10 +57,7 @@ constexpr Signature kUnsupported[] = {
     {"ESM (ITACA) ASCII", 0, "EVENT_NAME:"},
     {"AFAD", 0, "STRONG GROUND MOTION RECORDS OF TURKIYE"},
     {"UNAM", 1, "INSTITUTO DE INGENIERIA"},
-    {"BHRC", 0, "* VOL1DS FILE"},
     {"CWA", 0, "#Earthquake Information"},
-    {"USC", 0, "OF UNCORRECTED ACCELEROGRAM DATA OF VOLUME I"},
-    {"USC", 1, "OF UNCORRECTED ACCELEROGRAM DATA OF VOLUME I"},
     {"CSMIP V3 (spectra, no time series)", 0, "Response and Fourier amplitude spectra"},
     {"XML", 0, "<?xml"},
 };
@@ -72,6 +69,13 @@ void refuse_unsupported(const TextFile& file) {
 }
 
 bool looks_like_cosmos(const TextFile& file) { return contains_ignoring_case(file.line(0), "(FORMAT V0"); }
+
+bool looks_like_bhrc(const TextFile& file) { return contains_ignoring_case(file.line(0), "* VOL1DS FILE"); }
+
+bool looks_like_usc(const TextFile& file) {
+    constexpr std::string_view kPhrase = "OF UNCORRECTED ACCELEROGRAM DATA OF VOLUME I";
+    return contains_ignoring_case(file.line(0), kPhrase) || contains_ignoring_case(file.line(1), kPhrase);
+}
 
 bool looks_like_csmip(const TextFile& file) {
     return find_ignoring_case(file.line(0), "CORRECTED ACCELEROGRAM") == 0 ||
@@ -101,10 +105,8 @@ struct TextFormat {
 };
 
 constexpr TextFormat kTextFormats[] = {
-    {looks_like_cosmos, detail::parse_cosmos},
-    {looks_like_csmip, detail::parse_csmip},
-    {looks_like_smc, detail::parse_smc},
-    {looks_like_peer, detail::parse_at2},
+    {looks_like_cosmos, detail::parse_cosmos}, {looks_like_bhrc, detail::parse_bhrc}, {looks_like_usc, detail::parse_usc},
+    {looks_like_csmip, detail::parse_csmip},   {looks_like_smc, detail::parse_smc},   {looks_like_peer, detail::parse_at2},
 };
 
 }  // namespace

@@ -7,7 +7,7 @@
 
 namespace musim::records {
 
-/// Reads a record; its content, not its name, tells the format: PEER AT2/VT2/DT2, CSMIP/CGS V1 and V2, COSMOS, USGS SMC, musim CSV,
+/// Reads a record; its content, not its name, tells the format: PEER AT2/VT2/DT2, CSMIP/CGS V1 and V2, COSMOS, USGS SMC, USC, BHRC, musim CSV,
 /// plain text columns.
 ///
 /// Samples come back in SI, g = 9.80665 m/s². Nothing is filtered, shifted or padded.

@@ -20,7 +20,7 @@ struct PublishedPeak {
     double pgv;   ///< three digits [cm/s]; 0: not published
 };
 
-inline constexpr std::array<PublishedPeak, 74> kPublishedPeaks{{
+inline constexpr std::array<PublishedPeak, 75> kPublishedPeaks{{
     {"csmip/CICLC.v1", 0.0, "", 0, 31932, 0.01, 0.34426, "g", 234.360, 26.1},
     {"csmip/CICLC.v1", 0.0, "", 1, 32080, 0.01, 0.5108, "g", 235.700, 43.6},
     {"csmip/CICLC.v1", 0.0, "", 2, 32190, 0.01, 0.34743, "g", 234.390, 18.5},
@@ -45,6 +45,7 @@ inline constexpr std::array<PublishedPeak, 74> kPublishedPeaks{{
     {"smc/A-CAT090.AT2.smc", 0.0, "", 0, 1646, 0.02, 41.355, "cm/s2", 11.420, 3.8},
     {"smc/A-CAT180.AT2.smc", 0.0, "", 0, 1646, 0.02, -58.009, "cm/s2", 6.600, 2.41},
     {"smc/2516b_a.smc", 0.0, "", 0, 41200, 0.005, 39.104, "cm/s2", 47.615, 1.2},
+    {"usc/017m30bt.s0a", 0.0, "", 0, 1887, 0.02, 242.395, "cm/s2", 4.580, 0.0},
     {"peer/IELC180.AT2", 0.0, "", 0, 4000, 0.01, -0.31288, "g", 2.150, 29.7},
     {"peer/IELC180.DT2", 0.0, "", 0, 4000, 0.01, 13.306, "cm", 4.160, 0.0},
     {"peer/TAK000.AT2", 0.0, "", 0, 4096, 0.01, 0.61771, "g", 5.820, 121.0},
