@@ -52,21 +52,12 @@ struct Signature {
 };
 
 constexpr Signature kUnsupported[] = {
-    {"COSMOS", 0, "(Format v0"},
     {"GeoNet", 0, "GNS Science"},
-    {"SMC", 0, "0 UNKNOWN"},
-    {"SMC", 0, "1 UNCORRECTED ACCELEROGRAM"},
-    {"SMC", 0, "2 CORRECTED ACCELEROGRAM"},
-    {"SMC", 0, "3 VELOCITY"},
-    {"SMC", 0, "4 DISPLACEMENT"},
     {"K-NET/KiK-net", 0, "Origin Time       "},
     {"ESM (ITACA) ASCII", 0, "EVENT_NAME:"},
     {"AFAD", 0, "STRONG GROUND MOTION RECORDS OF TURKIYE"},
     {"UNAM", 1, "INSTITUTO DE INGENIERIA"},
-    {"BHRC", 0, "* VOL1DS FILE"},
     {"CWA", 0, "#Earthquake Information"},
-    {"USC", 0, "OF UNCORRECTED ACCELEROGRAM DATA OF VOLUME I"},
-    {"USC", 1, "OF UNCORRECTED ACCELEROGRAM DATA OF VOLUME I"},
     {"CSMIP V3 (spectra, no time series)", 0, "Response and Fourier amplitude spectra"},
     {"XML", 0, "<?xml"},
 };
@@ -77,9 +68,26 @@ void refuse_unsupported(const TextFile& file) {
     }
 }
 
+bool looks_like_cosmos(const TextFile& file) { return contains_ignoring_case(file.line(0), "(FORMAT V0"); }
+
+bool looks_like_bhrc(const TextFile& file) { return contains_ignoring_case(file.line(0), "* VOL1DS FILE"); }
+
+bool looks_like_usc(const TextFile& file) {
+    constexpr std::string_view kPhrase = "OF UNCORRECTED ACCELEROGRAM DATA OF VOLUME I";
+    return contains_ignoring_case(file.line(0), kPhrase) || contains_ignoring_case(file.line(1), kPhrase);
+}
+
 bool looks_like_csmip(const TextFile& file) {
     return find_ignoring_case(file.line(0), "CORRECTED ACCELEROGRAM") == 0 ||
            find_ignoring_case(file.line(0), "UNCORRECTED ACCELEROGRAM DATA") == 0;
+}
+
+bool looks_like_smc(const TextFile& file) {
+    const std::string_view line = file.line(0);
+    for (const std::string_view title : {"0 UNKNOWN", "1 UNCORRECTED ACCELEROGRAM", "2 CORRECTED ACCELEROGRAM", "3 VELOCITY",
+                                         "4 DISPLACEMENT", "5 RESPONSE SPECTRA", "6 FOURIER AMPLITUDE SPECTRA"})
+        if (find_ignoring_case(line, title) == 0) return true;
+    return false;
 }
 
 bool looks_like_peer(const TextFile& file) {
@@ -97,8 +105,8 @@ struct TextFormat {
 };
 
 constexpr TextFormat kTextFormats[] = {
-    {looks_like_csmip, detail::parse_csmip},
-    {looks_like_peer, detail::parse_at2},
+    {looks_like_cosmos, detail::parse_cosmos}, {looks_like_bhrc, detail::parse_bhrc}, {looks_like_usc, detail::parse_usc},
+    {looks_like_csmip, detail::parse_csmip},   {looks_like_smc, detail::parse_smc},   {looks_like_peer, detail::parse_at2},
 };
 
 }  // namespace

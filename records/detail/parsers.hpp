@@ -11,8 +11,12 @@ namespace musim::records::detail {
 inline constexpr double kUncorrectedCornerHz = 0.05;
 
 GroundMotion parse_at2(const TextFile& file, const ReadOptions& options);
+GroundMotion parse_bhrc(const TextFile& file, const ReadOptions& options);
+GroundMotion parse_cosmos(const TextFile& file, const ReadOptions& options);
 GroundMotion parse_csmip(const TextFile& file, const ReadOptions& options);
+GroundMotion parse_smc(const TextFile& file, const ReadOptions& options);
 GroundMotion parse_text(const TextFile& file, const ReadOptions& options);
+GroundMotion parse_usc(const TextFile& file, const ReadOptions& options);
 
 /// What the options say about the samples, with defaults filled in; throws ReadError for an unknown unit or one of another quantity.
 SampleUnit requested_unit(const TextFile& file, const ReadOptions& options);

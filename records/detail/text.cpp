@@ -30,6 +30,14 @@ std::string_view take_token(std::string_view& rest, std::string_view separators)
     return token;
 }
 
+std::string_view first_field(std::string_view line) { return trim(line.substr(0, line.find("   "))); }
+
+std::string_view value_of(std::string_view line, std::string_view name) {
+    const std::size_t found = find_ignoring_case(line, name);
+    std::string_view rest = found == std::string_view::npos ? std::string_view{} : line.substr(found + name.size());
+    return take_token(rest, " =");
+}
+
 std::optional<double> parse_real(std::string_view text) {
     if (text.starts_with('+')) text.remove_prefix(1);
     if (text.empty() || text.front() == '+') return std::nullopt;

@@ -25,6 +25,12 @@ std::string_view trim(std::string_view text);
 /// Takes the next token off the front of `rest`: letters up to one of `separators`, which are skipped first. Empty at the end.
 std::string_view take_token(std::string_view& rest, std::string_view separators = " \t");
 
+/// Text up to the next gap of three blanks, trimmed: header lines of fixed columns hold several fields.
+std::string_view first_field(std::string_view line);
+
+/// Token after `name` and an equals sign, "12080" in "NO. OF POINTS =  12080"; empty when `name` is absent.
+std::string_view value_of(std::string_view line, std::string_view name);
+
 /// The whole of `text` as a finite decimal number; Fortran's exponent letter D and a leading plus are accepted. Nothing otherwise.
 std::optional<double> parse_real(std::string_view text);
 
