@@ -59,7 +59,6 @@ constexpr Signature kUnsupported[] = {
     {"SMC", 0, "2 CORRECTED ACCELEROGRAM"},
     {"SMC", 0, "3 VELOCITY"},
     {"SMC", 0, "4 DISPLACEMENT"},
-    {"K-NET/KiK-net", 0, "Origin Time       "},
     {"ESM (ITACA) ASCII", 0, "EVENT_NAME:"},
     {"AFAD", 0, "STRONG GROUND MOTION RECORDS OF TURKIYE"},
     {"UNAM", 1, "INSTITUTO DE INGENIERIA"},
@@ -90,6 +89,11 @@ bool looks_like_peer(const TextFile& file) {
     return false;
 }
 
+bool looks_like_knet(const TextFile& file) {
+    constexpr std::size_t kStationLine = 5;
+    return file.line(0).starts_with("Origin Time") && file.line(kStationLine).starts_with("Station Code");
+}
+
 /// A text format: how its files are told from others, and who reads them. The first that matches reads the file.
 struct TextFormat {
     bool (*matches)(const TextFile&);
@@ -97,6 +101,7 @@ struct TextFormat {
 };
 
 constexpr TextFormat kTextFormats[] = {
+    {looks_like_knet, detail::parse_knet},
     {looks_like_csmip, detail::parse_csmip},
     {looks_like_peer, detail::parse_at2},
 };
