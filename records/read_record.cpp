@@ -59,7 +59,6 @@ constexpr Signature kUnsupported[] = {
     {"SMC", 0, "2 CORRECTED ACCELEROGRAM"},
     {"SMC", 0, "3 VELOCITY"},
     {"SMC", 0, "4 DISPLACEMENT"},
-    {"ESM (ITACA) ASCII", 0, "EVENT_NAME:"},
     {"AFAD", 0, "STRONG GROUND MOTION RECORDS OF TURKIYE"},
     {"UNAM", 1, "INSTITUTO DE INGENIERIA"},
     {"BHRC", 0, "* VOL1DS FILE"},
@@ -75,6 +74,8 @@ void refuse_unsupported(const TextFile& file) {
         if (contains_ignoring_case(file.line(signature.line), signature.phrase)) refuse_format(file.path(), signature.format);
     }
 }
+
+bool looks_like_esm(const TextFile& file) { return file.line(0).starts_with("EVENT_NAME:"); }
 
 bool looks_like_csmip(const TextFile& file) {
     return find_ignoring_case(file.line(0), "CORRECTED ACCELEROGRAM") == 0 ||
@@ -101,6 +102,7 @@ struct TextFormat {
 };
 
 constexpr TextFormat kTextFormats[] = {
+    {looks_like_esm, detail::parse_esm},
     {looks_like_knet, detail::parse_knet},
     {looks_like_csmip, detail::parse_csmip},
     {looks_like_peer, detail::parse_at2},

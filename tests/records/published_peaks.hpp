@@ -20,7 +20,7 @@ struct PublishedPeak {
     double pgv;   ///< three digits [cm/s]; 0: not published
 };
 
-inline constexpr std::array<PublishedPeak, 63> kPublishedPeaks{{
+inline constexpr std::array<PublishedPeak, 67> kPublishedPeaks{{
     {"csmip/CICLC.v1", 0.0, "", 0, 31932, 0.01, 0.34426, "g", 234.360, 26.1},
     {"csmip/CICLC.v1", 0.0, "", 1, 32080, 0.01, 0.5108, "g", 235.700, 43.6},
     {"csmip/CICLC.v1", 0.0, "", 2, 32190, 0.01, 0.34743, "g", 234.390, 18.5},
@@ -64,6 +64,10 @@ inline constexpr std::array<PublishedPeak, 63> kPublishedPeaks{{
     {"peer/H-E12140.AT2", 0.0, "", 0, 7802, 0.005, 0.14333, "g", 10.840, 17.6},
     {"peer/H-E12140.DT2", 0.0, "", 0, 7802, 0.005, 11.296, "cm", 14.830, 0.0},
     {"peer/elCentro.at2", 0.0, "", 0, 1559, 0.02, -0.31882, "g", 2.020, 36.1},
+    {"esm/HI.ARS1..HNE.D.20190728.160908.C.ACC.ASC", 0.0, "", 0, 19128, 0.005, 0.30002, "cm/s2", 20.670, 0.0219},
+    {"esm/HI.ARS1..HNN.D.20190728.160908.C.ACC.ASC", 0.0, "", 0, 19128, 0.005, 0.35902, "cm/s2", 22.655, 0.0364},
+    {"esm/HI.ARS1..HNZ.D.20190728.160908.C.ACC.ASC", 0.0, "", 0, 19128, 0.005, 0.20209, "cm/s2", 20.025, 0.00978},
+    {"esm/20101114230825_3104_ap_RawAcc_E.asc", 0.0, "", 0, 5600, 0.01, 1.632, "cm/s2", 22.740, 0.112},
     {"text/BM68elc.acc", 0.01, "g", 0, 4000, 0.01, 0.056658, "g", -1.0, 0.0},
     {"text/tabasFN.txt", 0.02, "g", 0, 2500, 0.02, 0.89995, "g", -1.0, 0.0},
     {"text/tabasFP.txt", 0.02, "g", 0, 2500, 0.02, 0.97724, "g", -1.0, 0.0},

@@ -149,7 +149,6 @@ TEST_CASE("files of other formats are refused by name") {
                             Case{"smc/0111a.smc", "SMC"},
                             Case{"smc/A-CAT090.AT2.smc", "SMC"},
                             Case{"smc/np01002r_4225a_u.smc", "SMC"},
-                            Case{"esm/20101114230825_3104_ap_RawAcc_E.asc", "ESM"},
                             Case{"geonet/20161113_110300_HSES_20.V1A", "GeoNet"},
                             Case{"geonet/20180212_211557_WPWS_20.V2A", "GeoNet"},
                             Case{"afad/20170720223109_4812.txt", "AFAD"},
