@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "records/detail/fixed_columns.hpp"
 #include "records/detail/parsers.hpp"
 #include "records/detail/text.hpp"
 
@@ -12,19 +13,13 @@ namespace musim::records {
 namespace detail {
 namespace {
 
-/// Fixed columns of a block of samples, Fortran's (8f9.6): 8 values a line, 9 letters each.
-struct Columns {
-    std::size_t per_line = 8;
-    std::size_t width = 0;
-};
-
 /// One block of samples, or rather the line that announces it.
 struct BlockHeader {
     std::size_t line = 0;
     std::size_t count = 0;
     scaling::Time dt = {};
     SampleUnit unit = {};
-    Columns columns = {};
+    FixedColumns columns = {};
 };
 
 struct Channel {
@@ -45,7 +40,7 @@ bool announces_samples(std::string_view line) {
 std::string first_field(std::string_view line) { return std::string(trim(line.substr(0, line.find("   ")))); }
 
 // "(8f9.6)" somewhere in the line; nothing when the file leaves it out
-std::optional<Columns> find_columns(std::string_view line) {
+std::optional<FixedColumns> find_columns(std::string_view line) {
     for (std::size_t open = line.find('('); open != std::string_view::npos; open = line.find('(', open + 1)) {
         std::string_view rest = line.substr(open + 1);
         const std::size_t letter = rest.find_first_of("fFeE");
@@ -53,14 +48,14 @@ std::optional<Columns> find_columns(std::string_view line) {
         const std::optional<std::size_t> per_line = parse_count(rest.substr(0, letter));
         rest.remove_prefix(letter + 1);
         const std::optional<std::size_t> width = parse_count(take_token(rest, ".)"));
-        if (per_line && width && *per_line > 0 && *width > 0) return Columns{*per_line, *width};
+        if (per_line && width && *per_line > 0 && *width > 0) return FixedColumns{*per_line, *width};
     }
     return std::nullopt;
 }
 
 // without a format the first line of samples tells: eight right-justified numbers of equal width
-Columns infer_columns(const TextFile& file, std::size_t line, std::size_t count) {
-    const Columns usual;
+FixedColumns infer_columns(const TextFile& file, std::size_t line, std::size_t count) {
+    const FixedColumns usual;
     const std::size_t values = std::min(count, usual.per_line);
     const std::size_t length = file.line(line + 1).size();
     if (length == 0 || length % values != 0) {
@@ -104,38 +99,9 @@ BlockHeader read_block_header(const TextFile& file, std::size_t index) {
     if (!step) file.fail(index, fmt::format("time step {} is no number", quoted(number)), "correct the line");
     header.dt = checked_dt(file, index, is_rate ? 1.0 / *step : *step);
 
-    header.columns = find_columns(line).value_or(Columns{});
+    header.columns = find_columns(line).value_or(FixedColumns{});
     if (header.columns.width == 0) header.columns = infer_columns(file, index, header.count);
     return header;
-}
-
-std::size_t lines_of(const BlockHeader& header) { return (header.count - 1) / header.columns.per_line + 1; }
-
-std::vector<double> read_samples(const TextFile& file, const BlockHeader& header) {
-    const auto& [per_line, width] = header.columns;
-    std::vector<double> samples;
-    for (std::size_t i = 0; i < header.count; ++i) {
-        const std::size_t index = header.line + 1 + i / per_line;
-        const std::size_t column = i % per_line;
-        const std::string_view line = file.line(index);
-        if (line.size() <= column * width) {
-            file.fail(std::min(index, file.size() - 1), fmt::format("sample {} of {} is missing (file is truncated)", i + 1, header.count),
-                      "fetch the record again");
-        }
-        const std::string_view text = trim(line.substr(column * width, width));
-        if (text.find('.') == std::string_view::npos) {
-            file.fail(index, fmt::format("sample {} is {} (no decimal point in its column)", i + 1, quoted(text)),
-                      "check the Fortran format above the samples");
-        }
-        samples.push_back(checked_sample(file, index, text, i + 1, header.unit.si));
-
-        const bool ends_line = column + 1 == per_line || i + 1 == header.count;
-        if (ends_line && line.size() > (column + 1) * width) {
-            file.fail(index, fmt::format("line goes on after sample {} (more values than the header's {})", i + 1, header.count),
-                      "correct the number of points");
-        }
-    }
-    return samples;
 }
 
 // "Chan  2: 360 Deg   Location: Abutment 1" → "360", 360°; "Chan 3: Up" → "Up", no azimuth
@@ -224,8 +190,8 @@ Channel read_channel(const TextFile& file, std::size_t& index, SampleQuantity wa
     while (announces_samples(file.line(index))) {
         const BlockHeader block = read_block_header(file, index);
         check_header(file, start, text_lines, block);
-        std::vector<double> samples = read_samples(file, block);
-        index = block.line + 1 + lines_of(block);
+        std::vector<double> samples = read_fixed_columns(file, block.line + 1, block.count, block.columns, block.unit.si);
+        index = block.line + 1 + block.columns.lines_of(block.count);
         if (block.unit.quantity != wanted || channel.series) continue;
         channel.unit = block.unit;
         channel.series.emplace(wanted, 0.0 * scaling::si::seconds, block.dt, std::move(samples));

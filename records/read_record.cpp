@@ -53,7 +53,6 @@ struct Signature {
 
 constexpr Signature kUnsupported[] = {
     {"COSMOS", 0, "(Format v0"},
-    {"GeoNet", 0, "GNS Science"},
     {"SMC", 0, "0 UNKNOWN"},
     {"SMC", 0, "1 UNCORRECTED ACCELEROGRAM"},
     {"SMC", 0, "2 CORRECTED ACCELEROGRAM"},
@@ -76,6 +75,10 @@ void refuse_unsupported(const TextFile& file) {
 }
 
 bool looks_like_esm(const TextFile& file) { return file.line(0).starts_with("EVENT_NAME:"); }
+
+bool looks_like_geonet(const TextFile& file) {
+    return contains_ignoring_case(file.line(0), "CORRECTED ACCELEROGRAM") && contains_ignoring_case(file.line(0), "GNS Science");
+}
 
 bool looks_like_csmip(const TextFile& file) {
     return find_ignoring_case(file.line(0), "CORRECTED ACCELEROGRAM") == 0 ||
@@ -102,10 +105,8 @@ struct TextFormat {
 };
 
 constexpr TextFormat kTextFormats[] = {
-    {looks_like_esm, detail::parse_esm},
-    {looks_like_knet, detail::parse_knet},
-    {looks_like_csmip, detail::parse_csmip},
-    {looks_like_peer, detail::parse_at2},
+    {looks_like_esm, detail::parse_esm},   {looks_like_geonet, detail::parse_geonet},  // its title begins like CSMIP's
+    {looks_like_knet, detail::parse_knet}, {looks_like_csmip, detail::parse_csmip},   {looks_like_peer, detail::parse_at2},
 };
 
 }  // namespace

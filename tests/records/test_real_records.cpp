@@ -144,27 +144,14 @@ TEST_CASE("files of other formats are refused by name") {
         std::string_view file;
         std::string_view format;
     };
-    for (const Case& row : {Case{"cosmos/CE23837.V1C", "COSMOS"},
-                            Case{"cosmos/NP1795-n.305.v0c", "COSMOS"},
-                            Case{"smc/0111a.smc", "SMC"},
-                            Case{"smc/A-CAT090.AT2.smc", "SMC"},
-                            Case{"smc/np01002r_4225a_u.smc", "SMC"},
-                            Case{"geonet/20161113_110300_HSES_20.V1A", "GeoNet"},
-                            Case{"geonet/20180212_211557_WPWS_20.V2A", "GeoNet"},
-                            Case{"afad/20170720223109_4812.txt", "AFAD"},
-                            Case{"unam/CUP50401.012", "UNAM"},
-                            Case{"bhrc/5526-1.V1", "BHRC"},
-                            Case{"usc/017m30bt.s0a", "USC"},
-                            Case{"usc/017m30cc.y0a", "USC"},
-                            Case{"cwa/1-EAS.dat", "CWA"},
-                            Case{"sac/test.sac.swap", "SAC"},
-                            Case{"sac/ALCTENE.UW..sac", "SAC"},
-                            Case{"mseed/CI.CLC..HNN.mseed", "miniSEED"},
-                            Case{"mseed/CI.LRL..HNE.mseed", "miniSEED"},
-                            Case{"mseed/CI.CLC.xml", "XML"},
-                            Case{"csmip/CE89146.V3", "CSMIP V3"},
-                            Case{"csmip/NEWPORT.RAW", "uneven"},
-                            Case{"renadic/vallenar1002271.v1", "uneven"}}) {
+    for (const Case& row :
+         {Case{"cosmos/CE23837.V1C", "COSMOS"}, Case{"cosmos/NP1795-n.305.v0c", "COSMOS"}, Case{"smc/0111a.smc", "SMC"},
+          Case{"smc/A-CAT090.AT2.smc", "SMC"}, Case{"smc/np01002r_4225a_u.smc", "SMC"}, Case{"afad/20170720223109_4812.txt", "AFAD"},
+          Case{"unam/CUP50401.012", "UNAM"}, Case{"bhrc/5526-1.V1", "BHRC"}, Case{"usc/017m30bt.s0a", "USC"},
+          Case{"usc/017m30cc.y0a", "USC"}, Case{"cwa/1-EAS.dat", "CWA"}, Case{"sac/test.sac.swap", "SAC"},
+          Case{"sac/ALCTENE.UW..sac", "SAC"}, Case{"mseed/CI.CLC..HNN.mseed", "miniSEED"}, Case{"mseed/CI.LRL..HNE.mseed", "miniSEED"},
+          Case{"mseed/CI.CLC.xml", "XML"}, Case{"csmip/CE89146.V3", "CSMIP V3"}, Case{"csmip/NEWPORT.RAW", "uneven"},
+          Case{"renadic/vallenar1002271.v1", "uneven"}}) {
         CAPTURE(row.file);
         const std::filesystem::path path = tests::shared_records() / row.file;
         try {
