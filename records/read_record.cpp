@@ -58,8 +58,6 @@ constexpr Signature kUnsupported[] = {
     {"SMC", 0, "2 CORRECTED ACCELEROGRAM"},
     {"SMC", 0, "3 VELOCITY"},
     {"SMC", 0, "4 DISPLACEMENT"},
-    {"AFAD", 0, "STRONG GROUND MOTION RECORDS OF TURKIYE"},
-    {"UNAM", 1, "INSTITUTO DE INGENIERIA"},
     {"BHRC", 0, "* VOL1DS FILE"},
     {"CWA", 0, "#Earthquake Information"},
     {"USC", 0, "OF UNCORRECTED ACCELEROGRAM DATA OF VOLUME I"},
@@ -79,6 +77,10 @@ bool looks_like_esm(const TextFile& file) { return file.line(0).starts_with("EVE
 bool looks_like_geonet(const TextFile& file) {
     return contains_ignoring_case(file.line(0), "CORRECTED ACCELEROGRAM") && contains_ignoring_case(file.line(0), "GNS Science");
 }
+
+bool looks_like_afad(const TextFile& file) { return file.line(0).starts_with("STRONG GROUND MOTION RECORDS OF TURKIYE"); }
+
+bool looks_like_unam(const TextFile& file) { return contains_ignoring_case(file.line(1), "INSTITUTO DE INGENIERIA"); }
 
 bool looks_like_csmip(const TextFile& file) {
     return find_ignoring_case(file.line(0), "CORRECTED ACCELEROGRAM") == 0 ||
@@ -105,8 +107,9 @@ struct TextFormat {
 };
 
 constexpr TextFormat kTextFormats[] = {
-    {looks_like_esm, detail::parse_esm},   {looks_like_geonet, detail::parse_geonet},  // its title begins like CSMIP's
-    {looks_like_knet, detail::parse_knet}, {looks_like_csmip, detail::parse_csmip},   {looks_like_peer, detail::parse_at2},
+    {looks_like_esm, detail::parse_esm},     {looks_like_geonet, detail::parse_geonet},  // its title begins like CSMIP's
+    {looks_like_afad, detail::parse_afad},   {looks_like_unam, detail::parse_unam},     {looks_like_knet, detail::parse_knet},
+    {looks_like_csmip, detail::parse_csmip}, {looks_like_peer, detail::parse_at2},
 };
 
 }  // namespace

@@ -6,14 +6,12 @@
 
 #include "records/detail/musim_csv.hpp"
 #include "records/detail/parsers.hpp"
+#include "records/detail/table.hpp"
 #include "records/detail/text.hpp"
 
 namespace musim::records {
 namespace detail {
 namespace {
-
-/// Largest distance of a printed time from its even place [time steps]. Files print times to a few digits: 1e-5 s of 0.02 s was met.
-constexpr double kTimeJitter = 0.02;
 
 /// Two to three columns without time are components; more are one component written several values a line (README.md).
 constexpr std::size_t kMostUntimedComponents = 3;
@@ -114,16 +112,6 @@ void require_even_rows(const TextFile& file, const Table& table) {
     }
 }
 
-// shortest decimal that times printed in decimals can mean: 0.00999999999999998 is 0.01
-double without_rounding_dust(double dt) {
-    constexpr double kDust = 1e-8;  // relative; times are printed to six decimals or more over at most some 10⁴ s
-    for (int digits = 1; digits <= 6; ++digits) {
-        const double rounded = *parse_real(fmt::format("{:.{}e}", dt, digits - 1));
-        if (std::abs(rounded - dt) <= kDust * dt) return rounded;
-    }
-    return dt;
-}
-
 // time step when the first column is time: increases throughout and evenly; refuses what increases but unevenly
 std::optional<double> find_time_step(const TextFile& file, const Table& table) {
     const std::size_t rows = table.rows.size();
@@ -133,15 +121,13 @@ std::optional<double> find_time_step(const TextFile& file, const Table& table) {
     // nine of ten: times with a slip in them still look like times, no motion rises that long
     if (10 * increasing < 9 * (rows - 1)) return std::nullopt;
 
-    const double dt = (table.at(rows - 1, 0) - table.at(0, 0)) / static_cast<double>(rows - 1);
+    std::vector<double> times;
+    std::vector<std::size_t> lines;
     for (std::size_t row = 0; row < rows; ++row) {
-        const double expected = table.at(0, 0) + static_cast<double>(row) * dt;
-        if (!(std::abs(table.at(row, 0) - expected) <= kTimeJitter * dt)) {
-            file.fail(table.rows[row].line, fmt::format("time is {} s (even sampling gives {:.6g} s)", table.at(row, 0), expected),
-                      "resample the record evenly");
-        }
+        times.push_back(table.at(row, 0));
+        lines.push_back(table.rows[row].line);
     }
-    return without_rounding_dust(dt);
+    return even_time_step(file, times, lines);
 }
 
 // a unit in parentheses in the title, as in "time(sec) N-S(cm/s/s) E-W(cm/s/s)"

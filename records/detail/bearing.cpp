@@ -16,4 +16,12 @@ std::optional<double> parse_bearing(std::string_view text) {
     return toward == 'e' ? 180.0 - *angle : 180.0 + *angle;
 }
 
+bool is_axis(std::string_view name) { return azimuth_of_axis(name) || equal_ignoring_case(name, "U-D") || equal_ignoring_case(name, "UD"); }
+
+std::optional<double> azimuth_of_axis(std::string_view name) {
+    if (equal_ignoring_case(name, "N-S") || equal_ignoring_case(name, "NS")) return 0.0;
+    if (equal_ignoring_case(name, "E-W") || equal_ignoring_case(name, "EW")) return 90.0;
+    return std::nullopt;
+}
+
 }  // namespace musim::records::detail
