@@ -59,7 +59,6 @@ constexpr Signature kUnsupported[] = {
     {"SMC", 0, "3 VELOCITY"},
     {"SMC", 0, "4 DISPLACEMENT"},
     {"BHRC", 0, "* VOL1DS FILE"},
-    {"CWA", 0, "#Earthquake Information"},
     {"USC", 0, "OF UNCORRECTED ACCELEROGRAM DATA OF VOLUME I"},
     {"USC", 1, "OF UNCORRECTED ACCELEROGRAM DATA OF VOLUME I"},
     {"CSMIP V3 (spectra, no time series)", 0, "Response and Fourier amplitude spectra"},
@@ -81,6 +80,8 @@ bool looks_like_geonet(const TextFile& file) {
 bool looks_like_afad(const TextFile& file) { return file.line(0).starts_with("STRONG GROUND MOTION RECORDS OF TURKIYE"); }
 
 bool looks_like_unam(const TextFile& file) { return contains_ignoring_case(file.line(1), "INSTITUTO DE INGENIERIA"); }
+
+bool looks_like_cwa(const TextFile& file) { return file.line(0).starts_with("#Earthquake Information"); }
 
 bool looks_like_csmip(const TextFile& file) {
     return find_ignoring_case(file.line(0), "CORRECTED ACCELEROGRAM") == 0 ||
@@ -107,9 +108,9 @@ struct TextFormat {
 };
 
 constexpr TextFormat kTextFormats[] = {
-    {looks_like_esm, detail::parse_esm},     {looks_like_geonet, detail::parse_geonet},  // its title begins like CSMIP's
-    {looks_like_afad, detail::parse_afad},   {looks_like_unam, detail::parse_unam},     {looks_like_knet, detail::parse_knet},
-    {looks_like_csmip, detail::parse_csmip}, {looks_like_peer, detail::parse_at2},
+    {looks_like_esm, detail::parse_esm},   {looks_like_geonet, detail::parse_geonet},  // its title begins like CSMIP's
+    {looks_like_afad, detail::parse_afad}, {looks_like_unam, detail::parse_unam},     {looks_like_cwa, detail::parse_cwa},
+    {looks_like_knet, detail::parse_knet}, {looks_like_csmip, detail::parse_csmip},   {looks_like_peer, detail::parse_at2},
 };
 
 }  // namespace

@@ -13,6 +13,7 @@ inline constexpr double kUncorrectedCornerHz = 0.05;
 GroundMotion parse_afad(const TextFile& file, const ReadOptions& options);
 GroundMotion parse_at2(const TextFile& file, const ReadOptions& options);
 GroundMotion parse_csmip(const TextFile& file, const ReadOptions& options);
+GroundMotion parse_cwa(const TextFile& file, const ReadOptions& options);
 GroundMotion parse_esm(const TextFile& file, const ReadOptions& options);
 GroundMotion parse_geonet(const TextFile& file, const ReadOptions& options);
 GroundMotion parse_knet(const TextFile& file, const ReadOptions& options);

@@ -20,7 +20,7 @@ struct PublishedPeak {
     double pgv;   ///< three digits [cm/s]; 0: not published
 };
 
-inline constexpr std::array<PublishedPeak, 73> kPublishedPeaks{{
+inline constexpr std::array<PublishedPeak, 76> kPublishedPeaks{{
     {"csmip/CICLC.v1", 0.0, "", 0, 31932, 0.01, 0.34426, "g", 234.360, 26.1},
     {"csmip/CICLC.v1", 0.0, "", 1, 32080, 0.01, 0.5108, "g", 235.700, 43.6},
     {"csmip/CICLC.v1", 0.0, "", 2, 32190, 0.01, 0.34743, "g", 234.390, 18.5},
@@ -74,6 +74,9 @@ inline constexpr std::array<PublishedPeak, 73> kPublishedPeaks{{
     {"geonet/20180212_211557_WPWS_20.V2A", 0.0, "", 0, 5800, 0.02, -41.6, "mm/s2", 48.680, 0.16},
     {"geonet/20180212_211557_WPWS_20.V2A", 0.0, "", 1, 5800, 0.02, -194.0, "mm/s2", 48.660, 0.483},
     {"geonet/20180212_211557_WPWS_20.V2A", 0.0, "", 2, 5800, 0.02, -27.3, "mm/s2", 45.360, 0.0881},
+    {"cwa/1-EAS.dat", 0.0, "", 0, 6000, 0.02, -0.837, "cm/s2", 88.100, 0.457},
+    {"cwa/1-EAS.dat", 0.0, "", 1, 6000, 0.02, -2.273, "cm/s2", 86.020, 1.22},
+    {"cwa/1-EAS.dat", 0.0, "", 2, 6000, 0.02, 1.017, "cm/s2", 86.360, 0.592},
     {"text/BM68elc.acc", 0.01, "g", 0, 4000, 0.01, 0.056658, "g", -1.0, 0.0},
     {"text/tabasFN.txt", 0.02, "g", 0, 2500, 0.02, 0.89995, "g", -1.0, 0.0},
     {"text/tabasFP.txt", 0.02, "g", 0, 2500, 0.02, 0.97724, "g", -1.0, 0.0},
