@@ -108,9 +108,10 @@ struct TextFormat {
 };
 
 constexpr TextFormat kTextFormats[] = {
-    {looks_like_esm, detail::parse_esm},   {looks_like_geonet, detail::parse_geonet},  // its title begins like CSMIP's
-    {looks_like_afad, detail::parse_afad}, {looks_like_unam, detail::parse_unam},     {looks_like_cwa, detail::parse_cwa},
-    {looks_like_knet, detail::parse_knet}, {looks_like_csmip, detail::parse_csmip},   {looks_like_peer, detail::parse_at2},
+    {looks_like_esm, detail::parse_esm},         {looks_like_geonet, detail::parse_geonet},  // its title begins like CSMIP's
+    {looks_like_afad, detail::parse_afad},       {looks_like_unam, detail::parse_unam},     {looks_like_cwa, detail::parse_cwa},
+    {detail::looks_like_bbp, detail::parse_bbp}, {looks_like_knet, detail::parse_knet},     {looks_like_csmip, detail::parse_csmip},
+    {looks_like_peer, detail::parse_at2},
 };
 
 }  // namespace

@@ -20,7 +20,7 @@ struct PublishedPeak {
     double pgv;   ///< three digits [cm/s]; 0: not published
 };
 
-inline constexpr std::array<PublishedPeak, 76> kPublishedPeaks{{
+inline constexpr std::array<PublishedPeak, 82> kPublishedPeaks{{
     {"csmip/CICLC.v1", 0.0, "", 0, 31932, 0.01, 0.34426, "g", 234.360, 26.1},
     {"csmip/CICLC.v1", 0.0, "", 1, 32080, 0.01, 0.5108, "g", 235.700, 43.6},
     {"csmip/CICLC.v1", 0.0, "", 2, 32190, 0.01, 0.34743, "g", 234.390, 18.5},
@@ -77,6 +77,12 @@ inline constexpr std::array<PublishedPeak, 76> kPublishedPeaks{{
     {"cwa/1-EAS.dat", 0.0, "", 0, 6000, 0.02, -0.837, "cm/s2", 88.100, 0.457},
     {"cwa/1-EAS.dat", 0.0, "", 1, 6000, 0.02, -2.273, "cm/s2", 86.020, 1.22},
     {"cwa/1-EAS.dat", 0.0, "", 2, 6000, 0.02, 1.017, "cm/s2", 86.360, 0.592},
+    {"bbp/2002-SYL.bbp", 0.0, "", 0, 2000, 0.02, 827.0, "cm/s2", 4.200, 129.0},
+    {"bbp/2002-SYL.bbp", 0.0, "", 1, 2000, 0.02, 592.8, "cm/s2", 4.080, 78.1},
+    {"bbp/2002-SYL.bbp", 0.0, "", 2, 2000, 0.02, 827.0, "cm/s2", 4.200, 129.0},
+    {"bbp/accel_ts.bbp", 0.0, "", 0, 4096, 0.025, -130.05, "cm/s2", 7.575, 22.8},
+    {"bbp/accel_ts.bbp", 0.0, "", 1, 4096, 0.025, 189.92, "cm/s2", 5.550, 28.3},
+    {"bbp/accel_ts.bbp", 0.0, "", 2, 4096, 0.025, -143.14, "cm/s2", 8.475, 28.9},
     {"text/BM68elc.acc", 0.01, "g", 0, 4000, 0.01, 0.056658, "g", -1.0, 0.0},
     {"text/tabasFN.txt", 0.02, "g", 0, 2500, 0.02, 0.89995, "g", -1.0, 0.0},
     {"text/tabasFP.txt", 0.02, "g", 0, 2500, 0.02, 0.97724, "g", -1.0, 0.0},

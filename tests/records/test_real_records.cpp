@@ -176,15 +176,5 @@ TEST_CASE("a corrected record with a damaged header is refused with the line and
     }
 }
 
-TEST_CASE("a unit in the title line of plain text is used") {
-    if (!tests::have_shared_records()) return;
-    const GroundMotion motion = read_record(tests::shared_records() / "bbp/2002-SYL.bbp");
-
-    // README: 827 cm/s² at 4.200 s; its title says (cm/s/s)
-    const auto pga = find_peak_acceleration(motion.find_component("1").series);
-    CHECK(pga.value.value() == doctest::Approx(8.27).epsilon(1e-4));
-    CHECK(pga.time.value() == doctest::Approx(4.2));
-}
-
 }  // namespace
 }  // namespace musim::records
