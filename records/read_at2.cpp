@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 
 #include "records/detail/parsers.hpp"
 #include "records/detail/text.hpp"
+#include "records/detail/values.hpp"
 
 namespace musim::records {
 namespace detail {
@@ -102,27 +102,11 @@ At2Header read_header(const TextFile& file) {
     return header;
 }
 
-std::vector<double> read_values(const TextFile& file, const At2Header& header, double si) {
-    constexpr std::size_t kReservedAtMost = 1U << 20U;  // values; a damaged NPTS must not claim the memory
-    std::vector<double> values;
-    values.reserve(std::min(header.count, kReservedAtMost));
-    std::size_t index = header.counts_line + 1;
-    for (; index < file.size() && !file.line(index).starts_with('*'); ++index) {
-        std::string_view rest = file.line(index);
-        for (std::string_view token = take_token(rest, " \t,"); !token.empty(); token = take_token(rest, " \t,")) {
-            const double sample = checked_sample(file, index, token, values.size() + 1, si);
-            if (values.size() == header.count) {
-                file.fail(index, fmt::format("more values than NPTS = {} (header and data disagree)", header.count),
-                          "correct NPTS or fetch the record again");
-            }
-            values.push_back(sample);
-        }
-    }
-    if (values.size() < header.count) {
-        file.fail(index - 1, fmt::format("{} values for NPTS = {} (file is truncated)", values.size(), header.count),
-                  "fetch the record again or correct NPTS");
-    }
-    return values;
+// values end at the file's end or at a trailer of asterisks
+std::vector<double> read_samples(const TextFile& file, const At2Header& header, double si) {
+    std::size_t end = header.counts_line + 1;
+    while (end < file.size() && !file.line(end).starts_with('*')) ++end;
+    return read_values(file, header.counts_line + 1, end, {header.count, "NPTS"}, si);
 }
 
 std::string_view format_name(SampleQuantity quantity) {
@@ -142,7 +126,7 @@ GroundMotion parse_at2(const TextFile& file, const ReadOptions& options) {
     motion.station = header.station;
     motion.components.push_back({.name = header.component,
                                  .azimuth_deg = find_azimuth_deg(header.component),
-                                 .series = {unit.quantity, 0.0 * scaling::si::seconds, header.dt, read_values(file, header, unit.si)}});
+                                 .series = {unit.quantity, 0.0 * scaling::si::seconds, header.dt, read_samples(file, header, unit.si)}});
     motion.history.push_back(fmt::format("read {} from {}, unit {}", motion.format, file.path().filename().string(), unit.name));
     return motion;
 }

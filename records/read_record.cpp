@@ -52,12 +52,6 @@ struct Signature {
 };
 
 constexpr Signature kUnsupported[] = {
-    {"GeoNet", 0, "GNS Science"},
-    {"K-NET/KiK-net", 0, "Origin Time       "},
-    {"ESM (ITACA) ASCII", 0, "EVENT_NAME:"},
-    {"AFAD", 0, "STRONG GROUND MOTION RECORDS OF TURKIYE"},
-    {"UNAM", 1, "INSTITUTO DE INGENIERIA"},
-    {"CWA", 0, "#Earthquake Information"},
     {"CSMIP V3 (spectra, no time series)", 0, "Response and Fourier amplitude spectra"},
     {"XML", 0, "<?xml"},
 };
@@ -76,6 +70,18 @@ bool looks_like_usc(const TextFile& file) {
     constexpr std::string_view kPhrase = "OF UNCORRECTED ACCELEROGRAM DATA OF VOLUME I";
     return contains_ignoring_case(file.line(0), kPhrase) || contains_ignoring_case(file.line(1), kPhrase);
 }
+
+bool looks_like_esm(const TextFile& file) { return file.line(0).starts_with("EVENT_NAME:"); }
+
+bool looks_like_geonet(const TextFile& file) {
+    return contains_ignoring_case(file.line(0), "CORRECTED ACCELEROGRAM") && contains_ignoring_case(file.line(0), "GNS Science");
+}
+
+bool looks_like_afad(const TextFile& file) { return file.line(0).starts_with("STRONG GROUND MOTION RECORDS OF TURKIYE"); }
+
+bool looks_like_unam(const TextFile& file) { return contains_ignoring_case(file.line(1), "INSTITUTO DE INGENIERIA"); }
+
+bool looks_like_cwa(const TextFile& file) { return file.line(0).starts_with("#Earthquake Information"); }
 
 bool looks_like_csmip(const TextFile& file) {
     return find_ignoring_case(file.line(0), "CORRECTED ACCELEROGRAM") == 0 ||
@@ -98,6 +104,11 @@ bool looks_like_peer(const TextFile& file) {
     return false;
 }
 
+bool looks_like_knet(const TextFile& file) {
+    constexpr std::size_t kStationLine = 5;
+    return file.line(0).starts_with("Origin Time") && file.line(kStationLine).starts_with("Station Code");
+}
+
 /// A text format: how its files are told from others, and who reads them. The first that matches reads the file.
 struct TextFormat {
     bool (*matches)(const TextFile&);
@@ -105,8 +116,11 @@ struct TextFormat {
 };
 
 constexpr TextFormat kTextFormats[] = {
-    {looks_like_cosmos, detail::parse_cosmos}, {looks_like_bhrc, detail::parse_bhrc}, {looks_like_usc, detail::parse_usc},
-    {looks_like_csmip, detail::parse_csmip},   {looks_like_smc, detail::parse_smc},   {looks_like_peer, detail::parse_at2},
+    {looks_like_esm, detail::parse_esm},         {looks_like_geonet, detail::parse_geonet},  // its title begins like CSMIP's
+    {looks_like_afad, detail::parse_afad},       {looks_like_unam, detail::parse_unam},     {looks_like_cwa, detail::parse_cwa},
+    {detail::looks_like_bbp, detail::parse_bbp}, {looks_like_knet, detail::parse_knet},     {looks_like_cosmos, detail::parse_cosmos},
+    {looks_like_bhrc, detail::parse_bhrc},       {looks_like_usc, detail::parse_usc},       {looks_like_csmip, detail::parse_csmip},
+    {looks_like_smc, detail::parse_smc},         {looks_like_peer, detail::parse_at2},
 };
 
 }  // namespace

@@ -6,7 +6,7 @@
 
 #include "records/detail/musim_csv.hpp"
 #include "records/detail/parsers.hpp"
-#include "records/detail/short_decimal.hpp"
+#include "records/detail/table.hpp"
 #include "records/detail/text.hpp"
 #include "records/resample_uneven.hpp"
 
@@ -122,15 +122,13 @@ std::optional<double> find_time_step(const TextFile& file, const Table& table) {
     // nine of ten: times with a slip in them still look like times, no motion rises that long
     if (10 * increasing < 9 * (rows - 1)) return std::nullopt;
 
-    const double dt = (table.at(rows - 1, 0) - table.at(0, 0)) / static_cast<double>(rows - 1);
+    std::vector<double> times;
+    std::vector<std::size_t> lines;
     for (std::size_t row = 0; row < rows; ++row) {
-        const double expected = table.at(0, 0) + static_cast<double>(row) * dt;
-        if (!(std::abs(table.at(row, 0) - expected) <= kTimeJitter * dt)) {
-            file.fail(table.rows[row].line, fmt::format("time is {} s (even sampling gives {:.6g} s)", table.at(row, 0), expected),
-                      "resample the record evenly");
-        }
+        times.push_back(table.at(row, 0));
+        lines.push_back(table.rows[row].line);
     }
-    return to_short_decimal(dt);
+    return even_time_step(file, times, lines);
 }
 
 // a unit in parentheses in the title, as in "time(sec) N-S(cm/s/s) E-W(cm/s/s)"

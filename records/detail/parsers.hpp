@@ -10,13 +10,23 @@ namespace musim::records::detail {
 /// Below this, uncorrected accelerograms hold drift and noise; the usual corner for strong motion [Hz] (README.md, "Uncorrected records").
 inline constexpr double kUncorrectedCornerHz = 0.05;
 
+GroundMotion parse_afad(const TextFile& file, const ReadOptions& options);
 GroundMotion parse_at2(const TextFile& file, const ReadOptions& options);
+GroundMotion parse_bbp(const TextFile& file, const ReadOptions& options);
 GroundMotion parse_bhrc(const TextFile& file, const ReadOptions& options);
 GroundMotion parse_cosmos(const TextFile& file, const ReadOptions& options);
 GroundMotion parse_csmip(const TextFile& file, const ReadOptions& options);
+GroundMotion parse_cwa(const TextFile& file, const ReadOptions& options);
+GroundMotion parse_esm(const TextFile& file, const ReadOptions& options);
+GroundMotion parse_geonet(const TextFile& file, const ReadOptions& options);
+GroundMotion parse_knet(const TextFile& file, const ReadOptions& options);
 GroundMotion parse_smc(const TextFile& file, const ReadOptions& options);
 GroundMotion parse_text(const TextFile& file, const ReadOptions& options);
+GroundMotion parse_unam(const TextFile& file, const ReadOptions& options);
 GroundMotion parse_usc(const TextFile& file, const ReadOptions& options);
+
+/// True for files of the SCEC Broadband Platform, whose last leading comment names time and three axes with their units.
+bool looks_like_bbp(const TextFile& file);
 
 /// What the options say about the samples, with defaults filled in; throws ReadError for an unknown unit or one of another quantity.
 SampleUnit requested_unit(const TextFile& file, const ReadOptions& options);

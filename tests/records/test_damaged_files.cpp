@@ -77,7 +77,9 @@ TEST_CASE("damaged real records are records or ReadErrors, never a crash") {
     if (!tests::have_shared_records()) return;
     for (const std::string_view file :
          {"csmip/ce36456p_CE36456.V2", "cosmos/Cosmos12TimeSeriesTest.v1", "smc/A-CAT090.AT2.smc", "smc/0111a.smc", "usc/017m30cc.y0a",
-          "usc/017m30bt.s0a", "peer/elCentro.at2", "peer/ANLA196.AT2", "text/RSN143_TABAS_TAB-L1.AT2.csv"}) {
+          "usc/017m30bt.s0a", "peer/elCentro.at2", "peer/ANLA196.AT2", "text/RSN143_TABAS_TAB-L1.AT2.csv", "knet/test.knet",
+          "esm/20101114230825_3104_ap_RawAcc_E.asc", "geonet/20180212_211557_WPWS_20.V2A", "afad/20170720223109_4812.txt",
+          "unam/CUP50401.012", "cwa/1-EAS.dat"}) {
         CAPTURE(file);
         damage(tests::bytes_of(tests::shared_records() / file), 40, 3);
     }
