@@ -1,5 +1,6 @@
 #pragma once
 
+#include "records/detail/binary_file.hpp"
 #include "records/detail/text_file.hpp"
 #include "records/ground_motion.hpp"
 #include "records/read_options.hpp"
@@ -12,10 +13,11 @@ inline constexpr double kUncorrectedCornerHz = 0.05;
 
 GroundMotion parse_at2(const TextFile& file, const ReadOptions& options);
 GroundMotion parse_csmip(const TextFile& file, const ReadOptions& options);
+GroundMotion parse_sac(const BinaryFile& file, const ReadOptions& options);
 GroundMotion parse_text(const TextFile& file, const ReadOptions& options);
 
 /// What the options say about the samples, with defaults filled in; throws ReadError for an unknown unit or one of another quantity.
-SampleUnit requested_unit(const TextFile& file, const ReadOptions& options);
+SampleUnit requested_unit(const InputFile& file, const ReadOptions& options);
 
 /// The time step the file states on line `index`; throws ReadError unless it is positive and finite.
 scaling::Time checked_dt(const TextFile& file, std::size_t index, double seconds);
@@ -24,6 +26,6 @@ scaling::Time checked_dt(const TextFile& file, std::size_t index, double seconds
 double checked_sample(const TextFile& file, std::size_t index, std::string_view text, std::size_t ordinal, double si);
 
 /// Throws ReadError when the options contradict the unit and time step that the file states.
-void refuse_contradictions(const TextFile& file, const ReadOptions& options, const SampleUnit& unit, scaling::Time dt);
+void refuse_contradictions(const InputFile& file, const ReadOptions& options, const SampleUnit& unit, scaling::Time dt);
 
 }  // namespace musim::records::detail
