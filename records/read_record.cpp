@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "records/detail/parsers.hpp"
 #include "records/detail/text.hpp"
 
@@ -12,19 +10,12 @@ namespace {
 
 using detail::contains_ignoring_case;
 using detail::find_ignoring_case;
-using detail::is_digit;
 using detail::TextFile;
 
 [[noreturn]] void refuse_format(const std::filesystem::path& path, std::string_view format) {
     throw ReadError(
         fmt::format("{}: format is {} (recognised but not supported); convert it to PEER AT2, CSMIP V1/V2 or columns of numbers",
                     path.string(), format));
-}
-
-bool looks_like_miniseed(std::string_view bytes) {
-    // six digits, a quality letter, a blank
-    return bytes.size() > 48 && std::all_of(bytes.begin(), bytes.begin() + 6, is_digit) &&
-           std::string_view("DRQM").find(bytes[6]) != std::string_view::npos && bytes[7] == ' ';
 }
 
 bool looks_like_sac(std::string_view bytes) {
@@ -41,11 +32,18 @@ struct BinaryFormat {
 };
 
 constexpr BinaryFormat kBinaryFormats[] = {
+    {detail::is_miniseed_header, detail::parse_miniseed},
     {looks_like_sac, detail::parse_sac},
 };
 
+// other formats hold motion, not counts
+void refuse_sensitivity(const std::filesystem::path& path, const ReadOptions& options) {
+    if (!options.sensitivity && !options.station_xml) return;
+    throw ReadError(
+        fmt::format("{}: sensitivity is given (only miniSEED holds counts); drop --sensitivity or --station-xml", path.string()));
+}
+
 void refuse_binary(const std::filesystem::path& path, std::string_view bytes) {
-    if (looks_like_miniseed(bytes)) refuse_format(path, "miniSEED");
     constexpr std::size_t kProbe = 4096;  // bytes; text has no NUL, binary data rarely go that far without
     if (bytes.substr(0, kProbe).find('\0') != std::string_view::npos) {
         throw ReadError(
@@ -114,6 +112,7 @@ constexpr TextFormat kTextFormats[] = {
 
 GroundMotion read_record(const std::filesystem::path& path, const ReadOptions& options) {
     std::string bytes = detail::read_bytes(path);
+    if (!detail::is_miniseed_header(bytes)) refuse_sensitivity(path, options);
     for (const BinaryFormat& format : kBinaryFormats)
         if (format.matches(bytes)) return format.parse(detail::BinaryFile(path, std::move(bytes)), options);
     refuse_binary(path, bytes);

@@ -50,10 +50,7 @@ struct SacFile {
         std::string_view letters = file.bytes().substr(place, width);
         letters = trim(letters.substr(0, letters.find('\0')));
         if (letters.starts_with("-12345")) return {};
-        std::string result(letters);
-        std::replace_if(
-            result.begin(), result.end(), [](char letter) { return letter < ' ' || letter > '~'; }, '?');
-        return result;
+        return printable(letters);
     }
 };
 

@@ -13,8 +13,12 @@ inline constexpr double kUncorrectedCornerHz = 0.05;
 
 GroundMotion parse_at2(const TextFile& file, const ReadOptions& options);
 GroundMotion parse_csmip(const TextFile& file, const ReadOptions& options);
+GroundMotion parse_miniseed(const BinaryFile& file, const ReadOptions& options);
 GroundMotion parse_sac(const BinaryFile& file, const ReadOptions& options);
 GroundMotion parse_text(const TextFile& file, const ReadOptions& options);
+
+/// True when `bytes` begin as a miniSEED 2 record does.
+bool is_miniseed_header(std::string_view bytes);
 
 /// What the options say about the samples, with defaults filled in; throws ReadError for an unknown unit or one of another quantity.
 SampleUnit requested_unit(const InputFile& file, const ReadOptions& options);

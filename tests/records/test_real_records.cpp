@@ -161,8 +161,6 @@ TEST_CASE("files of other formats are refused by name") {
                             Case{"usc/017m30bt.s0a", "USC"},
                             Case{"usc/017m30cc.y0a", "USC"},
                             Case{"cwa/1-EAS.dat", "CWA"},
-                            Case{"mseed/CI.CLC..HNN.mseed", "miniSEED"},
-                            Case{"mseed/CI.LRL..HNE.mseed", "miniSEED"},
                             Case{"mseed/CI.CLC.xml", "XML"},
                             Case{"csmip/CE89146.V3", "CSMIP V3"},
                             Case{"csmip/NEWPORT.RAW", "uneven"},
