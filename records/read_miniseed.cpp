@@ -1,12 +1,11 @@
 #include <fmt/format.h>
-#include <libmseed.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <memory>
 #include <span>
 
+#include "records/detail/mseed_record.hpp"
 #include "records/detail/parsers.hpp"
 #include "records/detail/station_xml.hpp"
 #include "records/detail/text.hpp"
@@ -40,23 +39,6 @@ struct Stream {
     double rate = 0.0;  ///< [1/s]
     std::vector<double> counts;
 };
-
-struct FreeRecord {
-    void operator()(MSRecord* record) const { msr_free(&record); }
-};
-using UnpackedRecord = std::unique_ptr<MSRecord, FreeRecord>;
-
-// libmseed prints its complaints; a library must not, and a record it complains about is damaged
-thread_local std::string
-    decoder_complaint;  // NOLINT(cppcoreguidelines-avoid-non-const-global-variables): libmseed calls back without context
-
-void keep_complaint(char* text) { decoder_complaint = text; }
-
-void catch_complaints() {
-    static const bool is_set = (ms_loginit(keep_complaint, "", keep_complaint, ""), true);
-    static_cast<void>(is_set);
-    decoder_complaint.clear();
-}
 
 // bytes of a blockette; 0 for types without a fixed length
 std::size_t blockette_length(unsigned type) {
@@ -169,16 +151,17 @@ RecordLayout check_layout(const RecordPlace& place) {
     return layout;
 }
 
-UnpackedRecord unpack(const RecordPlace& place, const RecordLayout& layout) {
+MseedRecord unpack(const RecordPlace& place, const RecordLayout& layout) {
     std::string bytes(place.file.bytes().substr(place.at, layout.length));
-    catch_complaints();
+    catch_mseed_complaints();
     MSRecord* record = nullptr;
     const int status = msr_unpack(bytes.data(), static_cast<int>(bytes.size()), &record, 1, 0);
-    UnpackedRecord unpacked(record);
-    if (status != MS_NOERROR || !decoder_complaint.empty()) {
-        const std::string reason = decoder_complaint.empty() ? ms_errorstr(status) : decoder_complaint;
-        place.fail(fmt::format("samples cannot be decoded ({})", quoted(trim(std::string_view(reason).substr(0, reason.find('\n'))))),
-                   "fetch the record again");
+    MseedRecord unpacked(record);
+    const std::string complaint = last_mseed_complaint();
+    if (status != MS_NOERROR || !complaint.empty()) {
+        place.fail(
+            fmt::format("samples cannot be decoded ({})", quoted(complaint.empty() ? ms_errorstr(status) : std::string_view(complaint))),
+            "fetch the record again");
     }
     unpacked->record = nullptr;  // points into `bytes`
     if (unpacked->numsamples != static_cast<std::int64_t>(layout.count)) {
