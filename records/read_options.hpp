@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 
@@ -13,7 +14,9 @@ struct ReadOptions {
     std::optional<scaling::Time> dt = {};  ///< time step of files without one
     std::optional<std::string> unit = {};  ///< unit of samples of files without one, e.g. "g", "cm/s^2"; default m/s^2, m/s or m
     std::optional<SampleQuantity> quantity =
-        {};  ///< quantity of files without one (default acceleration); of CSMIP V2: which block to take
+        {};                                  ///< quantity of files without one (default acceleration); of CSMIP V2: which block to take
+    std::optional<double> sensitivity = {};  ///< of miniSEED [counts per m/s^2, m/s or m]; 1: samples are SI
+    std::optional<std::filesystem::path> station_xml = {};  ///< StationXML file that tells the sensitivity of miniSEED
 };
 
 }  // namespace musim::records

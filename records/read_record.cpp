@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "records/detail/parsers.hpp"
 #include "records/detail/text.hpp"
 
@@ -12,7 +10,6 @@ namespace {
 
 using detail::contains_ignoring_case;
 using detail::find_ignoring_case;
-using detail::is_digit;
 using detail::TextFile;
 
 [[noreturn]] void refuse_format(const std::filesystem::path& path, std::string_view format) {
@@ -21,22 +18,32 @@ using detail::TextFile;
                     path.string(), format));
 }
 
-// SAC: header version 6 at byte 304, in either byte order
 bool looks_like_sac(std::string_view bytes) {
-    if (bytes.size() < 632) return false;
+    // header version at byte 304, in either byte order
+    if (bytes.size() < 308) return false;
     const std::string_view version = bytes.substr(304, 4);
     return version == std::string_view("\6\0\0\0", 4) || version == std::string_view("\0\0\0\6", 4);
 }
 
-// miniSEED: six digits, a quality letter, a blank
-bool looks_like_miniseed(std::string_view bytes) {
-    return bytes.size() > 48 && std::all_of(bytes.begin(), bytes.begin() + 6, is_digit) &&
-           std::string_view("DRQM").find(bytes[6]) != std::string_view::npos && bytes[7] == ' ';
+/// A binary format: how its files are told from others, and who reads them. The first that matches reads the file.
+struct BinaryFormat {
+    bool (*matches)(std::string_view bytes);
+    GroundMotion (*parse)(const detail::BinaryFile&, const ReadOptions&);
+};
+
+constexpr BinaryFormat kBinaryFormats[] = {
+    {detail::is_miniseed_header, detail::parse_miniseed},
+    {looks_like_sac, detail::parse_sac},
+};
+
+// other formats hold motion, not counts
+void refuse_sensitivity(const std::filesystem::path& path, const ReadOptions& options) {
+    if (!options.sensitivity && !options.station_xml) return;
+    throw ReadError(
+        fmt::format("{}: sensitivity is given (only miniSEED holds counts); drop --sensitivity or --station-xml", path.string()));
 }
 
 void refuse_binary(const std::filesystem::path& path, std::string_view bytes) {
-    if (looks_like_miniseed(bytes)) refuse_format(path, "miniSEED");
-    if (looks_like_sac(bytes)) refuse_format(path, "SAC");
     constexpr std::size_t kProbe = 4096;  // bytes; text has no NUL, binary data rarely go that far without
     if (bytes.substr(0, kProbe).find('\0') != std::string_view::npos) {
         throw ReadError(
@@ -127,6 +134,9 @@ constexpr TextFormat kTextFormats[] = {
 
 GroundMotion read_record(const std::filesystem::path& path, const ReadOptions& options) {
     std::string bytes = detail::read_bytes(path);
+    if (!detail::is_miniseed_header(bytes)) refuse_sensitivity(path, options);
+    for (const BinaryFormat& format : kBinaryFormats)
+        if (format.matches(bytes)) return format.parse(detail::BinaryFile(path, std::move(bytes)), options);
     refuse_binary(path, bytes);
     const TextFile file(path, std::move(bytes));
     refuse_unsupported(file);

@@ -22,19 +22,22 @@ constexpr std::array<NamedQuantity, 3> kQuantities{{
 
 const NamedQuantity& entry(SampleQuantity quantity) { return kQuantities.at(static_cast<std::size_t>(quantity)); }
 
-const std::array<SampleUnit, 11>& known_units() {
-    static const std::array<SampleUnit, 11> kUnits{{
+const std::array<SampleUnit, 14>& known_units() {
+    static const std::array<SampleUnit, 14> kUnits{{
         {"m/s^2", SampleQuantity::acceleration, 1.0},
         {"g", SampleQuantity::acceleration, scaling::kStandardGravity.value()},
         {"gal", SampleQuantity::acceleration, 0.01},
         {"cm/s^2", SampleQuantity::acceleration, 0.01},
         {"mm/s^2", SampleQuantity::acceleration, 0.001},
+        {"nm/s^2", SampleQuantity::acceleration, 1e-9},
         {"m/s", SampleQuantity::velocity, 1.0},
         {"cm/s", SampleQuantity::velocity, 0.01},
         {"mm/s", SampleQuantity::velocity, 0.001},
+        {"nm/s", SampleQuantity::velocity, 1e-9},
         {"m", SampleQuantity::displacement, 1.0},
         {"cm", SampleQuantity::displacement, 0.01},
         {"mm", SampleQuantity::displacement, 0.001},
+        {"nm", SampleQuantity::displacement, 1e-9},
     }};
     return kUnits;
 }

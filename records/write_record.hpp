@@ -20,4 +20,19 @@ void write_at2(const std::filesystem::path& path, const GroundMotion& motion, st
 /// step, and when the file cannot be written; it is complete or absent.
 void write_csv(const std::filesystem::path& path, const GroundMotion& motion);
 
+/// Writes all components as COSMOS 1.20, one section each: V2, or V1 for uncorrected records (those with an integration corner). Samples
+/// in cm/s^2, cm/s or cm with 17 digits; azimuths in whole degrees; start times to the microsecond where the motion has a time_zero, else
+/// lost, as is the history. The station "CE.23837 Pomona" gives the codes CE and 23837; other names stand behind the codes XX and UNKN.
+/// Throws WriteError when there is no component, a time step cannot be held to 1/100 of a step over the record (whole nanoseconds), and
+/// when the file cannot be written; it is complete or absent.
+void write_cosmos(const std::filesystem::path& path, const GroundMotion& motion);
+
+/// Writes all components as miniSEED 2, one stream each: 64-bit floats, since counts would round what processing made, in SI units;
+/// read_record() gives back the same samples to the last bit with ReadOptions::sensitivity 1 (and the quantity, for displacement). The
+/// station "CI.CLC ..." gives network and station, others are XX.MUSIM. Names of three capitals or digits are channel codes, other
+/// components get one: band of the sampling rate, N, H or Y for acceleration, velocity or displacement, and N, E, Z or the ordinal number.
+/// Without a time_zero the clock starts in 1970. Throws WriteError when there is no component, two have the same channel code, the sampling
+/// rate cannot be held to 1/100 of a step over the record, and when the file cannot be written; it is complete or absent.
+void write_miniseed(const std::filesystem::path& path, const GroundMotion& motion);
+
 }  // namespace musim::records

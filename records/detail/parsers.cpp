@@ -14,7 +14,7 @@ constexpr double kSameTimeStep = 1e-3;
 
 }  // namespace
 
-SampleUnit requested_unit(const TextFile& file, const ReadOptions& options) {
+SampleUnit requested_unit(const InputFile& file, const ReadOptions& options) {
     const SampleQuantity quantity = options.quantity.value_or(SampleQuantity::acceleration);
     if (!options.unit) return *find_sample_unit(si_unit_name(quantity));
 
@@ -45,7 +45,7 @@ double checked_sample(const TextFile& file, std::size_t index, std::string_view 
     return *value * si;
 }
 
-void refuse_contradictions(const TextFile& file, const ReadOptions& options, const SampleUnit& unit, scaling::Time dt) {
+void refuse_contradictions(const InputFile& file, const ReadOptions& options, const SampleUnit& unit, scaling::Time dt) {
     if (options.quantity && *options.quantity != unit.quantity) {
         file.fail(fmt::format("file holds {} (asked for: {})", to_string(unit.quantity), to_string(*options.quantity)), "drop --quantity");
     }

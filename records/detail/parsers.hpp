@@ -1,5 +1,6 @@
 #pragma once
 
+#include "records/detail/binary_file.hpp"
 #include "records/detail/text_file.hpp"
 #include "records/ground_motion.hpp"
 #include "records/read_options.hpp"
@@ -20,6 +21,8 @@ GroundMotion parse_cwa(const TextFile& file, const ReadOptions& options);
 GroundMotion parse_esm(const TextFile& file, const ReadOptions& options);
 GroundMotion parse_geonet(const TextFile& file, const ReadOptions& options);
 GroundMotion parse_knet(const TextFile& file, const ReadOptions& options);
+GroundMotion parse_miniseed(const BinaryFile& file, const ReadOptions& options);
+GroundMotion parse_sac(const BinaryFile& file, const ReadOptions& options);
 GroundMotion parse_smc(const TextFile& file, const ReadOptions& options);
 GroundMotion parse_text(const TextFile& file, const ReadOptions& options);
 GroundMotion parse_unam(const TextFile& file, const ReadOptions& options);
@@ -28,8 +31,11 @@ GroundMotion parse_usc(const TextFile& file, const ReadOptions& options);
 /// True for files of the SCEC Broadband Platform, whose last leading comment names time and three axes with their units.
 bool looks_like_bbp(const TextFile& file);
 
+/// True when `bytes` begin as a miniSEED 2 record does.
+bool is_miniseed_header(std::string_view bytes);
+
 /// What the options say about the samples, with defaults filled in; throws ReadError for an unknown unit or one of another quantity.
-SampleUnit requested_unit(const TextFile& file, const ReadOptions& options);
+SampleUnit requested_unit(const InputFile& file, const ReadOptions& options);
 
 /// The time step the file states on line `index`; throws ReadError unless it is positive and finite.
 scaling::Time checked_dt(const TextFile& file, std::size_t index, double seconds);
@@ -38,6 +44,6 @@ scaling::Time checked_dt(const TextFile& file, std::size_t index, double seconds
 double checked_sample(const TextFile& file, std::size_t index, std::string_view text, std::size_t ordinal, double si);
 
 /// Throws ReadError when the options contradict the unit and time step that the file states.
-void refuse_contradictions(const TextFile& file, const ReadOptions& options, const SampleUnit& unit, scaling::Time dt);
+void refuse_contradictions(const InputFile& file, const ReadOptions& options, const SampleUnit& unit, scaling::Time dt);
 
 }  // namespace musim::records::detail

@@ -70,6 +70,13 @@ std::optional<std::size_t> parse_count(std::string_view text) {
     return value;
 }
 
+std::string printable(std::string_view text) {
+    std::string result(text);
+    std::replace_if(
+        result.begin(), result.end(), [](char letter) { return letter < ' ' || letter > '~'; }, '?');
+    return result;
+}
+
 std::string quoted(std::string_view text) {
     constexpr std::size_t kLongest = 32;  // letters; enough to recognise the place, short enough for one line
     std::string shown = "'";

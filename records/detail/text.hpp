@@ -37,6 +37,9 @@ std::optional<double> parse_real(std::string_view text);
 /// The whole of `text` as a non-negative integer; nothing otherwise.
 std::optional<std::size_t> parse_count(std::string_view text);
 
+/// `text` with every byte that is no printable ASCII letter replaced by a question mark.
+std::string printable(std::string_view text);
+
 /// `text` in quotes for a one-line message: shortened, unprintable bytes replaced.
 std::string quoted(std::string_view text);
 

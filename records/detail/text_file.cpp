@@ -35,7 +35,7 @@ std::string read_bytes(const std::filesystem::path& path) {
     return std::move(bytes).str();
 }
 
-TextFile::TextFile(std::filesystem::path path, std::string bytes) : path_(std::move(path)), bytes_(std::move(bytes)) {
+TextFile::TextFile(std::filesystem::path path, std::string bytes) : InputFile(std::move(path)), bytes_(std::move(bytes)) {
     std::string_view rest = bytes_;
     if (rest.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3);
     rest = rest.substr(0, rest.find_last_not_of('\x1A') + 1);
@@ -49,9 +49,9 @@ TextFile::TextFile(std::filesystem::path path, std::string bytes) : path_(std::m
 }
 
 void TextFile::fail(std::size_t index, std::string_view what_why, std::string_view what_to_do) const {
-    throw ReadError(fmt::format("{}:{}: {}; {}", path_.string(), index + 1, what_why, what_to_do));
+    throw ReadError(fmt::format("{}:{}: {}; {}", path().string(), index + 1, what_why, what_to_do));
 }
 
-void TextFile::fail(std::string_view what_why, std::string_view what_to_do) const { fail_file(path_, what_why, what_to_do); }
+void InputFile::fail(std::string_view what_why, std::string_view what_to_do) const { fail_file(path_, what_why, what_to_do); }
 
 }  // namespace musim::records::detail

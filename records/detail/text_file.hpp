@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "records/detail/input_file.hpp"
 #include "records/error.hpp"
 
 namespace musim::records::detail {
@@ -13,27 +14,21 @@ namespace musim::records::detail {
 std::string read_bytes(const std::filesystem::path& path);
 
 /// A text file as lines, and the way readers complain about them.
-class TextFile {
+class TextFile : public InputFile {
   public:
     /// Splits `bytes` at LF, CR LF or lone CR; blanks at the ends of lines, a byte-order mark and DOS end marks go.
     TextFile(std::filesystem::path path, std::string bytes);
 
-    TextFile(const TextFile&) = delete;
-    TextFile& operator=(const TextFile&) = delete;
-
-    const std::filesystem::path& path() const { return path_; }
     std::size_t size() const { return lines_.size(); }
 
     /// Line `index`, counted from 0; empty beyond the end.
     std::string_view line(std::size_t index) const { return index < lines_.size() ? lines_[index] : std::string_view{}; }
 
+    using InputFile::fail;
     /// Throws ReadError `path:line: what_why; what_to_do`, with the line counted from 1 as editors do.
     [[noreturn]] void fail(std::size_t index, std::string_view what_why, std::string_view what_to_do) const;
-    /// Throws ReadError `path: what_why; what_to_do`.
-    [[noreturn]] void fail(std::string_view what_why, std::string_view what_to_do) const;
 
   private:
-    std::filesystem::path path_;
     std::string bytes_;
     std::vector<std::string_view> lines_;
 };

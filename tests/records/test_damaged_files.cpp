@@ -15,10 +15,10 @@ namespace musim::records {
 namespace {
 
 // reads whatever the bytes are: a valid record or a ReadError, nothing else; true when it was a record
-bool is_read(const tests::TemporaryFolder& folder, std::string_view bytes) {
+bool is_read(const tests::TemporaryFolder& folder, std::string_view bytes, const ReadOptions& options = {}) {
     const auto path = folder.write("damaged", bytes);
     try {
-        const GroundMotion motion = read_record(path);
+        const GroundMotion motion = read_record(path, options);
         REQUIRE_FALSE(motion.components.empty());
         for (const Component& component : motion.components) {
             REQUIRE(component.series.size() > 0);
@@ -35,30 +35,31 @@ bool is_read(const tests::TemporaryFolder& folder, std::string_view bytes) {
 }
 
 // cuts at many places, flips single bytes, and repeats pieces
-void damage(const std::string& whole, int rounds, unsigned seed) {
+void damage(const std::string& whole, int rounds, unsigned seed, const ReadOptions& options = {}) {
     const tests::TemporaryFolder folder;
-    CHECK(is_read(folder, whole));
+    CHECK(is_read(folder, whole, options));
     std::mt19937 random(seed);
     int refused = 0;
     for (int i = 0; i < rounds; ++i) {
         refused += is_read(folder,
-                           std::string_view(whole).substr(0, whole.size() * static_cast<std::size_t>(i) / static_cast<std::size_t>(rounds)))
+                           std::string_view(whole).substr(0, whole.size() * static_cast<std::size_t>(i) / static_cast<std::size_t>(rounds)),
+                           options)
                        ? 0
                        : 1;
 
         std::string flipped = whole;
         for (int flip = 0; flip <= i % 4; ++flip) flipped[random() % whole.size()] = static_cast<char>(random() % 256);
-        is_read(folder, flipped);
+        is_read(folder, flipped, options);
 
         std::string header_flipped = whole;
         header_flipped[random() % std::min<std::size_t>(whole.size(), 3000)] = static_cast<char>(random() % 256);
-        is_read(folder, header_flipped);
+        is_read(folder, header_flipped, options);
 
         std::string repeated = whole;
         const std::size_t from = random() % whole.size();
         const std::size_t length = random() % 500;
         repeated.insert(random() % whole.size(), whole.substr(from, length));
-        is_read(folder, repeated);
+        is_read(folder, repeated, options);
     }
     CHECK(refused > 0);
 }
@@ -83,6 +84,13 @@ TEST_CASE("damaged real records are records or ReadErrors, never a crash") {
         CAPTURE(file);
         damage(tests::bytes_of(tests::shared_records() / file), 40, 3);
     }
+}
+
+TEST_CASE("damaged binary records are records or ReadErrors, never a crash") {
+    if (!tests::have_shared_records()) return;
+    damage(tests::bytes_of(tests::shared_records() / "sac/ALCTENE.UW..sac"), 100, 4, {.unit = "cm/s^2"});
+    damage(tests::bytes_of(tests::shared_records() / "mseed/CI.CLC..HNE.mseed"), 100, 5, {.sensitivity = 1.0});
+    damage(tests::bytes_of(tests::shared_records() / "mseed/CI.LRL..HNE.mseed"), 100, 6, {.sensitivity = 1.0});
 }
 
 TEST_CASE("a record cut anywhere before its end mark is refused") {

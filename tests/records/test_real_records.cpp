@@ -144,9 +144,7 @@ TEST_CASE("files of other formats are refused by name") {
         std::string_view file;
         std::string_view format;
     };
-    for (const Case& row :
-         {Case{"sac/test.sac.swap", "SAC"}, Case{"sac/ALCTENE.UW..sac", "SAC"}, Case{"mseed/CI.CLC..HNN.mseed", "miniSEED"},
-          Case{"mseed/CI.LRL..HNE.mseed", "miniSEED"}, Case{"mseed/CI.CLC.xml", "XML"}, Case{"csmip/CE89146.V3", "CSMIP V3"}}) {
+    for (const Case& row : {Case{"mseed/CI.CLC.xml", "XML"}, Case{"csmip/CE89146.V3", "CSMIP V3"}}) {
         CAPTURE(row.file);
         const std::filesystem::path path = tests::shared_records() / row.file;
         try {

@@ -97,6 +97,20 @@ TEST_CASE("velocities are written as VT2 in cm/s") {
     CHECK(back.components.front().series.samples()[1] == doctest::Approx(0.25).epsilon(1e-15));
 }
 
+TEST_CASE("displacements are written as DT2 in cm") {
+    const tests::TemporaryFolder folder;
+    GroundMotion motion{.format = "test"};
+    motion.components.push_back({"1", {}, {SampleQuantity::displacement, 0.0 * seconds, 0.5 * seconds, {0.0, -0.25}}});
+
+    write_at2(folder.path() / "a.dt2", motion, "1");
+    const GroundMotion back = read_record(folder.path() / "a.dt2");
+
+    CHECK(back.format == "PEER DT2");
+    CHECK(tests::bytes_of(folder.path() / "a.dt2").find("UNITS OF CM\n") != std::string::npos);
+    CHECK(back.components.front().series.quantity() == SampleQuantity::displacement);
+    CHECK(back.components.front().series.samples()[1] == doctest::Approx(-0.25).epsilon(1e-15));
+}
+
 TEST_CASE("components with different clocks do not go into one CSV") {
     const tests::TemporaryFolder folder;
     GroundMotion motion = make_motion();
