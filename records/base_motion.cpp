@@ -66,6 +66,8 @@ BaseMotion make_base_motion(const TimeSeries& series, const BaseMotionSettings& 
 
 BaseMotion make_base_motion(const GroundMotion& motion, std::string_view component, BaseMotionSettings settings) {
     if (!settings.high_pass) settings.high_pass = motion.integration_corner;
+    // an uncorrected record has its zero anywhere; high-passed, an offset would ring
+    if (motion.integration_corner && !settings.baseline_order) settings.baseline_order = 0;
     return make_base_motion(motion.find_component(component).series, settings);
 }
 

@@ -39,7 +39,8 @@ struct BaseMotion {
 /// differentiated. Throws ProcessingError as the single steps do, and for fewer than four samples.
 BaseMotion make_base_motion(const TimeSeries& series, const BaseMotionSettings& settings = {});
 
-/// The same for a component of a record, high-passed at the record's integration corner unless `settings` says otherwise.
+/// The same for a component of a record. An uncorrected one is high-passed at its integration corner, its mean taken out before, unless
+/// `settings` says otherwise.
 /// Also throws ReadError for an unknown component.
 BaseMotion make_base_motion(const GroundMotion& motion, std::string_view component, BaseMotionSettings settings = {});
 

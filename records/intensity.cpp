@@ -57,7 +57,7 @@ Intensity compute_intensity(const TimeSeries& series, std::optional<scaling::Fre
         intensity.pga = find_peak_acceleration(leveled);
         intensity.arias = compute_arias_intensity(leveled);
         intensity.d5_95 = compute_significant_duration(leveled);
-        history = integrate(integration_corner ? high_pass(series, *integration_corner, 2) : series);
+        history = integrate(integration_corner ? high_pass(remove_baseline(series, 0), *integration_corner, 2) : series);
     }
     if (history.quantity() == SampleQuantity::velocity) {
         intensity.pgv = find_peak_velocity(history);

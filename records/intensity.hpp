@@ -36,8 +36,9 @@ struct Intensity {
 
 /// All measures of a series. Velocity and displacement are trapezoid integrals from zero.
 ///
-/// With an integration corner (uncorrected records) velocity and displacement come from the samples high-passed there, order 2, forward and
-/// backward; PGA, Arias intensity and duration from the unfiltered samples above their initial level (remove_initial_level).
+/// With an integration corner (uncorrected records) velocity and displacement come from the samples, their mean taken out since an offset
+/// would ring, high-passed there, order 2, forward and backward; PGA, Arias intensity and duration from the unfiltered samples above their
+/// initial level (remove_initial_level).
 Intensity compute_intensity(const TimeSeries& series, std::optional<scaling::Frequency> integration_corner = std::nullopt);
 
 }  // namespace musim::records

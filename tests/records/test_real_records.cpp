@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "records/base_motion.hpp"
@@ -170,6 +171,22 @@ TEST_CASE("a corrected record with a damaged header is refused with the line and
         CAPTURE(message);
         CHECK(message.find("BadHeader.V2:27: azimuth is 900") != std::string::npos);
     }
+}
+
+TEST_CASE("an offset of raw samples rings neither in the peaks nor in the motion of a base") {
+    if (!tests::have_shared_records()) return;
+    // raw counts with an offset; published: 4.078 gal, 0.339 cm/s (high-pass at 0.05 Hz)
+    const GroundMotion record = read_record(tests::shared_records() / "knet" / "AOM0011801241951.EW");
+    const TimeSeries& series = record.components.at(0).series;
+    double mean = 0.0;
+    for (const double sample : series.samples()) mean += sample / static_cast<double>(series.size());
+    const Intensity intensity = compute_intensity(series, record.integration_corner);
+    CHECK(std::abs(mean) > std::abs(intensity.pga->value.value()));
+    CHECK(std::abs(intensity.pgv->value.value()) == doctest::Approx(0.00339).epsilon(0.01));
+    const BaseMotion base = make_base_motion(record, record.components.at(0).name);
+    double peak = 0.0;
+    for (const double v : base.velocity.samples()) peak = std::max(peak, std::abs(v));
+    CHECK(peak == doctest::Approx(0.00339).epsilon(0.02));
 }
 
 }  // namespace
