@@ -160,6 +160,7 @@ void add_record_command(CLI::App& app, Action& action) {
         "the\n"
         "record. Measures of uncorrected records are of the samples above their initial level.");
     info->callback([&action, options] { action = [options] { return run_record_info(*options); }; });
+    add_record_spectrum_command(*command, action);
 }
 
 }  // namespace musim::cli
