@@ -3,12 +3,16 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "cli/commands.hpp"
+#include "cli/named_values.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
+#include "cli/record_groups.hpp"
+#include "cli/record_measures.hpp"
 #include "cli/record_source.hpp"
 #include "records/intensity.hpp"
 
@@ -19,6 +23,8 @@ struct RecordInfoOptions {
     std::vector<std::string> files;
     RecordSourceOptions source;
     std::optional<Number> highpass;
+    MeasureSettings measures;
+    StructureOptions structure;
     bool json = false;
 };
 
@@ -29,15 +35,13 @@ struct ComponentInfo {
     const records::Component& component;
     std::optional<scaling::Frequency> corner;  ///< of the high-pass before integration
     records::Intensity intensity;
+    std::vector<NamedValue> measures;
+    std::vector<NamedValue> groups;  ///< with a structure; none: empty
 };
 
 std::optional<double> absolute(const auto& peak, double unit) {
     return peak ? std::optional(std::abs(peak->value.value()) / unit) : std::nullopt;
 }
-
-nlohmann::json or_null(const std::optional<double>& value) { return value ? nlohmann::json(*value) : nlohmann::json(); }
-
-std::string or_dash(const std::optional<double>& value, int digits) { return value ? fmt::format("{:.{}g}", *value, digits) : "-"; }
 
 /// Measures in the units engineers quote.
 struct Measures {
@@ -55,23 +59,26 @@ Measures measure(const records::Intensity& intensity) {
 nlohmann::json to_json(const ComponentInfo& info) {
     const records::TimeSeries& series = info.component.series;
     const Measures measures = measure(info.intensity);
-    return {{"file", info.file},
-            {"format", info.motion.format},
-            {"station", info.motion.station},
-            {"component", info.component.name},
-            {"quantity", std::string(records::to_string(series.quantity()))},
-            {"unit", std::string(records::si_unit_name(series.quantity()))},
-            {"dt_s", series.dt().value()},
-            {"npts", series.size()},
-            {"highpass_hz", info.corner ? nlohmann::json(info.corner->value()) : nlohmann::json()},
-            {"pga_g", or_null(measures.pga_g)},
-            {"pgv_cm_s", or_null(measures.pgv_cm_s)},
-            {"pgd_cm", or_null(measures.pgd_cm)},
-            {"arias_m_s", or_null(measures.arias_m_s)},
-            {"d5_95_s", or_null(measures.d5_95_s)}};
+    nlohmann::json object{{"file", info.file},
+                          {"format", info.motion.format},
+                          {"station", info.motion.station},
+                          {"component", info.component.name},
+                          {"quantity", std::string(records::to_string(series.quantity()))},
+                          {"unit", std::string(records::si_unit_name(series.quantity()))},
+                          {"dt_s", series.dt().value()},
+                          {"npts", series.size()},
+                          {"highpass_hz", info.corner ? nlohmann::json(info.corner->value()) : nlohmann::json()},
+                          {"pga_g", or_null(measures.pga_g)},
+                          {"pgv_cm_s", or_null(measures.pgv_cm_s)},
+                          {"pgd_cm", or_null(measures.pgd_cm)},
+                          {"arias_m_s", or_null(measures.arias_m_s)},
+                          {"d5_95_s", or_null(measures.d5_95_s)}};
+    add_to_json(object, info.measures);
+    if (!info.groups.empty()) add_to_json(object["groups"], info.groups);
+    return object;
 }
 
-void print_row(const ComponentInfo& info) {
+void print_peaks(const ComponentInfo& info) {
     const records::TimeSeries& series = info.component.series;
     const Measures m = measure(info.intensity);
     print("{:<10} {:<12} {:>9.6g} {:>7} {:>8} {:>9} {:>8} {:>9} {:>8}  {}\n", info.component.name, records::to_string(series.quantity()),
@@ -79,37 +86,48 @@ void print_row(const ComponentInfo& info) {
           or_dash(m.d5_95_s, 4), info.corner ? fmt::format("high-pass {:g} Hz", info.corner->value()) : "as it stands");
 }
 
-void print_table(const std::vector<ComponentInfo>& infos) {
-    const records::GroundMotion* motion = nullptr;
-    for (const ComponentInfo& info : infos) {
-        if (motion != &info.motion) {
-            motion = &info.motion;
-            print("{}: {}{}{}\n", info.file, motion->format, motion->station.empty() ? "" : ", station ", motion->station);
-            print("{:<10} {:<12} {:>9} {:>7} {:>8} {:>9} {:>8} {:>9} {:>8}  {}\n", "component", "quantity", "dt [s]", "npts", "PGA [g]",
-                  "PGV [cm/s]", "PGD [cm]", "Ia [m/s]", "D5-95 [s]", "integrated");
-        }
-        print_row(info);
-    }
+/// The components of one file: peaks, measures, and groups if there are.
+void print_tables(std::span<const ComponentInfo> infos) {
+    const records::GroundMotion& motion = infos.front().motion;
+    print("{}: {}{}{}\n", infos.front().file, motion.format, motion.station.empty() ? "" : ", station ", motion.station);
+    print("{:<10} {:<12} {:>9} {:>7} {:>8} {:>9} {:>8} {:>9} {:>8}  {}\n", "component", "quantity", "dt [s]", "npts", "PGA [g]",
+          "PGV [cm/s]", "PGD [cm]", "Ia [m/s]", "D5-95 [s]", "integrated");
+    for (const ComponentInfo& info : infos) print_peaks(info);
+    print_titles("component", infos.front().measures);
+    for (const ComponentInfo& info : infos) print_row(info.component.name, info.measures);
+    if (infos.front().groups.empty()) return;
+    print_titles("component", infos.front().groups);
+    for (const ComponentInfo& info : infos) print_row(info.component.name, info.groups);
+}
+
+ComponentInfo make_info(const RecordInfoOptions& options, const std::string& file, const records::GroundMotion& motion,
+                        const records::Component& component) {
+    auto corner = motion.integration_corner;
+    if (options.highpass) corner = options.highpass->value / scaling::si::seconds;
+    const records::Intensity intensity = records::compute_intensity(component.series, corner);
+    const records::TimeSeries leveled = records::level_uncorrected(component.series, corner);
+    ComponentInfo info{file, motion, component, corner, intensity, measure_record(leveled, intensity, options.measures), {}};
+    if (options.structure.any()) info.groups = compute_record_groups(leveled, intensity, options.structure);
+    return info;
 }
 
 int run_record_info(const RecordInfoOptions& options) {
+    options.structure.require_valid();
     // everything is read before anything is printed
     std::vector<records::GroundMotion> motions;
     for (const std::string& file : options.files) motions.push_back(options.source.load(file));
-    std::vector<ComponentInfo> infos;
+    std::vector<std::vector<ComponentInfo>> infos(motions.size());
     for (std::size_t i = 0; i < motions.size(); ++i) {
-        auto corner = motions[i].integration_corner;
-        if (options.highpass) corner = options.highpass->value / scaling::si::seconds;
-        for (const records::Component& component : motions[i].components) {
-            infos.push_back({options.files[i], motions[i], component, corner, records::compute_intensity(component.series, corner)});
-        }
+        for (const records::Component& component : motions[i].components)
+            infos[i].push_back(make_info(options, options.files[i], motions[i], component));
     }
     if (options.json) {
         nlohmann::json list = nlohmann::json::array();
-        for (const ComponentInfo& info : infos) list.push_back(to_json(info));
+        for (const auto& of_file : infos)
+            for (const ComponentInfo& info : of_file) list.push_back(to_json(info));
         print_json({{"components", list}});
     } else {
-        print_table(infos);
+        for (const auto& of_file : infos) print_tables(of_file);
     }
     return kDone;
 }
@@ -120,22 +138,30 @@ void add_record_command(CLI::App& app, Action& action) {
     CLI::App* command = app.add_subcommand("record", "Ground-motion records");
     command->require_subcommand(1);
     auto options = std::make_shared<RecordInfoOptions>();
-    CLI::App* info = command->add_subcommand("info", "Peaks, intensity and duration of every component");
+    CLI::App* info = command->add_subcommand("info", "Peaks, intensity, durations and periods of every component");
     info->add_option("files", options->files, kRecordArgument)->required()->type_name("FILE");
     options->source.add_to(*info);
     info->add_option(
             "--highpass", options->highpass,
             "Corner [Hz] of the zero-phase high-pass before integration (default: none for corrected records, 0.05 for uncorrected)")
         ->type_name("NUMBER");
+    options->measures.add_to(*info);
+    options->structure.add_to(*info);
     add_json_option(*info, options->json);
     info->footer(
         "Examples:\n"
         "  musim record info CICLC.v1\n"
         "  musim record info CICLC.v1 --highpass 0.064\n"
         "  musim record info IELC180.AT2 IELC270.AT2 --json\n"
-        "  musim record info motion.txt --unit g --dt 0.005");
+        "  musim record info motion.txt --unit g --dt 0.005\n"
+        "  musim record info CICLC.v1 --friction 0.59 --length 1.36 --slenderness 17.7      # groups, sliding of a Newmark block\n"
+        "  musim record info model.csv --mean-period-band 2.67 214\n"
+        "T mean: of the Fourier amplitudes; T PSA and T PSV: of the largest 5 % PSA and PSV among 200 periods from 4 dt to a quarter of "
+        "the\n"
+        "record. Measures of uncorrected records are of the samples above their initial level.");
     info->callback([&action, options] { action = [options] { return run_record_info(*options); }; });
     add_record_process_command(*command, action);
+    add_record_spectrum_command(*command, action);
 }
 
 }  // namespace musim::cli

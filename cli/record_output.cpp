@@ -4,6 +4,8 @@
 #include <cctype>
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <initializer_list>
+#include <string_view>
 
 #include "records/error.hpp"
 #include "records/write_record.hpp"
@@ -11,33 +13,44 @@
 namespace musim::cli {
 namespace {
 
-/// "at2" or "csv", from --format or else from the extension.
-std::string find_format(const RecordOutputOptions& options) {
-    std::string format = options.format.empty() ? std::filesystem::path(options.out).extension().string() : options.format;
-    if (format.starts_with('.')) format.erase(0, 1);
-    std::transform(format.begin(), format.end(), format.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    if (format == "vt2" || format == "dt2") format = "at2";
-    if (format != "at2" && format != "csv") {
-        throw records::WriteError(options.out + ": the format is not told by the extension; add --format at2 or --format csv");
+/// A format by its name in --format, and how files of it end.
+struct NamedFormat {
+    std::string_view name;
+    std::initializer_list<std::string_view> extensions;
+};
+
+constexpr NamedFormat kFormats[] = {{"csv", {"csv"}},
+                                    {"at2", {"at2", "vt2", "dt2"}},
+                                    {"cosmos", {"v1", "v2", "v1c", "v2c"}},
+                                    {"mseed", {"mseed", "msd", "miniseed"}}};
+
+/// From --format or else from the extension.
+std::string_view find_format(const RecordOutputOptions& options) {
+    std::string wanted = options.format.empty() ? std::filesystem::path(options.out).extension().string() : options.format;
+    if (wanted.starts_with('.')) wanted.erase(0, 1);
+    std::transform(wanted.begin(), wanted.end(), wanted.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    for (const NamedFormat& format : kFormats) {
+        const bool known = std::find(format.extensions.begin(), format.extensions.end(), wanted) != format.extensions.end();
+        if (known || wanted == format.name) return format.name;
     }
-    return format;
+    throw records::WriteError(options.out + ": the format is not told by the extension; add --format csv, at2, cosmos or mseed");
 }
 
 }  // namespace
 
 void RecordOutputOptions::add_to(CLI::App& command) {
-    command.add_option("-o,--out", out, "File to write: .csv (all components) or .at2 (one)")->required()->type_name("OUT");
-    command.add_option("--format", format, "at2 or csv, when the extension does not tell")->type_name("FORMAT");
-    command.add_option("--component", component, "Component for a .at2 file, e.g. 360")->type_name("NAME");
+    command.add_option("-o,--out", out, "File to write: .csv, .v2 (COSMOS) or .mseed (all components), .at2, .vt2 or .dt2 (PEER, one)")->required()->type_name("OUT");
+    command.add_option("--format", format, "csv, at2, cosmos or mseed, when the extension does not tell")->type_name("FORMAT");
+    command.add_option("--component", component, "Component for a PEER file, e.g. 360")->type_name("NAME");
 }
 
 void RecordOutputOptions::check() const { find_format(*this); }
 
 void RecordOutputOptions::write(const records::GroundMotion& motion) const {
-    if (find_format(*this) == "csv") {
-        records::write_csv(out, motion);
-        return;
-    }
+    const std::string_view name = find_format(*this);
+    if (name == "csv") return records::write_csv(out, motion);
+    if (name == "cosmos") return records::write_cosmos(out, motion);
+    if (name == "mseed") return records::write_miniseed(out, motion);
     if (component.empty() && motion.components.size() > 1) {
         throw records::WriteError(out + ": a PEER file holds one component; choose one with --component (" + motion.component_names() +
                                   ")");

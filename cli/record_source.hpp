@@ -9,11 +9,13 @@
 
 namespace musim::cli {
 
-/// What a record file may leave unsaid, as options --dt, --unit, --quantity.
+/// What a record file may leave unsaid, as options --dt, --unit, --quantity, --sensitivity, --station-xml.
 struct RecordSourceOptions {
     std::optional<Number> dt;
     std::optional<std::string> unit;
     std::optional<std::string> quantity;
+    std::optional<Number> sensitivity;
+    std::string station_xml;
 
     void add_to(CLI::App& command);
 
@@ -22,6 +24,6 @@ struct RecordSourceOptions {
 };
 
 /// How a positional record argument describes itself in help texts.
-inline constexpr const char* kRecordArgument = "Record file (PEER AT2, CSMIP V1/V2, CSV, plain text), or `synthetic` for the built-in one";
+inline constexpr const char* kRecordArgument = "Record file of any format in records/README.md (PEER, CSMIP, COSMOS, SMC, K-NET, ESM, SAC, miniSEED, text, ...), or `synthetic` for the built-in one";
 
 }  // namespace musim::cli

@@ -1,5 +1,7 @@
 #include "records/intensity.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <numbers>
 
@@ -43,17 +45,29 @@ scaling::Velocity compute_arias_intensity(const TimeSeries& acceleration, scalin
 }
 
 scaling::Time compute_significant_duration(const TimeSeries& acceleration) {
+    return compute_significant_duration(acceleration, 0.05, 0.95);
+}
+
+scaling::Time compute_significant_duration(const TimeSeries& acceleration, double from, double to) {
     require_quantity(acceleration, SampleQuantity::acceleration, "significant duration");
+    if (!(0.0 <= from && from < to && to <= 1.0)) {
+        throw ProcessingError(
+            fmt::format("no significant duration between the shares {} and {} (0 <= from < to <= 1); change them", from, to));
+    }
     const std::vector<double> energy = detail::cumulative_square(acceleration);
     if (!(energy.back() > 0.0)) return {};
-    return detail::time_of_share(acceleration, energy, 0.95) - detail::time_of_share(acceleration, energy, 0.05);
+    return detail::time_of_share(acceleration, energy, to) - detail::time_of_share(acceleration, energy, from);
+}
+
+TimeSeries level_uncorrected(const TimeSeries& series, std::optional<scaling::Frequency> integration_corner) {
+    return integration_corner ? remove_initial_level(series) : series;
 }
 
 Intensity compute_intensity(const TimeSeries& series, std::optional<scaling::Frequency> integration_corner) {
     Intensity intensity;
     TimeSeries history = series;
     if (series.quantity() == SampleQuantity::acceleration) {
-        const TimeSeries leveled = integration_corner ? remove_initial_level(series) : series;
+        const TimeSeries leveled = level_uncorrected(series, integration_corner);
         intensity.pga = find_peak_acceleration(leveled);
         intensity.arias = compute_arias_intensity(leveled);
         intensity.d5_95 = compute_significant_duration(leveled);

@@ -25,6 +25,13 @@ scaling::Velocity compute_arias_intensity(const TimeSeries& acceleration, scalin
 /// Throws ProcessingError for other quantities.
 scaling::Time compute_significant_duration(const TimeSeries& acceleration);
 
+/// The same between any two shares of the Arias intensity, D5-75 with 0.05 and 0.75. Also throws unless 0 <= from < to <= 1.
+scaling::Time compute_significant_duration(const TimeSeries& acceleration, double from, double to);
+
+/// What measures of a record are taken from: with an integration corner (uncorrected records) the samples above their initial level
+/// (remove_initial_level), else the samples as they are.
+TimeSeries level_uncorrected(const TimeSeries& series, std::optional<scaling::Frequency> integration_corner);
+
 /// Intensity measures of one component; those that its quantity does not give are left out.
 struct Intensity {
     std::optional<Peak<scaling::Acceleration>> pga;
@@ -38,7 +45,7 @@ struct Intensity {
 ///
 /// With an integration corner (uncorrected records) velocity and displacement come from the samples, their mean taken out since an offset
 /// would ring, high-passed there, order 2, forward and backward; PGA, Arias intensity and duration from the unfiltered samples above their
-/// initial level (remove_initial_level).
+/// initial level (level_uncorrected).
 Intensity compute_intensity(const TimeSeries& series, std::optional<scaling::Frequency> integration_corner = std::nullopt);
 
 }  // namespace musim::records

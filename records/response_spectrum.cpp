@@ -17,11 +17,6 @@ constexpr std::size_t kBatch = 8;
 
 using Lane = std::array<double, kBatch>;
 
-void check_damping(double damping) {
-    if (!(damping >= 0.0 && std::isfinite(damping)))
-        throw ProcessingError(fmt::format("damping ratio is {} (must be a fraction of critical from 0 up); give 0.05 for 5 %", damping));
-}
-
 void check_period(scaling::Time period, bool rigid_too) {
     const bool good = std::isfinite(period.value()) && (period.value() > 0.0 || (rigid_too && period.value() == 0.0));
     if (!good)
@@ -66,6 +61,11 @@ Largest run_batch(std::span<const double> samples, const std::array<detail::Osci
 
 }  // namespace
 
+void require_damping(double damping) {
+    if (!(damping >= 0.0 && std::isfinite(damping)))
+        throw ProcessingError(fmt::format("damping ratio is {} (must be a fraction of critical from 0 up); give 0.05 for 5 %", damping));
+}
+
 std::vector<double> ResponseSpectrum::pseudo_velocity() const {
     std::vector<double> values(period.size(), 0.0);
     for (std::size_t i = 0; i < period.size(); ++i)
@@ -84,7 +84,7 @@ std::vector<double> ResponseSpectrum::pseudo_acceleration() const {
 
 ResponseSpectrum compute_response_spectrum(const TimeSeries& acceleration, std::span<const scaling::Time> periods, double damping) {
     require_quantity(acceleration, SampleQuantity::acceleration, "the response spectrum");
-    check_damping(damping);
+    require_damping(damping);
     for (const scaling::Time& period : periods) check_period(period, true);
     ResponseSpectrum spectrum;
     spectrum.damping = damping;
@@ -120,7 +120,7 @@ ResponseSpectrum compute_response_spectrum(const TimeSeries& acceleration, std::
 
 TimeSeries compute_oscillator_response(const TimeSeries& acceleration, scaling::Time period, double damping) {
     require_quantity(acceleration, SampleQuantity::acceleration, "the response of an oscillator");
-    check_damping(damping);
+    require_damping(damping);
     check_period(period, false);
     const double dt = acceleration.dt().value();
     const detail::OscillatorStep step = detail::make_oscillator_step(find_theta(period, acceleration.dt()), damping);

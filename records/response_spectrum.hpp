@@ -29,6 +29,9 @@ ResponseSpectrum compute_response_spectrum(const TimeSeries& acceleration, std::
 /// u(t) of one oscillator, at the samples; as above, but T must be positive.
 TimeSeries compute_oscillator_response(const TimeSeries& acceleration, scaling::Time period, double damping = 0.05);
 
+/// Throws ProcessingError for a damping ratio that is negative or not finite.
+void require_damping(double damping);
+
 /// `count` ≥ 2 periods from `first` to `last`, in even steps of their logarithm. Throws ProcessingError unless 0 < first < last.
 std::vector<scaling::Time> make_periods(scaling::Time first, scaling::Time last, std::size_t count);
 

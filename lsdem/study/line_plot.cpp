@@ -9,6 +9,7 @@
 #include <iterator>
 #include <limits>
 #include <stdexcept>
+#include <vector>
 
 #include "lsdem/study/detail/svg.hpp"
 
@@ -30,12 +31,14 @@ detail::LineStyle find_style(std::size_t index) {
     return {kColors[index % kColors.size()], 1.6, kDashes[index / kColors.size() % kDashes.size()]};
 }
 
-/// Least and greatest finite value, at least one.
+/// Least and greatest finite value, or of its decimal logarithm.
 struct Range {
+    bool logarithmic = false;
     double low = std::numeric_limits<double>::infinity();
     double high = -std::numeric_limits<double>::infinity();
 
     void add(double value) {
+        if (logarithmic) value = std::log10(value);
         if (!std::isfinite(value)) return;
         low = std::min(low, value);
         high = std::max(high, value);
@@ -51,17 +54,50 @@ struct Range {
     }
 };
 
-double find_tick_spacing(const PlotAxis& axis) { return detail::round_down((axis.data_max - axis.data_min) / 4.0); }
+/// An axis with even steps of the value or of its decimal logarithm, which stands in `linear` then.
+struct Axis {
+    PlotAxis linear;
+    bool logarithmic = false;
+
+    /// Place [px]; not finite for what a logarithmic axis cannot show.
+    double operator()(double value) const { return linear(logarithmic ? std::log10(value) : value); }
+    double first() const { return logarithmic ? std::pow(10.0, linear.data_min) : linear.data_min; }
+    double last() const { return logarithmic ? std::pow(10.0, linear.data_max) : linear.data_max; }
+};
+
+/// Round values in even steps.
+std::vector<double> find_even_ticks(double first, double last) {
+    const double spacing = detail::round_down((last - first) / 4.0);
+    std::vector<double> ticks;
+    for (double i = std::ceil(first / spacing); i * spacing <= last; ++i) ticks.push_back(i * spacing + 0.0);
+    return ticks;
+}
+
+/// Powers of ten, with their double and fivefold when there are few.
+std::vector<double> find_decade_ticks(double first, double last) {
+    constexpr double kFew = 3.0;
+    const double low = std::floor(std::log10(first)), high = std::log10(last);
+    const bool few = high - std::log10(first) < kFew;
+    std::vector<double> ticks;
+    for (double decade = low; decade <= high; ++decade) {
+        for (const double leading : {1.0, 2.0, 5.0}) {
+            const double tick = leading * std::pow(10.0, decade);
+            if ((few || leading == 1.0) && first <= tick && tick <= last) ticks.push_back(tick);
+        }
+    }
+    return ticks;
+}
 
 /// Calls `draw` with the place [px] and the text of every tick.
 template <class Draw>
-void for_ticks(const PlotAxis& axis, const Draw& draw) {
-    const double spacing = find_tick_spacing(axis);
-    for (double i = std::ceil(axis.data_min / spacing); i * spacing <= axis.data_max; ++i)
-        draw(axis(i * spacing), fmt::format("{:.5g}", i * spacing + 0.0));
+void for_ticks(const Axis& axis, const Draw& draw) {
+    // less than a decade: even steps are rounder
+    const bool decades = axis.logarithmic && axis.last() >= 10.0 * axis.first();
+    const std::vector<double> ticks = decades ? find_decade_ticks(axis.first(), axis.last()) : find_even_ticks(axis.first(), axis.last());
+    for (const double tick : ticks) draw(axis(tick), fmt::format("{:.5g}", tick));
 }
 
-void draw_axes(std::string& svg, const LinePlot& plot, const PlotAxis& x_axis, const PlotAxis& y_axis) {
+void draw_axes(std::string& svg, const LinePlot& plot, const Axis& x_axis, const Axis& y_axis) {
     const double bottom = kTop + kHeight, right = kLeft + kWidth;
     draw_text(svg, kLeft, 26.0, "start", "class=\"title\"", plot.title);
     draw_text(svg, kLeft, 46.0, "start", "class=\"small\"", plot.subtitle);
@@ -79,17 +115,17 @@ void draw_axes(std::string& svg, const LinePlot& plot, const PlotAxis& x_axis, c
     detail::draw_upward_text(svg, 20.0, kTop + 0.5 * kHeight, plot.y_label);
 }
 
-void draw_series(std::string& svg, const PlotSeries& series, const detail::LineStyle& style, const PlotAxis& x_axis,
-                 const PlotAxis& y_axis) {
+void draw_series(std::string& svg, const PlotSeries& series, const detail::LineStyle& style, const Axis& x_axis, const Axis& y_axis) {
     std::string path, dots;
     for (std::size_t i = 0; i < series.x.size(); ++i) {
-        if (!std::isfinite(series.x[i]) || !std::isfinite(series.y[i])) continue;
         const double x = x_axis(series.x[i]), y = y_axis(series.y[i]);
+        if (!std::isfinite(x) || !std::isfinite(y)) continue;
         fmt::format_to(std::back_inserter(path), "{}{:.1f} {:.1f}", path.empty() ? "M" : "L", x, y);
         if (series.marks) fmt::format_to(std::back_inserter(dots), "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"2.6\"/>", x, y);
         if (i < series.y_error.size()) {
+            const double low = y_axis(series.y[i] - series.y_error[i]), high = y_axis(series.y[i] + series.y_error[i]);
             const std::string bar = fmt::format("stroke=\"{}\" stroke-width=\"1\"", style.color);
-            draw_line(svg, x, y_axis(series.y[i] - series.y_error[i]), x, y_axis(series.y[i] + series.y_error[i]), bar.c_str());
+            if (std::isfinite(low)) draw_line(svg, x, low, x, high, bar.c_str());
         }
     }
     if (series.line && !path.empty()) svg += fmt::format("<path d=\"{}\" {}/>\n", path, detail::stroke(style));
@@ -100,7 +136,7 @@ void draw_series(std::string& svg, const PlotSeries& series, const detail::LineS
 
 std::string make_svg(const LinePlot& plot) {
     // the ranges of all series
-    Range x_range, y_range;
+    Range x_range{.logarithmic = plot.x_logarithmic}, y_range{.logarithmic = plot.y_logarithmic};
     for (const PlotSeries& series : plot.series) {
         if (series.x.size() != series.y.size()) {
             throw std::invalid_argument(
@@ -116,8 +152,8 @@ std::string make_svg(const LinePlot& plot) {
     if (plot.y_from_zero) y_range.add(0.0);
     x_range.widen(0.02);
     y_range.widen(0.05);
-    const PlotAxis x_axis{x_range.low, x_range.high, kLeft, kLeft + kWidth};
-    const PlotAxis y_axis{y_range.low, y_range.high, kTop + kHeight, kTop};
+    const Axis x_axis{{x_range.low, x_range.high, kLeft, kLeft + kWidth}, plot.x_logarithmic};
+    const Axis y_axis{{y_range.low, y_range.high, kTop + kHeight, kTop}, plot.y_logarithmic};
 
     std::string svg = detail::open_svg(kLeft + kWidth + kLegendWidth, kTop + kHeight + kBottom);
     draw_axes(svg, plot, x_axis, y_axis);

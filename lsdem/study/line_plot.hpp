@@ -22,7 +22,9 @@ struct LinePlot {
     std::string x_label;
     std::string y_label;
     std::vector<PlotSeries> series;
-    bool y_from_zero = false;  ///< the vertical axis includes 0
+    bool y_from_zero = false;    ///< the vertical axis includes 0, when it is not logarithmic
+    bool x_logarithmic = false;  ///< points, and bars that reach, to zero or below are left out
+    bool y_logarithmic = false;  ///< likewise
 };
 
 /// The plot as an SVG document, axes with round ticks, legend on the right. Throws std::invalid_argument when x and y of a series differ

@@ -109,3 +109,48 @@ TEST_CASE("a full disk leaves no partial record") {
     CHECK(here.run("rescale synthetic --length 1/25 --format csv -o /dev/full").exit_code == 3);
     CHECK(std::filesystem::is_character_file("/dev/full"));
 }
+
+TEST_CASE("record process follows a recipe, and its output tells the recipe") {
+    const Workplace here;
+    const Outcome done = here.run(R"(record process synthetic --step '{"step": "filter", "low": "0.2 Hz", "order": 4}' --step '{"step": "rest"}' )"
+                                  "-o one.csv --save-recipe recipe.json --json");
+    CHECK(done.exit_code == 0);
+    const auto history = done.json()["history"].get<std::vector<std::string>>();
+    REQUIRE(history.size() >= 2);
+    CHECK(history[history.size() - 2] == R"({"step":"filter","low":0.2,"order":4,"phase":"zero"})");
+    CHECK(history.back() == R"({"step":"rest"})");
+    for (const char* key : {"pga_g", "pgv_cm_s", "dt_s", "duration_s"}) {
+        CHECK(done.json()["components"][0]["before"].contains(key));
+        CHECK(done.json()["components"][0]["after"].contains(key));
+    }
+    // by the recipe that was saved, and by the history of the output: the same file
+    CHECK(here.run("record process synthetic --recipe recipe.json -o two.csv").exit_code == 0);
+    CHECK(here.run("record process synthetic --recipe one.csv -o three.csv").exit_code == 0);
+    CHECK(here.read("two.csv") == here.read("one.csv"));
+    CHECK(here.read("three.csv") == here.read("one.csv"));
+    CHECK(here.run("record process synthetic --recipe recipe.json -o four.v2").exit_code == 0);
+    CHECK(here.run("record info four.v2").out.find("COSMOS") != std::string::npos);
+    CHECK(here.run("record process synthetic --recipe recipe.json -o five.mseed").exit_code == 0);
+    CHECK(here.run("record info five.mseed --sensitivity 1").exit_code == 0);
+}
+
+TEST_CASE("what record process cannot do is said in one line, and nothing is written") {
+    const Workplace here;
+    here.write("bad.json", R"({"schema": "musim-recipe/1", "steps": [{"step": "filtre"}]})");
+    struct Case {
+        std::string arguments, message;
+    };
+    for (const Case& wanted :
+         {Case{"--recipe bad.json -o x.csv", "bad.json: step 1 (filtre): is no step; take one of"},
+          Case{"--recipe missing.json -o x.csv", "missing.json: cannot be read"},
+          Case{"-o x.csv", "there is nothing to do: give --recipe FILE or --step JSON"},
+          Case{R"(--step '{"step": "cut", "window": [900, 901]}' -o x.csv)", "step 1 (cut): window 900 s to 901 s does not fit"},
+          Case{R"(--step '{"step": "level"}' -o x.xyz)", "x.xyz: the format is not told by the extension; add --format csv, at2, cosmos or mseed"}}) {
+        CAPTURE(wanted.arguments);
+        const Outcome outcome = here.run("record process synthetic " + wanted.arguments);
+        CHECK(outcome.exit_code != 0);
+        CHECK(outcome.has_one_error_line());
+        CHECK(outcome.err.find(wanted.message) != std::string::npos);
+        CHECK_FALSE(here.has("x.csv"));
+    }
+}

@@ -2,6 +2,8 @@
 
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <utility>
 
 #include "records/intensity.hpp"
 
@@ -39,6 +41,16 @@ TEST_CASE("a sine has the intensity measures of the closed forms") {
 TEST_CASE("a constant acceleration has a significant duration of nine tenths") {
     const TimeSeries series(SampleQuantity::acceleration, 0.0 * seconds, 0.01 * seconds, std::vector<double>(1001, 1.0));
     CHECK(compute_significant_duration(series).value() == doctest::Approx(9.0).epsilon(1e-9));
+    CHECK(compute_significant_duration(series, 0.05, 0.75).value() == doctest::Approx(7.0).epsilon(1e-9));
+    CHECK(compute_significant_duration(series, 0.0, 1.0).value() == doctest::Approx(10.0).epsilon(1e-9));
+    for (const auto& [from, to] : {std::pair{-0.1, 0.5}, {0.5, 0.5}, {0.6, 0.5}, {0.5, 1.1}, {std::nan(""), 0.5}})
+        CHECK_THROWS_AS(compute_significant_duration(series, from, to), ProcessingError);
+}
+
+TEST_CASE("only uncorrected records are leveled before they are measured") {
+    const TimeSeries series(SampleQuantity::acceleration, 0.0 * seconds, 0.01 * seconds, {1.0, 1.0, 3.0});
+    CHECK(level_uncorrected(series, std::nullopt) == series);
+    CHECK(level_uncorrected(series, 0.05 / seconds) == series.with_samples({0.0, 0.0, 2.0}));
 }
 
 TEST_CASE("peaks keep their sign and the first of equals wins") {

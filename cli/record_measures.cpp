@@ -1,0 +1,64 @@
+#include "cli/record_measures.hpp"
+
+#include <CLI/Option.hpp>
+#include <cmath>
+
+#include "records/measures.hpp"
+#include "records/response_spectrum.hpp"
+
+namespace musim::cli {
+namespace {
+
+/// Damping and number of the periods among which a record's own are looked for.
+constexpr double kDamping = 0.05;
+constexpr std::size_t kPeriods = 200;
+
+/// Periods that a record can tell: from four samples to a quarter of its duration. Shorter records have none.
+std::vector<scaling::Time> make_own_periods(const records::TimeSeries& series) {
+    const scaling::Time first = 4.0 * series.dt(), last = 0.25 * series.duration();
+    if (!(first < last)) return {};
+    return records::make_periods(first, last, kPeriods);
+}
+
+template <class Quantity>
+std::optional<double> in_units(const std::optional<Quantity>& quantity) {
+    return quantity ? std::optional(quantity->value()) : std::nullopt;
+}
+
+}  // namespace
+
+void MeasureSettings::add_to(CLI::App& command) {
+    command.add_option("--bracket", bracket, "Threshold [g] of the bracketed duration (default 0.05)")->type_name("NUMBER");
+    command.add_option("--mean-period-band", mean_period_band, "Frequencies [Hz] of the mean period (default 0.25 20)")
+        ->type_name("LOW HIGH")
+        ->expected(2);
+}
+
+std::vector<NamedValue> measure_record(const records::TimeSeries& leveled, const records::Intensity& intensity,
+                                       const MeasureSettings& settings) {
+    std::optional<double> d5_75, cav, rms, bracketed, vmax_over_amax, mean_period, predominant_period, pulse_period;
+    if (leveled.quantity() == records::SampleQuantity::acceleration) {
+        d5_75 = records::compute_significant_duration(leveled, 0.05, 0.75).value();
+        cav = records::compute_cumulative_absolute_velocity(leveled).value();
+        rms = records::compute_rms_acceleration(leveled) / scaling::kStandardGravity;
+        bracketed = in_units(records::compute_bracketed_duration(leveled, settings.bracket.value * scaling::kStandardGravity));
+        mean_period = in_units(records::compute_mean_period(records::compute_fourier_amplitudes(leveled),
+                                                            settings.mean_period_band.at(0).value / scaling::si::seconds,
+                                                            settings.mean_period_band.at(1).value / scaling::si::seconds));
+        const auto spectrum = records::compute_response_spectrum(leveled, make_own_periods(leveled), kDamping);
+        predominant_period = in_units(records::find_predominant_period(spectrum));
+        pulse_period = in_units(records::find_pulse_period(spectrum));
+    }
+    if (intensity.pga && intensity.pgv && intensity.pga->value.value() != 0.0)
+        vmax_over_amax = std::abs(intensity.pgv->value.value() / intensity.pga->value.value());
+    return {{"d5_75_s", "D5-75 [s]", d5_75},
+            {"cav_m_s", "CAV [m/s]", cav},
+            {"rms_g", "RMS [g]", rms},
+            {"bracketed_s", "bracketed [s]", bracketed},
+            {"vmax_over_amax_s", "PGV/PGA [s]", vmax_over_amax},
+            {"mean_period_s", "T mean [s]", mean_period},
+            {"predominant_period_s", "T PSA [s]", predominant_period},
+            {"pulse_period_s", "T PSV [s]", pulse_period}};
+}
+
+}  // namespace musim::cli

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <CLI/App.hpp>
+#include <vector>
+
+#include "cli/named_values.hpp"
+#include "cli/options.hpp"
+#include "records/intensity.hpp"
+
+namespace musim::cli {
+
+/// What measures of a record depend on, as options --bracket, --mean-period-band.
+struct MeasureSettings {
+    Number bracket{0.05};                                ///< threshold of the bracketed duration [g]
+    std::vector<Number> mean_period_band{{0.25}, {20}};  ///< lowest and highest frequency of the mean period [Hz]
+
+    void add_to(CLI::App& command);
+};
+
+/// Duration, energy and periods of an acceleration; those that another quantity does not give are missing. `intensity` is that of the same
+/// series, leveled like it (records::level_uncorrected). Throws records::ProcessingError for settings that make no sense.
+std::vector<NamedValue> measure_record(const records::TimeSeries& leveled, const records::Intensity& intensity,
+                                       const MeasureSettings& settings);
+
+}  // namespace musim::cli
