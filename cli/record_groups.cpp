@@ -12,8 +12,9 @@ namespace musim::cli {
 namespace {
 
 void require_positive(const char* option, const std::optional<Number>& number) {
-    if (number && !(number->value > 0.0))
+    if (number && !(number->value > 0.0)) {
         throw records::ProcessingError(fmt::format("{} is {} (must be above 0); change it", option, number->value));
+    }
 }
 
 }  // namespace
@@ -29,8 +30,9 @@ void StructureOptions::require_valid() const {
     require_positive("--friction", friction);
     require_positive("--length", length);
     require_positive("--slenderness", slenderness);
-    if (slenderness && !(slenderness->value < 90.0))
+    if (slenderness && !(slenderness->value < 90.0)) {
         throw records::ProcessingError(fmt::format("--slenderness is {} deg (must be below 90); change it", slenderness->value));
+    }
 }
 
 std::vector<NamedValue> compute_record_groups(const records::TimeSeries& leveled, const records::Intensity& intensity,
@@ -40,15 +42,17 @@ std::vector<NamedValue> compute_record_groups(const records::TimeSeries& leveled
     if (structure.friction) {
         const double yield = structure.friction->value * g;  // [m/s²]
         if (intensity.pga) pga_friction = std::abs(intensity.pga->value.value()) / yield;
-        if (intensity.pgv && structure.length)
+        if (intensity.pgv && structure.length) {
             pgv_friction = std::abs(intensity.pgv->value.value()) / std::sqrt(yield * structure.length->value);
+        }
         if (leveled.quantity() == records::SampleQuantity::acceleration) {
             sliding = records::compute_sliding(leveled, scaling::Acceleration::from_value(yield)).largest.value();
             if (structure.length) sliding_length = *sliding / structure.length->value;
         }
     }
-    if (structure.slenderness && intensity.pga)
+    if (structure.slenderness && intensity.pga) {
         pga_slenderness = std::abs(intensity.pga->value.value()) / (g * std::tan(structure.slenderness->value * std::numbers::pi / 180.0));
+    }
     return {{"pga_over_mu_g", "PGA/(mu g)", pga_friction},
             {"pgv_over_sqrt_mu_g_l", "PGV/sqrt(mu g l)", pgv_friction},
             {"pga_over_g_tan_alpha", "PGA/(g tan alpha)", pga_slenderness},

@@ -49,8 +49,9 @@ std::vector<NamedValue> measure_record(const records::TimeSeries& leveled, const
         predominant_period = in_units(records::find_predominant_period(spectrum));
         pulse_period = in_units(records::find_pulse_period(spectrum));
     }
-    if (intensity.pga && intensity.pgv && intensity.pga->value.value() != 0.0)
+    if (intensity.pga && intensity.pgv && intensity.pga->value.value() != 0.0) {
         vmax_over_amax = std::abs(intensity.pgv->value.value() / intensity.pga->value.value());
+    }
     return {{"d5_75_s", "D5-75 [s]", d5_75},
             {"cav_m_s", "CAV [m/s]", cav},
             {"rms_g", "RMS [g]", rms},

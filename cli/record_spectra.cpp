@@ -72,8 +72,9 @@ SpectrumTable make_rotated_table(const std::string& file, const ComponentPair& p
 
 GroundMotion load_leveled(const RecordSourceOptions& source, const std::string& file) {
     GroundMotion motion = source.load(file);
-    for (Component& component : motion.components)
+    for (Component& component : motion.components) {
         component.series = records::level_uncorrected(component.series, motion.integration_corner);
+    }
     return motion;
 }
 
@@ -83,8 +84,9 @@ void add_tables(std::vector<SpectrumTable>& tables, const std::string& file, con
 
 void add_rotated_tables(std::vector<SpectrumTable>& tables, const std::string& file, const ComponentPair& pair,
                         const SpectrumRequest& request) {
-    if (&pair.first == &pair.second)
+    if (&pair.first == &pair.second) {
         throw records::ReadError(fmt::format("{}: --rotd names component '{}' twice; name two", file, pair.first.name));
+    }
     for (const double damping : request.dampings) tables.push_back(make_rotated_table(file, pair, request, damping));
 }
 
@@ -106,8 +108,9 @@ std::vector<SpectrumTable> make_tables(const std::string& file, const GroundMoti
 /// The components that --rotd names in two records of one component each, in either order; in this one when both have the same name.
 ComponentPair find_pair(const GroundMotion& first, const GroundMotion& second, const SpectrumRequest& request) {
     const auto& [name, other_name] = request.rotd;
-    if (first.components.front().name == second.components.front().name)
+    if (first.components.front().name == second.components.front().name) {
         return {first.find_component(name), second.find_component(other_name)};
+    }
     const GroundMotion both{.source = first.source + " + " + second.source,
                             .components = {first.components.front(), second.components.front()}};
     const auto find = [&](const std::string& wanted) -> const Component& {

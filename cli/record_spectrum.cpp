@@ -39,9 +39,10 @@ constexpr double kMostPeriods = 1e5;
 SpectrumRequest make_request(const RecordSpectrumOptions& options) {
     SpectrumRequest request{.periods = {}, .dampings = {}, .component = options.component, .rotd = {}};
     const double count = options.periods.at(2);
-    if (!(count >= 2.0 && count <= kMostPeriods && count == std::floor(count)))
+    if (!(count >= 2.0 && count <= kMostPeriods && count == std::floor(count))) {
         throw records::ProcessingError(
             fmt::format("--periods: COUNT is {} (must be a whole number from 2 to {}); change it", count, kMostPeriods));
+    }
     request.periods = records::make_periods(options.periods.at(0).value * scaling::si::seconds,
                                             options.periods.at(1).value * scaling::si::seconds, static_cast<std::size_t>(count));
     for (const Number& damping : options.damping) {

@@ -28,9 +28,11 @@ const SpectrumColumn* find_column(const SpectrumTable& table, const std::string&
 /// Keys of all columns, in the order in which they first occur.
 std::vector<std::string> find_keys(const std::vector<SpectrumTable>& tables) {
     std::vector<std::string> keys;
-    for (const SpectrumTable& table : tables)
-        for (const SpectrumColumn& column : table.columns)
+    for (const SpectrumTable& table : tables) {
+        for (const SpectrumColumn& column : table.columns) {
             if (std::find(keys.begin(), keys.end(), column.key) == keys.end()) keys.push_back(column.key);
+        }
+    }
     return keys;
 }
 
@@ -74,6 +76,7 @@ std::string make_csv(const std::vector<SpectrumTable>& tables) {
     for (const SpectrumTable& table : tables) {
         const std::string start = fmt::format("{},{},{}", quote(table.file), quote(table.component), table.damping);
         std::vector<const SpectrumColumn*> columns;
+        columns.reserve(keys.size());
         for (const std::string& key : keys) columns.push_back(find_column(table, key));
         for (std::size_t i = 0; i < table.period.size(); ++i) {
             fmt::format_to(std::back_inserter(text), "{},{}", start, table.period[i]);

@@ -133,8 +133,9 @@ TEST_CASE("a model's spectrum at scaled periods is the prototype's") {
     REQUIRE(here.run("rescale synthetic --length 1/16 -o model.csv").exit_code == 0);
     const auto prototype = spectrum(here, "synthetic --periods 0.1 10 20")["spectra"][0],
                model = spectrum(here, "model.csv --periods 0.1/4 10/4 20")["spectra"][0];
-    for (std::size_t i = 0; i < 20; ++i)
+    for (std::size_t i = 0; i < 20; ++i) {
         CHECK(model["psa_g"][i].get<double>() == Approx(prototype["psa_g"][i].get<double>()).epsilon(1e-9));
+    }
 }
 
 TEST_CASE("a batch keeps the order of its files for any number of threads, and does what it can") {
@@ -149,8 +150,9 @@ TEST_CASE("a batch keeps the order of its files for any number of threads, and d
     CHECK(one.out == four.out);
     std::vector<std::string> files;
     const auto object = one.json();
-    for (const auto& s : object["spectra"])
+    for (const auto& s : object["spectra"]) {
         if (files.empty() || files.back() != s["file"]) files.push_back(s["file"]);
+    }
     CHECK(files == std::vector<std::string>{"synthetic", "a.csv", "b.csv", "a.csv"});
 
     const Outcome mixed = here.run("record spectrum --json a.csv bad.csv b.csv -o spectra.csv");
@@ -186,8 +188,9 @@ TEST_CASE("record spectrum writes CSV with units, SVG with a curve per component
     CHECK(here.run("record spectrum 'a, b.csv' --rotd 360,90 -o spectra.SVG").exit_code == 0);
     const std::string svg = here.read("spectra.SVG");
     CHECK(svg.ends_with("</svg>\n"));
-    for (const char* label : {">360<", ">90<", ">RotD00<", ">RotD50<", ">RotD100<", ">PSA [g]<", ">period [s]<"})
+    for (const char* label : {">360<", ">90<", ">RotD00<", ">RotD50<", ">RotD100<", ">PSA [g]<", ">period [s]<"}) {
         CHECK_MESSAGE(svg.find(label) != std::string::npos, label);
+    }
 
     const std::string table = here.run("record spectrum 'a, b.csv' --periods 0.1 1 4").out;
     CHECK(table.find("PSA [g]") != std::string::npos);
