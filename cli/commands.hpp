@@ -23,7 +23,7 @@ using Action = std::function<int()>;
 void add_scale_command(CLI::App& app, Action& action);
 void add_rescale_command(CLI::App& app, Action& action);
 void add_record_command(CLI::App& app, Action& action);
-void add_record_process_command(CLI::App& record, Action& action);  ///< to the command `record`
+void add_record_process_command(CLI::App& record, Action& action);   ///< to the command `record`
 void add_record_spectrum_command(CLI::App& record, Action& action);  ///< to the command `record`
 void add_run_command(CLI::App& app, Action& action);
 void add_pair_command(CLI::App& app, Action& action);

@@ -1,10 +1,10 @@
 #include "cli/record_output.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <CLI/CLI.hpp>
 #include <filesystem>
-#include <initializer_list>
 #include <string_view>
 
 #include "records/error.hpp"
@@ -16,13 +16,11 @@ namespace {
 /// A format by its name in --format, and how files of it end.
 struct NamedFormat {
     std::string_view name;
-    std::initializer_list<std::string_view> extensions;
+    std::array<std::string_view, 4> extensions;  ///< the rest empty
 };
 
-constexpr NamedFormat kFormats[] = {{"csv", {"csv"}},
-                                    {"at2", {"at2", "vt2", "dt2"}},
-                                    {"cosmos", {"v1", "v2", "v1c", "v2c"}},
-                                    {"mseed", {"mseed", "msd", "miniseed"}}};
+constexpr NamedFormat kFormats[] = {
+    {"csv", {"csv"}}, {"at2", {"at2", "vt2", "dt2"}}, {"cosmos", {"v1", "v2", "v1c", "v2c"}}, {"mseed", {"mseed", "msd", "miniseed"}}};
 
 /// From --format or else from the extension.
 std::string_view find_format(const RecordOutputOptions& options) {
@@ -30,7 +28,8 @@ std::string_view find_format(const RecordOutputOptions& options) {
     if (wanted.starts_with('.')) wanted.erase(0, 1);
     std::transform(wanted.begin(), wanted.end(), wanted.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     for (const NamedFormat& format : kFormats) {
-        const bool known = std::find(format.extensions.begin(), format.extensions.end(), wanted) != format.extensions.end();
+        const bool known =
+            !wanted.empty() && std::find(format.extensions.begin(), format.extensions.end(), wanted) != format.extensions.end();
         if (known || wanted == format.name) return format.name;
     }
     throw records::WriteError(options.out + ": the format is not told by the extension; add --format csv, at2, cosmos or mseed");
@@ -39,7 +38,9 @@ std::string_view find_format(const RecordOutputOptions& options) {
 }  // namespace
 
 void RecordOutputOptions::add_to(CLI::App& command) {
-    command.add_option("-o,--out", out, "File to write: .csv, .v2 (COSMOS) or .mseed (all components), .at2, .vt2 or .dt2 (PEER, one)")->required()->type_name("OUT");
+    command.add_option("-o,--out", out, "File to write: .csv, .v2 (COSMOS) or .mseed (all components), .at2, .vt2 or .dt2 (PEER, one)")
+        ->required()
+        ->type_name("OUT");
     command.add_option("--format", format, "csv, at2, cosmos or mseed, when the extension does not tell")->type_name("FORMAT");
     command.add_option("--component", component, "Component for a PEER file, e.g. 360")->type_name("NAME");
 }

@@ -11,9 +11,12 @@ namespace musim::cli {
 void RecordSourceOptions::add_to(CLI::App& command) {
     command.add_option("--dt", dt, "Time step [s] of a text file without a time column")->type_name("NUMBER");
     command.add_option("--unit", unit, "Unit of a plain text file, e.g. g or cm/s^2 (default SI)")->type_name("UNIT");
-    command.add_option("--quantity", quantity, "What a text file holds, or which series to take of a file with several: acceleration, velocity or displacement")
+    command
+        .add_option("--quantity", quantity,
+                    "What a text file holds, or which series to take of a file with several: acceleration, velocity or displacement")
         ->type_name("NAME");
-    command.add_option("--sensitivity", sensitivity, "Of miniSEED counts: counts per m/s^2 (or m/s, m, as the instrument has it)")->type_name("NUMBER");
+    command.add_option("--sensitivity", sensitivity, "Of miniSEED counts: counts per m/s^2 (or m/s, m, as the instrument has it)")
+        ->type_name("NUMBER");
     command.add_option("--station-xml", station_xml, "StationXML file that tells the sensitivity of miniSEED counts")->type_name("FILE");
 }
 

@@ -24,6 +24,8 @@ struct RecordSourceOptions {
 };
 
 /// How a positional record argument describes itself in help texts.
-inline constexpr const char* kRecordArgument = "Record file of any format in records/README.md (PEER, CSMIP, COSMOS, SMC, K-NET, ESM, SAC, miniSEED, text, ...), or `synthetic` for the built-in one";
+inline constexpr const char* kRecordArgument =
+    "Record file of any format in records/README.md (PEER, CSMIP, COSMOS, SMC, K-NET, ESM, SAC, miniSEED, text, ...), or `synthetic` for "
+    "the built-in one";
 
 }  // namespace musim::cli

@@ -112,8 +112,9 @@ TEST_CASE("a full disk leaves no partial record") {
 
 TEST_CASE("record process follows a recipe, and its output tells the recipe") {
     const Workplace here;
-    const Outcome done = here.run(R"(record process synthetic --step '{"step": "filter", "low": "0.2 Hz", "order": 4}' --step '{"step": "rest"}' )"
-                                  "-o one.csv --save-recipe recipe.json --json");
+    const Outcome done =
+        here.run(R"(record process synthetic --step '{"step": "filter", "low": "0.2 Hz", "order": 4}' --step '{"step": "rest"}' )"
+                 "-o one.csv --save-recipe recipe.json --json");
     CHECK(done.exit_code == 0);
     const auto history = done.json()["history"].get<std::vector<std::string>>();
     REQUIRE(history.size() >= 2);
@@ -145,7 +146,8 @@ TEST_CASE("what record process cannot do is said in one line, and nothing is wri
           Case{"--recipe missing.json -o x.csv", "missing.json: cannot be read"},
           Case{"-o x.csv", "there is nothing to do: give --recipe FILE or --step JSON"},
           Case{R"(--step '{"step": "cut", "window": [900, 901]}' -o x.csv)", "step 1 (cut): window 900 s to 901 s does not fit"},
-          Case{R"(--step '{"step": "level"}' -o x.xyz)", "x.xyz: the format is not told by the extension; add --format csv, at2, cosmos or mseed"}}) {
+          Case{R"(--step '{"step": "level"}' -o x.xyz)",
+               "x.xyz: the format is not told by the extension; add --format csv, at2, cosmos or mseed"}}) {
         CAPTURE(wanted.arguments);
         const Outcome outcome = here.run("record process synthetic " + wanted.arguments);
         CHECK(outcome.exit_code != 0);
