@@ -23,6 +23,7 @@ TimeSeries rescale(const TimeSeries& prototype, const scaling::Similitude& simil
 GroundMotion rescale(const GroundMotion& prototype, const scaling::Similitude& similitude) {
     GroundMotion model = prototype;
     for (Component& component : model.components) component.series = rescale(component.series, similitude);
+    model.time_zero.reset();
     if (model.integration_corner) model.integration_corner = similitude.to_model(*model.integration_corner);
     model.history.push_back(fmt::format("rescaled by the {} law: length {:.9g}, time {:.9g}, velocity {:.9g}, acceleration {:.9g}",
                                         to_string(similitude.law()), similitude.length(), similitude.time(), similitude.velocity(),

@@ -1,5 +1,7 @@
 #include "records/utc_time.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 namespace musim::records {
@@ -14,6 +16,15 @@ std::optional<UtcTime> make_utc_time(int year, int month, int day, int hour, int
     const auto microseconds = [](double seconds) { return std::chrono::microseconds(std::llround(1e6 * seconds)); };
     return std::chrono::sys_days(date) + std::chrono::hours(hour) + std::chrono::minutes(minute) + microseconds(second) -
            microseconds(3600.0 * hours_ahead);
+}
+
+std::string to_string(UtcTime time) {
+    const auto day = std::chrono::floor<std::chrono::days>(time);
+    const std::chrono::year_month_day date(day);
+    const std::chrono::hh_mm_ss clock(time - day);
+    return fmt::format("{:04}/{:02}/{:02} {:02}:{:02}:{:02}.{:06}", static_cast<int>(date.year()), static_cast<unsigned>(date.month()),
+                       static_cast<unsigned>(date.day()), clock.hours().count(), clock.minutes().count(), clock.seconds().count(),
+                       clock.subseconds().count());
 }
 
 }  // namespace musim::records

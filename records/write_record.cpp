@@ -48,6 +48,7 @@ std::string csv_header(const GroundMotion& motion) {
     std::string text = fmt::format("{}\n# event: {}\n# station: {}\n# quantity: {}\n# unit: {}\n# start_s: {}\n# dt_s: {}\n",
                                    detail::kMusimCsvTitle, one_line(motion.event, true), one_line(motion.station, true),
                                    to_string(first.quantity()), si_unit_name(first.quantity()), first.start().value(), first.dt().value());
+    if (motion.time_zero) text += fmt::format("# time_zero_utc: {}\n", to_string(*motion.time_zero));
     if (motion.integration_corner) text += fmt::format("# integration_corner_hz: {}\n", motion.integration_corner->value());
     for (const std::string& step : motion.history) text += fmt::format("# history: {}\n", one_line(step, true));
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "records/detail/date_time.hpp"
 #include "records/detail/parsers.hpp"
 #include "records/detail/text.hpp"
 
@@ -46,6 +47,12 @@ void read_header_line(const TextFile& file, std::size_t index, CsvHeader& header
     if (key == "history") header.motion.history.emplace_back(value);
     if (key == "start_s") header.start = header_number(file, index, key, value) * scaling::si::seconds;
     if (key == "dt_s") header.dt = checked_dt(file, index, header_number(file, index, key, value));
+    if (key == "time_zero_utc") {
+        header.motion.time_zero = parse_date_time(value);
+        if (!header.motion.time_zero) {
+            file.fail(index, fmt::format("time_zero_utc is {} (no date and time)", quoted(value)), "write it as 2019/07/06 03:19:23.038300");
+        }
+    }
     if (key == "integration_corner_hz") {
         header.motion.integration_corner = header_number(file, index, key, value) * scaling::si::hertz;
     }

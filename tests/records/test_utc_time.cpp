@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include "records/detail/date_time.hpp"
 #include "records/utc_time.hpp"
 
 namespace musim::records {
@@ -13,6 +14,14 @@ TEST_CASE("an instant is the same whatever clock shows it") {
     CHECK(make_utc_time(1999, 9, 20, 17, 47, 16.25) == utc);
     CHECK(make_utc_time(1999, 9, 21, 1, 47, 16.25, 8.0) == utc);
     CHECK(make_utc_time(1999, 9, 20, 14, 17, 16.25, -3.5) == utc);
+}
+
+TEST_CASE("an instant as text is read back to the microsecond, also before 1970") {
+    for (const auto& [time, text] : {std::pair(make_utc_time(2019, 7, 6, 3, 19, 23.0383), "2019/07/06 03:19:23.038300"),
+                                     std::pair(make_utc_time(1940, 5, 19, 4, 36, 40.000001), "1940/05/19 04:36:40.000001")}) {
+        CHECK(to_string(*time) == text);
+        CHECK(detail::parse_date_time(text) == time);
+    }
 }
 
 TEST_CASE("a date or time that does not exist is none") {

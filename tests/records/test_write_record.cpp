@@ -22,6 +22,7 @@ GroundMotion make_motion() {
     motion.components.push_back({"Up", {}, {SampleQuantity::acceleration, 0.1 * seconds, dt, {0.1, 0.2}}});
     motion.integration_corner = scaling::Frequency::from_value(0.05 / 3.0);
     motion.history = {"made", "rescaled"};
+    motion.time_zero = make_utc_time(2019, 7, 6, 3, 19, 23.0383);
     return motion;
 }
 
@@ -57,6 +58,7 @@ TEST_CASE("a record written as CSV comes back to the last bit") {
     CHECK(back.station == motion.station);
     CHECK(back.history == motion.history);
     CHECK(back.integration_corner == motion.integration_corner);
+    CHECK(back.time_zero == motion.time_zero);
     REQUIRE(back.components.size() == motion.components.size());
     for (std::size_t i = 0; i < motion.components.size(); ++i) {
         CHECK(back.components[i].name == motion.components[i].name);
