@@ -132,8 +132,7 @@ constexpr TextFormat kTextFormats[] = {
 
 }  // namespace
 
-GroundMotion read_record(const std::filesystem::path& path, const ReadOptions& options) {
-    std::string bytes = detail::read_bytes(path);
+GroundMotion detail::parse_record(const std::filesystem::path& path, std::string bytes, const ReadOptions& options) {
     if (!detail::is_miniseed_header(bytes)) refuse_sensitivity(path, options);
     for (const BinaryFormat& format : kBinaryFormats)
         if (format.matches(bytes)) return format.parse(detail::BinaryFile(path, std::move(bytes)), options);
@@ -143,6 +142,10 @@ GroundMotion read_record(const std::filesystem::path& path, const ReadOptions& o
     for (const TextFormat& format : kTextFormats)
         if (format.matches(file)) return format.parse(file, options);
     return detail::parse_text(file, options);
+}
+
+GroundMotion read_record(const std::filesystem::path& path, const ReadOptions& options) {
+    return detail::parse_record(path, detail::read_bytes(path), options);
 }
 
 }  // namespace musim::records

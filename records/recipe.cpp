@@ -7,17 +7,14 @@
 #include <nlohmann/json.hpp>
 
 #include "records/align.hpp"
+#include "scaling/detail/overloaded.hpp"
 #include "scaling/quantity_text.hpp"
 
 namespace musim::records {
 namespace {
 
+using scaling::detail::Overloaded;
 using Json = nlohmann::ordered_json;
-
-template <class... Functions>
-struct Overloaded : Functions... {
-    using Functions::operator()...;
-};
 
 constexpr std::string_view kSchema = "musim-recipe/1";
 

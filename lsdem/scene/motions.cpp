@@ -5,13 +5,13 @@
 #include <algorithm>
 
 #include "lsdem/scene/base_components.hpp"
-#include "lsdem/scene/detail/overloaded.hpp"
 #include "lsdem/scene/scene_error.hpp"
+#include "scaling/detail/overloaded.hpp"
 
 namespace musim::lsdem::scene {
 namespace {
 
-using detail::Overloaded;
+using scaling::detail::Overloaded;
 
 std::string name_of(const SignalMotion& motion) {
     return std::visit(Overloaded{[](const StepSignal&) { return "step"; }, [](const SineSignal&) { return "sine"; },

@@ -1,14 +1,14 @@
 #include <nlohmann/json.hpp>
 
-#include "lsdem/scene/detail/overloaded.hpp"
 #include "lsdem/scene/scene_json.hpp"
+#include "scaling/detail/overloaded.hpp"
 
 namespace musim::lsdem::scene {
 
 namespace {
 
-using detail::Overloaded;
 using nlohmann::ordered_json;
+using scaling::detail::Overloaded;
 
 constexpr std::array kAxes{"x", "y", "z"};
 

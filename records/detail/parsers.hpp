@@ -11,6 +11,9 @@ namespace musim::records::detail {
 /// Below this, uncorrected accelerograms hold drift and noise; the usual corner for strong motion [Hz] (README.md, "Uncorrected records").
 inline constexpr double kUncorrectedCornerHz = 0.05;
 
+/// What read_record() makes of the bytes of a file called `path`, whatever their format.
+GroundMotion parse_record(const std::filesystem::path& path, std::string bytes, const ReadOptions& options);
+
 GroundMotion parse_afad(const TextFile& file, const ReadOptions& options);
 GroundMotion parse_at2(const TextFile& file, const ReadOptions& options);
 GroundMotion parse_bbp(const TextFile& file, const ReadOptions& options);

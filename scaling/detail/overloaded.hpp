@@ -1,6 +1,6 @@
 #pragma once
 
-namespace musim::lsdem::scene::detail {
+namespace musim::scaling::detail {
 
 /// One function object with the calls of several, for std::visit.
 template <class... Cases>
@@ -10,4 +10,4 @@ struct Overloaded : Cases... {
 template <class... Cases>
 Overloaded(Cases...) -> Overloaded<Cases...>;
 
-}  // namespace musim::lsdem::scene::detail
+}  // namespace musim::scaling::detail
