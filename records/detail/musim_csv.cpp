@@ -50,7 +50,8 @@ void read_header_line(const TextFile& file, std::size_t index, CsvHeader& header
     if (key == "time_zero_utc") {
         header.motion.time_zero = parse_date_time(value);
         if (!header.motion.time_zero) {
-            file.fail(index, fmt::format("time_zero_utc is {} (no date and time)", quoted(value)), "write it as 2019/07/06 03:19:23.038300");
+            file.fail(index, fmt::format("time_zero_utc is {} (no date and time)", quoted(value)),
+                      "write it as 2019/07/06 03:19:23.038300");
         }
     }
     if (key == "integration_corner_hz") {
