@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cerrno>
+#include <cstdint>
 #include <fstream>
 #include <sstream>
 #include <system_error>
@@ -25,6 +26,15 @@ std::string read_bytes(const std::filesystem::path& path) {
     if (std::filesystem::is_directory(status)) fail_file(path, "is a folder (a record file is needed)", "name a file in it");
     if (!std::filesystem::is_regular_file(status)) fail_file(path, "is not a regular file (device or pipe)", "copy it to a file first");
 
+    // an hour of three components at 1000 Hz, 25 letters a value, is 0.27 GB
+    constexpr std::uintmax_t kLargest = std::uintmax_t{1} << 30U;
+    const std::uintmax_t size = std::filesystem::file_size(path, error);
+    if (!error && size > kLargest) {
+        fail_file(path,
+                  fmt::format("file has {:.3g} GB (more than {:.3g} GB is no record)", 1e-9 * static_cast<double>(size),
+                              1e-9 * static_cast<double>(kLargest)),
+                  "cut it into shorter records");
+    }
     errno = 0;
     std::ifstream stream(path, std::ios::binary);
     if (!stream) fail_file(path, fmt::format("cannot be opened ({})", std::generic_category().message(errno)), "check its permissions");

@@ -1,6 +1,9 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
 #include <random>
 #include <string>
 
@@ -72,6 +75,16 @@ TEST_CASE("a damaged PEER file or CSV is a record or a ReadError, never a crash"
 
     damage(tests::bytes_of(folder.path() / "a.at2"), 300, 1);
     damage(tests::bytes_of(folder.path() / "a.csv"), 300, 2);
+}
+
+TEST_CASE("a file too large to be a record is refused before it is read") {
+    const tests::TemporaryFolder folder;
+    const std::filesystem::path path = folder.path() / "big.at2";
+    std::ofstream(path) << "x";
+    std::filesystem::resize_file(path, std::uintmax_t{2} << 30U);  // no byte of it is stored
+    CHECK_THROWS_WITH_AS(read_record(path),
+                         (path.string() + ": file has 2.15 GB (more than 1.07 GB is no record); cut it into shorter records").c_str(),
+                         ReadError);
 }
 
 TEST_CASE("damaged real records are records or ReadErrors, never a crash") {
