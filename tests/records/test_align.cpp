@@ -63,7 +63,8 @@ TEST_CASE("files are merged by their own times, or begin together where they tel
 
 TEST_CASE("a motion along one direction is found there by rotation, from any two components") {
     constexpr double kDirection = 37.0, kDegree = pi / 180.0;
-    for (const auto& [a, b] : {std::pair(0.0, 90.0), std::pair(20.0, 140.0), std::pair(270.0, 300.0)}) {
+    for (const std::pair<double, double>& azimuths : {std::pair(0.0, 90.0), std::pair(20.0, 140.0), std::pair(270.0, 300.0)}) {
+        const double a = azimuths.first, b = azimuths.second;
         CAPTURE(a);
         CAPTURE(b);
         GroundMotion motion;

@@ -60,7 +60,8 @@ TEST_CASE("a processed record tells how it was made, and can be made again from 
 TEST_CASE("processing and rescaling can be exchanged, to the last bit for factors that are powers of two") {
     const GroundMotion motion = make_motion();
     const Recipe recipe = parse_recipe(kEverything, "test");
-    for (const auto& [length, tolerance] : {std::pair(1.0 / 16.0, 0.0), std::pair(1.0 / 107.0, 1e-9)}) {
+    for (const std::pair<double, double>& row : {std::pair(1.0 / 16.0, 0.0), std::pair(1.0 / 107.0, 1e-9)}) {
+        const double length = row.first, tolerance = row.second;
         CAPTURE(length);
         const scaling::Similitude law({.length = length, .friction = length == 1.0 / 16.0 ? 1.0 : 0.63 / 0.59}, scaling::Law::mu);
         const GroundMotion one = rescale(process(motion, recipe), law), two = process(rescale(motion, law), rescale(recipe, law));

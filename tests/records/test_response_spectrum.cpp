@@ -210,7 +210,7 @@ TEST_CASE("spectra and RotD50 of Chino Hills are PEER's own") {
     const double g = scaling::kStandardGravity.value();
     for (const nlohmann::json& record : table) {
         const PublishedSpectra published = read_spectra(record);
-        const auto load = [&](int i) {
+        const auto load = [&](std::size_t i) {
             return read_record(tests::shared_records() / "peer" / record.at("fnames").at(i).get<std::string>()).components.at(0).series;
         };
         const TimeSeries first = load(0), second = load(1);

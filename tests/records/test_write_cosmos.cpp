@@ -134,7 +134,7 @@ TEST_CASE("titles and columns of the headers are those of a network's file") {
     CHECK(ours.at(kReals) == theirs.at(kReals));
     CHECK(ours.at(kComments).substr(5) == theirs.at(kComments).substr(5));
     // theirs: V2 acceleration in cm/s² of 2018-11-30 17:29:39.137490, 5 ms, 210 s, peak -6.851512 cm/s² at 76.215 s
-    for (const std::size_t number : {1, 2, 3, 4}) CHECK(integer_of(ours, number) == integer_of(theirs, number));
+    for (const std::size_t number : {1U, 2U, 3U, 4U}) CHECK(integer_of(ours, number) == integer_of(theirs, number));
     CHECK(integer_of(theirs, 40) == 2018);
     CHECK(integer_of(theirs, 45) == 29);
     CHECK(real_of(theirs, 30) == 39.137490);
