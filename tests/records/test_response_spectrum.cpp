@@ -231,5 +231,23 @@ TEST_CASE("spectra and RotD50 of Chino Hills are PEER's own") {
     }
 }
 
+TEST_CASE("spectra of Carson-Catskill are those of Boore's SMC2PSA to six digits") {
+    if (!tests::have_shared_records()) return;
+    const std::filesystem::path folder = tests::shared_records() / "smc";
+    const TimeSeries first = read_record(folder / "A-CAT090.AT2.smc").components.at(0).series;
+    const TimeSeries second = read_record(folder / "A-CAT180.AT2.smc").components.at(0).series;
+    struct Row {
+        double period, psa_1, psa_2;  // [s], [cm/s^2]
+    };
+    for (const Row& row :
+         {Row{0.01, 41.27216, 57.86498}, Row{0.1, 154.9204, 141.4313}, Row{0.7, 96.95240, 85.09807}, Row{2.0, 11.43054, 6.411779}}) {
+        CAPTURE(row.period);
+        const std::array period{row.period * seconds};
+        // six digits: SMC2PSA computes in single precision, and prints rounded periods
+        CHECK(100.0 * compute_response_spectrum(first, period).pseudo_acceleration()[0] == doctest::Approx(row.psa_1).epsilon(5e-6));
+        CHECK(100.0 * compute_response_spectrum(second, period).pseudo_acceleration()[0] == doctest::Approx(row.psa_2).epsilon(5e-6));
+    }
+}
+
 }  // namespace
 }  // namespace musim::records
