@@ -1,7 +1,10 @@
 #include "cli/options.hpp"
 
+#include <algorithm>
+#include <cctype>
 #include <CLI/Error.hpp>
 #include <CLI/Option.hpp>
+#include <filesystem>
 
 #include "scaling/number.hpp"
 
@@ -27,6 +30,16 @@ void SimilitudeOptions::add_to(CLI::App& command) {
 scaling::Similitude SimilitudeOptions::similitude() const {
     const scaling::ScaleFactors chosen{.length = length, .friction = friction, .gravity = gravity, .density = density};
     return scaling::Similitude(chosen, scaling::parse_law(law));
+}
+
+std::string to_lower_case(std::string text) {
+    std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return text;
+}
+
+std::string find_extension(const std::string& file) {
+    const std::string extension = std::filesystem::path(file).extension().string();
+    return to_lower_case(extension.substr(extension.empty() ? 0 : 1));
 }
 
 void add_json_option(CLI::App& command, bool& json) {

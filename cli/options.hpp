@@ -32,6 +32,12 @@ struct SimilitudeOptions {
     scaling::Similitude similitude() const;
 };
 
+/// `text` with small letters for A to Z.
+std::string to_lower_case(std::string text);
+
+/// What a file is called behind its last dot, in lower case: "csv"; empty without one.
+std::string find_extension(const std::string& file);
+
 /// Adds --json.
 void add_json_option(CLI::App& command, bool& json);
 

@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <CLI/CLI.hpp>
-#include <filesystem>
 #include <string_view>
 
+#include "cli/options.hpp"
 #include "records/error.hpp"
 #include "records/write_record.hpp"
 
@@ -24,9 +23,7 @@ constexpr NamedFormat kFormats[] = {
 
 /// From --format or else from the extension.
 std::string_view find_format(const RecordOutputOptions& options) {
-    std::string wanted = options.format.empty() ? std::filesystem::path(options.out).extension().string() : options.format;
-    if (wanted.starts_with('.')) wanted.erase(0, 1);
-    std::transform(wanted.begin(), wanted.end(), wanted.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string wanted = options.format.empty() ? find_extension(options.out) : to_lower_case(options.format);
     for (const NamedFormat& format : kFormats) {
         const bool known =
             !wanted.empty() && std::find(format.extensions.begin(), format.extensions.end(), wanted) != format.extensions.end();

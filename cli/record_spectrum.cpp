@@ -1,8 +1,6 @@
 #include <algorithm>
-#include <cctype>
 #include <CLI/CLI.hpp>
 #include <cmath>
-#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -58,11 +56,9 @@ enum class OutFormat { none, csv, svg };
 
 OutFormat find_out_format(const std::string& out) {
     if (out.empty()) return OutFormat::none;
-    std::string extension = std::filesystem::path(out).extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    if (extension == ".csv") return OutFormat::csv;
-    if (extension == ".svg") return OutFormat::svg;
+    const std::string extension = find_extension(out);
+    if (extension == "csv") return OutFormat::csv;
+    if (extension == "svg") return OutFormat::svg;
     throw records::WriteError(out + ": the format is not told by the extension; name it .csv or .svg");
 }
 

@@ -2,8 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
+
+#include "records/detail/stated_peak.hpp"
 
 namespace musim::records::detail {
 
@@ -18,9 +19,7 @@ void check_record_length(const TextFile& file, std::size_t index, std::size_t co
 }
 
 void check_peak(const TextFile& file, std::size_t index, std::span<const double> samples, const StatedPeak& stated) {
-    double largest = 0.0;
-    for (const double sample : samples) largest = std::max(largest, std::abs(sample));
-    const double peak = largest / stated.si;
+    const double peak = std::abs(signed_peak(samples)) / stated.si;
     if (std::abs(peak - std::abs(stated.value)) > stated.tolerance) {
         file.fail(index,
                   fmt::format("peak is {} {} (largest sample: {:.6g}; samples or header are damaged)", stated.value, stated.unit, peak),
