@@ -22,9 +22,9 @@ std::string wish(Dimension wanted) {
 /// The unit in the reading of "g" that fits the wanted dimension.
 detail::Unit parse_unit_for(std::string_view unit_text, Dimension wanted, std::string_view text) {
     const detail::Unit unit = detail::parse_unit(unit_text, detail::GramOrGravity::gram, text);
-    if (unit.dimension == wanted) return unit;
+    if (unit.dimension == RationalDimension(wanted)) return unit;
     const detail::Unit with_gravity = detail::parse_unit(unit_text, detail::GramOrGravity::gravity, text);
-    if (with_gravity.dimension == wanted) return with_gravity;
+    if (with_gravity.dimension == RationalDimension(wanted)) return with_gravity;
     throw ParseError(fmt::format("\"{}\": {}, this is {}", text, wish(wanted), detail::describe(unit.dimension)));
 }
 

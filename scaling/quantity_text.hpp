@@ -11,11 +11,12 @@ namespace musim::scaling {
 /// SI value of a quantity written as text, checked against the wanted dimension.
 ///
 /// Text is a number or fraction (parse_number) and a unit: "30 MN/m", "4.25/107 m", "0.511 g", "9.80665 m/s2", "2 kN*s/m", "5 N/(m s)".
-/// Without unit the number is SI. Units combine by `*`, `·`, blank and `/` (from left to right: "cm/s/s") and carry whole powers ("m^2",
-/// "m2", "s^-2"). "g" is gravity (9.80665 m/s²) where that fits the wanted dimension and gram otherwise; "kg" is always kilogram.
-/// Angles are plain numbers: "deg" is π/180, "rad" is 1, "Hz" is 1/s. Prefixes n u m c d k M G T and powers of ten shift the decimal
-/// point before the number is rounded, so "12.710 mm" and "0.012710 m" are the same double.
-/// Throws ParseError: no number, unknown unit (names the nearest one), wrong dimension (says what is wanted, with an example).
+/// Without unit the number is SI. Units combine by `*`, `·`, blank and `/` (from left to right: "cm/s/s") and carry powers ("m^2", "m2",
+/// "s^-2", "m^0.5", "m^(1/3)"). Beside mechanics K, A, mol, cd, C, V and ohm are known. "g" is gravity (9.80665 m/s²) where that fits the
+/// wanted dimension and gram otherwise; "kg" is always kilogram. Angles are plain numbers: "deg" is π/180, "rad" is 1, "Hz" is 1/s.
+/// Prefixes n u m c d k M G T and powers of ten shift the decimal point before the number is rounded, so "12.710 mm" and "0.012710 m" are
+/// the same double. Throws ParseError: no number, unknown unit (names the nearest one), wrong dimension (says what is wanted, with an
+/// example).
 double parse_si(std::string_view text, Dimension wanted);
 
 /// parse_si() for the dimension of `Quantity`, e.g. parse_quantity<Stiffness>("30 MN/m").

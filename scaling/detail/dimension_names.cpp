@@ -57,18 +57,28 @@ const DimensionName* find_dimension_name(Dimension dimension) {
     return nullptr;
 }
 
-std::string describe(Dimension dimension) {
-    if (const DimensionName* known = find_dimension_name(dimension)) return std::string(known->name);
+std::string describe(const RationalDimension& dimension) {
+    if (const auto halves = to_halves(dimension)) {
+        if (const DimensionName* known = find_dimension_name(*halves)) return std::string(known->name);
+    }
     return "in " + base_units(dimension);
 }
 
-std::string base_units(Dimension dimension) {
+std::string base_units(const RationalDimension& dimension) {
+    constexpr std::pair<std::string_view, BaseDimension> kUnits[] = {{"kg", BaseDimension::mass},
+                                                                     {"m", BaseDimension::length},
+                                                                     {"s", BaseDimension::time},
+                                                                     {"K", BaseDimension::temperature},
+                                                                     {"A", BaseDimension::current},
+                                                                     {"mol", BaseDimension::amount},
+                                                                     {"cd", BaseDimension::luminous_intensity}};
     std::string text;
-    for (const auto& [name, halves] : {std::pair{"kg", dimension.mass}, {"m", dimension.length}, {"s", dimension.time}}) {
-        if (halves == 0) continue;
+    for (const auto& [name, base] : kUnits) {
+        const Rational& exponent = dimension[base];
+        if (exponent == 0) continue;
         if (!text.empty()) text += ' ';
         text += name;
-        if (halves != 2) text += fmt::format("^{}", 0.5 * halves);
+        text += exponent.denominator() == 2 ? fmt::format("^{}", 0.5 * static_cast<double>(exponent.numerator())) : power_text(exponent);
     }
     return text;
 }

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "scaling/dimension.hpp"
+#include "scaling/rational_dimension.hpp"
 
 namespace musim::scaling::detail {
 
@@ -27,9 +27,9 @@ struct DimensionName {
 const DimensionName* find_dimension_name(Dimension dimension);
 
 /// "a stiffness", or "in kg m^2 s^-5" for a dimension without a name.
-std::string describe(Dimension dimension);
+std::string describe(const RationalDimension& dimension);
 
-/// SI base units of a dimension: "kg m^2 s^-5"; empty for a plain number.
-std::string base_units(Dimension dimension);
+/// SI base units of a dimension: "kg m^2 s^-5", halves as "m^0.5", other fractions as "m^(1/3)"; empty for a plain number.
+std::string base_units(const RationalDimension& dimension);
 
 }  // namespace musim::scaling::detail

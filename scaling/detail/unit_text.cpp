@@ -5,13 +5,14 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <cstdlib>
-#include <limits>
 #include <numbers>
 #include <string>
 #include <utility>
-#include <vector>
 
+#include "scaling/detail/edit_distance.hpp"
+#include "scaling/detail/text_cursor.hpp"
 #include "scaling/error.hpp"
 #include "scaling/units.hpp"
 
@@ -22,7 +23,8 @@ namespace {
 /// Longest unit text that is read [characters]; longer ones are mistakes, and a bound keeps nested brackets shallow.
 constexpr std::size_t kLongestUnit = 64;
 
-/// Largest power, and largest exponent that powers of brackets may build; mechanics needs 5 (inertia in kg m^5).
+/// Largest power, and largest exponent, numerator and denominator, that powers of brackets may build; mechanics needs 5 (inertia in kg
+/// m^5).
 constexpr int kLargestPower = 9;
 constexpr int kLargestExponent = 100;
 
@@ -39,8 +41,11 @@ struct Prefix {
 
 constexpr Dimension kMassDimension = dimension_of<Mass>();
 constexpr Dimension kAccelerationDimension = dimension_of<Acceleration>();
+constexpr RationalDimension kCurrent = RationalDimension::of(BaseDimension::current);
+constexpr RationalDimension kCharge = kCurrent * RationalDimension(dimension_of<Time>());
+constexpr RationalDimension kVoltage = RationalDimension(dimension_of<Power>()) / kCurrent;
 
-const std::array<Symbol, 22> kSymbols{{
+const std::array<Symbol, 29> kSymbols{{
     {"m", {dimension_of<Length>()}, true},
     {"g", {kMassDimension, -3}, true},
     {"s", {dimension_of<Time>()}, true},
@@ -53,6 +58,13 @@ const std::array<Symbol, 22> kSymbols{{
     {"gal", {kAccelerationDimension, -2}, true},
     {"Gal", {kAccelerationDimension, -2}, true},
     {"bar", {dimension_of<Stress>(), 5}, true},
+    {"K", {RationalDimension::of(BaseDimension::temperature)}, true},
+    {"A", {kCurrent}, true},
+    {"mol", {RationalDimension::of(BaseDimension::amount)}, true},
+    {"cd", {RationalDimension::of(BaseDimension::luminous_intensity)}, true},
+    {"C", {kCharge}, true},
+    {"V", {kVoltage}, true},
+    {"ohm", {kVoltage / kCurrent}, true},
     {"sec", {dimension_of<Time>()}},
     {"min", {dimension_of<Time>(), 0, 60.0}},
     {"h", {dimension_of<Time>(), 0, 3600.0}},
@@ -68,24 +80,6 @@ const std::array<Symbol, 22> kSymbols{{
 // U+00B5 (micro sign) and U+03BC (Greek mu) look the same
 constexpr std::array<Prefix, 11> kPrefixes{
     {{"n", -9}, {"u", -6}, {"\u00B5", -6}, {"\u03BC", -6}, {"m", -3}, {"c", -2}, {"d", -1}, {"k", 3}, {"M", 6}, {"G", 9}, {"T", 12}}};
-
-/// Edit distance [Levenshtein66]: 1 for another case of the same letter, 2 for any other change.
-int edit_distance(std::string_view a, std::string_view b) {
-    std::vector<int> row(b.size() + 1);
-    for (std::size_t j = 0; j <= b.size(); ++j) row[j] = 2 * static_cast<int>(j);
-    for (const char letter : a) {
-        int diagonal = row[0];
-        row[0] += 2;
-        for (std::size_t j = 0; j < b.size(); ++j) {
-            const bool same_letter = std::tolower(static_cast<unsigned char>(letter)) == std::tolower(static_cast<unsigned char>(b[j]));
-            const int substitution = letter == b[j] ? 0 : same_letter ? 1 : 2;
-            const int best = std::min({diagonal + substitution, row[j] + 2, row[j + 1] + 2});
-            diagonal = row[j + 1];
-            row[j + 1] = best;
-        }
-    }
-    return row[b.size()];
-}
 
 /// The known unit, with or without prefix, that is spelled most like `name`; empty when none shares a letter with it.
 std::string find_nearest_unit(std::string_view name) {
@@ -106,23 +100,18 @@ std::string find_nearest_unit(std::string_view name) {
 }
 
 void multiply(Unit& product, const Unit& factor) {
-    product.dimension.length += factor.dimension.length;
-    product.dimension.mass += factor.dimension.mass;
-    product.dimension.time += factor.dimension.time;
+    product.dimension = product.dimension * factor.dimension;
     product.decimal_exponent += factor.decimal_exponent;
     product.numerator *= factor.numerator;
     product.denominator *= factor.denominator;
 }
 
-Unit inverse(const Unit& unit) {
-    const Dimension& d = unit.dimension;
-    return {{-d.length, -d.mass, -d.time}, -unit.decimal_exponent, unit.denominator, unit.numerator};
-}
+Unit inverse(const Unit& unit) { return {pow(unit.dimension, -1), -unit.decimal_exponent, unit.denominator, unit.numerator}; }
 
 /// Recursive descent over `product := [/] factor {[* / · . blank] factor}`, `factor := (1 | symbol | "(" product ")") [power]`.
-class UnitReader {
+class UnitReader : private TextCursor {
   public:
-    UnitReader(std::string_view unit, GramOrGravity g, std::string_view text) : rest_(unit), g_(g), text_(text) {}
+    UnitReader(std::string_view unit, GramOrGravity g, std::string_view text) : TextCursor(unit), g_(g), text_(text) {}
 
     Unit read() {
         if (rest_.size() > kLongestUnit) fail("the unit is too long");
@@ -136,16 +125,6 @@ class UnitReader {
         throw ParseError(fmt::format("\"{}\": {}; write a unit such as \"m\", \"MN/m\" or \"kN*s/m\"", text_, why));
     }
 
-    bool skip(std::string_view token) {
-        if (!rest_.starts_with(token)) return false;
-        rest_.remove_prefix(token.size());
-        return true;
-    }
-
-    void skip_blanks() {
-        while (skip(" ") || skip("\t")) continue;
-    }
-
     Unit read_product() {
         Unit product;
         bool divide = skip("/");
@@ -154,7 +133,7 @@ class UnitReader {
             const Unit factor = read_factor();
             multiply(product, divide ? inverse(factor) : factor);
             skip_blanks();
-            if (rest_.empty() || rest_.front() == ')') return product;
+            if (at_end()) return product;
             divide = skip("/");
             if (!divide && !skip("*") && !skip("·")) skip(".");
             skip_blanks();
@@ -211,38 +190,71 @@ class UnitReader {
         fail(fmt::format("unknown unit \"{}\"{}", name, nearest.empty() ? "" : fmt::format(" (did you mean \"{}\"?)", nearest)));
     }
 
-    /// The power behind a unit: ^2, ^-1, **2, 2, -2, ² or ³; 1 when there is none.
-    int read_power() {
+    /// Digits at the front as a number; `limit` is the largest.
+    int read_digits(int limit) {
+        int number = 0;
+        while (at_digit()) {
+            number = 10 * number + (rest_.front() - '0');
+            if (number > limit) fail("the power is too large");
+            rest_.remove_prefix(1);
+        }
+        return number;
+    }
+
+    /// The power behind a unit: ^2, ^-1, **2, 2, -2, ², ³, ^0.5 or ^(1/2); 1 when there is none.
+    Rational read_power() {
         if (skip("²")) return 2;
         if (skip("³")) return 3;
         const bool marked = skip("^") || skip("**");
-        const bool negative = rest_.starts_with('-');
-        if (negative) rest_.remove_prefix(1);
-        if (rest_.empty() || std::isdigit(static_cast<unsigned char>(rest_.front())) == 0) {
-            if (marked || negative) fail("a power must be a whole number");
+        const bool bracketed = marked && skip("(");
+        const bool negative = skip("-");
+        if (!at_digit()) {
+            if (marked || negative) fail("a power must be a whole number or a fraction such as ^(1/2)");
             return 1;
         }
-        int power = 0;
-        while (!rest_.empty() && std::isdigit(static_cast<unsigned char>(rest_.front())) != 0) {
-            power = 10 * power + (rest_.front() - '0');
-            if (power > kLargestPower) fail("the power is too large");
+        Rational power = read_digits(kLargestPower);
+        if (bracketed) {
+            if (skip("/")) {
+                const int denominator = read_digits(kLargestPower);
+                if (denominator == 0) fail("a fraction as a power needs a denominator");
+                power = power / denominator;
+            }
+            if (!skip(")")) fail("a closing bracket is missing");
+        } else if (marked && rest_.size() > 1 && rest_[0] == '.' && std::isdigit(static_cast<unsigned char>(rest_[1])) != 0) {
             rest_.remove_prefix(1);
+            const std::size_t before = rest_.size();
+            const int decimals = read_digits(kLargestExponent - 1);
+            int size = 1;
+            for (std::size_t i = rest_.size(); i < before && size <= kLargestExponent; ++i) size *= 10;
+            if (size > kLargestExponent) fail("a power has too many digits; use a fraction such as ^(1/3)");
+            power = power + Rational(decimals, size);
         }
         return negative ? -power : power;
     }
 
-    Unit raise(const Unit& unit, int power) const {
-        const Unit base = power < 0 ? inverse(unit) : unit;
+    Unit raise(const Unit& unit, const Rational& power) const {
+        const Unit base = power.numerator() < 0 ? inverse(unit) : unit;
         Unit result;
-        for (int i = 0; i < std::abs(power); ++i) multiply(result, base);
-        const Dimension& d = result.dimension;
-        if (std::max({std::abs(d.length), std::abs(d.mass), std::abs(d.time), std::abs(result.decimal_exponent)}) > kLargestExponent) {
-            fail("the powers are too large");
+        for (std::int64_t i = 0; i < std::abs(power.numerator()); ++i) multiply(result, base);
+        if (!power.is_whole()) result = take_root(result, power.denominator());
+        for (const BaseDimension of : kBaseDimensions) {
+            const Rational& exponent = result.dimension[of];
+            if (std::abs(exponent.numerator()) > kLargestExponent || exponent.denominator() > kLargestExponent) {
+                fail("the powers are too large");
+            }
         }
+        if (std::abs(result.decimal_exponent) > kLargestExponent) fail("the powers are too large");
         return result;
     }
 
-    std::string_view rest_;
+    /// What of the decimal exponent the root does not divide goes into the factor, rounded.
+    static Unit take_root(const Unit& unit, std::int64_t degree) {
+        const int n = static_cast<int>(degree);
+        const double root = 1.0 / n;
+        return {pow(unit.dimension, {1, degree}), unit.decimal_exponent / n,
+                std::pow(unit.numerator, root) * std::pow(10.0, unit.decimal_exponent % n * root), std::pow(unit.denominator, root)};
+    }
+
     GramOrGravity g_;
     std::string_view text_;
 };

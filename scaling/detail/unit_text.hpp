@@ -2,13 +2,13 @@
 
 #include <string_view>
 
-#include "scaling/dimension.hpp"
+#include "scaling/rational_dimension.hpp"
 
 namespace musim::scaling::detail {
 
 /// A unit read from text: 1 unit = numerator/denominator · 10^decimal_exponent in SI.
 struct Unit {
-    Dimension dimension;
+    RationalDimension dimension;
     int decimal_exponent = 0;
     double numerator = 1.0;
     double denominator = 1.0;
