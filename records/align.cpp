@@ -21,10 +21,12 @@ bool is_known(const GroundMotion& motion, const std::string& name) {
 
 std::string find_free_name(const GroundMotion& merged, const GroundMotion& file, const std::string& name) {
     if (!is_known(merged, name)) return name;
-    if (const std::string with_station = file.station + " " + name; !file.station.empty() && !is_known(merged, with_station))
+    if (std::string with_station = file.station + " " + name; !file.station.empty() && !is_known(merged, with_station)) {
         return with_station;
-    for (int number = 2;; ++number)
-        if (const std::string numbered = fmt::format("{} {}", number, name); !is_known(merged, numbered)) return numbered;
+    }
+    for (int number = 2;; ++number) {
+        if (std::string numbered = fmt::format("{} {}", number, name); !is_known(merged, numbered)) return numbered;
+    }
 }
 
 bool on_one_clock(const TimeSeries& a, const TimeSeries& b) {
@@ -49,7 +51,12 @@ GroundMotion merge(const std::vector<GroundMotion>& files) {
     for (std::size_t i = 1; i < files.size(); ++i) {
         const GroundMotion& file = files[i];
         scaling::Time later;
-        if (merged.time_zero && file.time_zero) {
+        if (merged.time_zero.has_value() != file.time_zero.has_value()) {
+            throw ProcessingError(
+                fmt::format("of {} and {} only one tells when it begins; cut both to one moment and write them without clocks",
+                            merged.source, file.source));
+        }
+        if (merged.time_zero) {
             later = scaling::Time::from_value(std::chrono::duration<double>(*file.time_zero - *merged.time_zero).count());
         } else {
             assumed = true;
@@ -62,8 +69,9 @@ GroundMotion merge(const std::vector<GroundMotion>& files) {
         }
         if (!merged.integration_corner) merged.integration_corner = file.integration_corner;
     }
-    if (files.size() > 1)
+    if (files.size() > 1) {
         merged.history.push_back(fmt::format("merged from {} files{}", files.size(), assumed ? ", taken to begin together" : ""));
+    }
     return merged;
 }
 
@@ -99,8 +107,9 @@ GroundMotion align(const GroundMotion& motion) {
         const TimeSeries& series = component.series;
         const auto skipped = static_cast<std::size_t>(std::llround((start - series.start()).value() / dt.value()));
         const std::span<const double> kept = series.samples().subspan(skipped, count);
-        if (kept.size() != motion.components[static_cast<std::size_t>(&component - aligned.components.data())].series.size())
+        if (kept.size() != motion.components[static_cast<std::size_t>(&component - aligned.components.data())].series.size()) {
             aligned.history.push_back(fmt::format("{} cut to {:.6g} s ... {:.6g} s", component.name, start.value(), end.value()));
+        }
         component.series = TimeSeries(series.quantity(), start, dt, {kept.begin(), kept.end()});
     }
     return aligned;
@@ -109,29 +118,33 @@ GroundMotion align(const GroundMotion& motion) {
 GroundMotion rotate(const GroundMotion& motion, double azimuth_deg) {
     if (!std::isfinite(azimuth_deg)) throw ProcessingError("the azimuth is no number; give degrees clockwise from north");
     std::vector<std::size_t> horizontal;
-    for (std::size_t i = 0; i < motion.components.size(); ++i)
+    for (std::size_t i = 0; i < motion.components.size(); ++i) {
         if (motion.components[i].azimuth_deg) horizontal.push_back(i);
+    }
     if (horizontal.size() != 2) {
         throw ProcessingError(
             fmt::format("{} components have an azimuth (two are needed); present: {}", horizontal.size(), motion.component_names()));
     }
     GroundMotion rotated = motion;
     Component &first = rotated.components[horizontal[0]], &second = rotated.components[horizontal[1]];
-    if (!on_one_clock(first.series, second.series))
+    if (!on_one_clock(first.series, second.series)) {
         throw ProcessingError("the two horizontal components are not on one clock (start, dt or length differ); align them first");
+    }
     require_quantity(second.series, first.series.quantity(), "the rotation");
     constexpr double kDegree = std::numbers::pi / 180.0;
     const double a = *first.azimuth_deg * kDegree, b = *second.azimuth_deg * kDegree, between = std::sin(b - a);
     constexpr double kParallel = 0.0175;  // sin 1°
-    if (!(std::abs(between) > kParallel))
+    if (!(std::abs(between) > kParallel)) {
         throw ProcessingError(
             fmt::format("components {} and {} are parallel (nothing tells the motion across them); take others", first.name, second.name));
+    }
     // north and east from x = n cos a + e sin a, y = n cos b + e sin b; then the same sum along the new directions
     const auto seen_along = [&](double direction) {
         const double of_first = std::sin(b - direction) / between, of_second = std::sin(direction - a) / between;
         std::vector<double> samples;
-        for (std::size_t i = 0; i < first.series.size(); ++i)
+        for (std::size_t i = 0; i < first.series.size(); ++i) {
             samples.push_back(of_first * first.series.samples()[i] + of_second * second.series.samples()[i]);
+        }
         return first.series.with_samples(std::move(samples));
     };
     const auto turned = [](double degrees) { return degrees - 360.0 * std::floor(degrees / 360.0); };

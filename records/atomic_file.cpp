@@ -57,6 +57,16 @@ void write_directly(const std::filesystem::path& path, std::string_view bytes) {
     if (!file.write(bytes) || !file.close()) fail(path, "cannot be written", errno);
 }
 
+/// Says why no file can be made in the folder of `path`.
+[[noreturn]] void fail_in_folder(const std::filesystem::path& path, int error) {
+    std::error_code unused;
+    const std::filesystem::path folder = path.parent_path();
+    if (error == ENOENT && !std::filesystem::exists(folder, unused)) {
+        throw WriteError(fmt::format("{}: cannot be created (there is no folder {}); create the folder", path.string(), folder.string()));
+    }
+    fail(path, "cannot be created in its folder", error);
+}
+
 // a name nobody else uses: process and count
 std::filesystem::path temporary_beside(const std::filesystem::path& target) {
     static std::atomic<unsigned> count{0};
@@ -77,7 +87,7 @@ void write_file_atomically(const std::filesystem::path& path, std::string_view b
     const std::filesystem::path target = std::filesystem::weakly_canonical(path, error);
     const std::filesystem::path temporary = temporary_beside(error ? path : target);
     OutputFile file(temporary, O_CREAT | O_EXCL);
-    if (!file.is_open()) fail(path, "cannot be created in its folder", errno);
+    if (!file.is_open()) fail_in_folder(path, errno);
     if (!file.write(bytes) || !file.flush() || !file.close() || ::rename(temporary.c_str(), (error ? path : target).c_str()) != 0) {
         const int reason = errno;
         ::unlink(temporary.c_str());

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "records/detail/energy.hpp"
+#include "records/motion_histories.hpp"
 #include "records/processing.hpp"
 
 namespace musim::records {
@@ -64,20 +65,15 @@ TimeSeries level_uncorrected(const TimeSeries& series, std::optional<scaling::Fr
 }
 
 Intensity compute_intensity(const TimeSeries& series, std::optional<scaling::Frequency> integration_corner) {
+    const MotionHistories histories = compute_histories(series, integration_corner);
     Intensity intensity;
-    TimeSeries history = series;
-    if (series.quantity() == SampleQuantity::acceleration) {
-        const TimeSeries leveled = level_uncorrected(series, integration_corner);
-        intensity.pga = find_peak_acceleration(leveled);
-        intensity.arias = compute_arias_intensity(leveled);
-        intensity.d5_95 = compute_significant_duration(leveled);
-        history = integrate(integration_corner ? high_pass(remove_baseline(series, 0), *integration_corner, 2) : series);
+    if (histories.acceleration) {
+        intensity.pga = find_peak_acceleration(*histories.acceleration);
+        intensity.arias = compute_arias_intensity(*histories.acceleration);
+        intensity.d5_95 = compute_significant_duration(*histories.acceleration);
     }
-    if (history.quantity() == SampleQuantity::velocity) {
-        intensity.pgv = find_peak_velocity(history);
-        history = integrate(history);
-    }
-    intensity.pgd = find_peak_displacement(history);
+    if (histories.velocity) intensity.pgv = find_peak_velocity(*histories.velocity);
+    intensity.pgd = find_peak_displacement(histories.displacement);
     return intensity;
 }
 

@@ -44,8 +44,8 @@ struct Intensity {
 /// All measures of a series. Velocity and displacement are trapezoid integrals from zero.
 ///
 /// With an integration corner (uncorrected records) velocity and displacement come from the samples, their mean taken out since an offset
-/// would ring, high-passed there, order 2, forward and backward; PGA, Arias intensity and duration from the unfiltered samples above their
-/// initial level (level_uncorrected).
+/// would ring, high-passed there, order 2, forward and backward (displacement without the velocity's mean); PGA, Arias intensity and
+/// duration from the unfiltered samples above their initial level (level_uncorrected).
 Intensity compute_intensity(const TimeSeries& series, std::optional<scaling::Frequency> integration_corner = std::nullopt);
 
 }  // namespace musim::records

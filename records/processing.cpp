@@ -31,8 +31,9 @@ void remove_part(std::vector<double>& vector, const std::vector<double>& directi
 }
 
 void refuse_displacement(const TimeSeries& series) {
-    if (series.quantity() == SampleQuantity::displacement)
+    if (series.quantity() == SampleQuantity::displacement) {
         throw ProcessingError("a displacement is not integrated (nothing is its rate); integrate acceleration or velocity");
+    }
 }
 
 }  // namespace
@@ -52,9 +53,13 @@ TimeSeries cut(const TimeSeries& series, const TimeWindow& window) {
     return {series.quantity(), series.time(begin), series.dt(), {kept.begin(), kept.end()}};
 }
 
-TimeSeries remove_initial_level(const TimeSeries& series) {
+std::size_t find_initial_part(const TimeSeries& series) {
     constexpr std::size_t kPart = 64;  // 5 s of a record of 320 s: longer than noise, shorter than pre-event parts
-    const std::span<const double> initial = series.samples().first((series.size() - 1) / kPart + 1);
+    return (series.size() - 1) / kPart + 1;
+}
+
+TimeSeries remove_initial_level(const TimeSeries& series) {
+    const std::span<const double> initial = series.samples().first(find_initial_part(series));
     const double level = std::accumulate(initial.begin(), initial.end(), 0.0) / static_cast<double>(initial.size());
     std::vector<double> samples(series.samples().begin(), series.samples().end());
     for (double& sample : samples) sample -= level;
@@ -103,6 +108,13 @@ TimeSeries taper(const TimeSeries& series, double fraction) {
     return series.with_samples(std::move(samples));
 }
 
+TimeSeries amplify(const TimeSeries& series, double factor) {
+    if (!std::isfinite(factor)) throw ProcessingError(fmt::format("a factor of {} is no number; give a finite one", factor));
+    std::vector<double> samples(series.samples().begin(), series.samples().end());
+    for (double& sample : samples) sample *= factor;
+    return series.with_samples(std::move(samples));
+}
+
 TimeSeries pad(const TimeSeries& series, scaling::Time before, scaling::Time after) {
     constexpr double kMostSamples = 1e8;  // a gigabyte: surely a slip in the time
     const double dt = series.dt().value(), first = std::round(before.value() / dt), last = std::round(after.value() / dt);
@@ -120,15 +132,12 @@ TimeSeries pad(const TimeSeries& series, scaling::Time before, scaling::Time aft
 TimeSeries bring_to_rest(const TimeSeries& acceleration) {
     require_quantity(acceleration, SampleQuantity::acceleration, "the correction to rest");
     constexpr std::size_t kFewestSamples = 4;
-    if (acceleration.size() < kFewestSamples)
+    if (acceleration.size() < kFewestSamples) {
         throw ProcessingError(fmt::format("{} samples cannot end at rest (at least {} are needed); use a longer record",
                                           acceleration.size(), kFewestSamples));
-    const double dt = acceleration.dt().value();
-    const std::vector<double> velocity = detail::cumulative_trapezoid(acceleration.samples(), dt);
-    const double moved = detail::cumulative_trapezoid(velocity, dt).back();
-    std::vector<double> samples = detail::rest_correction(acceleration.size(), dt, velocity.back(), moved);
-    for (std::size_t i = 0; i < samples.size(); ++i) samples[i] = acceleration.samples()[i] - samples[i];
-    return acceleration.with_samples(std::move(samples));
+    }
+    return acceleration.with_samples(
+        detail::end_at_rest({acceleration.samples().begin(), acceleration.samples().end()}, acceleration.dt().value()));
 }
 
 TimeSeries integrate(const TimeSeries& series) {

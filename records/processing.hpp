@@ -15,7 +15,11 @@ struct TimeWindow {
 /// The samples from `window.start` to `window.end`, both included. Throws when the window is empty or reaches beyond the record.
 TimeSeries cut(const TimeSeries& series, const TimeWindow& window);
 
-/// Subtracts the mean of the first 1/64 of the record: the zero level before the event in records with a pre-event part.
+/// How many samples are the beginning of a record: 1/64 of them.
+std::size_t find_initial_part(const TimeSeries& series);
+
+/// Subtracts the mean of the beginning: the zero level before the event in records with a pre-event part. One that begins in motion gets an
+/// offset; remove_baseline() of order 0 is for those.
 TimeSeries remove_initial_level(const TimeSeries& series);
 
 /// Subtracts the polynomial of degree `order` (0: mean, 1: line, 2, 3) that fits best in the least-squares sense.
@@ -24,6 +28,9 @@ TimeSeries remove_baseline(const TimeSeries& series, int order);
 
 /// Fades both ends to zero with a half cosine over `fraction` of the record each: w = (1 − cos(π t/T))/2. Throws unless 0 ≤ fraction ≤ 1/2.
 TimeSeries taper(const TimeSeries& series, double fraction);
+
+/// All samples times `factor`. Throws unless it is finite.
+TimeSeries amplify(const TimeSeries& series, double factor);
 
 /// apply_butterworth() as a high-pass without phase shift.
 TimeSeries high_pass(const TimeSeries& series, scaling::Frequency corner, int order);

@@ -32,8 +32,9 @@ std::optional<double> find_azimuth(std::string_view line, std::string_view name)
 // one channel from line `index`; leaves `index` behind its end mark
 Component read_channel(const TextFile& file, const ReadOptions& options, std::size_t& index) {
     const std::size_t start = index;
-    if (!contains_ignoring_case(file.line(start), "* VOL1DS FILE"))
+    if (!contains_ignoring_case(file.line(start), "* VOL1DS FILE")) {
         file.fail(start, "channel header is missing (no '* VOL1DS FILE')", "fetch the record again");
+    }
     if (!contains_ignoring_case(file.line(start + kUnitLine), "SECONDS AND G/10")) {
         file.fail(std::min(start + kUnitLine, file.size() - 1), "unit is missing (no 'UNITS ARE SECONDS AND G/10')",
                   "fetch the record again");
@@ -79,6 +80,7 @@ GroundMotion parse_bhrc(const TextFile& file, const ReadOptions& options) {
             motion.components.push_back(read_channel(file, options, index));
         }
     }
+    if (motion.components.empty()) file.fail("file has no channel (no header)", "fetch the record again");
     return motion;
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "records/detail/announced_block.hpp"
 #include "records/detail/direction.hpp"
@@ -14,6 +15,9 @@
 namespace musim::records {
 namespace detail {
 namespace {
+
+/// Lines of text above the numbers of a volume 1 channel; volume 2 has more.
+constexpr std::size_t kFewestTextLines = 13;
 
 struct Channel {
     Direction direction;
@@ -108,7 +112,7 @@ Channel read_channel(const TextFile& file, std::size_t& index, SampleQuantity wa
         file.fail(start, "channel header is missing (no 'Corrected accelerogram' or 'Uncorrected Accelerogram Data')",
                   "fetch the record again");
     }
-    const std::size_t text_lines = channel.is_corrected ? 25 : 13;
+    const std::size_t text_lines = channel.is_corrected ? 25 : kFewestTextLines;
 
     // title and samples stand below a fixed number of header lines
     std::size_t title = start;
@@ -132,6 +136,30 @@ Channel read_channel(const TextFile& file, std::size_t& index, SampleQuantity wa
     return channel;
 }
 
+// "Start time:  7/06/19, 03:16: 8.0 UTC (GPS)"; a trigger time is later than the first sample where the recorder remembers, and not read
+std::optional<UtcTime> find_start_time(const TextFile& file, std::size_t start, std::size_t text_lines) {
+    constexpr std::string_view kLabel = "Start time:";
+    constexpr int kOldestYear = 70;  // two digits stand for 1970 to 2069
+    for (std::size_t index = start; index < std::min(file.size(), start + text_lines); ++index) {
+        const std::size_t at = find_ignoring_case(file.line(index), kLabel);
+        if (at == std::string_view::npos) continue;
+        std::string_view rest = file.line(index).substr(at + kLabel.size());
+        constexpr std::string_view kGaps = " /,:";
+        std::array<int, 5> numbers{};  // month, day, year, hour, minute
+        for (int& number : numbers) {
+            const std::string_view digits = take_token(rest, kGaps);
+            const auto value = digits.size() <= 2 ? parse_count(digits) : std::nullopt;
+            if (!value) return std::nullopt;
+            number = static_cast<int>(*value);
+        }
+        const auto second = parse_real(take_token(rest, kGaps));
+        if (!second || take_token(rest) != "UTC") return std::nullopt;
+        const int year = numbers[2] + (numbers[2] < kOldestYear ? 2000 : 1900);
+        return make_utc_time(year, numbers[0], numbers[1], numbers[3], numbers[4], *second);
+    }
+    return std::nullopt;
+}
+
 }  // namespace
 
 GroundMotion parse_csmip(const TextFile& file, const ReadOptions& options) {
@@ -151,10 +179,12 @@ GroundMotion parse_csmip(const TextFile& file, const ReadOptions& options) {
             is_corrected = channel.is_corrected;
             motion.event = first_field(file.line(start + (is_corrected ? 2 : 1)));
             motion.station = first_field(file.line(start + (is_corrected ? 6 : 5)));
+            motion.time_zero = find_start_time(file, start, kFewestTextLines);
         }
         if (!channel.note.empty()) notes.push_back(fmt::format("{}: {}", channel.direction.name, channel.note));
         motion.components.push_back({std::move(channel.direction.name), channel.direction.azimuth_deg, *std::move(channel.series)});
     }
+    if (motion.components.empty()) file.fail("file has no channel (no header)", "fetch the record again");
     motion.format = is_corrected ? "CSMIP V2" : "CSMIP V1";
     if (!is_corrected) motion.integration_corner = kUncorrectedCornerHz * scaling::si::hertz;
     motion.history.push_back(fmt::format("read {} from {}", motion.format, file.path().filename().string()));

@@ -45,7 +45,9 @@ struct Content {
 
 Content read_content(const TextFile& file, const ReadOptions& options) {
     const auto in_centimeters = [](SampleQuantity quantity) { return *find_sample_unit(fmt::format("c{}", si_unit_name(quantity))); };
-    switch (file.line(kTitleLine).front()) {
+    const std::string_view title = file.line(kTitleLine);
+    if (title.empty()) file.fail(kTitleLine, "title is missing (no '2 CORRECTED ACCELEROGRAM' or the like)", "fetch the record again");
+    switch (title.front()) {
         case '0':
             return {in_centimeters(options.quantity.value_or(SampleQuantity::acceleration))};
         case '1':

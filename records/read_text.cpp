@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "records/detail/musim_csv.hpp"
@@ -44,11 +45,32 @@ bool is_numeric_row(std::string_view line) {
     return true;
 }
 
+/// Number of commas that may be decimal ones: digits to both sides.
+std::size_t count_commas_in_numbers(std::string_view line) {
+    std::size_t count = 0;
+    for (std::size_t i = 1; i + 1 < line.size(); ++i) {
+        if (line[i] == ',' && is_digit(line[i - 1]) && is_digit(line[i + 1])) ++count;
+    }
+    return count;
+}
+
+// "0,02 -3,0": blanks beside no comma part the cells, so that the commas are within them
+bool has_blanks_between_cells(std::string_view line) {
+    for (std::size_t i = 1; i < line.size(); ++i) {
+        if (!is_blank(line[i - 1]) || is_blank(line[i]) || line[i] == ',') continue;
+        if (line[line.find_last_not_of(" \t", i - 1)] != ',') return true;
+    }
+    return false;
+}
+
 // decimal commas and empty cells would shift values into other columns unseen
 void refuse_ambiguous_separators(const TextFile& file, std::size_t index) {
-    const std::string_view line = file.line(index);
+    const std::string_view line = trim(file.line(index));
     if (line.find(';') != std::string_view::npos && line.find(',') != std::string_view::npos) {
         file.fail(index, "both ',' and ';' on a line (decimal commas are not read)", "write decimal points");
+    }
+    if (count_commas_in_numbers(line) > 0 && has_blanks_between_cells(line)) {
+        file.fail(index, "both blanks and ',' between numbers (decimal commas are not read)", "write decimal points");
     }
     std::size_t values_since_separator = 0;
     for (std::string_view rest = line; !rest.empty(); rest.remove_prefix(1)) {
@@ -64,6 +86,7 @@ void refuse_ambiguous_separators(const TextFile& file, std::size_t index) {
 Table read_table(const TextFile& file) {
     Table table;
     bool has_title = false;
+    bool may_be_decimal_commas = true;  // "-1,5" in every row
     for (std::size_t index = 0; index < file.size(); ++index) {
         const std::string_view line = trim(file.line(index));
         if (line.empty()) continue;
@@ -81,6 +104,8 @@ Table read_table(const TextFile& file) {
             continue;
         }
         refuse_ambiguous_separators(file, index);
+        may_be_decimal_commas = may_be_decimal_commas && line.find('.') == std::string_view::npos && count_commas_in_numbers(line) == 1 &&
+                                std::count(line.begin(), line.end(), ',') == 1;
         Row row{.line = index, .first = table.values.size()};
         std::string_view rest = line;
         for (std::string_view token = take_token(rest, kSeparators); !token.empty(); token = take_token(rest, kSeparators)) {
@@ -88,6 +113,10 @@ Table read_table(const TextFile& file) {
         }
         row.size = table.values.size() - row.first;
         table.rows.push_back(row);
+    }
+    if (may_be_decimal_commas && !table.rows.empty()) {
+        file.fail(table.rows.front().line, "one ',' within every row, no '.' and no sign behind it (decimal commas are not read)",
+                  "write decimal points, or a blank behind commas that part columns");
     }
     if (table.rows.empty()) file.fail("unknown format (no row of numbers)", "convert it to PEER AT2, CSMIP V1/V2 or columns of numbers");
     return table;
@@ -148,16 +177,22 @@ std::optional<SampleUnit> find_title_unit(const TextFile& file, std::string_view
     return found;
 }
 
-SampleUnit choose_unit(const TextFile& file, std::string_view title, const ReadOptions& options) {
+/// What the samples are in, and who says so.
+struct ChosenUnit {
+    SampleUnit unit;
+    bool is_told = true;
+};
+
+ChosenUnit choose_unit(const TextFile& file, std::string_view title, const ReadOptions& options) {
     if (!options.unit) {
         if (const std::optional<SampleUnit> unit = find_title_unit(file, title)) {
             if (options.quantity && *options.quantity != unit->quantity) {
                 file.fail(fmt::format("title names the unit {} (asked for: {})", unit->name, to_string(*options.quantity)), "give --unit");
             }
-            return *unit;
+            return {*unit};
         }
     }
-    return requested_unit(file, options);
+    return {requested_unit(file, options), options.unit.has_value()};
 }
 
 // every `step`-th value from `first`, in SI
@@ -172,7 +207,7 @@ std::vector<double> take_samples(const TextFile& file, const std::vector<double>
 
 GroundMotion parse_columns(const TextFile& file, const ReadOptions& options) {
     const Table table = read_table(file);
-    const SampleUnit unit = choose_unit(file, table.title, options);
+    const auto [unit, is_unit_told] = choose_unit(file, table.title, options);
     const bool has_counts = has_counts_row(table);
     if (!has_counts) require_even_rows(file, table);
 
@@ -204,8 +239,9 @@ GroundMotion parse_columns(const TextFile& file, const ReadOptions& options) {
                                      .azimuth_deg = std::nullopt,
                                      .series = {unit.quantity, start, dt, take_samples(file, table.values, first + i, step, unit.si)}});
     }
-    motion.history.push_back(fmt::format("read text from {} as {} in {}{}", file.path().filename().string(), to_string(unit.quantity),
-                                         unit.name, is_sequence && table.columns() > 1 ? ", several values a line" : ""));
+    motion.history.push_back(fmt::format("read text from {} as {} in {}{}{}", file.path().filename().string(), to_string(unit.quantity),
+                                         unit.name, is_unit_told ? "" : kUnitNotTold,
+                                         is_sequence && table.columns() > 1 ? ", several values a line" : ""));
     return motion;
 }
 

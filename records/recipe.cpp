@@ -3,16 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <nlohmann/json.hpp>
 
 #include "records/align.hpp"
+#include "records/detail/json_fields.hpp"
 #include "scaling/detail/overloaded.hpp"
-#include "scaling/quantity_text.hpp"
 
 namespace musim::records {
 namespace {
 
+using detail::JsonFields;
 using scaling::detail::Overloaded;
 using Json = nlohmann::ordered_json;
 
@@ -21,84 +23,7 @@ constexpr std::string_view kSchema = "musim-recipe/1";
 /// What comes before a step's own line in a history.
 constexpr std::string_view kHistoryMark = "{\"step\":";
 
-/// One step of a recipe file, with the place for messages.
-class StepReader {
-  public:
-    StepReader(const Json& object, std::string place) : object_(object), place_(std::move(place)) {
-        if (!object.is_object()) fail("is no object", "write {\"step\": NAME, ...}");
-        if (!object.contains("step") || !object["step"].is_string()) fail("has no name", "add \"step\": \"filter\" or another");
-        name_ = object["step"].get<std::string>();
-        place_ += " (" + name_ + ")";
-        used_.emplace_back("step");
-    }
-
-    const std::string& name() const { return name_; }
-
-    [[noreturn]] void fail(const std::string& what, const std::string& what_to_do) const {
-        throw ReadError(fmt::format("{}: {}; {}", place_, what, what_to_do));
-    }
-
-    bool has(const char* key) {
-        used_.emplace_back(key);
-        return object_.contains(key);
-    }
-
-    template <class Quantity>
-    Quantity quantity(const char* key) {
-        if (!has(key)) fail(fmt::format("{} is missing", key), "add it");
-        return to_quantity<Quantity>(object_[key], key);
-    }
-    template <class Quantity>
-    std::optional<Quantity> optional_quantity(const char* key) {
-        return has(key) ? std::optional(to_quantity<Quantity>(object_[key], key)) : std::nullopt;
-    }
-    double number(const char* key, double fallback) {
-        if (!has(key)) return fallback;
-        if (!object_[key].is_number()) fail(fmt::format("{} is no number", key), "write one, without quotes");
-        return object_[key].get<double>();
-    }
-    int integer(const char* key, int fallback) {
-        if (!has(key)) return fallback;
-        if (!object_[key].is_number_integer()) fail(fmt::format("{} is no whole number", key), "write one, without quotes");
-        return object_[key].get<int>();
-    }
-    /// Which of two names; the first when it is not there.
-    bool is_second(const char* key, std::string_view first, std::string_view second) {
-        if (!has(key)) return false;
-        const std::string name = object_[key].is_string() ? object_[key].get<std::string>() : std::string();
-        if (name != first && name != second) fail(fmt::format("{} is neither \"{}\" nor \"{}\"", key, first, second), "write one of them");
-        return name == second;
-    }
-    TimeWindow window(const char* key) {
-        if (!has(key) || !object_[key].is_array() || object_[key].size() != 2)
-            fail(fmt::format("{} is no pair of times", key), "write [\"10 s\", \"40 s\"]");
-        return {to_quantity<scaling::Time>(object_[key][0], key), to_quantity<scaling::Time>(object_[key][1], key)};
-    }
-
-    void refuse_unknown_keys() const {
-        for (const auto& [key, value] : object_.items())
-            if (std::find(used_.begin(), used_.end(), key) == used_.end())
-                fail(fmt::format("\"{}\" is none of its settings", key), "remove it, or correct its name");
-    }
-
-  private:
-    template <class Quantity>
-    Quantity to_quantity(const Json& value, const char* key) const {
-        if (value.is_number()) return Quantity::from_value(value.get<double>());
-        if (!value.is_string()) fail(fmt::format("{} is no quantity", key), "write a number in SI units, or text such as \"0.05 Hz\"");
-        try {
-            return scaling::parse_quantity<Quantity>(value.get<std::string>());
-        } catch (const scaling::ParseError& error) {
-            throw ReadError(fmt::format("{}: {}: {}", place_, key, error.what()));
-        }
-    }
-
-    const Json& object_;
-    std::string place_, name_;
-    std::vector<std::string> used_;
-};
-
-Step read_filter(StepReader& reader) {
+Step read_filter(JsonFields& reader) {
     step::Filter filter;
     filter.band = {reader.optional_quantity<scaling::Frequency>("low"), reader.optional_quantity<scaling::Frequency>("high")};
     if (!filter.band.low && !filter.band.high) reader.fail("has no corner", "add \"low\", \"high\" or both");
@@ -107,19 +32,24 @@ Step read_filter(StepReader& reader) {
     return filter;
 }
 
-Step read_resample(StepReader& reader) {
+Step read_resample(JsonFields& reader) {
     step::Resample resample{.dt = reader.quantity<scaling::Time>("dt")};
     resample.between = reader.is_second("between", "band_limited", "straight") ? Between::straight : Between::band_limited;
     return resample;
 }
 
-Step read_energy_window(StepReader& reader) {
+Step read_amplify(JsonFields& reader) {
+    if (!reader.has("factor")) reader.fail("factor is missing", "add it");
+    return step::Amplify{reader.number("factor", 1.0)};
+}
+
+Step read_energy_window(JsonFields& reader) {
     const step::EnergyWindow standard;
     return step::EnergyWindow{reader.number("from", standard.from), reader.number("to", standard.to),
                               reader.number("margin", standard.margin)};
 }
 
-Step read_rotate(StepReader& reader) {
+Step read_rotate(JsonFields& reader) {
     if (!reader.has("azimuth_deg")) reader.fail("azimuth_deg is missing", "add degrees clockwise from north");
     return step::Rotate{reader.number("azimuth_deg", 0.0)};
 }
@@ -127,26 +57,27 @@ Step read_rotate(StepReader& reader) {
 /// A step by its name in a recipe.
 struct Named {
     std::string_view name;
-    Step (*read)(StepReader&);
+    Step (*read)(JsonFields&);
 };
 
 constexpr Named kSteps[] = {
-    {"align", [](StepReader&) -> Step { return step::Align{}; }},
-    {"level", [](StepReader&) -> Step { return step::Level{}; }},
-    {"rest", [](StepReader&) -> Step { return step::Rest{}; }},
-    {"differentiate", [](StepReader&) -> Step { return step::Differentiate{}; }},
-    {"baseline", [](StepReader& reader) -> Step { return step::Baseline{reader.integer("order", step::Baseline{}.order)}; }},
-    {"taper", [](StepReader& reader) -> Step { return step::Taper{reader.number("fraction", step::Taper{}.fraction)}; }},
+    {"align", [](JsonFields&) -> Step { return step::Align{}; }},
+    {"level", [](JsonFields&) -> Step { return step::Level{}; }},
+    {"rest", [](JsonFields&) -> Step { return step::Rest{}; }},
+    {"differentiate", [](JsonFields&) -> Step { return step::Differentiate{}; }},
+    {"baseline", [](JsonFields& reader) -> Step { return step::Baseline{reader.integer("order", step::Baseline{}.order)}; }},
+    {"taper", [](JsonFields& reader) -> Step { return step::Taper{reader.number("fraction", step::Taper{}.fraction)}; }},
     {"pad",
-     [](StepReader& reader) -> Step {
+     [](JsonFields& reader) -> Step {
          return step::Pad{reader.quantity<scaling::Time>("before"), reader.quantity<scaling::Time>("after")};
      }},
-    {"cut", [](StepReader& reader) -> Step { return step::Cut{reader.window("window")}; }},
+    {"cut", [](JsonFields& reader) -> Step { return step::Cut{reader.window("window")}; }},
     {"energy_window", read_energy_window},
     {"filter", read_filter},
+    {"amplify", read_amplify},
     {"resample", read_resample},
     {"rotate", read_rotate},
-    {"integrate", [](StepReader& reader) -> Step { return step::Integrate{reader.is_second("by", "trapezoid", "frequency")}; }},
+    {"integrate", [](JsonFields& reader) -> Step { return step::Integrate{reader.is_second("by", "trapezoid", "frequency")}; }},
 };
 
 std::string list_names() {
@@ -156,10 +87,16 @@ std::string list_names() {
 }
 
 Step read_step(const Json& object, const std::string& place) {
-    StepReader reader(object, place);
-    const auto* const named = std::find_if(std::begin(kSteps), std::end(kSteps), [&](const Named& n) { return n.name == reader.name(); });
+    if (!object.is_object()) throw ReadError(place + ": is no object; write {\"step\": NAME, ...}");
+    if (!object.contains("step") || !object["step"].is_string()) {
+        throw ReadError(place + ": has no name; add \"step\": \"filter\" or another");
+    }
+    const auto name = object["step"].get<std::string>();
+    JsonFields reader(object, fmt::format("{} ({})", place, name));
+    reader.has("step");
+    const auto* const named = std::find_if(std::begin(kSteps), std::end(kSteps), [&](const Named& n) { return n.name == name; });
     if (named == std::end(kSteps)) reader.fail("is no step", "take one of " + list_names());
-    const Step step = named->read(reader);
+    Step step = named->read(reader);
     reader.refuse_unknown_keys();
     return step;
 }
@@ -200,6 +137,9 @@ Json to_json(const Step& step) {
                                      json["phase"] = s.phase == FilterPhase::zero ? "zero" : "causal";
                                      return json;
                                  },
+                                 [](const step::Amplify& s) {
+                                     return Json{{"step", "amplify"}, {"factor", s.factor}};
+                                 },
                                  [](const step::Resample& s) {
                                      return Json{{"step", "resample"},
                                                  {"dt", s.dt.value()},
@@ -212,6 +152,12 @@ Json to_json(const Step& step) {
                                      return Json{{"step", "integrate"}, {"by", s.by_frequency ? "frequency" : "trapezoid"}};
                                  }},
                       step);
+}
+
+double find_rms(std::span<const double> samples) {
+    double sum = 0.0;
+    for (const double sample : samples) sum += sample * sample;
+    return std::sqrt(sum / static_cast<double>(samples.size()));
 }
 
 using SeriesStep = std::function<TimeSeries(const TimeSeries&)>;
@@ -232,6 +178,22 @@ GroundMotion cut_to_energy(const GroundMotion& motion, const step::EnergyWindow&
     });
 }
 
+/// Takes off the initial level; says so where the record does not begin quietly, for then that is no level.
+GroundMotion level(const GroundMotion& motion) {
+    constexpr double kQuiet = 0.1;  // of the rms of all samples
+    GroundMotion leveled = for_each(motion, remove_initial_level);
+    for (const Component& component : leveled.components) {
+        const std::span<const double> samples = component.series.samples();
+        const double initial = find_rms(samples.first(find_initial_part(component.series))), whole = find_rms(samples);
+        if (initial > kQuiet * whole) {
+            leveled.history.push_back(
+                fmt::format("{} begins in motion ({:.2g} of its rms): level took the mean of its first {:.3g} s", component.name,
+                            initial / whole, static_cast<double>(find_initial_part(component.series)) * component.series.dt().value()));
+        }
+    }
+    return leveled;
+}
+
 GroundMotion filter(const GroundMotion& motion, const step::Filter& s) {
     GroundMotion filtered = for_each(motion, [&](const TimeSeries& series) { return apply_butterworth(series, s.band, s.order, s.phase); });
     if (s.band.low) filtered.integration_corner.reset();
@@ -241,7 +203,7 @@ GroundMotion filter(const GroundMotion& motion, const step::Filter& s) {
 GroundMotion carry_out(const GroundMotion& motion, const Step& step) {
     return std::visit(
         Overloaded{
-            [&](const step::Align&) { return align(motion); }, [&](const step::Level&) { return for_each(motion, remove_initial_level); },
+            [&](const step::Align&) { return align(motion); }, [&](const step::Level&) { return level(motion); },
             [&](const step::Rest&) { return for_each(motion, bring_to_rest); },
             [&](const step::Differentiate&) { return for_each(motion, differentiate); },
             [&](const step::Baseline& s) {
@@ -251,6 +213,7 @@ GroundMotion carry_out(const GroundMotion& motion, const Step& step) {
             [&](const step::Pad& s) { return for_each(motion, [&](const TimeSeries& series) { return pad(series, s.before, s.after); }); },
             [&](const step::Cut& s) { return for_each(motion, [&](const TimeSeries& series) { return cut(series, s.window); }); },
             [&](const step::EnergyWindow& s) { return cut_to_energy(motion, s); }, [&](const step::Filter& s) { return filter(motion, s); },
+            [&](const step::Amplify& s) { return for_each(motion, [&](const TimeSeries& series) { return amplify(series, s.factor); }); },
             [&](const step::Resample& s) {
                 return for_each(motion, [&](const TimeSeries& series) { return resample(series, s.dt, s.between); });
             },
@@ -266,15 +229,19 @@ std::string name_of(const Step& step) { return to_json(step)["step"].get<std::st
 Recipe parse_recipe(std::string_view json, const std::string& source) {
     const Json object = Json::parse(json, nullptr, false);
     if (object.is_discarded()) throw ReadError(source + ": is no JSON; write {\"schema\": \"musim-recipe/1\", \"steps\": [...]}");
-    if (!object.is_object() || !object.contains("schema") || object["schema"] != kSchema)
+    if (!object.is_object() || !object.contains("schema") || object["schema"] != kSchema) {
         throw ReadError(fmt::format("{}: is no recipe; add \"schema\": \"{}\"", source, kSchema));
+    }
     if (!object.contains("steps") || !object["steps"].is_array()) throw ReadError(source + ": has no list of steps; add \"steps\": [...]");
-    for (const auto& [key, value] : object.items())
-        if (key != "schema" && key != "steps" && key != "name")
+    for (const auto& [key, value] : object.items()) {
+        if (key != "schema" && key != "steps" && key != "name") {
             throw ReadError(fmt::format("{}: \"{}\" is no key of a recipe; remove it", source, key));
+        }
+    }
     Recipe recipe;
-    for (std::size_t i = 0; i < object["steps"].size(); ++i)
+    for (std::size_t i = 0; i < object["steps"].size(); ++i) {
         recipe.push_back(read_step(object["steps"][i], fmt::format("{}: step {}", source, i + 1)));
+    }
     return recipe;
 }
 
@@ -304,8 +271,9 @@ Recipe recipe_of(const GroundMotion& motion) {
     for (const std::string& line : motion.history) {
         if (!line.starts_with(kHistoryMark)) continue;
         const Json object = Json::parse(line, nullptr, false);
-        if (object.is_discarded())
+        if (object.is_discarded()) {
             throw ReadError(fmt::format("{}: a step of the history is damaged; process the record anew", motion.source));
+        }
         recipe.push_back(read_step(object, fmt::format("{}: step {} of the history", motion.source, recipe.size() + 1)));
     }
     return recipe;

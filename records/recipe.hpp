@@ -41,6 +41,9 @@ struct Filter {
     int order = 2;
     FilterPhase phase = FilterPhase::zero;
 };
+struct Amplify {
+    double factor = 1.0;
+};
 struct Resample {
     scaling::Time dt;
     Between between = Between::band_limited;
@@ -54,7 +57,7 @@ struct Integrate {
 }  // namespace step
 
 using Step = std::variant<step::Align, step::Level, step::Rest, step::Differentiate, step::Baseline, step::Taper, step::Pad, step::Cut,
-                          step::EnergyWindow, step::Filter, step::Resample, step::Rotate, step::Integrate>;
+                          step::EnergyWindow, step::Filter, step::Amplify, step::Resample, step::Rotate, step::Integrate>;
 using Recipe = std::vector<Step>;
 
 /// Reads {"schema": "musim-recipe/1", "steps": [{"step": "filter", "low": "0.05 Hz", "order": 2, "phase": "zero"}, ...]}; quantities are SI

@@ -32,4 +32,12 @@ std::vector<double> rest_correction(std::size_t size, double dt, double velocity
     return even;
 }
 
+std::vector<double> end_at_rest(std::vector<double> acceleration, double dt, double displacement) {
+    const std::vector<double> velocity = cumulative_trapezoid(acceleration, dt);
+    const double drift = cumulative_trapezoid(velocity, dt).back() - displacement;
+    const std::vector<double> correction = rest_correction(acceleration.size(), dt, velocity.back(), drift);
+    for (std::size_t i = 0; i < acceleration.size(); ++i) acceleration[i] -= correction[i];
+    return acceleration;
+}
+
 }  // namespace musim::records::detail

@@ -14,4 +14,7 @@ std::vector<double> cumulative_trapezoid(std::span<const double> x, double dt);
 /// record is long. `size` is at least 4 (below, the two shapes are not independent).
 std::vector<double> rest_correction(std::size_t size, double dt, double velocity_end, double displacement_end);
 
+/// An acceleration less the rest_correction() that lets its trapezoid integrals end with zero velocity at this displacement.
+std::vector<double> end_at_rest(std::vector<double> acceleration, double dt, double displacement = 0.0);
+
 }  // namespace musim::records::detail

@@ -1,19 +1,70 @@
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
+#include <cstdlib>
 #include <string>
+#include <string_view>
 
 #include "records/detail/parsers.hpp"
 
-/// Any bytes are a record or a ReadError of one line, whatever the options.
+/// Any bytes are a record or a ReadError of one line, whatever the options. MUSIM_READER names the reader that gets them, without asking
+/// what they look like; "record", also when it is not set, is read_record's choice among all.
 namespace {
 
-using musim::records::ReadOptions;
+using namespace musim::records;
 
-void read(const std::string& bytes, const ReadOptions& options) {
+template <GroundMotion (*parse)(const detail::TextFile&, const ReadOptions&)>
+GroundMotion read_text_with(const std::string& bytes, const ReadOptions& options) {
+    return parse(detail::TextFile("fuzzed", bytes), options);
+}
+
+template <GroundMotion (*parse)(const detail::BinaryFile&, const ReadOptions&)>
+GroundMotion read_binary_with(const std::string& bytes, const ReadOptions& options) {
+    return parse(detail::BinaryFile("fuzzed", bytes), options);
+}
+
+GroundMotion read_any(const std::string& bytes, const ReadOptions& options) { return detail::parse_record("fuzzed", bytes, options); }
+
+struct Reader {
+    std::string_view name;
+    GroundMotion (*read)(const std::string& bytes, const ReadOptions& options);
+};
+
+constexpr Reader kReaders[] = {
+    {"record", read_any},
+    {"afad", read_text_with<detail::parse_afad>},
+    {"at2", read_text_with<detail::parse_at2>},
+    {"bbp", read_text_with<detail::parse_bbp>},
+    {"bhrc", read_text_with<detail::parse_bhrc>},
+    {"cosmos", read_text_with<detail::parse_cosmos>},
+    {"csmip", read_text_with<detail::parse_csmip>},
+    {"cwa", read_text_with<detail::parse_cwa>},
+    {"esm", read_text_with<detail::parse_esm>},
+    {"geonet", read_text_with<detail::parse_geonet>},
+    {"knet", read_text_with<detail::parse_knet>},
+    {"miniseed", read_binary_with<detail::parse_miniseed>},
+    {"sac", read_binary_with<detail::parse_sac>},
+    {"smc", read_text_with<detail::parse_smc>},
+    {"text", read_text_with<detail::parse_text>},
+    {"unam", read_text_with<detail::parse_unam>},
+    {"usc", read_text_with<detail::parse_usc>},
+};
+
+const Reader& chosen_reader() {
+    const char* const asked = std::getenv("MUSIM_READER");
+    const std::string_view name = asked == nullptr ? "record" : asked;
+    for (const Reader& reader : kReaders)
+        if (reader.name == name) return reader;
+    std::fprintf(stderr, "MUSIM_READER is '%s' (known:", asked);
+    for (const Reader& reader : kReaders) std::fprintf(stderr, " %s", reader.name.data());
+    std::fprintf(stderr, "); name one of these\n");
+    std::exit(2);
+}
+
+void read(const Reader& reader, const std::string& bytes, const ReadOptions& options) {
     try {
-        const musim::records::GroundMotion motion = musim::records::detail::parse_record("fuzzed", bytes, options);
-        if (motion.components.empty()) __builtin_trap();
-    } catch (const musim::records::ReadError& error) {
+        if (reader.read(bytes, options).components.empty()) __builtin_trap();
+    } catch (const ReadError& error) {
         if (std::string(error.what()).find('\n') != std::string::npos) __builtin_trap();
     }
 }
@@ -21,11 +72,12 @@ void read(const std::string& bytes, const ReadOptions& options) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    static const Reader& reader = chosen_reader();
     const std::string bytes(reinterpret_cast<const char*>(data), size);
     ReadOptions counts, units;
     counts.sensitivity = 1.0;
     units.unit = "g";
     units.dt = 0.01 * musim::scaling::si::seconds;
-    for (const ReadOptions& options : {ReadOptions{}, counts, units}) read(bytes, options);
+    for (const ReadOptions& options : {ReadOptions{}, counts, units}) read(reader, bytes, options);
     return 0;
 }

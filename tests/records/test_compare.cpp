@@ -5,9 +5,12 @@
 #include <vector>
 
 #include "records/compare.hpp"
+#include "tests/support/relative.hpp"
 
 namespace musim::records {
 namespace {
+
+using lsdem::tests::relative;
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
@@ -20,7 +23,7 @@ TEST_CASE("equal histories have no misfit") {
 TEST_CASE("misfits are relative to the largest value and to the rms of the reference") {
     const Misfit misfit = compute_misfit(std::vector<double>{3.0, -4.0}, std::vector<double>{3.0, -3.0});
     CHECK(misfit.max_relative == 0.25);
-    CHECK(misfit.rms_relative == doctest::Approx(0.2).epsilon(1e-15));  // 1/5
+    CHECK(misfit.rms_relative == relative(0.2, 1e-15));  // 1/5
 }
 
 TEST_CASE("a constant factor is its own misfit") {

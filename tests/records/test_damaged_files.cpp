@@ -8,6 +8,8 @@
 #include <string>
 
 #include "records/base_motion.hpp"
+#include "records/detail/parsers.hpp"
+#include "records/read_csmip.hpp"
 #include "records/read_record.hpp"
 #include "records/synthetic.hpp"
 #include "records/write_record.hpp"
@@ -75,6 +77,18 @@ TEST_CASE("a damaged PEER file or CSV is a record or a ReadError, never a crash"
 
     damage(tests::bytes_of(folder.path() / "a.at2"), 300, 1);
     damage(tests::bytes_of(folder.path() / "a.csv"), 300, 2);
+}
+
+TEST_CASE("every reader of text refuses a file without a letter, though nobody asked it what the file looks like") {
+    for (const auto parse : {detail::parse_afad, detail::parse_at2, detail::parse_bbp, detail::parse_bhrc, detail::parse_cosmos,
+                             detail::parse_csmip, detail::parse_cwa, detail::parse_esm, detail::parse_geonet, detail::parse_knet,
+                             detail::parse_smc, detail::parse_text, detail::parse_unam, detail::parse_usc}) {
+        for (const std::string_view content : {"", "\n", " \n \n"})
+            CHECK_THROWS_AS(parse(detail::TextFile("blank", std::string(content)), {}), ReadError);
+    }
+    // one of them is public
+    const tests::TemporaryFolder folder;
+    CHECK_THROWS_AS(read_csmip(folder.write("blank", "\n\n")), ReadError);
 }
 
 TEST_CASE("a file too large to be a record is refused before it is read") {

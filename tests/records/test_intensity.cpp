@@ -6,10 +6,12 @@
 #include <utility>
 
 #include "records/intensity.hpp"
+#include "tests/support/relative.hpp"
 
 namespace musim::records {
 namespace {
 
+using lsdem::tests::relative;
 using scaling::si::seconds;
 using std::numbers::pi;
 
@@ -25,24 +27,24 @@ TEST_CASE("a sine has the intensity measures of the closed forms") {
     const double amplitude = 2.0;  // [m/s²]
     const Intensity intensity = compute_intensity(make_sine(amplitude, 1.0, 10.0, 0.001));
 
-    CHECK(intensity.pga->value.value() == doctest::Approx(amplitude).epsilon(1e-9));
+    CHECK(intensity.pga->value.value() == relative(amplitude, 1e-9));
     CHECK(intensity.pga->time.value() == doctest::Approx(5.25));
     // v = A/(2πf) (1 − cos 2πft): peak A/(πf); trapezoid error (ωdt)²/12 = 3e-6
-    CHECK(intensity.pgv->value.value() == doctest::Approx(amplitude / pi).epsilon(1e-5));
+    CHECK(intensity.pgv->value.value() == relative(amplitude / pi, 1e-5));
     CHECK(std::fmod(intensity.pgv->time.value(), 1.0) == doctest::Approx(0.5));
     // d = A/(2πf) (t − ...): A/(2πf)·10 s at the end
-    CHECK(intensity.pgd->value.value() == doctest::Approx(amplitude / (2.0 * pi) * 10.0).epsilon(1e-5));
+    CHECK(intensity.pgd->value.value() == relative(amplitude / (2.0 * pi) * 10.0, 1e-5));
     // π/(2g) A²/2 T; exact for whole periods
-    CHECK(intensity.arias->value() == doctest::Approx(pi / (2.0 * 9.80665) * 0.5 * amplitude * amplitude * 10.0).epsilon(1e-9));
+    CHECK(intensity.arias->value() == relative(pi / (2.0 * 9.80665) * 0.5 * amplitude * amplitude * 10.0, 1e-9));
     // energy grows evenly but for a ripple of 1/(4πf) about each end
     CHECK(std::abs(intensity.d5_95->value() - 9.0) < 1.0 / (2.0 * pi));
 }
 
 TEST_CASE("a constant acceleration has a significant duration of nine tenths") {
     const TimeSeries series(SampleQuantity::acceleration, 0.0 * seconds, 0.01 * seconds, std::vector<double>(1001, 1.0));
-    CHECK(compute_significant_duration(series).value() == doctest::Approx(9.0).epsilon(1e-9));
-    CHECK(compute_significant_duration(series, 0.05, 0.75).value() == doctest::Approx(7.0).epsilon(1e-9));
-    CHECK(compute_significant_duration(series, 0.0, 1.0).value() == doctest::Approx(10.0).epsilon(1e-9));
+    CHECK(compute_significant_duration(series).value() == relative(9.0, 1e-9));
+    CHECK(compute_significant_duration(series, 0.05, 0.75).value() == relative(7.0, 1e-9));
+    CHECK(compute_significant_duration(series, 0.0, 1.0).value() == relative(10.0, 1e-9));
     for (const auto& [from, to] : {std::pair{-0.1, 0.5}, {0.5, 0.5}, {0.6, 0.5}, {0.5, 1.1}, {std::nan(""), 0.5}})
         CHECK_THROWS_AS(compute_significant_duration(series, from, to), ProcessingError);
 }

@@ -9,10 +9,12 @@
 
 #include "records/base_motion.hpp"
 #include "records/processing.hpp"
+#include "tests/support/relative.hpp"
 
 namespace musim::records {
 namespace {
 
+using lsdem::tests::relative;
 using scaling::si::hertz;
 using scaling::si::seconds;
 using std::numbers::pi;
@@ -49,7 +51,7 @@ TEST_CASE("a cut keeps the samples of its window with their times") {
 
     REQUIRE(part.size() == 3);
     CHECK(part.samples()[0] == 1.0);
-    CHECK(part.start().value() == doctest::Approx(10.1).epsilon(1e-15));
+    CHECK(part.start().value() == relative(10.1, 1e-15));
     CHECK_THROWS_AS(cut(series, {9.0 * seconds, 10.2 * seconds}), ProcessingError);
     CHECK_THROWS_AS(cut(series, {10.0 * seconds, 11.0 * seconds}), ProcessingError);
     CHECK_THROWS_AS(cut(series, {10.3 * seconds, 10.1 * seconds}), ProcessingError);
@@ -85,8 +87,8 @@ TEST_CASE("a taper is zero at the ends, one in the middle and half in between") 
 
     CHECK(series.samples()[0] == 0.0);
     CHECK(series.samples()[100] == 0.0);
-    CHECK(series.samples()[10] == doctest::Approx(0.5).epsilon(1e-14));
-    CHECK(series.samples()[90] == doctest::Approx(0.5).epsilon(1e-14));
+    CHECK(series.samples()[10] == relative(0.5, 1e-14));
+    CHECK(series.samples()[90] == relative(0.5, 1e-14));
     CHECK(series.samples()[20] == 1.0);
     CHECK(series.samples()[80] == 1.0);
     CHECK_THROWS_AS(taper(series, 0.6), ProcessingError);
@@ -171,9 +173,9 @@ TEST_CASE("integration is exact for piecewise linear histories and differentiati
     const TimeSeries acceleration = differentiate(velocity);
 
     CHECK(velocity.quantity() == SampleQuantity::velocity);
-    CHECK(velocity.samples()[100] == doctest::Approx(1.0).epsilon(1e-13));  // ∫2t dt from 0 to 1
+    CHECK(velocity.samples()[100] == relative(1.0, 1e-13));  // ∫2t dt from 0 to 1
     CHECK(acceleration.quantity() == SampleQuantity::acceleration);
-    CHECK(acceleration.samples()[50] == doctest::Approx(1.0).epsilon(1e-12));
+    CHECK(acceleration.samples()[50] == relative(1.0, 1e-12));
     CHECK_THROWS_AS(integrate(make_series(ramp, 0.01, SampleQuantity::displacement)), ProcessingError);
     CHECK_THROWS_AS(differentiate(make_series(ramp)), ProcessingError);
 }
@@ -185,8 +187,8 @@ TEST_CASE("the strong motion is where the energy is") {
     const TimeWindow window = find_strong_motion(make_series(samples), 0.1);
 
     // 6.0 s to 7.0 s, less 0.5 % and plus 10 % of its length on each side
-    CHECK(window.start.value() == doctest::Approx(5.9).epsilon(0.01));
-    CHECK(window.end.value() == doctest::Approx(7.1).epsilon(0.01));
+    CHECK(window.start.value() == relative(5.9, 0.01));
+    CHECK(window.end.value() == relative(7.1, 0.01));
     CHECK_THROWS_AS(find_strong_motion(make_series({0.0, 0.0, 0.0})), ProcessingError);
 }
 

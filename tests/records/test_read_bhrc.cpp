@@ -6,11 +6,14 @@
 
 #include "records/read_record.hpp"
 #include "tests/records/refusal.hpp"
+#include "tests/support/relative.hpp"
 #include "tests/support/shared_records.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace musim::records {
 namespace {
+
+using lsdem::tests::relative;
 
 // one channel: 13 lines of text, 14 of numbers, the samples from line 28 on, the end mark
 std::string channel(const std::string& count, const std::string& rate, const std::string& samples) {
@@ -36,7 +39,7 @@ TEST_CASE("a BHRC channel is in tenths of g, its direction beside the station") 
     const Component& component = motion.find_component("T");
     CHECK(component.azimuth_deg == 140.0);
     CHECK(component.series.dt().value() == 0.005);
-    CHECK(component.series.samples()[1] == doctest::Approx(-0.02 * 9.80665).epsilon(1e-14));
+    CHECK(component.series.samples()[1] == relative(-0.02 * 9.80665, 1e-14));
 }
 
 TEST_CASE("every defect of a BHRC file is told with its line") {
@@ -77,7 +80,7 @@ TEST_CASE("the BHRC record of Avin has its channels and its peak") {
     CHECK(series.dt().value() == 0.005);
     // README of the records: -0.05915 g/10
     const auto [smallest, largest] = std::minmax_element(series.samples().begin(), series.samples().end());
-    CHECK(*smallest / 0.980665 == doctest::Approx(-0.05915).epsilon(5e-4));
+    CHECK(*smallest / 0.980665 == relative(-0.05915, 5e-4));
     CHECK(*largest < -*smallest);
 }
 

@@ -2,15 +2,20 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <filesystem>
 #include <string>
 
+#include "records/intensity.hpp"
 #include "records/read_record.hpp"
 #include "tests/records/refusal.hpp"
+#include "tests/support/relative.hpp"
 #include "tests/support/shared_records.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace musim::records {
 namespace {
+
+using lsdem::tests::relative;
 
 /// What a channel made for a test says; the rest is the same for all.
 struct Channel {
@@ -73,7 +78,7 @@ TEST_CASE("a COSMOS channel has the name, direction, unit, start and station of 
     CHECK(component.azimuth_deg == 90.0);
     CHECK(component.series.dt().value() == 0.01);
     REQUIRE(component.series.size() == 3);
-    CHECK(component.series.samples()[1] == doctest::Approx(-0.09).epsilon(1e-14));
+    CHECK(component.series.samples()[1] == relative(-0.09, 1e-14));
 }
 
 TEST_CASE("channels of a COSMOS file that start later say so, and one without direction goes by its code") {
@@ -101,7 +106,7 @@ TEST_CASE("counts of a COSMOS file become accelerations by its recorder and sens
     REQUIRE(motion.integration_corner);
     CHECK(motion.integration_corner->value() == 0.05);
     // 2 microvolts a count through a gain of 4, 0.5 V for one g: 1e-6 g a count
-    CHECK(motion.components[0].series.samples()[1] == doctest::Approx(-1.341629 * 9.80665).epsilon(1e-14));
+    CHECK(motion.components[0].series.samples()[1] == relative(-1.341629 * 9.80665, 1e-14));
 }
 
 TEST_CASE("a COSMOS file with several quantities gives the one asked for") {
@@ -178,16 +183,32 @@ TEST_CASE("the raw counts of Fort Bragg come back with their station, start and 
     const TimeSeries& series = motion.components[0].series;
     CHECK(series.size() == 20000);
     CHECK(series.dt().value() == 0.005);
-    CHECK(series.samples()[9058] == doctest::Approx(-985881.0 * si).epsilon(1e-12));
+    CHECK(series.samples()[9058] == relative(-985881.0 * si, 1e-12));
     for (const double sample : series.samples()) REQUIRE(std::abs(sample) <= std::abs(series.samples()[9058]));
 }
 
-TEST_CASE("the COSMOS test file whose headers name two directions is refused") {
+TEST_CASE("the COSMOS test file whose headers name two directions is refused, and read once they agree") {
     if (!tests::have_shared_records()) return;
+    const std::filesystem::path file = tests::shared_records() / "cosmos/Cosmos12TimeSeriesTest2.v1";
 
-    CHECK(tests::message_of<ReadError>([] {
-              read_record(tests::shared_records() / "cosmos/Cosmos12TimeSeriesTest2.v1");
+    // 400 is COSMOS's number for up (so in CE23837.V1C): one of "up" and "340 deg" is wrong, and the file cannot tell which
+    CHECK(tests::message_of<ReadError>([&] {
+              read_record(file);
           }).find("Cosmos12TimeSeriesTest2.v1:20: azimuth is 400 (line 9 says 340 Deg; header is damaged)") != std::string::npos);
+
+    // the number that the file's one-channel sister gives; README of the records: -161.96 cm/s² at 27.850 s and 5.77 cm/s in both channels
+    const tests::TemporaryFolder folder;
+    const auto mended = folder.write("a", tests::replaced(tests::bytes_of(file), "-999     400      20", "-999     340      20"));
+    const GroundMotion motion = read_record(mended);
+    CHECK(motion.component_names() == "340, 90");
+    for (const Component& component : motion.components) {
+        const Intensity intensity = compute_intensity(component.series, motion.integration_corner);
+        CHECK(component.series.size() == 7000);
+        CHECK(component.series.dt().value() == 0.01);
+        CHECK(intensity.pga->value.value() * 100.0 == relative(-161.962, 5e-6));
+        CHECK((intensity.pga->time - component.series.start()).value() == relative(27.850, 1e-9));
+        CHECK(std::abs(intensity.pgv->value.value()) * 100.0 == relative(5.77, 0.01));
+    }
 }
 
 TEST_CASE("the COSMOS record of Pomona has its directions and its start") {

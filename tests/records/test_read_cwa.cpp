@@ -4,11 +4,13 @@
 
 #include "records/read_record.hpp"
 #include "tests/records/refusal.hpp"
+#include "tests/support/relative.hpp"
 #include "tests/support/shared_records.hpp"
 
 namespace musim::records {
 namespace {
 
+using lsdem::tests::relative;
 using tests::replaced;
 
 const std::string kFile =
@@ -32,7 +34,7 @@ TEST_CASE("a CWA file gives its components in the order it names, and Taiwan's c
     CHECK(motion.components[2].azimuth_deg == 90.0);
     CHECK(motion.components[2].series.dt().value() == 1.0);
     REQUIRE(motion.components[2].series.size() == 3);
-    CHECK(motion.components[2].series.samples()[1] == doctest::Approx(-0.00778).epsilon(1e-15));
+    CHECK(motion.components[2].series.samples()[1] == relative(-0.00778, 1e-15));
 }
 
 TEST_CASE("every defect of a CWA file is told with its line") {

@@ -5,11 +5,13 @@
 #include "records/intensity.hpp"
 #include "records/read_record.hpp"
 #include "tests/records/refusal.hpp"
+#include "tests/support/relative.hpp"
 #include "tests/support/shared_records.hpp"
 
 namespace musim::records {
 namespace {
 
+using lsdem::tests::relative;
 using tests::replaced;
 
 // one corrected component of twelve samples: two lines a block, the second with two values; a pad of 5 s as the networks' files have
@@ -44,9 +46,9 @@ TEST_CASE("a GeoNet component gives samples in SI, its site and azimuth") {
     CHECK(component.azimuth_deg == 196.0);
     CHECK(component.series.dt().value() == 0.02);
     REQUIRE(component.series.size() == 12);
-    CHECK(component.series.samples()[0] == doctest::Approx(0.001).epsilon(1e-15));
-    CHECK(component.series.samples()[5] == doctest::Approx(-0.0416).epsilon(1e-15));
-    CHECK(component.series.samples()[11] == doctest::Approx(0.003).epsilon(1e-15));
+    CHECK(component.series.samples()[0] == relative(0.001, 1e-15));
+    CHECK(component.series.samples()[5] == relative(-0.0416, 1e-15));
+    CHECK(component.series.samples()[11] == relative(0.003, 1e-15));
 }
 
 TEST_CASE("the pad in front of a GeoNet recording lies before its clock's zero") {
@@ -61,7 +63,7 @@ TEST_CASE("the option chooses the block, and a block that was not evaluated is m
     const tests::TemporaryFolder folder;
     const TimeSeries velocity = read_record(folder.write("a", kFile), {.quantity = SampleQuantity::velocity}).find_component("S16W").series;
     CHECK(velocity.quantity() == SampleQuantity::velocity);
-    CHECK(velocity.samples()[6] == doctest::Approx(0.0016472).epsilon(1e-15));
+    CHECK(velocity.samples()[6] == relative(0.0016472, 1e-15));
 
     tests::check_refused(kFile, "a:1: component has no displacement", {.quantity = SampleQuantity::displacement});
 }
@@ -118,9 +120,9 @@ TEST_CASE("velocity and displacement of a real GeoNet record peak when and as it
 
     // header: -194.0 mm/s² at 43.66 s, 5.09 mm/s at 43.62 s, 0.279 mm at 43.66 s
     CHECK(find_peak_acceleration(acceleration).time.value() == doctest::Approx(43.66));
-    CHECK(find_peak_velocity(velocity).value.value() * 1000.0 == doctest::Approx(5.0909).epsilon(1e-5));
+    CHECK(find_peak_velocity(velocity).value.value() * 1000.0 == relative(5.0909, 1e-5));
     CHECK(find_peak_velocity(velocity).time.value() == doctest::Approx(43.62));
-    CHECK(find_peak_displacement(displacement).value.value() * 1000.0 == doctest::Approx(0.27895).epsilon(1e-5));
+    CHECK(find_peak_displacement(displacement).value.value() * 1000.0 == relative(0.27895, 1e-5));
     CHECK(find_peak_displacement(displacement).time.value() == doctest::Approx(43.66));
 }
 

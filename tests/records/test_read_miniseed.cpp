@@ -9,11 +9,14 @@
 #include "records/processing.hpp"
 #include "records/read_record.hpp"
 #include "tests/records/refusal.hpp"
+#include "tests/support/relative.hpp"
 #include "tests/support/shared_records.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace musim::records {
 namespace {
+
+using lsdem::tests::relative;
 
 constexpr std::size_t kRecordBytes = 128;
 
@@ -163,7 +166,7 @@ TEST_CASE("StationXML tells sensitivity, quantity and direction of the epoch tha
     const Component component = read_record(path, {.station_xml = xml}).find_component("HNE");
 
     CHECK(component.series.quantity() == SampleQuantity::velocity);
-    CHECK(component.series.samples()[0] == doctest::Approx(0.03).epsilon(1e-15));  // 2 counts per cm/s
+    CHECK(component.series.samples()[0] == relative(0.03, 1e-15));  // 2 counts per cm/s
     CHECK(component.azimuth_deg == 90.0);
 }
 
@@ -234,9 +237,9 @@ TEST_CASE("real miniSEED records have the length, clock, peak and velocity that 
         CHECK(std::abs(std::chrono::duration<double>(*motion.time_zero - minute).count() - row.first_second) < 1e-4);
         // the source took the level before the motion, the instrument's offset, off before it filtered
         const Intensity intensity = compute_intensity(remove_initial_level(series), motion.integration_corner);
-        CHECK(std::abs(intensity.pga->value.value()) == doctest::Approx(row.peak).epsilon(2e-4));
-        CHECK(intensity.pga->time.value() == doctest::Approx(row.time).epsilon(1e-9));
-        CHECK(std::abs(intensity.pgv->value.value()) * 100.0 == doctest::Approx(row.pgv).epsilon(0.01));
+        CHECK(std::abs(intensity.pga->value.value()) == relative(row.peak, 2e-4));
+        CHECK(intensity.pga->time.value() == relative(row.time, 1e-9));
+        CHECK(std::abs(intensity.pgv->value.value()) * 100.0 == relative(row.pgv, 0.01));
 
         // the same number by hand gives the same samples
         CHECK(read_record(path, {.sensitivity = row.sensitivity}).components.front().series == series);

@@ -9,11 +9,14 @@
 #include "records/detail/binary_file.hpp"
 #include "records/read_record.hpp"
 #include "tests/records/refusal.hpp"
+#include "tests/support/relative.hpp"
 #include "tests/support/shared_records.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace musim::records {
 namespace {
+
+using lsdem::tests::relative;
 
 constexpr std::size_t kHeaderBytes = 632;
 
@@ -78,7 +81,7 @@ TEST_CASE("the unit of a SAC file has to be named, and to be of the quantity tha
 
     // as the format's authors mean it
     const GroundMotion motion = read_record(path, {.unit = "nm/s^2"});
-    CHECK(motion.components.front().series.samples()[1] == doctest::Approx(-2e-9).epsilon(1e-15));
+    CHECK(motion.components.front().series.samples()[1] == relative(-2e-9, 1e-15));
     // a header that tells nothing leaves the quantity to the unit
     const auto untold = folder.write("b", with(make_sac(), 344, std::int32_t{5}));
     CHECK(read_record(untold, {.unit = "cm/s"}).components.front().series.quantity() == SampleQuantity::velocity);
@@ -142,10 +145,10 @@ TEST_CASE("real SAC files have the length, time step and extremes of their heade
         CHECK(series.size() == row.size);
         CHECK(series.dt().value() == row.dt);
         const auto [least, greatest] = std::minmax_element(series.samples().begin(), series.samples().end());
-        CHECK(*least == doctest::Approx(row.least).epsilon(5e-6));
-        CHECK(*greatest == doctest::Approx(row.greatest).epsilon(5e-6));
+        CHECK(*least == relative(row.least, 5e-6));
+        CHECK(*greatest == relative(row.greatest, 5e-6));
         const auto peak = (row.is_greatest_first ? greatest : least) - series.samples().begin();
-        CHECK(static_cast<double>(peak) * row.dt == doctest::Approx(row.peak_time).epsilon(1e-12));
+        CHECK(static_cast<double>(peak) * row.dt == relative(row.peak_time, 1e-12));
     }
 }
 

@@ -98,6 +98,8 @@ TEST_CASE("every defect of a text file is told with its line") {
              Case{"0 1\n1 2 3\n2 3\n", "a:2: 3 values (the rows above have 2)"},
              Case{"0,1\n1,,2\n", "a:2: empty value between separators"},
              Case{"0,01;1\n0,02;2\n", "a:1: both ',' and ';' on a line"},
+             Case{"0,01 1,5\n0,02 2,5\n", "a:1: both blanks and ',' between numbers"},
+             Case{"1,5\n-2,5\n", "a:1: one ',' within every row, no '.' and no sign behind it"},
              Case{"once upon a time\nthere was a record\n", "a:2: unknown format"},
              Case{"# nothing\n", "a: unknown format (no row of numbers)"},
              Case{std::string("\0\1\2\3binary", 10), "a: unknown format (binary data)"},

@@ -5,11 +5,13 @@
 #include "records/intensity.hpp"
 #include "records/read_record.hpp"
 #include "tests/records/refusal.hpp"
+#include "tests/support/relative.hpp"
 #include "tests/support/shared_records.hpp"
 
 namespace musim::records {
 namespace {
 
+using lsdem::tests::relative;
 using tests::replaced;
 
 const std::string kFile =
@@ -36,7 +38,7 @@ TEST_CASE("a UNAM file gives its channels, and a first sample after midnight is 
     CHECK(motion.components[1].azimuth_deg == 90.0);
     CHECK(motion.components[1].series.dt().value() == 0.004);
     REQUIRE(motion.components[1].series.size() == 3);
-    CHECK(motion.components[1].series.samples()[0] == doctest::Approx(-0.01189).epsilon(1e-15));
+    CHECK(motion.components[1].series.samples()[0] == relative(-0.01189, 1e-15));
 }
 
 TEST_CASE("rows beyond the announced number are dropped only when they repeat the last one") {
@@ -82,7 +84,7 @@ TEST_CASE("a real UNAM record has the length and the peaks of its header, withou
         const TimeSeries& series = motion.components[i].series;
         CHECK(series.size() == 17500);
         const auto peak = find_peak_acceleration(series);
-        CHECK(peak.value.value() * 100.0 == doctest::Approx(kPeaks[i]).epsilon(1e-9));
+        CHECK(peak.value.value() * 100.0 == relative(kPeaks[i], 1e-9));
         CHECK(peak.time.value() == doctest::Approx(kSamples[i] * 0.004));
     }
 }

@@ -9,11 +9,13 @@
 #include "records/recipe.hpp"
 #include "records/response_spectrum.hpp"
 #include "records/scale_record.hpp"
+#include "tests/support/relative.hpp"
 #include "tests/support/shared_records.hpp"
 
 namespace musim::records {
 namespace {
 
+using lsdem::tests::relative;
 using scaling::si::seconds;
 
 constexpr const char* kEverything = R"({"schema": "musim-recipe/1", "steps": [
@@ -21,7 +23,7 @@ constexpr const char* kEverything = R"({"schema": "musim-recipe/1", "steps": [
     {"step": "taper", "fraction": 0.1}, {"step": "pad", "before": "1 s", "after": 2},
     {"step": "filter", "low": "0.1 Hz", "high": "20 Hz", "order": 4, "phase": "zero"}, {"step": "filter", "high": 15, "phase": "causal"},
     {"step": "rotate", "azimuth_deg": 30}, {"step": "resample", "dt": "8 ms"}, {"step": "energy_window", "from": 0.01, "to": 0.99, "margin": 0.2},
-    {"step": "rest"}, {"step": "integrate"}, {"step": "differentiate"}, {"step": "integrate", "by": "frequency"}]})";
+    {"step": "rest"}, {"step": "amplify", "factor": 0.7}, {"step": "integrate"}, {"step": "differentiate"}, {"step": "integrate", "by": "frequency"}]})";
 
 GroundMotion make_motion() {
     GroundMotion motion;
@@ -40,10 +42,24 @@ GroundMotion make_motion() {
 
 TEST_CASE("a recipe is read, written and read again to the same") {
     const Recipe recipe = parse_recipe(kEverything, "test");
-    CHECK(recipe.size() == 15);
+    CHECK(recipe.size() == 16);
     const std::string text = write_recipe(recipe);
     CHECK(write_recipe(parse_recipe(text, "again")) == text);
     CHECK(write_recipe({}) == "{\n  \"schema\": \"musim-recipe/1\",\n  \"steps\": []\n}\n");
+}
+
+TEST_CASE("level says so where a record begins in motion") {
+    const Recipe recipe{step::Level{}};
+    GroundMotion quiet = make_motion();
+    for (Component& component : quiet.components) component.series = pad(component.series, 1.0 * seconds, 0.0 * seconds);
+    CHECK(process(quiet, recipe).history.size() == 1);
+    GroundMotion moving = make_motion();
+    for (Component& component : moving.components) component.series = cut(component.series, {8.0 * seconds, 12.0 * seconds});
+    const auto history = process(moving, recipe).history;
+    REQUIRE(history.size() == 3);
+    CHECK(history[1].starts_with("N begins in motion ("));
+    CHECK(history[1].ends_with("): level took the mean of its first 0.07 s"));
+    CHECK(recipe_of(process(moving, recipe)).size() == 1);
 }
 
 TEST_CASE("a processed record tells how it was made, and can be made again from that") {
@@ -88,7 +104,7 @@ TEST_CASE("the spectrum of a model at scaled periods is the prototype's times th
         for (const scaling::Time& period : periods) scaled.push_back(law.to_model(period));
         const std::vector<double> one = compute_response_spectrum(motion, periods).pseudo_acceleration(),
                                   two = compute_response_spectrum(rescale(motion, law), scaled).pseudo_acceleration();
-        for (std::size_t i = 0; i < periods.size(); ++i) CHECK(two[i] == doctest::Approx(law.acceleration() * one[i]).epsilon(1e-10));
+        for (std::size_t i = 0; i < periods.size(); ++i) CHECK(two[i] == relative(law.acceleration() * one[i], 1e-10));
     }
 }
 
@@ -100,7 +116,7 @@ TEST_CASE("China Lake high-passed at 0.064 Hz peaks at the published 42.4 cm/s")
     const GroundMotion processed = process(record, recipe);
     CHECK_FALSE(processed.integration_corner);
     const Intensity intensity = compute_intensity(processed.find_component("360").series, processed.integration_corner);
-    CHECK(std::abs(intensity.pgv->value.value()) == doctest::Approx(0.424).epsilon(0.0005 / 0.424));
+    CHECK(std::abs(intensity.pgv->value.value()) == relative(0.424, 0.0005 / 0.424));
 }
 
 TEST_CASE("a recipe that cannot be followed says where, what and what to do") {

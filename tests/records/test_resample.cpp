@@ -6,10 +6,12 @@
 #include <vector>
 
 #include "records/resample.hpp"
+#include "tests/support/relative.hpp"
 
 namespace musim::records {
 namespace {
 
+using lsdem::tests::relative;
 using scaling::si::seconds;
 using std::numbers::pi;
 
@@ -44,7 +46,7 @@ TEST_CASE("a motion below the band's edge is the same on any step") {
     CHECK(worst_against(resample(make_packet(20.0, 0.005), 0.02 * seconds), 20.0) < 1e-4);
     // straight lines between samples are off by (2πf dt)²/8 there
     const double straight = worst_against(resample(make_packet(5.0, 0.02), 0.01 * seconds, Between::straight), 5.0);
-    CHECK(straight == doctest::Approx(std::pow(2.0 * pi * 5.0 * 0.02, 2) / 8.0).epsilon(0.1));
+    CHECK(straight == relative(std::pow(2.0 * pi * 5.0 * 0.02, 2) / 8.0, 0.1));
 }
 
 TEST_CASE("what lies above half the new rate does not fold back") {
@@ -72,7 +74,7 @@ TEST_CASE("a clock shifted by a part of a step shows the motion there") {
         CAPTURE(part);
         const TimeSeries series = make_packet(5.0, 0.02), shifted = shift_clock(series, part * 0.02 * seconds);
         CHECK(shifted.size() == series.size() - 1);
-        CHECK(shifted.start().value() == doctest::Approx(3.0 + 0.02 * (part < 0.0 ? 1.0 + part : part)).epsilon(1e-14));
+        CHECK(shifted.start().value() == relative(3.0 + 0.02 * (part < 0.0 ? 1.0 + part : part), 1e-14));
         CHECK(worst_against(shifted, 5.0) < 1e-4);
     }
 }

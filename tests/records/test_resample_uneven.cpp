@@ -6,10 +6,13 @@
 #include <vector>
 
 #include "records/resample_uneven.hpp"
+#include "tests/support/relative.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace musim::records {
 namespace {
+
+using lsdem::tests::relative;
 
 constexpr SampleQuantity kAcceleration = SampleQuantity::acceleration;
 
@@ -25,7 +28,7 @@ TEST_CASE("a straight line through uneven times is the same line at even ones") 
     CHECK(resampled.series.dt().value() == 0.005);
     REQUIRE(resampled.series.size() == 7);
     for (std::size_t i = 0; i < 7; ++i) {
-        CHECK(resampled.series.samples()[i] == doctest::Approx(3.0 - 2.0 * resampled.series.time(i).value()).epsilon(1e-13));
+        CHECK(resampled.series.samples()[i] == relative(3.0 - 2.0 * resampled.series.time(i).value(), 1e-13));
     }
     CHECK(resampled.note == "resampled from 7 uneven samples (0.004 to 0.006 s) to 0.005 s by straight lines");
 }
@@ -52,7 +55,7 @@ TEST_CASE("the error of resampling falls with the square of the step") {
     const double fine = error_with(0.0025);
 
     CHECK(coarse < 1.3 * 1.3 * 0.01 * 0.01 / 8.0 * 4.0 * std::numbers::pi * std::numbers::pi);
-    CHECK(coarse / fine == doctest::Approx(16.0).epsilon(0.1));
+    CHECK(coarse / fine == relative(16.0, 0.1));
 }
 
 TEST_CASE("samples at even times are kept to the last bit, without a note") {

@@ -5,10 +5,12 @@
 
 #include "records/scale_record.hpp"
 #include "records/sliding_block.hpp"
+#include "tests/support/relative.hpp"
 
 namespace musim::records {
 namespace {
 
+using lsdem::tests::relative;
 using scaling::si::meters_per_second_squared;
 using scaling::si::seconds;
 
@@ -33,7 +35,7 @@ TEST_CASE("a block slides under a triangular pulse as integrals say, whatever th
         for (int i = 0; i <= 2 * per_side; ++i) pulse.push_back(kA * (1.0 - std::abs(i - per_side) / static_cast<double>(per_side)));
         pulse.resize(pulse.size() + static_cast<std::size_t>(4 * per_side), 0.0);
         const Sliding sliding = compute_sliding(make_acceleration(pulse, kT / per_side), kYield * meters_per_second_squared);
-        CHECK(sliding.residual.value() == doctest::Approx(expected).epsilon(1e-12));
+        CHECK(sliding.residual.value() == relative(expected, 1e-12));
         CHECK(sliding.largest == sliding.residual);
     }
 }
@@ -71,8 +73,8 @@ TEST_CASE("sliding is that of ten thousand small steps under any motion") {
     }
     const Sliding sliding = compute_sliding(make_acceleration(motion, kDt), kYield * meters_per_second_squared);
     // the small steps are off by at most one of them at each of some hundred stops
-    CHECK(sliding.largest.value() == doctest::Approx(largest).epsilon(1e-3));
-    CHECK(sliding.residual.value() == doctest::Approx(x).epsilon(1e-3 * largest / std::abs(x)));
+    CHECK(sliding.largest.value() == relative(largest, 1e-3));
+    CHECK(sliding.residual.value() == relative(x, 1e-3 * largest / std::abs(x)));
 }
 
 TEST_CASE("sliding scales with the law that holds its groups, to the last bit for powers of two") {

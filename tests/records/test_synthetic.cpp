@@ -5,10 +5,12 @@
 #include "records/base_motion.hpp"
 #include "records/intensity.hpp"
 #include "records/synthetic.hpp"
+#include "tests/support/relative.hpp"
 
 namespace musim::records {
 namespace {
 
+using lsdem::tests::relative;
 using scaling::si::seconds;
 
 TEST_CASE("the synthetic record has the wanted PGA and PGV at once and ends at rest") {
@@ -20,9 +22,9 @@ TEST_CASE("the synthetic record has the wanted PGA and PGV at once and ends at r
             const TimeSeries acceleration = make_synthetic_record(settings).find_component("1").series;
 
             const Intensity intensity = compute_intensity(acceleration);
-            CHECK(std::abs(intensity.pga->value.value()) == doctest::Approx(settings.pga.value()).epsilon(1e-12));
-            CHECK(std::abs(intensity.pgv->value.value()) == doctest::Approx(settings.pgv.value()).epsilon(1e-9));
-            CHECK(acceleration.duration().value() == doctest::Approx(duration).epsilon(1e-12));
+            CHECK(std::abs(intensity.pga->value.value()) == relative(settings.pga.value(), 1e-12));
+            CHECK(std::abs(intensity.pgv->value.value()) == relative(settings.pgv.value(), 1e-9));
+            CHECK(acceleration.duration().value() == relative(duration, 1e-12));
             // sums of 10⁴ terms: rounding
             const TimeSeries velocity = integrate(acceleration);
             CHECK(std::abs(velocity.samples().back()) < 1e-12 * settings.pgv.value());
@@ -38,8 +40,27 @@ TEST_CASE("other peaks and time steps are met as well") {
                                      .dt = 0.01 * seconds,
                                      .duration = 80.0 * seconds};
     const Intensity intensity = compute_intensity(make_synthetic_record(settings).components.front().series);
-    CHECK(std::abs(intensity.pga->value.value()) == doctest::Approx(settings.pga.value()).epsilon(1e-12));
-    CHECK(std::abs(intensity.pgv->value.value()) == doctest::Approx(1.618).epsilon(1e-9));
+    CHECK(std::abs(intensity.pga->value.value()) == relative(settings.pga.value(), 1e-12));
+    CHECK(std::abs(intensity.pgv->value.value()) == relative(1.618, 1e-9));
+}
+
+TEST_CASE("a wanted D5-95 is met beside both peaks") {
+    for (const double wanted : {3.0, 7.6, 13.0, 22.0}) {
+        for (const std::uint64_t seed : {1U, 2U, 3U}) {
+            CAPTURE(wanted);
+            CAPTURE(seed);
+            const SyntheticSettings settings{.dt = 0.01 * seconds, .seed = seed, .d5_95 = wanted * seconds};
+            const GroundMotion motion = make_synthetic_record(settings);
+            const TimeSeries& acceleration = motion.components.front().series;
+
+            const Intensity intensity = compute_intensity(acceleration);
+            CHECK(std::abs(intensity.d5_95->value() / wanted - 1.0) <= kDurationTolerance);
+            CHECK(std::abs(intensity.pga->value.value()) == doctest::Approx(settings.pga.value()).epsilon(1e-12));
+            CHECK(std::abs(intensity.pgv->value.value()) == doctest::Approx(settings.pgv.value()).epsilon(1e-9));
+            CHECK(std::abs(integrate(acceleration).samples().back()) < 1e-12 * settings.pgv.value());
+            CHECK(motion.history.front().find("D5-95") != std::string::npos);
+        }
+    }
 }
 
 TEST_CASE("the same seed makes the same record and another seed another") {
@@ -58,24 +79,29 @@ TEST_CASE("the default record is the same on every machine") {
 
 TEST_CASE("settings scaled by powers of two make the scaled record, bit for bit") {
     // λ_l = 1/16: times and velocities by 1/4, accelerations by 1
-    const SyntheticSettings prototype{.duration = 10.0 * seconds};
+    SyntheticSettings prototype{.duration = 10.0 * seconds};
     SyntheticSettings model = prototype;
     model.pgv = prototype.pgv / 4.0;
     model.dt = prototype.dt / 4.0;
     model.duration = prototype.duration / 4.0;
+    for (const bool with_duration : {false, true}) {
+        CAPTURE(with_duration);
+        if (with_duration) {
+            prototype.d5_95 = 3.3 * seconds;
+            model.d5_95 = *prototype.d5_95 / 4.0;
+        }
+        const TimeSeries full = make_synthetic_record(prototype).components.front().series;
+        const TimeSeries small = make_synthetic_record(model).components.front().series;
 
-    const TimeSeries full = make_synthetic_record(prototype).components.front().series;
-    const TimeSeries small = make_synthetic_record(model).components.front().series;
-
-    REQUIRE(full.size() == small.size());
-    CHECK(full.samples().size() == small.samples().size());
-    CHECK(std::equal(full.samples().begin(), full.samples().end(), small.samples().begin()));
+        REQUIRE(full.size() == small.size());
+        CHECK(std::equal(full.samples().begin(), full.samples().end(), small.samples().begin()));
+    }
 }
 
 TEST_CASE("the synthetic record goes through make_base_motion nearly untouched") {
     const GroundMotion motion = make_synthetic_record();
     const BaseMotion base = make_base_motion(motion, "1");
-    CHECK(std::abs(find_peak_velocity(base.velocity).value.value()) == doctest::Approx(0.424).epsilon(1e-9));
+    CHECK(std::abs(find_peak_velocity(base.velocity).value.value()) == relative(0.424, 1e-9));
 }
 
 TEST_CASE("settings that make no record are refused") {
@@ -84,6 +110,10 @@ TEST_CASE("settings that make no record are refused") {
     CHECK_THROWS_AS(make_synthetic_record({.dt = 0.0 * seconds}), ProcessingError);
     CHECK_THROWS_AS(make_synthetic_record({.duration = 0.1 * seconds}), ProcessingError);
     CHECK_THROWS_AS(make_synthetic_record({.duration = 1e9 * seconds}), ProcessingError);
+    CHECK_THROWS_AS(make_synthetic_record({.d5_95 = 0.0 * seconds}), ProcessingError);
+    CHECK_THROWS_AS(make_synthetic_record({.d5_95 = 35.0 * seconds}), ProcessingError);
+    CHECK_THROWS_AS(make_synthetic_record({.d5_95 = 80.0 * seconds}), ProcessingError);
+    CHECK_THROWS_AS(make_synthetic_record({.d5_95 = 0.05 * seconds}), ProcessingError);
     // 1 m/s within 1 s at 0.01 g is no vibration
     CHECK_THROWS_AS(make_synthetic_record({.pga = 0.01 * scaling::kStandardGravity, .duration = 1.0 * seconds}), ProcessingError);
 }

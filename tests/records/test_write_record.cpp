@@ -8,11 +8,13 @@
 #include "records/read_record.hpp"
 #include "records/synthetic.hpp"
 #include "records/write_record.hpp"
+#include "tests/support/relative.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace musim::records {
 namespace {
 
+using lsdem::tests::relative;
 using scaling::si::seconds;
 
 GroundMotion make_motion() {
@@ -96,7 +98,7 @@ TEST_CASE("velocities are written as VT2 in cm/s") {
     const GroundMotion back = read_record(folder.path() / "a.vt2");
 
     CHECK(back.format == "PEER VT2");
-    CHECK(back.components.front().series.samples()[1] == doctest::Approx(0.25).epsilon(1e-15));
+    CHECK(back.components.front().series.samples()[1] == relative(0.25, 1e-15));
 }
 
 TEST_CASE("displacements are written as DT2 in cm") {
@@ -110,7 +112,7 @@ TEST_CASE("displacements are written as DT2 in cm") {
     CHECK(back.format == "PEER DT2");
     CHECK(tests::bytes_of(folder.path() / "a.dt2").find("UNITS OF CM\n") != std::string::npos);
     CHECK(back.components.front().series.quantity() == SampleQuantity::displacement);
-    CHECK(back.components.front().series.samples()[1] == doctest::Approx(-0.25).epsilon(1e-15));
+    CHECK(back.components.front().series.samples()[1] == relative(-0.25, 1e-15));
 }
 
 TEST_CASE("components with different clocks do not go into one CSV") {
@@ -145,7 +147,10 @@ TEST_CASE("a disk that fills up leaves neither a partial file nor a temporary on
 
 TEST_CASE("a folder that is missing, or a target that is one, gives a WriteError") {
     const tests::TemporaryFolder folder;
-    CHECK_THROWS_AS(write_file_atomically(folder.path() / "none" / "a", "x"), WriteError);
+    const std::string none = (folder.path() / "none").string();
+    CHECK_THROWS_WITH_AS(write_file_atomically(none + "/a", "x"),
+                         (none + "/a: cannot be created (there is no folder " + none + "); create the folder").c_str(), WriteError);
+    CHECK_FALSE(std::filesystem::exists(none));
     CHECK_THROWS_AS(write_file_atomically(folder.path(), "x"), WriteError);
 }
 

@@ -1,0 +1,79 @@
+#include "records/detail/json_fields.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace musim::records::detail {
+
+JsonFields::JsonFields(const Json& object, std::string place) : object_(object), place_(std::move(place)) {
+    if (!object.is_object()) fail("is no object", "write {\"KEY\": VALUE, ...}");
+}
+
+void JsonFields::fail(const std::string& what, const std::string& what_to_do) const {
+    throw ReadError(fmt::format("{}: {}; {}", place_, what, what_to_do));
+}
+
+bool JsonFields::has(const char* key) {
+    used_.emplace_back(key);
+    return object_.contains(key);
+}
+
+double JsonFields::number(const char* key, double fallback) {
+    if (!has(key)) return fallback;
+    if (!object_[key].is_number()) fail(fmt::format("{} is no number", key), "write one, without quotes");
+    return object_[key].get<double>();
+}
+
+int JsonFields::integer(const char* key, int fallback) {
+    if (!has(key)) return fallback;
+    if (!object_[key].is_number_integer()) fail(fmt::format("{} is no whole number", key), "write one, without quotes");
+    return object_[key].get<int>();
+}
+
+bool JsonFields::truth(const char* key, bool fallback) {
+    if (!has(key)) return fallback;
+    if (!object_[key].is_boolean()) fail(fmt::format("{} is neither true nor false", key), "write one of them, without quotes");
+    return object_[key].get<bool>();
+}
+
+std::string JsonFields::text(const char* key, const std::string& fallback) {
+    if (!has(key)) return fallback;
+    if (!object_[key].is_string()) fail(fmt::format("{} is no text", key), "write it in quotes");
+    return object_[key].get<std::string>();
+}
+
+bool JsonFields::is_second(const char* key, std::string_view first, std::string_view second) {
+    if (!has(key)) return false;
+    const std::string name = object_[key].is_string() ? object_[key].get<std::string>() : std::string();
+    if (name != first && name != second) fail(fmt::format("{} is neither \"{}\" nor \"{}\"", key, first, second), "write one of them");
+    return name == second;
+}
+
+TimeWindow JsonFields::window(const char* key) {
+    if (!has(key) || !object_[key].is_array() || object_[key].size() != 2) {
+        fail(fmt::format("{} is no pair of times", key), "write [\"10 s\", \"40 s\"]");
+    }
+    return {to_quantity<scaling::Time>(object_[key][0], key), to_quantity<scaling::Time>(object_[key][1], key)};
+}
+
+double JsonFields::to_si(const Json& value, const char* key, scaling::Dimension dimension) const {
+    if (value.is_number()) return value.get<double>();
+    if (!value.is_string()) fail(fmt::format("{} is no quantity", key), "write a number in SI units, or text such as \"0.05 Hz\"");
+    try {
+        return scaling::parse_si(value.get<std::string>(), dimension);
+    } catch (const scaling::ParseError& error) {
+        throw ReadError(fmt::format("{}: {}: {}", place_, key, error.what()));
+    }
+}
+
+void JsonFields::refuse_unknown_keys() const {
+    for (const auto& [key, value] : object_.items()) {
+        const std::string& name = key;
+        if (std::find(used_.begin(), used_.end(), name) == used_.end()) {
+            fail(fmt::format("\"{}\" is none of its settings", name), "remove it, or correct its name");
+        }
+    }
+}
+
+}  // namespace musim::records::detail

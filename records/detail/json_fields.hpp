@@ -1,0 +1,64 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "records/error.hpp"
+#include "records/processing.hpp"
+#include "scaling/quantity_text.hpp"
+
+namespace musim::records::detail {
+
+/// The fields of one JSON object in a file, with the place for messages. Knows which keys were asked for; all but has() and
+/// refuse_unknown_keys() throw ReadError `place: what (why); what to do`.
+class JsonFields {
+  public:
+    using Json = nlohmann::ordered_json;
+
+    /// `object` must outlive this. Throws when it is no object.
+    JsonFields(const Json& object, std::string place);
+
+    [[noreturn]] void fail(const std::string& what, const std::string& what_to_do) const;
+
+    bool has(const char* key);
+    const Json& operator[](const char* key) const { return object_[key]; }
+    const std::string& place() const { return place_; }
+
+    double number(const char* key, double fallback);
+    int integer(const char* key, int fallback);
+    bool truth(const char* key, bool fallback);
+    std::string text(const char* key, const std::string& fallback);
+    /// Which of two names; the first when it is not there.
+    bool is_second(const char* key, std::string_view first, std::string_view second);
+    TimeWindow window(const char* key);
+
+    template <class Quantity>
+    Quantity quantity(const char* key) {
+        if (!has(key)) fail(std::string(key) + " is missing", "add it");
+        return to_quantity<Quantity>(object_[key], key);
+    }
+    template <class Quantity>
+    std::optional<Quantity> optional_quantity(const char* key) {
+        return has(key) ? std::optional(to_quantity<Quantity>(object_[key], key)) : std::nullopt;
+    }
+    /// A number in SI units or text with a unit.
+    template <class Quantity>
+    Quantity to_quantity(const Json& value, const char* key) const {
+        return Quantity::from_value(to_si(value, key, scaling::dimension_of<Quantity>()));
+    }
+
+    /// Throws for a key that nobody asked for.
+    void refuse_unknown_keys() const;
+
+  private:
+    double to_si(const Json& value, const char* key, scaling::Dimension dimension) const;
+
+    const Json& object_;
+    std::string place_;
+    std::vector<std::string> used_;
+};
+
+}  // namespace musim::records::detail

@@ -1,0 +1,261 @@
+#include "records/match_spectrum.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "records/detail/adjustment_wavelet.hpp"
+#include "records/detail/cholesky.hpp"
+#include "records/detail/rest_correction.hpp"
+#include "records/intensity.hpp"
+#include "records/response_spectrum.hpp"
+
+namespace musim::records {
+namespace {
+
+constexpr const char* kKind = "spectrum match";
+
+// damping λ of the least squares, in units of the largest diagonal element: from bold to so cautious that nothing would change any more
+constexpr double kFirstCaution = 1e-2;
+constexpr double kLeastCaution = 1e-6;
+constexpr double kMostCaution = 1e6;
+constexpr double kBolder = 0.3, kMoreCautious = 4.0;
+
+/// A step may be worse than the last, but not than the worst of so many: it gets over kinks, where another swing becomes the largest.
+constexpr std::size_t kMemory = 5;
+
+/// Swings of an oscillator that reach this fraction of its largest get wavelets of their own, and must not rise above the target.
+constexpr double kRival = 0.9;
+
+double find_theta(scaling::Time period, scaling::Time dt) { return 2.0 * std::numbers::pi * (dt.value() / period.value()); }
+
+/// One swing of an oscillator.
+struct Swing {
+    std::size_t oscillator = 0;
+    std::size_t sample = 0;  ///< of its peak
+    double psa = 0.0;        ///< ω²|u| there [m/s²]
+    double sign = 1.0;       ///< of u
+};
+
+/// The largest responses of one oscillator: swings that take the lead when another falls a little.
+struct Response {
+    double psa = 0.0;           ///< of the largest [m/s²]
+    std::size_t peak = 0;       ///< its sample
+    std::vector<Swing> swings;  ///< it and its rivals
+};
+
+Response find_response(const TimeSeries& acceleration, const TargetSpectrum& target, std::size_t oscillator) {
+    const scaling::Time period = target.period[oscillator];
+    const TimeSeries displacement = compute_oscillator_response(acceleration, period, target.damping);
+    const std::span<const double> u = displacement.samples();
+    const double omega = 2.0 * std::numbers::pi / period.value();
+    const auto peak = std::max_element(u.begin(), u.end(), [](double first, double second) { return std::abs(first) < std::abs(second); });
+    Response response{omega * omega * std::abs(*peak), static_cast<std::size_t>(peak - u.begin()), {}};
+    for (std::size_t i = 1; i < u.size(); ++i) {
+        const double size = std::abs(u[i]);
+        const bool is_peak = size > std::abs(u[i - 1]) && (i + 1 == u.size() || size >= std::abs(u[i + 1]));
+        if (is_peak && size >= kRival * std::abs(*peak)) {
+            response.swings.push_back({oscillator, i, omega * omega * size, u[i] < 0.0 ? -1.0 : 1.0});
+        }
+    }
+    return response;
+}
+
+std::vector<Response> find_responses(const TimeSeries& acceleration, const TargetSpectrum& target) {
+    std::vector<Response> responses;
+    for (std::size_t i = 0; i < target.period.size(); ++i) responses.push_back(find_response(acceleration, target, i));
+    return responses;
+}
+
+double log_ratio(const TargetSpectrum& target, const std::vector<Response>& responses, std::size_t i) {
+    return std::log(responses[i].psa / target.psa[i].value());
+}
+
+SpectrumMisfit find_misfit(const TargetSpectrum& target, const std::vector<Response>& responses) {
+    SpectrumMisfit misfit;
+    for (std::size_t i = 0; i < responses.size(); ++i) {
+        const double size = std::abs(log_ratio(target, responses, i));
+        misfit.mean += size / static_cast<double>(responses.size());
+        if (size <= misfit.largest) continue;
+        misfit.largest = size;
+        misfit.largest_at = target.period[i];
+    }
+    return misfit;
+}
+
+/// What the search makes smaller: the sum of the fourth powers of the logarithms, since the largest counts.
+double find_cost(const TargetSpectrum& target, const std::vector<Response>& responses) {
+    double cost = 0.0;
+    for (std::size_t i = 0; i < responses.size(); ++i) {
+        const double square = log_ratio(target, responses, i) * log_ratio(target, responses, i);
+        cost += square * square;
+    }
+    return cost;
+}
+
+/// Wavelets at the swings of all oscillators and what they do: a row of A is the change of one swing, over its target, by every wavelet, in
+/// units of the target of its own oscillator. Rows are weighted, W.
+struct Linearization {
+    std::vector<detail::Wavelet> wavelets;
+    std::vector<double> unit;       ///< of the wavelets' amplitudes [m/s²]
+    detail::SquareMatrix normal;    ///< AᵀWA
+    std::vector<double> right;      ///< AᵀWr, r the wanted changes over the targets
+    double largest_diagonal = 0.0;  ///< of AᵀWA
+};
+
+Linearization linearize(const TimeSeries& motion, const TargetSpectrum& target, const std::vector<Response>& responses, double tolerance) {
+    std::vector<Swing> swings;
+    for (const Response& response : responses) swings.insert(swings.end(), response.swings.begin(), response.swings.end());
+    const std::size_t n = swings.size();
+    Linearization linear{{}, {}, detail::SquareMatrix(n), std::vector<double>(n, 0.0), 0.0};
+    for (const Swing& swing : swings) {
+        const double theta = find_theta(target.period[swing.oscillator], motion.dt());
+        linear.wavelets.push_back(detail::make_adjustment_wavelet(theta, target.damping, swing.sample, motion.size()));
+        linear.unit.push_back(target.psa[swing.oscillator].value());
+    }
+    std::vector<double> row(n);
+    for (const Swing& swing : swings) {
+        const double theta = find_theta(target.period[swing.oscillator], motion.dt()), aim = target.psa[swing.oscillator].value();
+        const std::vector<double> influence = detail::make_influence(theta, target.damping, swing.sample);
+        for (std::size_t j = 0; j < n; ++j) {
+            row[j] = swing.sign * theta * theta * detail::respond(influence, linear.wavelets[j]) * (linear.unit[j] / aim);
+        }
+        // weights that make least squares the sum of fourth powers, for those beyond the tolerance
+        const double beyond = (1.0 - responses[swing.oscillator].psa / aim) / tolerance, weight = std::max(1.0, beyond * beyond);
+        // a rival only has to stay below
+        const double left = 1.0 - swing.psa / aim;
+        const double wanted = swing.sample == responses[swing.oscillator].peak ? left : std::min(0.0, left);
+        for (std::size_t j = 0; j < n; ++j) {
+            linear.right[j] += weight * row[j] * wanted;
+            for (std::size_t k = 0; k <= j; ++k) linear.normal.at(j, k) += weight * row[j] * row[k];
+        }
+    }
+    for (std::size_t j = 0; j < n; ++j) linear.largest_diagonal = std::max(linear.largest_diagonal, linear.normal.at(j, j));
+    return linear;
+}
+
+/// The motion with the wavelets added that damped least squares ask for.
+TimeSeries add_wavelets(const TimeSeries& motion, const Linearization& linear, double caution) {
+    detail::SquareMatrix damped = linear.normal;
+    for (std::size_t j = 0; j < damped.size; ++j) damped.at(j, j) += caution * linear.largest_diagonal;
+    const std::vector<double> amplitude = detail::solve_cholesky(std::move(damped), linear.right);
+
+    std::vector<double> added(motion.size(), 0.0);
+    for (std::size_t j = 0; j < amplitude.size(); ++j) {
+        const detail::Wavelet& wavelet = linear.wavelets[j];
+        const double size = amplitude[j] * linear.unit[j];
+        for (std::size_t k = 0; k < wavelet.samples.size(); ++k) added[wavelet.first + k] += size * wavelet.samples[k];
+    }
+    added = detail::end_at_rest(std::move(added), motion.dt().value());
+    for (std::size_t k = 0; k < added.size(); ++k) added[k] += motion.samples()[k];
+    return motion.with_samples(std::move(added));
+}
+
+TimeSeries multiply(const TimeSeries& motion, double factor) {
+    std::vector<double> samples(motion.samples().begin(), motion.samples().end());
+    for (double& sample : samples) sample *= factor;
+    return motion.with_samples(std::move(samples));
+}
+
+/// exp of the mean logarithm of target/PSA.
+double find_factor(const TargetSpectrum& target, const std::vector<Response>& responses) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < responses.size(); ++i) sum -= log_ratio(target, responses, i);
+    return std::exp(sum / static_cast<double>(responses.size()));
+}
+
+void check_target(const TimeSeries& motion, const TargetSpectrum& target) {
+    constexpr std::size_t kMostPeriods = 1000;  // a matrix of 8 MB
+    constexpr double kFewestSteps = 4.0;        // in a period: a wavelet needs samples
+    if (target.period.empty() || target.period.size() > kMostPeriods || target.psa.size() != target.period.size()) {
+        throw ProcessingError(fmt::format("{}: the target has {} periods and {} values (must be as many, 1 to {}); correct it or the band",
+                                          kKind, target.period.size(), target.psa.size(), kMostPeriods));
+    }
+    require_damping(target.damping);
+    if (!(target.damping < 1.0)) {
+        throw ProcessingError(fmt::format("{}: damping ratio is {} (must be below 1); lower it", kKind, target.damping));
+    }
+    for (std::size_t i = 0; i < target.period.size(); ++i) {
+        const double period = target.period[i].value(), psa = target.psa[i].value();
+        if (!(psa > 0.0 && std::isfinite(psa))) {
+            throw ProcessingError(
+                fmt::format("{}: the target at {:.6g} s is {} m/s^2 (must be positive and finite); correct it", kKind, period, psa));
+        }
+        if (i > 0 && !(period > target.period[i - 1].value())) {
+            throw ProcessingError(fmt::format("{}: period {:.6g} s follows {:.6g} s (must rise); sort the target", kKind, period,
+                                              target.period[i - 1].value()));
+        }
+        if (!(period >= kFewestSteps * motion.dt().value() && period <= motion.duration().value())) {
+            throw ProcessingError(
+                fmt::format("{}: period {:.6g} s cannot be matched (must be {} time steps, {:.6g} s, to the record's length, {:.6g} s); "
+                            "narrow the band or resample the record",
+                            kKind, period, kFewestSteps, kFewestSteps * motion.dt().value(), motion.duration().value()));
+        }
+    }
+}
+
+}  // namespace
+
+SpectrumMatch match_spectrum(const TimeSeries& acceleration, const TargetSpectrum& target, const SpectrumMatchSettings& settings) {
+    require_quantity(acceleration, SampleQuantity::acceleration, kKind);
+    if (!(settings.tolerance > 0.0 && std::isfinite(settings.tolerance))) {
+        throw ProcessingError(fmt::format("{}: tolerance is {} (must be positive); give 0.05 for 5 %", kKind, settings.tolerance));
+    }
+    check_target(acceleration, target);
+    std::vector<Response> responses = find_responses(acceleration, target);
+    if (std::any_of(responses.begin(), responses.end(), [](const Response& response) { return !(response.psa > 0.0); })) {
+        throw ProcessingError(fmt::format("{}: the record has no motion (nothing to match); choose another component", kKind));
+    }
+
+    SpectrumMatch match{acceleration, 1.0, find_misfit(target, responses), find_misfit(target, responses), 0};
+    if (match.before.largest <= settings.tolerance) return match;
+    match.factor = find_factor(target, responses);
+    match.acceleration = multiply(acceleration, match.factor);
+    responses = find_responses(match.acceleration, target);
+    match.after = find_misfit(target, responses);
+
+    // Levenberg-Marquardt: a step that makes it worse than all of the last ones is taken back and tried again with more caution
+    double caution = kFirstCaution;
+    std::vector<double> costs;
+    while (match.after.largest > settings.tolerance) {
+        const Linearization linear = linearize(match.acceleration, target, responses, settings.tolerance);
+        costs.push_back(find_cost(target, responses));
+        const auto recent = costs.end() - static_cast<std::ptrdiff_t>(std::min(costs.size(), kMemory));
+        const double cost = *std::max_element(recent, costs.end());
+        for (bool better = false; !better; ++match.iterations) {
+            if (match.iterations >= settings.most_iterations || caution > kMostCaution) {
+                throw ProcessingError(
+                    fmt::format("{}: not reached after {} iterations (largest |ln(PSA/target)| {:.4g} at {:.4g} s, wanted {:.4g}); narrow "
+                                "the band, raise the tolerance, smooth the target or take another record",
+                                kKind, match.iterations, match.after.largest, match.after.largest_at.value(), settings.tolerance));
+            }
+            TimeSeries tried = add_wavelets(match.acceleration, linear, caution);
+            std::vector<Response> there = find_responses(tried, target);
+            better = find_cost(target, there) < cost;
+            caution = better ? std::max(kLeastCaution, kBolder * caution) : kMoreCautious * caution;
+            if (!better) continue;
+            match.acceleration = std::move(tried);
+            responses = std::move(there);
+            match.after = find_misfit(target, responses);
+        }
+    }
+    return match;
+}
+
+MatchedRecord match_spectrum(const GroundMotion& motion, std::string_view component, const TargetSpectrum& target,
+                             const SpectrumMatchSettings& settings) {
+    const Component& chosen = motion.find_component(component);
+    SpectrumMatch match = match_spectrum(level_uncorrected(chosen.series, motion.integration_corner), target, settings);
+    GroundMotion matched = motion;
+    matched.components = {{.name = chosen.name, .azimuth_deg = chosen.azimuth_deg, .series = match.acceleration}};
+    matched.history.push_back(
+        fmt::format("matched to a spectrum [AlAtikAbrahamson10]: {} periods from {:.6g} to {:.6g} s, damping {:.6g}, multiplied by {:.9g}, "
+                    "{} iterations, largest |ln(PSA/target)| from {:.4g} to {:.4g}",
+                    target.period.size(), target.period.front().value(), target.period.back().value(), target.damping, match.factor,
+                    match.iterations, match.before.largest, match.after.largest));
+    return {std::move(matched), std::move(match)};
+}
+
+}  // namespace musim::records
