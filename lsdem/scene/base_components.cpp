@@ -9,6 +9,7 @@
 #include "lsdem/scene/scene_error.hpp"
 #include "records/base_motion.hpp"
 #include "records/read_record.hpp"
+#include "records/ricker.hpp"
 #include "records/synthetic.hpp"
 
 namespace musim::lsdem::scene {
@@ -56,10 +57,9 @@ BaseComponent make_component(const HalfSineSignal& signal, const SignalMotion& m
 
 BaseComponent make_component(const RickerSignal& signal, const SignalMotion& motion) {
     const double period = 1.0 / signal.frequency.value();
+    const records::RickerWavelet wavelet{.amplitude = signal.amplitude, .frequency = signal.frequency};
     BaseComponent component = sample(2.0 * kRickerReach * period, sample_step(motion, period), [&](double t) {
-        const double tau = t - kRickerReach * period;
-        const double phase = pi * signal.frequency.value() * tau;
-        return signal.amplitude.value() * tau * std::exp(-phase * phase);
+        return wavelet.velocity((t - kRickerReach * period) * scaling::si::seconds).value();
     });
     component.velocity.front() = component.velocity.back() = 0.0;
     return component;

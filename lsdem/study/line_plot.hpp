@@ -5,14 +5,21 @@
 
 namespace musim::lsdem::study {
 
+/// A stretch of the horizontal axis.
+struct PlotBand {
+    double from = 0.0;
+    double to = 0.0;
+};
+
 /// One series of a line plot.
 struct PlotSeries {
-    std::string label;            ///< in the legend; empty: not named there
-    std::vector<double> x, y;     ///< equally long; points that are not finite are left out
-    bool marks = false;           ///< a dot at every point
-    bool line = true;             ///< the points joined
-    int style = -1;               ///< colour and dash; series of the same number look alike; -1: the next one
-    std::vector<double> y_error;  ///< half lengths of bars at the points; empty: none
+    std::string label;                 ///< in the legend; empty: not named there
+    std::vector<double> x, y;          ///< equally long; points that are not finite are left out
+    bool marks = false;                ///< a dot at every point
+    bool line = true;                  ///< the points joined
+    int style = -1;                    ///< colour and dash; series of the same number look alike; -1: the next one
+    std::vector<double> y_error;       ///< half lengths of bars at the points; empty: none
+    std::vector<PlotBand> bands = {};  ///< shaded in the colour of the series
 };
 
 /// Curves over one pair of axes.
@@ -22,9 +29,10 @@ struct LinePlot {
     std::string x_label;
     std::string y_label;
     std::vector<PlotSeries> series;
-    bool y_from_zero = false;    ///< the vertical axis includes 0, when it is not logarithmic
-    bool x_logarithmic = false;  ///< points, and bars that reach, to zero or below are left out
-    bool y_logarithmic = false;  ///< likewise
+    bool y_from_zero = false;     ///< the vertical axis includes 0, when it is not logarithmic
+    bool x_logarithmic = false;   ///< points, and bars that reach, to zero or below are left out
+    bool y_logarithmic = false;   ///< likewise
+    double y_most_decades = 0.0;  ///< what a logarithmic vertical axis shows below the greatest value; 0: all
 };
 
 /// The plot as an SVG document, axes with round ticks, legend on the right. Throws std::invalid_argument when x and y of a series differ

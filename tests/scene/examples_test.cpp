@@ -15,6 +15,7 @@
 #include "lsdem/scene/build_model.hpp"
 #include "lsdem/scene/scene_json.hpp"
 #include "tests/scene/made_scene.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 using namespace musim::lsdem::scene;
 using namespace musim::lsdem::scene::testing;
@@ -41,10 +42,13 @@ bool validates(const json& document) {
     return validator.validate(schema, valijson::adapters::NlohmannJsonAdapter(document), nullptr);
 }
 
+/// Scenes; examples/pi holds problems of the Pi theorem.
 std::vector<std::filesystem::path> list_examples() {
     std::vector<std::filesystem::path> files;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(kRoot / "examples")) {
-        if (entry.path().extension() == ".json") files.push_back(entry.path());
+        if (entry.path().extension() != ".json") continue;
+        const auto document = nlohmann::json::parse(musim::tests::bytes_of(entry.path()));
+        if (document.value("schema", "").starts_with("musim-scene/")) files.push_back(entry.path());
     }
     std::sort(files.begin(), files.end());
     return files;

@@ -1,0 +1,21 @@
+#pragma once
+
+namespace musim::lsdem::study {
+
+/// What a rigid block does on a base that is pushed once by a(t) = A·sin(πt/T), 0 ≤ t ≤ T, and then keeps its velocity; numbers only.
+
+/// Slip of a block with a/(μg) = `strength` at the peak of the push [Newmark65]. docs/similitude.md has the formulas.
+struct PushedSlider {
+    double slip = 0.0;  ///< greatest distance behind the base, over A·T² [-]
+    double end = 0.0;   ///< when it stops to slip, over T [-]
+};
+
+/// Throws std::invalid_argument when the block would stop before the push ends, below a strength of about 1.38.
+PushedSlider compute_pushed_slider(double strength);
+
+/// Greatest tilt over the slenderness angle α of a slender block that rocks [Housner63, linearized], strength s = a/(g·tan α) at the
+/// peak and rate w = π/(T·p), p² = 3g/(4R). 0 for s ≤ 1, where it never lifts; 1 when it overturns. Throws std::invalid_argument when the
+/// block turns back before the push ends.
+double compute_pushed_tilt(double strength, double rate);
+
+}  // namespace musim::lsdem::study

@@ -1,0 +1,90 @@
+#include "lsdem/study/similitude_figure.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "lsdem/study/figure.hpp"
+
+namespace musim::lsdem::study {
+namespace {
+
+std::string name(const SimilitudeCase& shown) {
+    if (shown.broken.group != BrokenGroup::none) {
+        return fmt::format("{}, {} × {:.4g}", to_string(shown.scene), to_string(shown.broken.group), shown.broken.factor);
+    }
+    if (shown.collapses) return fmt::format("{}, equal groups", to_string(shown.scene));
+    return fmt::format("{}, only the law (λμ = {:.3g})", to_string(shown.scene), shown.similitude.friction());
+}
+
+std::string write_result(const SimilitudeOutcome& outcome) {
+    const SimilitudeCase& shown = outcome.wanted;
+    if (shown.collapses) return fmt::format("difference {:.1e} (at most {:.1e})", outcome.difference, outcome.yardstick);
+    return fmt::format("{}predicted {:.4g}, measured {:.4g}", shown.measure == Measure::peak ? "" : "time: ", shown.prediction.ratio,
+                       outcome.ratio);
+}
+
+/// Points of a drawn curve; the responses are smooth at that distance.
+constexpr std::size_t kPoints = 220;
+
+PlotSeries make_curve(const ScaledResponse& response, int style) {
+    PlotSeries curve{.label = "", .x = {}, .y = {}, .style = style, .y_error = {}};
+    const std::size_t stride = 1 + response.time.size() / kPoints;
+    for (std::size_t k = 0; k < response.time.size(); k += stride) {
+        curve.x.push_back(response.time[k]);
+        curve.y.push_back(response.value[k]);
+    }
+    return curve;
+}
+
+LinePlot make_panel(const SimilitudeOutcome& outcome) {
+    LinePlot panel{.title = name(outcome.wanted) + "; " + write_result(outcome),
+                   .subtitle = "",
+                   .x_label = "t/λₜ [s]",
+                   .y_label = outcome.wanted.scene == BenchScene::rock ? "θ [rad]" : "u/λₗ [m]",
+                   .series = {}};
+    panel.series.push_back(make_curve(outcome.prototype, 0));
+    panel.series.push_back(make_curve(outcome.model, 1));
+    return panel;
+}
+
+/// A model that two cases measure is drawn once.
+bool is_same_model(const SimilitudeOutcome& a, const SimilitudeOutcome& b) {
+    return a.wanted.scene == b.wanted.scene && a.wanted.broken.group == b.wanted.broken.group &&
+           a.wanted.broken.factor == b.wanted.broken.factor && a.wanted.similitude.friction() == b.wanted.similitude.friction();
+}
+
+}  // namespace
+
+std::string make_similitude_svg(const std::string& law, const std::vector<SimilitudeOutcome>& outcomes) {
+    FigureColumn together{.width = 430.0}, apart{.width = 430.0};
+    std::vector<const SimilitudeOutcome*> drawn;
+    std::vector<std::string> scales;
+    for (const SimilitudeOutcome& outcome : outcomes) {
+        const auto same = [&](const SimilitudeOutcome* other) { return is_same_model(*other, outcome); };
+        if (outcome.wanted.law != law || std::any_of(drawn.begin(), drawn.end(), same)) continue;
+        drawn.push_back(&outcome);
+        const Prediction& theory = outcome.wanted.prediction;
+        (std::abs(theory.ratio - 1.0) <= theory.tolerance ? together : apart).panels.push_back(make_panel(outcome));
+        const scaling::ScaleFactors& chosen = outcome.wanted.similitude.chosen();
+        const std::string scale = fmt::format("λₗ = {:.4g}, λμ = {:.4g}, λg = {:.4g}, λρ = {:.4g}", chosen.length, chosen.friction,
+                                              chosen.gravity, chosen.density);
+        if (std::find(scales.begin(), scales.end(), scale) == scales.end()) scales.push_back(scale);
+    }
+    Figure figure{.title = fmt::format("Law {}: groups equal (left), a group broken (right)", law),
+                  .key_headings = {"run", "in the prototype's units"},
+                  .key = {{0, {"prototype", ""}}, {1, {"model", "times over λₜ, lengths over λₗ"}}},
+                  .columns = {},
+                  .caption = std::move(scales),
+                  .looks = CurveLooks::pairs};
+    for (FigureColumn* column : {&together, &apart}) {
+        if (!column->panels.empty()) figure.columns.push_back(std::move(*column));
+    }
+    figure.caption.emplace_back(
+        "u: motion of the top behind the base; θ: tilt. Ratios are model over prototype, greatest value or its time.");
+    return make_svg(figure);
+}
+
+}  // namespace musim::lsdem::study

@@ -1,0 +1,108 @@
+#include "lsdem/study/similitude_bench.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "lsdem/study/closed_responses.hpp"
+#include "lsdem/study/similitude_figure.hpp"
+#include "scaling/error.hpp"
+#include "tests/support/relative.hpp"
+
+using namespace musim::lsdem::study;
+using musim::lsdem::tests::relative;
+
+namespace {
+
+std::vector<SimilitudeCase> select(const std::string& law, BenchScene scene) {
+    std::vector<SimilitudeCase> cases = make_similitude_cases(law);
+    std::erase_if(cases, [&](const SimilitudeCase& c) { return c.scene != scene; });
+    return cases;
+}
+
+void check_hold(const std::vector<SimilitudeOutcome>& outcomes) {
+    for (const SimilitudeOutcome& o : outcomes) {
+        CAPTURE(to_string(o.wanted.scene));
+        CAPTURE(to_string(o.wanted.broken.group));
+        MESSAGE(o.wanted.law << ": predicted " << o.wanted.prediction.ratio << ", measured " << o.ratio << "; difference " << o.difference
+                             << ", yardstick " << o.yardstick);
+        CHECK(o.holds());
+    }
+}
+
+}  // namespace
+
+// [Newmark65], mu = 0.63, A = 1.5 g, T = 0.1 s, g = 9.81 m/s²: slip 30.468528 mm until 158.36456 ms, eight digits printed.
+TEST_CASE("a pushed slider slips as far and as long as Newmark's") {
+    const PushedSlider slider = compute_pushed_slider(1.5 / 0.63);
+    CHECK(slider.slip * 1.5 * 9.81 * 0.01 == relative(30.468528e-3, 2e-8));
+    CHECK(slider.end * 0.1 == relative(158.36456e-3, 4e-8));
+    CHECK_THROWS_AS(compute_pushed_slider(1.0), std::invalid_argument);
+    CHECK_THROWS_AS(compute_pushed_slider(1.2), std::invalid_argument);
+}
+
+// [Shi96], [MakrisRoussos00]: a half-sine of w = 3 overturns from s = 2.293872 on, w = 5 from 3.289147 on, seven digits printed.
+TEST_CASE("a pushed rocker overturns where the half-sine pulse does, and not below") {
+    CHECK(compute_pushed_tilt(2.293873, 3.0) == 1.0);
+    CHECK(compute_pushed_tilt(2.293871, 3.0) < 1.0);
+    CHECK(compute_pushed_tilt(3.289148, 5.0) == 1.0);
+    CHECK(compute_pushed_tilt(3.289146, 5.0) < 1.0);
+    CHECK(compute_pushed_tilt(1.0, 3.0) == 0.0);
+    CHECK_THROWS_AS(compute_pushed_tilt(1.01, 3.0), std::invalid_argument);
+}
+
+TEST_CASE("a sliding block keeps one curve with equal groups, and parts by Newmark's ratio with a broken one") {
+    for (const char* law : {"mu", "froude", "exact", "centrifuge"}) check_hold(run_similitude_cases(select(law, BenchScene::slide)));
+}
+
+TEST_CASE("a chain keeps Cauchy's law without gravity, and parts by the root of its stiffness") {
+    check_hold(run_similitude_cases(make_similitude_cases("cauchy")));
+}
+
+TEST_CASE("a rocking block parts from the mu law as its weight does, and not at all when it cannot lift") {
+    check_hold(run_similitude_cases(select("mu", BenchScene::rock)));
+}
+
+// All factors are powers of two: what parts a column at other scales is rounding and not the law.
+TEST_CASE("the shaken column at one sixteenth is its prototype to the last bit") {
+    const musim::scaling::Similitude twin({.length = 1.0 / 16.0}, musim::scaling::Law::exact);
+    const std::vector<SimilitudeOutcome> outcomes =
+        run_similitude_cases({{.law = "exact", .scene = BenchScene::column, .similitude = twin, .collapses = true}});
+    REQUIRE(outcomes.size() == 1);
+    CHECK(outcomes[0].difference == 0.0);
+    CHECK(outcomes[0].ratio == 1.0);
+}
+
+TEST_CASE("a wrong prediction fails its verdict, and so does a broken group called equal") {
+    std::vector<SimilitudeCase> cases = select("froude", BenchScene::slide);
+    std::erase_if(cases, [](const SimilitudeCase& c) { return c.broken.group != BrokenGroup::friction; });
+    REQUIRE(cases.size() == 1);
+    cases.push_back(cases.front());
+    cases.push_back(cases.front());
+    // twice the tolerance past the prediction: farther than the tolerance from what is measured
+    cases[1].prediction.ratio += 2.0 * cases[1].prediction.tolerance;
+    cases[2].collapses = true;
+    const std::vector<SimilitudeOutcome> outcomes = run_similitude_cases(cases);
+    CHECK(outcomes[0].holds());
+    CHECK_FALSE(outcomes[1].holds());
+    CHECK_FALSE(outcomes[2].holds());
+    CHECK_FALSE(all_hold(outcomes));
+
+    // one line for each, and a figure that shows it
+    const std::string csv = make_similitude_csv(outcomes);
+    CHECK(std::count(csv.begin(), csv.end(), '\n') == 4);
+    CHECK(make_similitude_svg("froude", outcomes).find("friction × 2") != std::string::npos);
+}
+
+TEST_CASE("the predictions are exact numbers where groups enter by powers") {
+    const musim::scaling::Similitude twin({.length = 1.0 / 25.0}, musim::scaling::Law::exact);
+    // a few roundings
+    CHECK(predict(BenchScene::slide, twin, {BrokenGroup::duration, 1.5}, Measure::peak).ratio == relative(2.25, 1e-14));
+    CHECK(predict(BenchScene::chain, twin, {BrokenGroup::stiffness, 4.0}, Measure::peak_time).ratio == relative(0.5, 1e-14));
+    CHECK_THROWS_AS(predict(BenchScene::column, twin, {}, Measure::peak), std::invalid_argument);
+    CHECK_THROWS_AS(make_similitude_cases("newton"), musim::scaling::SimilitudeError);
+}
