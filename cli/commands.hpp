@@ -22,7 +22,12 @@ using Action = std::function<int()>;
 /// Each adds one subcommand to `app`; when it is parsed, `action` is set to carry it out.
 void add_scale_command(CLI::App& app, Action& action);
 void add_rescale_command(CLI::App& app, Action& action);
+void add_table_command(CLI::App& app, Action& action);
+void add_design_command(CLI::App& app, Action& action);
 void add_record_command(CLI::App& app, Action& action);
+void add_record_plot_command(CLI::App& record, Action& action);      ///< to the command `record`
+void add_record_match_command(CLI::App& record, Action& action);     ///< to the command `record`
+void add_record_make_command(CLI::App& record, Action& action);      ///< to the command `record`
 void add_record_process_command(CLI::App& record, Action& action);   ///< to the command `record`
 void add_record_spectrum_command(CLI::App& record, Action& action);  ///< to the command `record`
 void add_run_command(CLI::App& app, Action& action);
@@ -31,7 +36,9 @@ void add_specimen_command(CLI::App& app, Action& action);
 void add_ensemble_command(CLI::App& app, Action& action);
 void add_sequence_command(CLI::App& app, Action& action);
 void add_bench_command(CLI::App& app, Action& action);
+void add_bench_similitude_command(CLI::App& bench, Action& action);  ///< to the command `bench`
 void add_calibrate_command(CLI::App& app, Action& action);
 void add_response_command(CLI::App& app, Action& action);
+void add_pi_command(CLI::App& app, Action& action);
 
 }  // namespace musim::cli

@@ -42,6 +42,8 @@ int run(int argc, char** argv) {
     Action action;
     add_scale_command(app, action);
     add_rescale_command(app, action);
+    add_table_command(app, action);
+    add_design_command(app, action);
     add_record_command(app, action);
     add_run_command(app, action);
     add_pair_command(app, action);
@@ -51,10 +53,12 @@ int run(int argc, char** argv) {
     add_bench_command(app, action);
     add_calibrate_command(app, action);
     add_response_command(app, action);
+    add_pi_command(app, action);
 
     try {
         app.parse(argc, argv);
         const int exit_code = action();
+        if (exit_code == kDone) print_notes();
         flush_output();
         return exit_code;
     } catch (const CLI::Success& help_or_version) {

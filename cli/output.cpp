@@ -1,11 +1,41 @@
 #include "cli/output.hpp"
 
 #include <cerrno>
+#include <mutex>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <stdexcept>
 #include <system_error>
 
 namespace musim::cli {
+namespace {
+
+/// Remarks of all threads, in an order that does not depend on them.
+class Notes {
+  public:
+    void add(std::string line) {
+        const std::lock_guard lock(mutex_);
+        lines_.insert(std::move(line));
+    }
+    const std::set<std::string>& lines() const { return lines_; }
+
+  private:
+    std::mutex mutex_;
+    std::set<std::string> lines_;
+};
+
+Notes& notes() {
+    static Notes kept;
+    return kept;
+}
+
+}  // namespace
+
+void note_at_end(std::string line) { notes().add(std::move(line)); }
+
+void print_notes() {
+    for (const std::string& line : notes().lines()) note("{}\n", line);
+}
 
 void print_json(const nlohmann::json& object) { print("{}\n", object.dump(2)); }
 

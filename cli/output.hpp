@@ -4,6 +4,7 @@
 
 #include <cstdio>
 #include <nlohmann/json_fwd.hpp>
+#include <string>
 #include <utility>
 
 namespace musim::cli {
@@ -19,6 +20,11 @@ template <class... Arguments>
 void note(fmt::format_string<Arguments...> text, Arguments&&... arguments) {
     fmt::print(stderr, text, std::forward<Arguments>(arguments)...);
 }
+
+/// A remark for stderr once the command has done its work; should it fail, its error is the only line. From any thread; the same remark
+/// comes once.
+void note_at_end(std::string line);
+void print_notes();
 
 /// One JSON object on stdout.
 void print_json(const nlohmann::json& object);

@@ -106,7 +106,7 @@ ComponentInfo make_info(const RecordInfoOptions& options, const std::string& fil
     if (options.highpass) corner = options.highpass->value / scaling::si::seconds;
     const records::Intensity intensity = records::compute_intensity(component.series, corner);
     const records::TimeSeries leveled = records::level_uncorrected(component.series, corner);
-    ComponentInfo info{file, motion, component, corner, intensity, measure_record(leveled, intensity, options.measures), {}};
+    ComponentInfo info{file, motion, component, corner, intensity, measure_record(leveled, intensity, corner, options.measures), {}};
     if (options.structure.any()) info.groups = compute_record_groups(leveled, intensity, options.structure);
     return info;
 }
@@ -156,12 +156,16 @@ void add_record_command(CLI::App& app, Action& action) {
         "  musim record info motion.txt --unit g --dt 0.005\n"
         "  musim record info CICLC.v1 --friction 0.59 --length 1.36 --slenderness 17.7      # groups, sliding of a Newmark block\n"
         "  musim record info model.csv --mean-period-band 2.67 214\n"
-        "T mean: of the Fourier amplitudes; T PSA and T PSV: of the largest 5 % PSA and PSV among 200 periods from 4 dt to a quarter of "
-        "the\n"
-        "record. Measures of uncorrected records are of the samples above their initial level.");
+        "T mean: of the Fourier amplitudes; T PSA and T PSV: of the largest 5 % PSA and PSV among 200 periods from 4 dt to the duration, "
+        "with\n"
+        "as long a rest behind the record; of uncorrected records to a quarter of it or 1/corner. Measures of uncorrected records are of "
+        "the samples above their initial level.");
     info->callback([&action, options] { action = [options] { return run_record_info(*options); }; });
+    add_record_plot_command(*command, action);
     add_record_process_command(*command, action);
     add_record_spectrum_command(*command, action);
+    add_record_make_command(*command, action);
+    add_record_match_command(*command, action);
 }
 
 }  // namespace musim::cli

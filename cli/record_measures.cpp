@@ -4,21 +4,10 @@
 #include <cmath>
 
 #include "records/measures.hpp"
-#include "records/response_spectrum.hpp"
+#include "records/own_spectrum.hpp"
 
 namespace musim::cli {
 namespace {
-
-/// Damping and number of the periods among which a record's own are looked for.
-constexpr double kDamping = 0.05;
-constexpr std::size_t kPeriods = 200;
-
-/// Periods that a record can tell: from four samples to a quarter of its duration. Shorter records have none.
-std::vector<scaling::Time> make_own_periods(const records::TimeSeries& series) {
-    const scaling::Time first = 4.0 * series.dt(), last = 0.25 * series.duration();
-    if (!(first < last)) return {};
-    return records::make_periods(first, last, kPeriods);
-}
 
 template <class Quantity>
 std::optional<double> in_units(const std::optional<Quantity>& quantity) {
@@ -35,7 +24,7 @@ void MeasureSettings::add_to(CLI::App& command) {
 }
 
 std::vector<NamedValue> measure_record(const records::TimeSeries& leveled, const records::Intensity& intensity,
-                                       const MeasureSettings& settings) {
+                                       const std::optional<scaling::Frequency>& corner, const MeasureSettings& settings) {
     std::optional<double> d5_75, cav, rms, bracketed, vmax_over_amax, mean_period, predominant_period, pulse_period;
     if (leveled.quantity() == records::SampleQuantity::acceleration) {
         d5_75 = records::compute_significant_duration(leveled, 0.05, 0.75).value();
@@ -45,7 +34,7 @@ std::vector<NamedValue> measure_record(const records::TimeSeries& leveled, const
         mean_period = in_units(records::compute_mean_period(records::compute_fourier_amplitudes(leveled),
                                                             settings.mean_period_band.at(0).value / scaling::si::seconds,
                                                             settings.mean_period_band.at(1).value / scaling::si::seconds));
-        const auto spectrum = records::compute_response_spectrum(leveled, make_own_periods(leveled), kDamping);
+        const auto spectrum = records::compute_own_spectrum(leveled, corner);
         predominant_period = in_units(records::find_predominant_period(spectrum));
         pulse_period = in_units(records::find_pulse_period(spectrum));
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <CLI/App.hpp>
+#include <optional>
 #include <vector>
 
 #include "cli/named_values.hpp"
@@ -18,8 +19,9 @@ struct MeasureSettings {
 };
 
 /// Duration, energy and periods of an acceleration; those that another quantity does not give are missing. `intensity` is that of the same
-/// series, leveled like it (records::level_uncorrected). Throws records::ProcessingError for settings that make no sense.
+/// series, leveled like it (records::level_uncorrected), both with `corner` for uncorrected records. Throws records::ProcessingError for
+/// settings that make no sense.
 std::vector<NamedValue> measure_record(const records::TimeSeries& leveled, const records::Intensity& intensity,
-                                       const MeasureSettings& settings);
+                                       const std::optional<scaling::Frequency>& corner, const MeasureSettings& settings);
 
 }  // namespace musim::cli

@@ -1,15 +1,14 @@
 #include <CLI/CLI.hpp>
-#include <filesystem>
-#include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "cli/commands.hpp"
+#include "cli/input_file.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
+#include "cli/output_files.hpp"
 #include "cli/record_output.hpp"
 #include "cli/record_peaks.hpp"
 #include "cli/record_source.hpp"
@@ -31,17 +30,9 @@ struct RecordProcessOptions {
     bool json = false;
 };
 
-std::string read_file(const std::string& file) {
-    std::ifstream in(file, std::ios::binary);
-    std::ostringstream text;
-    if (std::filesystem::is_directory(file) || !in || !(text << in.rdbuf()))
-        throw records::ReadError(file + ": cannot be read (missing, a folder, or empty); give a recipe, or a record processed before");
-    return std::move(text).str();
-}
-
 /// A recipe, or what the history of a record tells, which musim's own CSV has.
 records::Recipe load_recipe(const std::string& file) {
-    const std::string text = read_file(file);
+    const std::string text = read_input_file(file, "a recipe, or a record processed before");
     if (!text.starts_with("# musim ground motion")) return records::parse_recipe(text, file);
     return records::recipe_of(records::read_record(file));
 }
@@ -68,6 +59,9 @@ records::GroundMotion load(const RecordProcessOptions& options) {
 
 int run_record_process(const RecordProcessOptions& options) {
     options.output.check();
+    std::vector<std::string> inputs = options.source.find_files(options.files);
+    inputs.push_back(options.recipe);
+    refuse_overwriting(inputs, {options.output.out, options.save_recipe});
     const records::Recipe recipe = find_recipe(options);
     const records::GroundMotion motion = load(options), processed = records::process(motion, recipe);
     options.output.write(processed);
@@ -110,7 +104,8 @@ void add_record_process_command(CLI::App& record, Action& action) {
     options->source.add_to(*command);
     add_json_option(*command, options->json);
     command->footer(
-        "Steps: align, level, baseline (order), taper (fraction), pad (before, after), cut (window), energy_window (from, to, margin),\n"
+        "Steps: align, level, baseline (order), taper (fraction), pad (before, after), cut (window), energy_window (from, to, margin), "
+        "amplify (factor),\n"
         "  filter (low, high, order, phase zero|causal), resample (dt, between band_limited|straight), rotate (azimuth_deg), rest,\n"
         "  integrate (by trapezoid|frequency), differentiate. Quantities are SI numbers or text such as \"0.064 Hz\".\n"
         "Examples:\n"

@@ -3,10 +3,18 @@
 #include <CLI/Error.hpp>
 #include <CLI/Option.hpp>
 
+#include "cli/output.hpp"
 #include "records/read_record.hpp"
+#include "records/read_text.hpp"
 #include "records/synthetic.hpp"
 
 namespace musim::cli {
+namespace {
+
+/// Names the record that needs no file.
+constexpr const char* kBuiltInRecord = "synthetic";
+
+}  // namespace
 
 void RecordSourceOptions::add_to(CLI::App& command) {
     command.add_option("--dt", dt, "Time step [s] of a text file without a time column")->type_name("NUMBER");
@@ -20,8 +28,14 @@ void RecordSourceOptions::add_to(CLI::App& command) {
     command.add_option("--station-xml", station_xml, "StationXML file that tells the sensitivity of miniSEED counts")->type_name("FILE");
 }
 
+std::vector<std::string> RecordSourceOptions::find_files(std::vector<std::string> sources) const {
+    std::erase(sources, kBuiltInRecord);
+    if (!station_xml.empty()) sources.push_back(station_xml);
+    return sources;
+}
+
 records::GroundMotion RecordSourceOptions::load(const std::string& source) const {
-    if (source == "synthetic") return records::make_synthetic_record();
+    if (source == kBuiltInRecord) return records::make_synthetic_record();
     records::ReadOptions options{.dt = {}, .unit = unit, .quantity = {}};
     if (dt) options.dt = dt->value * scaling::si::seconds;
     if (sensitivity) options.sensitivity = sensitivity->value;
@@ -32,7 +46,10 @@ records::GroundMotion RecordSourceOptions::load(const std::string& source) const
             throw CLI::ValidationError("--quantity", "'" + *quantity + "' is none of acceleration, velocity, displacement");
         }
     }
-    return records::read_record(source, options);
+    records::GroundMotion motion = records::read_record(source, options);
+    for (const std::string& line : motion.history)
+        if (line.find(records::kUnitNotTold) != std::string::npos) note_at_end("musim: note: " + line + "; add --unit if that is wrong");
+    return motion;
 }
 
 }  // namespace musim::cli

@@ -3,6 +3,7 @@
 #include <CLI/App.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "cli/options.hpp"
 #include "records/ground_motion.hpp"
@@ -18,6 +19,9 @@ struct RecordSourceOptions {
     std::string station_xml;
 
     void add_to(CLI::App& command);
+
+    /// The files that loading `sources` reads: those that are not the built-in record, and the StationXML file if one is named.
+    std::vector<std::string> find_files(std::vector<std::string> sources) const;
 
     /// Reads a record file, or makes the built-in record when `source` is "synthetic". Throws records::ReadError.
     records::GroundMotion load(const std::string& source) const;

@@ -8,8 +8,10 @@
 #include <vector>
 
 #include "cli/commands.hpp"
+#include "cli/damping_ratio.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
+#include "cli/output_files.hpp"
 #include "cli/record_source.hpp"
 #include "cli/record_spectra.hpp"
 #include "cli/spectrum_output.hpp"
@@ -44,7 +46,7 @@ SpectrumRequest make_request(const RecordSpectrumOptions& options) {
     request.periods = records::make_periods(options.periods.at(0).value * scaling::si::seconds,
                                             options.periods.at(1).value * scaling::si::seconds, static_cast<std::size_t>(count));
     for (const Number& damping : options.damping) {
-        records::require_damping(damping);
+        require_damping_ratio(damping);
         request.dampings.push_back(damping);
     }
     const std::size_t comma = options.rotd.find(',');
@@ -65,6 +67,7 @@ OutFormat find_out_format(const std::string& out) {
 int run_record_spectrum(const RecordSpectrumOptions& options) {
     const SpectrumRequest request = make_request(options);
     const OutFormat format = find_out_format(options.out);
+    refuse_overwriting(options.source.find_files(options.files), {options.out});
     std::vector<SpectrumTable> tables;
     int exit_code = kDone;
     for (FileSpectra& file : compute_record_spectra(options.files, options.source, request, options.threads)) {

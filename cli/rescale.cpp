@@ -6,6 +6,7 @@
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
+#include "cli/output_files.hpp"
 #include "cli/record_output.hpp"
 #include "cli/record_peaks.hpp"
 #include "cli/record_source.hpp"
@@ -26,6 +27,7 @@ struct RescaleOptions {
 int run_rescale(const RescaleOptions& options) {
     const scaling::Similitude similitude = options.scales.similitude();
     options.output.check();
+    refuse_overwriting(options.source.find_files({options.record}), {options.output.out});
     const records::GroundMotion prototype = options.source.load(options.record);
     const records::GroundMotion model = records::rescale(prototype, similitude);
     options.output.write(model);

@@ -5,19 +5,12 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "cli/csv_cell.hpp"
 #include "cli/output.hpp"
 #include "lsdem/study/line_plot.hpp"
 
 namespace musim::cli {
 namespace {
-
-/// A cell of a CSV file; quoted where a comma or a quote would part it [RFC 4180].
-std::string quote(const std::string& text) {
-    if (text.find_first_of(",\"\n") == std::string::npos) return text;
-    std::string quoted = "\"";
-    for (const char letter : text) quoted += letter == '"' ? "\"\"" : std::string(1, letter);
-    return quoted + "\"";
-}
 
 const SpectrumColumn* find_column(const SpectrumTable& table, const std::string& key) {
     const auto found =
@@ -74,7 +67,7 @@ std::string make_csv(const std::vector<SpectrumTable>& tables) {
     for (const std::string& key : keys) text += "," + key;
     text += "\n";
     for (const SpectrumTable& table : tables) {
-        const std::string start = fmt::format("{},{},{}", quote(table.file), quote(table.component), table.damping);
+        const std::string start = fmt::format("{},{},{}", csv_cell(table.file), csv_cell(table.component), table.damping);
         std::vector<const SpectrumColumn*> columns;
         columns.reserve(keys.size());
         for (const std::string& key : keys) columns.push_back(find_column(table, key));

@@ -68,15 +68,26 @@ TEST_CASE("bench accuracy writes a table whose Pareto marks hold and a plot and 
     CHECK(outcome.json()["earthquake"] == "synthetic record");
 }
 
+TEST_CASE("bench similitude writes a table and a figure of a law whose cases hold, and prints JSON") {
+    const Workplace here;
+    const Outcome outcome = here.run("bench similitude --law cauchy -o out --json");
+    REQUIRE_MESSAGE(outcome.exit_code == 0, outcome.err);
+    CHECK(outcome.json()["all_hold"] == true);
+    CHECK(parse_csv(here.read("out/similitude.csv")).size() == outcome.json()["cases"].size());
+    CHECK(here.read("out/similitude_cauchy.svg").starts_with("<svg"));
+}
+
 TEST_CASE("bench refuses what it cannot do with one line") {
     const Workplace here;
     here.write("file", "");
-    for (const char* arguments : {"bench", "bench nonsense", "bench accuracy --component 360", "bench accuracy --threads -1"}) {
+    for (const char* arguments : {"bench", "bench nonsense", "bench accuracy --component 360", "bench accuracy --threads -1",
+                                  "bench similitude --law newton", "bench similitude --threads -1"}) {
         const Outcome outcome = here.run(arguments);
         CHECK_MESSAGE(outcome.exit_code == 2, arguments);
         CHECK_MESSAGE(outcome.has_one_error_line(), outcome.err);
     }
-    for (const char* arguments : {"bench accuracy --quick --record missing.v1", "bench accuracy --quick -o file/out"}) {
+    for (const char* arguments :
+         {"bench accuracy --quick --record missing.v1", "bench accuracy --quick -o file/out", "bench similitude -o file/out"}) {
         const Outcome outcome = here.run(arguments);
         CHECK_MESSAGE(outcome.exit_code == 3, arguments);
         CHECK_MESSAGE(outcome.has_one_error_line(), outcome.err);

@@ -202,6 +202,21 @@ TEST_CASE("record spectrum writes CSV with units, SVG with a curve per component
     CHECK_FALSE(here.has("full.csv"));
 }
 
+TEST_CASE("a damping in percent is refused, and what to write is told") {
+    const Workplace here;
+    here.write("a.csv", make_csv());
+    here.write("target.csv", "0.5,0.3\n0.6,0.3\n");
+    for (const char* command : {"spectrum a.csv --damping 5", "spectrum a.csv --damping 0.05,5", "plot a.csv -o out.svg --damping 5",
+                                "match synthetic --target target.csv -o out.csv --damping 5"}) {
+        const Outcome outcome = here.run(std::string("record ") + command);
+        CHECK_MESSAGE(outcome.exit_code == 3, command);
+        CHECK_MESSAGE(outcome.err == "musim: error: --damping: 5 is 500 % of critical (at most 200 %); write 0.05 for 5 %\n", outcome.err);
+    }
+    CHECK(here.count() == 2);
+    CHECK(here.run("record spectrum a.csv --damping 2 --periods 0.1 1 3").exit_code == 0);
+    CHECK(here.run("record spectrum a.csv --damping 2.01 --periods 0.1 1 3").exit_code == 3);
+}
+
 TEST_CASE("what record spectrum cannot do is one error line") {
     const Workplace here;
     here.write("a.csv", make_csv());

@@ -9,7 +9,8 @@ using namespace musim::cli;
 TEST_CASE("help of every command succeeds, goes to stdout and has an example") {
     const Workplace here;
     CHECK(here.run("--help").exit_code == 0);
-    for (const std::string command : {"scale", "rescale", "record info", "record spectrum", "run", "pair", "bench accuracy"}) {
+    for (const std::string command : {"scale", "rescale", "design", "table", "record info", "record plot", "record spectrum", "run", "pair",
+                                      "bench accuracy", "bench similitude", "pi"}) {
         const Outcome help = here.run(command + " --help");
         CHECK_MESSAGE(help.exit_code == 0, command);
         CHECK_MESSAGE(help.out.find("  musim " + command + " ") != std::string::npos, command);

@@ -1,0 +1,10 @@
+#pragma once
+
+#include <string>
+
+namespace musim::cli {
+
+/// A cell of a CSV file; quoted where a comma, a quote or a line end would part it [RFC 4180].
+std::string csv_cell(const std::string& text);
+
+}  // namespace musim::cli

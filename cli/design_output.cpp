@@ -1,0 +1,207 @@
+#include "cli/design_output.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "cli/length_ranges.hpp"
+#include "cli/report.hpp"
+#include "cli/text_table.hpp"
+#include "scaling/quantity_text.hpp"
+
+namespace musim::cli {
+namespace {
+
+using design::Candidate;
+using design::ModelState;
+using scaling::describe_scale;
+
+/// "1", "2", ...; "-" for what changes the regime or is infeasible.
+std::string describe_rank(const Candidate& candidate, std::size_t index) {
+    return candidate.is_feasible() && !candidate.changes_regime() ? std::to_string(index + 1) : "-";
+}
+
+std::string describe_end(const std::string& limit) { return limit.empty() ? "the end of the search" : limit; }
+
+std::string describe_remark(const Candidate& candidate) {
+    if (!candidate.is_feasible()) return "infeasible";
+    return candidate.changes_regime() ? "excluded: changes between sliding and rocking" : "";
+}
+
+TextTable make_ranking(const std::vector<Candidate>& candidates) {
+    TextTable table{{"rank", "material", "law", "length scales", "smaller: in the way", "larger: in the way", "ranked at", "sum |ln d|",
+                     "mass", "cost", "remark"}};
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+        const Candidate& candidate = candidates[i];
+        std::string scales, below, above;
+        for (const design::FeasibleRange& range : candidate.ranges) {
+            const std::string separator = scales.empty() ? "" : ", ";
+            scales += separator + describe_scale(range.scales.smallest) + " ... " + describe_scale(range.scales.largest);
+            below += separator + describe_end(range.binds_below);
+            above += separator + describe_end(range.binds_above);
+        }
+        std::vector<std::string> row{describe_rank(candidate, i),
+                                     candidate.material.name,
+                                     std::string(to_string(candidate.law)),
+                                     scales.empty() ? "none" : scales,
+                                     below,
+                                     above};
+        if (const auto& state = candidate.ranked) {
+            row.insert(row.end(), {describe_scale(state->length), fmt::format("{:.4g}", state->measure),
+                                   scaling::format_quantity(state->mass, 4), state->cost ? fmt::format("{:.4g}", *state->cost) : ""});
+        } else {
+            row.insert(row.end(), 4, "");
+        }
+        row.push_back(describe_remark(candidate));
+        table.rows.push_back(row);
+    }
+    return table;
+}
+
+/// The models a candidate is looked at: the ends of its ranges, and the length in mind.
+std::vector<const ModelState*> find_states(const Candidate& candidate) {
+    std::vector<const ModelState*> states;
+    for (const ModelState& end : candidate.ends) states.push_back(&end);
+    if (candidate.chosen) states.push_back(&*candidate.chosen);
+    return states;
+}
+
+TextTable make_limits(const Candidate& candidate) {
+    TextTable table{{"limit", "length scales"}};
+    for (const design::LimitRanges& limit : candidate.limits) table.rows.push_back({limit.limit, describe_ranges(limit.ranges)});
+    for (const ModelState* const state : find_states(candidate)) {
+        table.header.push_back("used at " + describe_scale(state->length));
+        for (std::size_t i = 0; i < state->uses.size(); ++i) {
+            const double used = state->uses[i].used();
+            table.rows[i].push_back(fmt::format("{:.4f}{}", used, used > 1.0 ? " too much" : ""));
+        }
+    }
+    const std::vector<const ModelState*> states = find_states(candidate);
+    if (states.empty()) return table;
+    table.header.push_back("asked at " + describe_scale(states.back()->length));
+    table.header.emplace_back("limit is");
+    for (std::size_t i = 0; i < table.rows.size(); ++i) {
+        const design::Use& use = states.back()->uses[i];
+        table.rows[i].push_back(design::describe_amount(use.demand, use.unit));
+        table.rows[i].push_back(design::describe_amount(use.bound, use.unit));
+    }
+    return table;
+}
+
+std::string find_remark(const std::vector<scaling::Distortion>& distortions, std::string_view group) {
+    for (const scaling::Distortion& each : distortions)
+        if (each.group == group) return fmt::format("{}: {}", to_string(each.severity), each.effect);
+    return "";
+}
+
+TextTable make_groups(const design::Design& design, const Candidate& candidate) {
+    TextTable table{{"group", "weighed"}};
+    const std::vector<const ModelState*> states = find_states(candidate);
+    for (const scaling::NamedFactor& group : states.front()->groups) {
+        const bool is_weighed = std::find(design.groups.begin(), design.groups.end(), group.name) != design.groups.end();
+        table.rows.push_back({std::string(group.name), is_weighed ? "yes" : ""});
+    }
+    for (const ModelState* const state : states) {
+        table.header.push_back("d at " + describe_scale(state->length));
+        for (std::size_t i = 0; i < state->groups.size(); ++i) table.rows[i].push_back(fmt::format("{:.4f}", state->groups[i].value));
+    }
+    table.header.emplace_back("remark");
+    const ModelState& remarked = candidate.ranked ? *candidate.ranked : *states.front();
+    for (std::size_t i = 0; i < table.rows.size(); ++i) table.rows[i].push_back(find_remark(remarked.distortions, remarked.groups[i].name));
+    return table;
+}
+
+std::string make_heading(const std::string& text, ReportStyle style) {
+    return style == ReportStyle::markdown ? "\n## " + text + "\n\n" : "\n" + text + "\n";
+}
+
+std::string make_table(const TextTable& table, ReportStyle style) {
+    return style == ReportStyle::markdown ? to_markdown(table) : to_plain_text(table);
+}
+
+std::string make_title(const Candidate& candidate) { return fmt::format("{}, law {}", candidate.material.name, to_string(candidate.law)); }
+
+nlohmann::json to_json(const scaling::LengthRange& range) { return {range.smallest, range.largest}; }
+
+nlohmann::json text_or_null(const std::string& text) { return text.empty() ? nlohmann::json() : nlohmann::json(text); }
+
+nlohmann::json to_json(const ModelState& state) {
+    nlohmann::json uses = nlohmann::json::array();
+    for (const design::Use& use : state.uses) {
+        uses.push_back({{"limit", use.limit},
+                        {"unit", use.unit},
+                        {"demand", use.demand},
+                        {"bound", use.bound},
+                        {"floor", use.is_floor},
+                        {"used", use.used()}});
+    }
+    return {{"length", state.length},
+            {"uses", uses},
+            {"groups", cli::to_json(state.groups)},
+            {"distortions", study::to_json(state.distortions)},
+            {"measure", state.measure},
+            {"mass_kg", state.mass.value()},
+            {"cost", state.cost ? nlohmann::json(*state.cost) : nlohmann::json()}};
+}
+
+nlohmann::json state_or_null(const std::optional<ModelState>& state) { return state ? to_json(*state) : nlohmann::json(); }
+
+nlohmann::json to_json(const Candidate& candidate) {
+    nlohmann::json ranges = nlohmann::json::array(), limits = nlohmann::json::array(), conflict;
+    for (std::size_t i = 0; i < candidate.ranges.size(); ++i) {
+        const design::FeasibleRange& range = candidate.ranges[i];
+        ranges.push_back({{"smallest", range.scales.smallest},
+                          {"largest", range.scales.largest},
+                          {"binds_below", text_or_null(range.binds_below)},
+                          {"binds_above", text_or_null(range.binds_above)},
+                          {"at_smallest", to_json(candidate.ends[2 * i])},
+                          {"at_largest", to_json(candidate.ends[2 * i + 1])}});
+    }
+    for (const design::LimitRanges& limit : candidate.limits) {
+        limits.push_back({{"limit", limit.limit}, {"scales", nlohmann::json::array()}});
+        for (const scaling::LengthRange& range : limit.ranges) limits.back()["scales"].push_back(to_json(range));
+    }
+    if (candidate.conflict) {
+        conflict = {{"upper", candidate.conflict->upper},
+                    {"lower", candidate.conflict->lower},
+                    {"at_most", candidate.conflict->at_most},
+                    {"at_least", candidate.conflict->at_least}};
+    }
+    return {{"material", candidate.material.name},
+            {"law", std::string(to_string(candidate.law))},
+            {"feasible", candidate.is_feasible()},
+            {"changes_regime", candidate.changes_regime()},
+            {"ranges", ranges},
+            {"limits", limits},
+            {"conflict", conflict},
+            {"problem", text_or_null(candidate.problem)},
+            {"ranked_at", state_or_null(candidate.ranked)},
+            {"at_length", state_or_null(candidate.chosen)}};
+}
+
+}  // namespace
+
+std::string make_design_report(const design::Design& design, const std::vector<Candidate>& candidates, ReportStyle style) {
+    std::string text = (style == ReportStyle::markdown ? "# " : "") + (design.name.empty() ? "Design" : design.name) + "\n";
+    text += (style == ReportStyle::markdown ? "\n" : "") + make_table(make_ranking(candidates), style);
+    for (const Candidate& candidate : candidates)
+        if (!candidate.is_feasible()) text += fmt::format("\n{} is infeasible: {}\n", make_title(candidate), candidate.problem);
+    for (const Candidate& candidate : candidates) {
+        if (candidate.limits.empty()) continue;
+        text += make_heading(make_title(candidate) + ": limits", style) + make_table(make_limits(candidate), style);
+        if (find_states(candidate).empty()) continue;
+        text += make_heading(make_title(candidate) + ": groups, d = model/prototype", style) +
+                make_table(make_groups(design, candidate), style);
+    }
+    return text;
+}
+
+nlohmann::json to_json(const design::Design& design, const std::vector<Candidate>& candidates) {
+    nlohmann::json list = nlohmann::json::array();
+    for (const Candidate& candidate : candidates) list.push_back(to_json(candidate));
+    return {{"name", design.name}, {"gravity", design.gravity}, {"groups", design.groups}, {"candidates", list}};
+}
+
+}  // namespace musim::cli

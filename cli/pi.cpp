@@ -1,0 +1,94 @@
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstddef>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/commands.hpp"
+#include "cli/options.hpp"
+#include "cli/output.hpp"
+#include "cli/pi_report.hpp"
+#include "scaling/pi_problem.hpp"
+
+namespace musim::cli {
+namespace {
+
+struct PiOptions {
+    std::string problem;
+    std::vector<std::string> repeating;
+    bool all = false;
+    std::size_t limit = 100;
+    std::vector<std::string> products;
+    std::string format = "text";
+    bool json = false;
+};
+
+std::string read_problem_file(const std::string& file) {
+    std::ifstream stream(file, std::ios::binary);
+    std::string text{std::istreambuf_iterator<char>(stream), {}};
+    if (!stream || text.empty()) {
+        throw scaling::PiError(file + ": cannot be read (missing, a folder, or empty); give a file with {\"quantities\": [...]}");
+    }
+    return text;
+}
+
+int run_pi(const PiOptions& options) {
+    PiReport report;
+    report.quantities = scaling::parse_pi_problem(read_problem_file(options.problem), options.problem);
+    report.basis = scaling::find_pi_basis(report.quantities, options.repeating);
+    if (options.all) report.all = scaling::find_all_pi_bases(report.quantities, options.limit);
+    for (const std::string& text : options.products) {
+        const auto exponents = scaling::parse_group(text, report.quantities);
+        report.expressed.push_back({text, exponents, scaling::express(exponents, report.basis.groups, report.quantities)});
+    }
+    if (options.json) {
+        print_json(to_json(report));
+    } else if (options.format == "markdown") {
+        print_markdown(report);
+    } else if (options.format == "latex") {
+        print_latex(report);
+    } else {
+        print_text(report);
+    }
+    return kDone;
+}
+
+}  // namespace
+
+void add_pi_command(CLI::App& app, Action& action) {
+    auto options = std::make_shared<PiOptions>();
+    CLI::App* command =
+        app.add_subcommand("pi", "Dimensionless groups of a problem (Pi theorem), exact, with names and with what cannot take part");
+    command->add_option("problem", options->problem, R"(JSON file, {"quantities": [{"name": "v", "unit": "m/s", "value": 0.424}, ...]})")
+        ->required()
+        ->type_name("PROBLEM.json");
+    command->add_option("--repeating", options->repeating, "Repeating quantities; without it the first independent ones of the file")
+        ->delimiter(',')
+        ->type_name("NAMES");
+    command->add_flag("--all", options->all, "The groups of every choice of repeating quantities");
+    command->add_option("--limit", options->limit, "Largest number of choices that --all lists")
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str();
+    command->add_option("--express", options->products, "A group of yours as a product of these; repeat for several")
+        ->type_name("PRODUCT")
+        ->expected(1)
+        ->take_all();
+    command->add_option("--format", options->format, "Form of the answer")
+        ->check(CLI::IsMember({"text", "markdown", "latex"}))
+        ->capture_default_str();
+    add_json_option(*command, options->json);
+    command->footer(
+        "Units as everywhere (\"MN/m\", \"MPa m^0.5\", \"W/(m K)\"); \"1\" for a plain number; \"g\" is gram, \"gn\" gravity.\n"
+        "Examples:\n"
+        "  musim pi examples/pi/tower.json\n"
+        "  musim pi examples/pi/tower.json --repeating rho,l,g --express \"v/sqrt(mu*g*l)\"\n"
+        "  musim pi examples/pi/sphere_drag.json --all --format markdown");
+    command->callback([&action, options] { action = [options] { return run_pi(*options); }; });
+}
+
+}  // namespace musim::cli

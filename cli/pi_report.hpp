@@ -1,0 +1,38 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scaling/pi_express.hpp"
+
+namespace musim::cli {
+
+/// A product that the user gave, over the groups.
+struct ExpressedProduct {
+    std::string text;
+    std::vector<scaling::Rational> exponents;  ///< one per quantity
+    std::vector<scaling::Rational> powers;     ///< one per group
+};
+
+/// What `musim pi` has to say.
+struct PiReport {
+    std::vector<scaling::PiQuantity> quantities;
+    scaling::PiBasis basis;
+    std::optional<scaling::PiBases> all;
+    std::vector<ExpressedProduct> expressed;
+};
+
+/// One JSON object: "rank", "groups", "unused", and "repeating", "remarks", "bases", "complete", "expressed". A group has "exponents" (of
+/// the quantities it holds), "name" (as recognised, else "Pi_1", ...), "product", "latex", "known" (the names one by one) and, where its
+/// quantities have values, "value". Powers of an expressed product are texts such as "-1/2".
+nlohmann::json to_json(const PiReport& report);
+
+void print_text(const PiReport& report);
+void print_markdown(const PiReport& report);
+
+/// An align environment of amsmath, one group a line, remarks as comments.
+void print_latex(const PiReport& report);
+
+}  // namespace musim::cli

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace musim::cli {
+
+/// Cells of text under a header, every row as long as it.
+struct TextTable {
+    std::vector<std::string> header;
+    std::vector<std::vector<std::string>> rows = {};
+};
+
+/// Columns two blanks apart, each as wide as its widest cell.
+std::string to_plain_text(const TextTable& table);
+
+/// A table in Markdown; `|` in cells is escaped.
+std::string to_markdown(const TextTable& table);
+
+}  // namespace musim::cli

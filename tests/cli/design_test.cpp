@@ -1,0 +1,140 @@
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <string>
+
+#include "tests/cli/program.hpp"
+#include "tests/support/relative.hpp"
+#include "tests/support/shared_records.hpp"
+
+using namespace musim::cli;
+using musim::lsdem::tests::relative;
+
+namespace {
+
+const std::string kExample = MUSIM_SOURCE_DIR "/examples/design/tower.json";
+
+/// A design for table.json beside it, with more keys.
+std::string make_design(const std::string& more, const std::string& record = R"({"file": "synthetic"})") {
+    return R"({"schema": "musim-design/1", "prototype": {"block": [1.36, 2.82, 4.25], "height": "161.5 m", "density": 2320, "friction": 0.59},
+        "table": "table.json", "record": )" +
+           record + R"(, "materials": ["wood"])" + more + "}";
+}
+
+constexpr const char* kTable =
+    R"({"schema": "musim-table/1", "axes": [{"names": ["x"], "displacement": "1 mm", "velocity": "1 m/s", "lowest_frequency": "0.1 Hz"}]})";
+
+}  // namespace
+
+TEST_CASE("the example design ranks wood first, excludes aluminium and names what concrete lacks") {
+    const Workplace here;
+    const Outcome outcome = here.run("design '" + kExample + "' --json");
+    REQUIRE_MESSAGE(outcome.exit_code == 0, outcome.err);
+    const auto object = outcome.json();
+    REQUIRE(object["candidates"].size() == 6);
+    const auto& first = object["candidates"].at(0);
+    CHECK(first["material"] == "wood");
+    CHECK(first["changes_regime"] == false);
+    const auto& range = first["ranges"].at(0);
+    CHECK(range["largest"].get<double>() == relative(6.0 / 161.5, 1e-12));  // bisected, closed form to rounding
+    CHECK(range["binds_above"] == "hall height");
+    CHECK(range["binds_below"] == "highest frequency of axis x");
+    CHECK(first["at_length"]["length"] == 1.0 / 107.0);
+    CHECK(first["ranked_at"]["mass_kg"].get<double>() == relative(76.158, 0.002));  // printed for 1/107 by block; 1.51 m high
+    for (const auto& candidate : object["candidates"]) {
+        if (candidate["material"] == "aluminium") CHECK(candidate["changes_regime"] == true);
+        if (candidate["material"] != "concrete") continue;
+        CHECK(candidate["feasible"] == false);
+        CHECK(candidate["conflict"]["upper"] == "payload of axis x");
+        CHECK(candidate["conflict"]["lower"] == "smallest edge");
+        CHECK(candidate["conflict"]["at_least"].get<double>() == relative(0.04 / 1.36, 1e-12));
+    }
+}
+
+TEST_CASE("the report is text or Markdown, with the same numbers") {
+    const Workplace here;
+    const Outcome plain = here.run("design '" + kExample + "'"), markdown = here.run("design '" + kExample + "' --markdown");
+    REQUIRE(plain.exit_code == 0);
+    REQUIRE(markdown.exit_code == 0);
+    for (const Outcome* const outcome : {&plain, &markdown}) {
+        CHECK(outcome->out.find("1/146.3 ... 1/26.92") != std::string::npos);
+        CHECK(outcome->out.find("payload of axis x allows up to 1/37.8, smallest edge asks for at least 1/34") != std::string::npos);
+        CHECK(outcome->out.find("excluded: changes between sliding and rocking") != std::string::npos);
+    }
+    CHECK(plain.out.find("---") == std::string::npos);
+    CHECK(markdown.out.find("\n| --- | --- |") != std::string::npos);
+    CHECK(markdown.out.find("sum \\|ln d\\|") != std::string::npos);
+}
+
+TEST_CASE("a record and a table are looked for beside the design; table and design agree") {
+    const Workplace here;
+    here.write("table.json", kTable);
+    here.shell("mkdir plans");
+    here.write("plans/table.json", kTable);
+    here.write("plans/design.json", make_design(R"(, "length": "1/25")"));
+    const Outcome outcome = here.run("design plans/design.json --json");
+    REQUIRE_MESSAGE(outcome.exit_code == 0, outcome.err);
+    const auto candidate = outcome.json()["candidates"].at(0);
+    const auto& use = candidate["at_length"]["uses"].at(0);
+    CHECK(use["limit"] == "displacement of axis x");
+    // displacement goes with λ_l, to rounding
+    CHECK(candidate["ranges"].at(0)["largest"].get<double>() == relative(0.04 / use["used"].get<double>(), 1e-12));
+    // the record in its prototype form, from `table` at 1:1
+    const Outcome table = here.run("table synthetic --limits table.json --length 1 --json");
+    const auto limits = table.json()["components"].at(0)["limits"];
+    CHECK(use["demand"].get<double>() == relative(0.04 * 1e-3 * limits.at(0)["record"].get<double>(), 1e-12));
+}
+
+TEST_CASE("a real record is read by component, and its high-pass lowers what it asks of the stroke") {
+    if (!musim::tests::have_shared_records()) return;
+    const Workplace here;
+    here.write("table.json", kTable);
+    const std::string file = std::filesystem::canonical(musim::tests::shared_records()).string() + "/csmip/CICLC.v1";
+    const auto displacement = [&](const std::string& high_pass) {
+        here.write("design.json",
+                   make_design(R"(, "length": "1/25")", R"({"file": ")" + file + R"(", "axes": {"360": "x"})" + high_pass + "}"));
+        const Outcome outcome = here.run("design design.json --json");
+        REQUIRE_MESSAGE(outcome.exit_code == 0, outcome.err);
+        return outcome.json()["candidates"].at(0)["at_length"]["uses"].at(0)["demand"].get<double>();
+    };
+    // displacement lives on periods of seconds: a ten times higher corner takes most of it, the factor 2 is far from either
+    CHECK(displacement(R"(, "high_pass": "1 Hz")") < 0.5 * displacement(R"(, "high_pass": "0.1 Hz")"));
+}
+
+TEST_CASE("when nothing is feasible the code is 5 and the report says why") {
+    const Workplace here;
+    here.write("table.json", kTable);
+    here.write("design.json", make_design(R"(, "limits": {"camera": {"rate": "10 Hz", "pictures": 1000}})"));
+    const Outcome outcome = here.run("design design.json");
+    CHECK(outcome.exit_code == 5);
+    CHECK(outcome.has_one_error_line());
+    CHECK(outcome.err.find("musim: error: design.json: nothing is feasible (wood, law mu: ") == 0);
+    CHECK(outcome.out.find("camera") != std::string::npos);
+    CHECK(here.run("design design.json --json").json()["candidates"].at(0)["feasible"] == false);
+}
+
+TEST_CASE("wrong input to design is told in one line") {
+    const Workplace here;
+    here.write("table.json", kTable);
+    const auto error = [&](const std::string& arguments, int code) {
+        const Outcome outcome = here.run("design " + arguments);
+        CHECK(outcome.exit_code == code);
+        CHECK(outcome.has_one_error_line());
+        CHECK(outcome.out.empty());
+        return outcome.err;
+    };
+    CHECK(error("none.json", 3).find("none.json: cannot be read") != std::string::npos);
+    here.write("design.json", make_design(R"(, "colour": 1)"));
+    CHECK(error("design.json", 3) == "musim: error: design.json: \"colour\" is none of its settings; remove it, or correct its name\n");
+    here.write("design.json", make_design("", R"({"peaks": [{"axis": "x", "acceleration": "0.5 g"}]})"));
+    CHECK(error("design.json", 3).find("design.json: record: displacement is missing (axis x of the table limits it); add it") !=
+          std::string::npos);
+    here.write("design.json", make_design("", R"({"peaks": [{"axis": "y", "acceleration": "0.5 g"}]})"));
+    CHECK(error("design.json", 3).find("the table has no axis \"y\"; choose one of x") != std::string::npos);
+    here.write("design.json", make_design("", R"({"file": "synthetic", "axes": {"up": "x"}})"));
+    CHECK(error("design.json", 3).find("up") != std::string::npos);
+    here.write("design.json", make_design("", R"({"file": "lost.v1"})"));
+    CHECK(error("design.json", 3).find("lost.v1") != std::string::npos);
+    error("design.json --json --markdown", 2);
+    error("", 2);
+}

@@ -1,0 +1,80 @@
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "tests/cli/program.hpp"
+
+using namespace musim::cli;
+
+namespace {
+
+constexpr const char* kTower = R"({"quantities": [
+  {"name": "v", "unit": "cm/s", "value": 42.4}, {"name": "a", "unit": "gn", "value": 0.511}, {"name": "l", "unit": "m", "value": 161.5},
+  {"name": "mu_g", "unit": "gn", "value": 0.59}, {"name": "rho", "unit": "kg/m^3", "value": 2320}]})";
+
+/// A folder with the problem of [Andrade22] in it.
+struct TowerPlace : Workplace {
+    TowerPlace() { write("tower.json", kTower); }
+};
+
+}  // namespace
+
+// [Andrade22] eqs. (1)-(3); similitude numbers of the prototype: mu^N = 0.01387054, a/(mu g) = 0.8661017
+TEST_CASE("pi gives rank, groups, names, values and what cannot take part as JSON") {
+    const TowerPlace here;
+    const Outcome outcome = here.run("pi tower.json --repeating l,mu_g --json");
+    REQUIRE(outcome.exit_code == 0);
+    const auto object = outcome.json();
+    CHECK(object["rank"] == 3);
+    CHECK(object["repeating"] == nlohmann::json({"l", "mu_g", "rho"}));
+    REQUIRE(object["groups"].size() == 2);
+    CHECK(object["groups"][0]["exponents"] == nlohmann::json({{"v", 2}, {"l", -1}, {"mu_g", -1}}));
+    CHECK(object["groups"][0]["name"] == "mu number^2");
+    // printed to seven digits, squared
+    CHECK(object["groups"][0]["value"].get<double>() == doctest::Approx(0.01387054 * 0.01387054).epsilon(1e-6));
+    CHECK(object["groups"][1]["value"].get<double>() == doctest::Approx(0.8661017).epsilon(1e-7));
+    CHECK(object["unused"] == nlohmann::json({{{"name", "rho"}, {"why", "rho cannot take part: it alone carries mass"}}}));
+}
+
+TEST_CASE("pi expresses a group of the user, lists all bases, and says when there are more") {
+    const TowerPlace here;
+    const auto object = here.run("pi tower.json --repeating l,mu_g --express 'v/sqrt(mu_g*l)' --all --limit 2 --json").json();
+    CHECK(object["expressed"][0]["powers"] == nlohmann::json({"1/2", "0"}));
+    CHECK(object["expressed"][0]["name"] == "mu number");
+    CHECK(object["bases"].size() == 2);
+    CHECK(object["complete"] == false);
+    CHECK(here.run("pi tower.json --all --limit 2").out.find("raise --limit") != std::string::npos);
+}
+
+TEST_CASE("pi writes tables in text, Markdown and LaTeX") {
+    const TowerPlace here;
+    CHECK(here.run("pi tower.json --repeating l,mu_g").out.find("v^2/(l*mu_g)") != std::string::npos);
+    CHECK(here.run("pi tower.json --format markdown").out.find("|---|") != std::string::npos);
+    const std::string latex = here.run("pi tower.json --repeating l,mu_g --format latex").out;
+    CHECK(latex.find("\\begin{align}") != std::string::npos);
+    CHECK(latex.find("\\Pi_{1} &= \\frac{v^{2}}{l\\,\\mu_{g}}") != std::string::npos);
+}
+
+TEST_CASE("pi refuses bad input in one line, exit code 3, and bad usage with 2") {
+    const TowerPlace here;
+    here.write("broken.json", "{");
+    here.write("unit.json", R"({"quantities": [{"name": "v", "unit": "m/S"}]})");
+    for (const char* arguments : {"pi missing.json", "pi .", "pi broken.json", "pi unit.json", "pi tower.json --repeating v,x",
+                                  "pi tower.json --repeating v,l,a", "pi tower.json --express v^2", "pi tower.json --express 'v^'"}) {
+        const Outcome outcome = here.run(arguments);
+        CHECK_MESSAGE(outcome.exit_code == 3, arguments);
+        CHECK_MESSAGE(outcome.has_one_error_line(), outcome.err);
+        CHECK(outcome.out.empty());
+    }
+    for (const char* arguments : {"pi", "pi tower.json --format html", "pi tower.json --limit 0"}) {
+        CHECK_MESSAGE(here.run(arguments).exit_code == 2, arguments);
+    }
+}
+
+TEST_CASE("the shipped problems are answered") {
+    const Workplace here;
+    for (const char* name : {"tower", "sphere_drag", "rocking_block"}) {
+        const auto object = here.run(std::string("pi " MUSIM_SOURCE_DIR "/examples/pi/") + name + ".json --json").json();
+        CHECK_MESSAGE(object["groups"].size() >= 2, name);
+    }
+}

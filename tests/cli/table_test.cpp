@@ -1,0 +1,157 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tests/cli/program.hpp"
+#include "tests/support/relative.hpp"
+
+using namespace musim::cli;
+using musim::lsdem::tests::relative;
+
+namespace {
+
+/// A table of one axis, 1 m/s and the given displacement.
+std::string make_table(const std::string& displacement, const std::string& more = "") {
+    return R"({"schema": "musim-table/1", "name": "test table", "axes": [{"names": ["x"], "displacement": ")" + displacement +
+           R"(", "velocity": "1 m/s")" + more + R"(}], "controller": {"rate": "2000 Hz", "quiet": "0.5 s", "displacement": "mm"}})";
+}
+
+constexpr const char* kArguments = "table synthetic --limits table.json --length 1/25 ";
+
+/// Column `index` of a drive file.
+std::vector<double> column(const std::string& text, int index) {
+    std::istringstream lines(text);
+    std::string line;
+    std::getline(lines, line);
+    std::vector<double> values;
+    while (std::getline(lines, line)) {
+        std::istringstream cells(line);
+        std::string cell;
+        for (int i = 0; i <= index; ++i) std::getline(cells, cell, ',');
+        values.push_back(std::stod(cell));
+    }
+    return values;
+}
+
+double largest(const std::vector<double>& values) {
+    double peak = 0.0;
+    for (const double value : values) peak = std::max(peak, std::abs(value));
+    return peak;
+}
+
+}  // namespace
+
+TEST_CASE("table says that a record fits, at which scales, and writes the drive file") {
+    const Workplace here;
+    here.write("table.json", make_table("100 mm"));
+    const Outcome outcome = here.run(std::string(kArguments) + "--drive drive.csv --save-recipe recipe.json --json");
+    REQUIRE_MESSAGE(outcome.exit_code == 0, outcome.err);
+    const auto object = outcome.json();
+    CHECK(object["fits"] == true);
+    CHECK(object["table"] == "test table");
+    CHECK(object["corrections"].empty());
+    CHECK(object["drive"] == "drive.csv");
+    const auto& component = object["components"].at(0);
+    CHECK(component["axis"] == "x");
+    // the built-in record has 42.4 cm/s, the scale 1/25 a fifth of it; tapers and the controller's step move it a little
+    CHECK(component["velocity_cm_s"].get<double>() == relative(42.4 / 5.0, 0.02));
+    const auto& limit = component["limits"].at(0);
+    CHECK(limit["limit"] == "displacement");
+    CHECK(limit["unit"] == "mm");
+    CHECK(limit["table"].get<double>() == relative(100.0, 1e-12));
+    CHECK(limit["used"].get<double>() == relative(limit["record"].get<double>() / 100.0, 1e-12));
+    // displacement scales with the length
+    const auto& scales = object["scales"].at(0);
+    CHECK(limit["scales"].at(0).at(1).get<double>() == relative(std::min(1.0, 0.04 / limit["used"].get<double>()), 1e-12));
+    CHECK(scales["largest"].get<double>() >= 0.04);
+
+    const std::string drive = here.read("drive.csv");
+    CHECK(drive.starts_with("time [s],x displacement [mm],x velocity [m/s],x acceleration [m/s^2]\n0,0,0,0\n0.0005,0,0,0\n"));
+    CHECK(largest(column(drive, 1)) == relative(component["displacement_mm"].get<double>(), 1e-8));
+    CHECK(largest(column(drive, 2)) == relative(component["velocity_cm_s"].get<double>() / 100.0, 1e-8));
+    CHECK(column(drive, 1).back() == 0.0);
+    CHECK(column(drive, 0).at(1000) == 0.5);
+    CHECK(here.read("recipe.json").find("\"resample\"") != std::string::npos);
+}
+
+TEST_CASE("a record that does not fit ends with code 5 and nothing written, corrected with 0 and within the limits") {
+    const Workplace here;
+    here.write("table.json", make_table("1 mm"));
+    const Outcome outcome = here.run(std::string(kArguments) + "--drive drive.csv --save-recipe recipe.json");
+    CHECK(outcome.exit_code == 5);
+    CHECK(outcome.err == "musim: error: synthetic: the table cannot make it; choose another length scale, or add --correct\n");
+    CHECK(outcome.out.find("too much") != std::string::npos);
+    CHECK(outcome.out.find("high-pass at ") != std::string::npos);
+    CHECK(outcome.out.find("amplitude times ") != std::string::npos);
+    CHECK_FALSE(here.has("drive.csv"));
+    CHECK_FALSE(here.has("recipe.json"));
+
+    const Outcome refused = here.run(std::string(kArguments) + "--correct --accept 1.01 --drive drive.csv");
+    CHECK(refused.exit_code == 5);
+    CHECK(refused.err.find("1.01 is accepted); choose another length scale, or add --accept ") != std::string::npos);
+    CHECK_FALSE(here.has("drive.csv"));
+
+    const Outcome corrected = here.run(std::string(kArguments) + "--correct --accept 20 --drive drive.csv --json");
+    REQUIRE_MESSAGE(corrected.exit_code == 0, corrected.err);
+    const auto object = corrected.json();
+    CHECK(object["fits"] == false);
+    const auto& best = object["corrections"].at(0);
+    CHECK(best["mean_change_of_ln_psa"].get<double>() > 0.0);
+    CHECK(best["spectra"].at(0)["rows"].size() == 50);
+    const double peak = largest(column(here.read("drive.csv"), 1));
+    CHECK(peak <= 1.0);
+    CHECK(peak == relative(best["components"].at(0)["displacement_mm"].get<double>(), 1e-8));
+}
+
+TEST_CASE("the payload is the model's, or the prototype's scaled") {
+    const Workplace here;
+    here.write("table.json", make_table("100 mm", R"(, "payload": "2 t")"));
+    const auto used = [&](const std::string& payload) {
+        const Outcome outcome = here.run(std::string(kArguments) + "--json " + payload);
+        const auto object = outcome.json();
+        for (const auto& limit : object["components"].at(0)["limits"])
+            if (limit["limit"] == "payload") return limit["used"].get<double>();
+        return -1.0;
+    };
+    CHECK(used("--payload '500 kg'") == relative(0.25, 1e-12));
+    CHECK(used("--prototype-mass '15625 t'") == relative(0.5, 1e-12));  // 25³ t
+    CHECK(used("--payload '4 t'") == relative(2.0, 1e-12));
+    CHECK(here.run(std::string(kArguments) + "--payload '4 t' --correct").err ==
+          "musim: error: synthetic: the table cannot make it; choose another length scale or table\n");
+}
+
+TEST_CASE("the example tables are read") {
+    const Workplace here;
+    const std::string folder = MUSIM_SOURCE_DIR "/examples/tables/";
+    for (const char* const name : {"array.json", "outdoor.json"}) {
+        const Outcome outcome = here.run("table synthetic --limits '" + folder + name + "' --length 1/10 --json");
+        CHECK_MESSAGE((outcome.exit_code == 0 || outcome.exit_code == 5), outcome.err);
+        CHECK(outcome.json()["components"].size() == 1);
+    }
+}
+
+TEST_CASE("wrong input to table is told in one line") {
+    const Workplace here;
+    here.write("table.json", make_table("100 mm"));
+    here.write("bare.json", R"({"schema": "musim-table/1", "axes": [{"names": ["x"]}]})");
+    const auto error = [&](const std::string& arguments, int code) {
+        const Outcome outcome = here.run("table " + arguments);
+        CHECK(outcome.exit_code == code);
+        CHECK(outcome.has_one_error_line());
+        CHECK(outcome.out.empty());
+        return outcome.err;
+    };
+    CHECK(error("synthetic --limits none.json --length 1/25", 3).find("none.json: cannot be read") != std::string::npos);
+    CHECK(error("synthetic --limits bare.json --length 1/25 --drive d.csv", 3).find("bare.json: has no controller") != std::string::npos);
+    CHECK(error("synthetic --limits table.json --length 1/25 --axis x", 2).find("\"x\" is no COMPONENT=AXIS") != std::string::npos);
+    CHECK(error("synthetic --limits table.json --length 1/25 --axis 1=q", 3).find("no axis \"q\"") != std::string::npos);
+    CHECK(error("synthetic --limits table.json --length 1/25 --payload '3 m'", 3).find("a mass is wanted") != std::string::npos);
+    CHECK(error("synthetic --limits table.json --length 1/25 --payload '-3 kg'", 2).find("is below zero") != std::string::npos);
+    CHECK(error("synthetic --limits table.json --length 1/25 --payload '3 kg' --prototype-mass '3 t'", 2).find("contradicts") !=
+          std::string::npos);
+    CHECK(error("synthetic --length 1/25", 2).find("--limits is required") != std::string::npos);
+}
