@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json_fwd.hpp>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,11 +10,12 @@
 #include "cli/options.hpp"
 #include "lsdem/study/block_sample.hpp"
 #include "lsdem/study/write_results.hpp"
+#include "scaling/angle.hpp"
 
 /// What the tests of `musim calibrate` share; each adds its own subcommand.
 namespace musim::cli {
 
-inline constexpr double kDegree = std::numbers::pi / 180.0;
+using scaling::kDegree;
 inline constexpr double kMega = 1e6;
 
 /// The block under test: a preset, and what is said otherwise.

@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,13 +16,14 @@
 #include "cli/output.hpp"
 #include "lsdem/study/camera_view.hpp"
 #include "lsdem/study/write_results.hpp"
+#include "scaling/angle.hpp"
 
 namespace musim::cli {
 namespace {
 
 namespace study = lsdem::study;
 
-constexpr double kDegree = std::numbers::pi / 180.0;
+using scaling::kDegree;
 
 struct ResponseOptions {
     std::string directory;

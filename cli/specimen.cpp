@@ -39,7 +39,7 @@ double largest_tilt(const study::PreparedSpecimen& prepared) {
     return largest;
 }
 
-nlohmann::json to_json(const study::SpecimenReport& report) {
+nlohmann::json describe(const study::SpecimenReport& report) {
     nlohmann::json object{{"file", report.file.string()},
                           {"seed", report.seed},
                           {"reused", report.reused},
@@ -105,7 +105,7 @@ int run_specimen(const SpecimenOptions& options) {
     for (const study::SpecimenReport& report : reports) {
         all_at_rest = all_at_rest && (report.reused || report.prepared.rest.at_rest);
         if (options.json) {
-            list.push_back(to_json(report));
+            list.push_back(describe(report));
         } else {
             print_report(report);
         }

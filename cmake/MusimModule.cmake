@@ -35,6 +35,23 @@ function(musim_sanitize_quickly target)
   endif()
 endfunction()
 
+# Compiles headers that most files of a target include once, with what the standard library always brings: half of the time of a full build.
+# Files still include what they use; MUSIM_PRECOMPILED=OFF builds without.
+function(musim_precompile target)
+  if(MUSIM_PRECOMPILED)
+    target_precompile_headers(${target} PRIVATE <algorithm> <array> <cmath> <filesystem> <functional> <memory> <optional> <span> <string>
+                                                <string_view> <vector> ${ARGN})
+  endif()
+endfunction()
+
+# Compiles the files of a target several at a time, for targets whose time goes into JSON, the same templates in every file.
+# Names that only one file knows must then differ within a target. MUSIM_UNITY=OFF builds file by file.
+function(musim_unite target)
+  if(MUSIM_UNITY)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+  endif()
+endfunction()
+
 function(musim_module name)
   cmake_parse_arguments(arg "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
   add_library(musim_${name} STATIC ${arg_SOURCES})

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "records/processing.hpp"
 #include "records/resample.hpp"
+#include "scaling/angle.hpp"
 
 namespace musim::records {
 namespace {
@@ -131,7 +131,7 @@ GroundMotion rotate(const GroundMotion& motion, double azimuth_deg) {
         throw ProcessingError("the two horizontal components are not on one clock (start, dt or length differ); align them first");
     }
     require_quantity(second.series, first.series.quantity(), "the rotation");
-    constexpr double kDegree = std::numbers::pi / 180.0;
+    using scaling::kDegree;
     const double a = *first.azimuth_deg * kDegree, b = *second.azimuth_deg * kDegree, between = std::sin(b - a);
     constexpr double kParallel = 0.0175;  // sin 1°
     if (!(std::abs(between) > kParallel)) {

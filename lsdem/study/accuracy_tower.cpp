@@ -22,7 +22,7 @@ constexpr std::size_t kParts = 3;
 /// Length of a part, and how much of it comes before its peak acceleration [s of the prototype].
 constexpr double kWindow = 0.4, kBeforePeak = 0.15;
 /// Samples of the top's velocity over the window.
-constexpr std::uint64_t kSamples = 300;
+constexpr std::uint64_t kTopSamples = 300;
 /// Samples that are compared one by one: 0.24 s, about as long as a run moved by one unit in the last place agrees with its twin.
 constexpr std::size_t kCompared = 180;
 
@@ -125,7 +125,7 @@ Specimen make_specimen(int courses, const AccuracySetting& setting) {
 
 /// Largest magnitude [m/s]; not a number when the run diverged.
 double find_peak(const TopVelocity& velocity) {
-    if (velocity.size() != kSamples) return std::numeric_limits<double>::quiet_NaN();
+    if (velocity.size() != kTopSamples) return std::numeric_limits<double>::quiet_NaN();
     double peak = 0.0;
     for (const double v : velocity) peak = std::max(peak, std::abs(v));
     return peak;
@@ -180,7 +180,7 @@ TopMotion MiniTower::run(const AccuracySetting& setting, bool shadow) const {
     Specimen specimen = make_specimen(courses_, setting);
     if (shadow) specimen = make_shadow(std::move(specimen));
     // the sampling interval is a whole number of steps
-    const double interval = duration_ / static_cast<double>(kSamples);
+    const double interval = duration_ / static_cast<double>(kTopSamples);
     const auto per_sample = static_cast<std::uint64_t>(std::ceil(interval / (setting.safety * compute_critical_time_step(specimen.model))));
 
     TopMotion motion;
@@ -188,7 +188,7 @@ TopMotion MiniTower::run(const AccuracySetting& setting, bool shadow) const {
         specimen.model.ground.motion[0] = part;
         MeteredSimulation run(specimen.model, interval / static_cast<double>(per_sample));
         TopVelocity velocity;
-        for (std::uint64_t k = 0; k < kSamples && !run.simulation().divergence(); ++k) {
+        for (std::uint64_t k = 0; k < kTopSamples && !run.simulation().divergence(); ++k) {
             run.simulation().advance(per_sample);
             velocity.push_back(find_top_velocity(run.simulation(), specimen.layer, courses_));
         }

@@ -7,14 +7,14 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
-#include <numbers>
 
 #include "lsdem/study/line_plot.hpp"
+#include "scaling/angle.hpp"
 
 namespace musim::lsdem::study {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
+using scaling::kDegree;
 constexpr std::size_t kMostRows = 2000, kMostPoints = 400;
 constexpr std::size_t kLayersPerCurve = 5;
 

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <iterator>
 #include <map>
-#include <numbers>
 
 #include "lsdem/fallen.hpp"
+#include "scaling/angle.hpp"
 
 namespace musim::lsdem::study {
 namespace {
@@ -190,7 +190,7 @@ std::string make_damage_csv(const Damage& damage) {
         "level,blocks,fallen,slip_mean_m,slip_max_m,displacement_mean_m,displacement_max_m,initial_tilt_mean_deg,initial_tilt_max_deg,"
         "final_tilt_mean_deg,final_tilt_max_deg,rotation_mean_deg,rotation_max_deg,turn_mean_deg,turn_max_deg,damage_index,"
         "friction_loss_j,damping_loss_j,loss_share\n";
-    constexpr double kDegree = std::numbers::pi / 180.0;
+    using scaling::kDegree;
     for (const LevelDamage& l : damage.levels) {
         fmt::format_to(std::back_inserter(csv), "{},{},{}", l.level, l.blocks, l.fallen);
         for (const Spread& s : {l.slip, l.displacement}) fmt::format_to(std::back_inserter(csv), ",{},{}", s.mean, s.max);

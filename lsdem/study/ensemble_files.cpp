@@ -5,15 +5,15 @@
 #include <cmath>
 #include <iterator>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
 #include "lsdem/study/detail/hdf5_file.hpp"
 #include "lsdem/study/spine_plot.hpp"
+#include "scaling/angle.hpp"
 
 namespace musim::lsdem::study {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
+using scaling::kDegree;
 
 /// A single number, or a list.
 nlohmann::json values(const Eigen::ArrayXd& array) {

@@ -15,6 +15,8 @@ namespace musim::lsdem::study {
 namespace {
 
 using detail::draw_text;
+using detail::kSmallFont;
+using detail::kTitleFont;
 using detail::PanelPlace;
 
 /// Sizes of the picture [px].
@@ -22,12 +24,10 @@ constexpr double kYLabelGap = 60.0, kLeft = kYLabelGap + 20.0, kRight = 16.0, kC
 constexpr double kKeyTop = 50.0, kKeyLine = 17.0, kSampleWidth = 26.0, kKeyGap = 18.0;
 constexpr double kColumnHeight = 560.0, kXNames = 56.0, kSecondXNames = 40.0, kCommonGap = 14.0, kTitleHeight = 20.0, kCaptionLine = 16.0;
 
-/// Sizes of text [px], as the classes of open_svg() have them; a title may shrink to that of small text.
-constexpr double kTitleFont = 15.0, kSmallFont = 11.5;
 /// Letters of DejaVu Sans Bold are so much wider at most.
 constexpr double kBoldest = 1.26;
 
-/// On one line up to `right`: in smaller letters, and shortened where that is not enough.
+/// On one line up to `right`: in letters down to the small ones, and shortened where that is not enough.
 void draw_title(std::string& svg, const std::string& title, double right) {
     const double room = (right - kLeft) / kBoldest, width = detail::find_text_width(title, kTitleFont);
     const double font = width > room ? std::max(kSmallFont, kTitleFont * room / width) : kTitleFont;

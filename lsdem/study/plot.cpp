@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "lsdem/study/detail/svg.hpp"
+#include "lsdem/study/detail/text_room.hpp"
 
 namespace musim::lsdem::study {
 namespace {
@@ -41,12 +42,6 @@ detail::LineStyle style_of(const StackedPlot& plot, std::size_t r) {
     detail::LineStyle style = kLineStyles[r % kLineStyles.size()];
     if (!plot.runs[r].spread.empty()) style.width = kMeanWidth;
     return style;
-}
-
-/// What fits into the width of the plot at 6.2 px a letter.
-std::string shorten(const std::string& text) {
-    constexpr std::size_t kFits = 130;
-    return text.size() <= kFits ? text : text.substr(0, kFits) + " ...";
 }
 
 void require_consistent(const StackedPlot& plot) {
@@ -212,7 +207,7 @@ std::string make_svg(const StackedPlot& plot) {
 
     // axes: frame, ticks, labels, legend
     draw_text(svg, kLeft, 26.0, "start", "class=\"title\"", plot.title);
-    draw_text(svg, kLeft, 46.0, "start", "class=\"small\"", shorten(plot.subtitle));
+    draw_text(svg, kLeft, 46.0, "start", "class=\"small\"", detail::shorten(plot.subtitle, detail::kSmallFont, kPlotWidth));
     draw_legend(svg, plot);
     draw_x_ticks(svg, x_axis, bottom);
     svg += fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" fill=\"none\" stroke=\"#333\"/>\n", kLeft, kTop,

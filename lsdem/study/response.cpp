@@ -8,16 +8,16 @@
 #include <iterator>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
 #include "lsdem/scene/scene_json.hpp"
 #include "lsdem/study/line_plot.hpp"
 #include "lsdem/study/summary.hpp"
+#include "scaling/angle.hpp"
 
 namespace musim::lsdem::study {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
+using scaling::kDegree;
 
 /// First and one past the last sample of the window.
 std::array<std::size_t, 2> find_samples(const StoredRun& run, const ResponseSettings& settings) {

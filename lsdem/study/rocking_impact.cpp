@@ -17,9 +17,9 @@
 namespace musim::lsdem::study {
 namespace {
 
-constexpr int kMostImpacts = 5;            ///< over which [Harmon23] averages
-constexpr double kAtRest = 1e-2;           ///< energy over the first one below which the block counts as at rest
-constexpr double kSearchTolerance = 2e-3;  ///< of r
+constexpr int kMostImpacts = 5;                 ///< over which [Harmon23] averages
+constexpr double kAtRest = 1e-2;                ///< energy over the first one below which the block counts as at rest
+constexpr double kEnergyRatioTolerance = 2e-3;  ///< of r
 constexpr int kMostSearchRuns = 12;
 
 /// The block with the side on which it rocks along x.
@@ -157,7 +157,7 @@ RestitutionSearch find_restitution(const BlockSample& sample, const RockingCurve
             const double middle = 0.5 * (low + high);
             search.restitution = middle;
             search.reached = run_rocking_test(sample, {curve.support, curve.side, curve.start, middle, safety}).mean;
-            if (std::abs(search.reached - target) < kSearchTolerance) return search;
+            if (std::abs(search.reached - target) < kEnergyRatioTolerance) return search;
             ((search.reached < target) == rising ? low : high) = middle;
         }
         // bounces make the curve jump there: it passes the target without taking it

@@ -6,16 +6,16 @@
 #include <cmath>
 #include <iterator>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <utility>
 
 #include "lsdem/rotation.hpp"
 #include "lsdem/study/summary.hpp"
+#include "scaling/angle.hpp"
 
 namespace musim::lsdem::study {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
+using scaling::kDegree;
 
 void add(const Losses& more, Losses& sum) {
     if (sum.block.empty()) sum.block.resize(more.block.size());

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "lsdem/scene/material_presets.hpp"
+#include "lsdem/study/detail/no_slip.hpp"
 
 namespace musim::lsdem::study {
 namespace {
@@ -21,11 +22,9 @@ namespace si = scaling::si;
 using Size = scene::Triple<Length>;
 
 /// Samples of a run; a peak between two is missed by (π/n)²/8 of it at most, n samples a half wave.
-constexpr double kSamples = 2000.0;
+constexpr double kRunSamples = 2000.0;
 /// Samples of a push.
 constexpr double kPushSamples = 1000.0;
-/// What no shear stress of a chain comes near to.
-constexpr double kNoSlip = 1e9;
 /// How much stiffer than the preset the base of the rocking block is: Housner's is rigid.
 constexpr double kStiffBase = 1e4;
 
@@ -55,7 +54,7 @@ scene::Scene make_column(BenchScene which, int layers, const Size& block, bool l
     made.material = concrete(block);
     made.structure = scene::Column{.layers = layers, .block = block, .rotation_locked = locked, .height_deviation = {}};
     made.time.duration = duration;
-    made.output.spine_rate = kSamples / duration;
+    made.output.spine_rate = kRunSamples / duration;
     return made;
 }
 
@@ -93,7 +92,7 @@ scene::Scene make_shaken_column() {
 scene::Scene make_chain() {
     // the base starts between two samples, not on one, where rounding would decide which of its two velocities is seen
     scene::Scene made = make_column(BenchScene::chain, 5, kUpright, true, 0.26 * si::seconds);
-    made.material.friction = kNoSlip;
+    made.material.friction = detail::kNoSlip;
     made.material.shear_damping_ratio = kChainDamping;
     made.time.safety = kChainSafety;
     shake(made, scene::StepSignal{0.1 * si::meters_per_second});

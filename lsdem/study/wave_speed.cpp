@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "lsdem/simulation.hpp"
+#include "lsdem/study/detail/no_slip.hpp"
 #include "lsdem/study/line_fit.hpp"
 #include "lsdem/time_step.hpp"
 
@@ -28,13 +29,10 @@ constexpr double kAfter = 15.0;
 /// The displacement that counts as arrival [V/ω0].
 constexpr double kArrivalDisplacement = 5.0;
 
-/// Friction at which no joint slips: shear is V·k_s/ω0 at most, some hundred weights.
-constexpr double kNoSlip = 1e9;
-
 constexpr int kLeastLayers = 20;
 constexpr double kFirstFraction = 5.0 / 38.0, kLastFraction = 30.0 / 38.0;
 constexpr int kMostRuns = 20;
-constexpr double kSearchTolerance = 1e-6;
+constexpr double kSpeedTolerance = 1e-6;
 
 double stiffness_of(const BlockSample& sample, WaveKind kind) {
     return kind == WaveKind::normal ? sample.normal_stiffness : sample.shear_stiffness;
@@ -135,7 +133,7 @@ double closed_form_speed(const BlockSample& sample, WaveKind kind) { return samp
 WaveHistory run_wave_test(const BlockSample& given, WaveKind kind, const WaveSettings& settings) {
     require_layers(settings.layers);
     BlockSample sample = given;
-    sample.friction = sample.ground_friction = kNoSlip;
+    sample.friction = sample.ground_friction = detail::kNoSlip;
     if (!settings.damped) sample.restitution = 1.0, sample.shear_damping_ratio = 0.0;
     Model model = make_column(sample, settings.layers);
     const int axis = kind == WaveKind::normal ? 2 : 0;
@@ -186,7 +184,7 @@ StiffnessSearch find_stiffness(BlockSample sample, WaveKind kind, double target,
         search.measured = measure_wave_speed(sample, kind, settings);
         search.stiffness = stiffness;
         const double ratio = target / (of_raw_speed ? search.measured.speed : search.measured.effective());
-        if (std::abs(ratio - 1.0) < kSearchTolerance) return search;
+        if (std::abs(ratio - 1.0) < kSpeedTolerance) return search;
         if (!std::isfinite(ratio)) break;
         stiffness *= ratio * ratio;
     }

@@ -40,9 +40,9 @@ std::string open_svg(double width, double height) {
     return fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} {1:.0f}\" "
         "font-family=\"DejaVu Sans, Helvetica, Arial, sans-serif\" font-size=\"13\" fill=\"#222\">\n"
-        "<style>.small{{font-size:11.5px}} .title{{font-size:15px;font-weight:bold}}</style>\n"
+        "<style>.small{{font-size:{2}px}} .title{{font-size:{3}px;font-weight:bold}}</style>\n"
         "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n",
-        width, height);
+        width, height, kSmallFont, kTitleFont);
 }
 
 void draw_text(std::string& svg, double x, double y, const char* anchor, const char* style, const std::string& text) {

@@ -37,6 +37,9 @@ std::string escape(const std::string& text);
 /// 1, 2 or 5 times a power of ten, nearest below `value` > 0.
 double round_down(double value);
 
+/// Sizes of text of the classes `title` and `small` [px].
+inline constexpr double kTitleFont = 15.0, kSmallFont = 11.5;
+
 /// Opens a document of `width` x `height` [px] on white ground, with the classes `title` and `small` for text.
 std::string open_svg(double width, double height);
 

@@ -1,0 +1,10 @@
+#pragma once
+
+#include <numbers>
+
+namespace musim::scaling {
+
+/// One degree; angles are plain numbers, in radians.
+inline constexpr double kDegree = std::numbers::pi / 180.0;
+
+}  // namespace musim::scaling
