@@ -12,7 +12,8 @@ namespace musim::scaling {
 /// One of the independent inputs whose uncertainty is propagated.
 struct UncertainInput {
     std::string name;
-    Uncertain quantity;
+    Uncertain quantity;  ///< SI
+    Dimension dimension = {};
 };
 
 /// The results that follow from values of the inputs, in the order of the inputs. Every result must be a product of powers of the inputs,

@@ -15,9 +15,9 @@ namespace {
 /// Values by place, the uncertain ones among them by their order as inputs.
 class Quantities {
   public:
-    std::size_t add(const std::string& name, const Uncertain& quantity) {
+    std::size_t add(const std::string& name, const Uncertain& quantity, Dimension dimension = {}) {
         if (quantity.is_uncertain()) {
-            inputs_.push_back({name, quantity});
+            inputs_.push_back({name, quantity, dimension});
             places_.push_back(values_.size());
         }
         values_.push_back(quantity.value);
@@ -58,7 +58,7 @@ RatioPlace add_ratio(Quantities& quantities, const std::string& name, const Unce
 
 template <class Quantity>
 Place add_optional(Quantities& quantities, const std::string& name, const std::optional<UncertainQuantity<Quantity>>& quantity) {
-    return quantity ? Place(quantities.add(name, quantity->si())) : std::nullopt;
+    return quantity ? Place(quantities.add(name, quantity->si(), dimension_of<Quantity>())) : std::nullopt;
 }
 
 /// The prototype's friction coefficient: given, or the denominator of the friction factor, or both as one input.
