@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "scaling/quantity_text.hpp"
@@ -62,10 +61,12 @@ nlohmann::json to_json(const std::vector<scaling::UncertainResult>& results, con
     return object;
 }
 
-/// An uncertainty with two digits [JCGM100] 7.2.6, in the unit of its own size.
+/// An uncertainty with two digits [JCGM100] 7.2.6 in the unit of its own size; with more where two would need a power of ten.
 std::string format_uncertainty(double uncertainty, scaling::Dimension dimension) {
-    const double step = std::pow(10.0, std::floor(std::log10(uncertainty)) - 1.0);
-    return scaling::format_si(std::round(uncertainty / step) * step, dimension);
+    int digits = 2;
+    std::string text = scaling::format_si(uncertainty, dimension, digits);
+    while (text.find("e+") != std::string::npos) text = scaling::format_si(uncertainty, dimension, ++digits);
+    return text;
 }
 
 std::string format_share(double share) { return share == 0.0 ? "-" : fmt::format("{:.3g} %", 100.0 * share); }

@@ -27,7 +27,7 @@ struct UncertainRatio {
 };
 
 /// A quantity and its standard uncertainty.
-template <class Quantity>
+template <QuantityWithUnit Quantity>
 struct UncertainQuantity {
     Quantity value;
     Quantity uncertainty = {};
@@ -52,7 +52,7 @@ UncertainRatio parse_uncertain_ratio(std::string_view text);
 Uncertain parse_uncertain_si(std::string_view text, Dimension wanted);
 
 /// parse_uncertain_si() for the dimension of `Quantity`, e.g. parse_uncertain_quantity<Velocity>("42.4+/-0.5 cm/s").
-template <class Quantity>
+template <QuantityWithUnit Quantity>
 UncertainQuantity<Quantity> parse_uncertain_quantity(std::string_view text) {
     const Uncertain si = parse_uncertain_si(text, dimension_of<Quantity>());
     return {Quantity::from_value(si.value), Quantity::from_value(si.uncertainty)};
