@@ -6,6 +6,8 @@
 #include <CLI/Option.hpp>
 #include <filesystem>
 
+#include "cli/output.hpp"
+#include "cli/uncertain_options.hpp"
 #include "scaling/number.hpp"
 
 namespace musim::cli {
@@ -20,16 +22,33 @@ bool lexical_cast(const std::string& text, Number& number) {
 }
 
 void SimilitudeOptions::add_to(CLI::App& command) {
-    command.add_option("--length", length, "Length factor, model/prototype, e.g. 1/107")->required()->type_name("NUMBER");
-    command.add_option("--friction", friction, "Ratio of the friction coefficients, e.g. 0.63/0.59 (default 1)")->type_name("NUMBER");
-    command.add_option("--gravity", gravity, "Ratio of gravity, above 1 in a centrifuge (default 1)")->type_name("NUMBER");
-    command.add_option("--density", density, "Ratio of densities (default 1)")->type_name("NUMBER");
+    add_uncertain_option(command, "--length", length, "Length factor, model/prototype, e.g. 1/107 or 1/107+/-1%")->required();
+    add_uncertain_option(command, "--friction", friction,
+                         "Ratio of the friction coefficients, e.g. 0.63/0.59 or \"(0.63+/-5%)/(0.59+/-5%)\" (default 1)");
+    add_uncertain_option(command, "--gravity", gravity, "Ratio of gravity, above 1 in a centrifuge (default 1)");
+    add_uncertain_option(command, "--density", density, "Ratio of densities (default 1)");
     command.add_option("--law", law, "Which force governs: mu, froude, exact or cauchy")->capture_default_str()->type_name("LAW");
 }
 
-scaling::Similitude SimilitudeOptions::similitude() const {
-    const scaling::ScaleFactors chosen{.length = length, .friction = friction, .gravity = gravity, .density = density};
-    return scaling::Similitude(chosen, scaling::parse_law(law));
+scaling::Similitude SimilitudeOptions::similitude() const { return similitude(scales().factors()); }
+
+scaling::Similitude SimilitudeOptions::similitude(const scaling::ScaleFactors& factors) const {
+    return scaling::Similitude(factors, scaling::parse_law(law));
+}
+
+scaling::UncertainScales SimilitudeOptions::scales() const {
+    scaling::UncertainScales scales;
+    scales.length = length;
+    scales.friction = friction;
+    scales.gravity = gravity;
+    scales.density = density;
+    return scales;
+}
+
+void SimilitudeOptions::note_values_used() const {
+    if (!scales().is_uncertain()) return;
+    note_at_end(
+        "musim: note: only the values of uncertain factors are used here; musim scale and musim rescale tell what the uncertainty does");
 }
 
 std::string to_lower_case(std::string text) {

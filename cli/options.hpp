@@ -4,6 +4,7 @@
 #include <string>
 
 #include "scaling/similitude.hpp"
+#include "scaling/uncertain_similitude.hpp"
 
 namespace musim::cli {
 
@@ -17,19 +18,26 @@ struct Number {
 /// Reads a Number for CLI11, which finds it by argument-dependent lookup. Throws CLI::ConversionError.
 bool lexical_cast(const std::string& text, Number& number);
 
-/// The scale factors and the law of one similitude, as options --length, --friction, --gravity, --density, --law.
+/// The scale factors and the law of one similitude, as options --length, --friction, --gravity, --density, --law. Factors may carry
+/// standard uncertainties.
 struct SimilitudeOptions {
-    Number length{1.0};
-    Number friction{1.0};
-    Number gravity{1.0};
-    Number density{1.0};
+    scaling::UncertainRatio length, friction, gravity, density;
     std::string law = "mu";
 
     /// Adds the options to a command; --length is required.
     void add_to(CLI::App& command);
 
-    /// Throws scaling::SimilitudeError.
+    /// The similitude of the factors' values. Throws scaling::SimilitudeError.
     scaling::Similitude similitude() const;
+
+    /// The similitude of other factors by the same law. Throws scaling::SimilitudeError.
+    scaling::Similitude similitude(const scaling::ScaleFactors& factors) const;
+
+    /// The factors with their uncertainties.
+    scaling::UncertainScales scales() const;
+
+    /// A remark at the end when factors are uncertain: for commands that use their values alone.
+    void note_values_used() const;
 };
 
 /// `text` with small letters for A to Z.

@@ -89,6 +89,7 @@ int run_record_plot(const RecordPlotOptions& options) {
     // what is asked for is looked at before anything is computed
     lsdem::study::require_picture_name(options.out);
     refuse_overwriting(options.source.find_files(options.files), {options.out, options.csv});
+    options.scales.note_values_used();
     const CurveRequest request = make_request(options);
     RecordFigure figure{.components = {},
                         .damping = request.damping,

@@ -11,6 +11,8 @@
 #include "cli/record_peaks.hpp"
 #include "cli/record_source.hpp"
 #include "cli/report.hpp"
+#include "cli/rescale_uncertainty.hpp"
+#include "cli/uncertain_options.hpp"
 #include "records/scale_record.hpp"
 
 namespace musim::cli {
@@ -21,6 +23,8 @@ struct RescaleOptions {
     RecordSourceOptions source;
     SimilitudeOptions scales;
     RecordOutputOptions output;
+    UncertainStructureOptions structure;
+    MonteCarloOptions monte_carlo;
     bool json = false;
 };
 
@@ -30,6 +34,7 @@ int run_rescale(const RescaleOptions& options) {
     refuse_overwriting(options.source.find_files({options.record}), {options.output.out});
     const records::GroundMotion prototype = options.source.load(options.record);
     const records::GroundMotion model = records::rescale(prototype, similitude);
+    const UncertainRescale uncertain = find_uncertain_rescale(prototype, options.scales, options.structure, options.monte_carlo.make());
     options.output.write(model);
 
     nlohmann::json components = nlohmann::json::array();
@@ -52,8 +57,10 @@ int run_rescale(const RescaleOptions& options) {
         nlohmann::json object = study::to_json(similitude);
         object["out"] = options.output.out;
         object["components"] = components;
+        add_to_json(object, uncertain);
         print_json(object);
     } else {
+        print_uncertain_rescale(uncertain);
         print("\nWritten to {}\n", options.output.out);
     }
     return kDone;
@@ -68,12 +75,18 @@ void add_rescale_command(CLI::App& app, Action& action) {
     options->scales.add_to(*command);
     options->output.add_to(*command);
     options->source.add_to(*command);
+    options->structure.add_to(*command);
+    options->monte_carlo.add_to(*command);
     add_json_option(*command, options->json);
     command->footer(
         "Examples:\n"
         "  musim rescale CICLC.v1 --length 1/107 --friction 0.63/0.59 -o model.csv\n"
         "  musim rescale CICLC.v1 --length 1/25 --component 360 -o model.at2\n"
-        "  musim rescale synthetic --length 1/107 --law froude -o model.csv --json");
+        "  musim rescale CICLC.v1 --length 1/107+/-0.4% --friction \"(0.63+/-5%)/(0.59+/-5%)\" --height 161.5m --monte-carlo -o model.csv\n"
+        "  musim rescale synthetic --length 1/107 --law froude -o model.csv --json\n"
+        "Where factors carry uncertainties, e.g. 0.63+/-0.03, the record is scaled by their values, and the model's measures are told with "
+        "u, a\n"
+        "standard uncertainty; those of --monte-carlo with intervals that cover 95 %.");
     command->callback([&action, options] { action = [options] { return run_rescale(*options); }; });
 }
 

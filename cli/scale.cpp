@@ -1,13 +1,13 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <optional>
-#include <vector>
 
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/report.hpp"
+#include "cli/scale_uncertainty.hpp"
+#include "cli/uncertain_options.hpp"
 #include "scaling/distortion.hpp"
 
 namespace musim::cli {
@@ -15,32 +15,41 @@ namespace {
 
 struct ScaleOptions {
     SimilitudeOptions scales;
-    std::optional<Number> friction_prototype;
-    std::vector<Number> slenderness;
+    UncertainStructureOptions structure;
+    scaling::UncertainMotion motion;
+    MonteCarloOptions monte_carlo;
     bool json = false;
 };
 
 int run_scale(const ScaleOptions& options) {
     const scaling::Similitude similitude = options.scales.similitude();
     scaling::ModelFacts facts;
-    if (options.friction_prototype) facts.friction_prototype = options.friction_prototype->value;
-    facts.slenderness.assign(options.slenderness.begin(), options.slenderness.end());
+    if (options.structure.friction) facts.friction_prototype = options.structure.friction->value;
+    for (const scaling::Uncertain& slenderness : options.structure.slenderness) facts.slenderness.push_back(slenderness.value);
     const auto groups = scaling::group_factors(similitude, facts);
     const auto distortions = scaling::find_distortions(similitude, facts);
+    const UncertainScale uncertain =
+        find_uncertain_scale(options.scales, options.structure, options.motion, facts, options.monte_carlo.make());
 
     if (options.json) {
         nlohmann::json object = study::to_json(similitude);
         object["groups"] = to_json(groups);
         object["distortions"] = study::to_json(distortions);
+        add_to_json(object, uncertain);
         print_json(object);
         return kDone;
     }
     print("Law {}: length {:.7g}, friction {:.7g}, gravity {:.7g}, density {:.7g} (model/prototype)\n\n",
           scaling::to_string(similitude.law()), similitude.length(), similitude.friction(), similitude.gravity(), similitude.density());
-    print_factors("factor", similitude.factors());
-    print("\n");
-    print_factors("group (1 = kept)", groups);
-    print("\n");
+    if (uncertain.is_uncertain()) {
+        print_uncertain_factors(uncertain);
+    } else {
+        print_factors("factor", similitude.factors());
+        print("\n");
+        print_factors("group (1 = kept)", groups);
+        print("\n");
+    }
+    print_structure_and_measures(uncertain);
     print_distortions(distortions);
     return kDone;
 }
@@ -51,18 +60,21 @@ void add_scale_command(CLI::App& app, Action& action) {
     auto options = std::make_shared<ScaleOptions>();
     CLI::App* command = app.add_subcommand("scale", "Scale factors of every mechanical quantity, and what the model distorts");
     options->scales.add_to(*command);
-    command
-        ->add_option("--friction-prototype", options->friction_prototype,
-                     "Friction coefficient of the prototype, to tell sliding from rocking")
-        ->type_name("NUMBER");
-    command->add_option("--slenderness", options->slenderness, "Width/height of the blocks; repeat for several directions")
-        ->type_name("NUMBER");
+    options->structure.add_to(*command);
+    add_motion_options(*command, options->motion);
+    options->monte_carlo.add_to(*command);
     add_json_option(*command, options->json);
     command->footer(
         "Examples:\n"
         "  musim scale --length 1/107 --friction 0.63/0.59\n"
         "  musim scale --length 1/107 --friction 0.18/0.59 --friction-prototype 0.59 --slenderness 0.32 --slenderness 0.6635\n"
-        "  musim scale --length 1/25 --gravity 25 --law froude --json");
+        "  musim scale --length 1/107 --friction \"(0.63+/-5%)/(0.59+/-5%)\" --slenderness 0.32+/-1% --monte-carlo --seed 7\n"
+        "  musim scale --length 1/107+/-0.4% --friction 1.07+/-7% --pga 0.511g --pgv \"42.4+/-0.4 cm/s\" --json\n"
+        "  musim scale --length 1/25 --gravity 25 --law froude --json\n"
+        "Factors may carry standard uncertainties: 0.63+/-0.03, \"0.63 +/- 5%\", \"(0.63+/-5%)/(0.59+/-5%)\". They are propagated to first "
+        "order;\n"
+        "u is a standard uncertainty, intervals of --monte-carlo cover 95 %. \"as shaken\": the groups of a test that is shaken with the "
+        "factors' values.");
     command->callback([&action, options] { action = [options] { return run_scale(*options); }; });
 }
 

@@ -175,6 +175,7 @@ int run_table(TableOptions options) {
     refuse_overwriting(inputs, {options.drive, options.save_recipe});
 
     const scaling::Similitude similitude = options.scales.similitude();
+    options.scales.note_values_used();
     const records::Payload payload = find_payload(options);
     const Pairs pairs = parse_axes(options.axes);
     const records::ShakeTable table =

@@ -6,6 +6,7 @@
 #include <boost/units/physical_dimensions/mass.hpp>
 #include <boost/units/physical_dimensions/time.hpp>
 #include <boost/units/static_rational.hpp>
+#include <boost/units/units_fwd.hpp>
 #include <type_traits>
 
 namespace musim::scaling {
@@ -20,6 +21,11 @@ struct Dimension {
 };
 
 namespace detail {
+
+template <class T>
+inline constexpr bool kHasUnit = false;
+template <class Unit, class Number>
+inline constexpr bool kHasUnit<boost::units::quantity<Unit, Number>> = true;
 
 /// Adds the exponent of one `boost::units::dim` to the dimension; refuses anything but halves of length, mass and time.
 template <class Tag, class Exponent>
@@ -47,9 +53,13 @@ constexpr void add_exponents(Dimension& dimension) {
 
 }  // namespace detail
 
+/// A number with a unit (a dimensionless Ratio too), such as Length: what has a dimension and can be scaled. A double does not tell it.
+template <class T>
+concept QuantityWithUnit = detail::kHasUnit<T>;
+
 /// Dimension of a `boost::units::quantity` type, e.g. dimension_of<Velocity>() = {2, 0, -2}. Does not compile for a quantity with
 /// another base dimension (temperature, angle, ...).
-template <class Quantity>
+template <QuantityWithUnit Quantity>
 constexpr Dimension dimension_of() {
     Dimension dimension;
     detail::add_exponents<typename boost::units::get_dimension<Quantity>::type>(dimension);

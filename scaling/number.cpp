@@ -20,12 +20,6 @@ constexpr std::string_view kBlanks = " \t\r\n";
 /// Decimal exponents beyond this leave the range of doubles whatever the digits of a sane input are.
 constexpr long kLargestExponent = 100'000;
 
-std::string_view trim(std::string_view text) {
-    const std::size_t first = text.find_first_not_of(kBlanks);
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
-}
-
 /// Length of the decimal number that `text` begins with, 0 for none; nan, inf and hexadecimal numbers are none.
 std::size_t number_length(std::string_view text) {
     const std::size_t sign = !text.empty() && (text[0] == '+' || text[0] == '-') ? 1 : 0;
@@ -59,6 +53,12 @@ double decimal_to_double(std::string_view number, std::string_view text) {
 }
 
 }  // namespace
+
+std::string_view trim(std::string_view text) {
+    const std::size_t first = text.find_first_not_of(kBlanks);
+    if (first == std::string_view::npos) return {};
+    return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
+}
 
 NumberText split_number(std::string_view text) {
     const std::string_view trimmed = trim(text);

@@ -20,7 +20,7 @@ namespace musim::scaling {
 double parse_si(std::string_view text, Dimension wanted);
 
 /// parse_si() for the dimension of `Quantity`, e.g. parse_quantity<Stiffness>("30 MN/m").
-template <class Quantity>
+template <QuantityWithUnit Quantity>
 Quantity parse_quantity(std::string_view text) {
     return Quantity::from_value(parse_si(text, dimension_of<Quantity>()));
 }
@@ -30,7 +30,7 @@ Quantity parse_quantity(std::string_view text) {
 std::string format_si(double value, Dimension dimension, int digits = 6);
 
 /// format_si() for a typed quantity.
-template <class Quantity>
+template <QuantityWithUnit Quantity>
 std::string format_quantity(Quantity quantity, int digits = 6) {
     return format_si(quantity.value(), dimension_of<Quantity>(), digits);
 }

@@ -54,7 +54,7 @@ class Similitude {
     const ScaleFactors& chosen() const { return chosen_; }
 
     /// λ of the dimension of `Quantity`, e.g. factor<Velocity>() = √(λ_l λ_a).
-    template <class Quantity>
+    template <QuantityWithUnit Quantity>
     double factor() const {
         return factor(dimension_of<Quantity>());
     }
@@ -63,13 +63,13 @@ class Similitude {
     double factor(Dimension dimension) const;
 
     /// Prototype quantity → model quantity: multiplied by its factor.
-    template <class Quantity>
+    template <QuantityWithUnit Quantity>
     Quantity to_model(Quantity prototype) const {
         return Quantity::from_value(prototype.value() * factor<Quantity>());
     }
 
     /// Model quantity → prototype quantity: divided by its factor.
-    template <class Quantity>
+    template <QuantityWithUnit Quantity>
     Quantity to_prototype(Quantity model) const {
         return Quantity::from_value(model.value() / factor<Quantity>());
     }

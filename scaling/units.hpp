@@ -17,6 +17,7 @@
 #include <boost/units/systems/si/time.hpp>
 #include <boost/units/systems/si/velocity.hpp>
 #include <boost/units/systems/si/volume.hpp>
+#include <type_traits>
 
 /// Quantity types of every public API outside the kernel. Angles are dimensionless: Boost's SI angle would otherwise leak into rates,
 /// torques and inertias.
@@ -53,6 +54,27 @@ using Damping = units::quantity<detail::Quotient<si::force, si::velocity>>;     
 using Moment = units::quantity<detail::Product<si::force, si::length>>;                  ///< [N·m]
 using Inertia = units::quantity<detail::Product<si::mass, si::area>>;                    ///< [kg·m²]
 using AngularAcceleration = units::quantity<detail::Quotient<si::frequency, si::time>>;  ///< [1/s²]
+
+/// Arguments of one dimension, by name: a call with another names the concept that does not hold, where a plain parameter would only show
+/// the units spelled out.
+template <class Q>
+concept IsLength = std::is_same_v<Q, Length>;
+template <class Q>
+concept IsTime = std::is_same_v<Q, Time>;
+template <class Q>
+concept IsFrequency = std::is_same_v<Q, Frequency>;
+template <class Q>
+concept IsVelocity = std::is_same_v<Q, Velocity>;
+template <class Q>
+concept IsAcceleration = std::is_same_v<Q, Acceleration>;
+template <class Q>
+concept IsMass = std::is_same_v<Q, Mass>;
+template <class Q>
+concept IsDensity = std::is_same_v<Q, Density>;
+template <class Q>
+concept IsForce = std::is_same_v<Q, Force>;
+template <class Q>
+concept IsStiffness = std::is_same_v<Q, Stiffness>;
 
 /// Standard gravity g0 [m/s²].
 inline const Acceleration kStandardGravity = 9.80665 * si::meters_per_second_squared;

@@ -11,6 +11,9 @@ struct NumberText {
     std::string_view rest;         ///< what follows, without leading or trailing blanks
 };
 
+/// `text` without leading and trailing blanks.
+std::string_view trim(std::string_view text);
+
 /// Splits `text` after its leading number or fraction. Throws ParseError when it does not begin with one.
 NumberText split_number(std::string_view text);
 

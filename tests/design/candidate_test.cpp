@@ -113,6 +113,15 @@ TEST_CASE("payload and bandwidth of the reference case exclude each other, and t
     CHECK(1.0 / range.scales.largest == relative(57.11, 1e-4));
 }
 
+// the reference case of the shared similitude.md, 8.4, to its four digits
+TEST_CASE("a wood model at 1:107 needs a table of 106.9 Hz") {
+    records::TableAxis axis = free_axis();
+    axis.highest_frequency = 106.9 / si::seconds;
+    CHECK(only_range(make_setting(axis), wood()).scales.smallest <= 1.0 / 107.0);
+    axis.highest_frequency = 106.8 / si::seconds;
+    CHECK(only_range(make_setting(axis), wood()).scales.smallest > 1.0 / 107.0);
+}
+
 TEST_CASE("what was said to help does help") {
     records::TableAxis axis = free_axis();
     axis.displacement = 0.2 / 60.0 * si::meters;

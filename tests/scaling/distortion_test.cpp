@@ -134,6 +134,14 @@ TEST_CASE("the same solid at 1:25 is too stiff under gravity by 25 and too fast 
     }
 }
 
+TEST_CASE("blocks of the prototype's stiffness raise the structural speed number of a 1:107 model about ten times") {
+    ModelFacts same_solid;
+    same_solid.shear_stiffness = 1.0 / 107.0;
+    const double factor = group(Similitude{{.length = 1.0 / 107.0, .friction = 0.63 / 0.59}}, "S_e^N", same_solid);
+    CHECK_EXPECTED(factor, 1.0 / std::sqrt(0.63 / 0.59 / 107.0));
+    CHECK_EXPECTED(factor, "10.0");
+}
+
 TEST_CASE("the Cauchy law reports the gravity it neglects") {
     const std::vector<Distortion> distortions = find_distortions(Similitude{{.length = 0.04}, Law::cauchy});
     const Distortion* froude = find(distortions, "Fr^N");

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "scaling/angle.hpp"
 #include "scaling/similitude.hpp"
 #include "tests/scaling/expected.hpp"
 
@@ -51,6 +52,58 @@ TEST_CASE("contact rigidity, wave speed and base overlap of wood and concrete ag
     // a velocity equal to the wave speed has Cauchy number 1
     const Velocity speed = groups::stack_wave_speed(wood_height, wood_stiffness, wood_mass);
     CHECK_EXPECTED(groups::cauchy_number(speed, wood_height, wood_stiffness, wood_mass), 1.0);
+}
+
+TEST_CASE("contact rigidity and base overlap of aluminium, concrete and the prototype agree with their reference values") {
+    const Density concrete = 2320.0 * si::kilograms_per_cubic_meter;
+    const Length model_height = 170.53e-3 * si::meter;
+    const Stiffness model = Stiffness::from_value(1.05e9);  // [Harmon23] Table 3
+    CHECK_EXPECTED(groups::contact_rigidity(model, concrete, kStandardGravity, model_height), "1.587e6");
+    CHECK_EXPECTED(groups::overlap_over_height_deviation(38, Mass::from_value(2.42771), kStandardGravity, model, 0.5e-3 * si::meter),
+                   "1.7e-3");
+
+    const Stiffness aluminium = Stiffness::from_value(51e6);
+    CHECK_EXPECTED(groups::contact_rigidity(aluminium, 2632.0 * si::kilograms_per_cubic_meter, kStandardGravity, 39.67e-3 * si::meter),
+                   "1.256e6");
+
+    // the prototype of the same concrete: stiffness and height deviation 25 times the model's
+    const Stiffness prototype = 25.0 * model;
+    CHECK_EXPECTED(groups::contact_rigidity(prototype, concrete, kStandardGravity, kBlockHeight), "6.388e4");
+    CHECK_EXPECTED(groups::overlap_over_height_deviation(38, Mass::from_value(37815.07), kStandardGravity, prototype, 12.5e-3 * si::meter),
+                   "0.043");
+}
+
+TEST_CASE("slenderness angles and radii of the prototype block agree with their reference values, and p scales by the root of g/l") {
+    CHECK_EXPECTED(std::atan(kThin) / kDegree, "17.745");
+    CHECK_EXPECTED(std::atan(kWide) / kDegree, "33.565");
+    CHECK_EXPECTED(half_diagonal(2.82).value(), "2.5502");
+
+    const Similitude centrifuge{{.length = 1.0 / 25.0, .gravity = 9.0}, Law::froude};
+    const Frequency prototype = groups::frequency_parameter(kStandardGravity, half_diagonal(1.36));
+    const Frequency model = groups::frequency_parameter(9.0 * kStandardGravity, centrifuge.to_model(half_diagonal(1.36)));
+    CHECK_EXPECTED(model / prototype, 15.0);
+    CHECK_EXPECTED(centrifuge.frequency(), 15.0);
+}
+
+TEST_CASE("the restoring force number becomes the number of each force") {
+    const Velocity v = 0.424 * si::meters_per_second;
+    const Length l = 161.5 * si::meter;
+    const Mass mass = 37815.07 * si::kilogram;
+    const Force weight = mass * kStandardGravity;
+    const auto number = [&](const Force& force) { return groups::restoring_force_number(v, l, force, mass); };
+    CHECK_EXPECTED(number(weight), groups::froude_number(v, kStandardGravity, l));
+    CHECK_EXPECTED(number(kThin * weight), v.value() / std::sqrt(kStandardGravity.value() * l.value() * kThin));
+    // a spring k l: v/(l √(k/m))
+    const Stiffness spring = Stiffness::from_value(1e9);
+    CHECK_EXPECTED(number(spring * l), v.value() / (l.value() * std::sqrt(spring.value() / mass.value())));
+    // elasticity E l² and cohesion c l², m = ρ l³: v/√(E/ρ)
+    const Mass solid = 2320.0 * si::kilograms_per_cubic_meter * l * l * l;
+    const Stress modulus = Stress::from_value(29.2e9);
+    CHECK_EXPECTED(groups::restoring_force_number(v, l, modulus * l * l, solid), v.value() / std::sqrt(29.2e9 / 2320.0));
+    // friction and cohesion together: v/√(μ g l + c/ρ)
+    const Stress cohesion = Stress::from_value(1e5);
+    CHECK_EXPECTED(groups::restoring_force_number(v, l, 0.59 * solid * kStandardGravity + cohesion * l * l, solid),
+                   v.value() / std::sqrt(0.59 * kStandardGravity.value() * l.value() + 1e5 / 2320.0));
 }
 
 TEST_CASE("the structural speed number of the 1:25 concrete model and of its prototype agree with their reference values") {

@@ -128,6 +128,47 @@ TEST_CASE("record steps and durations of the models agree with the reference tab
     CHECK_EXPECTED(Similitude{kConcrete}.to_model(duration).value(), 8.0);
 }
 
+TEST_CASE("steps of the models' records at the papers' time steps agree with the reference table") {
+    // [Harmon23] Table 4: a camera's period, 1/4800 s or 1/2000 s, over a whole number
+    const Time wood_step = 1.0 / (4800.0 * 20.0) * si::seconds;
+    const Time aluminium_step = 1.0 / (4800.0 * 80.0) * si::seconds;
+    const Time concrete_step = 1.0 / (2000.0 * 34.0) * si::seconds;
+    const Time duration = 40.0 * si::seconds;
+    const auto steps = [&](const Similitude& similitude, const Time& step) { return similitude.to_model(duration) / step; };
+    CHECK_EXPECTED(steps(Similitude{kWood}, wood_step), "359249");
+    CHECK_EXPECTED(steps(Similitude(kWood, Law::froude), wood_step), "371227");
+    CHECK_EXPECTED(steps(Similitude(kAluminium, Law::froude), aluminium_step), "1484907");
+    CHECK_EXPECTED(steps(Similitude{kConcrete}, concrete_step), 544000.0);
+    // no whole number of steps fits a sample of the record
+    CHECK_EXPECTED(Similitude(kWood, Law::froude).to_model(0.005 * si::seconds) / wood_step, "46.4");
+}
+
+TEST_CASE("masses of blocks and towers, and the energy stored in the full tower, agree with the reference values") {
+    struct Case {
+        double density, width, depth, height;  // [kg/m³], [m]
+        Expected block_mass, tower_mass;       // [kg]
+    };
+    constexpr double kBlocks = 38.0 * 188.0;
+    // measured heights of the models' blocks [Harmon23]
+    for (const Case& c : {Case{2320.0, 1.36, 2.82, 4.25, "37815.07", "2.701509e8"},
+                          Case{800.0, 1.36 / 107.0, 2.82 / 107.0, 39.78e-3, "0.0106604", "76.158"},
+                          Case{2632.0, 1.36 / 107.0, 2.82 / 107.0, 39.67e-3, "0.0349759", "249.87"},
+                          Case{2320.0, 1.36 / 25.0, 2.82 / 25.0, 170.53e-3, "2.42771", "17343.6"}}) {
+        CAPTURE(c.density);
+        const double mass = c.density * c.width * c.depth * c.height;
+        CHECK_EXPECTED(mass, c.block_mass);
+        CHECK_EXPECTED(kBlocks * mass, c.tower_mass);
+    }
+    const Energy stored = 2.701509e8 * si::kilograms * kStandardGravity * kTowerHeight / 2.0;
+    CHECK_EXPECTED(stored.value() / 3.6e9, "59.42");
+}
+
+TEST_CASE("a true replica at 1:25 needs a modulus of 1.167 GPa") {
+    // bar wave speed of concrete 3546 m/s, density 2320 kg/m³
+    const Stress modulus = Stress::from_value(2320.0 * 3546.0 * 3546.0);
+    CHECK_EXPECTED(1e-9 * Similitude(kConcrete, Law::exact).to_model(modulus).value(), "1.167");
+}
+
 TEST_CASE("equation (4) of Harmon et al. is a misprint: the mu law gives 0.546 g in wood, not 0.0048 g") {
     const Acceleration model = Similitude{kWood}.to_model(kPeakAcceleration);
     CHECK_EXPECTED(model / kStandardGravity, "0.546");

@@ -7,7 +7,7 @@ namespace musim::lsdem::scene::detail {
 /// Random numbers that are the same everywhere: SplitMix64 [Steele14].
 class SplitMix64 {
   public:
-    explicit SplitMix64(std::uint64_t seed) : state_(seed) {}
+    explicit SplitMix64(std::uint64_t seed) : seed_(seed) {}
     /// Uniform in 0 ... bound − 1; the bias of the remainder is below bound/2^64.
     std::uint64_t below(std::uint64_t bound);
     /// k with probability 2^−(k+1): an exponential law in integers.
@@ -18,7 +18,8 @@ class SplitMix64 {
   private:
     std::uint64_t next();
 
-    std::uint64_t state_;
+    std::uint64_t seed_;
+    std::uint64_t drawn_ = 0;
 };
 
 }  // namespace musim::lsdem::scene::detail

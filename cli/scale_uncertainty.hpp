@@ -1,0 +1,34 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+
+#include "cli/options.hpp"
+#include "cli/uncertain_options.hpp"
+#include "scaling/uncertain_similitude.hpp"
+
+namespace musim::cli {
+
+/// What uncertain options of `musim scale` give.
+struct UncertainScale {
+    scaling::UncertainReport report;
+    std::optional<scaling::MonteCarloSettings> monte_carlo;
+
+    bool is_uncertain() const { return !report.inputs.empty(); }
+};
+
+/// Throws scaling::SimilitudeError.
+UncertainScale find_uncertain_scale(const SimilitudeOptions& factors, const UncertainStructureOptions& structure,
+                                    const scaling::UncertainMotion& motion, const scaling::ModelFacts& facts,
+                                    const std::optional<scaling::MonteCarloSettings>& monte_carlo);
+
+/// Adds "structure" and "measures" with the values at both scales, if there are any, and "uncertainty" if there is one.
+void add_to_json(nlohmann::json& object, const UncertainScale& scale);
+
+/// Tables of inputs, factors and groups with their uncertainties.
+void print_uncertain_factors(const UncertainScale& scale);
+
+/// Tables of groups and measures at both scales, if there are any.
+void print_structure_and_measures(const UncertainScale& scale);
+
+}  // namespace musim::cli

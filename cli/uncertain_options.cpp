@@ -1,0 +1,115 @@
+#include "cli/uncertain_options.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/Error.hpp>
+#include <CLI/Option.hpp>
+#include <cmath>
+
+#include "scaling/number.hpp"
+
+namespace musim::cli {
+namespace {
+
+/// An option whose texts `read` takes; its errors begin with the option's name.
+template <class Read>
+CLI::Option* add_read_option(CLI::App& command, const std::string& name, const std::string& help, const char* type, const Read& read) {
+    const auto take = [name, read](const CLI::results_t& texts) {
+        try {
+            for (const std::string& text : texts) read(text);
+        } catch (const scaling::ParseError& error) {
+            throw CLI::ConversionError(name + ": " + error.what());
+        }
+        return true;
+    };
+    return command.add_option(name, CLI::callback_t(take), help)->type_name(type);
+}
+
+/// A whole number of samples, also as 1e5.
+std::size_t read_samples(const std::string& text) {
+    const double number = scaling::parse_number(text);
+    if (number != std::floor(number) || !(number >= 0.0 && number <= static_cast<double>(scaling::kMostSamples))) {
+        throw scaling::ParseError(fmt::format("\"{}\": is no number of samples; write a whole one from {} to {}", text,
+                                              scaling::kFewestSamples, scaling::kMostSamples));
+    }
+    return static_cast<std::size_t>(number);
+}
+
+template <class Quantity>
+void add_quantity_option(CLI::App& command, const std::string& name, std::optional<scaling::UncertainQuantity<Quantity>>& quantity,
+                         const std::string& help, const char* type) {
+    add_read_option(command, name, help, type,
+                    [&quantity](const std::string& text) { quantity = scaling::parse_uncertain_quantity<Quantity>(text); });
+}
+
+}  // namespace
+
+CLI::Option* add_uncertain_option(CLI::App& command, const std::string& name, scaling::UncertainRatio& ratio, const std::string& help) {
+    return add_read_option(command, name, help, "NUMBER",
+                           [&ratio](const std::string& text) { ratio = scaling::parse_uncertain_ratio(text); });
+}
+
+CLI::Option* add_uncertain_option(CLI::App& command, const std::string& name, std::optional<scaling::Uncertain>& number,
+                                  const std::string& help) {
+    return add_read_option(command, name, help, "NUMBER", [&number](const std::string& text) { number = scaling::parse_uncertain(text); });
+}
+
+CLI::Option* add_uncertain_option(CLI::App& command, const std::string& name, std::vector<scaling::Uncertain>& numbers,
+                                  const std::string& help) {
+    return add_read_option(command, name, help, "NUMBER",
+                           [&numbers](const std::string& text) { numbers.push_back(scaling::parse_uncertain(text)); })
+        ->expected(1, CLI::detail::expected_max_vector_size);
+}
+
+void UncertainStructureOptions::add_to(CLI::App& command) {
+    add_uncertain_option(command, "--friction-prototype", friction,
+                         "Friction coefficient of the prototype, to tell sliding from rocking (default: below the / of --friction, if in "
+                         "brackets)");
+    add_uncertain_option(command, "--slenderness", slenderness, "Width/height of the blocks; repeat for several directions");
+    add_quantity_option(command, "--height", height, "Height of the prototype, for its mu number", "LENGTH");
+}
+
+void UncertainStructureOptions::put_into(scaling::UncertainScales& scales) const {
+    scales.friction_prototype = friction;
+    scales.slenderness = slenderness;
+    scales.height = height;
+}
+
+void add_motion_options(CLI::App& command, scaling::UncertainMotion& motion) {
+    add_quantity_option(command, "--pga", motion.pga, "Peak acceleration of the prototype's motion, e.g. 0.511g", "ACCELERATION");
+    add_quantity_option(command, "--pgv", motion.pgv, "Peak velocity of it, e.g. \"42.4+/-0.4 cm/s\"", "VELOCITY");
+    add_quantity_option(command, "--pgd", motion.pgd, "Peak displacement of it", "LENGTH");
+    add_quantity_option(command, "--arias", motion.arias, "Arias intensity of it, e.g. \"2.1 m/s\"", "VELOCITY");
+    add_quantity_option(command, "--duration", motion.duration, "Duration of it", "TIME");
+    add_quantity_option(command, "--time-step", motion.time_step, "Time step of its record", "TIME");
+}
+
+void MonteCarloOptions::add_to(CLI::App& command) {
+    const auto take_samples = [this](const std::string& text) {
+        wanted = true;
+        if (!text.empty()) settings.samples = read_samples(text);
+    };
+    CLI::Option* samples =
+        add_read_option(command, "--monte-carlo", fmt::format("Also draw N samples of the uncertain inputs (default {})", settings.samples),
+                        "N", take_samples)
+            ->expected(0, 1);
+    command.add_option("--seed", settings.seed, fmt::format("Seed of the samples (default {})", settings.seed))
+        ->type_name("S")
+        ->needs(samples);
+    command
+        .add_option("--distribution", distribution,
+                    fmt::format("Of the inputs: normal, lognormal or uniform, with the value as mean and the uncertainty as standard "
+                                "deviation (default {})",
+                                distribution))
+        ->type_name("NAME")
+        ->needs(samples);
+}
+
+std::optional<scaling::MonteCarloSettings> MonteCarloOptions::make() const {
+    if (!wanted) return std::nullopt;
+    scaling::MonteCarloSettings made = settings;
+    made.distribution = scaling::parse_distribution(distribution);
+    return made;
+}
+
+}  // namespace musim::cli

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <CLI/App.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scaling/monte_carlo.hpp"
+#include "scaling/uncertain.hpp"
+#include "scaling/uncertain_similitude.hpp"
+
+namespace musim::cli {
+
+/// Options that take values with standard uncertainties; errors name the option.
+CLI::Option* add_uncertain_option(CLI::App& command, const std::string& name, scaling::UncertainRatio& ratio, const std::string& help);
+CLI::Option* add_uncertain_option(CLI::App& command, const std::string& name, std::optional<scaling::Uncertain>& number,
+                                  const std::string& help);
+/// Several numbers, in one option or in several.
+CLI::Option* add_uncertain_option(CLI::App& command, const std::string& name, std::vector<scaling::Uncertain>& numbers,
+                                  const std::string& help);
+
+/// What is known of the prototype's blocks, as options --friction-prototype, --slenderness, --height.
+struct UncertainStructureOptions {
+    std::optional<scaling::Uncertain> friction;
+    std::vector<scaling::Uncertain> slenderness;
+    std::optional<scaling::UncertainQuantity<scaling::Length>> height;
+
+    void add_to(CLI::App& command);
+    bool any() const { return friction || !slenderness.empty() || height; }
+    void put_into(scaling::UncertainScales& scales) const;
+};
+
+/// Measures of the prototype's motion, as options --pga, --pgv, --pgd, --arias, --duration, --time-step.
+void add_motion_options(CLI::App& command, scaling::UncertainMotion& motion);
+
+/// Whether and how to draw samples, as options --monte-carlo, --seed, --distribution.
+struct MonteCarloOptions {
+    bool wanted = false;
+    scaling::MonteCarloSettings settings;
+    std::string distribution{scaling::to_string(settings.distribution)};
+
+    void add_to(CLI::App& command);
+
+    /// None unless wanted. Throws scaling::SimilitudeError for an unknown distribution.
+    std::optional<scaling::MonteCarloSettings> make() const;
+};
+
+}  // namespace musim::cli

@@ -1,0 +1,194 @@
+#include "cli/uncertainty_output.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "scaling/quantity_text.hpp"
+
+namespace musim::cli {
+namespace {
+
+/// A quantity's key in JSON and the unit it is told in there.
+struct MeasureKey {
+    std::string_view name;
+    std::string_view key;
+    std::string_view unit_name = "1";
+    double unit = 1.0;  ///< in SI
+};
+
+const MeasureKey& find_key(const std::string& name) {
+    static const MeasureKey kKeys[] = {{"pga", "pga_g", "g", scaling::kStandardGravity.value()},
+                                       {"pgv", "pgv_cm_s", "cm/s", 0.01},
+                                       {"pgd", "pgd_cm", "cm", 0.01},
+                                       {"arias", "arias_m_s", "m/s"},
+                                       {"duration", "duration_s", "s"},
+                                       {"time_step", "dt_s", "s"},
+                                       {"height", "height_m", "m"}};
+    static const MeasureKey kNone{};
+    const auto found = std::find_if(std::begin(kKeys), std::end(kKeys), [&](const MeasureKey& entry) { return entry.name == name; });
+    return found == std::end(kKeys) ? kNone : *found;
+}
+
+std::string key_of(const scaling::UncertainPair& pair) {
+    const MeasureKey& known = find_key(pair.name);
+    return known.key.empty() ? pair.name : std::string(known.key);
+}
+
+nlohmann::json to_json(const scaling::UncertainResult& result, double unit) {
+    nlohmann::json object{{"value", result.first_order.value / unit},
+                          {"standard_uncertainty", result.first_order.uncertainty() / unit},
+                          {"relative", result.first_order.relative}};
+    if (result.samples) {
+        const scaling::SampleSummary& samples = *result.samples;
+        object["monte_carlo"] = {{"mean", samples.mean / unit},
+                                 {"standard_deviation", samples.standard_deviation / unit},
+                                 {"median", samples.median / unit},
+                                 {"interval", {samples.lower / unit, samples.upper / unit}}};
+    }
+    return object;
+}
+
+nlohmann::json to_json(const std::vector<scaling::UncertainResult>& results, const std::vector<scaling::UncertainInput>& inputs) {
+    nlohmann::json object = nlohmann::json::object();
+    for (const scaling::UncertainResult& result : results) {
+        nlohmann::json entry = to_json(result, 1.0);
+        entry["exponents"] = nlohmann::json::object();
+        for (std::size_t i = 0; i < inputs.size(); ++i) entry["exponents"][inputs[i].name] = result.first_order.exponents[i];
+        object[result.name] = entry;
+    }
+    return object;
+}
+
+/// An uncertainty with two digits [JCGM100] 7.2.6 in the unit of its own size; with more where two would need a power of ten.
+std::string format_uncertainty(double uncertainty, scaling::Dimension dimension) {
+    int digits = 2;
+    std::string text = scaling::format_si(uncertainty, dimension, digits);
+    while (text.find("e+") != std::string::npos) text = scaling::format_si(uncertainty, dimension, ++digits);
+    return text;
+}
+
+std::string format_share(double share) { return share == 0.0 ? "-" : fmt::format("{:.3g} %", 100.0 * share); }
+
+/// Value, u, u/value, and what the samples say: the cells of one result.
+void add_cells(std::vector<std::string>& row, const scaling::UncertainResult& result, scaling::Dimension dimension) {
+    const bool certain = result.first_order.relative == 0.0;
+    row.push_back(scaling::format_si(result.first_order.value, dimension, 7));
+    row.push_back(certain ? "-" : format_uncertainty(result.first_order.uncertainty(), dimension));
+    row.push_back(format_share(result.first_order.relative));
+    if (!result.samples) return;
+    const scaling::SampleSummary& samples = *result.samples;
+    row.push_back(certain ? "-" : scaling::format_si(samples.mean, dimension, 5));
+    row.push_back(certain ? "-" : format_uncertainty(samples.standard_deviation, dimension));
+    row.push_back(certain ? "-" : scaling::format_si(samples.median, dimension, 5));
+    row.push_back(certain ? "-"
+                          : fmt::format("{} to {}", scaling::format_si(samples.lower, dimension, 4),
+                                        scaling::format_si(samples.upper, dimension, 4)));
+}
+
+void add_titles(std::vector<std::string>& header, const std::string& value, bool sampled) {
+    header.insert(header.end(), {value, "u", "u/value"});
+    if (sampled) header.insert(header.end(), {"mean", "sd", "median", fmt::format("{:g} % interval", 100.0 * scaling::kCoverage)});
+}
+
+}  // namespace
+
+nlohmann::json to_json(const scaling::UncertainReport& report, const std::optional<scaling::MonteCarloSettings>& monte_carlo) {
+    nlohmann::json inputs = nlohmann::json::array();
+    for (const scaling::UncertainInput& input : report.inputs) {
+        const MeasureKey& told = find_key(input.name);
+        inputs.push_back({{"name", input.name},
+                          {"unit", told.unit_name},
+                          {"value", input.quantity.value / told.unit},
+                          {"standard_uncertainty", input.quantity.uncertainty / told.unit},
+                          {"relative", input.quantity.relative()}});
+    }
+    nlohmann::json object{{"inputs", inputs},
+                          {"factors", to_json(report.factors, report.inputs)},
+                          {"groups", to_json(report.groups, report.inputs)},
+                          {"groups_as_shaken", to_json(report.shaken, report.inputs)}};
+    if (monte_carlo) {
+        object["monte_carlo"] = {{"samples", monte_carlo->samples},
+                                 {"seed", monte_carlo->seed},
+                                 {"distribution", scaling::to_string(monte_carlo->distribution)},
+                                 {"coverage", scaling::kCoverage},
+                                 {"rejected_draws", report.rejected.value_or(0)}};
+    }
+    return object;
+}
+
+nlohmann::json values_to_json(const std::vector<scaling::UncertainPair>& pairs) {
+    nlohmann::json object = nlohmann::json::object();
+    for (const scaling::UncertainPair& pair : pairs) {
+        const double unit = find_key(pair.name).unit;
+        object[key_of(pair)] = {{"prototype", pair.prototype.first_order.value / unit}, {"model", pair.model.first_order.value / unit}};
+    }
+    return object;
+}
+
+nlohmann::json to_json(const std::vector<scaling::UncertainPair>& pairs) {
+    nlohmann::json object = nlohmann::json::object();
+    for (const scaling::UncertainPair& pair : pairs) {
+        const double unit = find_key(pair.name).unit;
+        nlohmann::json both{{"prototype", to_json(pair.prototype, unit)}, {"model", to_json(pair.model, unit)}};
+        if (pair.dimension == scaling::Dimension{} && pair.prototype.samples) {
+            both["prototype"]["monte_carlo"]["share_above_1"] = pair.prototype.samples->share_above_one;
+            both["model"]["monte_carlo"]["share_above_1"] = pair.model.samples->share_above_one;
+        }
+        object[key_of(pair)] = both;
+    }
+    return object;
+}
+
+TextTable make_inputs_table(const std::vector<scaling::UncertainInput>& inputs) {
+    TextTable table{.header = {"uncertain input", "value", "u", "u/value"}};
+    for (const scaling::UncertainInput& input : inputs) {
+        table.rows.push_back({input.name, scaling::format_si(input.quantity.value, input.dimension, 7),
+                              format_uncertainty(input.quantity.uncertainty, input.dimension), format_share(input.quantity.relative())});
+    }
+    return table;
+}
+
+TextTable make_results_table(const std::string& title, const std::vector<scaling::UncertainResult>& results) {
+    TextTable table{.header = {title}};
+    add_titles(table.header, "value", !results.empty() && results.front().samples);
+    for (const scaling::UncertainResult& result : results) {
+        table.rows.push_back({result.name});
+        add_cells(table.rows.back(), result, {});
+    }
+    return table;
+}
+
+TextTable make_pairs_table(const std::vector<std::string>& first, const std::string& title, const std::vector<PairRow>& rows) {
+    TextTable table{.header = first};
+    table.header.push_back(title);
+    add_titles(table.header, "value", !rows.empty() && rows.front().pair->model.samples);
+    const bool tells_share = !rows.empty() && rows.front().pair->model.samples && rows.front().pair->dimension == scaling::Dimension{};
+    if (tells_share) table.header.emplace_back("above 1");
+    for (const PairRow& row : rows) {
+        for (const bool is_model : {false, true}) {
+            const scaling::UncertainResult& result = is_model ? row.pair->model : row.pair->prototype;
+            table.rows.push_back(row.first);
+            table.rows.back().push_back(fmt::format("{}, {}", row.pair->name, is_model ? "model" : "prototype"));
+            add_cells(table.rows.back(), result, row.pair->dimension);
+            if (tells_share) table.rows.back().push_back(fmt::format("{:.3g} %", 100.0 * result.samples->share_above_one));
+        }
+    }
+    return table;
+}
+
+TextTable make_pairs_table(const std::string& title, const std::vector<scaling::UncertainPair>& pairs) {
+    std::vector<PairRow> rows;
+    for (const scaling::UncertainPair& pair : pairs) rows.push_back({{}, &pair});
+    return make_pairs_table({}, title, rows);
+}
+
+std::string describe_samples(const scaling::UncertainReport& report, const scaling::MonteCarloSettings& monte_carlo) {
+    std::string text =
+        fmt::format("{} samples, {}, seed {}.", monte_carlo.samples, scaling::to_string(monte_carlo.distribution), monte_carlo.seed);
+    if (report.rejected.value_or(0) > 0) text += fmt::format(" {} draws were not positive and drawn again.", *report.rejected);
+    return text;
+}
+
+}  // namespace musim::cli

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/text_table.hpp"
+#include "scaling/uncertain_similitude.hpp"
+
+namespace musim::cli {
+
+/// Everything of a report but groups and measures at both scales: inputs, factors, groups, how samples were drawn.
+nlohmann::json to_json(const scaling::UncertainReport& report, const std::optional<scaling::MonteCarloSettings>& monte_carlo);
+
+/// Groups or measures at both scales, measures under keys with their unit ("pga_g"): values alone, or with uncertainties.
+nlohmann::json values_to_json(const std::vector<scaling::UncertainPair>& pairs);
+nlohmann::json to_json(const std::vector<scaling::UncertainPair>& pairs);
+
+/// The uncertain inputs.
+TextTable make_inputs_table(const std::vector<scaling::UncertainInput>& inputs);
+
+/// Factors or groups under a title, with standard uncertainty, and mean, standard deviation, median and coverage interval of the samples if
+/// there are any.
+TextTable make_results_table(const std::string& title, const std::vector<scaling::UncertainResult>& results);
+
+/// Groups and measures at both scales; `first` are titles before the name, such as "component", and each row's cells under them.
+struct PairRow {
+    std::vector<std::string> first;
+    const scaling::UncertainPair* pair = nullptr;
+};
+TextTable make_pairs_table(const std::vector<std::string>& first, const std::string& title, const std::vector<PairRow>& rows);
+TextTable make_pairs_table(const std::string& title, const std::vector<scaling::UncertainPair>& pairs);
+
+/// "100000 samples, normal, seed 1; 95 % intervals; 12 draws were not positive and drawn again."
+std::string describe_samples(const scaling::UncertainReport& report, const scaling::MonteCarloSettings& monte_carlo);
+
+}  // namespace musim::cli

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "scaling/uncertain.hpp"
+
+namespace musim::scaling {
+
+/// One of the independent inputs whose uncertainty is propagated.
+struct UncertainInput {
+    std::string name;
+    Uncertain quantity;  ///< SI
+    Dimension dimension = {};
+};
+
+/// The results that follow from values of the inputs, in the order of the inputs. Every result must be a product of powers of the inputs,
+/// times a constant, and positive: scale factors and dimensionless groups are. An input that enters in several places enters by one value,
+/// so results are correlated as they should be.
+using Evaluation = std::function<std::vector<double>(std::span<const double> values)>;
+
+/// A result and its uncertainty to first order, which needs no distribution.
+struct FirstOrder {
+    double value = 1.0;
+    double relative = 0.0;               ///< u/value: √Σ (n_i u_i/x_i)²
+    std::vector<double> exponents = {};  ///< n_i = ∂ln(result)/∂ln(x_i), one for each input
+
+    double uncertainty() const { return relative * value; }
+};
+
+/// Propagates standard uncertainties to first order: for a product of powers the relative variances of independent inputs add, each times
+/// the square of its exponent [JCGM100] 5.1.6. The exponents are exact, not differences: x_i doubled multiplies the result by 2^n_i, and
+/// what rounding adds to n_i is taken off (multiples of 1/12). Throws std::logic_error for a result that is no product of powers.
+std::vector<FirstOrder> propagate_first_order(const std::vector<UncertainInput>& inputs, const Evaluation& evaluate);
+
+}  // namespace musim::scaling

@@ -1,0 +1,170 @@
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <string>
+
+#include "tests/cli/program.hpp"
+
+using namespace musim::cli;
+
+namespace {
+
+const std::string kWood = "--length 1/107 --friction '(0.63+/-5%)/(0.59+/-5%)' ";
+
+/// u of λ_μ with 5 % on each coefficient.
+const double kFrictionShare = std::sqrt(2.0) * 0.05;
+
+double relative_of(const nlohmann::json& result) { return result["relative"].get<double>(); }
+
+}  // namespace
+
+TEST_CASE("scale tells the uncertainty of factors and groups beside the values, which stay as they are") {
+    const Workplace here;
+    const auto plain = here.run("scale --length 1/107 --friction 0.63/0.59 --json").json();
+    auto object = here.run("scale " + kWood + "--json").json();
+    CHECK_FALSE(plain.contains("uncertainty"));
+    const auto uncertainty = object["uncertainty"];
+    CHECK(relative_of(uncertainty["factors"]["friction"]) == doctest::Approx(kFrictionShare).epsilon(1e-12));
+    CHECK(relative_of(uncertainty["factors"]["time"]) == doctest::Approx(0.5 * kFrictionShare).epsilon(1e-12));
+    CHECK(uncertainty["factors"]["time"]["exponents"]["friction_model"] == -0.5);
+    CHECK(relative_of(uncertainty["groups"]["mu^N"]) == 0.0);
+    CHECK(relative_of(uncertainty["groups_as_shaken"]["mu^N"]) == doctest::Approx(0.5 * kFrictionShare).epsilon(1e-12));
+    CHECK(uncertainty["inputs"].size() == 2);
+    object.erase("uncertainty");
+    CHECK(object == plain);
+
+    const Outcome text = here.run("scale " + kWood);
+    CHECK(text.out.find("7.07 %") != std::string::npos);
+    CHECK(text.out.find("3.54 %") != std::string::npos);
+}
+
+TEST_CASE("an uncertain factor is read in all its forms") {
+    const Workplace here;
+    for (const char* form :
+         {"1.07+/-0.0535", "\"1.07 +/- 5%\"", "1.07±0.0535", "\"(1.07+/-5%)\"", "\"(0.63+/-4%)/(0.59+/-3%)\"", "107/100+/-5%"}) {
+        CAPTURE(form);
+        const auto object = here.run(std::string("scale --length 1/25 --json --friction ") + form).json();
+        CHECK(relative_of(object["uncertainty"]["factors"]["friction"]) == doctest::Approx(0.05).epsilon(1e-12));
+    }
+}
+
+TEST_CASE("Monte Carlo stands beside first order, the same for one seed whatever the threads, other for another") {
+    const Workplace here;
+    const std::string command = "scale " + kWood + "--json --monte-carlo 20000 --seed ";
+    const Outcome first = here.run(command + "7");
+    CHECK(first.out == here.run(command + "7").out);
+    CHECK(first.out == here.run(command + "7", "taskset -c 0").out);
+    CHECK(first.out != here.run(command + "8").out);
+    const auto uncertainty = first.json()["uncertainty"];
+    CHECK(uncertainty["monte_carlo"]["samples"] == 20000);
+    CHECK(uncertainty["monte_carlo"]["distribution"] == "normal");
+    const auto friction = uncertainty["factors"]["friction"];
+    const double u = friction["standard_uncertainty"].get<double>();
+    const auto samples = friction["monte_carlo"];
+    // ends of a normal interval at 1.96 u; a ratio of normal ones is askew by some u², its ends are drawn with 2.67 u/√n
+    CHECK(std::abs(samples["interval"][0].get<double>() - (1.0677966 - 1.96 * u)) <= 0.15 * u);
+    CHECK(std::abs(samples["interval"][1].get<double>() - (1.0677966 + 1.96 * u)) <= 0.3 * u);
+    // first order leaves out some relative u²; 5 standard deviations u/√(2 n) of sampling
+    CHECK(std::abs(samples["standard_deviation"].get<double>() - u) <= (0.02 + 5.0 / std::sqrt(40000.0)) * u);
+    CHECK(here.run("scale " + kWood + "--monte-carlo").out.find("100000 samples, normal, seed 1.") != std::string::npos);
+}
+
+TEST_CASE("draws that cannot be are counted and told") {
+    const Outcome outcome = Workplace().run("scale --length 1/25 --friction 1+/-50% --monte-carlo 10000");
+    CHECK(outcome.exit_code == 0);
+    // Φ(-2) = 2.3 % of 10000
+    CHECK(outcome.out.find("draws were not positive and drawn again.") != std::string::npos);
+    CHECK(Workplace().run("scale --length 1/25 --friction 1+/-50% --monte-carlo 10000 --distribution lognormal").out.find("drawn again") ==
+          std::string::npos);
+}
+
+TEST_CASE("measures of the prototype are carried to the model with their uncertainties") {
+    const auto object = Workplace()
+                            .run("scale " + kWood +
+                                 R"(--pga 0.511g --pgv "42.4+/-0.4 cm/s" --pgd "20 cm" --arias "2 m/s" --duration "40 s" )"
+                                 R"(--time-step "5 ms" --height "161.5 m" --slenderness 0.32 --json)")
+                            .json();
+    CHECK(object["measures"]["pga_g"]["prototype"].get<double>() == doctest::Approx(0.511).epsilon(1e-14));
+    // printed to seven digits
+    CHECK(object["measures"]["pga_g"]["model"].get<double>() == doctest::Approx(0.5456441).epsilon(1e-7));
+    CHECK(object["measures"]["pgv_cm_s"]["model"].get<double>() == doctest::Approx(4.235632).epsilon(1e-7));
+    CHECK(object["structure"]["mu^N"]["model"].get<double>() == doctest::Approx(0.01387054).epsilon(1e-7));
+    const auto uncertainty = object["uncertainty"];
+    CHECK(relative_of(uncertainty["measures"]["pgv_cm_s"]["model"]) ==
+          doctest::Approx(std::hypot(0.5 * kFrictionShare, 0.4 / 42.4)).epsilon(1e-12));
+    CHECK(relative_of(uncertainty["structure"]["mu^N"]["model"]) == doctest::Approx(std::hypot(0.025, 0.4 / 42.4)).epsilon(1e-12));
+    CHECK(relative_of(uncertainty["structure"]["mu/tan(alpha) at 0.32"]["model"]) == doctest::Approx(0.05).epsilon(1e-12));
+
+    // values alone, without an uncertain input
+    const auto certain = Workplace().run("scale --length 1/25 --pgv \"42.4 cm/s\" --json").json();
+    CHECK(certain["measures"]["pgv_cm_s"]["model"].get<double>() == doctest::Approx(8.48).epsilon(1e-14));
+    CHECK_FALSE(certain.contains("uncertainty"));
+}
+
+TEST_CASE("rescale scales by the values and tells the model's measures and groups with their uncertainties") {
+    const Workplace here;
+    const std::string friction = "--friction '(0.63+/-5%)/(0.59+/-5%)' ";
+    const auto object = here.run("rescale synthetic --length 1/107 " + friction +
+                                 R"(--height "161.5+/-0.5% m" --monte-carlo 5000 --seed 2 -o uncertain.csv --json)")
+                            .json();
+    CHECK(here.run("rescale synthetic --length 1/107 --friction 0.63/0.59 -o certain.csv").exit_code == 0);
+    CHECK(here.read("uncertain.csv") == here.read("certain.csv"));
+
+    const auto component = object["uncertainty"]["components"][0];
+    const auto model = [&](const char* measure) { return component["measures"][measure]["model"]; };
+    CHECK(model("pga_g")["value"].get<double>() == doctest::Approx(0.5456441).epsilon(1e-7));
+    CHECK(relative_of(model("pga_g")) == doctest::Approx(kFrictionShare).epsilon(1e-12));
+    CHECK(relative_of(model("pgv_cm_s")) == doctest::Approx(0.5 * kFrictionShare).epsilon(1e-12));
+    CHECK(relative_of(model("pgd_cm")) == 0.0);
+    CHECK(relative_of(model("arias_m_s")) == doctest::Approx(1.5 * kFrictionShare).epsilon(1e-12));
+    CHECK(relative_of(model("dt_s")) == doctest::Approx(0.5 * kFrictionShare).epsilon(1e-12));
+    CHECK(relative_of(model("duration_s")) == doctest::Approx(0.5 * kFrictionShare).epsilon(1e-12));
+    CHECK(model("pga_g")["monte_carlo"]["interval"].size() == 2);
+    // the model of the written record: friction 5 %, height 0.5 %, both under a root
+    CHECK(relative_of(component["structure"]["mu^N"]["model"]) == doctest::Approx(0.5 * std::hypot(0.05, 0.005)).epsilon(1e-12));
+    CHECK(relative_of(component["structure"]["a/(mu*g)"]["model"]) == doctest::Approx(0.05).epsilon(1e-12));
+
+    const Outcome text = here.run("rescale synthetic --length 1/107 " + friction + "-o text.csv");
+    CHECK(text.out.find("pga, model") != std::string::npos);
+    CHECK(text.out.find("7.07 %") != std::string::npos);
+}
+
+TEST_CASE("uncertainties that cannot be are one error line that names the option") {
+    const Workplace here;
+    struct Case {
+        std::string arguments, message;
+        int exit_code;
+    };
+    for (const Case& wanted : {
+             Case{"--friction 0.63+/--0.03", "--friction: \"0.63+/--0.03\": the uncertainty is -0.03 (must not be negative)", 2},
+             Case{"--friction 0.63+/-nan", "--friction: \"0.63+/-nan\": the uncertainty \"nan\" is not a finite number", 2},
+             Case{"--friction -0.63+/-0.03", "--friction: \"-0.63+/-0.03\": the value is -0.63 (must be positive", 2},
+             Case{"--slenderness 0.3+/-x", "--slenderness: ", 2},
+             Case{"--pgv 42.4+/-0.4", "--pgv: \"42.4+/-0.4\": the unit is missing", 2},
+             Case{"--seed 3", "--seed requires --monte-carlo", 2},
+             Case{"--monte-carlo 1.5", "--monte-carlo: \"1.5\": is no number of samples", 2},
+             Case{"--monte-carlo", "Monte Carlo: nothing is uncertain", 3},
+             Case{"--friction 1+/-5% --monte-carlo 10", "Monte Carlo: 10 samples (must be from 1000 to 1000000)", 3},
+             Case{"--friction 1+/-5% --monte-carlo --distribution gauss", "there is no distribution \"gauss\"", 3},
+             Case{"--friction 1+/-5% --law exact", "the friction factor is uncertain under law \"exact\"", 3},
+             Case{"--friction \"(0.63+/-5%)/(0.59+/-5%)\" --friction-prototype 0.6", "the prototype's friction coefficient is 0.6", 3},
+         }) {
+        for (const std::string command : {"scale --length 1/25 ", "rescale synthetic -o out.csv --length 1/25 "}) {
+            if (command.starts_with("rescale") && wanted.arguments.starts_with("--pgv")) continue;
+            CAPTURE(wanted.arguments);
+            const Outcome outcome = here.run(command + wanted.arguments);
+            CHECK(outcome.exit_code == wanted.exit_code);
+            CHECK_MESSAGE(outcome.has_one_error_line(), outcome.err);
+            CHECK_MESSAGE(outcome.err.find(wanted.message) != std::string::npos, outcome.err);
+            CHECK(outcome.out.empty());
+        }
+    }
+    CHECK_FALSE(here.has("out.csv"));
+}
+
+TEST_CASE("commands that use the values of uncertain factors alone say so") {
+    const Workplace here;
+    const Outcome outcome = here.run("record plot synthetic --length 1/25+/-1% -o both.svg");
+    CHECK(outcome.exit_code == 0);
+    CHECK(outcome.err.find("musim: note: only the values of uncertain factors are used here") != std::string::npos);
+}

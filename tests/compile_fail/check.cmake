@@ -1,0 +1,30 @@
+# cmake -D COMPILER=... -D CASE=... -D INCLUDE_DIRECTORIES=a:b -P check.cmake: one case by one compiler.
+string(REPLACE ":" ";" directories "${INCLUDE_DIRECTORIES}")
+list(TRANSFORM directories PREPEND -I)
+set(command ${CMAKE_COMMAND} -E env LC_ALL=C ${COMPILER} -std=c++20 -fsyntax-only ${directories})
+
+# whose messages: clang says so of itself, under any name
+execute_process(COMMAND ${COMPILER} --version OUTPUT_VARIABLE version)
+if(version MATCHES "clang")
+  set(speaker "clang")
+else()
+  set(speaker "g[+][+]")
+endif()
+file(STRINGS ${CASE} lines REGEX "^// ${speaker}: ")
+if(NOT lines)
+  message(FATAL_ERROR "${CASE}: says no message to expect; add a line such as // clang: error: no match")
+endif()
+string(REGEX REPLACE "^// ${speaker}: " "" expected "${lines}")
+
+execute_process(COMMAND ${command} ${CASE} RESULT_VARIABLE status ERROR_VARIABLE messages)
+if(NOT status EQUAL 0)
+  message(FATAL_ERROR "${CASE}: must compile without MUSIM_WRONG, but does not:\n${messages}")
+endif()
+
+execute_process(COMMAND ${command} -DMUSIM_WRONG ${CASE} RESULT_VARIABLE status ERROR_VARIABLE messages)
+if(status EQUAL 0)
+  message(FATAL_ERROR "${CASE}: must not compile with MUSIM_WRONG, but does")
+endif()
+if(NOT messages MATCHES "${expected}")
+  message(FATAL_ERROR "${CASE}: does not compile with MUSIM_WRONG, but for another reason than ${expected}:\n${messages}")
+endif()
