@@ -6,44 +6,13 @@
 #include <string_view>
 #include <utility>
 
+#include "scaling/group_meaning.hpp"
+
 namespace musim::scaling {
 
 namespace {
 
 constexpr std::string_view kRegimeGroup = "mu/tan(alpha)";
-
-/// What a group off by `factor` does to the response, by the group's name.
-struct GroupEffect {
-    std::string_view group;
-    std::string_view effect;
-};
-
-constexpr GroupEffect kEffects[] = {
-    {"mu^N", "sliding velocities and displacements do not scale back by this law"},
-    {"t*sqrt(mu*g/l)", "the shaking is too short or too long for the sliding time of the structure"},
-    {"a/(mu*g)", "sliding starts at another share of the shaking; slip does not scale back"},
-    {"a/g", "shaking against weight: uplift and normal forces do not scale back"},
-    {"a/(g*tan(alpha))", "rocking starts at another share of the shaking"},
-    {"a_vertical/g", "a vertical record scaled by this law changes normal forces, hence friction, by another share"},
-    {"omega/p", "a rocking block seems larger or smaller to the shaking than it is"},
-    {"Fr^N", "rocking velocities and falls do not scale back by this law"},
-    {kRegimeGroup, "sliding and rocking share the motion in another way"},
-    {"mu", "the friction coefficient itself differs; slip in combined motion does not scale back"},
-    {"kappa_n", "contacts are softer or harder under the block's weight than in the prototype"},
-    {"C^N", "normal contact waves cross the structure in another share of its motion"},
-    {"S_e^N", "the elastic front climbs the structure at another structural speed"},
-    {"k_s/k_n", "interfaces share deformation between shear and normal springs in another way"},
-    {"c_res", "impacts lose another share of their energy"},
-    {"sigma_H/H", "blocks are more or less even: other load paths"},
-    {"delta_w/sigma_H", "dead weight closes more or less of the uneven gaps: other load paths"},
-};
-
-std::string_view effect_of(std::string_view group) {
-    for (const GroupEffect& entry : kEffects) {
-        if (entry.group == group) return entry.effect;
-    }
-    return "";
-}
 
 void check_positive(std::string_view name, std::optional<double> value) {
     if (!value || (std::isfinite(*value) && *value > 0.0)) return;
@@ -92,6 +61,12 @@ std::string_view to_string(Severity severity) {
     return "error";
 }
 
+std::optional<Severity> find_severity(double factor) {
+    const double deviation = std::abs(factor - 1.0);
+    if (deviation <= kFactorRounding) return std::nullopt;
+    return deviation < kNoteLimit ? Severity::note : Severity::warning;
+}
+
 std::vector<NamedFactor> group_factors(const Similitude& similitude, const ModelFacts& facts) {
     check(facts);
     const double length = similitude.length();
@@ -132,12 +107,12 @@ std::vector<NamedFactor> group_factors(const Similitude& similitude, const Model
 std::vector<Distortion> find_distortions(const Similitude& similitude, const ModelFacts& facts) {
     std::vector<Distortion> distortions;
     for (const NamedFactor& group : group_factors(similitude, facts)) {
-        const double deviation = std::abs(group.value - 1.0);
-        if (deviation <= kFactorRounding) continue;
+        const std::optional<Severity> severity = find_severity(group.value);
+        if (!severity) continue;
         Distortion distortion{.group = std::string(group.name),
                               .factor = group.value,
-                              .severity = deviation < kNoteLimit ? Severity::note : Severity::warning,
-                              .effect = std::string(effect_of(group.name))};
+                              .severity = *severity,
+                              .effect = std::string(find_group_meaning(group.name).effect(group.value))};
         if (group.name == kRegimeGroup) {
             const std::string changes = describe_regime_changes(similitude, facts);
             if (!changes.empty()) {
