@@ -8,6 +8,7 @@
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/report.hpp"
+#include "cli/scale_facts.hpp"
 #include "scaling/distortion.hpp"
 
 namespace musim::cli {
@@ -17,6 +18,7 @@ struct ScaleOptions {
     SimilitudeOptions scales;
     std::optional<Number> friction_prototype;
     std::vector<Number> slenderness;
+    FactsOptions facts;
     bool json = false;
 };
 
@@ -57,13 +59,21 @@ void add_scale_command(CLI::App& app, Action& action) {
         ->type_name("NUMBER");
     command->add_option("--slenderness", options->slenderness, "Width/height of the blocks; repeat for several directions")
         ->type_name("NUMBER");
+    options->facts.add_to(*command);
     add_json_option(*command, options->json);
+    command->get_option("--json")->excludes("--markdown");
     command->footer(
         "Examples:\n"
         "  musim scale --length 1/107 --friction 0.63/0.59\n"
         "  musim scale --length 1/107 --friction 0.18/0.59 --friction-prototype 0.59 --slenderness 0.32 --slenderness 0.6635\n"
-        "  musim scale --length 1/25 --gravity 25 --law froude --json");
-    command->callback([&action, options] { action = [options] { return run_scale(*options); }; });
+        "  musim scale --length 1/25 --gravity 25 --law froude --json\n"
+        "  musim scale --length 1/107 --facts examples/facts/wood.json --markdown > wood.md");
+    command->callback([&action, options, command] {
+        action = [options, command] {
+            return options->facts.is_given() ? run_scale_facts(*command, options->scales, options->facts, options->json)
+                                             : run_scale(*options);
+        };
+    });
 }
 
 }  // namespace musim::cli
