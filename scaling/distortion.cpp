@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "scaling/detail/border.hpp"
 #include "scaling/group_meaning.hpp"
 
 namespace musim::scaling {
@@ -28,13 +29,8 @@ void check(const ModelFacts& facts) {
     check_positive("the height deviation factor", facts.height_deviation);
 }
 
-/// "sliding first" or "rocking can start first" (README.md, Regime).
-std::string_view regime_name(double friction_over_slenderness) {
-    return friction_over_slenderness > 1.0 ? "rocking can start first" : "sliding first";
-}
-
 /// One clause for each direction in which μ/tan α lies on the other side of 1 in the model; empty when there is none.
-std::string describe_regime_changes(const Similitude& similitude, const ModelFacts& facts) {
+std::string describe_regime_changes(const detail::Border& regime, const Similitude& similitude, const ModelFacts& facts) {
     std::string text;
     if (!facts.friction_prototype) return text;
     for (const double slenderness : facts.slenderness) {
@@ -42,7 +38,7 @@ std::string describe_regime_changes(const Similitude& similitude, const ModelFac
         const double model = prototype * similitude.friction();
         if ((prototype > 1.0) == (model > 1.0)) continue;
         text += fmt::format("{}at tan(alpha) = {:.4g} mu/tan(alpha) goes from {:.4g} ({}) to {:.4g} ({})", text.empty() ? "" : "; ",
-                            slenderness, prototype, regime_name(prototype), model, regime_name(model));
+                            slenderness, prototype, name_side(regime, prototype), model, name_side(regime, model));
     }
     return text;
 }
@@ -114,11 +110,11 @@ std::vector<Distortion> find_distortions(const Similitude& similitude, const Mod
                               .severity = *severity,
                               .effect = std::string(find_group_meaning(group.name).effect(group.value))};
         if (group.name == kRegimeGroup) {
-            const std::string changes = describe_regime_changes(similitude, facts);
+            const detail::Border& regime = *detail::find_border(kRegimeGroup);
+            const std::string changes = describe_regime_changes(regime, similitude, facts);
             if (!changes.empty()) {
                 distortion.severity = Severity::error;
-                distortion.effect =
-                    changes + "; no scaling of the input restores it, choose a model material with friction nearer the prototype's";
+                distortion.effect = fmt::format("{}; {}", changes, regime.remedy);
             }
         }
         distortions.push_back(std::move(distortion));

@@ -1,8 +1,5 @@
 #include "scaling/regime_report.hpp"
 
-#include <fmt/format.h>
-
-#include <cmath>
 #include <limits>
 
 #include "scaling/detail/regime_borders.hpp"

@@ -5,28 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scaling/detail/border.hpp"
 #include "scaling/quantity_text.hpp"
 
 namespace musim::scaling::detail {
 namespace {
-
-/// A group whose response is of another kind above 1 than below.
-struct Border {
-    std::string_view group, topic;
-    std::string_view above, below;
-    std::string_view remedy;  ///< when prototype and model differ
-};
-
-constexpr Border kBorders[] = {
-    {"mu/tan(alpha)", "sliding or rocking first", "rocking can start first", "sliding first",
-     "no scaling of the input restores it, choose a model material with friction nearer the prototype's"},
-    {"a/(g*tan(alpha))", "uplift", "the peak lifts a block", "the peak lifts no block",
-     "law froude keeps this group, and any law with equal friction"},
-    {"a/(mu*g)", "sliding", "the peak moves a block", "the peak moves no block",
-     "law mu keeps this group, and any law with equal friction"},
-};
-
-std::string_view side(const Border& border, double value) { return value > 1.0 ? border.above : border.below; }
 
 /// Rounding alone crosses no border.
 bool is_kept(double model, double prototype) { return std::abs(model / prototype - 1.0) <= kFactorRounding; }
@@ -51,19 +34,18 @@ std::string describe_bandwidth(const Bandwidth& table) {
 }  // namespace
 
 std::optional<RegimeStatement> cross_border(const GroupComparison& group) {
-    const auto* const border =
-        std::find_if(std::begin(kBorders), std::end(kBorders), [&](const Border& each) { return each.group == group.name; });
-    if (border == std::end(kBorders)) return std::nullopt;
+    const Border* const border = find_border(group.name);
+    if (border == nullptr) return std::nullopt;
     RegimeStatement statement{.topic = border->topic, .direction = group.direction, .sources = group.sources};
     const bool is_crossed = (group.prototype > 1.0) != (group.model > 1.0) && !is_kept(group.model, group.prototype);
     if (!is_crossed) {
-        statement.statement =
-            fmt::format("{} is {:.4g} and {:.4g}: {} in both", group.name, group.prototype, group.model, side(*border, group.prototype));
+        statement.statement = fmt::format("{} is {:.4g} and {:.4g}: {} in both", group.name, group.prototype, group.model,
+                                          name_side(*border, group.prototype));
         return statement;
     }
     statement.severity = Severity::error;
     statement.statement = fmt::format("{} goes from {:.4g} ({}) to {:.4g} ({}); {}", group.name, group.prototype,
-                                      side(*border, group.prototype), group.model, side(*border, group.model), border->remedy);
+                                      name_side(*border, group.prototype), group.model, name_side(*border, group.model), border->remedy);
     return statement;
 }
 
