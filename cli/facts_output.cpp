@@ -123,12 +123,14 @@ std::string make_facts_report(const FactsReport& report, ReportStyle style) {
     const scaling::PairFacts& facts = report.facts;
     const scaling::Similitude& similitude = report.similitude;
     std::string text = make_title(report.name.empty() ? facts.model.name + " for " + facts.prototype.name : report.name, style);
-    text += fmt::format("{} for {}, law {}: length {}, friction {:.7g}, gravity {:.7g}, density {:.7g} (model/prototype)\n",
-                        facts.model.name, facts.prototype.name, to_string(similitude.law()), scaling::describe_scale(similitude.length()),
-                        similitude.friction(), similitude.gravity(), similitude.density());
-    text += fmt::format("time {:.7g}, velocity {:.7g}, acceleration {:.7g}, force {:.7g}\n", similitude.time(), similitude.velocity(),
-                        similitude.acceleration(), similitude.force());
-    text += fmt::format("{}; {}\n", count_severities(report.report.regimes, "regimes"), count_severities(report.report.groups, "groups"));
+    const std::vector<std::string> lines = {
+        fmt::format("{} for {}, law {}: length {}, friction {:.7g}, gravity {:.7g}, density {:.7g} (model/prototype)", facts.model.name,
+                    facts.prototype.name, to_string(similitude.law()), scaling::describe_scale(similitude.length()), similitude.friction(),
+                    similitude.gravity(), similitude.density()),
+        fmt::format("time {:.7g}, velocity {:.7g}, acceleration {:.7g}, force {:.7g}", similitude.time(), similitude.velocity(),
+                    similitude.acceleration(), similitude.force()),
+        fmt::format("{}; {}", count_severities(report.report.regimes, "regimes"), count_severities(report.report.groups, "groups"))};
+    for (const std::string& line : lines) text += (style == ReportStyle::markdown ? "- " : "") + line + "\n";
     text += make_heading("Regimes", style) + make_table(make_regimes(report.report.regimes), style);
     for (const GroupClass kind :
          {GroupClass::geometry, GroupClass::friction, GroupClass::contact, GroupClass::rocking, GroupClass::loading}) {

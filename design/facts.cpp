@@ -93,7 +93,7 @@ scaling::Bandwidth find_bandwidth(const records::TableAxis& axis, scaling::Mass 
 }
 
 scaling::Mass find_mass(const scaling::StructureFacts& facts) {
-    return static_cast<double>(facts.blocks_per_layer.value_or(0) * facts.layers) * facts.block_mass();
+    return static_cast<double>(facts.blocks_per_layer.value_or(0)) * static_cast<double>(facts.layers) * facts.block_mass();
 }
 
 }  // namespace musim::design

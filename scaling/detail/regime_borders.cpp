@@ -86,7 +86,7 @@ void add_contacts(std::vector<RegimeStatement>& regimes, const std::vector<Group
 }
 
 void add_table(std::vector<RegimeStatement>& regimes, const MotionFacts& model, const Bandwidth& table) {
-    const Demand demands[] = {{"pulse", invert(model.pulse_period), Severity::error},
+    const Demand demands[] = {{"pulse frequency", invert(model.pulse_period), Severity::error},
                               {"predominant frequency", invert(model.predominant_period), Severity::error},
                               {"lowest frequency", model.lowest_frequency, Severity::warning},
                               {"highest frequency", model.highest_frequency, Severity::warning}};
