@@ -63,8 +63,9 @@ void FactsOptions::add_to(CLI::App& command) {
     facts->excludes("--friction-prototype")->excludes("--slenderness");
     command.add_flag("--markdown", markdown, "Write the report of --facts in Markdown")->needs(facts);
     source.add_to(command);
-    for (const char* const name : {"--dt", "--unit", "--quantity", "--sensitivity", "--station-xml"})
+    for (const char* const name : {"--dt", "--unit", "--quantity", "--sensitivity", "--station-xml"}) {
         command.get_option(name)->needs(facts);
+    }
 }
 
 int run_scale_facts(const CLI::App& command, const SimilitudeOptions& scales, const FactsOptions& options, bool json) {

@@ -22,11 +22,11 @@ struct Case {
 const std::vector<Case> kCases = {{0.32, 1.05}, {0.6635, 1.154}, {0.05, 10.0}, {3.0, 0.1}, {20.0, 2.6}};
 
 /// Angular frequencies of a ring of `count` blocks, spring by spring, m = k_s = H = 1.
-std::vector<double> find_ring_frequencies(const RotatingChain& chain, int count) {
+std::vector<double> find_ring_frequencies(const RotatingChain& chain, Eigen::Index count) {
     const double inertia = (1.0 + chain.slenderness * chain.slenderness) / 12.0;
     Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(2 * count, 2 * count);
-    for (int lower = 0; lower < count; ++lower) {
-        const int upper = (lower + 1) % count;
+    for (Eigen::Index lower = 0; lower < count; ++lower) {
+        const Eigen::Index upper = (lower + 1) % count;
         Eigen::VectorXd shear = Eigen::VectorXd::Zero(2 * count), turn = Eigen::VectorXd::Zero(2 * count);
         // slip of the face between two blocks: shifts, and half a height times both rotations
         shear[upper] += 1.0;
