@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <CLI/CLI.hpp>
-#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -11,15 +10,13 @@
 #include "cli/input_file.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
+#include "cli/preset_materials.hpp"
 #include "cli/record_source.hpp"
 #include "design/parse_design.hpp"
-#include "lsdem/scene/material_presets.hpp"
 #include "records/error.hpp"
 
 namespace musim::cli {
 namespace {
-
-namespace scene = lsdem::scene;
 
 struct DesignOptions {
     std::string file;
@@ -28,42 +25,18 @@ struct DesignOptions {
     bool json = false;
 };
 
-/// The measured materials, their face stiffnesses as moduli of the solid.
-std::vector<design::Material> make_presets() {
-    std::vector<design::Material> materials;
-    for (const std::string& name : scene::material_preset_names()) {
-        const scene::MaterialPreset& preset = scene::find_material_preset(name);
-        const auto& [thin, wide, height] = preset.reference_block;
-        materials.push_back({.name = name,
-                             .density = preset.material.density,
-                             .friction = preset.material.friction,
-                             .restitution = preset.material.restitution,
-                             .modulus = scaling::Stress(preset.material.normal_stiffness * height / (thin * wide)),
-                             .shear_modulus = scaling::Stress(preset.material.shear_stiffness * height / (thin * wide))});
-    }
-    return materials;
-}
-
-/// A file that a design names, as seen from the design's folder.
-std::string find_beside(const std::string& design_file, const std::string& named) {
-    return (std::filesystem::path(design_file).parent_path() / named).string();
-}
-
 std::vector<records::AxisLoad> find_loads(const DesignOptions& options, const design::Design& design) {
     if (design.table_file.empty()) return {};
-    const std::string table_file = find_beside(options.file, design.table_file);
-    const records::ShakeTable table =
-        records::parse_shake_table(read_input_file(table_file, "the limits of a shake table (musim-table/1)"), table_file);
+    const records::ShakeTable table = read_shake_table(find_beside(options.file, design.table_file));
     if (const auto* const peaks = std::get_if<std::vector<design::GivenPeaks>>(&design.motion))
         return make_loads(*peaks, table, options.file);
     const auto& record = std::get<design::RecordFile>(design.motion);
-    const std::string source = record.file == "synthetic" ? record.file : find_beside(options.file, record.file);
-    return make_loads(options.source.load(source), record, table);
+    return make_loads(options.source.load_beside(options.file, record.file), record, table);
 }
 
 int run_design(const DesignOptions& options) {
     const design::Design design =
-        design::parse_design(read_input_file(options.file, "a design (musim-design/1)"), options.file, make_presets());
+        design::parse_design(read_input_file(options.file, "a design (musim-design/1)"), options.file, make_preset_materials());
     const std::vector<design::Candidate> candidates = design::find_candidates({design, find_loads(options, design)});
     if (options.json)
         print_json(to_json(design, candidates));

@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/length_ranges.hpp"
+#include "cli/named_values.hpp"
 #include "cli/report.hpp"
-#include "cli/text_table.hpp"
 #include "scaling/quantity_text.hpp"
 
 namespace musim::cli {
@@ -113,19 +113,11 @@ TextTable make_groups(const design::Design& design, const Candidate& candidate) 
     return table;
 }
 
-std::string make_heading(const std::string& text, ReportStyle style) {
-    return style == ReportStyle::markdown ? "\n## " + text + "\n\n" : "\n" + text + "\n";
+std::string name_candidate(const Candidate& candidate) {
+    return fmt::format("{}, law {}", candidate.material.name, to_string(candidate.law));
 }
-
-std::string make_table(const TextTable& table, ReportStyle style) {
-    return style == ReportStyle::markdown ? to_markdown(table) : to_plain_text(table);
-}
-
-std::string make_title(const Candidate& candidate) { return fmt::format("{}, law {}", candidate.material.name, to_string(candidate.law)); }
 
 nlohmann::json to_json(const scaling::LengthRange& range) { return {range.smallest, range.largest}; }
-
-nlohmann::json text_or_null(const std::string& text) { return text.empty() ? nlohmann::json() : nlohmann::json(text); }
 
 nlohmann::json to_json(const ModelState& state) {
     nlohmann::json uses = nlohmann::json::array();
@@ -184,15 +176,14 @@ nlohmann::json to_json(const Candidate& candidate) {
 }  // namespace
 
 std::string make_design_report(const design::Design& design, const std::vector<Candidate>& candidates, ReportStyle style) {
-    std::string text = (style == ReportStyle::markdown ? "# " : "") + (design.name.empty() ? "Design" : design.name) + "\n";
-    text += (style == ReportStyle::markdown ? "\n" : "") + make_table(make_ranking(candidates), style);
+    std::string text = make_title(design.name.empty() ? "Design" : design.name, style) + make_table(make_ranking(candidates), style);
     for (const Candidate& candidate : candidates)
-        if (!candidate.is_feasible()) text += fmt::format("\n{} is infeasible: {}\n", make_title(candidate), candidate.problem);
+        if (!candidate.is_feasible()) text += fmt::format("\n{} is infeasible: {}\n", name_candidate(candidate), candidate.problem);
     for (const Candidate& candidate : candidates) {
         if (candidate.limits.empty()) continue;
-        text += make_heading(make_title(candidate) + ": limits", style) + make_table(make_limits(candidate), style);
+        text += make_heading(name_candidate(candidate) + ": limits", style) + make_table(make_limits(candidate), style);
         if (find_states(candidate).empty()) continue;
-        text += make_heading(make_title(candidate) + ": groups, d = model/prototype", style) +
+        text += make_heading(name_candidate(candidate) + ": groups, d = model/prototype", style) +
                 make_table(make_groups(design, candidate), style);
     }
     return text;

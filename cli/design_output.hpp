@@ -4,11 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "cli/text_table.hpp"
 #include "design/candidate.hpp"
 
 namespace musim::cli {
-
-enum class ReportStyle { plain, markdown };
 
 /// The ranking, what conflicts where nothing is feasible, and for each candidate the limits used and the groups distorted at the ends and
 /// at the length in mind.

@@ -17,6 +17,8 @@ std::string or_dash(const std::optional<double>& value, int digits) { return val
 
 nlohmann::json or_null(const std::optional<double>& value) { return value ? nlohmann::json(*value) : nlohmann::json(); }
 
+nlohmann::json text_or_null(const std::string& text) { return text.empty() ? nlohmann::json() : nlohmann::json(text); }
+
 void add_to_json(nlohmann::json& object, const std::vector<NamedValue>& values) {
     for (const NamedValue& value : values) object[value.key] = or_null(value.value);
 }

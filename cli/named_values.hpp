@@ -20,6 +20,9 @@ std::string or_dash(const std::optional<double>& value, int digits);
 /// A number, or null for none.
 nlohmann::json or_null(const std::optional<double>& value);
 
+/// A text, or null for an empty one.
+nlohmann::json text_or_null(const std::string& text);
+
 /// Adds key and number (or null) of every value to a JSON object.
 void add_to_json(nlohmann::json& object, const std::vector<NamedValue>& values);
 

@@ -3,6 +3,7 @@
 #include <CLI/Error.hpp>
 #include <CLI/Option.hpp>
 
+#include "cli/input_file.hpp"
 #include "cli/output.hpp"
 #include "records/read_record.hpp"
 #include "records/read_text.hpp"
@@ -50,6 +51,10 @@ records::GroundMotion RecordSourceOptions::load(const std::string& source) const
     for (const std::string& line : motion.history)
         if (line.find(records::kUnitNotTold) != std::string::npos) note_at_end("musim: note: " + line + "; add --unit if that is wrong");
     return motion;
+}
+
+records::GroundMotion RecordSourceOptions::load_beside(const std::string& naming_file, const std::string& source) const {
+    return load(source == kBuiltInRecord ? source : find_beside(naming_file, source));
 }
 
 }  // namespace musim::cli

@@ -25,6 +25,9 @@ struct RecordSourceOptions {
 
     /// Reads a record file, or makes the built-in record when `source` is "synthetic". Throws records::ReadError.
     records::GroundMotion load(const std::string& source) const;
+
+    /// The same for a record that a file names, from the folder of that file.
+    records::GroundMotion load_beside(const std::string& naming_file, const std::string& source) const;
 };
 
 /// How a positional record argument describes itself in help texts.

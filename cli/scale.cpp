@@ -6,6 +6,7 @@
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/report.hpp"
+#include "cli/scale_facts.hpp"
 #include "cli/scale_uncertainty.hpp"
 #include "cli/uncertain_options.hpp"
 #include "scaling/distortion.hpp"
@@ -18,6 +19,7 @@ struct ScaleOptions {
     UncertainStructureOptions structure;
     scaling::UncertainMotion motion;
     MonteCarloOptions monte_carlo;
+    FactsOptions facts;
     bool json = false;
 };
 
@@ -63,7 +65,9 @@ void add_scale_command(CLI::App& app, Action& action) {
     options->structure.add_to(*command);
     add_motion_options(*command, options->motion);
     options->monte_carlo.add_to(*command);
+    options->facts.add_to(*command);
     add_json_option(*command, options->json);
+    command->get_option("--json")->excludes("--markdown");
     command->footer(
         "Examples:\n"
         "  musim scale --length 1/107 --friction 0.63/0.59\n"
@@ -71,11 +75,17 @@ void add_scale_command(CLI::App& app, Action& action) {
         "  musim scale --length 1/107 --friction \"(0.63+/-5%)/(0.59+/-5%)\" --slenderness 0.32+/-1% --monte-carlo --seed 7\n"
         "  musim scale --length 1/107+/-0.4% --friction 1.07+/-7% --pga 0.511g --pgv \"42.4+/-0.4 cm/s\" --json\n"
         "  musim scale --length 1/25 --gravity 25 --law froude --json\n"
+        "  musim scale --length 1/107 --facts examples/facts/wood.json --markdown > wood.md\n"
         "Factors may carry standard uncertainties: 0.63+/-0.03, \"0.63 +/- 5%\", \"(0.63+/-5%)/(0.59+/-5%)\". They are propagated to first "
         "order;\n"
         "u is a standard uncertainty, intervals of --monte-carlo cover 95 %. \"as shaken\": the groups of a test that is shaken with the "
         "factors' values.");
-    command->callback([&action, options] { action = [options] { return run_scale(*options); }; });
+    command->callback([&action, options, command] {
+        action = [options, command] {
+            return options->facts.is_given() ? run_scale_facts(*command, options->scales, options->facts, options->json)
+                                             : run_scale(*options);
+        };
+    });
 }
 
 }  // namespace musim::cli

@@ -178,8 +178,7 @@ int run_table(TableOptions options) {
     options.scales.note_values_used();
     const records::Payload payload = find_payload(options);
     const Pairs pairs = parse_axes(options.axes);
-    const records::ShakeTable table =
-        records::parse_shake_table(read_input_file(options.limits, "the limits of a shake table (musim-table/1)"), options.limits);
+    const records::ShakeTable table = read_shake_table(options.limits);
     if (!options.drive.empty() && !table.controller)
         throw records::ReadError(options.limits + ": has no controller (a drive file needs its rate and units); add \"controller\"");
     const records::AssignedAxes assigned = records::assign_axes(options.source.load(options.record), table, pairs);

@@ -45,4 +45,16 @@ std::string to_markdown(const TextTable& table) {
     return text;
 }
 
+std::string make_title(const std::string& text, ReportStyle style) {
+    return style == ReportStyle::markdown ? "# " + text + "\n\n" : text + "\n";
+}
+
+std::string make_heading(const std::string& text, ReportStyle style) {
+    return style == ReportStyle::markdown ? "\n## " + text + "\n\n" : "\n" + text + "\n";
+}
+
+std::string make_table(const TextTable& table, ReportStyle style) {
+    return style == ReportStyle::markdown ? to_markdown(table) : to_plain_text(table);
+}
+
 }  // namespace musim::cli

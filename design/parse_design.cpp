@@ -4,47 +4,22 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "design/candidate.hpp"
-#include "records/detail/json_fields.hpp"
+#include "design/detail/material_fields.hpp"
 
 namespace musim::design {
 namespace {
 
-using records::detail::JsonFields;
-using Json = JsonFields::Json;
-using Block = std::array<scaling::Length, 3>;
-
-constexpr std::string_view kSchema = "musim-design/1";
-
-template <class Quantity>
-std::optional<Quantity> read_positive(JsonFields& fields, const char* key) {
-    auto value = fields.optional_quantity<Quantity>(key);
-    if (value && !(value->value() > 0.0 && std::isfinite(value->value()))) {
-        fields.fail(fmt::format("{} is not above zero", key), "correct it, or remove it where it is not known");
-    }
-    return value;
-}
-
-template <class Quantity>
-Quantity require_positive(JsonFields& fields, const char* key) {
-    const auto value = read_positive<Quantity>(fields, key);
-    if (!value) fields.fail(fmt::format("{} is missing", key), "add it");
-    return *value;
-}
-
-std::optional<double> read_number(JsonFields& fields, const char* key) {
-    const auto value = read_positive<scaling::Ratio>(fields, key);
-    return value ? std::optional(value->value()) : std::nullopt;
-}
-
-std::string require_text(JsonFields& fields, const char* key) {
-    std::string text = fields.text(key, "");
-    if (text.empty()) fields.fail(fmt::format("{} is missing", key), "add it");
-    return text;
-}
+using detail::Json;
+using detail::JsonFields;
+using detail::read_modulus;
+using detail::read_number;
+using detail::read_positive;
+using detail::require_block;
+using detail::require_positive;
+using detail::require_text;
 
 const Json& require_list(JsonFields& fields, const char* key, const std::string& example) {
     if (!fields.has(key) || !fields[key].is_array() || fields[key].empty()) {
@@ -60,32 +35,6 @@ std::vector<std::string> read_names(JsonFields& fields, const char* key, const s
         names.push_back(entry.get<std::string>());
     }
     return names;
-}
-
-Block require_block(JsonFields& fields, const char* key) {
-    if (!fields.has(key) || !fields[key].is_array() || fields[key].size() != 3) {
-        fields.fail(fmt::format("{} is no list of three lengths", key), R"(write ["12.7 mm", "26.4 mm", "39.7 mm"], the height last)");
-    }
-    Block block;
-    for (std::size_t i = 0; i < block.size(); ++i) {
-        block[i] = fields.to_quantity<scaling::Length>(fields[key][i], key);
-        if (!(block[i].value() > 0.0 && std::isfinite(block[i].value()))) {
-            fields.fail(fmt::format("a length of {} is not above zero", key), "correct it");
-        }
-    }
-    return block;
-}
-
-/// E = k H/A of a face stiffness k, or the modulus itself; `block` is asked for only when a stiffness is given.
-template <class FindBlock>
-std::optional<scaling::Stress> read_modulus(JsonFields& fields, const char* modulus_key, const char* stiffness_key,
-                                            const FindBlock& find_block) {
-    auto modulus = read_positive<scaling::Stress>(fields, modulus_key);
-    const auto stiffness = read_positive<scaling::Stiffness>(fields, stiffness_key);
-    if (modulus && stiffness) fields.fail(fmt::format("{} contradicts {}", modulus_key, stiffness_key), "remove one of them");
-    if (!stiffness) return modulus;
-    const Block block = find_block();
-    return scaling::Stress(*stiffness * block[2] / (block[0] * block[1]));
 }
 
 Prototype read_prototype(const Json& object, const std::string& place) {
@@ -106,35 +55,15 @@ Prototype read_prototype(const Json& object, const std::string& place) {
     return prototype;
 }
 
-Material find_preset(const std::string& name, const std::string& place, const std::vector<Material>& presets) {
-    const auto preset = std::find_if(presets.begin(), presets.end(), [&](const Material& each) { return each.name == name; });
-    if (preset != presets.end()) return *preset;
-    std::vector<std::string> names;
-    names.reserve(presets.size());
-    for (const Material& each : presets) names.push_back(each.name);
-    throw records::ReadError(fmt::format("{}: \"{}\" is no preset; take one of {}, or give its density and friction under a name", place,
-                                         name, fmt::join(names, ", ")));
-}
-
 Material read_material(const Json& value, const std::string& place, const std::vector<Material>& presets) {
-    if (value.is_string()) return find_preset(value.get<std::string>(), place, presets);
+    if (value.is_string()) return detail::find_preset(value.get<std::string>(), place, presets);
     JsonFields fields(value, place);
-    Material material;
-    const bool is_preset = fields.has("preset");
-    if (is_preset) material = find_preset(require_text(fields, "preset"), place, presets);
-    material.name = is_preset ? fields.text("name", material.name) : require_text(fields, "name");
-    if (!is_preset || fields.has("density")) material.density = require_positive<scaling::Density>(fields, "density");
-    if (!is_preset || fields.has("friction")) material.friction = require_positive<scaling::Ratio>(fields, "friction").value();
-    const auto replace = [](auto& old, const auto& given) {
-        if (given) old = given;
-    };
-    const auto block = [&] { return require_block(fields, "stiffness_block"); };
-    replace(material.restitution, read_number(fields, "restitution"));
-    replace(material.modulus, read_modulus(fields, "modulus", "normal_stiffness", block));
-    replace(material.shear_modulus, read_modulus(fields, "shear_modulus", "shear_stiffness", block));
-    replace(material.deviation, read_positive<scaling::Length>(fields, "height_deviation"));
-    replace(material.smallest_edge, read_positive<scaling::Length>(fields, "smallest_edge"));
-    replace(material.price, read_number(fields, "price"));
+    const std::optional<Material> preset = detail::read_preset(fields, presets);
+    const std::string name = preset ? fields.text("name", preset->name) : require_text(fields, "name");
+    Material material = detail::read_properties(fields, preset, [&] { return require_block(fields, "stiffness_block"); });
+    material.name = name;
+    detail::replace(material.smallest_edge, read_positive<scaling::Length>(fields, "smallest_edge"));
+    detail::replace(material.price, read_number(fields, "price"));
     fields.refuse_unknown_keys();
     return material;
 }
@@ -248,15 +177,8 @@ std::vector<std::string> read_groups(JsonFields& fields) {
 }  // namespace
 
 Design parse_design(std::string_view json, const std::string& source, const std::vector<Material>& presets) {
-    const Json object = Json::parse(json, nullptr, false);
-    if (object.is_discarded()) {
-        throw records::ReadError(source + R"(: is no JSON; write {"schema": "musim-design/1", "prototype": {...}, "materials": [...]})");
-    }
-    if (!object.is_object() || !object.contains("schema") || object["schema"] != kSchema) {
-        throw records::ReadError(fmt::format("{}: is no design; add \"schema\": \"{}\"", source, kSchema));
-    }
+    const Json object = detail::parse_object(json, source, "musim-design/1", "design", R"("prototype": {...}, "materials": [...])");
     JsonFields fields(object, source);
-    fields.has("schema");
     Design design;
     design.name = fields.text("name", "");
     if (!fields.has("prototype")) fields.fail("prototype is missing", R"(add {"block": [...], "height", "density", "friction"})");

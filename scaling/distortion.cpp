@@ -6,44 +6,14 @@
 #include <string_view>
 #include <utility>
 
+#include "scaling/detail/border.hpp"
+#include "scaling/group_meaning.hpp"
+
 namespace musim::scaling {
 
 namespace {
 
 constexpr std::string_view kRegimeGroup = "mu/tan(alpha)";
-
-/// What a group off by `factor` does to the response, by the group's name.
-struct GroupEffect {
-    std::string_view group;
-    std::string_view effect;
-};
-
-constexpr GroupEffect kEffects[] = {
-    {"mu^N", "sliding velocities and displacements do not scale back by this law"},
-    {"t*sqrt(mu*g/l)", "the shaking is too short or too long for the sliding time of the structure"},
-    {"a/(mu*g)", "sliding starts at another share of the shaking; slip does not scale back"},
-    {"a/g", "shaking against weight: uplift and normal forces do not scale back"},
-    {"a/(g*tan(alpha))", "rocking starts at another share of the shaking"},
-    {"a_vertical/g", "a vertical record scaled by this law changes normal forces, hence friction, by another share"},
-    {"omega/p", "a rocking block seems larger or smaller to the shaking than it is"},
-    {"Fr^N", "rocking velocities and falls do not scale back by this law"},
-    {kRegimeGroup, "sliding and rocking share the motion in another way"},
-    {"mu", "the friction coefficient itself differs; slip in combined motion does not scale back"},
-    {"kappa_n", "contacts are softer or harder under the block's weight than in the prototype"},
-    {"C^N", "normal contact waves cross the structure in another share of its motion"},
-    {"S_e^N", "the elastic front climbs the structure at another structural speed"},
-    {"k_s/k_n", "interfaces share deformation between shear and normal springs in another way"},
-    {"c_res", "impacts lose another share of their energy"},
-    {"sigma_H/H", "blocks are more or less even: other load paths"},
-    {"delta_w/sigma_H", "dead weight closes more or less of the uneven gaps: other load paths"},
-};
-
-std::string_view effect_of(std::string_view group) {
-    for (const GroupEffect& entry : kEffects) {
-        if (entry.group == group) return entry.effect;
-    }
-    return "";
-}
 
 void check_positive(std::string_view name, std::optional<double> value) {
     if (!value || (std::isfinite(*value) && *value > 0.0)) return;
@@ -59,13 +29,8 @@ void check(const ModelFacts& facts) {
     check_positive("the height deviation factor", facts.height_deviation);
 }
 
-/// "sliding first" or "rocking can start first" (README.md, Regime).
-std::string_view regime_name(double friction_over_slenderness) {
-    return friction_over_slenderness > 1.0 ? "rocking can start first" : "sliding first";
-}
-
 /// One clause for each direction in which μ/tan α lies on the other side of 1 in the model; empty when there is none.
-std::string describe_regime_changes(const Similitude& similitude, const ModelFacts& facts) {
+std::string describe_regime_changes(const detail::Border& regime, const Similitude& similitude, const ModelFacts& facts) {
     std::string text;
     if (!facts.friction_prototype) return text;
     for (const double slenderness : facts.slenderness) {
@@ -73,7 +38,7 @@ std::string describe_regime_changes(const Similitude& similitude, const ModelFac
         const double model = prototype * similitude.friction();
         if ((prototype > 1.0) == (model > 1.0)) continue;
         text += fmt::format("{}at tan(alpha) = {:.4g} mu/tan(alpha) goes from {:.4g} ({}) to {:.4g} ({})", text.empty() ? "" : "; ",
-                            slenderness, prototype, regime_name(prototype), model, regime_name(model));
+                            slenderness, prototype, name_side(regime, prototype), model, name_side(regime, model));
     }
     return text;
 }
@@ -90,6 +55,12 @@ std::string_view to_string(Severity severity) {
             break;
     }
     return "error";
+}
+
+std::optional<Severity> find_severity(double factor) {
+    const double deviation = std::abs(factor - 1.0);
+    if (deviation <= kFactorRounding) return std::nullopt;
+    return deviation < kNoteLimit ? Severity::note : Severity::warning;
 }
 
 std::vector<NamedFactor> group_factors(const Similitude& similitude, const ModelFacts& facts) {
@@ -132,18 +103,18 @@ std::vector<NamedFactor> group_factors(const Similitude& similitude, const Model
 std::vector<Distortion> find_distortions(const Similitude& similitude, const ModelFacts& facts) {
     std::vector<Distortion> distortions;
     for (const NamedFactor& group : group_factors(similitude, facts)) {
-        const double deviation = std::abs(group.value - 1.0);
-        if (deviation <= kFactorRounding) continue;
+        const std::optional<Severity> severity = find_severity(group.value);
+        if (!severity) continue;
         Distortion distortion{.group = std::string(group.name),
                               .factor = group.value,
-                              .severity = deviation < kNoteLimit ? Severity::note : Severity::warning,
-                              .effect = std::string(effect_of(group.name))};
+                              .severity = *severity,
+                              .effect = std::string(find_group_meaning(group.name).effect(group.value))};
         if (group.name == kRegimeGroup) {
-            const std::string changes = describe_regime_changes(similitude, facts);
+            const detail::Border& regime = *detail::find_border(kRegimeGroup);
+            const std::string changes = describe_regime_changes(regime, similitude, facts);
             if (!changes.empty()) {
                 distortion.severity = Severity::error;
-                distortion.effect =
-                    changes + "; no scaling of the input restores it, choose a model material with friction nearer the prototype's";
+                distortion.effect = fmt::format("{}; {}", changes, regime.remedy);
             }
         }
         distortions.push_back(std::move(distortion));

@@ -13,11 +13,14 @@ namespace musim::scaling {
 enum class Severity {
     note,     ///< off by less than kNoteLimit: below what friction tests resolve, systematic all the same
     warning,  ///< the model answers another question by this factor
-    error,    ///< the model moves in another way (sliding for rocking); no scaling of the input can repair it
+    error,    ///< the model moves in another way (sliding for rocking); the effect says what would repair it, if anything
 };
 
 /// "note", "warning" or "error".
 std::string_view to_string(Severity severity);
+
+/// How much it matters that a group is off by `factor`, by size alone; nothing when it is kept up to rounding.
+std::optional<Severity> find_severity(double factor);
 
 /// A requirement of similitude that the model does not meet.
 struct Distortion {

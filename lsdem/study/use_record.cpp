@@ -2,25 +2,18 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "records/intensity.hpp"
 #include "records/processing.hpp"
 #include "records/read_record.hpp"
+#include "records/strongest_component.hpp"
 
 namespace musim::lsdem::study {
 namespace {
 
 double peak_acceleration(const records::Component& component) {
     return std::abs(records::find_peak_acceleration(component.series).value.value());
-}
-
-const records::Component& find_strongest_horizontal(const records::GroundMotion& motion) {
-    const auto& all = motion.components;
-    const bool directions_known = std::any_of(all.begin(), all.end(), [](const auto& c) { return c.azimuth_deg.has_value(); });
-    const auto strength = [&](const records::Component& c) { return directions_known && !c.azimuth_deg ? -1.0 : peak_acceleration(c); };
-    return *std::max_element(all.begin(), all.end(), [&](const auto& a, const auto& b) { return strength(a) < strength(b); });
 }
 
 }  // namespace
@@ -33,7 +26,7 @@ std::vector<std::string> use_record(scene::Scene& scene, const std::filesystem::
     source.file = std::filesystem::absolute(file);
     source.components = components;
     if (std::none_of(components.begin(), components.end(), [](const auto& name) { return name.has_value(); })) {
-        source.components[0] = find_strongest_horizontal(motion).name;
+        source.components[0] = records::find_strongest_horizontal(motion).name;
     }
     const records::Component* first = nullptr;
     for (std::size_t axis = 0; axis < 3; ++axis) {

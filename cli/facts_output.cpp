@@ -1,0 +1,195 @@
+#include "cli/facts_output.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "cli/named_values.hpp"
+#include "cli/pair_rows.hpp"
+#include "cli/report.hpp"
+#include "scaling/length_range.hpp"
+#include "scaling/quantity_text.hpp"
+
+namespace musim::cli {
+namespace {
+
+using scaling::Direction;
+using scaling::GroupClass;
+using scaling::GroupComparison;
+using scaling::RegimeStatement;
+using scaling::Severity;
+
+std::string name_direction(const std::optional<Direction>& direction) { return direction ? std::string(to_string(*direction)) : ""; }
+
+std::string name_severity(const std::optional<Severity>& severity) { return severity ? std::string(to_string(*severity)) : "kept"; }
+
+std::string join_keys(const std::vector<std::string>& keys) { return fmt::format("{}", fmt::join(keys, ", ")); }
+
+/// "29 groups: 1 error, 3 warnings, 22 notes".
+template <class Entries>
+std::string count_severities(const Entries& entries, const std::string& what) {
+    int counts[3] = {};
+    for (const auto& entry : entries) {
+        if (entry.severity) ++counts[static_cast<int>(*entry.severity)];
+    }
+    const auto name = [](int count, const std::string& word) { return fmt::format("{} {}{}", count, word, count == 1 ? "" : "s"); };
+    return fmt::format("{} {}: {}, {}, {}", entries.size(), what, name(counts[static_cast<int>(Severity::error)], "error"),
+                       name(counts[static_cast<int>(Severity::warning)], "warning"),
+                       name(counts[static_cast<int>(Severity::note)], "note"));
+}
+
+TextTable make_regimes(const std::vector<RegimeStatement>& regimes) {
+    TextTable table{{"verdict", "regime", "direction", "sources", "prototype and model"}};
+    for (const RegimeStatement& regime : regimes) {
+        table.rows.push_back({regime.severity ? name_severity(regime.severity) : "same", std::string(regime.topic),
+                              name_direction(regime.direction), join_keys(regime.sources), regime.statement});
+    }
+    return table;
+}
+
+TextTable make_groups(const std::vector<GroupComparison>& groups, GroupClass kind) {
+    TextTable table{{"group", "direction", "prototype", "model", "model/prototype", "required", "verdict", "sources", "what changes"}};
+    for (const GroupComparison& group : groups) {
+        if (group.kind != kind) continue;
+        table.rows.push_back({std::string(group.name), name_direction(group.direction), fmt::format("{:.5g}", group.prototype),
+                              fmt::format("{:.5g}", group.model), fmt::format("{:.5g}", group.factor()), group.is_required ? "yes" : "no",
+                              name_severity(group.severity), group.severity ? join_keys(group.sources) : "", group.effect});
+    }
+    return table;
+}
+
+std::string format_or_dash(const std::optional<double>& value, scaling::Dimension dimension) {
+    return value ? scaling::format_si(*value, dimension, 5) : "-";
+}
+
+void add_rows(TextTable& table, const std::vector<PairRow>& rows, const std::string& suffix = "") {
+    for (const PairRow& row : rows) {
+        const auto factor = row.factor();
+        table.rows.push_back({row.title + suffix, format_or_dash(row.prototype, row.dimension), format_or_dash(row.model, row.dimension),
+                              format_or_dash(row.required(), row.dimension), factor ? fmt::format("{:.5g}", *factor) : "-",
+                              fmt::format("{:.5g}", row.required_factor)});
+    }
+}
+
+/// Titles of a table of PairRows.
+TextTable start_pairs(const std::string& first) {
+    return {{first, "prototype", "model", "similar model", "model/prototype", "by the law"}};
+}
+
+std::string describe_untold(const std::vector<scaling::UntoldGroup>& untold) {
+    std::string text;
+    for (const scaling::UntoldGroup& group : untold) {
+        text += fmt::format("{}{} ({})", text.empty() ? "" : ", ", group.name, group.missing == "both" ? "either" : group.missing);
+    }
+    return text;
+}
+
+nlohmann::json finite_or_null(double value) { return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json(); }
+
+nlohmann::json severity_or_null(const std::optional<Severity>& severity) {
+    return severity ? nlohmann::json(name_severity(severity)) : nlohmann::json();
+}
+
+nlohmann::json to_json(const GroupComparison& group) {
+    return {{"group", std::string(group.name)},
+            {"class", std::string(to_string(group.kind))},
+            {"direction", text_or_null(name_direction(group.direction))},
+            {"prototype", group.prototype},
+            {"model", group.model},
+            {"factor", finite_or_null(group.factor())},
+            {"required", group.is_required},
+            {"severity", severity_or_null(group.severity)},
+            {"effect", group.effect},
+            {"sources", group.sources}};
+}
+
+nlohmann::json to_json(const std::vector<PairRow>& rows) {
+    nlohmann::json object = nlohmann::json::object();
+    for (const PairRow& row : rows) {
+        object[row.key] = {{"prototype", or_null(row.prototype)},
+                           {"model", or_null(row.model)},
+                           {"required", or_null(row.required())},
+                           {"factor", or_null(row.factor())},
+                           {"required_factor", row.required_factor}};
+    }
+    return object;
+}
+
+}  // namespace
+
+std::string make_facts_report(const FactsReport& report, ReportStyle style) {
+    const scaling::PairFacts& facts = report.facts;
+    const scaling::Similitude& similitude = report.similitude;
+    std::string text = make_title(report.name.empty() ? facts.model.name + " for " + facts.prototype.name : report.name, style);
+    const std::vector<std::string> lines = {
+        fmt::format("{} for {}, law {}: length {}, friction {:.7g}, gravity {:.7g}, density {:.7g} (model/prototype)", facts.model.name,
+                    facts.prototype.name, to_string(similitude.law()), scaling::describe_scale(similitude.length()), similitude.friction(),
+                    similitude.gravity(), similitude.density()),
+        fmt::format("time {:.7g}, velocity {:.7g}, acceleration {:.7g}, force {:.7g}", similitude.time(), similitude.velocity(),
+                    similitude.acceleration(), similitude.force()),
+        fmt::format("{}; {}", count_severities(report.report.regimes, "regimes"), count_severities(report.report.groups, "groups"))};
+    for (const std::string& line : lines) text += (style == ReportStyle::markdown ? "- " : "") + line + "\n";
+    text += make_heading("Regimes", style) + make_table(make_regimes(report.report.regimes), style);
+    for (const GroupClass kind :
+         {GroupClass::geometry, GroupClass::friction, GroupClass::contact, GroupClass::rocking, GroupClass::loading}) {
+        const TextTable table = make_groups(report.report.groups, kind);
+        if (!table.rows.empty()) text += make_heading("Groups of " + std::string(to_string(kind)), style) + make_table(table, style);
+    }
+    if (facts.motion && facts.model_motion) {
+        TextTable motion = start_pairs("motion");
+        add_rows(motion, make_motion_rows(*facts.motion, *facts.model_motion, similitude));
+        text += make_heading("Motion", style) + make_table(motion, style);
+    }
+    TextTable speeds = start_pairs("structural speed"), rocking = start_pairs("rocking block");
+    add_rows(speeds, make_speed_rows(facts, similitude));
+    for (const Direction direction : {Direction::thin, Direction::wide}) {
+        add_rows(rocking, make_rocking_rows(facts, similitude, direction), fmt::format(", {}", to_string(direction)));
+    }
+    text += make_heading("Structural speed: derived, Rosakis21 for the number", style) + make_table(speeds, style);
+    text += make_heading("Rocking blocks: Housner63", style) + make_table(rocking, style);
+    if (!report.report.untold.empty()) text += "\nNot told by prototype or model: " + describe_untold(report.report.untold) + "\n";
+    return text;
+}
+
+nlohmann::json to_json(const FactsReport& report) {
+    nlohmann::json groups = nlohmann::json::array(), distortions = nlohmann::json::array(), regimes = nlohmann::json::array(),
+                   untold = nlohmann::json::array(), rocking = nlohmann::json::object();
+    for (const GroupComparison& group : report.report.groups) {
+        groups.push_back(to_json(group));
+        if (group.severity) distortions.push_back(to_json(group));
+    }
+    for (const RegimeStatement& regime : report.report.regimes) {
+        regimes.push_back({{"topic", std::string(regime.topic)},
+                           {"direction", text_or_null(name_direction(regime.direction))},
+                           {"severity", severity_or_null(regime.severity)},
+                           {"statement", regime.statement},
+                           {"sources", regime.sources}});
+    }
+    for (const scaling::UntoldGroup& group : report.report.untold) {
+        untold.push_back({{"group", std::string(group.name)}, {"missing", std::string(group.missing)}});
+    }
+    for (const Direction direction : {Direction::thin, Direction::wide}) {
+        rocking[std::string(to_string(direction))] = to_json(make_rocking_rows(report.facts, report.similitude, direction));
+    }
+    nlohmann::json object = study::to_json(report.similitude);
+    object["groups"] = cli::to_json(group_factors(report.similitude, make_model_facts(report.facts)));
+    object["distortions"] = distortions;
+    nlohmann::json motion;
+    if (report.facts.motion && report.facts.model_motion) {
+        motion = to_json(make_motion_rows(*report.facts.motion, *report.facts.model_motion, report.similitude));
+    }
+    object["facts"] = {{"name", report.name},
+                       {"prototype", report.facts.prototype.name},
+                       {"model", report.facts.model.name},
+                       {"groups", groups},
+                       {"regimes", regimes},
+                       {"motion", motion},
+                       {"speeds", to_json(make_speed_rows(report.facts, report.similitude))},
+                       {"rocking", rocking},
+                       {"untold", untold}};
+    return object;
+}
+
+}  // namespace musim::cli

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "cli/text_table.hpp"
+#include "scaling/regime_report.hpp"
+
+namespace musim::cli {
+
+/// What `musim scale --facts` has to say.
+struct FactsReport {
+    std::string name;
+    scaling::PairFacts facts;  ///< with the model's motion, given or by the law
+    scaling::Similitude similitude;
+    scaling::RegimeReport report;
+};
+
+/// Distortions with effect and sources, regimes, groups of both, structural speeds and what the model would need, blocks that rock, and
+/// what the facts do not tell.
+std::string make_facts_report(const FactsReport& report, ReportStyle style);
+
+/// One JSON object: what `musim scale` prints ("law", "factors", "groups", "distortions" of group, factor, severity, effect), where a
+/// distortion has "direction", "prototype", "model", "required" and "sources" too, and "facts": {"name", "prototype", "model", "groups",
+/// "regimes", "motion", "speeds", "rocking", "untold"}; quantities there have "prototype", "model", "required" by the law, "factor" and
+/// "required_factor", in SI units that their keys name. A factor from zero is null.
+nlohmann::json to_json(const FactsReport& report);
+
+}  // namespace musim::cli

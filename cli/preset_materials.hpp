@@ -1,0 +1,12 @@
+#pragma once
+
+#include <vector>
+
+#include "design/design.hpp"
+
+namespace musim::cli {
+
+/// The measured materials of scenes by their names, face stiffnesses as moduli of the solid; for files of designs and facts.
+std::vector<design::Material> make_preset_materials();
+
+}  // namespace musim::cli

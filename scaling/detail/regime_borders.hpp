@@ -1,0 +1,23 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "scaling/regime_report.hpp"
+
+/// Where one kind of response ends and another begins.
+namespace musim::scaling::detail {
+
+/// What a group that has a border at 1 says about both structures; nothing for a group without one.
+std::optional<RegimeStatement> cross_border(const GroupComparison& group);
+
+/// What a block does first under the peak of each motion, per direction.
+void add_first_motions(std::vector<RegimeStatement>& regimes, const PairFacts& shaken);
+
+/// Whether dead weight closes the uneven gaps, where δ_w/σ_H is among the groups.
+void add_contacts(std::vector<RegimeStatement>& regimes, const std::vector<GroupComparison>& groups);
+
+/// Whether a table follows the frequencies of the model's motion, as far as both are known.
+void add_table(std::vector<RegimeStatement>& regimes, const MotionFacts& model, const Bandwidth& table);
+
+}  // namespace musim::scaling::detail

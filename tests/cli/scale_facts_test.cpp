@@ -1,0 +1,170 @@
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "tests/cli/program.hpp"
+#include "tests/support/relative.hpp"
+
+using namespace musim::cli;
+using musim::lsdem::tests::relative;
+
+namespace {
+
+std::string example(const std::string& name) { return "'" MUSIM_SOURCE_DIR "/examples/facts/" + name + ".json'"; }
+
+/// The group's entry; null when there is none.
+nlohmann::json find(const nlohmann::json& entries, const char* key, const std::string& name, const nlohmann::json& direction = {}) {
+    for (const auto& entry : entries) {
+        if (entry[key] == name && entry["direction"] == direction) return entry;
+    }
+    return {};
+}
+
+constexpr const char* kFacts = R"({"schema": "musim-facts/1",
+    "prototype": {"preset": "concrete", "block": ["1.36 m", "2.82 m", "4.25 m"], "layers": 38},
+    "model": {"preset": "wood", "blocks_per_layer": 188})";
+
+}  // namespace
+
+TEST_CASE("the concrete model at 1:25 keeps the motion and is five times too fast in structural speed") {
+    const Workplace here;
+    const Outcome outcome = here.run("scale --length 1/25 --law froude --facts " + example("concrete") + " --json");
+    REQUIRE_MESSAGE(outcome.exit_code == 0, outcome.err);
+    const auto object = outcome.json();
+    for (const char* key : {"law", "factors", "groups", "distortions", "facts"}) CHECK(object.contains(key));
+    CHECK(object["factors"]["time"] == 0.2);
+    const auto speed = find(object["distortions"], "group", "S_e^N");
+    CHECK(speed["factor"].get<double>() == relative(5.0, 1e-12));
+    CHECK(speed["prototype"].get<double>() == relative(113.2, 2e-3));  // printed for measured blocks
+    CHECK(speed["severity"] == "warning");
+    CHECK(speed["required"] == false);
+    CHECK(speed["sources"] == nlohmann::json{"Rosakis21", "derived"});
+    CHECK(find(object["distortions"], "group", "kappa_n")["severity"] == "note");
+    CHECK(object["distortions"].size() == 4);
+    // similarity of speed asks for k by λ_ρ λ_l² = 1/625; the same solid has 1/25
+    const auto& shear = object["facts"]["speeds"]["shear_stiffness_n_m"];
+    CHECK(shear["required_factor"].get<double>() == relative(1.0 / 625.0, 1e-12));
+    CHECK(shear["factor"].get<double>() == relative(1.0 / 25.0, 1e-12));
+}
+
+TEST_CASE("the aluminium model changes regime, with the statement and its sources") {
+    const Workplace here;
+    const auto object = here.run("scale --length 1/107 --law mu --facts " + example("aluminium") + " --json").json();
+    CHECK(object["factors"]["friction"] == 0.18 / 0.59);
+    CHECK(1.0 / object["factors"]["time"].get<double>() == relative(5.713499, 1e-7));
+    const auto regime = find(object["facts"]["regimes"], "topic", "sliding or rocking first", "thin");
+    CHECK(regime["severity"] == "error");
+    CHECK(regime["statement"].get<std::string>().find(
+              "mu/tan(alpha) goes from 1.844 (rocking can start first) to 0.5625 (sliding first)") == 0);
+    CHECK(regime["sources"] == nlohmann::json{"ShentonJones91", "Shenton96"});
+    CHECK(find(object["facts"]["regimes"], "topic", "sliding or rocking first", "wide")["severity"].is_null());
+    CHECK(find(object["facts"]["regimes"], "topic", "first motion", "thin")["statement"] ==
+          "under the peak a single block rocks in the prototype, rests in the model");
+    CHECK(find(object["distortions"], "group", "mu/tan(alpha)", "thin")["severity"] == "error");
+    CHECK(find(object["distortions"], "group", "omega/p", "wide")["factor"].get<double>() == relative(0.5523, 1e-4));
+    // thin block of the papers
+    const auto& thin = object["facts"]["rocking"]["thin"];
+    CHECK(thin["half_diagonal_m"]["prototype"].get<double>() == relative(2.2311, 2.3e-5));
+    CHECK(thin["angle_deg"]["prototype"].get<double>() == relative(17.745, 2.9e-5));
+    CHECK(thin["frequency_parameter_rad_s"]["prototype"].get<double>() == relative(1.8156, 2.8e-5));
+    CHECK(thin["frequency_parameter_rad_s"]["factor"].get<double>() == relative(10.34408, 5e-7));  // √107
+    CHECK(thin["energy_restitution"]["prototype"].get<double>() == relative(0.7407, 6.8e-5));
+}
+
+TEST_CASE("the wooden model stays in its regime, and the table's band is told") {
+    const Workplace here;
+    const auto object = here.run("scale --length 1/107 --facts " + example("wood") + " --json").json();
+    for (const auto& regime : object["facts"]["regimes"]) CHECK(regime["severity"] != "error");
+    CHECK(find(object["facts"]["regimes"], "topic", "table")["severity"] == "warning");  // 106.9 Hz of 100 Hz
+    CHECK(object["facts"]["motion"]["pga_m_s2"]["model"].get<double>() == relative(0.5456441 * 9.80665, 1e-6));
+    CHECK(object["facts"]["motion"]["pgv_m_s"]["model"].get<double>() == relative(0.04235632, 1e-6));
+    CHECK(find(object["facts"]["groups"], "group", "mu^N")["prototype"].get<double>() == relative(0.01387054, 5e-7));
+    CHECK(object["facts"]["speeds"]["normal_wave_speed_m_s"]["model"].get<double>() == relative(2110.0, 1e-3));
+}
+
+TEST_CASE("the report is text or Markdown, with the same numbers") {
+    const Workplace here;
+    const Outcome plain = here.run("scale --length 1/107 --facts " + example("aluminium")),
+                  markdown = here.run("scale --length 1/107 --markdown --facts " + example("aluminium"));
+    REQUIRE(plain.exit_code == 0);
+    REQUIRE(markdown.exit_code == 0);
+    for (const Outcome* const outcome : {&plain, &markdown}) {
+        CHECK(outcome->out.find("aluminium for concrete, law mu: length 1/107, friction 0.3050847") != std::string::npos);
+        CHECK(outcome->out.find("7 regimes: 3 errors, 0 warnings, 0 notes; 24 groups: 2 errors") != std::string::npos);
+        CHECK(outcome->out.find("the peak lifts no block") != std::string::npos);
+        CHECK(outcome->out.find("Not told by prototype or model: ") != std::string::npos);
+        CHECK(outcome->out.find("510 MN/m") != std::string::npos);
+    }
+    CHECK(markdown.out.find("## Groups of rocking\n\n| group | direction |") != std::string::npos);
+    CHECK(plain.out.find("---") == std::string::npos);
+}
+
+TEST_CASE("factors follow from the facts; the same ones may be typed, others contradict") {
+    const Workplace here;
+    here.write("facts.json", std::string(kFacts) + "}");
+    const auto alone = here.run("scale --length 1/107 --facts facts.json --json").json();
+    CHECK(alone["factors"]["density"] == 800.0 / 2320.0);
+    CHECK(here.run("scale --length 1/107 --friction 1.068 --density 800/2320 --gravity 1 --facts facts.json --json").json() == alone);
+    const Outcome contradiction = here.run("scale --length 1/107 --friction 0.3 --facts facts.json");
+    CHECK(contradiction.exit_code == 3);
+    CHECK(
+        contradiction.err ==
+        "musim: error: facts.json: --friction is 0.3, but prototype and model have the ratio 1.0678; leave the option out, or correct the "
+        "facts\n");
+    CHECK(here.run("scale --length 1/107 --gravity 2 --facts facts.json").exit_code == 3);
+    CHECK(here.run("scale --length 1/107 --density 2 --facts facts.json").exit_code == 3);
+    // law exact does not admit another friction
+    CHECK(here.run("scale --length 1/107 --law exact --facts facts.json").err.find("choose law \"mu\" or \"froude\"") != std::string::npos);
+}
+
+TEST_CASE("records and tables are looked for beside the facts, and agree with their own commands") {
+    const Workplace here;
+    here.shell("mkdir plans");
+    here.write("plans/table.json", R"({"schema": "musim-table/1", "axes": [{"names": ["x"], "highest_frequency": "1 Hz"}]})");
+    here.write("plans/facts.json",
+               std::string(kFacts) + R"(, "motion": {"file": "synthetic"}, "table": {"file": "table.json", "axis": "x"}})");
+    const Outcome outcome = here.run("scale --length 1/107 --facts plans/facts.json --json");
+    REQUIRE_MESSAGE(outcome.exit_code == 0, outcome.err);
+    const auto motion = outcome.json()["facts"]["motion"];
+    const auto info = here.run("record info synthetic --json").json();
+    const auto& component = info.contains("components") ? info["components"].at(0) : info["records"].at(0);
+    CHECK(motion["pga_m_s2"]["prototype"].get<double>() == relative(component["pga_g"].get<double>() * 9.80665, 1e-12));
+    CHECK(motion["pgv_m_s"]["prototype"].get<double>() == relative(component["pgv_cm_s"].get<double>() / 100.0, 1e-12));
+    CHECK(motion["pgd_m"]["prototype"].get<double>() == relative(component["pgd_cm"].get<double>() / 100.0, 1e-12));
+    CHECK(motion["predominant_period_s"]["prototype"] == component["predominant_period_s"]);
+    CHECK(motion["pulse_period_s"]["prototype"] == component["pulse_period_s"]);
+    CHECK(find(outcome.json()["facts"]["regimes"], "topic", "table")["severity"] == "error");
+
+    // what the model was given, here the record by the law: every group of the motion is kept
+    REQUIRE(here.run("rescale synthetic --length 1/107 --friction 0.63/0.59 -o plans/model.csv").exit_code == 0);
+    here.write("plans/both.json", std::string(kFacts) + R"(, "motion": {"file": "synthetic"}, "model_motion": {"file": "model.csv"}})");
+    const auto both = here.run("scale --length 1/107 --facts plans/both.json --json").json()["facts"]["groups"];
+    for (const char* group : {"a/(mu*g)", "mu^N", "PGD/l"}) {
+        // the record's file has ten digits
+        CHECK(find(both, "group", group)["factor"].get<double>() == relative(1.0, 1e-6));
+    }
+}
+
+TEST_CASE("wrong input to the facts is told in one line") {
+    const Workplace here;
+    here.write("facts.json", std::string(kFacts) + "}");
+    here.write("lost.json", std::string(kFacts) + R"(, "motion": {"file": "lost.v1"}})");
+    here.write("colour.json", std::string(kFacts) + R"(, "colour": 1})");
+    const auto error = [&](const std::string& arguments, int code) {
+        const Outcome outcome = here.run("scale --length 1/107 " + arguments);
+        CHECK(outcome.exit_code == code);
+        CHECK(outcome.has_one_error_line());
+        CHECK(outcome.out.empty());
+        return outcome.err;
+    };
+    CHECK(error("--facts none.json", 3).find("none.json: cannot be read") != std::string::npos);
+    CHECK(error("--facts lost.json", 3).find("lost.v1") != std::string::npos);
+    CHECK(error("--facts colour.json", 3) ==
+          "musim: error: colour.json: \"colour\" is none of its settings; remove it, or correct its name\n");
+    error("--facts facts.json --json --markdown", 2);
+    error("--facts facts.json --slenderness 0.3", 2);
+    error("--facts facts.json --friction-prototype 0.3", 2);
+    error("--markdown", 2);
+    error("--unit g", 2);
+    CHECK(here.run("scale --length 0 --facts facts.json").exit_code == 3);
+}
