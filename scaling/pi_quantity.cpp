@@ -9,35 +9,9 @@
 #include "scaling/detail/edit_distance.hpp"
 #include "scaling/detail/number_text.hpp"
 #include "scaling/detail/unit_text.hpp"
+#include "scaling/detail/wide_product.hpp"
 
 namespace musim::scaling {
-
-namespace {
-
-/// A product that neither overflows nor underflows on the way: mantissa · 2^exponent.
-struct Scaled {
-    double mantissa = 1.0;
-    std::int64_t exponent = 0;
-
-    void multiply(const Scaled& factor) {
-        int shift = 0;
-        mantissa = std::frexp(mantissa * factor.mantissa, &shift);
-        exponent += factor.exponent + shift;
-    }
-};
-
-Scaled power(double value, std::int64_t n) {
-    Scaled square;
-    square.multiply({value, 0});
-    Scaled result;
-    for (; n > 0; n /= 2) {
-        if (n % 2 == 1) result.multiply(square);
-        square.multiply(square);
-    }
-    return result;
-}
-
-}  // namespace
 
 PiQuantity make_pi_quantity(std::string_view name, std::string_view unit_text, std::optional<std::string_view> value) {
     PiQuantity quantity{.name = std::string(name), .dimension = {}, .value = std::nullopt, .is_angle = false};
@@ -84,20 +58,20 @@ std::size_t find_quantity(const std::vector<PiQuantity>& quantities, std::string
                                   : fmt::format("\"{}\" is no quantity of the problem; did you mean \"{}\"?", name, nearest));
 }
 
+RationalDimension dimension_of_product(const std::vector<Rational>& exponents, const std::vector<PiQuantity>& quantities) {
+    RationalDimension dimension;
+    for (std::size_t i = 0; i < quantities.size(); ++i) dimension = dimension * pow(quantities[i].dimension, exponents[i]);
+    return dimension;
+}
+
 std::optional<double> group_value(const PiGroup& group, const std::vector<PiQuantity>& quantities) {
-    Scaled numerator;
-    Scaled denominator;
+    detail::WideProduct product;
     for (std::size_t i = 0; i < quantities.size(); ++i) {
         if (group[i] == 0) continue;
         if (!quantities[i].value) return std::nullopt;
-        const double value = *quantities[i].value;
-        if (group[i] > 0) numerator.multiply(power(value, group[i]));
-        if (group[i] < 0) denominator.multiply(power(value, -group[i]));
+        product.multiply(*quantities[i].value, group[i]);
     }
-    const std::int64_t exponent = numerator.exponent - denominator.exponent;
-    if (denominator.mantissa == 0.0 || std::abs(exponent) > 4000) return std::nullopt;
-    const double value = std::ldexp(numerator.mantissa / denominator.mantissa, static_cast<int>(exponent));
-    return std::isfinite(value) ? std::optional(value) : std::nullopt;
+    return product.value();
 }
 
 }  // namespace musim::scaling

@@ -39,6 +39,9 @@ void check_quantities(const std::vector<PiQuantity>& quantities);
 /// Position of the quantity called `name`. Throws PiError, which names the nearest.
 std::size_t find_quantity(const std::vector<PiQuantity>& quantities, std::string_view name);
 
+/// Dimension of Π quantities^exponents. Throws SimilitudeError when an exponent leaves 64 bits.
+RationalDimension dimension_of_product(const std::vector<Rational>& exponents, const std::vector<PiQuantity>& quantities);
+
 /// Value of a group; none when a quantity in it has no value, or the result none that a double can hold. Scaling SI units by powers of two
 /// leaves the same bits.
 std::optional<double> group_value(const PiGroup& group, const std::vector<PiQuantity>& quantities);
