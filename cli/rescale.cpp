@@ -34,8 +34,8 @@ int run_rescale(const RescaleOptions& options) {
 
     nlohmann::json components = nlohmann::json::array();
     if (!options.json) {
-        print("Law {}: time {:.7g}, velocity {:.7g}, acceleration {:.7g} (model/prototype)\n\n", scaling::to_string(similitude.law()),
-              similitude.time(), similitude.velocity(), similitude.acceleration());
+        print("Law {}: time {:.7g}, velocity {:.7g}, acceleration {:.7g} (model/prototype)\n\n", similitude.law_name(), similitude.time(),
+              similitude.velocity(), similitude.acceleration());
         print_peaks_heading();
     }
     for (std::size_t c = 0; c < model.components.size(); ++c) {

@@ -35,8 +35,8 @@ int run_scale(const ScaleOptions& options) {
         print_json(object);
         return kDone;
     }
-    print("Law {}: length {:.7g}, friction {:.7g}, gravity {:.7g}, density {:.7g} (model/prototype)\n\n",
-          scaling::to_string(similitude.law()), similitude.length(), similitude.friction(), similitude.gravity(), similitude.density());
+    print("Law {}: length {:.7g}, friction {:.7g}, gravity {:.7g}, density {:.7g} (model/prototype)\n\n", similitude.law_name(),
+          similitude.length(), similitude.friction(), similitude.gravity(), similitude.density());
     print_factors("factor", similitude.factors());
     print("\n");
     print_factors("group (1 = kept)", groups);

@@ -6,10 +6,12 @@
 #include <cmath>
 #include <set>
 
+#include "scaling/detail/dimension_names.hpp"
 #include "scaling/detail/edit_distance.hpp"
 #include "scaling/detail/number_text.hpp"
 #include "scaling/detail/unit_text.hpp"
 #include "scaling/detail/wide_product.hpp"
+#include "scaling/quantity_text.hpp"
 
 namespace musim::scaling {
 
@@ -26,6 +28,22 @@ PiQuantity make_pi_quantity(std::string_view name, std::string_view unit_text, s
     quantity.value = detail::to_double(number, unit.decimal_exponent, *value) * unit.numerator / unit.denominator;
     if (!std::isfinite(*quantity.value)) throw ParseError(fmt::format("\"{}\": too large for a double; check number and unit", *value));
     return quantity;
+}
+
+double parse_value(std::string_view text, const PiQuantity& quantity) {
+    if (const auto halves = to_halves(quantity.dimension)) return parse_si(text, *halves);
+    const detail::NumberText number = detail::split_number(text);
+    const std::string_view digits = text.substr(0, static_cast<std::size_t>(number.rest.data() - text.data()));
+    const std::string_view unit = number.rest.empty() ? "1" : number.rest;
+    const PiQuantity read = make_pi_quantity(quantity.name, unit, number.rest.empty() ? text : digits);
+    if (number.rest.empty() || read.dimension == quantity.dimension) return *read.value;
+    throw ParseError(fmt::format("\"{}\": a quantity in {} is wanted, this is {}", text, detail::base_units(quantity.dimension),
+                                 detail::describe(read.dimension)));
+}
+
+std::string format_value(double value, const PiQuantity& quantity, int digits) {
+    if (const auto halves = to_halves(quantity.dimension)) return format_si(value, *halves, digits);
+    return fmt::format("{:.{}g} {}", value, digits, detail::base_units(quantity.dimension));
 }
 
 void check_quantities(const std::vector<PiQuantity>& quantities) {

@@ -8,6 +8,7 @@
 #include <numeric>
 #include <random>
 
+#include "scaling/pi_express.hpp"
 #include "scaling/pi_groups.hpp"
 #include "scaling/scale_text.hpp"
 #include "tests/scaling/pi_problems.hpp"
@@ -47,7 +48,7 @@ const Texts kMuLaw{"v*t/l", "a*t^2/l", "v/sqrt(mu*g*l)"};
 
 }  // namespace
 
-// 3.1 of the theory in README.md: λ_t = √(λ_l/(λ_μ λ_g)), λ_v = √(λ_l λ_μ λ_g), λ_a = λ_μ λ_g
+// README.md, Pi theorem for sliding blocks: λ_t = √(λ_l/(λ_μ λ_g)), λ_v = √(λ_l λ_μ λ_g), λ_a = λ_μ λ_g
 TEST_CASE("the mu law follows from its mu number, as formulas in the chosen factors") {
     const ScaleProblem problem = make_motion({{"l", 1.0 / 107.0}, {"mu", 0.63 / 0.59}, {"g", 1.0}}, kMuLaw, {"v/sqrt(g*l)", "a/g"});
     const ScaleSolution solution = solve_scales(problem);
@@ -61,6 +62,26 @@ TEST_CASE("the mu law follows from its mu number, as formulas in the chosen fact
     CHECK(*scale_of(problem, solution, "t").factor.value == doctest::Approx(std::sqrt(0.59 / (107.0 * 0.63))).epsilon(1e-15));
     CHECK(*solution.watched[0].value == doctest::Approx(std::sqrt(0.63 / 0.59)).epsilon(1e-15));
     CHECK(format_factor(solution.watched[1].exponents, problem.quantities) == "mu");
+}
+
+TEST_CASE("formulas put halves under one root, above or below, and other powers as they are") {
+    const auto quantities = make_problem({{"l", "1"}, {"g", "1"}, {"mu", "1"}});
+    const Rational half(1, 2);
+    const auto text = [&](const std::vector<Rational>& exponents) { return format_factor(exponents, quantities); };
+    CHECK(text({0, 0, 0}) == "1");
+    CHECK(text({2, -1, 0}) == "l^2/g");
+    CHECK(text({Rational(5, 2), half, 0}) == "l^2*sqrt(l*g)");
+    CHECK(text({1, -half, Rational(-3, 2)}) == "l/(mu*sqrt(g*mu))");
+    CHECK(text({half, -half, -1}) == "sqrt(l/g)/mu");
+    CHECK(text({0, -half, 0}) == "1/sqrt(g)");
+    CHECK(text({Rational(1, 3), -half, 0}) == "l^(1/3)/g^(1/2)");
+    CHECK(format_factor({half, -1, -half}, quantities, PiNotation::latex) ==
+          "\\frac{\\sqrt{\\frac{\\lambda_{l}}{\\lambda_{\\mu}}}}{\\lambda_{g}}");
+    // what is written is read back as the same product
+    for (const std::vector<Rational>& exponents :
+         {std::vector<Rational>{Rational(5, 2), -half, 1}, {-half, -1, -half}, {3, Rational(2, 3), -2}}) {
+        CHECK(parse_group(text(exponents), quantities) == exponents);
+    }
 }
 
 TEST_CASE("any three of a problem's factors will do, and the rest follows") {
