@@ -73,7 +73,9 @@ void add_rescale_command(CLI::App& app, Action& action) {
         "Examples:\n"
         "  musim rescale CICLC.v1 --length 1/107 --friction 0.63/0.59 -o model.csv\n"
         "  musim rescale CICLC.v1 --length 1/25 --component 360 -o model.at2\n"
-        "  musim rescale synthetic --length 1/107 --law froude -o model.csv --json");
+        "  musim rescale synthetic --length 1/107 --law froude -o model.csv --json\n"
+        "  musim rescale CICLC.v1 --length 1/25 --law centrifuge -o model.csv\n"
+        "  musim rescale CICLC.v1 --length 1/25 --law my_law.json --set k_b=1/100 -o model.csv");
     command->callback([&action, options] { action = [options] { return run_rescale(*options); }; });
 }
 

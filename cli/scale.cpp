@@ -8,6 +8,7 @@
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/report.hpp"
+#include "cli/scale_law.hpp"
 #include "scaling/distortion.hpp"
 
 namespace musim::cli {
@@ -15,12 +16,14 @@ namespace {
 
 struct ScaleOptions {
     SimilitudeOptions scales;
+    ScaleLawOptions data;
     std::optional<Number> friction_prototype;
     std::vector<Number> slenderness;
     bool json = false;
 };
 
-int run_scale(const ScaleOptions& options) {
+/// The law of scaling::Similitude: mu, froude, exact, cauchy, with all their options.
+int run_similitude(const ScaleOptions& options) {
     const scaling::Similitude similitude = options.scales.similitude();
     scaling::ModelFacts facts;
     if (options.friction_prototype) facts.friction_prototype = options.friction_prototype->value;
@@ -45,12 +48,29 @@ int run_scale(const ScaleOptions& options) {
     return kDone;
 }
 
+int run_scale(const ScaleOptions& options) {
+    if (options.data.lists_laws) return list_scale_laws(options.json);
+    const CLI::App& command = *options.scales.command;
+    if (options.scales.is_plain() && !options.data.are_given()) {
+        if (command.count("--length") == 0) throw CLI::RequiredError("--length (or --set for a law as data)");
+        return run_similitude(options);
+    }
+    for (const char* option : {"--friction-prototype", "--slenderness"}) {
+        if (command.count(option) > 0) {
+            throw CLI::ValidationError(option, "belongs to laws mu, froude, exact and cauchy with --length; remove it");
+        }
+    }
+    const bool is_free = command.count("--law") == 0 && !options.data.held.empty();
+    return run_scale_law(options.data, is_free ? "" : options.scales.law, options.scales.given(), options.json);
+}
+
 }  // namespace
 
 void add_scale_command(CLI::App& app, Action& action) {
     auto options = std::make_shared<ScaleOptions>();
     CLI::App* command = app.add_subcommand("scale", "Scale factors of every mechanical quantity, and what the model distorts");
-    options->scales.add_to(*command);
+    options->scales.add_to(*command, LengthOption::optional);
+    options->data.add_to(*command);
     command
         ->add_option("--friction-prototype", options->friction_prototype,
                      "Friction coefficient of the prototype, to tell sliding from rocking")
@@ -59,10 +79,17 @@ void add_scale_command(CLI::App& app, Action& action) {
         ->type_name("NUMBER");
     add_json_option(*command, options->json);
     command->footer(
+        "Laws mu, froude, exact and cauchy take --length; every law, also yours in a file (musim-law/1), takes --set. Without --law,\n"
+        "--hold names what model and prototype share; l, t, rho, v, a, m, F, E and others mean what `--laws` and the law files say.\n"
         "Examples:\n"
         "  musim scale --length 1/107 --friction 0.63/0.59\n"
         "  musim scale --length 1/107 --friction 0.18/0.59 --friction-prototype 0.59 --slenderness 0.32 --slenderness 0.6635\n"
-        "  musim scale --length 1/25 --gravity 25 --law froude --json");
+        "  musim scale --length 1/25 --gravity 25 --law froude --json\n"
+        "  musim scale --laws\n"
+        "  musim scale --law true_replica --set l=1/25 --value \"E=29.2 GPa\"\n"
+        "  musim scale --law artificial_mass --set l=1/25 --value \"m_s=270151 t\" --format markdown\n"
+        "  musim scale --law my_law.json --set l=1/25 --set E=1\n"
+        "  musim scale --quantity E:GPa --set l=1/25 --set g=1 --set E=1 --set rho=1 --hold \"v/sqrt(g*l)\" --watch \"rho*g*l/E\"");
     command->callback([&action, options] { action = [options] { return run_scale(*options); }; });
 }
 
