@@ -1,14 +1,20 @@
 #include "cli/options.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
+#include <CLI/App.hpp>
 #include <CLI/Error.hpp>
 #include <CLI/Option.hpp>
+#include <cstddef>
 #include <filesystem>
 
 #include "cli/output.hpp"
 #include "cli/uncertain_options.hpp"
+#include "scaling/law_similitude.hpp"
 #include "scaling/number.hpp"
+#include "scaling/scale_law_catalogue.hpp"
 
 namespace musim::cli {
 
@@ -21,19 +27,47 @@ bool lexical_cast(const std::string& text, Number& number) {
     return true;
 }
 
-void SimilitudeOptions::add_to(CLI::App& command) {
-    add_uncertain_option(command, "--length", length, "Length factor, model/prototype, e.g. 1/107 or 1/107+/-1%")->required();
-    add_uncertain_option(command, "--friction", friction,
+void SimilitudeOptions::add_to(CLI::App& app, LengthOption length_option) {
+    command = &app;
+    add_uncertain_option(app, "--length", length, "Length factor, model/prototype, e.g. 1/107 or 1/107+/-1%")
+        ->required(length_option == LengthOption::required);
+    add_uncertain_option(app, "--friction", friction,
                          "Ratio of the friction coefficients, e.g. 0.63/0.59 or \"(0.63+/-5%)/(0.59+/-5%)\" (default 1)");
-    add_uncertain_option(command, "--gravity", gravity, "Ratio of gravity, above 1 in a centrifuge (default 1)");
-    add_uncertain_option(command, "--density", density, "Ratio of densities (default 1)");
-    command.add_option("--law", law, "Which force governs: mu, froude, exact or cauchy")->capture_default_str()->type_name("LAW");
+    add_uncertain_option(app, "--gravity", gravity, "Ratio of gravity, above 1 in a centrifuge (default 1)");
+    add_uncertain_option(app, "--density", density, "Ratio of densities (default 1)");
+    app.add_option("--law", law, "Which force governs: mu, froude, exact, cauchy, another of `musim scale --laws`, or a law file")
+        ->capture_default_str()
+        ->type_name("LAW");
+    app.add_option("--set", factors, "Factor of another quantity of the law, e.g. F_R=1/500; repeat for several")
+        ->type_name("NAME=NUMBER")
+        ->expected(1)
+        ->take_all();
 }
 
-scaling::Similitude SimilitudeOptions::similitude() const { return similitude(scales().factors()); }
+bool SimilitudeOptions::is_plain() const { return factors.empty() && scaling::is_law(law); }
 
-scaling::Similitude SimilitudeOptions::similitude(const scaling::ScaleFactors& factors) const {
-    return scaling::Similitude(factors, scaling::parse_law(law));
+std::vector<scaling::GivenFactor> SimilitudeOptions::given() const { return given(scales().factors()); }
+
+std::vector<scaling::GivenFactor> SimilitudeOptions::given(const scaling::ScaleFactors& values) const {
+    std::vector<scaling::GivenFactor> list;
+    const auto add = [&](const char* option, const char* quantity, double factor) {
+        if (command->count(option) > 0) list.push_back({quantity, factor});
+    };
+    add("--length", "l", values.length);
+    add("--friction", "mu", values.friction);
+    add("--gravity", "g", values.gravity);
+    add("--density", "rho", values.density);
+    for (const scaling::GivenFactor& factor : parse_factors(factors)) list.push_back(factor);
+    return list;
+}
+
+scaling::Similitude SimilitudeOptions::similitude() const {
+    return is_plain() ? similitude(scales().factors()) : solve_similitude(law, given());
+}
+
+scaling::Similitude SimilitudeOptions::similitude(const scaling::ScaleFactors& factor_values) const {
+    if (is_plain()) return scaling::Similitude(factor_values, scaling::parse_law(law));
+    return scaling::make_similitude(scaling::solve_law(scaling::load_scale_law(law), given(factor_values)));
 }
 
 scaling::UncertainScales SimilitudeOptions::scales() const {
@@ -49,6 +83,32 @@ void SimilitudeOptions::note_values_used() const {
     if (!scales().is_uncertain()) return;
     note_at_end(
         "musim: note: only the values of uncertain factors are used here; musim scale and musim rescale tell what the uncertainty does");
+}
+
+scaling::Similitude solve_similitude(const std::string& law, const std::vector<scaling::GivenFactor>& given) {
+    const scaling::SolvedLaw solved = scaling::solve_law(scaling::load_scale_law(law), given);
+    for (const std::size_t j : solved.overruled) {
+        note_at_end(fmt::format("musim: warning: law {}: {} is {:.7g} by the factors given, not its default", solved.law.name,
+                                solved.problem.quantities[j].name, *solved.solution.quantities[j].factor.value));
+    }
+    return scaling::make_similitude(solved);
+}
+
+std::vector<scaling::GivenFactor> parse_factors(const std::vector<std::string>& texts) {
+    std::vector<scaling::GivenFactor> list;
+    for (const std::string& text : texts) {
+        const auto [name, number] = split_option("--set", text, '=', "NAME=NUMBER, e.g. l=1/25");
+        list.push_back({name, scaling::parse_number(number)});
+    }
+    return list;
+}
+
+std::pair<std::string, std::string> split_option(const std::string& option, const std::string& text, char mark, const std::string& wanted) {
+    const std::size_t position = text.find(mark);
+    if (position == 0 || position == std::string::npos || position + 1 == text.size()) {
+        throw CLI::ValidationError(option, "'" + text + "' is not " + wanted);
+    }
+    return {text.substr(0, position), text.substr(position + 1)};
 }
 
 std::string to_lower_case(std::string text) {

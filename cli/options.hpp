@@ -2,7 +2,10 @@
 
 #include <CLI/App.hpp>
 #include <string>
+#include <utility>
+#include <vector>
 
+#include "scaling/scale_law.hpp"
 #include "scaling/similitude.hpp"
 #include "scaling/uncertain_similitude.hpp"
 
@@ -18,20 +21,35 @@ struct Number {
 /// Reads a Number for CLI11, which finds it by argument-dependent lookup. Throws CLI::ConversionError.
 bool lexical_cast(const std::string& text, Number& number);
 
-/// The scale factors and the law of one similitude, as options --length, --friction, --gravity, --density, --law. Factors may carry
-/// standard uncertainties.
+/// Whether a command can do without --length.
+enum class LengthOption { required, optional };
+
+/// The scale factors and the law of one similitude, as options --length, --friction, --gravity, --density, --law, --set. Factors of the
+/// first four may carry standard uncertainties.
 struct SimilitudeOptions {
     scaling::UncertainRatio length, friction, gravity, density;
     std::string law = "mu";
+    std::vector<std::string> factors;   ///< of other quantities of a law as data, "NAME=NUMBER"
+    const CLI::App* command = nullptr;  ///< that has the options
 
-    /// Adds the options to a command; --length is required.
-    void add_to(CLI::App& command);
+    /// Adds the options to a command.
+    void add_to(CLI::App& app, LengthOption length_option = LengthOption::required);
 
-    /// The similitude of the factors' values. Throws scaling::SimilitudeError.
+    /// Whether laws as data are not asked for: no --set, and a law of scaling::Law.
+    bool is_plain() const;
+
+    /// What the options give of a law as data: --length is l, --friction mu, --gravity g, --density rho. Throws CLI::ValidationError for a
+    /// --set that is not NAME=NUMBER, scaling::ParseError.
+    std::vector<scaling::GivenFactor> given() const;
+    /// The same with other values of the four factors.
+    std::vector<scaling::GivenFactor> given(const scaling::ScaleFactors& values) const;
+
+    /// The similitude of the factors' values by scaling::Law, or by a law as data that settles length, time and mass. Throws
+    /// scaling::SimilitudeError, as given() does.
     scaling::Similitude similitude() const;
 
     /// The similitude of other factors by the same law. Throws scaling::SimilitudeError.
-    scaling::Similitude similitude(const scaling::ScaleFactors& factors) const;
+    scaling::Similitude similitude(const scaling::ScaleFactors& factor_values) const;
 
     /// The factors with their uncertainties.
     scaling::UncertainScales scales() const;
@@ -39,6 +57,16 @@ struct SimilitudeOptions {
     /// A remark at the end when factors are uncertain: for commands that use their values alone.
     void note_values_used() const;
 };
+
+/// The similitude of a law as data, by name or file, with the given factors. A default of the law that these overrule is a warning at the
+/// end. Throws scaling::SimilitudeError.
+scaling::Similitude solve_similitude(const std::string& law, const std::vector<scaling::GivenFactor>& given);
+
+/// Texts of --set, "NAME=NUMBER". Throws CLI::ValidationError for another form, scaling::ParseError.
+std::vector<scaling::GivenFactor> parse_factors(const std::vector<std::string>& texts);
+
+/// The two sides of "NAME=REST", the mark being `=`. Throws CLI::ValidationError `option: 'text' is not WANTED`.
+std::pair<std::string, std::string> split_option(const std::string& option, const std::string& text, char mark, const std::string& wanted);
 
 /// `text` with small letters for A to Z.
 std::string to_lower_case(std::string text);

@@ -28,6 +28,8 @@ struct PairOptions {
     std::string scene;
     std::vector<Number> lengths{{1.0 / 25.0}, {1.0 / 107.0}};
     std::string materials = "exact";
+    std::string law;
+    std::vector<std::string> factors;
     std::vector<std::string> presets;
     std::string record;
     std::vector<std::string> components;
@@ -55,9 +57,15 @@ std::vector<study::ModelChoice> make_choices(const PairOptions& options) {
     if (!options.presets.empty() && options.presets.size() != options.lengths.size()) {
         throw CLI::ValidationError("--material", "give one per --length, in the same order, or none");
     }
+    if (!options.law.empty() && options.materials != "exact")
+        throw CLI::ValidationError("--law", "own materials take the mu law; leave --law or --materials out");
     std::vector<study::ModelChoice> choices;
     for (std::size_t i = 0; i < options.lengths.size(); ++i) {
-        choices.push_back({options.lengths[i], options.presets.empty() ? std::string() : options.presets[i]});
+        choices.push_back({.length = options.lengths[i], .material = options.presets.empty() ? std::string() : options.presets[i]});
+        if (options.law.empty()) continue;
+        std::vector<scaling::GivenFactor> given = parse_factors(options.factors);
+        given.push_back({"l", options.lengths[i]});
+        choices.back().similitude = solve_similitude(options.law, given);
     }
     return choices;
 }
@@ -196,6 +204,15 @@ void add_pair_command(CLI::App& app, Action& action) {
     command->add_option("--materials", options->materials, "exact: scaled so that every group is equal; own: measured for each scale")
         ->check(CLI::IsMember({"exact", "own"}))
         ->capture_default_str();
+    CLI::Option* law = command
+                           ->add_option("--law", options->law,
+                                        "With exact materials: scale by this law of `musim scale --laws` or law file (default: exact)")
+                           ->type_name("LAW");
+    command->add_option("--set", options->factors, "Factor of another quantity of the law, e.g. mu=0.63/0.59; repeat for several")
+        ->type_name("NAME=NUMBER")
+        ->expected(1)
+        ->take_all()
+        ->needs(law);
     command->add_option("--material", options->presets, "Preset of each model with own materials (default: the one measured at that scale)")
         ->type_name("PRESET");
     command->add_flag("--each-alone", options->each_alone,
@@ -216,6 +233,7 @@ void add_pair_command(CLI::App& app, Action& action) {
         "Examples:\n"
         "  musim pair examples/tower_prototype.json -o out/pair\n"
         "  musim pair examples/tower_prototype.json --length 1/16 --length 1/64 --json\n"
+        "  musim pair examples/tower_prototype.json --length 1/25 --law centrifuge\n"
         "  musim pair examples/tower_prototype.json --length 1/107 --record CICLC.v1 --component x=360 -o out/ridgecrest\n"
         "  musim pair examples/tower_prototype.json --length 1/107 --materials own --material aluminium\n"
         "  musim pair examples/tower_prototype.json --length 1/107 --materials own --each-alone\n"

@@ -185,8 +185,7 @@ std::vector<std::string> make_caption(const RecordFigure& figure) {
         const scaling::Similitude& similitude = *figure.model_of;
         lines.push_back(
             fmt::format("Model curves are divided by their factors, law {}: λₜ = {:.6g}, λₐ = {:.6g}, λᵥ = {:.6g}, λₗ = {:.6g}.",
-                        scaling::to_string(similitude.law()), similitude.time(), similitude.acceleration(), similitude.velocity(),
-                        similitude.length()));
+                        similitude.law_name(), similitude.time(), similitude.acceleration(), similitude.velocity(), similitude.length()));
         lines.emplace_back("Upper axes and the table's rows of models are in the model's own units.");
     }
     return lines;

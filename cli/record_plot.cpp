@@ -136,7 +136,7 @@ void add_record_plot_command(CLI::App& record, Action& action) {
         ->type_name("FROM TO");
     options->scales.add_to(*command);
     CLI::Option* length = command->get_option("--length")->required(false);
-    for (const char* other : {"--friction", "--gravity", "--density", "--law"}) command->get_option(other)->needs(length);
+    for (const char* other : {"--friction", "--gravity", "--density", "--law", "--set"}) command->get_option(other)->needs(length);
     add_json_option(*command, options->json);
     command->footer(
         "Examples:\n"

@@ -39,8 +39,8 @@ int run_rescale(const RescaleOptions& options) {
 
     nlohmann::json components = nlohmann::json::array();
     if (!options.json) {
-        print("Law {}: time {:.7g}, velocity {:.7g}, acceleration {:.7g} (model/prototype)\n\n", scaling::to_string(similitude.law()),
-              similitude.time(), similitude.velocity(), similitude.acceleration());
+        print("Law {}: time {:.7g}, velocity {:.7g}, acceleration {:.7g} (model/prototype)\n\n", similitude.law_name(), similitude.time(),
+              similitude.velocity(), similitude.acceleration());
         print_peaks_heading();
     }
     for (std::size_t c = 0; c < model.components.size(); ++c) {
@@ -84,6 +84,8 @@ void add_rescale_command(CLI::App& app, Action& action) {
         "  musim rescale CICLC.v1 --length 1/25 --component 360 -o model.at2\n"
         "  musim rescale CICLC.v1 --length 1/107+/-0.4% --friction \"(0.63+/-5%)/(0.59+/-5%)\" --height 161.5m --monte-carlo -o model.csv\n"
         "  musim rescale synthetic --length 1/107 --law froude -o model.csv --json\n"
+        "  musim rescale CICLC.v1 --length 1/25 --law centrifuge -o model.csv\n"
+        "  musim rescale CICLC.v1 --length 1/25 --law my_law.json --set k_b=1/100 -o model.csv\n"
         "Where factors carry uncertainties, e.g. 0.63+/-0.03, the record is scaled by their values, and the model's measures are told with "
         "u, a\n"
         "standard uncertainty; those of --monte-carlo with intervals that cover 95 %.");

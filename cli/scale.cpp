@@ -7,6 +7,7 @@
 #include "cli/output.hpp"
 #include "cli/report.hpp"
 #include "cli/scale_facts.hpp"
+#include "cli/scale_law.hpp"
 #include "cli/scale_uncertainty.hpp"
 #include "cli/uncertain_options.hpp"
 #include "scaling/distortion.hpp"
@@ -16,6 +17,7 @@ namespace {
 
 struct ScaleOptions {
     SimilitudeOptions scales;
+    ScaleLawOptions data;
     UncertainStructureOptions structure;
     scaling::UncertainMotion motion;
     MonteCarloOptions monte_carlo;
@@ -23,7 +25,8 @@ struct ScaleOptions {
     bool json = false;
 };
 
-int run_scale(const ScaleOptions& options) {
+/// The law of scaling::Similitude: mu, froude, exact, cauchy, with all their options.
+int run_similitude(const ScaleOptions& options) {
     const scaling::Similitude similitude = options.scales.similitude();
     scaling::ModelFacts facts;
     if (options.structure.friction) facts.friction_prototype = options.structure.friction->value;
@@ -41,8 +44,8 @@ int run_scale(const ScaleOptions& options) {
         print_json(object);
         return kDone;
     }
-    print("Law {}: length {:.7g}, friction {:.7g}, gravity {:.7g}, density {:.7g} (model/prototype)\n\n",
-          scaling::to_string(similitude.law()), similitude.length(), similitude.friction(), similitude.gravity(), similitude.density());
+    print("Law {}: length {:.7g}, friction {:.7g}, gravity {:.7g}, density {:.7g} (model/prototype)\n\n", similitude.law_name(),
+          similitude.length(), similitude.friction(), similitude.gravity(), similitude.density());
     if (uncertain.is_uncertain()) {
         print_uncertain_factors(uncertain);
     } else {
@@ -56,12 +59,31 @@ int run_scale(const ScaleOptions& options) {
     return kDone;
 }
 
+int run_scale(const ScaleOptions& options) {
+    if (options.data.lists_laws) return list_scale_laws(options.json);
+    const CLI::App& command = *options.scales.command;
+    if (options.scales.is_plain() && !options.data.are_given()) {
+        if (command.count("--length") == 0) throw CLI::RequiredError("--length (or --set for a law as data)");
+        return options.facts.is_given() ? run_scale_facts(command, options.scales, options.facts, options.json) : run_similitude(options);
+    }
+    for (const char* option : {"--friction-prototype", "--slenderness", "--height", "--pga", "--pgv", "--pgd", "--arias", "--duration",
+                               "--time-step", "--monte-carlo", "--facts"}) {
+        if (command.count(option) > 0) {
+            throw CLI::ValidationError(option, "belongs to laws mu, froude, exact and cauchy with --length; remove it");
+        }
+    }
+    if (options.scales.scales().is_uncertain()) note_at_end("musim: note: laws as data use the values of uncertain factors only");
+    const bool is_free = command.count("--law") == 0 && !options.data.held.empty();
+    return run_scale_law(options.data, is_free ? "" : options.scales.law, options.scales.given(), options.json);
+}
+
 }  // namespace
 
 void add_scale_command(CLI::App& app, Action& action) {
     auto options = std::make_shared<ScaleOptions>();
     CLI::App* command = app.add_subcommand("scale", "Scale factors of every mechanical quantity, and what the model distorts");
-    options->scales.add_to(*command);
+    options->scales.add_to(*command, LengthOption::optional);
+    options->data.add_to(*command);
     options->structure.add_to(*command);
     add_motion_options(*command, options->motion);
     options->monte_carlo.add_to(*command);
@@ -69,6 +91,8 @@ void add_scale_command(CLI::App& app, Action& action) {
     add_json_option(*command, options->json);
     command->get_option("--json")->excludes("--markdown");
     command->footer(
+        "Laws mu, froude, exact and cauchy take --length; every law, also yours in a file (musim-law/1), takes --set. Without --law,\n"
+        "--hold names what model and prototype share; l, t, rho, v, a, m, F, E and others mean what `--laws` and the law files say.\n"
         "Examples:\n"
         "  musim scale --length 1/107 --friction 0.63/0.59\n"
         "  musim scale --length 1/107 --friction 0.18/0.59 --friction-prototype 0.59 --slenderness 0.32 --slenderness 0.6635\n"
@@ -76,16 +100,16 @@ void add_scale_command(CLI::App& app, Action& action) {
         "  musim scale --length 1/107+/-0.4% --friction 1.07+/-7% --pga 0.511g --pgv \"42.4+/-0.4 cm/s\" --json\n"
         "  musim scale --length 1/25 --gravity 25 --law froude --json\n"
         "  musim scale --length 1/107 --facts examples/facts/wood.json --markdown > wood.md\n"
+        "  musim scale --laws\n"
+        "  musim scale --law true_replica --set l=1/25 --value \"E=29.2 GPa\"\n"
+        "  musim scale --law artificial_mass --set l=1/25 --value \"m_s=270151 t\" --format markdown\n"
+        "  musim scale --law my_law.json --set l=1/25 --set E=1\n"
+        "  musim scale --quantity E:GPa --set l=1/25 --set g=1 --set E=1 --set rho=1 --hold \"v/sqrt(g*l)\" --watch \"rho*g*l/E\"\n"
         "Factors may carry standard uncertainties: 0.63+/-0.03, \"0.63 +/- 5%\", \"(0.63+/-5%)/(0.59+/-5%)\". They are propagated to first "
         "order;\n"
         "u is a standard uncertainty, intervals of --monte-carlo cover 95 %. \"as shaken\": the groups of a test that is shaken with the "
         "factors' values.");
-    command->callback([&action, options, command] {
-        action = [options, command] {
-            return options->facts.is_given() ? run_scale_facts(*command, options->scales, options->facts, options->json)
-                                             : run_scale(*options);
-        };
-    });
+    command->callback([&action, options] { action = [options] { return run_scale(*options); }; });
 }
 
 }  // namespace musim::cli

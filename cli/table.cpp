@@ -106,7 +106,7 @@ Verdict judge(const TableOptions& options, const records::TableTask& task, const
     for (std::size_t c = 0; c < verdict.uses.size(); ++c)
         loads.push_back({task.axes[c], records::to_prototype(verdict.uses[c].demand, similitude)});
     const auto find = [&](const records::LimitFilter& counts) {
-        return records::find_scales(loads, payload, similitude.chosen(), similitude.law(), counts);
+        return records::find_scales(loads, payload, similitude.chosen(), *similitude.law(), counts);
     };
     verdict.scales = find({});
     for (const records::ComponentUse& component : verdict.uses) {
@@ -125,7 +125,7 @@ Verdict judge(const TableOptions& options, const records::TableTask& task, const
 }
 
 void print_verdict(const records::ShakeTable& table, const Verdict& verdict, const scaling::Similitude& similitude) {
-    print("{}: law {}, length {:.6g}, time {:.6g}, acceleration {:.6g} (model/prototype)\n\n", table.name, to_string(similitude.law()),
+    print("{}: law {}, length {:.6g}, time {:.6g}, acceleration {:.6g} (model/prototype)\n\n", table.name, similitude.law_name(),
           similitude.length(), similitude.time(), similitude.acceleration());
     print_uses(verdict.uses, verdict.limit_scales);
     print("\n");
@@ -176,6 +176,10 @@ int run_table(TableOptions options) {
 
     const scaling::Similitude similitude = options.scales.similitude();
     options.scales.note_values_used();
+    if (!similitude.law()) {
+        throw scaling::SimilitudeError(fmt::format(
+            "law {}: a table looks for other length scales, by mu, froude, exact or cauchy; choose one of these", similitude.law_name()));
+    }
     const records::Payload payload = find_payload(options);
     const Pairs pairs = parse_axes(options.axes);
     const records::ShakeTable table = read_shake_table(options.limits);

@@ -26,7 +26,7 @@ GroundMotion rescale(const GroundMotion& prototype, const scaling::Similitude& s
     model.time_zero.reset();
     if (model.integration_corner) model.integration_corner = similitude.to_model(*model.integration_corner);
     model.history.push_back(fmt::format("rescaled by the {} law: length {:.9g}, time {:.9g}, velocity {:.9g}, acceleration {:.9g}",
-                                        to_string(similitude.law()), similitude.length(), similitude.time(), similitude.velocity(),
+                                        similitude.law_name(), similitude.length(), similitude.time(), similitude.velocity(),
                                         similitude.acceleration()));
     return model;
 }

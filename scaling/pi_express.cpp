@@ -153,8 +153,7 @@ std::vector<Rational> parse_group(std::string_view text, const std::vector<PiQua
 
 std::vector<Rational> express(const std::vector<Rational>& wanted, const std::vector<PiGroup>& groups,
                               const std::vector<PiQuantity>& quantities) {
-    RationalDimension dimension;
-    for (std::size_t i = 0; i < quantities.size(); ++i) dimension = dimension * pow(quantities[i].dimension, wanted[i]);
+    const RationalDimension dimension = dimension_of_product(wanted, quantities);
     if (!dimension.is_dimensionless()) {
         throw PiError(fmt::format("{} is not dimensionless: it is {}; correct its exponents", format_group(wanted, quantities),
                                   detail::describe(dimension)));

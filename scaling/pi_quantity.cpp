@@ -6,38 +6,14 @@
 #include <cmath>
 #include <set>
 
+#include "scaling/detail/dimension_names.hpp"
 #include "scaling/detail/edit_distance.hpp"
 #include "scaling/detail/number_text.hpp"
 #include "scaling/detail/unit_text.hpp"
+#include "scaling/detail/wide_product.hpp"
+#include "scaling/quantity_text.hpp"
 
 namespace musim::scaling {
-
-namespace {
-
-/// A product that neither overflows nor underflows on the way: mantissa · 2^exponent.
-struct Scaled {
-    double mantissa = 1.0;
-    std::int64_t exponent = 0;
-
-    void multiply(const Scaled& factor) {
-        int shift = 0;
-        mantissa = std::frexp(mantissa * factor.mantissa, &shift);
-        exponent += factor.exponent + shift;
-    }
-};
-
-Scaled power(double value, std::int64_t n) {
-    Scaled square;
-    square.multiply({value, 0});
-    Scaled result;
-    for (; n > 0; n /= 2) {
-        if (n % 2 == 1) result.multiply(square);
-        square.multiply(square);
-    }
-    return result;
-}
-
-}  // namespace
 
 PiQuantity make_pi_quantity(std::string_view name, std::string_view unit_text, std::optional<std::string_view> value) {
     PiQuantity quantity{.name = std::string(name), .dimension = {}, .value = std::nullopt, .is_angle = false};
@@ -52,6 +28,22 @@ PiQuantity make_pi_quantity(std::string_view name, std::string_view unit_text, s
     quantity.value = detail::to_double(number, unit.decimal_exponent, *value) * unit.numerator / unit.denominator;
     if (!std::isfinite(*quantity.value)) throw ParseError(fmt::format("\"{}\": too large for a double; check number and unit", *value));
     return quantity;
+}
+
+double parse_value(std::string_view text, const PiQuantity& quantity) {
+    if (const auto halves = to_halves(quantity.dimension)) return parse_si(text, *halves);
+    const detail::NumberText number = detail::split_number(text);
+    const std::string_view digits = text.substr(0, static_cast<std::size_t>(number.rest.data() - text.data()));
+    const std::string_view unit = number.rest.empty() ? "1" : number.rest;
+    const PiQuantity read = make_pi_quantity(quantity.name, unit, number.rest.empty() ? text : digits);
+    if (number.rest.empty() || read.dimension == quantity.dimension) return *read.value;
+    throw ParseError(fmt::format("\"{}\": a quantity in {} is wanted, this is {}", text, detail::base_units(quantity.dimension),
+                                 detail::describe(read.dimension)));
+}
+
+std::string format_value(double value, const PiQuantity& quantity, int digits) {
+    if (const auto halves = to_halves(quantity.dimension)) return format_si(value, *halves, digits);
+    return fmt::format("{:.{}g} {}", value, digits, detail::base_units(quantity.dimension));
 }
 
 void check_quantities(const std::vector<PiQuantity>& quantities) {
@@ -84,20 +76,20 @@ std::size_t find_quantity(const std::vector<PiQuantity>& quantities, std::string
                                   : fmt::format("\"{}\" is no quantity of the problem; did you mean \"{}\"?", name, nearest));
 }
 
+RationalDimension dimension_of_product(const std::vector<Rational>& exponents, const std::vector<PiQuantity>& quantities) {
+    RationalDimension dimension;
+    for (std::size_t i = 0; i < quantities.size(); ++i) dimension = dimension * pow(quantities[i].dimension, exponents[i]);
+    return dimension;
+}
+
 std::optional<double> group_value(const PiGroup& group, const std::vector<PiQuantity>& quantities) {
-    Scaled numerator;
-    Scaled denominator;
+    detail::WideProduct product;
     for (std::size_t i = 0; i < quantities.size(); ++i) {
         if (group[i] == 0) continue;
         if (!quantities[i].value) return std::nullopt;
-        const double value = *quantities[i].value;
-        if (group[i] > 0) numerator.multiply(power(value, group[i]));
-        if (group[i] < 0) denominator.multiply(power(value, -group[i]));
+        product.multiply(*quantities[i].value, group[i]);
     }
-    const std::int64_t exponent = numerator.exponent - denominator.exponent;
-    if (denominator.mantissa == 0.0 || std::abs(exponent) > 4000) return std::nullopt;
-    const double value = std::ldexp(numerator.mantissa / denominator.mantissa, static_cast<int>(exponent));
-    return std::isfinite(value) ? std::optional(value) : std::nullopt;
+    return product.value();
 }
 
 }  // namespace musim::scaling

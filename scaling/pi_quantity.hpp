@@ -32,12 +32,22 @@ using PiGroup = std::vector<std::int64_t>;
 /// number; "g" is gram, "gn" gravity) and, if there is one, its value in that unit, a number or fraction. Throws PiError, ParseError.
 PiQuantity make_pi_quantity(std::string_view name, std::string_view unit, std::optional<std::string_view> value = std::nullopt);
 
+/// SI value of a text such as "29.2 GPa" for a quantity, by the grammar of parse_si(): "g" is gravity for an acceleration. Throws
+/// ParseError.
+double parse_value(std::string_view text, const PiQuantity& quantity);
+
+/// An SI value of a quantity in the unit an engineer would write, or in base units where its dimension has none.
+std::string format_value(double value, const PiQuantity& quantity, int digits = 6);
+
 /// Throws PiError when there is no quantity, two have the same name, or a name cannot stand in a product: empty, a digit or blank first or
 /// a blank last, or with one of * / ^ ( ) , in it.
 void check_quantities(const std::vector<PiQuantity>& quantities);
 
 /// Position of the quantity called `name`. Throws PiError, which names the nearest.
 std::size_t find_quantity(const std::vector<PiQuantity>& quantities, std::string_view name);
+
+/// Dimension of Π quantities^exponents. Throws SimilitudeError when an exponent leaves 64 bits.
+RationalDimension dimension_of_product(const std::vector<Rational>& exponents, const std::vector<PiQuantity>& quantities);
 
 /// Value of a group; none when a quantity in it has no value, or the result none that a double can hold. Scaling SI units by powers of two
 /// leaves the same bits.

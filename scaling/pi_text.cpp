@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 
+#include "scaling/detail/fraction_text.hpp"
+
 namespace musim::scaling {
 
 namespace {
@@ -24,12 +26,6 @@ std::string latex_word(std::string_view word) {
     return word.size() == 1 ? escaped : fmt::format("\\mathrm{{{}}}", escaped);
 }
 
-std::string factor_text(std::string_view name, const Rational& power, PiNotation notation) {
-    if (notation == PiNotation::text) return fmt::format("{}{}", name, power_text(power));
-    const std::string base = latex_name(name);
-    return power == 1 ? base : fmt::format("{}^{{{}}}", base, to_string(power));
-}
-
 }  // namespace
 
 std::string latex_name(std::string_view name) {
@@ -39,19 +35,12 @@ std::string latex_name(std::string_view name) {
 }
 
 std::string format_group(const std::vector<Rational>& exponents, const std::vector<PiQuantity>& quantities, PiNotation notation) {
-    std::vector<std::string> above;
-    std::vector<std::string> below;
+    detail::FractionText product(notation);
     for (std::size_t i = 0; i < quantities.size(); ++i) {
-        const Rational& exponent = exponents[i];
-        if (exponent.numerator() > 0) above.push_back(factor_text(quantities[i].name, exponent, notation));
-        if (exponent.numerator() < 0) below.push_back(factor_text(quantities[i].name, -exponent, notation));
+        const std::string& name = quantities[i].name;
+        product.multiply(notation == PiNotation::text ? name : latex_name(name), exponents[i]);
     }
-    const std::string_view times = notation == PiNotation::text ? "*" : "\\,";
-    std::string numerator = above.empty() ? "1" : fmt::format("{}", fmt::join(above, times));
-    if (below.empty()) return numerator;
-    const std::string denominator = fmt::format("{}", fmt::join(below, times));
-    if (notation == PiNotation::latex) return fmt::format("\\frac{{{}}}{{{}}}", numerator, denominator);
-    return below.size() == 1 ? fmt::format("{}/{}", numerator, denominator) : fmt::format("{}/({})", numerator, denominator);
+    return product.text();
 }
 
 std::string format_group(const PiGroup& group, const std::vector<PiQuantity>& quantities, PiNotation notation) {

@@ -58,6 +58,10 @@ double GroupComparison::factor() const {
 
 RegimeReport make_regime_report(const PairFacts& facts, const Similitude& similitude) {
     check(facts);
+    if (!similitude.law()) {
+        throw SimilitudeError(
+            fmt::format("law {}: what it requires of groups is not known; choose mu, froude, exact or cauchy", similitude.law_name()));
+    }
     PairFacts pair = facts;
     if (pair.motion && !pair.model_motion) pair.model_motion = to_model(*pair.motion, similitude);
     const bool is_shaken = pair.motion && pair.model_motion;
@@ -70,7 +74,7 @@ RegimeReport make_regime_report(const PairFacts& facts, const Similitude& simili
     for (std::size_t i = 0; i < of_prototype.size(); ++i) {
         const GroupValue &prototype = of_prototype[i], &model = of_model[i];
         if (prototype.value && model.value) {
-            report.groups.push_back(compare(prototype, model, similitude.law()));
+            report.groups.push_back(compare(prototype, model, *similitude.law()));
         } else if (prototype.direction != Direction::wide) {
             report.untold.push_back({prototype.name, prototype.value ? "model" : model.value ? "prototype" : "both"});
         }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
@@ -22,6 +23,13 @@ void check_factor(std::string_view name, double value) {
     if (std::isfinite(value) && value > 0.0) return;
     throw SimilitudeError(fmt::format(
         "similitude: the {} factor is {} (model/prototype must be positive and finite); give a number such as 0.04 or 1/25", name, value));
+}
+
+void check_chosen(const ScaleFactors& chosen) {
+    check_factor("length", chosen.length);
+    check_factor("friction", chosen.friction);
+    check_factor("gravity", chosen.gravity);
+    check_factor("density", chosen.density);
 }
 
 /// λ_a of a law: the acceleration of the force that governs.
@@ -75,6 +83,10 @@ Law parse_law(std::string_view name) {
     throw SimilitudeError(fmt::format("similitude: there is no law \"{}\"; choose one of {}", name, known));
 }
 
+bool is_law(std::string_view name) {
+    return std::any_of(kLawNames.begin(), kLawNames.end(), [&](const auto& known) { return known.second == name; });
+}
+
 std::string_view to_string(Law law) {
     for (const auto& [known, name] : kLawNames) {
         if (known == law) return name;
@@ -82,11 +94,9 @@ std::string_view to_string(Law law) {
     return "unknown";
 }
 
-Similitude::Similitude(const ScaleFactors& chosen, Law law) : chosen_(chosen), law_(law), acceleration_(acceleration_factor(chosen, law)) {
-    check_factor("length", chosen.length);
-    check_factor("friction", chosen.friction);
-    check_factor("gravity", chosen.gravity);
-    check_factor("density", chosen.density);
+Similitude::Similitude(const ScaleFactors& chosen, Law law)
+    : chosen_(chosen), law_(law), law_name_(to_string(law)), acceleration_(acceleration_factor(chosen, law)) {
+    check_chosen(chosen);
     if (law == Law::exact && chosen.friction != 1.0) {
         throw SimilitudeError(
             fmt::format("similitude: the friction factor is {} under law \"exact\" (must be 1: friction is a dimensionless group of its "
@@ -94,6 +104,17 @@ Similitude::Similitude(const ScaleFactors& chosen, Law law) : chosen_(chosen), l
                         "\"mu\" or \"froude\", or give the model the prototype's friction",
                         chosen.friction));
     }
+    check();
+}
+
+Similitude::Similitude(const ScaleFactors& chosen, double acceleration, std::string law_name)
+    : chosen_(chosen), law_name_(std::move(law_name)), acceleration_(acceleration) {
+    check_chosen(chosen);
+    check_factor("acceleration", acceleration);
+    check();
+}
+
+void Similitude::check() const {
     for (const NamedFactor& derived : factors()) {
         if (std::isnormal(derived.value)) continue;
         throw SimilitudeError(

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -19,6 +21,9 @@ enum class Law {
 
 /// The law called `name` ("mu", "froude", "exact" or "cauchy"); throws SimilitudeError, which lists them, for any other.
 Law parse_law(std::string_view name);
+
+/// Whether parse_law() knows a law of this name.
+bool is_law(std::string_view name);
 
 /// Name of a law, as parse_law() reads it.
 std::string_view to_string(Law law);
@@ -50,7 +55,11 @@ class Similitude {
     /// law does not admit them (`exact` with λ_μ ≠ 1).
     explicit Similitude(const ScaleFactors& chosen, Law law = Law::mu);
 
-    Law law() const { return law_; }
+    /// λ_a given directly, by a law called `law_name` that is none of Law. Throws SimilitudeError as the other.
+    Similitude(const ScaleFactors& chosen, double acceleration, std::string law_name);
+
+    std::optional<Law> law() const { return law_; }
+    const std::string& law_name() const { return law_name_; }
     const ScaleFactors& chosen() const { return chosen_; }
 
     /// λ of the dimension of `Quantity`, e.g. factor<Velocity>() = √(λ_l λ_a).
@@ -108,8 +117,11 @@ class Similitude {
     std::vector<NamedFactor> factors() const;
 
   private:
+    void check() const;
+
     ScaleFactors chosen_;
-    Law law_;
+    std::optional<Law> law_;
+    std::string law_name_;
     double acceleration_;
 };
 

@@ -130,7 +130,7 @@ std::array<BaseComponent, 3> make_base_components(const BaseMotion& motion, cons
     try {
         auto components = std::visit([](const auto& source) { return make_components(source); }, motion.source);
         if (const auto* record = std::get_if<RecordMotion>(&motion.source); record != nullptr && record->scale) {
-            const scaling::Similitude similitude(record->scale->factors, record->scale->law);
+            const scaling::Similitude similitude = make_similitude(*record->scale);
             scale(components, similitude.time(), similitude.velocity());
         }
         scale(components, motion.factors.time, motion.factors.velocity);

@@ -7,7 +7,9 @@
 #include "lsdem/scene/detail/json_object.hpp"
 #include "lsdem/scene/scene.hpp"
 #include "lsdem/scene/scene_error.hpp"
+#include "scaling/law_similitude.hpp"
 #include "scaling/quantity_text.hpp"
+#include "scaling/scale_law_catalogue.hpp"
 
 namespace musim::lsdem::scene {
 
@@ -175,7 +177,7 @@ void check(const RecordMotion& motion, const JsonPlace& place) {
     if (motion.highpass_corner) require_positive(*motion.highpass_corner, place.at("highpass"));
     if (motion.scale) {
         try {
-            scaling::Similitude(motion.scale->factors, motion.scale->law);
+            make_similitude(*motion.scale);
         } catch (const scaling::SimilitudeError& error) {
             fail(place.at("scale"), error.what());
         }
@@ -264,8 +266,15 @@ scaling::Length default_pitch(const Triple<scaling::Length>& block) {
 }
 
 bool RecordScale::operator==(const RecordScale& other) const {
-    return law == other.law && factors.length == other.factors.length && factors.friction == other.factors.friction &&
+    return law == other.law && set == other.set && factors.length == other.factors.length && factors.friction == other.factors.friction &&
            factors.gravity == other.factors.gravity && factors.density == other.factors.density;
+}
+
+scaling::Similitude make_similitude(const RecordScale& scale) {
+    if (scale.set.empty() && scaling::is_law(scale.law)) return scaling::Similitude(scale.factors, scaling::parse_law(scale.law));
+    std::vector<scaling::GivenFactor> given;
+    for (const auto& [name, factor] : scale.set) given.push_back({name, factor});
+    return scaling::make_similitude(scaling::solve_law(scaling::load_scale_law(scale.law), given));
 }
 
 void check_scene(const Scene& scene, const std::string& origin) {

@@ -6,6 +6,7 @@
 #include "lsdem/scene/detail/json_object.hpp"
 #include "lsdem/scene/detail/json_text.hpp"
 #include "lsdem/scene/scene_json.hpp"
+#include "scaling/scale_law_catalogue.hpp"
 
 namespace musim::lsdem::scene {
 
@@ -184,15 +185,38 @@ Structure parse_structure(const json& value, const JsonPlace& place, const std::
     return parse_tower(object, origin);
 }
 
-RecordScale parse_record_scale(const json& value, const JsonPlace& place) {
+/// Laws of scaling::Law take the four factors; another law takes them as l, mu, g and rho, and any in "set".
+RecordScale parse_record_scale(const json& value, const JsonPlace& place, const std::filesystem::path& origin) {
     const JsonObject object(value, place, "scale");
     RecordScale scale;
-    const std::vector<std::string> laws{"mu", "froude", "exact", "cauchy"};
-    if (object.has("law")) scale.law = scaling::parse_law(laws[object.choice("law", laws)]);
+    object.read("law", scale.law);
     object.read("length", scale.factors.length);
     object.read("friction", scale.factors.friction);
     object.read("gravity", scale.factors.gravity);
     object.read("density", scale.factors.density);
+    if (!object.has("set") && scaling::is_law(scale.law)) return scale;
+
+    const auto give = [&](const char* key, const char* quantity, double factor) {
+        if (object.has(key)) scale.set.emplace(quantity, factor);
+    };
+    give("length", "l", scale.factors.length);
+    give("friction", "mu", scale.factors.friction);
+    give("gravity", "g", scale.factors.gravity);
+    give("density", "rho", scale.factors.density);
+    scale.factors = {};
+    if (object.has("set")) {
+        const json& set = object.get("set");
+        const JsonPlace where = object.place("set");
+        if (!set.is_object()) fail(where, R"(an object of factors is wanted; write {"F_R": "1/500"})");
+        for (const auto& [name, factor] : set.items()) {
+            if (!scale.set.emplace(name, detail::to_number(factor, where.at(name))).second) {
+                fail(where.at(name), "the factor is given twice; give it once");
+            }
+        }
+    }
+    if (scaling::find_scale_law(scale.law)) return scale;
+    if (scale.law.find_first_of("./") == std::string::npos) fail(object.place("law"), scaling::no_such_law(scale.law) + ", or a law file");
+    scale.law = resolve(scale.law, origin).string();
     return scale;
 }
 
@@ -217,7 +241,7 @@ RecordMotion parse_record(const JsonObject& object, const std::filesystem::path&
                          detail::to_quantity<scaling::Time>(window[1], place.at(1))};
     }
     motion.highpass_corner = object.optional_quantity<scaling::Frequency>("highpass");
-    if (object.has("scale")) motion.scale = parse_record_scale(object.get("scale"), object.place("scale"));
+    if (object.has("scale")) motion.scale = parse_record_scale(object.get("scale"), object.place("scale"), origin);
     return motion;
 }
 

@@ -112,11 +112,15 @@ scaling::Length default_pitch(const Triple<scaling::Length>& block);
 
 /// Scale factors that a scene applies to its own record.
 struct RecordScale {
-    scaling::Law law = scaling::Law::mu;
-    scaling::ScaleFactors factors;
+    std::string law = "mu";             ///< of scaling::Law; or else a law as data, by name or absolute path
+    scaling::ScaleFactors factors;      ///< for a law of scaling::Law
+    std::map<std::string, double> set;  ///< factors by quantity, for a law as data; empty for a law of scaling::Law
 
     bool operator==(const RecordScale& other) const;
 };
+
+/// The similitude of a record's scale. Throws scaling::SimilitudeError.
+scaling::Similitude make_similitude(const RecordScale& scale);
 
 /// A recorded base motion: read, windowed, high-passed, integrated, then scaled.
 struct RecordMotion {

@@ -17,7 +17,7 @@ const std::map<std::string, std::vector<std::string>>& scene_keys() {
         {"wall", {"kind", "layers", "blocks_per_layer", "block", "pitch", "height_deviation", "seed"}},
         {"record", {"record", "components", "unit", "quantity", "dt", "window", "highpass", "scale", "factors"}},
         {"components", {"x", "y", "z"}},
-        {"scale", {"law", "length", "friction", "gravity", "density"}},
+        {"scale", {"law", "length", "friction", "gravity", "density", "set"}},
         {"factors", {"time", "velocity"}},
         {"step", {"signal", "direction", "start", "factors", "velocity"}},
         {"sine", {"signal", "direction", "start", "factors", "dt", "amplitude", "frequency", "cycles"}},

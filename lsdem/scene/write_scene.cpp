@@ -114,12 +114,14 @@ ordered_json to_json(const RecordMotion& motion) {
     if (motion.window) object["window"] = {(*motion.window)[0].value(), (*motion.window)[1].value()};
     put(object, "highpass", motion.highpass_corner);
     if (motion.scale) {
-        const auto& [law, factors] = *motion.scale;
-        object["scale"] = {{"law", scaling::to_string(law)},
-                           {"length", factors.length},
-                           {"friction", factors.friction},
-                           {"gravity", factors.gravity},
-                           {"density", factors.density}};
+        const auto& [law, factors, set] = *motion.scale;
+        object["scale"] = {{"law", law}};
+        if (set.empty()) {
+            object["scale"].update(
+                {{"length", factors.length}, {"friction", factors.friction}, {"gravity", factors.gravity}, {"density", factors.density}});
+        } else {
+            object["scale"]["set"] = set;
+        }
     }
     return object;
 }

@@ -49,8 +49,8 @@ const scene::MaterialPreset& find_preset(const ModelChoice& choice) {
         fmt::format("materials own: no preset was measured at {}; name one with --material", make_scale_label(choice.length)));
 }
 
-ScaledScene scale_exactly(const scene::Scene& prototype, double length) {
-    const Similitude similitude({.length = length}, scaling::Law::exact);
+ScaledScene scale_by_law(const scene::Scene& prototype, const ModelChoice& choice) {
+    const Similitude similitude = choice.similitude ? *choice.similitude : Similitude({.length = choice.length}, scaling::Law::exact);
     return {scene::scale_scene(prototype, similitude), similitude, scaling::find_distortions(similitude)};
 }
 
@@ -132,7 +132,7 @@ ScenePair pair_scene(const scene::Scene& prototype, const std::vector<ModelChoic
     std::vector<std::vector<LoneScene>> lone_scenes;
     for (const ModelChoice& choice : models) {
         const std::string label = make_scale_label(choice.length);
-        ScaledScene scaled = materials == Materials::exact ? scale_exactly(prototype, choice.length) : scale_with_own(prototype, choice);
+        ScaledScene scaled = materials == Materials::exact ? scale_by_law(prototype, choice) : scale_with_own(prototype, choice);
         members.push_back(make_member(label, scaled.scene, scaled.similitude, scaled.distortions));
         // an exact model steps as its prototype does
         if (materials == Materials::exact) members.back().plan = plan.scaled(scaled.similitude.time());

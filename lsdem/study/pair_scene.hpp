@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,8 +12,9 @@ namespace musim::lsdem::study {
 
 /// A model of a scene: its scale, and the material it is built of when that is its own.
 struct ModelChoice {
-    double length = 1.0;        ///< λ_l
-    std::string material = {};  ///< preset for Materials::own; empty: the one measured for a tower of this scale
+    double length = 1.0;                                 ///< λ_l
+    std::string material = {};                           ///< preset for Materials::own; empty: the one measured for a tower of this scale
+    std::optional<scaling::Similitude> similitude = {};  ///< for Materials::exact: scaled by this, not by law `exact`
 };
 
 /// A scene at its own scale and at others.
@@ -28,11 +30,12 @@ std::string make_scale_label(double length);
 
 /// Runs a scene as prototype, its shadow, and its models, and compares them.
 ///
-/// With Materials::exact every model is scaled so that all groups are equal (law `exact`). With Materials::own it has the density,
-/// stiffness, friction and restitution of its preset, fitted to its block size, and gets the base motion of the mu law; what that distorts
-/// is listed. With `each_alone` every model has runs beside it that tell what each property of its material that differs does alone
-/// (PairedRun::alone): stiffnesses and restitution in a model that is exact otherwise, friction with the base motion of the mu law. Throws
-/// scene::SceneError (also for an unknown preset, or a scale without one), scaling::SimilitudeError, records::ReadError.
+/// With Materials::exact every model is scaled so that all groups are equal (law `exact`), or by the similitude of its choice. With
+/// Materials::own it has the density, stiffness, friction and restitution of its preset, fitted to its block size, and gets the base motion
+/// of the mu law; what that distorts is listed. With `each_alone` every model has runs beside it that tell what each property of its
+/// material that differs does alone (PairedRun::alone): stiffnesses and restitution in a model that is exact otherwise, friction with the
+/// base motion of the mu law. Throws scene::SceneError (also for an unknown preset, or a scale without one), scaling::SimilitudeError,
+/// records::ReadError.
 ScenePair pair_scene(const scene::Scene& prototype, const std::vector<ModelChoice>& models, Materials materials,
                      const RunSettings& settings = {}, bool each_alone = false);
 

@@ -67,7 +67,7 @@ nlohmann::json to_json(const Failure& failure) {
 nlohmann::json to_json(const scaling::Similitude& similitude) {
     nlohmann::json factors;
     for (const scaling::NamedFactor& factor : similitude.factors()) factors[std::string(factor.name)] = factor.value;
-    return {{"law", std::string(scaling::to_string(similitude.law()))},
+    return {{"law", similitude.law_name()},
             {"chosen",
              {{"length", similitude.length()},
               {"friction", similitude.friction()},

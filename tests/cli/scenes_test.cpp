@@ -109,6 +109,19 @@ TEST_CASE("models of their own material list what they distort") {
     CHECK(here.run("pair scene.json --length 1/50 --materials own --material aluminium").exit_code == 0);
 }
 
+// in a centrifuge at 1:16 every factor is a power of two
+TEST_CASE("pair scales by another law, as data") {
+    const Workplace here;
+    here.write("scene.json", SceneText().text());
+    const auto centrifuge = here.run("pair scene.json --length 1/16 --law centrifuge --json").json();
+    CHECK(centrifuge["pairs"][0]["bitwise_identical"] == true);
+    CHECK(centrifuge["consistent"] == true);
+    CHECK(here.run("pair scene.json --length 1/16 --law nonsense").exit_code == 3);
+    CHECK(here.run("pair scene.json --length 1/16 --law froude --set l=1/16").exit_code == 3);
+    CHECK(here.run("pair scene.json --length 1/16 --set mu=1").exit_code == 2);
+    CHECK(here.run("pair scene.json --length 1/107 --law centrifuge --materials own").exit_code == 2);
+}
+
 TEST_CASE("pair --record shakes with the strong motion of a record and says what it did") {
     const Workplace here;
     here.write("scene.json", SceneText().text());

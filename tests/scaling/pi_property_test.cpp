@@ -9,27 +9,13 @@
 #include "scaling/pi_express.hpp"
 #include "scaling/pi_remarks.hpp"
 #include "tests/scaling/pi_problems.hpp"
+#include "tests/scaling/random_problem.hpp"
 
 namespace musim::scaling::tests {
 
 namespace {
 
 constexpr int kProblems = 250;
-
-/// Small exponents of up to seven base dimensions, halves and thirds now and then.
-std::vector<PiQuantity> make_random_problem(std::mt19937_64& random, std::size_t count) {
-    const auto up_to = [&](std::uint64_t n) { return static_cast<std::int64_t>(random() % (n + 1)); };
-    const auto bases = static_cast<std::size_t>(1 + up_to(6));
-    std::vector<PiQuantity> quantities;
-    for (std::size_t j = 0; j < count; ++j) {
-        PiQuantity quantity{.name = "q" + std::to_string(j), .dimension = {}, .value = {}};
-        for (std::size_t b = 0; b < bases; ++b) {
-            if (up_to(1) == 0) quantity.dimension[kBaseDimensions[b]] = Rational(up_to(6) - 3, up_to(9) == 0 ? 1 + up_to(2) : 1);
-        }
-        quantities.push_back(quantity);
-    }
-    return quantities;
-}
 
 template <class Check>
 void for_random_problems(const Check& check) {

@@ -145,6 +145,22 @@ TEST_CASE("a record's own scale multiplies its times and velocities") {
     CHECK(largest(scaled.velocity) / largest(plain.velocity) == doctest::Approx(0.09989698).epsilon(1e-7));
 }
 
+TEST_CASE("a record's own scale may follow a law in a file beside the scene") {
+    const TextRecord record;
+    std::ofstream(record.scene().parent_path() / "spring.json")
+        << R"-({"schema": "musim-law/1", "name": "spring", "title": "t", "extends": "mechanics", "quantities": [{"name": "k_0", "unit": "N/m"}],
+                "chosen": [{"name": "l"}, {"name": "rho", "default": 1}, {"name": "mu", "default": 1}, {"name": "g", "default": 1}],
+                "held": ["k_0*t^2/m"]})-";
+    const BaseComponent plain =
+        make_base_components(parse_motion(R"({"record": "motion.txt", "components": {"x": "1"}})", record.scene()))[0];
+    const BaseComponent scaled = make_base_components(parse_motion(
+        R"({"record": "motion.txt", "components": {"x": "1"}, "scale": {"law": "spring.json", "length": "1/4", "set": {"k_0": "1/16"}}})",
+        record.scene()))[0];
+    // λ_t = √(λ_m/λ_k) = √(16/64), λ_v = λ_l/λ_t
+    CHECK(scaled.dt == 0.5 * plain.dt);
+    CHECK(largest(scaled.velocity) == 0.5 * largest(plain.velocity));
+}
+
 TEST_CASE("a record that is not there or lacks the component is refused") {
     const TextRecord record;
     CHECK_THROWS_AS(make_base_components(parse_motion(R"({"record": "none.txt", "components": {"x": "1"}})", record.scene())),

@@ -33,8 +33,7 @@ json read_json(const std::filesystem::path& path) {
 
 json read_schema() { return read_json(kRoot / "lsdem" / "scene" / "musim-scene-1.schema.json"); }
 
-bool validates(const json& document) {
-    const json text = read_schema();
+bool validates(const json& document, const json& text = read_schema()) {
     valijson::Schema schema;
     valijson::SchemaParser parser;
     parser.populateSchema(valijson::adapters::NlohmannJsonAdapter(text), schema);
@@ -70,6 +69,25 @@ TEST_CASE("every example obeys the schema, is read, and comes back from its own 
         CHECK(parse_scene(written) == scene);
         CHECK_FALSE(scene.name.empty());
     }
+}
+
+TEST_CASE("every shipped law obeys its schema, which refuses other keys") {
+    const json schema = read_json(kRoot / "scaling" / "musim-law-1.schema.json");
+    int laws = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(kRoot / "scaling" / "laws")) {
+        CAPTURE(entry.path().string());
+        const json law = read_json(entry.path());
+        CHECK(validates(law, schema));
+        for (const char* list : {"", "/quantities/0", "/chosen/0"}) {
+            const json::json_pointer place(list);
+            if (!law.contains(place)) continue;
+            json other = law;
+            other[place]["other"] = "key";
+            CHECK_FALSE(validates(other, schema));
+        }
+        ++laws;
+    }
+    CHECK(laws >= 15);
 }
 
 TEST_CASE("every example without a record is built") {

@@ -58,7 +58,7 @@ TEST_CASE("the scene of the contracts is read with its units") {
     CHECK(motion.file == "/scenes/ridgecrest.v1");
     CHECK(motion.components[0] == "360");
     CHECK_FALSE(motion.components[1]);
-    CHECK(motion.scale->law == scaling::Law::mu);
+    CHECK(motion.scale->law == "mu");
     CHECK(motion.scale->factors.length == 1.0 / 107.0);
     CHECK(scene.time.duration.value() == 2.5);
     CHECK_FALSE(scene.time.step);
@@ -103,6 +103,10 @@ TEST_CASE("a scene written to text is read back bit for bit") {
         make_scene_text(kColumn, R"(, "base_motion": {"record": "a.txt", "components": {"x": "1", "z": "2"}, "unit": "g", "dt": "0.01 s",
                                      "quantity": "velocity", "window": ["1 s", "2 s"], "highpass": "0.1 Hz",
                                      "scale": {"law": "froude", "length": "1/25", "friction": 0.9, "gravity": 2, "density": 3}})"),
+        make_scene_text(kColumn, R"(, "base_motion": {"record": "a.txt", "components": {"x": "1"},
+                                     "scale": {"law": "centrifuge", "length": "1/25"}})"),
+        make_scene_text(kColumn, R"(, "base_motion": {"record": "a.txt", "components": {"x": "1"},
+                                     "scale": {"law": "restoring_force", "length": 0.25, "set": {"F_R": "1/500", "rho": 2}}})"),
         make_scene_text(kColumn, R"(, "shape": {"kind": "box", "level_set": "grid", "nodes_per_face": 21, "voxel": "0.65 mm"})"),
         make_scene_text(R"({"kind": "blocks", "blocks": [{"position": [0, 0, "0.1 m"]}]})",
                         R"(, "shape": {"kind": "sphere", "radius": "10 cm", "nodes": 100, "voxel": "1 cm"}, "ground": {"present": false})"),
@@ -201,6 +205,15 @@ TEST_CASE("faults of blocks, motions and materials are refused with their place"
     check_message(refuse(motion(R"({"record": "a.txt", "components": {"x": "1"}, "scale": {"law": "nu"}})")),
                   {"/base_motion/scale/law", "mu"});
     check_message(refuse(motion(R"({"record": "a.txt", "components": {"x": "1"}, "scale": {"length": -1}})")), {"/base_motion/scale"});
+    check_message(refuse(motion(R"({"record": "a.txt", "components": {"x": "1"}, "scale": {"law": "restoring_force", "length": 0.1}})")),
+                  {"/base_motion/scale", "the factor of F_R (restoring force) is missing"});
+    check_message(refuse(motion(R"({"record": "a.txt", "components": {"x": "1"}, "scale": {"law": "mine.json", "length": 0.1}})")),
+                  {"/base_motion/scale", "there is no law \"/"});
+    check_message(
+        refuse(motion(R"({"record": "a.txt", "components": {"x": "1"}, "scale": {"law": "froude", "length": 0.1, "set": {"l": 0.1}}})")),
+        {"/base_motion/scale/set/l", "given twice"});
+    check_message(refuse(motion(R"({"record": "a.txt", "components": {"x": "1"}, "scale": {"law": "froude", "set": 3}})")),
+                  {"/base_motion/scale/set", "an object of factors is wanted"});
     check_message(refuse(motion(R"({"signal": "sine", "amplitude": 1, "frequency": 0, "cycles": 1})")), {"/base_motion/frequency"});
     check_message(refuse(motion(R"({"signal": "step", "velocity": 1, "start": -1})")), {"/base_motion/start"});
     check_message(refuse(make_scene_text(kColumn, R"(, "ground": {"present": false})" + kRicker)), {"/base_motion", "no ground to move"});

@@ -1,0 +1,154 @@
+#include "cli/scale_law.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "cli/commands.hpp"
+#include "cli/law_output.hpp"
+#include "cli/options.hpp"
+#include "cli/output.hpp"
+#include "cli/text_table.hpp"
+#include "scaling/scale_law_catalogue.hpp"
+
+namespace musim::cli {
+namespace {
+
+using scaling::LawQuantity;
+using scaling::ScaleLaw;
+
+/// A law without products, whose quantities are those of mechanics; the names that nobody uses go later.
+ScaleLaw make_free_law() {
+    ScaleLaw law;
+    law.name = "free";
+    law.title = "products held on the command line";
+    law.quantities = scaling::find_scale_law("mechanics")->quantities;
+    return law;
+}
+
+/// Adds a quantity of the command line, in place of one of the same name; in front of the others where the law is free, to be free first.
+void add_quantity(ScaleLaw& law, LawQuantity quantity, std::size_t position) {
+    std::erase_if(law.quantities, [&](const LawQuantity& other) { return other.quantity.name == quantity.quantity.name; });
+    position = std::min(position, law.quantities.size());
+    law.quantities.insert(law.quantities.begin() + static_cast<std::ptrdiff_t>(position), std::move(quantity));
+}
+
+/// A product of the command line, with the option in front of the message.
+scaling::ScaleProduct parse_product(const char* option, const std::string& text, const ScaleLaw& law) {
+    try {
+        return scaling::parse_scale_product(text, scaling::quantities_of(law));
+    } catch (const scaling::SimilitudeError& error) {
+        throw scaling::PiError(fmt::format("{}: {} (others come by --quantity NAME:UNIT)", option, error.what()));
+    }
+}
+
+/// Watches a product; when the law holds it, it does no longer.
+void watch(ScaleLaw& law, const std::string& text) {
+    const auto exponents = parse_product("--watch", text, law).exponents;
+    const std::vector<scaling::PiQuantity> quantities = scaling::quantities_of(law);
+    std::erase_if(law.held, [&](const std::string& held) { return scaling::parse_scale_product(held, quantities).exponents == exponents; });
+    law.watched.push_back(text);
+}
+
+/// Leaves the quantities that occur in products, factors or values.
+void remove_unused(ScaleLaw& law, const std::vector<std::string>& named) {
+    const std::vector<scaling::PiQuantity> all = scaling::quantities_of(law);
+    std::vector<bool> is_used(all.size());
+    for (const auto* products : {&law.held, &law.watched}) {
+        for (const std::string& text : *products) {
+            const auto exponents = scaling::parse_scale_product(text, all).exponents;
+            for (std::size_t j = 0; j < all.size(); ++j) is_used[j] = is_used[j] || exponents[j] != 0;
+        }
+    }
+    for (const std::string& name : named) is_used[scaling::find_quantity(all, name)] = true;
+    std::vector<LawQuantity> used;
+    for (std::size_t j = 0; j < all.size(); ++j) {
+        if (is_used[j]) used.push_back(std::move(law.quantities[j]));
+    }
+    law.quantities = std::move(used);
+}
+
+}  // namespace
+
+void ScaleLawOptions::add_to(CLI::App& command) {
+    const auto add = [&](const char* name, std::vector<std::string>& texts, const char* help, const char* type) {
+        command.add_option(name, texts, help)->type_name(type)->expected(1)->take_all();
+    };
+    add("--hold", held, "A product that model and prototype share, on top of the law's or without a law", "PRODUCT");
+    add("--watch", watched, "A product whose distortion is wanted; one that the law holds is held no longer", "PRODUCT");
+    add("--quantity", quantities, "A quantity that neither the law nor mechanics knows, e.g. E:GPa", "NAME:UNIT");
+    add("--value", values, "What a quantity is in the prototype, e.g. \"E=29.2 GPa\"; the model's is told", "NAME=QUANTITY");
+    command.add_option("--format", format, "Form of the answer of a law as data")
+        ->check(CLI::IsMember({"text", "markdown", "latex"}))
+        ->capture_default_str();
+    command.add_flag("--laws", lists_laws, "List the laws that come with musim");
+}
+
+bool ScaleLawOptions::are_given() const {
+    return !(held.empty() && watched.empty() && quantities.empty() && values.empty()) || format != "text";
+}
+
+scaling::SolvedLaw ScaleLawOptions::solve(const std::string& name, const std::vector<scaling::GivenFactor>& given) const {
+    const bool is_free = name.empty();
+    ScaleLaw law = is_free ? make_free_law() : scaling::load_scale_law(name);
+    for (std::size_t i = 0; i < quantities.size(); ++i) {
+        const auto [symbol, unit] = split_option("--quantity", quantities[i], ':', "NAME:UNIT, e.g. E:GPa");
+        LawQuantity quantity{.quantity = scaling::make_pi_quantity(symbol, unit), .unit = unit, .meaning = {}};
+        add_quantity(law, std::move(quantity), is_free ? i : law.quantities.size());
+    }
+    for (const std::string& text : watched) watch(law, text);
+    for (const std::string& text : held) {
+        parse_product("--hold", text, law);
+        law.held.push_back(text);
+    }
+
+    std::vector<std::string> named;
+    for (const auto& [symbol, factor] : given) named.push_back(symbol);
+    for (const std::string& text : values) {
+        const auto [symbol, value] = split_option("--value", text, '=', "NAME=QUANTITY, e.g. \"E=29.2 GPa\"");
+        scaling::PiQuantity& quantity = law.quantities[scaling::find_quantity(scaling::quantities_of(law), symbol)].quantity;
+        quantity.value = scaling::parse_value(value, quantity);
+        named.push_back(symbol);
+    }
+    if (is_free) remove_unused(law, named);
+    scaling::check_law(law);
+    return scaling::solve_law(law, given);
+}
+
+int list_scale_laws(bool json) {
+    TextTable table{{"law", "", "needs"}};
+    nlohmann::json list = nlohmann::json::array();
+    for (const std::string& name : scaling::scale_law_names()) {
+        const ScaleLaw law = *scaling::find_scale_law(name);
+        std::vector<std::string> needs;
+        for (const scaling::LawChoice& choice : law.choices) {
+            if (!choice.fallback) needs.push_back(choice.name);
+        }
+        list.push_back({{"name", name}, {"title", law.title}, {"description", law.description}, {"needs", needs}});
+        table.rows.push_back({name, law.title, fmt::format("{}", fmt::join(needs, ", "))});
+    }
+    if (json) {
+        print_json({{"laws", list}});
+    } else {
+        print("{}", to_plain_text(table));
+    }
+    return kDone;
+}
+
+int run_scale_law(const ScaleLawOptions& options, const std::string& law, const std::vector<scaling::GivenFactor>& given, bool json) {
+    const scaling::SolvedLaw solved = options.solve(law, given);
+    if (json) {
+        print_json(to_json(solved));
+    } else if (options.format == "markdown") {
+        print_markdown(solved);
+    } else if (options.format == "latex") {
+        print_latex(solved);
+    } else {
+        print_text(solved);
+    }
+    return kDone;
+}
+
+}  // namespace musim::cli

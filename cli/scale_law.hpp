@@ -1,0 +1,36 @@
+#pragma once
+
+#include <CLI/App.hpp>
+#include <string>
+#include <vector>
+
+#include "scaling/scale_law.hpp"
+
+namespace musim::cli {
+
+/// `musim scale` for laws as data: options --hold, --watch, --quantity, --value, --format, --laws.
+struct ScaleLawOptions {
+    std::vector<std::string> held;
+    std::vector<std::string> watched;
+    std::vector<std::string> quantities;
+    std::vector<std::string> values;
+    std::string format = "text";
+    bool lists_laws = false;
+
+    void add_to(CLI::App& command);
+
+    /// Whether one of the options asks for a law as data.
+    bool are_given() const;
+
+    /// Solves `law` (a name or file; empty for none, quantities then come from --quantity and, by their usual names, from mechanics) with
+    /// the given factors. Throws scaling::SimilitudeError, CLI::ValidationError for a malformed option.
+    scaling::SolvedLaw solve(const std::string& law, const std::vector<scaling::GivenFactor>& given) const;
+};
+
+/// Lists the laws that come with musim, one a line or as JSON.
+int list_scale_laws(bool json);
+
+/// Solves and prints in the wanted form.
+int run_scale_law(const ScaleLawOptions& options, const std::string& law, const std::vector<scaling::GivenFactor>& given, bool json);
+
+}  // namespace musim::cli

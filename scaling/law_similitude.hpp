@@ -1,0 +1,13 @@
+#pragma once
+
+#include "scaling/scale_law.hpp"
+#include "scaling/similitude.hpp"
+
+namespace musim::scaling {
+
+/// The similitude of a law that settles length, time and mass by quantities of these names: l; a, or else t; rho, or else m; mu and g,
+/// which are 1 in a law that does not have them. λ_a is the law's own. Throws SimilitudeError: a quantity is missing, of another dimension
+/// or open, or the law does not keep a t²/l and m/(ρ l³).
+Similitude make_similitude(const SolvedLaw& solved);
+
+}  // namespace musim::scaling

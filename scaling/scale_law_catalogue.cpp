@@ -1,0 +1,44 @@
+#include "scaling/scale_law_catalogue.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "scaling/detail/law_texts.hpp"
+#include "scaling/scale_law_json.hpp"
+
+namespace musim::scaling {
+
+const std::vector<std::string>& scale_law_names() {
+    static const std::vector<std::string> kNames = [] {
+        std::vector<std::string> names;
+        for (const detail::LawText& law : detail::law_texts()) names.emplace_back(law.name);
+        return names;
+    }();
+    return kNames;
+}
+
+std::optional<ScaleLaw> find_scale_law(std::string_view name) {
+    for (const detail::LawText& law : detail::law_texts()) {
+        if (law.name == name) return parse_scale_law(law.json, fmt::format("law {}", name));
+    }
+    return std::nullopt;
+}
+
+ScaleLaw load_scale_law(const std::string& name_or_file) {
+    if (auto law = find_scale_law(name_or_file)) return *std::move(law);
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(name_or_file, ignored)) throw PiError(no_such_law(name_or_file) + ", or give a law file");
+    std::ifstream stream(name_or_file, std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(stream), {}};
+    if (!stream) throw PiError(name_or_file + ": cannot be read; check its permissions");
+    return parse_scale_law(text, name_or_file);
+}
+
+std::string no_such_law(std::string_view name) {
+    return fmt::format("there is no law \"{}\"; choose one of {}", name, fmt::join(scale_law_names(), ", "));
+}
+
+}  // namespace musim::scaling
