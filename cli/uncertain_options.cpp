@@ -58,7 +58,8 @@ CLI::Option* add_uncertain_option(CLI::App& command, const std::string& name, st
                                   const std::string& help) {
     return add_read_option(command, name, help, "NUMBER",
                            [&numbers](const std::string& text) { numbers.push_back(scaling::parse_uncertain(text)); })
-        ->expected(1, CLI::detail::expected_max_vector_size);
+        ->expected(1, CLI::detail::expected_max_vector_size)
+        ->allow_extra_args();
 }
 
 void UncertainStructureOptions::add_to(CLI::App& command) {

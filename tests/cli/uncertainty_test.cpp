@@ -48,6 +48,14 @@ TEST_CASE("an uncertain factor is read in all its forms") {
     }
 }
 
+TEST_CASE("several slendernesses stand in one option or in several") {
+    const Workplace here;
+    const std::string command = "scale --length 1/25 --friction-prototype 0.59 --json ";
+    const auto structure = here.run(command + "--slenderness 0.32 0.6635").json()["structure"];
+    CHECK(structure.size() == 2);
+    CHECK(structure == here.run(command + "--slenderness 0.32 --slenderness 0.6635").json()["structure"]);
+}
+
 TEST_CASE("Monte Carlo stands beside first order, the same for one seed whatever the threads, other for another") {
     const Workplace here;
     const std::string command = "scale " + kWood + "--json --monte-carlo 20000 --seed ";
