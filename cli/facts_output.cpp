@@ -125,7 +125,7 @@ std::string make_facts_report(const FactsReport& report, ReportStyle style) {
     std::string text = make_title(report.name.empty() ? facts.model.name + " for " + facts.prototype.name : report.name, style);
     const std::vector<std::string> lines = {
         fmt::format("{} for {}, law {}: length {}, friction {:.7g}, gravity {:.7g}, density {:.7g} (model/prototype)", facts.model.name,
-                    facts.prototype.name, to_string(similitude.law()), scaling::describe_scale(similitude.length()), similitude.friction(),
+                    facts.prototype.name, similitude.law_name(), scaling::describe_scale(similitude.length()), similitude.friction(),
                     similitude.gravity(), similitude.density()),
         fmt::format("time {:.7g}, velocity {:.7g}, acceleration {:.7g}, force {:.7g}", similitude.time(), similitude.velocity(),
                     similitude.acceleration(), similitude.force()),

@@ -29,10 +29,10 @@ void require_agreement(const CLI::App& command, const std::string& file, const c
 
 scaling::Similitude make_similitude(const CLI::App& command, const SimilitudeOptions& scales, const std::string& file,
                                     const scaling::PairFacts& pair) {
-    const scaling::ScaleFactors told = make_scale_factors(pair, scales.length);
-    require_agreement(command, file, "--friction", scales.friction, told.friction);
-    require_agreement(command, file, "--gravity", scales.gravity, told.gravity);
-    require_agreement(command, file, "--density", scales.density, told.density);
+    const scaling::ScaleFactors typed = scales.scales().factors(), told = make_scale_factors(pair, typed.length);
+    require_agreement(command, file, "--friction", typed.friction, told.friction);
+    require_agreement(command, file, "--gravity", typed.gravity, told.gravity);
+    require_agreement(command, file, "--density", typed.density, told.density);
     return scaling::Similitude(told, scaling::parse_law(scales.law));
 }
 
@@ -60,7 +60,11 @@ void FactsOptions::add_to(CLI::App& command) {
                         "What is known of prototype and model (JSON, musim-facts/1; see design/README.md): reports every group of both, "
                         "regimes, structural speed and rocking")
             ->type_name("FACTS.json");
-    facts->excludes("--friction-prototype")->excludes("--slenderness");
+    // what the facts tell themselves, and uncertainties, which this report does not carry
+    for (const char* const name : {"--friction-prototype", "--slenderness", "--height", "--pga", "--pgv", "--pgd", "--arias", "--duration",
+                                   "--time-step", "--monte-carlo"}) {
+        facts->excludes(name);
+    }
     command.add_flag("--markdown", markdown, "Write the report of --facts in Markdown")->needs(facts);
     source.add_to(command);
     for (const char* const name : {"--dt", "--unit", "--quantity", "--sensitivity", "--station-xml"}) {
@@ -70,7 +74,8 @@ void FactsOptions::add_to(CLI::App& command) {
 
 int run_scale_facts(const CLI::App& command, const SimilitudeOptions& scales, const FactsOptions& options, bool json) {
     // the model's default size needs a length scale that makes sense
-    const scaling::Similitude by_length({.length = scales.length});
+    const scaling::Similitude by_length({.length = scales.scales().factors().length});
+    scales.note_values_used();
     const design::Facts facts = design::parse_facts(read_input_file(options.file, "what is known of prototype and model (musim-facts/1)"),
                                                     options.file, make_preset_materials(), by_length.length());
     scaling::PairFacts pair{.prototype = facts.prototype,

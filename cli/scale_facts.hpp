@@ -15,7 +15,7 @@ struct FactsOptions {
     bool markdown = false;
     RecordSourceOptions source;
 
-    /// Adds the options to a command that has those of SimilitudeOptions, --friction-prototype and --slenderness.
+    /// Adds the options to a command that has those of SimilitudeOptions, UncertainStructureOptions, motions and MonteCarloOptions.
     void add_to(CLI::App& command);
 
     bool is_given() const { return !file.empty(); }
