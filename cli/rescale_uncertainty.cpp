@@ -32,7 +32,7 @@ scaling::UncertainMotion measure_component(const records::GroundMotion& motion, 
 using Pairs = std::vector<scaling::UncertainPair> scaling::UncertainReport::*;
 
 void print_pairs(const UncertainRescale& rescale, const std::string& title, Pairs pairs) {
-    std::vector<PairRow> rows;
+    std::vector<UncertainPairRow> rows;
     for (std::size_t c = 0; c < rescale.reports.size(); ++c) {
         for (const scaling::UncertainPair& pair : rescale.reports[c].*pairs) rows.push_back({{rescale.components[c]}, &pair});
     }

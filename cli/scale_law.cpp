@@ -40,7 +40,7 @@ scaling::ScaleProduct parse_product(const char* option, const std::string& text,
     try {
         return scaling::parse_scale_product(text, scaling::quantities_of(law));
     } catch (const scaling::SimilitudeError& error) {
-        throw scaling::PiError(fmt::format("{}: {} (others come by --quantity NAME:UNIT)", option, error.what()));
+        throw scaling::PiError(fmt::format("{}: {} (others come by --define NAME:UNIT)", option, error.what()));
     }
 }
 
@@ -78,7 +78,7 @@ void ScaleLawOptions::add_to(CLI::App& command) {
     };
     add("--hold", held, "A product that model and prototype share, on top of the law's or without a law", "PRODUCT");
     add("--watch", watched, "A product whose distortion is wanted; one that the law holds is held no longer", "PRODUCT");
-    add("--quantity", quantities, "A quantity that neither the law nor mechanics knows, e.g. E:GPa", "NAME:UNIT");
+    add("--define", quantities, "A quantity that neither the law nor mechanics knows, e.g. E:GPa", "NAME:UNIT");
     add("--value", values, "What a quantity is in the prototype, e.g. \"E=29.2 GPa\"; the model's is told", "NAME=QUANTITY");
     command.add_option("--format", format, "Form of the answer of a law as data")
         ->check(CLI::IsMember({"text", "markdown", "latex"}))
@@ -94,7 +94,7 @@ scaling::SolvedLaw ScaleLawOptions::solve(const std::string& name, const std::ve
     const bool is_free = name.empty();
     ScaleLaw law = is_free ? make_free_law() : scaling::load_scale_law(name);
     for (std::size_t i = 0; i < quantities.size(); ++i) {
-        const auto [symbol, unit] = split_option("--quantity", quantities[i], ':', "NAME:UNIT, e.g. E:GPa");
+        const auto [symbol, unit] = split_option("--define", quantities[i], ':', "NAME:UNIT, e.g. E:GPa");
         LawQuantity quantity{.quantity = scaling::make_pi_quantity(symbol, unit), .unit = unit, .meaning = {}};
         add_quantity(law, std::move(quantity), is_free ? i : law.quantities.size());
     }

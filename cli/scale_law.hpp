@@ -8,7 +8,7 @@
 
 namespace musim::cli {
 
-/// `musim scale` for laws as data: options --hold, --watch, --quantity, --value, --format, --laws.
+/// `musim scale` for laws as data: options --hold, --watch, --define, --value, --format, --laws.
 struct ScaleLawOptions {
     std::vector<std::string> held;
     std::vector<std::string> watched;
@@ -22,7 +22,7 @@ struct ScaleLawOptions {
     /// Whether one of the options asks for a law as data.
     bool are_given() const;
 
-    /// Solves `law` (a name or file; empty for none, quantities then come from --quantity and, by their usual names, from mechanics) with
+    /// Solves `law` (a name or file; empty for none, quantities then come from --define and, by their usual names, from mechanics) with
     /// the given factors. Throws scaling::SimilitudeError, CLI::ValidationError for a malformed option.
     scaling::SolvedLaw solve(const std::string& law, const std::vector<scaling::GivenFactor>& given) const;
 };

@@ -160,13 +160,13 @@ TextTable make_results_table(const std::string& title, const std::vector<scaling
     return table;
 }
 
-TextTable make_pairs_table(const std::vector<std::string>& first, const std::string& title, const std::vector<PairRow>& rows) {
+TextTable make_pairs_table(const std::vector<std::string>& first, const std::string& title, const std::vector<UncertainPairRow>& rows) {
     TextTable table{.header = first};
     table.header.push_back(title);
     add_titles(table.header, "value", !rows.empty() && rows.front().pair->model.samples);
     const bool tells_share = !rows.empty() && rows.front().pair->model.samples && rows.front().pair->dimension == scaling::Dimension{};
     if (tells_share) table.header.emplace_back("above 1");
-    for (const PairRow& row : rows) {
+    for (const UncertainPairRow& row : rows) {
         for (const bool is_model : {false, true}) {
             const scaling::UncertainResult& result = is_model ? row.pair->model : row.pair->prototype;
             table.rows.push_back(row.first);
@@ -179,7 +179,7 @@ TextTable make_pairs_table(const std::vector<std::string>& first, const std::str
 }
 
 TextTable make_pairs_table(const std::string& title, const std::vector<scaling::UncertainPair>& pairs) {
-    std::vector<PairRow> rows;
+    std::vector<UncertainPairRow> rows;
     for (const scaling::UncertainPair& pair : pairs) rows.push_back({{}, &pair});
     return make_pairs_table({}, title, rows);
 }

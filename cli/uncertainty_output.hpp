@@ -25,11 +25,11 @@ TextTable make_inputs_table(const std::vector<scaling::UncertainInput>& inputs);
 TextTable make_results_table(const std::string& title, const std::vector<scaling::UncertainResult>& results);
 
 /// Groups and measures at both scales; `first` are titles before the name, such as "component", and each row's cells under them.
-struct PairRow {
+struct UncertainPairRow {
     std::vector<std::string> first;
     const scaling::UncertainPair* pair = nullptr;
 };
-TextTable make_pairs_table(const std::vector<std::string>& first, const std::string& title, const std::vector<PairRow>& rows);
+TextTable make_pairs_table(const std::vector<std::string>& first, const std::string& title, const std::vector<UncertainPairRow>& rows);
 TextTable make_pairs_table(const std::string& title, const std::vector<scaling::UncertainPair>& pairs);
 
 /// "100000 samples, normal, seed 1; 95 % intervals; 12 draws were not positive and drawn again."

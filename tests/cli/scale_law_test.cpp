@@ -55,8 +55,8 @@ TEST_CASE("scale tells the mass to add") {
 TEST_CASE("the law of a result is a law file that gives the same result") {
     const Workplace here;
     for (const char* arguments : {"--law artificial_mass --set l=1/25", "--law mu_vertical_distortion --set H=1/25 --set mu=0.3",
-                                  "--law restoring_mixed --set l=1/25 --watch 'v/sqrt(E/rho)' --quantity E:GPa",
-                                  "--set l=1/25 --set g=1 --hold 'v/sqrt(g*l)' --watch 'rho*g*l/E' --quantity E:GPa"}) {
+                                  "--law restoring_mixed --set l=1/25 --watch 'v/sqrt(E/rho)' --define E:GPa",
+                                  "--set l=1/25 --set g=1 --hold 'v/sqrt(g*l)' --watch 'rho*g*l/E' --define E:GPa"}) {
         CAPTURE(arguments);
         const auto first = here.run(std::string("scale --json ") + arguments).json();
         here.write("law.json", first["law"].dump());
@@ -70,7 +70,7 @@ TEST_CASE("the law of a result is a law file that gives the same result") {
 TEST_CASE("scale solves products held on the command line, with quantities of mechanics by their names") {
     const Workplace here;
     const auto object =
-        here.run("scale --quantity E:GPa --set l=1/16 --set g=1 --set E=1 --hold 'v/sqrt(g*l)' --hold 'v*t/l' --watch 'rho*g*l/E' --json")
+        here.run("scale --define E:GPa --set l=1/16 --set g=1 --set E=1 --hold 'v/sqrt(g*l)' --hold 'v*t/l' --watch 'rho*g*l/E' --json")
             .json();
     CHECK(factor(object, "v") == 0.25);
     CHECK(factor(object, "t") == 0.25);
@@ -147,7 +147,7 @@ TEST_CASE("laws as data are refused in one line when they cannot be, exit code 3
         CHECK_MESSAGE(outcome.has_one_error_line(), outcome.err);
         CHECK_MESSAGE(outcome.out.empty(), arguments);
     }
-    for (const char* arguments : {"scale --set l", "scale --set =3", "scale --set l=1/25 --quantity E", "scale --law froude --format html",
+    for (const char* arguments : {"scale --set l", "scale --set =3", "scale --set l=1/25 --define E", "scale --law froude --format html",
                                   "scale --law froude --set l=1/25 --slenderness 0.3"}) {
         const Outcome outcome = here.run(arguments);
         CHECK_MESSAGE(outcome.exit_code == 2, arguments, " gave ", outcome.err);
