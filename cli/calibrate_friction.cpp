@@ -9,8 +9,8 @@
 #include "cli/output.hpp"
 #include "cli/progress_line.hpp"
 #include "lsdem/study/calibration_files.hpp"
-#include "lsdem/study/detail/side_by_side.hpp"
 #include "lsdem/study/tilt_test.hpp"
+#include "scaling/side_by_side.hpp"
 
 namespace musim::cli {
 namespace {
@@ -36,7 +36,7 @@ int run_friction(const FrictionOptions& options) {
         jobs.emplace_back([&, i] { results[i] = study::run_tilt_test(sample, cases[i], options.resolution * kDegree); });
     {
         ProgressLine progress("friction");
-        study::detail::run_side_by_side(jobs, options.test.threads, [&](double fraction) { progress.update(fraction); });
+        scaling::run_side_by_side(jobs, options.test.threads, [&](double fraction) { progress.update(fraction); });
     }
     if (folder) {
         folder->add_text("friction.csv", study::make_tilt_csv(cases, results));

@@ -11,8 +11,8 @@
 #include "cli/output.hpp"
 #include "cli/progress_line.hpp"
 #include "lsdem/study/calibration_files.hpp"
-#include "lsdem/study/detail/side_by_side.hpp"
 #include "lsdem/study/rocking_impact.hpp"
+#include "scaling/side_by_side.hpp"
 
 namespace musim::cli {
 namespace {
@@ -104,7 +104,7 @@ int run_restitution(const RestitutionOptions& options) {
         jobs.reserve(searches.size());
         for (NamedSearch& s : searches)
             jobs.emplace_back([&] { s.search = study::find_restitution(sample, *s.curve, *options.target, options.safety); });
-        study::detail::run_side_by_side(jobs, options.test.threads, [&](double fraction) { progress.update(fraction); });
+        scaling::run_side_by_side(jobs, options.test.threads, [&](double fraction) { progress.update(fraction); });
     }
     if (folder) {
         folder->add_text("restitution.csv", study::make_rocking_csv(sample, curves));

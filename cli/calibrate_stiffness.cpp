@@ -12,8 +12,8 @@
 #include "cli/progress_line.hpp"
 #include "lsdem/scene/material_presets.hpp"
 #include "lsdem/study/calibration_files.hpp"
-#include "lsdem/study/detail/side_by_side.hpp"
 #include "lsdem/study/wave_speed.hpp"
+#include "scaling/side_by_side.hpp"
 
 namespace musim::cli {
 namespace {
@@ -122,7 +122,7 @@ int run_stiffness(const StiffnessOptions& options) {
     }
     {
         ProgressLine progress("stiffness");
-        study::detail::run_side_by_side(jobs, options.test.threads, [&](double fraction) { progress.update(fraction); });
+        scaling::run_side_by_side(jobs, options.test.threads, [&](double fraction) { progress.update(fraction); });
     }
 
     const std::optional<std::string> verdict = judge_preset(options.test.sample.material, directions[0]);

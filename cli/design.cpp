@@ -21,7 +21,7 @@ namespace {
 struct DesignOptions {
     std::string file;
     RecordSourceOptions source;
-    bool markdown = false;
+    std::string format = "text";
     bool json = false;
 };
 
@@ -41,7 +41,7 @@ int run_design(const DesignOptions& options) {
     if (options.json)
         print_json(to_json(design, candidates));
     else
-        print("{}", make_design_report(design, candidates, options.markdown ? ReportStyle::markdown : ReportStyle::plain));
+        print("{}", make_design_report(design, candidates, options.format == "markdown" ? ReportStyle::markdown : ReportStyle::plain));
     const bool is_feasible = std::any_of(candidates.begin(), candidates.end(), [](const auto& each) { return each.is_feasible(); });
     if (is_feasible) return kDone;
     note("musim: error: {}: nothing is feasible ({}, law {}: {})\n", options.file, candidates.front().material.name,
@@ -58,14 +58,16 @@ void add_design_command(CLI::App& app, Action& action) {
         ->required()
         ->type_name("DESIGN");
     options->source.add_to(*command);
-    auto* const markdown = command->add_flag("--markdown", options->markdown, "Write the report in Markdown");
+    auto* const format = command->add_option("--format", options->format, "Form of the report")
+                             ->check(CLI::IsMember({"text", "markdown"}))
+                             ->capture_default_str();
     add_json_option(*command, options->json);
-    command->get_option("--json")->excludes(markdown);
+    command->get_option("--json")->excludes(format);
     command->footer(
         "Files named in the design are looked for in its folder. Exit code 0: something is feasible; 5: nothing is.\n"
         "Examples:\n"
         "  musim design examples/design/tower.json\n"
-        "  musim design examples/design/tower.json --markdown > campaign.md\n"
+        "  musim design examples/design/tower.json --format markdown > campaign.md\n"
         "  musim design examples/design/tower.json --json");
     command->callback([&action, options] { action = [options] { return run_design(*options); }; });
 }

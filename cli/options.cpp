@@ -62,12 +62,16 @@ std::vector<scaling::GivenFactor> SimilitudeOptions::given(const scaling::ScaleF
 }
 
 scaling::Similitude SimilitudeOptions::similitude() const {
-    return is_plain() ? similitude(scales().factors()) : solve_similitude(law, given());
+    return is_plain() ? make_similitudes()(scales().factors()) : solve_similitude(law, given());
 }
 
-scaling::Similitude SimilitudeOptions::similitude(const scaling::ScaleFactors& factor_values) const {
-    if (is_plain()) return scaling::Similitude(factor_values, scaling::parse_law(law));
-    return scaling::make_similitude(scaling::solve_law(scaling::load_scale_law(law), given(factor_values)));
+scaling::MakeSimilitude SimilitudeOptions::make_similitudes() const {
+    if (is_plain()) {
+        return [named = scaling::parse_law(law)](const scaling::ScaleFactors& values) { return scaling::Similitude(values, named); };
+    }
+    return [this, data = scaling::load_scale_law(law)](const scaling::ScaleFactors& values) {
+        return scaling::make_similitude(scaling::solve_law(data, given(values)));
+    };
 }
 
 scaling::UncertainScales SimilitudeOptions::scales() const {

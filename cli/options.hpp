@@ -48,8 +48,9 @@ struct SimilitudeOptions {
     /// scaling::SimilitudeError, as given() does.
     scaling::Similitude similitude() const;
 
-    /// The similitude of other factors by the same law. Throws scaling::SimilitudeError.
-    scaling::Similitude similitude(const scaling::ScaleFactors& factor_values) const;
+    /// Makes similitudes of other factors by the same law, as long as these options live; a law as data is read once. Throws
+    /// scaling::SimilitudeError, now and when called.
+    scaling::MakeSimilitude make_similitudes() const;
 
     /// The factors with their uncertainties.
     scaling::UncertainScales scales() const;

@@ -7,10 +7,10 @@
 #include <optional>
 
 #include "cli/progress_line.hpp"
-#include "lsdem/study/detail/side_by_side.hpp"
 #include "records/intensity.hpp"
 #include "records/response_spectrum.hpp"
 #include "records/rotated_peaks.hpp"
+#include "scaling/side_by_side.hpp"
 
 namespace musim::cli {
 namespace {
@@ -156,7 +156,7 @@ std::vector<FileSpectra> compute_record_spectra(const std::vector<std::string>& 
     }
     {
         ProgressLine progress("spectra");
-        lsdem::study::detail::run_side_by_side(jobs, threads, [&](double fraction) { progress.update(fraction); });
+        scaling::run_side_by_side(jobs, threads, [&](double fraction) { progress.update(fraction); });
     }
     if (may_pair && halves[0] && halves[1]) {
         const std::string file = files[0] + " + " + files[1];

@@ -48,7 +48,7 @@ UncertainRescale find_uncertain_rescale(const records::GroundMotion& prototype, 
     scaling::UncertainScales scales = factors.scales();
     structure.put_into(scales);
     if (!scales.is_uncertain() && !structure.any() && !monte_carlo) return rescale;
-    const auto make_similitude = [&factors](const scaling::ScaleFactors& chosen) { return factors.similitude(chosen); };
+    const scaling::MakeSimilitude make_similitude = factors.make_similitudes();
     for (const records::Component& component : prototype.components) {
         scales.motion = measure_component(prototype, component);
         rescale.components.push_back(component.name);

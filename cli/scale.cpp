@@ -59,12 +59,20 @@ int run_similitude(const ScaleOptions& options) {
     return kDone;
 }
 
+/// How the report of facts is written. Throws CLI::ValidationError for LaTeX, which only laws as data have.
+ReportStyle find_style(const ScaleOptions& options) {
+    if (options.data.format == "latex") throw CLI::ValidationError("--format", "the report of --facts is text or markdown, not latex");
+    return options.data.format == "markdown" ? ReportStyle::markdown : ReportStyle::plain;
+}
+
 int run_scale(const ScaleOptions& options) {
     if (options.data.lists_laws) return list_scale_laws(options.json);
     const CLI::App& command = *options.scales.command;
-    if (options.scales.is_plain() && !options.data.are_given()) {
+    const bool by_facts = options.facts.is_given() && !options.data.name_products();
+    if (options.scales.is_plain() && (by_facts || !options.data.are_given())) {
         if (command.count("--length") == 0) throw CLI::RequiredError("--length (or --set for a law as data)");
-        return options.facts.is_given() ? run_scale_facts(command, options.scales, options.facts, options.json) : run_similitude(options);
+        return by_facts ? run_scale_facts(command, options.scales, options.facts, find_style(options), options.json)
+                        : run_similitude(options);
     }
     for (const char* option : {"--friction-prototype", "--slenderness", "--height", "--pga", "--pgv", "--pgd", "--arias", "--duration",
                                "--time-step", "--monte-carlo", "--facts"}) {
@@ -89,7 +97,7 @@ void add_scale_command(CLI::App& app, Action& action) {
     options->monte_carlo.add_to(*command);
     options->facts.add_to(*command);
     add_json_option(*command, options->json);
-    command->get_option("--json")->excludes("--markdown");
+    command->get_option("--json")->excludes("--format");
     command->footer(
         "Laws mu, froude, exact and cauchy take --length; every law, also yours in a file (musim-law/1), takes --set. Without --law,\n"
         "--hold names what model and prototype share; l, t, rho, v, a, m, F, E and others mean what `--laws` and the law files say.\n"
@@ -99,7 +107,7 @@ void add_scale_command(CLI::App& app, Action& action) {
         "  musim scale --length 1/107 --friction \"(0.63+/-5%)/(0.59+/-5%)\" --slenderness 0.32+/-1% --monte-carlo --seed 7\n"
         "  musim scale --length 1/107+/-0.4% --friction 1.07+/-7% --pga 0.511g --pgv \"42.4+/-0.4 cm/s\" --json\n"
         "  musim scale --length 1/25 --gravity 25 --law froude --json\n"
-        "  musim scale --length 1/107 --facts examples/facts/wood.json --markdown > wood.md\n"
+        "  musim scale --length 1/107 --facts examples/facts/wood.json --format markdown > wood.md\n"
         "  musim scale --laws\n"
         "  musim scale --law true_replica --set l=1/25 --value \"E=29.2 GPa\"\n"
         "  musim scale --law artificial_mass --set l=1/25 --value \"m_s=270151 t\" --format markdown\n"

@@ -65,14 +65,13 @@ void FactsOptions::add_to(CLI::App& command) {
                                    "--time-step", "--monte-carlo"}) {
         facts->excludes(name);
     }
-    command.add_flag("--markdown", markdown, "Write the report of --facts in Markdown")->needs(facts);
     source.add_to(command);
     for (const char* const name : {"--dt", "--unit", "--quantity", "--sensitivity", "--station-xml"}) {
         command.get_option(name)->needs(facts);
     }
 }
 
-int run_scale_facts(const CLI::App& command, const SimilitudeOptions& scales, const FactsOptions& options, bool json) {
+int run_scale_facts(const CLI::App& command, const SimilitudeOptions& scales, const FactsOptions& options, ReportStyle style, bool json) {
     // the model's default size needs a length scale that makes sense
     const scaling::Similitude by_length({.length = scales.scales().factors().length});
     scales.note_values_used();
@@ -90,7 +89,7 @@ int run_scale_facts(const CLI::App& command, const SimilitudeOptions& scales, co
     if (json) {
         print_json(to_json(report));
     } else {
-        print("{}", make_facts_report(report, options.markdown ? ReportStyle::markdown : ReportStyle::plain));
+        print("{}", make_facts_report(report, style));
     }
     return kDone;
 }

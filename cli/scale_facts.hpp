@@ -5,14 +5,14 @@
 
 #include "cli/options.hpp"
 #include "cli/record_source.hpp"
+#include "cli/text_table.hpp"
 
 namespace musim::cli {
 
-/// What a laboratory knows of prototype and model, for `musim scale`: --facts FILE (musim-facts/1), --markdown, and what a record of that
+/// What a laboratory knows of prototype and model, for `musim scale`: --facts FILE (musim-facts/1), and what a record of that
 /// file may leave unsaid.
 struct FactsOptions {
     std::string file;
-    bool markdown = false;
     RecordSourceOptions source;
 
     /// Adds the options to a command that has those of SimilitudeOptions, UncertainStructureOptions, motions and MonteCarloOptions.
@@ -23,6 +23,6 @@ struct FactsOptions {
 
 /// Prints the report of distortions and regimes. λ_μ, λ_g and λ_ρ are those of the facts; throws SimilitudeError when `command` was given
 /// others, and what reading facts, records and tables throws. Returns an exit code.
-int run_scale_facts(const CLI::App& command, const SimilitudeOptions& scales, const FactsOptions& options, bool json);
+int run_scale_facts(const CLI::App& command, const SimilitudeOptions& scales, const FactsOptions& options, ReportStyle style, bool json);
 
 }  // namespace musim::cli

@@ -80,15 +80,15 @@ void ScaleLawOptions::add_to(CLI::App& command) {
     add("--watch", watched, "A product whose distortion is wanted; one that the law holds is held no longer", "PRODUCT");
     add("--define", quantities, "A quantity that neither the law nor mechanics knows, e.g. E:GPa", "NAME:UNIT");
     add("--value", values, "What a quantity is in the prototype, e.g. \"E=29.2 GPa\"; the model's is told", "NAME=QUANTITY");
-    command.add_option("--format", format, "Form of the answer of a law as data")
+    command.add_option("--format", format, "Form of the answer of a law as data, or of --facts (text or markdown)")
         ->check(CLI::IsMember({"text", "markdown", "latex"}))
         ->capture_default_str();
     command.add_flag("--laws", lists_laws, "List the laws that come with musim");
 }
 
-bool ScaleLawOptions::are_given() const {
-    return !(held.empty() && watched.empty() && quantities.empty() && values.empty()) || format != "text";
-}
+bool ScaleLawOptions::name_products() const { return !(held.empty() && watched.empty() && quantities.empty() && values.empty()); }
+
+bool ScaleLawOptions::are_given() const { return name_products() || format != "text"; }
 
 scaling::SolvedLaw ScaleLawOptions::solve(const std::string& name, const std::vector<scaling::GivenFactor>& given) const {
     const bool is_free = name.empty();

@@ -19,6 +19,9 @@ struct ScaleLawOptions {
 
     void add_to(CLI::App& command);
 
+    /// Whether --hold, --watch, --define or --value is given.
+    bool name_products() const;
+
     /// Whether one of the options asks for a law as data.
     bool are_given() const;
 

@@ -13,7 +13,7 @@ UncertainScale find_uncertain_scale(const SimilitudeOptions& factors, const Unce
     scaling::UncertainScales scales = factors.scales();
     structure.put_into(scales);
     scales.motion = motion;
-    const auto make_similitude = [&factors](const scaling::ScaleFactors& chosen) { return factors.similitude(chosen); };
+    const scaling::MakeSimilitude make_similitude = factors.make_similitudes();
     return {scaling::propagate(scales, make_similitude, facts, monte_carlo), monte_carlo};
 }
 

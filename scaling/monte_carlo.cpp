@@ -3,12 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <exception>
-#include <thread>
+#include <functional>
 
 #include "scaling/random_bits.hpp"
+#include "scaling/side_by_side.hpp"
 
 namespace musim::scaling {
 
@@ -24,32 +23,6 @@ void check(const std::vector<UncertainInput>& inputs, const MonteCarloSettings& 
     if (settings.samples < kFewestSamples || settings.samples > kMostSamples) {
         throw SimilitudeError(fmt::format("Monte Carlo: {} samples (must be from {} to {}); choose a number such as 100000",
                                           settings.samples, kFewestSamples, kMostSamples));
-    }
-}
-
-/// Calls work(0) ... work(count - 1), in any order, on several threads; each must write to places of its own. Should some throw, the first
-/// in order is thrown on.
-template <class Work>
-void for_each_index(std::size_t count, int threads, const Work& work) {
-    std::vector<std::exception_ptr> failures(count);
-    std::atomic<std::size_t> next = 0;
-    const auto take_turns = [&] {
-        for (std::size_t i = next++; i < count; i = next++) {
-            try {
-                work(i);
-            } catch (...) {
-                failures[i] = std::current_exception();
-            }
-        }
-    };
-    {
-        const std::size_t wanted = threads > 0 ? static_cast<std::size_t>(threads) : std::thread::hardware_concurrency();
-        std::vector<std::jthread> helpers;
-        for (std::size_t i = 1; i < std::min(wanted, count); ++i) helpers.emplace_back(take_turns);
-        take_turns();
-    }
-    for (const std::exception_ptr& failure : failures) {
-        if (failure) std::rethrow_exception(failure);
     }
 }
 
@@ -87,7 +60,7 @@ MonteCarloRun run_monte_carlo(const std::vector<UncertainInput>& inputs, const E
     // draw and evaluate
     const std::size_t turns = (settings.samples + kSamplesAtATime - 1) / kSamplesAtATime;
     std::vector<std::size_t> rejected(turns, 0);
-    for_each_index(turns, settings.threads, [&](std::size_t turn) {
+    const auto take_turn = [&](std::size_t turn) {
         std::vector<double> drawn(inputs.size());
         const std::size_t end = std::min(settings.samples, (turn + 1) * kSamplesAtATime);
         for (std::size_t s = turn * kSamplesAtATime; s < end; ++s) {
@@ -102,12 +75,17 @@ MonteCarloRun run_monte_carlo(const std::vector<UncertainInput>& inputs, const E
             const std::vector<double> results = evaluate(drawn);
             for (std::size_t r = 0; r < results.size(); ++r) samples[r][s] = results[r];
         }
-    });
+    };
+    std::vector<std::function<void()>> jobs;
+    for (std::size_t turn = 0; turn < turns; ++turn) jobs.emplace_back([&take_turn, turn] { take_turn(turn); });
+    run_side_by_side(jobs, settings.threads);
 
     // sum up
     MonteCarloRun run;
     run.results.resize(samples.size());
-    for_each_index(samples.size(), settings.threads, [&](std::size_t r) { run.results[r] = summarize(samples[r]); });
+    jobs.clear();
+    for (std::size_t r = 0; r < samples.size(); ++r) jobs.emplace_back([&run, &samples, r] { run.results[r] = summarize(samples[r]); });
+    run_side_by_side(jobs, settings.threads);
     for (const std::size_t count : rejected) run.rejected += count;
     return run;
 }

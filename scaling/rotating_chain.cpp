@@ -55,7 +55,8 @@ ChainWave find_fastest_sway(const RotatingChain& chain) {
         if (chain.group_speed(i * kStep) > chain.group_speed(best * kStep)) best = i;
     }
 
-    // golden section between the neighbours of the best one
+    // golden section between the neighbours of the best one, within the open interval (0, pi); a speed at its peak is flat, so a millionth
+    // of the wavenumber leaves 1e-12 of the speed
     constexpr double kGolden = 1.0 / std::numbers::phi;
     double low = best == 1 ? 1e-3 * kStep : (best - 1) * kStep, high = (best + 0.999) * kStep;
     while (high - low > 1e-6 * high) {

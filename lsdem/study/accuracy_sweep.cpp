@@ -9,7 +9,7 @@
 
 #include "lsdem/study/accuracy_cases.hpp"
 #include "lsdem/study/accuracy_tower.hpp"
-#include "lsdem/study/detail/side_by_side.hpp"
+#include "scaling/side_by_side.hpp"
 
 namespace musim::lsdem::study {
 namespace {
@@ -165,7 +165,7 @@ AccuracySweep sweep_accuracy(const SweepOptions& options) {
             if (find_first(rows, r) == r) jobs.emplace_back([&problem = cases[c], &row] { row.outcome = run_case(problem, row.setting); });
         }
     }
-    detail::run_side_by_side(jobs, options.threads, options.on_progress);
+    scaling::run_side_by_side(jobs, options.threads, options.on_progress);
 
     tower.add_panels(sweep.panels);
     sweep.earthquake = tower.earthquake();

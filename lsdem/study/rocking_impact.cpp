@@ -11,8 +11,8 @@
 
 #include "lsdem/scene/scene.hpp"
 #include "lsdem/simulation.hpp"
-#include "lsdem/study/detail/side_by_side.hpp"
 #include "lsdem/time_step.hpp"
+#include "scaling/side_by_side.hpp"
 
 namespace musim::lsdem::study {
 namespace {
@@ -138,7 +138,7 @@ std::vector<RockingCurve> sweep_rocking(const BlockSample& sample, const Rocking
             });
         }
     }
-    detail::run_side_by_side(jobs, sweep.threads, sweep.on_progress);
+    scaling::run_side_by_side(jobs, sweep.threads, sweep.on_progress);
     return curves;
 }
 

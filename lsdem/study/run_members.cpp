@@ -4,9 +4,9 @@
 #include <mutex>
 #include <numeric>
 
-#include "lsdem/study/detail/side_by_side.hpp"
 #include "lsdem/study/run.hpp"
 #include "lsdem/study/write_results.hpp"
+#include "scaling/side_by_side.hpp"
 
 namespace musim::lsdem::study {
 namespace {
@@ -91,7 +91,7 @@ std::vector<MemberReport> run_members(const std::vector<EnsembleMember>& members
             progress.update(job, 1.0);
         });
     }
-    detail::run_side_by_side(jobs, settings.threads);
+    scaling::run_side_by_side(jobs, settings.threads);
     return reports;
 }
 

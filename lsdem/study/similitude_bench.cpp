@@ -10,9 +10,9 @@
 #include <stdexcept>
 
 #include "lsdem/scene/scale_scene.hpp"
-#include "lsdem/study/detail/side_by_side.hpp"
 #include "lsdem/study/pair.hpp"
 #include "lsdem/study/run.hpp"
+#include "scaling/side_by_side.hpp"
 
 namespace musim::lsdem::study {
 namespace {
@@ -140,7 +140,7 @@ std::vector<SimilitudeOutcome> run_similitude_cases(const std::vector<Similitude
         add(runs.run, [&runs] { return make_upright_specimen(runs.scene); });
         add(runs.shadow, [&runs] { return make_shadow(make_upright_specimen(runs.scene)); });
     }
-    detail::run_side_by_side(jobs, threads, on_progress);
+    scaling::run_side_by_side(jobs, threads, on_progress);
 
     std::vector<SimilitudeOutcome> outcomes;
     for (std::size_t c = 0; c < cases.size(); ++c) {

@@ -11,11 +11,11 @@
 
 #include "lsdem/scene/build_model.hpp"
 #include "lsdem/scene/scene_error.hpp"
-#include "lsdem/study/detail/side_by_side.hpp"
 #include "lsdem/study/read_results.hpp"
 #include "lsdem/study/run.hpp"
 #include "lsdem/study/specimen_file.hpp"
 #include "records/error.hpp"
+#include "scaling/side_by_side.hpp"
 
 namespace musim::lsdem::study {
 namespace {
@@ -136,7 +136,7 @@ std::vector<SpecimenReport> make_specimens(const SpecimenBatch& batch) {
             progress.update(i, 1.0);
         });
     }
-    detail::run_side_by_side(jobs, batch.threads);
+    scaling::run_side_by_side(jobs, batch.threads);
     return reports;
 }
 

@@ -53,7 +53,7 @@ TEST_CASE("the example design ranks wood first, excludes aluminium and names wha
 
 TEST_CASE("the report is text or Markdown, with the same numbers") {
     const Workplace here;
-    const Outcome plain = here.run("design '" + kExample + "'"), markdown = here.run("design '" + kExample + "' --markdown");
+    const Outcome plain = here.run("design '" + kExample + "'"), markdown = here.run("design '" + kExample + "' --format markdown");
     REQUIRE(plain.exit_code == 0);
     REQUIRE(markdown.exit_code == 0);
     for (const Outcome* const outcome : {&plain, &markdown}) {
@@ -135,6 +135,6 @@ TEST_CASE("wrong input to design is told in one line") {
     CHECK(error("design.json", 3).find("up") != std::string::npos);
     here.write("design.json", make_design("", R"({"file": "lost.v1"})"));
     CHECK(error("design.json", 3).find("lost.v1") != std::string::npos);
-    error("design.json --json --markdown", 2);
+    error("design.json --json --format markdown", 2);
     error("", 2);
 }

@@ -85,7 +85,7 @@ TEST_CASE("the wooden model stays in its regime, and the table's band is told") 
 TEST_CASE("the report is text or Markdown, with the same numbers") {
     const Workplace here;
     const Outcome plain = here.run("scale --length 1/107 --facts " + example("aluminium")),
-                  markdown = here.run("scale --length 1/107 --markdown --facts " + example("aluminium"));
+                  markdown = here.run("scale --length 1/107 --format markdown --facts " + example("aluminium"));
     REQUIRE(plain.exit_code == 0);
     REQUIRE(markdown.exit_code == 0);
     for (const Outcome* const outcome : {&plain, &markdown}) {
@@ -161,10 +161,10 @@ TEST_CASE("wrong input to the facts is told in one line") {
     CHECK(error("--facts lost.json", 3).find("lost.v1") != std::string::npos);
     CHECK(error("--facts colour.json", 3) ==
           "musim: error: colour.json: \"colour\" is none of its settings; remove it, or correct its name\n");
-    error("--facts facts.json --json --markdown", 2);
+    error("--facts facts.json --json --format markdown", 2);
     error("--facts facts.json --slenderness 0.3", 2);
     error("--facts facts.json --friction-prototype 0.3", 2);
-    error("--markdown", 2);
+    error("--facts facts.json --format latex", 2);
     error("--unit g", 2);
     CHECK(here.run("scale --length 0 --facts facts.json").exit_code == 3);
 }

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+namespace musim::scaling {
+
+/// Does all jobs, `threads` at a time (0: all cores), first come first served; each must write to places of its own. `on_progress`, when
+/// given, is called with the fraction done, from any of the threads. When jobs throw, the others are still done, then the exception of the
+/// first of them in order is thrown again.
+void run_side_by_side(const std::vector<std::function<void()>>& jobs, int threads, const std::function<void(double)>& on_progress = {});
+
+}  // namespace musim::scaling
