@@ -61,30 +61,30 @@ nlohmann::json to_json(const std::vector<scaling::UncertainResult>& results, con
     return object;
 }
 
-/// An uncertainty with two digits [JCGM100] 7.2.6 in the unit of its own size; with more where two would need a power of ten.
-std::string format_uncertainty(double uncertainty, scaling::Dimension dimension) {
+/// An uncertainty with two digits [JCGM100] 7.2.6 in the unit of its value; with more where two would need a power of ten.
+std::string format_uncertainty(double uncertainty, double value, const scaling::RationalDimension& dimension) {
     int digits = 2;
-    std::string text = scaling::format_si(uncertainty, dimension, digits);
-    while (text.find("e+") != std::string::npos) text = scaling::format_si(uncertainty, dimension, ++digits);
+    std::string text = scaling::format_si_like(uncertainty, value, dimension, digits);
+    while (text.find("e+") != std::string::npos) text = scaling::format_si_like(uncertainty, value, dimension, ++digits);
     return text;
 }
 
 std::string format_share(double share) { return share == 0.0 ? "-" : fmt::format("{:.3g} %", 100.0 * share); }
 
 /// Value, u, u/value, and what the samples say: the cells of one result.
-void add_cells(std::vector<std::string>& row, const scaling::UncertainResult& result, scaling::Dimension dimension) {
+void add_cells(std::vector<std::string>& row, const scaling::UncertainResult& result, const scaling::RationalDimension& dimension) {
     const bool certain = result.first_order.relative == 0.0;
-    row.push_back(scaling::format_si(result.first_order.value, dimension, 7));
-    row.push_back(certain ? "-" : format_uncertainty(result.first_order.uncertainty(), dimension));
+    const double value = result.first_order.value;
+    const auto in_its_unit = [&](double other, int digits) { return scaling::format_si_like(other, value, dimension, digits); };
+    row.push_back(in_its_unit(value, 7));
+    row.push_back(certain ? "-" : format_uncertainty(result.first_order.uncertainty(), value, dimension));
     row.push_back(format_share(result.first_order.relative));
     if (!result.samples) return;
     const scaling::SampleSummary& samples = *result.samples;
-    row.push_back(certain ? "-" : scaling::format_si(samples.mean, dimension, 5));
-    row.push_back(certain ? "-" : format_uncertainty(samples.standard_deviation, dimension));
-    row.push_back(certain ? "-" : scaling::format_si(samples.median, dimension, 5));
-    row.push_back(certain ? "-"
-                          : fmt::format("{} to {}", scaling::format_si(samples.lower, dimension, 4),
-                                        scaling::format_si(samples.upper, dimension, 4)));
+    row.push_back(certain ? "-" : in_its_unit(samples.mean, 5));
+    row.push_back(certain ? "-" : format_uncertainty(samples.standard_deviation, value, dimension));
+    row.push_back(certain ? "-" : in_its_unit(samples.median, 5));
+    row.push_back(certain ? "-" : fmt::format("{} to {}", in_its_unit(samples.lower, 4), in_its_unit(samples.upper, 4)));
 }
 
 void add_titles(std::vector<std::string>& header, const std::string& value, bool sampled) {
@@ -132,7 +132,7 @@ nlohmann::json to_json(const std::vector<scaling::UncertainPair>& pairs) {
     for (const scaling::UncertainPair& pair : pairs) {
         const double unit = find_key(pair.name).unit;
         nlohmann::json both{{"prototype", to_json(pair.prototype, unit)}, {"model", to_json(pair.model, unit)}};
-        if (pair.dimension == scaling::Dimension{} && pair.prototype.samples) {
+        if (pair.dimension.is_dimensionless() && pair.prototype.samples) {
             both["prototype"]["monte_carlo"]["share_above_1"] = pair.prototype.samples->share_above_one;
             both["model"]["monte_carlo"]["share_above_1"] = pair.model.samples->share_above_one;
         }
@@ -144,8 +144,9 @@ nlohmann::json to_json(const std::vector<scaling::UncertainPair>& pairs) {
 TextTable make_inputs_table(const std::vector<scaling::UncertainInput>& inputs) {
     TextTable table{.header = {"uncertain input", "value", "u", "u/value"}};
     for (const scaling::UncertainInput& input : inputs) {
-        table.rows.push_back({input.name, scaling::format_si(input.quantity.value, input.dimension, 7),
-                              format_uncertainty(input.quantity.uncertainty, input.dimension), format_share(input.quantity.relative())});
+        const auto& [value, uncertainty] = input.quantity;
+        table.rows.push_back({input.name, scaling::format_si_like(value, value, input.dimension, 7),
+                              format_uncertainty(uncertainty, value, input.dimension), format_share(input.quantity.relative())});
     }
     return table;
 }
@@ -164,7 +165,7 @@ TextTable make_pairs_table(const std::vector<std::string>& first, const std::str
     TextTable table{.header = first};
     table.header.push_back(title);
     add_titles(table.header, "value", !rows.empty() && rows.front().pair->model.samples);
-    const bool tells_share = !rows.empty() && rows.front().pair->model.samples && rows.front().pair->dimension == scaling::Dimension{};
+    const bool tells_share = !rows.empty() && rows.front().pair->model.samples && rows.front().pair->dimension.is_dimensionless();
     if (tells_share) table.header.emplace_back("above 1");
     for (const UncertainPairRow& row : rows) {
         for (const bool is_model : {false, true}) {

@@ -42,8 +42,7 @@ double parse_value(std::string_view text, const PiQuantity& quantity) {
 }
 
 std::string format_value(double value, const PiQuantity& quantity, int digits) {
-    if (const auto halves = to_halves(quantity.dimension)) return format_si(value, *halves, digits);
-    return fmt::format("{:.{}g} {}", value, digits, detail::base_units(quantity.dimension));
+    return format_si_like(value, value, quantity.dimension, digits);
 }
 
 void check_quantities(const std::vector<PiQuantity>& quantities) {

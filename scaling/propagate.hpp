@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "scaling/rational_dimension.hpp"
 #include "scaling/uncertain.hpp"
 
 namespace musim::scaling {
@@ -13,7 +14,7 @@ namespace musim::scaling {
 struct UncertainInput {
     std::string name;
     Uncertain quantity;  ///< SI
-    Dimension dimension = {};
+    RationalDimension dimension = {};
 };
 
 /// The results that follow from values of the inputs, in the order of the inputs. Every result must be a product of powers of the inputs,

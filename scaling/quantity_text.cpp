@@ -39,12 +39,15 @@ double parse_si(std::string_view text, Dimension wanted) {
     return value;
 }
 
-std::string format_si(double value, Dimension dimension, int digits) {
-    const detail::DimensionName* known = detail::find_dimension_name(dimension);
+std::string format_si(double value, Dimension dimension, int digits) { return format_si_like(value, value, dimension, digits); }
+
+std::string format_si_like(double value, double like, const RationalDimension& dimension, int digits) {
+    const auto halves = to_halves(dimension);
+    const detail::DimensionName* known = halves ? detail::find_dimension_name(*halves) : nullptr;
     if (known == nullptr) return fmt::format("{:.{}g} {}", value, digits, detail::base_units(dimension));
 
     // zero has no size of its own: print it in the largest unit not above the SI unit
-    const double size = value == 0.0 ? 1.0 : std::abs(value);
+    const double size = like == 0.0 ? 1.0 : std::abs(like);
     const detail::DisplayUnit* chosen = &known->display_units.front();
     for (const detail::DisplayUnit& unit : known->display_units) {
         if (size >= unit.from) chosen = &unit;

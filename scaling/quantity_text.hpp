@@ -5,6 +5,7 @@
 
 #include "scaling/dimension.hpp"
 #include "scaling/error.hpp"
+#include "scaling/rational_dimension.hpp"
 
 namespace musim::scaling {
 
@@ -28,6 +29,10 @@ Quantity parse_quantity(std::string_view text) {
 /// SI value in the unit an engineer would write for its dimension and size: "30 MN/m", "42.4 cm/s", "0.511 g", "12.71 mm", "10.4 us".
 /// `digits` are significant digits. parse_si() reads the text back. Moments share the dimension of energies and print in joules.
 std::string format_si(double value, Dimension dimension, int digits = 6);
+
+/// An SI value of any dimension in the unit that format_si() takes for `like`, so that an uncertainty stands in the unit of its value:
+/// "42.4 cm/s" and "0.15 cm/s"; in base units where the dimension has none of its own.
+std::string format_si_like(double value, double like, const RationalDimension& dimension, int digits = 6);
 
 /// format_si() for a typed quantity.
 template <QuantityWithUnit Quantity>

@@ -52,7 +52,7 @@ struct UncertainResult {
 /// A group or measure at both scales.
 struct UncertainPair {
     std::string name;
-    Dimension dimension;
+    RationalDimension dimension;
     UncertainResult prototype, model;
 };
 

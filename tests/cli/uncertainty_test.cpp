@@ -109,6 +109,14 @@ TEST_CASE("measures of the prototype are carried to the model with their uncerta
     CHECK_FALSE(certain.contains("uncertainty"));
 }
 
+TEST_CASE("an uncertainty stands in the unit of its value") {
+    const std::string out = Workplace().run("scale " + kWood + "--pgv \"42.4+/-0.1 cm/s\" --monte-carlo 2000").out;
+    CHECK(out.find("42.4 cm/s      0.1 cm/s") != std::string::npos);
+    // 3.5 % of 4.2 cm/s
+    CHECK(out.find("4.235632 cm/s  0.15 cm/s") != std::string::npos);
+    CHECK(out.find("um/s") == std::string::npos);
+}
+
 TEST_CASE("rescale scales by the values and tells the model's measures and groups with their uncertainties") {
     const Workplace here;
     const std::string friction = "--friction '(0.63+/-5%)/(0.59+/-5%)' ";

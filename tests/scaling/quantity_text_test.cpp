@@ -153,6 +153,15 @@ TEST_CASE("quantities print in the units engineers write") {
     CHECK(format_si(2.0, Dimension{.length = 1, .mass = 2, .time = -5}) == "2 kg m^0.5 s^-2.5");
 }
 
+TEST_CASE("an uncertainty prints in the unit of its value") {
+    const Dimension velocity = dimension_of<Velocity>();
+    CHECK(format_si(0.001498, velocity) == "1498 um/s");
+    CHECK(format_si_like(0.001498, 0.0424, velocity, 2) == "0.15 cm/s");
+    CHECK(format_si_like(0.0424, 0.0424, velocity) == "4.24 cm/s");
+    CHECK(format_si_like(0.5, 0.0, dimension_of<Length>()) == "0.5 m");
+    CHECK(format_si_like(0.5, 300.0, RationalDimension::of(BaseDimension::temperature)) == "0.5 K");
+}
+
 TEST_CASE("what is printed is read back as the same quantity") {
     // 17 digits name a double; unit conversion on the way out and gravity on the way back round once or twice
     const auto check = [](auto quantity) {
