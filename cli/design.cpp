@@ -41,7 +41,8 @@ int run_design(const DesignOptions& options) {
     if (options.json)
         print_json(to_json(design, candidates));
     else
-        print("{}", make_design_report(design, candidates, options.format == "markdown" ? ReportStyle::markdown : ReportStyle::plain));
+        print("{}", make_design_report(design, candidates,
+                                       options.format == "markdown" ? scaling::ReportStyle::markdown : scaling::ReportStyle::plain));
     const bool is_feasible = std::any_of(candidates.begin(), candidates.end(), [](const auto& each) { return each.is_feasible(); });
     if (is_feasible) return kDone;
     note("musim: error: {}: nothing is feasible ({}, law {}: {})\n", options.file, candidates.front().material.name,

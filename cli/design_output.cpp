@@ -30,9 +30,9 @@ std::string describe_remark(const Candidate& candidate) {
     return candidate.changes_regime() ? "excluded: changes between sliding and rocking" : "";
 }
 
-TextTable make_ranking(const std::vector<Candidate>& candidates) {
-    TextTable table{{"rank", "material", "law", "length scales", "smaller: in the way", "larger: in the way", "ranked at", "sum |ln d|",
-                     "mass", "cost", "remark"}};
+scaling::TextTable make_ranking(const std::vector<Candidate>& candidates) {
+    scaling::TextTable table{{"rank", "material", "law", "length scales", "smaller: in the way", "larger: in the way", "ranked at",
+                              "sum |ln d|", "mass", "cost", "remark"}};
     for (std::size_t i = 0; i < candidates.size(); ++i) {
         const Candidate& candidate = candidates[i];
         std::string scales, below, above;
@@ -68,8 +68,8 @@ std::vector<const ModelState*> find_states(const Candidate& candidate) {
     return states;
 }
 
-TextTable make_limits(const Candidate& candidate) {
-    TextTable table{{"limit", "length scales"}};
+scaling::TextTable make_limits(const Candidate& candidate) {
+    scaling::TextTable table{{"limit", "length scales"}};
     for (const design::LimitRanges& limit : candidate.limits) table.rows.push_back({limit.limit, describe_ranges(limit.ranges)});
     for (const ModelState* const state : find_states(candidate)) {
         table.header.push_back("used at " + describe_scale(state->length));
@@ -96,8 +96,8 @@ std::string find_remark(const std::vector<scaling::Distortion>& distortions, std
     return "";
 }
 
-TextTable make_groups(const design::Design& design, const Candidate& candidate) {
-    TextTable table{{"group", "weighed"}};
+scaling::TextTable make_groups(const design::Design& design, const Candidate& candidate) {
+    scaling::TextTable table{{"group", "weighed"}};
     const std::vector<const ModelState*> states = find_states(candidate);
     for (const scaling::NamedFactor& group : states.front()->groups) {
         const bool is_weighed = std::find(design.groups.begin(), design.groups.end(), group.name) != design.groups.end();
@@ -175,7 +175,7 @@ nlohmann::json to_json(const Candidate& candidate) {
 
 }  // namespace
 
-std::string make_design_report(const design::Design& design, const std::vector<Candidate>& candidates, ReportStyle style) {
+std::string make_design_report(const design::Design& design, const std::vector<Candidate>& candidates, scaling::ReportStyle style) {
     std::string text = make_title(design.name.empty() ? "Design" : design.name, style) + make_table(make_ranking(candidates), style);
     for (const Candidate& candidate : candidates)
         if (!candidate.is_feasible()) text += fmt::format("\n{} is infeasible: {}\n", name_candidate(candidate), candidate.problem);

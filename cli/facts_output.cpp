@@ -40,8 +40,8 @@ std::string count_severities(const Entries& entries, const std::string& what) {
                        name(counts[static_cast<int>(Severity::note)], "note"));
 }
 
-TextTable make_regimes(const std::vector<RegimeStatement>& regimes) {
-    TextTable table{{"verdict", "regime", "direction", "sources", "prototype and model"}};
+scaling::TextTable make_regimes(const std::vector<RegimeStatement>& regimes) {
+    scaling::TextTable table{{"verdict", "regime", "direction", "sources", "prototype and model"}};
     for (const RegimeStatement& regime : regimes) {
         table.rows.push_back({regime.severity ? name_severity(regime.severity) : "same", std::string(regime.topic),
                               name_direction(regime.direction), join_keys(regime.sources), regime.statement});
@@ -49,8 +49,9 @@ TextTable make_regimes(const std::vector<RegimeStatement>& regimes) {
     return table;
 }
 
-TextTable make_groups(const std::vector<GroupComparison>& groups, GroupClass kind) {
-    TextTable table{{"group", "direction", "prototype", "model", "model/prototype", "required", "verdict", "sources", "what changes"}};
+scaling::TextTable make_groups(const std::vector<GroupComparison>& groups, GroupClass kind) {
+    scaling::TextTable table{
+        {"group", "direction", "prototype", "model", "model/prototype", "required", "verdict", "sources", "what changes"}};
     for (const GroupComparison& group : groups) {
         if (group.kind != kind) continue;
         table.rows.push_back({std::string(group.name), name_direction(group.direction), fmt::format("{:.5g}", group.prototype),
@@ -64,7 +65,7 @@ std::string format_or_dash(const std::optional<double>& value, scaling::Dimensio
     return value ? scaling::format_si(*value, dimension, 5) : "-";
 }
 
-void add_rows(TextTable& table, const std::vector<PairRow>& rows, const std::string& suffix = "") {
+void add_rows(scaling::TextTable& table, const std::vector<PairRow>& rows, const std::string& suffix = "") {
     for (const PairRow& row : rows) {
         const auto factor = row.factor();
         table.rows.push_back({row.title + suffix, format_or_dash(row.prototype, row.dimension), format_or_dash(row.model, row.dimension),
@@ -74,7 +75,7 @@ void add_rows(TextTable& table, const std::vector<PairRow>& rows, const std::str
 }
 
 /// Titles of a table of PairRows.
-TextTable start_pairs(const std::string& first) {
+scaling::TextTable start_pairs(const std::string& first) {
     return {{first, "prototype", "model", "similar model", "model/prototype", "by the law"}};
 }
 
@@ -119,7 +120,7 @@ nlohmann::json to_json(const std::vector<PairRow>& rows) {
 
 }  // namespace
 
-std::string make_facts_report(const FactsReport& report, ReportStyle style) {
+std::string make_facts_report(const FactsReport& report, scaling::ReportStyle style) {
     const scaling::PairFacts& facts = report.facts;
     const scaling::Similitude& similitude = report.similitude;
     std::string text = make_title(report.name.empty() ? facts.model.name + " for " + facts.prototype.name : report.name, style);
@@ -130,19 +131,19 @@ std::string make_facts_report(const FactsReport& report, ReportStyle style) {
         fmt::format("time {:.7g}, velocity {:.7g}, acceleration {:.7g}, force {:.7g}", similitude.time(), similitude.velocity(),
                     similitude.acceleration(), similitude.force()),
         fmt::format("{}; {}", count_severities(report.report.regimes, "regimes"), count_severities(report.report.groups, "groups"))};
-    for (const std::string& line : lines) text += (style == ReportStyle::markdown ? "- " : "") + line + "\n";
+    for (const std::string& line : lines) text += (style == scaling::ReportStyle::markdown ? "- " : "") + line + "\n";
     text += make_heading("Regimes", style) + make_table(make_regimes(report.report.regimes), style);
     for (const GroupClass kind :
          {GroupClass::geometry, GroupClass::friction, GroupClass::contact, GroupClass::rocking, GroupClass::loading}) {
-        const TextTable table = make_groups(report.report.groups, kind);
+        const scaling::TextTable table = make_groups(report.report.groups, kind);
         if (!table.rows.empty()) text += make_heading("Groups of " + std::string(to_string(kind)), style) + make_table(table, style);
     }
     if (facts.motion && facts.model_motion) {
-        TextTable motion = start_pairs("motion");
+        scaling::TextTable motion = start_pairs("motion");
         add_rows(motion, make_motion_rows(*facts.motion, *facts.model_motion, similitude));
         text += make_heading("Motion", style) + make_table(motion, style);
     }
-    TextTable speeds = start_pairs("structural speed"), rocking = start_pairs("rocking block");
+    scaling::TextTable speeds = start_pairs("structural speed"), rocking = start_pairs("rocking block");
     add_rows(speeds, make_speed_rows(facts, similitude));
     for (const Direction direction : {Direction::thin, Direction::wide}) {
         add_rows(rocking, make_rocking_rows(facts, similitude, direction), fmt::format(", {}", to_string(direction)));

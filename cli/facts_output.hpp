@@ -3,8 +3,8 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "cli/text_table.hpp"
 #include "scaling/regime_report.hpp"
+#include "scaling/text_table.hpp"
 
 namespace musim::cli {
 
@@ -18,7 +18,7 @@ struct FactsReport {
 
 /// Distortions with effect and sources, regimes, groups of both, structural speeds and what the model would need, blocks that rock, and
 /// what the facts do not tell.
-std::string make_facts_report(const FactsReport& report, ReportStyle style);
+std::string make_facts_report(const FactsReport& report, scaling::ReportStyle style);
 
 /// One JSON object: what `musim scale` prints ("law", "factors", "groups", "distortions" of group, factor, severity, effect), where a
 /// distortion has "direction", "prototype", "model", "required" and "sources" too, and "facts": {"name", "prototype", "model", "groups",

@@ -7,12 +7,11 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/named_values.hpp"
-#include "cli/output.hpp"
-#include "cli/text_table.hpp"
 #include "scaling/distortion.hpp"
 #include "scaling/named_groups.hpp"
 #include "scaling/scale_law_json.hpp"
 #include "scaling/scale_text.hpp"
+#include "scaling/text_table.hpp"
 
 namespace musim::cli {
 namespace {
@@ -20,6 +19,7 @@ namespace {
 using nlohmann::json;
 using scaling::PiNotation;
 using scaling::PiQuantity;
+using scaling::ReportStyle;
 using scaling::ScaleFactor;
 using scaling::ScaleState;
 using scaling::SolvedLaw;
@@ -77,11 +77,9 @@ std::optional<double> find_model_value(const SolvedLaw& solved, std::size_t j) {
 
 /// What is to be added, in the unit of the quantity, where the prototype's is known.
 std::optional<double> find_added_value(const SolvedLaw& solved, const scaling::LawAddition& addition) {
-    const auto& quantities = solved.problem.quantities;
-    const auto& own = quantities[scaling::find_quantity(quantities, addition.own)].value;
-    const auto prototype = own ? own : quantities[scaling::find_quantity(quantities, addition.total)].value;
+    const auto base = solved.find_base(addition);
     const auto factor = solved.added(addition);
-    return prototype && factor ? std::optional(*prototype * *factor) : std::nullopt;
+    return base && factor ? std::optional(*solved.problem.quantities[*base].value * *factor) : std::nullopt;
 }
 
 /// "l^2*E/g - l^3*rho_s".
@@ -120,10 +118,10 @@ std::vector<std::string> list_remarks(const SolvedLaw& solved) {
     return lines;
 }
 
-TextTable make_factor_table(const SolvedLaw& solved) {
+scaling::TextTable make_factor_table(const SolvedLaw& solved) {
     const auto& quantities = solved.problem.quantities;
     const bool has_values = std::any_of(quantities.begin(), quantities.end(), [](const PiQuantity& q) { return q.value.has_value(); });
-    TextTable table{{"quantity", "factor", "formula", "state", "meaning"}};
+    scaling::TextTable table{{"quantity", "factor", "formula", "state", "meaning"}};
     if (has_values) table.header.insert(table.header.end(), {"prototype", "model"});
     for (std::size_t j = 0; j < quantities.size(); ++j) {
         const ScaleFactor& factor = solved.solution.quantities[j].factor;
@@ -137,8 +135,8 @@ TextTable make_factor_table(const SolvedLaw& solved) {
     return table;
 }
 
-TextTable make_group_table(const SolvedLaw& solved) {
-    TextTable table{{"group", "delta", "formula", "", "known as"}};
+scaling::TextTable make_group_table(const SolvedLaw& solved) {
+    scaling::TextTable table{{"group", "delta", "formula", "", "known as"}};
     for (const LawGroup& group : list_groups(solved)) {
         table.rows.push_back({group.product.text, or_dash(group.delta.value, kFactorDigits), formula(solved, group.delta),
                               group.is_held ? "held" : "watched", group.name(solved)});
@@ -196,6 +194,32 @@ json addition_json(const SolvedLaw& solved, const scaling::LawAddition& addition
     return object;
 }
 
+std::string make_latex_report(const SolvedLaw& solved) {
+    std::string text = fmt::format("% law {}: {}\n", solved.law.name, solved.law.title);
+    const auto add_lines = [&](const std::vector<std::string>& lines) {
+        if (!lines.empty()) text += fmt::format("\\begin{{align}}\n  {}\n\\end{{align}}\n", fmt::join(lines, " \\\\\n  "));
+    };
+    const auto equation = [&](const std::string& left, const ScaleFactor& factor) {
+        const std::string right = formula(solved, factor, PiNotation::latex);
+        if (!factor.value) return fmt::format("{} &= {}", left, right);
+        const std::string value = or_dash(factor.value, kFactorDigits);
+        return left == right || right == "1" ? fmt::format("{} &= {}", left, value) : fmt::format("{} &= {} = {}", left, right, value);
+    };
+    std::vector<std::string> factors;
+    for (std::size_t j = 0; j < solved.problem.quantities.size(); ++j) {
+        factors.push_back(equation(scaling::latex_factor_name(solved.problem.quantities[j].name), solved.solution.quantities[j].factor));
+    }
+    add_lines(factors);
+    std::vector<std::string> groups;
+    for (const LawGroup& group : list_groups(solved)) {
+        const std::string product = scaling::format_group(group.product.exponents, solved.problem.quantities, PiNotation::latex);
+        groups.push_back(equation(fmt::format("\\delta\\!\\left[{}\\right]", product), group.delta));
+    }
+    add_lines(groups);
+    for (const std::string& line : list_remarks(solved)) text += fmt::format("% {}\n", line);
+    return text;
+}
+
 }  // namespace
 
 json to_json(const SolvedLaw& solved) {
@@ -228,43 +252,15 @@ json to_json(const SolvedLaw& solved) {
     return object;
 }
 
-void print_text(const SolvedLaw& solved) {
-    print("Law {}: {} (factors are model/prototype)\n\n{}\n", solved.law.name, solved.law.title, to_plain_text(make_factor_table(solved)));
-    if (!list_groups(solved).empty()) print("{}\n", to_plain_text(make_group_table(solved)));
-    for (const std::string& line : list_remarks(solved)) print("{}\n", line);
-}
-
-void print_markdown(const SolvedLaw& solved) {
-    print("Law `{}`: {}. Factors are model/prototype.\n\n", solved.law.name, solved.law.title);
-    if (!solved.law.description.empty()) print("{}\n\n", solved.law.description);
-    print("{}\n", to_markdown(make_factor_table(solved)));
-    if (!list_groups(solved).empty()) print("{}\n", to_markdown(make_group_table(solved)));
-    for (const std::string& line : list_remarks(solved)) print("- {}\n", line);
-}
-
-void print_latex(const SolvedLaw& solved) {
-    const auto print_lines = [](const std::vector<std::string>& lines) {
-        if (!lines.empty()) print("\\begin{{align}}\n  {}\n\\end{{align}}\n", fmt::format("{}", fmt::join(lines, " \\\\\n  ")));
-    };
-    const auto equation = [&](const std::string& left, const ScaleFactor& factor) {
-        const std::string right = formula(solved, factor, PiNotation::latex);
-        if (!factor.value) return fmt::format("{} &= {}", left, right);
-        const std::string value = or_dash(factor.value, kFactorDigits);
-        return left == right || right == "1" ? fmt::format("{} &= {}", left, value) : fmt::format("{} &= {} = {}", left, right, value);
-    };
-    print("% law {}: {}\n", solved.law.name, solved.law.title);
-    std::vector<std::string> factors;
-    for (std::size_t j = 0; j < solved.problem.quantities.size(); ++j) {
-        factors.push_back(equation(scaling::latex_factor_name(solved.problem.quantities[j].name), solved.solution.quantities[j].factor));
-    }
-    print_lines(factors);
-    std::vector<std::string> groups;
-    for (const LawGroup& group : list_groups(solved)) {
-        const std::string product = scaling::format_group(group.product.exponents, solved.problem.quantities, PiNotation::latex);
-        groups.push_back(equation(fmt::format("\\delta\\!\\left[{}\\right]", product), group.delta));
-    }
-    print_lines(groups);
-    for (const std::string& line : list_remarks(solved)) print("% {}\n", line);
+std::string make_law_report(const SolvedLaw& solved, ReportStyle style) {
+    if (style == ReportStyle::latex) return make_latex_report(solved);
+    const bool is_markdown = style == ReportStyle::markdown;
+    std::string text = is_markdown ? fmt::format("Law `{}`: {}. Factors are model/prototype.\n\n", solved.law.name, solved.law.title)
+                                   : fmt::format("Law {}: {} (factors are model/prototype)\n\n", solved.law.name, solved.law.title);
+    if (is_markdown && !solved.law.description.empty()) text += solved.law.description + "\n\n";
+    text += make_table(make_factor_table(solved), style) + "\n";
+    if (!list_groups(solved).empty()) text += make_table(make_group_table(solved), style) + "\n";
+    return text + make_lines(list_remarks(solved), style);
 }
 
 }  // namespace musim::cli

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <string>
 
 #include "scaling/scale_law.hpp"
+#include "scaling/text_table.hpp"
 
 namespace musim::cli {
 
@@ -12,10 +14,8 @@ namespace musim::cli {
 /// them with δ other than 1), "additions", "overruled".
 nlohmann::json to_json(const scaling::SolvedLaw& solved);
 
-void print_text(const scaling::SolvedLaw& solved);
-void print_markdown(const scaling::SolvedLaw& solved);
-
-/// Align environments of amsmath: factors, then groups; remarks as comments.
-void print_latex(const scaling::SolvedLaw& solved);
+/// Factors, groups, what is to be added and what is free: tables as text or Markdown, or align environments of amsmath in LaTeX, with
+/// remarks as comments.
+std::string make_law_report(const scaling::SolvedLaw& solved, scaling::ReportStyle style);
 
 }  // namespace musim::cli

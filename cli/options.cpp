@@ -9,6 +9,7 @@
 #include <CLI/Option.hpp>
 #include <cstddef>
 #include <filesystem>
+#include <iterator>
 
 #include "cli/output.hpp"
 #include "cli/uncertain_options.hpp"
@@ -17,6 +18,22 @@
 #include "scaling/scale_law_catalogue.hpp"
 
 namespace musim::cli {
+namespace {
+
+/// A factor with an option of its own, and the quantity of laws as data that it belongs to.
+struct FourFactor {
+    const char* option;
+    const char* quantity;
+    scaling::UncertainRatio SimilitudeOptions::*ratio;
+    double scaling::ScaleFactors::*value;
+};
+
+constexpr FourFactor kFourFactors[] = {{"--length", "l", &SimilitudeOptions::length, &scaling::ScaleFactors::length},
+                                       {"--friction", "mu", &SimilitudeOptions::friction, &scaling::ScaleFactors::friction},
+                                       {"--gravity", "g", &SimilitudeOptions::gravity, &scaling::ScaleFactors::gravity},
+                                       {"--density", "rho", &SimilitudeOptions::density, &scaling::ScaleFactors::density}};
+
+}  // namespace
 
 bool lexical_cast(const std::string& text, Number& number) {
     try {
@@ -46,31 +63,32 @@ void SimilitudeOptions::add_to(CLI::App& app, LengthOption length_option) {
 
 bool SimilitudeOptions::is_plain() const { return factors.empty() && scaling::is_law(law); }
 
-std::vector<scaling::GivenFactor> SimilitudeOptions::given() const { return given(scales().factors()); }
-
-std::vector<scaling::GivenFactor> SimilitudeOptions::given(const scaling::ScaleFactors& values) const {
-    std::vector<scaling::GivenFactor> list;
-    const auto add = [&](const char* option, const char* quantity, double factor) {
-        if (command->count(option) > 0) list.push_back({quantity, factor});
-    };
-    add("--length", "l", values.length);
-    add("--friction", "mu", values.friction);
-    add("--gravity", "g", values.gravity);
-    add("--density", "rho", values.density);
-    for (const scaling::GivenFactor& factor : parse_factors(factors)) list.push_back(factor);
+std::vector<scaling::UncertainFactor> SimilitudeOptions::given() const {
+    std::vector<scaling::UncertainFactor> list;
+    for (const FourFactor& factor : kFourFactors) {
+        if (command->count(factor.option) > 0) list.push_back({factor.quantity, this->*factor.ratio});
+    }
+    for (const scaling::UncertainFactor& factor : parse_factors(factors)) list.push_back(factor);
     return list;
 }
 
 scaling::Similitude SimilitudeOptions::similitude() const {
-    return is_plain() ? make_similitudes()(scales().factors()) : solve_similitude(law, given());
+    return is_plain() ? make_similitudes()(scales().factors(), {}) : solve_similitude(law, scaling::values_of(given()));
 }
 
 scaling::MakeSimilitude SimilitudeOptions::make_similitudes() const {
     if (is_plain()) {
-        return [named = scaling::parse_law(law)](const scaling::ScaleFactors& values) { return scaling::Similitude(values, named); };
+        return [named = scaling::parse_law(law)](const scaling::ScaleFactors& values, const std::vector<scaling::GivenFactor>& /*others*/) {
+            return scaling::Similitude(values, named);
+        };
     }
-    return [this, data = scaling::load_scale_law(law)](const scaling::ScaleFactors& values) {
-        return scaling::make_similitude(scaling::solve_law(data, given(values)));
+    std::vector<FourFactor> named;
+    std::copy_if(std::begin(kFourFactors), std::end(kFourFactors), std::back_inserter(named),
+                 [this](const FourFactor& factor) { return command->count(factor.option) > 0; });
+    const scaling::LawFormulas formulas(scaling::solve_law(scaling::load_scale_law(law), scaling::values_of(given())));
+    return [named, formulas](const scaling::ScaleFactors& values, std::vector<scaling::GivenFactor> others) {
+        for (const FourFactor& factor : named) others.push_back({factor.quantity, values.*factor.value});
+        return scaling::make_similitude(formulas, formulas.choose(others));
     };
 }
 
@@ -80,11 +98,14 @@ scaling::UncertainScales SimilitudeOptions::scales() const {
     scales.friction = friction;
     scales.gravity = gravity;
     scales.density = density;
+    scales.others = parse_factors(factors);
     return scales;
 }
 
-void SimilitudeOptions::note_values_used() const {
-    if (!scales().is_uncertain()) return;
+void SimilitudeOptions::note_values_used() const { cli::note_values_used(given()); }
+
+void note_values_used(const std::vector<scaling::UncertainFactor>& factors) {
+    if (std::none_of(factors.begin(), factors.end(), [](const auto& each) { return each.factor.is_uncertain(); })) return;
     note_at_end(
         "musim: note: only the values of uncertain factors are used here; musim scale and musim rescale tell what the uncertainty does");
 }
@@ -98,11 +119,11 @@ scaling::Similitude solve_similitude(const std::string& law, const std::vector<s
     return scaling::make_similitude(solved);
 }
 
-std::vector<scaling::GivenFactor> parse_factors(const std::vector<std::string>& texts) {
-    std::vector<scaling::GivenFactor> list;
+std::vector<scaling::UncertainFactor> parse_factors(const std::vector<std::string>& texts) {
+    std::vector<scaling::UncertainFactor> list;
     for (const std::string& text : texts) {
         const auto [name, number] = split_option("--set", text, '=', "NAME=NUMBER, e.g. l=1/25");
-        list.push_back({name, scaling::parse_number(number)});
+        list.push_back({name, scaling::parse_uncertain_ratio(number)});
     }
     return list;
 }

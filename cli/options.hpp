@@ -24,12 +24,12 @@ bool lexical_cast(const std::string& text, Number& number);
 /// Whether a command can do without --length.
 enum class LengthOption { required, optional };
 
-/// The scale factors and the law of one similitude, as options --length, --friction, --gravity, --density, --law, --set. Factors of the
-/// first four may carry standard uncertainties.
+/// The scale factors and the law of one similitude, as options --length, --friction, --gravity, --density, --law, --set. All factors may
+/// carry standard uncertainties.
 struct SimilitudeOptions {
     scaling::UncertainRatio length, friction, gravity, density;
     std::string law = "mu";
-    std::vector<std::string> factors;   ///< of other quantities of a law as data, "NAME=NUMBER"
+    std::vector<std::string> factors;   ///< of other quantities of a law as data, "NAME=NUMBER", perhaps with an uncertainty
     const CLI::App* command = nullptr;  ///< that has the options
 
     /// Adds the options to a command.
@@ -40,9 +40,7 @@ struct SimilitudeOptions {
 
     /// What the options give of a law as data: --length is l, --friction mu, --gravity g, --density rho. Throws CLI::ValidationError for a
     /// --set that is not NAME=NUMBER, scaling::ParseError.
-    std::vector<scaling::GivenFactor> given() const;
-    /// The same with other values of the four factors.
-    std::vector<scaling::GivenFactor> given(const scaling::ScaleFactors& values) const;
+    std::vector<scaling::UncertainFactor> given() const;
 
     /// The similitude of the factors' values by scaling::Law, or by a law as data that settles length, time and mass. Throws
     /// scaling::SimilitudeError, as given() does.
@@ -63,8 +61,11 @@ struct SimilitudeOptions {
 /// end. Throws scaling::SimilitudeError.
 scaling::Similitude solve_similitude(const std::string& law, const std::vector<scaling::GivenFactor>& given);
 
-/// Texts of --set, "NAME=NUMBER". Throws CLI::ValidationError for another form, scaling::ParseError.
-std::vector<scaling::GivenFactor> parse_factors(const std::vector<std::string>& texts);
+/// Texts of --set, "NAME=NUMBER", with or without uncertainties. Throws CLI::ValidationError for another form, scaling::ParseError.
+std::vector<scaling::UncertainFactor> parse_factors(const std::vector<std::string>& texts);
+
+/// A remark at the end when one of the factors is uncertain: for commands that use their values alone.
+void note_values_used(const std::vector<scaling::UncertainFactor>& factors);
 
 /// The two sides of "NAME=REST", the mark being `=`. Throws CLI::ValidationError `option: 'text' is not WANTED`.
 std::pair<std::string, std::string> split_option(const std::string& option, const std::string& text, char mark, const std::string& wanted);

@@ -63,7 +63,9 @@ std::vector<study::ModelChoice> make_choices(const PairOptions& options) {
     for (std::size_t i = 0; i < options.lengths.size(); ++i) {
         choices.push_back({.length = options.lengths[i], .material = options.presets.empty() ? std::string() : options.presets[i]});
         if (options.law.empty()) continue;
-        std::vector<scaling::GivenFactor> given = parse_factors(options.factors);
+        const std::vector<scaling::UncertainFactor> factors = parse_factors(options.factors);
+        note_values_used(factors);
+        std::vector<scaling::GivenFactor> given = scaling::values_of(factors);
         given.push_back({"l", options.lengths[i]});
         choices.back().similitude = solve_similitude(options.law, given);
     }

@@ -73,7 +73,7 @@ void print_uncertain_rescale(const UncertainRescale& rescale) {
     if (rescale.reports.empty()) return;
     const scaling::UncertainReport& report = rescale.reports.front();
     if (!report.inputs.empty()) print("\n{}", to_plain_text(make_inputs_table(report.inputs)));
-    if (rescale.monte_carlo) print("\n{}\n", describe_samples(report, *rescale.monte_carlo));
+    if (rescale.monte_carlo) print("\n{}\n", describe_samples(*rescale.monte_carlo, report.rejected));
     print_pairs(rescale, "measure", &scaling::UncertainReport::measures);
     print_pairs(rescale, "group", &scaling::UncertainReport::structure);
 }

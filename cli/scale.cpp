@@ -59,30 +59,24 @@ int run_similitude(const ScaleOptions& options) {
     return kDone;
 }
 
-/// How the report of facts is written. Throws CLI::ValidationError for LaTeX, which only laws as data have.
-ReportStyle find_style(const ScaleOptions& options) {
-    if (options.data.format == "latex") throw CLI::ValidationError("--format", "the report of --facts is text or markdown, not latex");
-    return options.data.format == "markdown" ? ReportStyle::markdown : ReportStyle::plain;
-}
-
 int run_scale(const ScaleOptions& options) {
     if (options.data.lists_laws) return list_scale_laws(options.json);
     const CLI::App& command = *options.scales.command;
     const bool by_facts = options.facts.is_given() && !options.data.name_products();
     if (options.scales.is_plain() && (by_facts || !options.data.are_given())) {
         if (command.count("--length") == 0) throw CLI::RequiredError("--length (or --set for a law as data)");
-        return by_facts ? run_scale_facts(command, options.scales, options.facts, find_style(options), options.json)
+        return by_facts ? run_scale_facts(command, options.scales, options.facts, options.data.style(), options.json)
                         : run_similitude(options);
     }
     for (const char* option : {"--friction-prototype", "--slenderness", "--height", "--pga", "--pgv", "--pgd", "--arias", "--duration",
-                               "--time-step", "--monte-carlo", "--facts"}) {
+                               "--time-step", "--facts"}) {
         if (command.count(option) > 0) {
-            throw CLI::ValidationError(option, "belongs to laws mu, froude, exact and cauchy with --length; remove it");
+            throw CLI::ValidationError(
+                option, "belongs to laws mu, froude, exact and cauchy with --length; tell a law as data by --value what the prototype has");
         }
     }
-    if (options.scales.scales().is_uncertain()) note_at_end("musim: note: laws as data use the values of uncertain factors only");
     const bool is_free = command.count("--law") == 0 && !options.data.held.empty();
-    return run_scale_law(options.data, is_free ? "" : options.scales.law, options.scales.given(), options.json);
+    return run_scale_law(options.data, is_free ? "" : options.scales.law, options.scales.given(), options.monte_carlo.make(), options.json);
 }
 
 }  // namespace
@@ -111,6 +105,8 @@ void add_scale_command(CLI::App& app, Action& action) {
         "  musim scale --laws\n"
         "  musim scale --law true_replica --set l=1/25 --value \"E=29.2 GPa\"\n"
         "  musim scale --law artificial_mass --set l=1/25 --value \"m_s=270151 t\" --format markdown\n"
+        "  musim scale --law true_replica --set l=1/25+/-0.4% --set \"rho=(2310+/-1%)/(2320+/-1%)\" --value \"E=29.2+/-1.5 GPa\" "
+        "--monte-carlo\n"
         "  musim scale --law my_law.json --set l=1/25 --set E=1\n"
         "  musim scale --define E:GPa --set l=1/25 --set g=1 --set E=1 --set rho=1 --hold \"v/sqrt(g*l)\" --watch \"rho*g*l/E\"\n"
         "Factors may carry standard uncertainties: 0.63+/-0.03, \"0.63 +/- 5%\", \"(0.63+/-5%)/(0.59+/-5%)\". They are propagated to first "

@@ -71,7 +71,8 @@ void FactsOptions::add_to(CLI::App& command) {
     }
 }
 
-int run_scale_facts(const CLI::App& command, const SimilitudeOptions& scales, const FactsOptions& options, ReportStyle style, bool json) {
+int run_scale_facts(const CLI::App& command, const SimilitudeOptions& scales, const FactsOptions& options, scaling::ReportStyle style,
+                    bool json) {
     // the model's default size needs a length scale that makes sense
     const scaling::Similitude by_length({.length = scales.scales().factors().length});
     scales.note_values_used();

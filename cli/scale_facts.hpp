@@ -5,7 +5,7 @@
 
 #include "cli/options.hpp"
 #include "cli/record_source.hpp"
-#include "cli/text_table.hpp"
+#include "scaling/text_table.hpp"
 
 namespace musim::cli {
 
@@ -23,6 +23,7 @@ struct FactsOptions {
 
 /// Prints the report of distortions and regimes. λ_μ, λ_g and λ_ρ are those of the facts; throws SimilitudeError when `command` was given
 /// others, and what reading facts, records and tables throws. Returns an exit code.
-int run_scale_facts(const CLI::App& command, const SimilitudeOptions& scales, const FactsOptions& options, ReportStyle style, bool json);
+int run_scale_facts(const CLI::App& command, const SimilitudeOptions& scales, const FactsOptions& options, scaling::ReportStyle style,
+                    bool json);
 
 }  // namespace musim::cli

@@ -8,10 +8,11 @@
 
 #include "cli/commands.hpp"
 #include "cli/law_output.hpp"
+#include "cli/law_uncertainty_output.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
-#include "cli/text_table.hpp"
 #include "scaling/scale_law_catalogue.hpp"
+#include "scaling/text_table.hpp"
 
 namespace musim::cli {
 namespace {
@@ -80,7 +81,7 @@ void ScaleLawOptions::add_to(CLI::App& command) {
     add("--watch", watched, "A product whose distortion is wanted; one that the law holds is held no longer", "PRODUCT");
     add("--define", quantities, "A quantity that neither the law nor mechanics knows, e.g. E:GPa", "NAME:UNIT");
     add("--value", values, "What a quantity is in the prototype, e.g. \"E=29.2 GPa\"; the model's is told", "NAME=QUANTITY");
-    command.add_option("--format", format, "Form of the answer of a law as data, or of --facts (text or markdown)")
+    command.add_option("--format", format, "Form of the answer of a law as data, or of --facts")
         ->check(CLI::IsMember({"text", "markdown", "latex"}))
         ->capture_default_str();
     command.add_flag("--laws", lists_laws, "List the laws that come with musim");
@@ -90,7 +91,12 @@ bool ScaleLawOptions::name_products() const { return !(held.empty() && watched.e
 
 bool ScaleLawOptions::are_given() const { return name_products() || format != "text"; }
 
-scaling::SolvedLaw ScaleLawOptions::solve(const std::string& name, const std::vector<scaling::GivenFactor>& given) const {
+scaling::ReportStyle ScaleLawOptions::style() const {
+    if (format == "markdown") return scaling::ReportStyle::markdown;
+    return format == "latex" ? scaling::ReportStyle::latex : scaling::ReportStyle::plain;
+}
+
+SolvedWithValues ScaleLawOptions::solve(const std::string& name, const std::vector<scaling::GivenFactor>& given) const {
     const bool is_free = name.empty();
     ScaleLaw law = is_free ? make_free_law() : scaling::load_scale_law(name);
     for (std::size_t i = 0; i < quantities.size(); ++i) {
@@ -104,21 +110,25 @@ scaling::SolvedLaw ScaleLawOptions::solve(const std::string& name, const std::ve
         law.held.push_back(text);
     }
 
+    std::vector<scaling::UncertainPrototype> prototype;
     std::vector<std::string> named;
     for (const auto& [symbol, factor] : given) named.push_back(symbol);
     for (const std::string& text : values) {
         const auto [symbol, value] = split_option("--value", text, '=', "NAME=QUANTITY, e.g. \"E=29.2 GPa\"");
         scaling::PiQuantity& quantity = law.quantities[scaling::find_quantity(scaling::quantities_of(law), symbol)].quantity;
-        quantity.value = scaling::parse_value(value, quantity);
+        const scaling::Uncertain uncertain = scaling::parse_uncertain_value(value, quantity);
+        if (quantity.value) throw scaling::PiError(fmt::format("--value: {} is told twice; give it once", symbol));
+        quantity.value = uncertain.value;
+        prototype.push_back({symbol, uncertain});
         named.push_back(symbol);
     }
     if (is_free) remove_unused(law, named);
     scaling::check_law(law);
-    return scaling::solve_law(law, given);
+    return {scaling::solve_law(law, given), prototype};
 }
 
 int list_scale_laws(bool json) {
-    TextTable table{{"law", "", "needs"}};
+    scaling::TextTable table{{"law", "", "needs"}};
     nlohmann::json list = nlohmann::json::array();
     for (const std::string& name : scaling::scale_law_names()) {
         const ScaleLaw law = *scaling::find_scale_law(name);
@@ -137,17 +147,19 @@ int list_scale_laws(bool json) {
     return kDone;
 }
 
-int run_scale_law(const ScaleLawOptions& options, const std::string& law, const std::vector<scaling::GivenFactor>& given, bool json) {
-    const scaling::SolvedLaw solved = options.solve(law, given);
+int run_scale_law(const ScaleLawOptions& options, const std::string& law, const std::vector<scaling::UncertainFactor>& given,
+                  const std::optional<scaling::MonteCarloSettings>& monte_carlo, bool json) {
+    const auto [solved, prototype] = options.solve(law, scaling::values_of(given));
+    std::optional<UncertainLaw> uncertain = UncertainLaw{propagate(solved, given, prototype, monte_carlo), monte_carlo};
+    if (uncertain->report.inputs.empty()) uncertain.reset();
     if (json) {
-        print_json(to_json(solved));
-    } else if (options.format == "markdown") {
-        print_markdown(solved);
-    } else if (options.format == "latex") {
-        print_latex(solved);
-    } else {
-        print_text(solved);
+        nlohmann::json object = to_json(solved);
+        if (uncertain) object["uncertainty"] = to_json(solved, *uncertain);
+        print_json(object);
+        return kDone;
     }
+    print("{}", make_law_report(solved, options.style()));
+    if (uncertain) print("{}", make_uncertainty_report(solved, *uncertain, options.style()));
     return kDone;
 }
 

@@ -1,12 +1,20 @@
 #pragma once
 
 #include <CLI/App.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "scaling/scale_law.hpp"
+#include "scaling/text_table.hpp"
+#include "scaling/uncertain_law.hpp"
 
 namespace musim::cli {
+
+/// A solved law, and --value of the prototype with their uncertainties.
+struct SolvedWithValues {
+    scaling::SolvedLaw solved;
+    std::vector<scaling::UncertainPrototype> prototype;
+};
 
 /// `musim scale` for laws as data: options --hold, --watch, --define, --value, --format, --laws.
 struct ScaleLawOptions {
@@ -16,6 +24,9 @@ struct ScaleLawOptions {
     std::vector<std::string> values;
     std::string format = "text";
     bool lists_laws = false;
+
+    /// How a report is written.
+    scaling::ReportStyle style() const;
 
     void add_to(CLI::App& command);
 
@@ -27,13 +38,15 @@ struct ScaleLawOptions {
 
     /// Solves `law` (a name or file; empty for none, quantities then come from --define and, by their usual names, from mechanics) with
     /// the given factors. Throws scaling::SimilitudeError, CLI::ValidationError for a malformed option.
-    scaling::SolvedLaw solve(const std::string& law, const std::vector<scaling::GivenFactor>& given) const;
+    SolvedWithValues solve(const std::string& law, const std::vector<scaling::GivenFactor>& given) const;
 };
 
 /// Lists the laws that come with musim, one a line or as JSON.
 int list_scale_laws(bool json);
 
-/// Solves and prints in the wanted form.
-int run_scale_law(const ScaleLawOptions& options, const std::string& law, const std::vector<scaling::GivenFactor>& given, bool json);
+/// Solves, propagates the uncertainties of factors and values if there are any, and prints in the wanted form. Throws
+/// scaling::SimilitudeError as scaling::propagate() does, and when samples are wanted and nothing is uncertain.
+int run_scale_law(const ScaleLawOptions& options, const std::string& law, const std::vector<scaling::UncertainFactor>& given,
+                  const std::optional<scaling::MonteCarloSettings>& monte_carlo, bool json);
 
 }  // namespace musim::cli

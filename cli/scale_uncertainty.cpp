@@ -31,7 +31,7 @@ void add_to_json(nlohmann::json& object, const UncertainScale& scale) {
 void print_uncertain_factors(const UncertainScale& scale) {
     const scaling::UncertainReport& report = scale.report;
     print("{}\n", to_plain_text(make_inputs_table(report.inputs)));
-    if (scale.monte_carlo) print("{}\n\n", describe_samples(report, *scale.monte_carlo));
+    if (scale.monte_carlo) print("{}\n\n", describe_samples(*scale.monte_carlo, report.rejected));
     print("{}\n", to_plain_text(make_results_table("factor", report.factors)));
     print("{}\n", to_plain_text(make_results_table("group (1 = kept)", report.groups)));
     print("{}\n", to_plain_text(make_results_table("group as shaken", report.shaken)));

@@ -14,8 +14,8 @@ namespace {
 struct MeasureKey {
     std::string_view name;
     std::string_view key;
-    std::string_view unit_name = "1";
-    double unit = 1.0;  ///< in SI
+    std::string_view unit_name = "";  ///< empty: SI
+    double unit = 1.0;                ///< in SI
 };
 
 const MeasureKey& find_key(const std::string& name) {
@@ -34,39 +34,6 @@ const MeasureKey& find_key(const std::string& name) {
 std::string key_of(const scaling::UncertainPair& pair) {
     const MeasureKey& known = find_key(pair.name);
     return known.key.empty() ? pair.name : std::string(known.key);
-}
-
-nlohmann::json to_json(const scaling::UncertainResult& result, double unit) {
-    nlohmann::json object{{"value", result.first_order.value / unit},
-                          {"standard_uncertainty", result.first_order.uncertainty() / unit},
-                          {"relative", result.first_order.relative}};
-    if (result.samples) {
-        const scaling::SampleSummary& samples = *result.samples;
-        object["monte_carlo"] = {{"mean", samples.mean / unit},
-                                 {"standard_deviation", samples.standard_deviation / unit},
-                                 {"median", samples.median / unit},
-                                 {"interval", {samples.lower / unit, samples.upper / unit}}};
-    }
-    return object;
-}
-
-nlohmann::json to_json(const std::vector<scaling::UncertainResult>& results, const std::vector<scaling::UncertainInput>& inputs) {
-    nlohmann::json object = nlohmann::json::object();
-    for (const scaling::UncertainResult& result : results) {
-        nlohmann::json entry = to_json(result, 1.0);
-        entry["exponents"] = nlohmann::json::object();
-        for (std::size_t i = 0; i < inputs.size(); ++i) entry["exponents"][inputs[i].name] = result.first_order.exponents[i];
-        object[result.name] = entry;
-    }
-    return object;
-}
-
-/// An uncertainty with two digits [JCGM100] 7.2.6 in the unit of its value; with more where two would need a power of ten.
-std::string format_uncertainty(double uncertainty, double value, const scaling::RationalDimension& dimension) {
-    int digits = 2;
-    std::string text = scaling::format_si_like(uncertainty, value, dimension, digits);
-    while (text.find("e+") != std::string::npos) text = scaling::format_si_like(uncertainty, value, dimension, ++digits);
-    return text;
 }
 
 std::string format_share(double share) { return share == 0.0 ? "-" : fmt::format("{:.3g} %", 100.0 * share); }
@@ -94,27 +61,66 @@ void add_titles(std::vector<std::string>& header, const std::string& value, bool
 
 }  // namespace
 
-nlohmann::json to_json(const scaling::UncertainReport& report, const std::optional<scaling::MonteCarloSettings>& monte_carlo) {
-    nlohmann::json inputs = nlohmann::json::array();
-    for (const scaling::UncertainInput& input : report.inputs) {
-        const MeasureKey& told = find_key(input.name);
-        inputs.push_back({{"name", input.name},
-                          {"unit", told.unit_name},
-                          {"value", input.quantity.value / told.unit},
-                          {"standard_uncertainty", input.quantity.uncertainty / told.unit},
-                          {"relative", input.quantity.relative()}});
+std::string format_uncertainty(double uncertainty, double value, const scaling::RationalDimension& dimension) {
+    int digits = 2;
+    std::string text = scaling::format_si_like(uncertainty, value, dimension, digits);
+    while (text.find("e+") != std::string::npos) text = scaling::format_si_like(uncertainty, value, dimension, ++digits);
+    return text;
+}
+
+nlohmann::json to_json(const scaling::SampleSummary& samples, double unit) {
+    return {{"mean", samples.mean / unit},
+            {"standard_deviation", samples.standard_deviation / unit},
+            {"median", samples.median / unit},
+            {"interval", {samples.lower / unit, samples.upper / unit}}};
+}
+
+nlohmann::json to_json(const scaling::UncertainResult& result, double unit) {
+    nlohmann::json object{{"value", result.first_order.value / unit},
+                          {"standard_uncertainty", result.first_order.uncertainty() / unit},
+                          {"relative", result.first_order.relative}};
+    if (result.samples) object["monte_carlo"] = to_json(*result.samples, unit);
+    return object;
+}
+
+nlohmann::json to_json(const std::vector<scaling::UncertainResult>& results, const std::vector<scaling::UncertainInput>& inputs) {
+    nlohmann::json object = nlohmann::json::object();
+    for (const scaling::UncertainResult& result : results) {
+        nlohmann::json entry = to_json(result, 1.0);
+        entry["exponents"] = nlohmann::json::object();
+        for (std::size_t i = 0; i < inputs.size(); ++i) entry["exponents"][inputs[i].name] = result.first_order.exponents[i];
+        object[result.name] = entry;
     }
-    nlohmann::json object{{"inputs", inputs},
+    return object;
+}
+
+nlohmann::json to_json(const std::vector<scaling::UncertainInput>& inputs) {
+    nlohmann::json list = nlohmann::json::array();
+    for (const scaling::UncertainInput& input : inputs) {
+        const MeasureKey& told = find_key(input.name);
+        list.push_back({{"name", input.name},
+                        {"unit", told.unit_name.empty() ? scaling::si_unit(input.dimension) : std::string(told.unit_name)},
+                        {"value", input.quantity.value / told.unit},
+                        {"standard_uncertainty", input.quantity.uncertainty / told.unit},
+                        {"relative", input.quantity.relative()}});
+    }
+    return list;
+}
+
+nlohmann::json to_json(const scaling::MonteCarloSettings& monte_carlo, const std::optional<std::size_t>& rejected) {
+    return {{"samples", monte_carlo.samples},
+            {"seed", monte_carlo.seed},
+            {"distribution", scaling::to_string(monte_carlo.distribution)},
+            {"coverage", scaling::kCoverage},
+            {"rejected_draws", rejected.value_or(0)}};
+}
+
+nlohmann::json to_json(const scaling::UncertainReport& report, const std::optional<scaling::MonteCarloSettings>& monte_carlo) {
+    nlohmann::json object{{"inputs", to_json(report.inputs)},
                           {"factors", to_json(report.factors, report.inputs)},
                           {"groups", to_json(report.groups, report.inputs)},
                           {"groups_as_shaken", to_json(report.shaken, report.inputs)}};
-    if (monte_carlo) {
-        object["monte_carlo"] = {{"samples", monte_carlo->samples},
-                                 {"seed", monte_carlo->seed},
-                                 {"distribution", scaling::to_string(monte_carlo->distribution)},
-                                 {"coverage", scaling::kCoverage},
-                                 {"rejected_draws", report.rejected.value_or(0)}};
-    }
+    if (monte_carlo) object["monte_carlo"] = to_json(*monte_carlo, report.rejected);
     return object;
 }
 
@@ -141,8 +147,8 @@ nlohmann::json to_json(const std::vector<scaling::UncertainPair>& pairs) {
     return object;
 }
 
-TextTable make_inputs_table(const std::vector<scaling::UncertainInput>& inputs) {
-    TextTable table{.header = {"uncertain input", "value", "u", "u/value"}};
+scaling::TextTable make_inputs_table(const std::vector<scaling::UncertainInput>& inputs) {
+    scaling::TextTable table{.header = {"uncertain input", "value", "u", "u/value"}};
     for (const scaling::UncertainInput& input : inputs) {
         const auto& [value, uncertainty] = input.quantity;
         table.rows.push_back({input.name, scaling::format_si_like(value, value, input.dimension, 7),
@@ -151,8 +157,8 @@ TextTable make_inputs_table(const std::vector<scaling::UncertainInput>& inputs) 
     return table;
 }
 
-TextTable make_results_table(const std::string& title, const std::vector<scaling::UncertainResult>& results) {
-    TextTable table{.header = {title}};
+scaling::TextTable make_results_table(const std::string& title, const std::vector<scaling::UncertainResult>& results) {
+    scaling::TextTable table{.header = {title}};
     add_titles(table.header, "value", !results.empty() && results.front().samples);
     for (const scaling::UncertainResult& result : results) {
         table.rows.push_back({result.name});
@@ -161,8 +167,9 @@ TextTable make_results_table(const std::string& title, const std::vector<scaling
     return table;
 }
 
-TextTable make_pairs_table(const std::vector<std::string>& first, const std::string& title, const std::vector<UncertainPairRow>& rows) {
-    TextTable table{.header = first};
+scaling::TextTable make_pairs_table(const std::vector<std::string>& first, const std::string& title,
+                                    const std::vector<UncertainPairRow>& rows) {
+    scaling::TextTable table{.header = first};
     table.header.push_back(title);
     add_titles(table.header, "value", !rows.empty() && rows.front().pair->model.samples);
     const bool tells_share = !rows.empty() && rows.front().pair->model.samples && rows.front().pair->dimension.is_dimensionless();
@@ -179,16 +186,16 @@ TextTable make_pairs_table(const std::vector<std::string>& first, const std::str
     return table;
 }
 
-TextTable make_pairs_table(const std::string& title, const std::vector<scaling::UncertainPair>& pairs) {
+scaling::TextTable make_pairs_table(const std::string& title, const std::vector<scaling::UncertainPair>& pairs) {
     std::vector<UncertainPairRow> rows;
     for (const scaling::UncertainPair& pair : pairs) rows.push_back({{}, &pair});
     return make_pairs_table({}, title, rows);
 }
 
-std::string describe_samples(const scaling::UncertainReport& report, const scaling::MonteCarloSettings& monte_carlo) {
+std::string describe_samples(const scaling::MonteCarloSettings& monte_carlo, const std::optional<std::size_t>& rejected) {
     std::string text =
         fmt::format("{} samples, {}, seed {}.", monte_carlo.samples, scaling::to_string(monte_carlo.distribution), monte_carlo.seed);
-    if (report.rejected.value_or(0) > 0) text += fmt::format(" {} draws were not positive and drawn again.", *report.rejected);
+    if (rejected.value_or(0) > 0) text += fmt::format(" {} draws were not positive and drawn again.", *rejected);
     return text;
 }
 

@@ -5,10 +5,22 @@
 #include <string>
 #include <vector>
 
-#include "cli/text_table.hpp"
+#include "scaling/text_table.hpp"
 #include "scaling/uncertain_similitude.hpp"
 
 namespace musim::cli {
+
+/// An uncertainty with two digits [JCGM100] 7.2.6 in the unit of its value; with more where two would need a power of ten.
+std::string format_uncertainty(double uncertainty, double value, const scaling::RationalDimension& dimension);
+
+/// What samples say of a quantity, and a result with its uncertainty, both told in a unit [SI].
+nlohmann::json to_json(const scaling::SampleSummary& samples, double unit);
+nlohmann::json to_json(const scaling::UncertainResult& result, double unit);
+
+/// Results by name, with the exponents of the inputs; the inputs; how samples were drawn.
+nlohmann::json to_json(const std::vector<scaling::UncertainResult>& results, const std::vector<scaling::UncertainInput>& inputs);
+nlohmann::json to_json(const std::vector<scaling::UncertainInput>& inputs);
+nlohmann::json to_json(const scaling::MonteCarloSettings& monte_carlo, const std::optional<std::size_t>& rejected);
 
 /// Everything of a report but groups and measures at both scales: inputs, factors, groups, how samples were drawn.
 nlohmann::json to_json(const scaling::UncertainReport& report, const std::optional<scaling::MonteCarloSettings>& monte_carlo);
@@ -18,21 +30,22 @@ nlohmann::json values_to_json(const std::vector<scaling::UncertainPair>& pairs);
 nlohmann::json to_json(const std::vector<scaling::UncertainPair>& pairs);
 
 /// The uncertain inputs.
-TextTable make_inputs_table(const std::vector<scaling::UncertainInput>& inputs);
+scaling::TextTable make_inputs_table(const std::vector<scaling::UncertainInput>& inputs);
 
 /// Factors or groups under a title, with standard uncertainty, and mean, standard deviation, median and coverage interval of the samples if
 /// there are any.
-TextTable make_results_table(const std::string& title, const std::vector<scaling::UncertainResult>& results);
+scaling::TextTable make_results_table(const std::string& title, const std::vector<scaling::UncertainResult>& results);
 
 /// Groups and measures at both scales; `first` are titles before the name, such as "component", and each row's cells under them.
 struct UncertainPairRow {
     std::vector<std::string> first;
     const scaling::UncertainPair* pair = nullptr;
 };
-TextTable make_pairs_table(const std::vector<std::string>& first, const std::string& title, const std::vector<UncertainPairRow>& rows);
-TextTable make_pairs_table(const std::string& title, const std::vector<scaling::UncertainPair>& pairs);
+scaling::TextTable make_pairs_table(const std::vector<std::string>& first, const std::string& title,
+                                    const std::vector<UncertainPairRow>& rows);
+scaling::TextTable make_pairs_table(const std::string& title, const std::vector<scaling::UncertainPair>& pairs);
 
 /// "100000 samples, normal, seed 1; 95 % intervals; 12 draws were not positive and drawn again."
-std::string describe_samples(const scaling::UncertainReport& report, const scaling::MonteCarloSettings& monte_carlo);
+std::string describe_samples(const scaling::MonteCarloSettings& monte_carlo, const std::optional<std::size_t>& rejected);
 
 }  // namespace musim::cli

@@ -14,7 +14,7 @@ namespace {
 /// Factors of a law by the names that a similitude knows.
 class Factors {
   public:
-    explicit Factors(const SolvedLaw& solved) : solved_(solved) {}
+    Factors(const LawFormulas& formulas, const ChosenFactors& chosen) : formulas_(formulas), solved_(formulas.solved()), chosen_(chosen) {}
 
     [[noreturn]] void fail(std::string_view what) const {
         throw SimilitudeError(fmt::format("law {}: {}; `musim scale` takes it, a similitude of motions does not", solved_.law.name, what));
@@ -28,7 +28,7 @@ class Factors {
             if (quantity.name != name) continue;
             if (quantity.dimension != rational_dimension_of<Quantity>())
                 fail(fmt::format("its {} has another dimension than expected", name));
-            const auto& value = solved_.solution.quantities[j].factor.value;
+            const auto value = formulas_.factor(j, chosen_);
             if (!value) fail(fmt::format("{} is open (give --set {}=NUMBER)", name, name));
             return value;
         }
@@ -41,13 +41,17 @@ class Factors {
     }
 
   private:
+    const LawFormulas& formulas_;
     const SolvedLaw& solved_;
+    const ChosenFactors& chosen_;
 };
 
 }  // namespace
 
-Similitude make_similitude(const SolvedLaw& solved) {
-    const Factors factors(solved);
+Similitude make_similitude(const SolvedLaw& solved) { return make_similitude(LawFormulas(solved), solved.problem.chosen); }
+
+Similitude make_similitude(const LawFormulas& formulas, const ChosenFactors& chosen) {
+    const Factors factors(formulas, chosen);
     const auto length = factors.find<Length>("l");
     const auto time = factors.find<Time>("t");
     const auto acceleration = factors.find<Acceleration>("a");
@@ -59,11 +63,11 @@ Similitude make_similitude(const SolvedLaw& solved) {
     const double volume = *length * *length * *length;
     if (time && acceleration) factors.require_equal(*acceleration * *time * *time, *length, "a t^2/l");
     if (density && mass) factors.require_equal(*density * volume, *mass, "m/(rho l^3)");
-    const ScaleFactors chosen{.length = *length,
+    const ScaleFactors scales{.length = *length,
                               .friction = factors.find<Ratio>("mu").value_or(1.0),
                               .gravity = factors.find<Acceleration>("g").value_or(1.0),
                               .density = density ? *density : *mass / volume};
-    return Similitude(chosen, acceleration ? *acceleration : *length / (*time * *time), solved.law.name);
+    return Similitude(scales, acceleration ? *acceleration : *length / (*time * *time), formulas.solved().law.name);
 }
 
 }  // namespace musim::scaling

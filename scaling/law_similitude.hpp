@@ -1,6 +1,6 @@
 #pragma once
 
-#include "scaling/scale_law.hpp"
+#include "scaling/law_formulas.hpp"
 #include "scaling/similitude.hpp"
 
 namespace musim::scaling {
@@ -9,5 +9,6 @@ namespace musim::scaling {
 /// which are 1 in a law that does not have them. λ_a is the law's own. Throws SimilitudeError: a quantity is missing, of another dimension
 /// or open, or the law does not keep a t²/l and m/(ρ l³).
 Similitude make_similitude(const SolvedLaw& solved);
+Similitude make_similitude(const LawFormulas& formulas, const ChosenFactors& chosen);
 
 }  // namespace musim::scaling

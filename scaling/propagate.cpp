@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 namespace musim::scaling {
 
@@ -25,11 +26,19 @@ double find_exponent(double larger, double smaller) {
 
 }  // namespace
 
+FirstOrder make_first_order(double value, std::vector<double> exponents, const std::vector<UncertainInput>& inputs) {
+    FirstOrder result{.value = value, .relative = 0.0, .exponents = std::move(exponents)};
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+        result.relative = std::hypot(result.relative, result.exponents[i] * inputs[i].quantity.relative());
+    }
+    return result;
+}
+
 std::vector<FirstOrder> propagate_first_order(const std::vector<UncertainInput>& inputs, const Evaluation& evaluate) {
     std::vector<double> values;
     for (const UncertainInput& input : inputs) values.push_back(input.quantity.value);
-    std::vector<FirstOrder> results;
-    for (const double value : evaluate(values)) results.push_back({.value = value});
+    const std::vector<double> results = evaluate(values);
+    std::vector<std::vector<double>> exponents(results.size());
 
     for (std::size_t i = 0; i < inputs.size(); ++i) {
         const double value = values[i];
@@ -39,15 +48,16 @@ std::vector<FirstOrder> propagate_first_order(const std::vector<UncertainInput>&
         const std::vector<double> halved = evaluate(values);
         values[i] = value;
         for (std::size_t r = 0; r < results.size(); ++r) {
-            const double exponent = find_exponent(doubled[r], results[r].value);
-            if (exponent != find_exponent(results[r].value, halved[r])) {
+            const double exponent = find_exponent(doubled[r], results[r]);
+            if (exponent != find_exponent(results[r], halved[r])) {
                 throw std::logic_error(fmt::format("propagate: result {} is no product of powers of {}", r, inputs[i].name));
             }
-            results[r].exponents.push_back(exponent);
-            results[r].relative = std::hypot(results[r].relative, exponent * inputs[i].quantity.relative());
+            exponents[r].push_back(exponent);
         }
     }
-    return results;
+    std::vector<FirstOrder> propagated;
+    for (std::size_t r = 0; r < results.size(); ++r) propagated.push_back(make_first_order(results[r], std::move(exponents[r]), inputs));
+    return propagated;
 }
 
 }  // namespace musim::scaling

@@ -17,9 +17,9 @@ struct UncertainInput {
     RationalDimension dimension = {};
 };
 
-/// The results that follow from values of the inputs, in the order of the inputs. Every result must be a product of powers of the inputs,
-/// times a constant, and positive: scale factors and dimensionless groups are. An input that enters in several places enters by one value,
-/// so results are correlated as they should be.
+/// The results that follow from values of the inputs, in the order of the inputs. For first order every result must be a product of
+/// powers of the inputs, times a constant, and positive: scale factors and dimensionless groups are. An input that enters in several places
+/// enters by one value, so results are correlated as they should be.
 using Evaluation = std::function<std::vector<double>(std::span<const double> values)>;
 
 /// A result and its uncertainty to first order, which needs no distribution.
@@ -30,6 +30,9 @@ struct FirstOrder {
 
     double uncertainty() const { return relative * value; }
 };
+
+/// First order of value = c Π x_i^(n_i), whose exponents are known, one for each input.
+FirstOrder make_first_order(double value, std::vector<double> exponents, const std::vector<UncertainInput>& inputs);
 
 /// Propagates standard uncertainties to first order: for a product of powers the relative variances of independent inputs add, each times
 /// the square of its exponent [JCGM100] 5.1.6. The exponents are exact, not differences: x_i doubled multiplies the result by 2^n_i, and

@@ -41,6 +41,8 @@ double parse_si(std::string_view text, Dimension wanted) {
 
 std::string format_si(double value, Dimension dimension, int digits) { return format_si_like(value, value, dimension, digits); }
 
+std::string si_unit(const RationalDimension& dimension) { return dimension.is_dimensionless() ? "1" : detail::base_units(dimension); }
+
 std::string format_si_like(double value, double like, const RationalDimension& dimension, int digits) {
     const auto halves = to_halves(dimension);
     const detail::DimensionName* known = halves ? detail::find_dimension_name(*halves) : nullptr;

@@ -34,6 +34,9 @@ std::string format_si(double value, Dimension dimension, int digits = 6);
 /// "42.4 cm/s" and "0.15 cm/s"; in base units where the dimension has none of its own.
 std::string format_si_like(double value, double like, const RationalDimension& dimension, int digits = 6);
 
+/// The SI unit of a dimension in base units: "kg m^-1 s^-2"; "1" for a plain number.
+std::string si_unit(const RationalDimension& dimension);
+
 /// format_si() for a typed quantity.
 template <QuantityWithUnit Quantity>
 std::string format_quantity(Quantity quantity, int digits = 6) {

@@ -108,6 +108,14 @@ std::optional<double> SolvedLaw::added(const LawAddition& addition) const {
     return total && own ? std::optional(*total - *own) : std::nullopt;
 }
 
+std::optional<std::size_t> SolvedLaw::find_base(const LawAddition& addition) const {
+    for (const std::string& name : {addition.own, addition.total}) {
+        const std::size_t position = find_quantity(problem.quantities, name);
+        if (problem.quantities[position].value) return position;
+    }
+    return std::nullopt;
+}
+
 SolvedLaw solve_law(const ScaleLaw& law, const std::vector<GivenFactor>& given) {
     SolvedLaw solved{.law = law, .problem = make_problem(law), .solution = {}, .is_default = {}, .overruled = {}};
     ScaleProblem& problem = solved.problem;

@@ -70,6 +70,9 @@ struct SolvedLaw {
 
     /// λ_total - λ_own of an addition; none while one of them is open.
     std::optional<double> added(const LawAddition& addition) const;
+
+    /// The quantity of which added() is a share: the model's own where its prototype is known, else the total, if that is; none else.
+    std::optional<std::size_t> find_base(const LawAddition& addition) const;
 };
 
 /// Solves a law with the given factors. Any quantity of the law may be given, not only those it expects. Its defaults are then taken one

@@ -8,7 +8,7 @@
 
 #include "scaling/detail/dimension_names.hpp"
 #include "scaling/detail/integer_matrix.hpp"
-#include "scaling/detail/wide_product.hpp"
+#include "scaling/detail/rooted_product.hpp"
 #include "scaling/distortion.hpp"
 #include "scaling/pi_express.hpp"
 
@@ -36,10 +36,7 @@ Rational make_rational(const Integer& numerator, const Integer& denominator) {
 
 void check_chosen(const ScaleProblem& problem) {
     for (std::size_t j = 0; j < problem.quantities.size(); ++j) {
-        const auto& factor = problem.chosen[j];
-        if (!factor || (std::isfinite(*factor) && *factor > 0.0)) continue;
-        throw SimilitudeError(fmt::format("{} is chosen as {} (model/prototype must be positive and finite); give a number such as 1/25",
-                                          problem.quantities[j].name, *factor));
+        if (problem.chosen[j]) check_chosen_factor(problem.quantities[j].name, *problem.chosen[j]);
     }
 }
 
@@ -135,21 +132,15 @@ class Solver {
         return result;
     }
 
-    /// Value of a product of chosen and free factors: whole powers first, one root at the end.
+    /// A product of chosen and free factors.
     ScaleFactor make_factor(Exponents exponents, std::string_view name) const {
         ScaleFactor factor{.exponents = std::move(exponents), .value = std::nullopt, .needs = {}};
         for (std::size_t j = 0; j < count_; ++j) {
             if (factor.exponents[j] != 0 && !problem_.chosen[j]) factor.needs.push_back(j);
         }
         if (!factor.needs.empty()) return factor;
-        const std::int64_t degree = detail::to_int64(common_denominator(factor.exponents));
-        detail::WideProduct product;
-        for (std::size_t j = 0; j < count_; ++j) {
-            const Rational power = factor.exponents[j] * degree;
-            if (power != 0) product.multiply(*problem_.chosen[j], power.numerator());
-        }
-        factor.value = product.root(degree);
-        if (!factor.value || !std::isnormal(*factor.value)) {
+        factor.value = detail::RootedProduct(factor.exponents).value(problem_.chosen);
+        if (!factor.value) {
             throw SimilitudeError(fmt::format("the factor of {} leaves the range of doubles; choose factors nearer 1", name));
         }
         return factor;
@@ -207,6 +198,12 @@ ScaleProduct parse_scale_product(std::string_view text, const std::vector<PiQuan
                                   detail::describe(dimension)));
     }
     return product;
+}
+
+void check_chosen_factor(std::string_view name, double factor) {
+    if (std::isfinite(factor) && factor > 0.0) return;
+    throw SimilitudeError(
+        fmt::format("{} is chosen as {} (model/prototype must be positive and finite); give a number such as 1/25", name, factor));
 }
 
 ScaleSolution solve_scales(const ScaleProblem& problem) {

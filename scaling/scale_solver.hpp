@@ -20,6 +20,9 @@ struct ScaleProduct {
 /// A product by the grammar of parse_group(). Throws PiError when it cannot be read or is not dimensionless (says in what it is).
 ScaleProduct parse_scale_product(std::string_view text, const std::vector<PiQuantity>& quantities, bool is_definition = false);
 
+/// Throws SimilitudeError when a chosen factor is not positive and finite.
+void check_chosen_factor(std::string_view name, double factor);
+
 /// Which scale factors λ = model/prototype follow from some of them.
 struct ScaleProblem {
     std::vector<PiQuantity> quantities;

@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <functional>
 #include <string>
 
 #include "scaling/detail/number_text.hpp"
 #include "scaling/number.hpp"
+#include "scaling/pi_quantity.hpp"
 #include "scaling/quantity_text.hpp"
 
 namespace musim::scaling {
@@ -86,6 +88,43 @@ UncertainRatio make_ratio(const Uncertain& numerator, const Uncertain& denominat
     return {numerator, denominator};
 }
 
+/// A quantity by `read`, which turns number and unit into SI, with its uncertainty.
+Uncertain parse_with_unit(std::string_view text, const std::function<double(std::string_view)>& read, bool wants_unit) {
+    const auto with_unit = [](std::string_view number, std::string_view unit) { return fmt::format("{} {}", detail::trim(number), unit); };
+    const auto marked = split_at_mark(text);
+    if (!marked) {
+        const double value = read(text);
+        if (wants_unit && detail::split_number(text).rest.empty()) fail(text, "the unit is missing");
+        return {value, 0.0};
+    }
+
+    // brackets around both numbers: the unit of both follows
+    std::string_view value = detail::trim(marked->value);
+    std::string_view behind = marked->uncertainty;
+    std::string_view unit;
+    const bool bracketed = value.starts_with('(');
+    if (bracketed) {
+        const std::size_t end = behind.find(')');
+        if (end == std::string_view::npos) fail(text, "a closing bracket is missing");
+        value.remove_prefix(1);
+        unit = detail::trim(behind.substr(end + 1));
+        behind = behind.substr(0, end);
+    }
+
+    // else it stands behind the uncertainty, or behind each
+    const UncertaintyText uncertainty = read_uncertainty(behind, text);
+    const std::string_view own_unit = detail::split_number(value).rest;
+    if (bracketed && !(own_unit.empty() && uncertainty.unit.empty())) fail(text, "the unit belongs behind the brackets");
+    if (!bracketed) unit = uncertainty.unit;
+    if (uncertainty.is_share && !own_unit.empty() && !unit.empty()) fail(text, "there are two units; a percentage needs none of its own");
+    if (!uncertainty.is_share && !own_unit.empty() && unit.empty()) fail(text, "the uncertainty has no unit; give it one, or a percentage");
+    if (wants_unit && own_unit.empty() && unit.empty()) fail(text, "the unit is missing");
+
+    const double si = read(own_unit.empty() ? with_unit(value, unit) : std::string(value));
+    if (uncertainty.is_share) return make_uncertain(si, uncertainty.number * si, text);
+    return make_uncertain(si, read(bracketed ? with_unit(behind, unit) : std::string(behind)), text);
+}
+
 }  // namespace
 
 Uncertain parse_uncertain(std::string_view text) {
@@ -116,40 +155,13 @@ UncertainRatio parse_uncertain_ratio(std::string_view text) {
 }
 
 Uncertain parse_uncertain_si(std::string_view text, Dimension wanted) {
-    const bool wants_unit = !(wanted == Dimension{});
-    const auto with_unit = [](std::string_view number, std::string_view unit) { return fmt::format("{} {}", detail::trim(number), unit); };
-    const auto marked = split_at_mark(text);
-    if (!marked) {
-        const double value = parse_si(text, wanted);
-        if (wants_unit && detail::split_number(text).rest.empty()) fail(text, "the unit is missing");
-        return {value, 0.0};
-    }
+    return parse_with_unit(
+        text, [wanted](std::string_view quantity) { return parse_si(quantity, wanted); }, !(wanted == Dimension{}));
+}
 
-    // brackets around both numbers: the unit of both follows
-    std::string_view value = detail::trim(marked->value);
-    std::string_view behind = marked->uncertainty;
-    std::string_view unit;
-    const bool bracketed = value.starts_with('(');
-    if (bracketed) {
-        const std::size_t end = behind.find(')');
-        if (end == std::string_view::npos) fail(text, "a closing bracket is missing");
-        value.remove_prefix(1);
-        unit = detail::trim(behind.substr(end + 1));
-        behind = behind.substr(0, end);
-    }
-
-    // else it stands behind the uncertainty, or behind each
-    const UncertaintyText uncertainty = read_uncertainty(behind, text);
-    const std::string_view own_unit = detail::split_number(value).rest;
-    if (bracketed && !(own_unit.empty() && uncertainty.unit.empty())) fail(text, "the unit belongs behind the brackets");
-    if (!bracketed) unit = uncertainty.unit;
-    if (uncertainty.is_share && !own_unit.empty() && !unit.empty()) fail(text, "there are two units; a percentage needs none of its own");
-    if (!uncertainty.is_share && !own_unit.empty() && unit.empty()) fail(text, "the uncertainty has no unit; give it one, or a percentage");
-    if (wants_unit && own_unit.empty() && unit.empty()) fail(text, "the unit is missing");
-
-    const double si = parse_si(own_unit.empty() ? with_unit(value, unit) : std::string(value), wanted);
-    if (uncertainty.is_share) return make_uncertain(si, uncertainty.number * si, text);
-    return make_uncertain(si, parse_si(bracketed ? with_unit(behind, unit) : std::string(behind), wanted), text);
+Uncertain parse_uncertain_value(std::string_view text, const PiQuantity& quantity) {
+    return parse_with_unit(
+        text, [&quantity](std::string_view value) { return parse_value(value, quantity); }, false);
 }
 
 }  // namespace musim::scaling

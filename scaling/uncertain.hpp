@@ -8,6 +8,8 @@
 
 namespace musim::scaling {
 
+struct PiQuantity;
+
 /// A positive value and its standard uncertainty u [JCGM100], in the unit of the value; u = 0: taken as exact.
 struct Uncertain {
     double value = 1.0;
@@ -50,6 +52,10 @@ UncertainRatio parse_uncertain_ratio(std::string_view text);
 /// "0.511 g +/- 2%", "4.25 m +/- 2 mm"; units as parse_si() reads them. A number without unit is refused unless a plain number is wanted.
 /// Throws ParseError as parse_uncertain() and parse_si() do.
 Uncertain parse_uncertain_si(std::string_view text, Dimension wanted);
+
+/// A value of any quantity, with or without its standard uncertainty, in the same forms; units as parse_value() reads them, and a number
+/// without unit is SI, as there. Throws ParseError.
+Uncertain parse_uncertain_value(std::string_view text, const PiQuantity& quantity);
 
 /// parse_uncertain_si() for the dimension of `Quantity`, e.g. parse_uncertain_quantity<Velocity>("42.4+/-0.5 cm/s").
 template <QuantityWithUnit Quantity>

@@ -79,6 +79,7 @@ Place add_prototype_friction(Quantities& quantities, const RatioPlace& friction,
 /// Places of everything in UncertainScales.
 struct Places {
     RatioPlace length, friction, gravity, density;
+    std::vector<RatioPlace> others;
     Place friction_prototype, height, pga, pgv, pgd, arias, duration, time_step;
     std::vector<std::size_t> slenderness;
 };
@@ -89,6 +90,7 @@ Places add_all(Quantities& quantities, const UncertainScales& scales) {
     places.friction = add_ratio(quantities, "friction", scales.friction);
     places.gravity = add_ratio(quantities, "gravity", scales.gravity);
     places.density = add_ratio(quantities, "density", scales.density);
+    for (const auto& [name, factor] : scales.others) places.others.push_back(add_ratio(quantities, name, factor));
     places.friction_prototype = add_prototype_friction(quantities, places.friction, scales);
     for (std::size_t i = 0; i < scales.slenderness.size(); ++i) {
         places.slenderness.push_back(quantities.add(fmt::format("slenderness_{}", i + 1), scales.slenderness[i]));
@@ -240,7 +242,7 @@ bool UncertainScales::is_uncertain() const {
 
 UncertainReport propagate(const UncertainScales& scales, const MakeSimilitude& make_similitude, const ModelFacts& facts,
                           const std::optional<MonteCarloSettings>& monte_carlo) {
-    const Similitude shaken = make_similitude(scales.factors());
+    const Similitude shaken = make_similitude(scales.factors(), values_of(scales.others));
     if (shaken.law() == Law::exact && scales.friction.is_uncertain()) {
         throw SimilitudeError(
             "similitude: the friction factor is uncertain under law \"exact\" (which holds for a factor of 1 alone); choose law \"mu\" or "
@@ -250,10 +252,15 @@ UncertainReport propagate(const UncertainScales& scales, const MakeSimilitude& m
     const Places places = add_all(quantities, scales);
     const auto find_entries = [&](std::span<const double> drawn) {
         const Values values = quantities.fill(drawn);
-        const Similitude real = make_similitude({.length = places.length.value(values),
-                                                 .friction = places.friction.value(values),
-                                                 .gravity = places.gravity.value(values),
-                                                 .density = places.density.value(values)});
+        const ScaleFactors factors{.length = places.length.value(values),
+                                   .friction = places.friction.value(values),
+                                   .gravity = places.gravity.value(values),
+                                   .density = places.density.value(values)};
+        std::vector<GivenFactor> others;
+        for (std::size_t i = 0; i < places.others.size(); ++i) {
+            others.push_back({scales.others[i].name, places.others[i].value(values)});
+        }
+        const Similitude real = make_similitude(factors, others);
         Results results(places, values);
         results.add_factors(real, facts);
         results.add_shaken(shaken, real);

@@ -7,9 +7,9 @@
 
 #include "scaling/distortion.hpp"
 #include "scaling/monte_carlo.hpp"
-#include "scaling/propagate.hpp"
 #include "scaling/similitude.hpp"
-#include "scaling/uncertain.hpp"
+#include "scaling/uncertain_factor.hpp"
+#include "scaling/uncertain_result.hpp"
 
 namespace musim::scaling {
 
@@ -26,6 +26,7 @@ struct UncertainMotion {
 /// A similitude whose inputs are uncertain.
 struct UncertainScales {
     UncertainRatio length, friction, gravity, density;  ///< λ, or values of model and prototype as a fraction
+    std::vector<UncertainFactor> others;                ///< of quantities that only a law as data knows
 
     std::optional<Uncertain> friction_prototype;      ///< μ of the prototype; else the denominator of `friction`, if it has one
     std::vector<Uncertain> slenderness;               ///< tan α of each direction
@@ -39,22 +40,8 @@ struct UncertainScales {
     bool is_uncertain() const;
 };
 
-/// Makes the similitude of chosen factors by the law in use.
-using MakeSimilitude = std::function<Similitude(const ScaleFactors&)>;
-
-/// A result with its uncertainty, to first order and by samples if they were drawn.
-struct UncertainResult {
-    std::string name;
-    FirstOrder first_order;
-    std::optional<SampleSummary> samples;
-};
-
-/// A group or measure at both scales.
-struct UncertainPair {
-    std::string name;
-    RationalDimension dimension;
-    UncertainResult prototype, model;
-};
+/// Makes the similitude of chosen factors by the law in use; the second are the values of UncertainScales::others. From any thread.
+using MakeSimilitude = std::function<Similitude(const ScaleFactors&, const std::vector<GivenFactor>&)>;
 
 /// What a similitude with uncertain inputs gives.
 struct UncertainReport {

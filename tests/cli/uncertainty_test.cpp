@@ -184,3 +184,64 @@ TEST_CASE("commands that use the values of uncertain factors alone say so") {
     CHECK(outcome.exit_code == 0);
     CHECK(outcome.err.find("musim: note: only the values of uncertain factors are used here") != std::string::npos);
 }
+
+TEST_CASE("laws as data tell the uncertainty of solved factors, groups, values and additions") {
+    const Workplace here;
+    const std::string replica =
+        "scale --law true_replica --set l=1/25+/-0.4% --set 'rho=(2310+/-1%)/(2320+/-2%)' --value 'E=29.2+/-5% GPa' ";
+    auto object = here.run(replica + "--monte-carlo 5000 --seed 3 --json").json();
+    const auto uncertainty = object["uncertainty"];
+    CHECK(relative_of(uncertainty["factors"]["E"]) == doctest::Approx(std::hypot(0.004, 0.01, 0.02)).epsilon(1e-12));
+    CHECK(uncertainty["factors"]["E"]["exponents"]["rho_prototype"] == -1.0);
+    CHECK(relative_of(uncertainty["groups"]["E/(rho*g*l)"]) == 0.0);
+    CHECK(relative_of(uncertainty["groups_as_shaken"]["v/sqrt(g*l)"]) == doctest::Approx(0.002).epsilon(1e-12));
+    CHECK(uncertainty["values"]["E"]["prototype"]["value"] == 29.2e9);
+    const double share = std::hypot(std::hypot(0.004, 0.01, 0.02), 0.05);
+    CHECK(relative_of(uncertainty["values"]["E"]["model"]) == doctest::Approx(share).epsilon(1e-12));
+    CHECK(uncertainty["values"]["E"]["model"]["monte_carlo"]["interval"].size() == 2);
+    CHECK(uncertainty["inputs"][3]["unit"] == "kg m^-1 s^-2");
+    CHECK(uncertainty["monte_carlo"]["samples"] == 5000);
+
+    // the values are those of the command without uncertainties
+    object.erase("uncertainty");
+    CHECK(object == here.run("scale --law true_replica --set l=1/25 --set rho=2310/2320 --value 'E=29.2 GPa' --json").json());
+
+    const Outcome text = here.run(replica);
+    CHECK(text.err.empty());
+    CHECK(text.out.find("E, model      1.162966 GPa  0.064 GPa") != std::string::npos);
+    CHECK(here.run(replica + "--format markdown").out.find("| E, model | 1.162966 GPa | 0.064 GPa |") != std::string::npos);
+    CHECK(here.run(replica + "--format latex").out.find("E, model & 1.162966 GPa & 0.064 GPa") != std::string::npos);
+
+    const auto mass = here.run("scale --law artificial_mass --set l=1/25+/-1% --value 'm_s=270151 t' --json").json()["uncertainty"];
+    CHECK(mass["additions"]["m_added"]["model"]["value"].get<double>() == doctest::Approx(270151e3 * (0.0016 - 0.000064)).epsilon(1e-12));
+    CHECK(mass["additions"]["m_added"]["model"]["standard_uncertainty"].get<double>() ==
+          doctest::Approx(270151e3 * (2.0 * 0.0016 - 3.0 * 0.000064) * 0.01).epsilon(1e-12));
+}
+
+TEST_CASE("rescale propagates uncertain factors of laws as data, those of --set too") {
+    const Workplace here;
+    // λ_a = λ_E/(λ_ρ λ_l)
+    const auto object =
+        here.run("rescale synthetic --law centrifuge --length 1/25 --set E=1+/-4% --monte-carlo 2000 -o m.csv --json").json();
+    const auto uncertainty = object["uncertainty"];
+    CHECK(uncertainty["inputs"][0]["name"] == "E");
+    CHECK(relative_of(uncertainty["factors"]["acceleration"]) == doctest::Approx(0.04).epsilon(1e-12));
+    CHECK(relative_of(uncertainty["factors"]["time"]) == doctest::Approx(0.02).epsilon(1e-12));
+    CHECK(relative_of(uncertainty["components"][0]["measures"]["pga_g"]["model"]) == doctest::Approx(0.04).epsilon(1e-12));
+}
+
+TEST_CASE("uncertainties of laws as data that cannot be are one line") {
+    const Workplace here;
+    const auto error = [&](const std::string& arguments) {
+        const Outcome outcome = here.run("scale " + arguments);
+        CHECK(outcome.exit_code != 0);
+        CHECK(outcome.out.empty());
+        CHECK_MESSAGE(outcome.has_one_error_line(), outcome.err);
+        return outcome.err;
+    };
+    CHECK(error("--law exact --set l=1/25 --set mu=1+/-5%").find("the factor of mu is uncertain, where mu is held") != std::string::npos);
+    CHECK(error("--law true_replica --set l=1/25 --monte-carlo").find("nothing is uncertain") != std::string::npos);
+    CHECK(error("--law true_replica --set l=1/25+/--1%").find("must not be negative") != std::string::npos);
+    CHECK(error("--law true_replica --set l=1/25 --value 'E=29.2+/-1 kg'").find("a stress is wanted") != std::string::npos);
+    CHECK(error("--law true_replica --set l=1/25 --value 'E=2 GPa' --value 'E=3 GPa'").find("E is told twice") != std::string::npos);
+}

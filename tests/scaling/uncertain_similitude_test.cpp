@@ -21,7 +21,8 @@ UncertainScales make_wood() {
 
 UncertainReport propagate_by(Law law, const UncertainScales& scales, const std::optional<MonteCarloSettings>& monte_carlo = {}) {
     return propagate(
-        scales, [law](const ScaleFactors& factors) { return Similitude(factors, law); }, {}, monte_carlo);
+        scales, [law](const ScaleFactors& factors, const std::vector<GivenFactor>& /*others*/) { return Similitude(factors, law); }, {},
+        monte_carlo);
 }
 
 template <class Named>

@@ -1,0 +1,178 @@
+#include "scaling/text_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace musim::scaling {
+
+namespace {
+
+using Row = std::vector<std::string>;
+
+/// Cells with more letters than this break into lines in LaTeX: five such columns still fit a page.
+constexpr std::size_t kLongCell = 28;
+
+/// Share of the line's width that long columns have together in LaTeX [-]; short ones have the rest.
+constexpr double kShareOfLong = 0.6;
+
+/// Letters of a text in UTF-8: all bytes but those that continue one.
+std::size_t count_letters(const std::string& text) {
+    return static_cast<std::size_t>(
+        std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+}
+
+/// Of the widest cell in each column [letters].
+std::vector<std::size_t> find_widths(const TextTable& table) {
+    std::vector<std::size_t> widths;
+    for (std::size_t i = 0; i < table.header.size(); ++i) {
+        widths.push_back(count_letters(table.header[i]));
+        for (const Row& row : table.rows) widths[i] = std::max(widths[i], count_letters(row[i]));
+    }
+    return widths;
+}
+
+std::string make_plain_row(const Row& row, const std::vector<std::size_t>& widths) {
+    std::string line;
+    for (std::size_t i = 0; i < row.size(); ++i) line += row[i] + std::string(widths[i] - count_letters(row[i]) + 2, ' ');
+    line.erase(line.find_last_not_of(' ') + 1);
+    return line + "\n";
+}
+
+std::string make_markdown_row(const Row& row) {
+    std::string line = "|";
+    for (const std::string& cell : row) {
+        line += ' ';
+        for (const char c : cell) line += c == '|' ? std::string("\\|") : std::string(1, c);
+        line += " |";
+    }
+    return line + "\n";
+}
+
+std::string make_latex_row(const Row& row) {
+    std::string line;
+    for (const std::string& cell : row) line += (line.empty() ? "  " : " & ") + escape_latex(cell);
+    return line + " \\\\\n";
+}
+
+/// "lp{0.3\linewidth}l".
+std::string make_latex_columns(const TextTable& table) {
+    const std::vector<std::size_t> widths = find_widths(table);
+    std::size_t letters = 0;
+    for (const std::size_t width : widths) letters += width > kLongCell ? width : 0;
+    std::string columns;
+    for (const std::size_t width : widths) {
+        const double share = kShareOfLong * static_cast<double>(width) / static_cast<double>(std::max<std::size_t>(letters, 1));
+        columns += width > kLongCell ? fmt::format("p{{{:.2f}\\linewidth}}", share) : "l";
+    }
+    return columns;
+}
+
+}  // namespace
+
+std::string to_plain_text(const TextTable& table) {
+    const std::vector<std::size_t> widths = find_widths(table);
+    std::string text = make_plain_row(table.header, widths);
+    for (const Row& row : table.rows) text += make_plain_row(row, widths);
+    return text;
+}
+
+std::string to_markdown(const TextTable& table) {
+    std::string text = make_markdown_row(table.header) + make_markdown_row(Row(table.header.size(), "---"));
+    for (const Row& row : table.rows) text += make_markdown_row(row);
+    return text;
+}
+
+std::string to_latex(const TextTable& table) {
+    std::string text = fmt::format("\\begin{{longtable}}{{{}}}\n\\hline\n", make_latex_columns(table));
+    text += make_latex_row(table.header) + "\\hline\n\\endhead\n";
+    for (const Row& row : table.rows) text += make_latex_row(row);
+    return text + "\\hline\n\\end{longtable}\n";
+}
+
+std::string make_table(const TextTable& table, ReportStyle style) {
+    switch (style) {
+        case ReportStyle::markdown:
+            return to_markdown(table);
+        case ReportStyle::latex:
+            return to_latex(table);
+        case ReportStyle::plain:
+            break;
+    }
+    return to_plain_text(table);
+}
+
+std::string make_title(const std::string& text, ReportStyle style) {
+    switch (style) {
+        case ReportStyle::markdown:
+            return "# " + text + "\n\n";
+        case ReportStyle::latex:
+            return fmt::format("\\section*{{{}}}\n", escape_latex(text));
+        case ReportStyle::plain:
+            break;
+    }
+    return text + "\n";
+}
+
+std::string make_heading(const std::string& text, ReportStyle style) {
+    switch (style) {
+        case ReportStyle::markdown:
+            return "\n## " + text + "\n\n";
+        case ReportStyle::latex:
+            return fmt::format("\n\\subsection*{{{}}}\n", escape_latex(text));
+        case ReportStyle::plain:
+            break;
+    }
+    return "\n" + text + "\n";
+}
+
+std::string make_lines(const std::vector<std::string>& lines, ReportStyle style) {
+    if (lines.empty()) return "";
+    const bool is_latex = style == ReportStyle::latex;
+    std::string text = is_latex ? "\\begin{itemize}\n" : "";
+    for (const std::string& line : lines) {
+        text += is_latex ? "  \\item " + escape_latex(line) : (style == ReportStyle::markdown ? "- " : "") + line;
+        text += '\n';
+    }
+    return is_latex ? text + "\\end{itemize}\n" : text;
+}
+
+std::string escape_latex(const std::string& text) {
+    std::string escaped;
+    for (const char c : text) {
+        switch (c) {
+            case '#':
+            case '$':
+            case '%':
+            case '&':
+            case '_':
+            case '{':
+            case '}':
+                escaped += std::string("\\") + c;
+                break;
+            case '\\':
+                escaped += "\\textbackslash{}";
+                break;
+            case '^':
+                escaped += "\\textasciicircum{}";
+                break;
+            case '~':
+                escaped += "\\textasciitilde{}";
+                break;
+            case '<':
+                escaped += "$<$";
+                break;
+            case '>':
+                escaped += "$>$";
+                break;
+            case '|':
+                escaped += "$|$";
+                break;
+            default:
+                escaped += c;
+        }
+    }
+    return escaped;
+}
+
+}  // namespace musim::scaling
