@@ -21,7 +21,7 @@ namespace {
 struct DesignOptions {
     std::string file;
     RecordSourceOptions source;
-    std::string format = "text";
+    scaling::ReportStyle style = scaling::ReportStyle::plain;
     bool json = false;
 };
 
@@ -41,8 +41,7 @@ int run_design(const DesignOptions& options) {
     if (options.json)
         print_json(to_json(design, candidates));
     else
-        print("{}", make_design_report(design, candidates,
-                                       options.format == "markdown" ? scaling::ReportStyle::markdown : scaling::ReportStyle::plain));
+        print("{}", make_design_report(design, candidates, options.style));
     const bool is_feasible = std::any_of(candidates.begin(), candidates.end(), [](const auto& each) { return each.is_feasible(); });
     if (is_feasible) return kDone;
     note("musim: error: {}: nothing is feasible ({}, law {}: {})\n", options.file, candidates.front().material.name,
@@ -59,9 +58,7 @@ void add_design_command(CLI::App& app, Action& action) {
         ->required()
         ->type_name("DESIGN");
     options->source.add_to(*command);
-    auto* const format = command->add_option("--format", options->format, "Form of the report")
-                             ->check(CLI::IsMember({"text", "markdown"}))
-                             ->capture_default_str();
+    CLI::Option* const format = add_format_option(*command, options->style, "Form of the report");
     add_json_option(*command, options->json);
     command->get_option("--json")->excludes(format);
     command->footer(

@@ -178,7 +178,8 @@ nlohmann::json to_json(const Candidate& candidate) {
 std::string make_design_report(const design::Design& design, const std::vector<Candidate>& candidates, scaling::ReportStyle style) {
     std::string text = make_title(design.name.empty() ? "Design" : design.name, style) + make_table(make_ranking(candidates), style);
     for (const Candidate& candidate : candidates)
-        if (!candidate.is_feasible()) text += fmt::format("\n{} is infeasible: {}\n", name_candidate(candidate), candidate.problem);
+        if (!candidate.is_feasible())
+            text += "\n" + make_paragraph(fmt::format("{} is infeasible: {}", name_candidate(candidate), candidate.problem), style);
     for (const Candidate& candidate : candidates) {
         if (candidate.limits.empty()) continue;
         text += make_heading(name_candidate(candidate) + ": limits", style) + make_table(make_limits(candidate), style);

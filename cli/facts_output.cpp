@@ -131,7 +131,7 @@ std::string make_facts_report(const FactsReport& report, scaling::ReportStyle st
         fmt::format("time {:.7g}, velocity {:.7g}, acceleration {:.7g}, force {:.7g}", similitude.time(), similitude.velocity(),
                     similitude.acceleration(), similitude.force()),
         fmt::format("{}; {}", count_severities(report.report.regimes, "regimes"), count_severities(report.report.groups, "groups"))};
-    for (const std::string& line : lines) text += (style == scaling::ReportStyle::markdown ? "- " : "") + line + "\n";
+    text += make_lines(lines, style);
     text += make_heading("Regimes", style) + make_table(make_regimes(report.report.regimes), style);
     for (const GroupClass kind :
          {GroupClass::geometry, GroupClass::friction, GroupClass::contact, GroupClass::rocking, GroupClass::loading}) {
@@ -150,7 +150,8 @@ std::string make_facts_report(const FactsReport& report, scaling::ReportStyle st
     }
     text += make_heading("Structural speed: derived, Rosakis21 for the number", style) + make_table(speeds, style);
     text += make_heading("Rocking blocks: Housner63", style) + make_table(rocking, style);
-    if (!report.report.untold.empty()) text += "\nNot told by prototype or model: " + describe_untold(report.report.untold) + "\n";
+    if (!report.report.untold.empty())
+        text += "\n" + make_paragraph("Not told by prototype or model: " + describe_untold(report.report.untold), style);
     return text;
 }
 

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <iterator>
+#include <map>
 
 #include "cli/output.hpp"
 #include "cli/uncertain_options.hpp"
@@ -148,6 +149,19 @@ std::string find_extension(const std::string& file) {
 
 void add_json_option(CLI::App& command, bool& json) {
     command.add_flag("--json", json, "Print one JSON object on stdout and nothing else there");
+}
+
+CLI::Option* add_format_option(CLI::App& command, scaling::ReportStyle& style, const std::string& help) {
+    static const std::map<std::string, scaling::ReportStyle> kStyles{
+        {"text", scaling::ReportStyle::plain}, {"markdown", scaling::ReportStyle::markdown}, {"latex", scaling::ReportStyle::latex}};
+    const auto take = [&style](const CLI::results_t& texts) {
+        style = kStyles.at(texts.front());
+        return true;
+    };
+    return command.add_option("--format", CLI::callback_t(take), help)
+        ->type_name("FORMAT")
+        ->check(CLI::IsMember({"text", "markdown", "latex"}))
+        ->default_str("text");
 }
 
 void add_checkpoint_interval_option(CLI::App& command, Number& seconds) {

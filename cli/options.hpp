@@ -7,6 +7,7 @@
 
 #include "scaling/scale_law.hpp"
 #include "scaling/similitude.hpp"
+#include "scaling/text_table.hpp"
 #include "scaling/uncertain_similitude.hpp"
 
 namespace musim::cli {
@@ -78,6 +79,9 @@ std::string find_extension(const std::string& file);
 
 /// Adds --json.
 void add_json_option(CLI::App& command, bool& json);
+
+/// Adds --format text, markdown or latex.
+CLI::Option* add_format_option(CLI::App& command, scaling::ReportStyle& style, const std::string& help);
 
 /// Adds --checkpoint-interval [s of wall time].
 void add_checkpoint_interval_option(CLI::App& command, Number& seconds);

@@ -24,7 +24,7 @@ struct PiOptions {
     bool all = false;
     std::size_t limit = 100;
     std::vector<std::string> products;
-    std::string format = "text";
+    scaling::ReportStyle style = scaling::ReportStyle::plain;
     bool json = false;
 };
 
@@ -48,12 +48,8 @@ int run_pi(const PiOptions& options) {
     }
     if (options.json) {
         print_json(to_json(report));
-    } else if (options.format == "markdown") {
-        print_markdown(report);
-    } else if (options.format == "latex") {
-        print_latex(report);
     } else {
-        print_text(report);
+        print("{}", make_pi_report(report, options.style));
     }
     return kDone;
 }
@@ -78,9 +74,7 @@ void add_pi_command(CLI::App& app, Action& action) {
         ->type_name("PRODUCT")
         ->expected(1)
         ->take_all();
-    command->add_option("--format", options->format, "Form of the answer")
-        ->check(CLI::IsMember({"text", "markdown", "latex"}))
-        ->capture_default_str();
+    add_format_option(*command, options->style, "Form of the answer");
     add_json_option(*command, options->json);
     command->footer(
         "Units as everywhere (\"MN/m\", \"MPa m^0.5\", \"W/(m K)\"); \"1\" for a plain number; \"g\" is gram, \"gn\" gravity.\n"

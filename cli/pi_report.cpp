@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "cli/output.hpp"
 #include "scaling/named_groups.hpp"
 #include "scaling/pi_remarks.hpp"
 #include "scaling/pi_text.hpp"
@@ -18,6 +17,7 @@ using scaling::PiBasis;
 using scaling::PiGroup;
 using scaling::PiNotation;
 using scaling::PiQuantity;
+using scaling::ReportStyle;
 
 std::vector<std::string> names_of(const std::vector<PiQuantity>& quantities, const std::vector<std::size_t>& positions) {
     std::vector<std::string> names;
@@ -71,19 +71,92 @@ json basis_json(const PiBasis& basis, const std::vector<PiQuantity>& quantities)
     return {{"repeating", names_of(quantities, basis.repeating)}, {"groups", groups}};
 }
 
-void print_groups(const PiBasis& basis, const std::vector<PiQuantity>& quantities) {
+std::string make_group_lines(const PiBasis& basis, const std::vector<PiQuantity>& quantities) {
     std::size_t widest = 0;
     for (const PiGroup& group : basis.groups) widest = std::max(widest, scaling::format_group(group, quantities).size());
+    std::string text;
     for (std::size_t k = 0; k < basis.groups.size(); ++k) {
         const auto value = scaling::group_value(basis.groups[k], quantities);
         const std::string number = value ? fmt::format("= {:.7g}", *value) : "";
         const std::string line = fmt::format("  Pi_{:<3} {:<{}}  {:<16} {}", k + 1, scaling::format_group(basis.groups[k], quantities),
                                              widest, number, group_name(basis.groups[k], quantities));
-        print("{}\n", line.substr(0, line.find_last_not_of(' ') + 1));
+        text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
     }
+    return text;
 }
 
 std::string join(const std::vector<std::string>& names) { return fmt::format("{}", fmt::join(names, ", ")); }
+
+/// The basis of the report, then all others if they are wanted.
+std::vector<PiBasis> list_bases(const PiReport& report) {
+    std::vector<PiBasis> bases{report.basis};
+    if (report.all) bases.insert(bases.end(), report.all->bases.begin(), report.all->bases.end());
+    return bases;
+}
+
+/// "\Pi_{1}".
+std::string latex_number(std::size_t k) { return fmt::format("\\Pi_{{{}}}", k + 1); }
+
+/// A product of the user's and the powers of the groups that it is, in LaTeX.
+std::string equate(const ExpressedProduct& product, const std::vector<PiQuantity>& quantities) {
+    return fmt::format("{} = {}", scaling::format_group(product.exponents, quantities, PiNotation::latex),
+                       powers_text(product.powers, PiNotation::latex));
+}
+
+std::string make_text(const PiReport& report) {
+    const auto& quantities = report.quantities;
+    std::string text = fmt::format("{} quantities, rank {}, {} groups; repeating {}\n", quantities.size(), report.basis.rank(),
+                                   report.basis.groups.size(), join(names_of(quantities, report.basis.repeating)));
+    text += make_group_lines(report.basis, quantities);
+    for (const ExpressedProduct& product : report.expressed) {
+        const std::string name = scaling::recognised_text(scaling::recognise(product.exponents, quantities));
+        text += fmt::format("{} = {}{}{}\n", product.text, powers_text(product.powers, PiNotation::text), name.empty() ? "" : "   ", name);
+    }
+    if (report.all) {
+        for (const PiBasis& basis : report.all->bases) {
+            text += fmt::format("repeating {}\n", join(names_of(quantities, basis.repeating))) + make_group_lines(basis, quantities);
+        }
+    }
+    return text + make_lines(list_remarks(report), ReportStyle::plain);
+}
+
+std::string make_markdown(const PiReport& report) {
+    const auto& quantities = report.quantities;
+    std::string text;
+    for (const PiBasis& basis : list_bases(report)) {
+        scaling::TextTable table{{"group", "product", "value", "known as"}};
+        for (std::size_t k = 0; k < basis.groups.size(); ++k) {
+            const auto value = scaling::group_value(basis.groups[k], quantities);
+            table.rows.push_back({fmt::format("${}$", latex_number(k)),
+                                  fmt::format("${}$", scaling::format_group(basis.groups[k], quantities, PiNotation::latex)),
+                                  value ? fmt::format("{:.7g}", *value) : "", group_name(basis.groups[k], quantities)});
+        }
+        text += fmt::format("Repeating: {}.\n\n{}\n", join(names_of(quantities, basis.repeating)), to_markdown(table));
+    }
+    std::vector<std::string> lines;
+    for (const ExpressedProduct& product : report.expressed) lines.push_back(fmt::format("${}$", equate(product, quantities)));
+    const std::vector<std::string> remarks = list_remarks(report);
+    lines.insert(lines.end(), remarks.begin(), remarks.end());
+    return text + make_lines(lines, ReportStyle::markdown);
+}
+
+std::string make_latex(const PiReport& report) {
+    const auto& quantities = report.quantities;
+    std::string text;
+    for (const PiBasis& basis : list_bases(report)) {
+        text += fmt::format("% repeating {}\n\\begin{{align}}\n", join(names_of(quantities, basis.repeating)));
+        for (std::size_t k = 0; k < basis.groups.size(); ++k) {
+            const std::string name = group_name(basis.groups[k], quantities);
+            text +=
+                fmt::format("  {} &= {}{}{}{}\n", latex_number(k), scaling::format_group(basis.groups[k], quantities, PiNotation::latex),
+                            k + 1 < basis.groups.size() ? " \\\\" : "", name.empty() ? "" : "  % ", name);
+        }
+        text += "\\end{align}\n";
+    }
+    for (const ExpressedProduct& product : report.expressed) text += fmt::format("\\[ {} \\]\n", equate(product, quantities));
+    for (const std::string& line : list_remarks(report)) text += fmt::format("% {}\n", line);
+    return text;
+}
 
 }  // namespace
 
@@ -111,62 +184,16 @@ json to_json(const PiReport& report) {
     return object;
 }
 
-void print_text(const PiReport& report) {
-    const auto& quantities = report.quantities;
-    print("{} quantities, rank {}, {} groups; repeating {}\n", quantities.size(), report.basis.rank(), report.basis.groups.size(),
-          join(names_of(quantities, report.basis.repeating)));
-    print_groups(report.basis, quantities);
-    for (const ExpressedProduct& product : report.expressed) {
-        const std::string name = scaling::recognised_text(scaling::recognise(product.exponents, quantities));
-        print("{} = {}{}{}\n", product.text, powers_text(product.powers, PiNotation::text), name.empty() ? "" : "   ", name);
+std::string make_pi_report(const PiReport& report, ReportStyle style) {
+    switch (style) {
+        case ReportStyle::markdown:
+            return make_markdown(report);
+        case ReportStyle::latex:
+            return make_latex(report);
+        case ReportStyle::plain:
+            break;
     }
-    if (report.all) {
-        for (const PiBasis& basis : report.all->bases) {
-            print("repeating {}\n", join(names_of(quantities, basis.repeating)));
-            print_groups(basis, quantities);
-        }
-    }
-    for (const std::string& line : list_remarks(report)) print("{}\n", line);
-}
-
-void print_markdown(const PiReport& report) {
-    const auto& quantities = report.quantities;
-    const auto print_table = [&](const PiBasis& basis) {
-        print("Repeating: {}.\n\n| group | product | value | known as |\n|---|---|---|---|\n", join(names_of(quantities, basis.repeating)));
-        for (std::size_t k = 0; k < basis.groups.size(); ++k) {
-            const auto value = scaling::group_value(basis.groups[k], quantities);
-            print("| $\\Pi_{{{}}}$ | ${}$ | {} | {} |\n", k + 1, scaling::format_group(basis.groups[k], quantities, PiNotation::latex),
-                  value ? fmt::format("{:.7g}", *value) : "", group_name(basis.groups[k], quantities));
-        }
-        print("\n");
-    };
-    print_table(report.basis);
-    if (report.all) std::for_each(report.all->bases.begin(), report.all->bases.end(), print_table);
-    for (const ExpressedProduct& product : report.expressed) {
-        print("- ${} = {}$\n", scaling::format_group(product.exponents, quantities, PiNotation::latex),
-              powers_text(product.powers, PiNotation::latex));
-    }
-    for (const std::string& line : list_remarks(report)) print("- {}\n", line);
-}
-
-void print_latex(const PiReport& report) {
-    const auto& quantities = report.quantities;
-    const auto print_lines = [&](const PiBasis& basis) {
-        print("% repeating {}\n\\begin{{align}}\n", join(names_of(quantities, basis.repeating)));
-        for (std::size_t k = 0; k < basis.groups.size(); ++k) {
-            const std::string name = group_name(basis.groups[k], quantities);
-            print("  \\Pi_{{{}}} &= {}{}{}{}\n", k + 1, scaling::format_group(basis.groups[k], quantities, PiNotation::latex),
-                  k + 1 < basis.groups.size() ? " \\\\" : "", name.empty() ? "" : "  % ", name);
-        }
-        print("\\end{{align}}\n");
-    };
-    print_lines(report.basis);
-    if (report.all) std::for_each(report.all->bases.begin(), report.all->bases.end(), print_lines);
-    for (const ExpressedProduct& product : report.expressed) {
-        print("\\[ {} = {} \\]\n", scaling::format_group(product.exponents, quantities, PiNotation::latex),
-              powers_text(product.powers, PiNotation::latex));
-    }
-    for (const std::string& line : list_remarks(report)) print("% {}\n", line);
+    return make_text(report);
 }
 
 }  // namespace musim::cli

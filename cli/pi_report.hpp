@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "scaling/pi_express.hpp"
+#include "scaling/text_table.hpp"
 
 namespace musim::cli {
 
@@ -29,10 +30,8 @@ struct PiReport {
 /// quantities have values, "value". Powers of an expressed product are texts such as "-1/2".
 nlohmann::json to_json(const PiReport& report);
 
-void print_text(const PiReport& report);
-void print_markdown(const PiReport& report);
-
-/// An align environment of amsmath, one group a line, remarks as comments.
-void print_latex(const PiReport& report);
+/// Groups with names and values, and remarks: lines of text, tables in Markdown, an align environment of amsmath in LaTeX with one group a
+/// line and remarks as comments.
+std::string make_pi_report(const PiReport& report, scaling::ReportStyle style);
 
 }  // namespace musim::cli

@@ -65,7 +65,7 @@ int run_scale(const ScaleOptions& options) {
     const bool by_facts = options.facts.is_given() && !options.data.name_products();
     if (options.scales.is_plain() && (by_facts || !options.data.are_given())) {
         if (command.count("--length") == 0) throw CLI::RequiredError("--length (or --set for a law as data)");
-        return by_facts ? run_scale_facts(command, options.scales, options.facts, options.data.style(), options.json)
+        return by_facts ? run_scale_facts(command, options.scales, options.facts, options.data.style, options.json)
                         : run_similitude(options);
     }
     for (const char* option : {"--friction-prototype", "--slenderness", "--height", "--pga", "--pgv", "--pgd", "--arias", "--duration",

@@ -81,20 +81,13 @@ void ScaleLawOptions::add_to(CLI::App& command) {
     add("--watch", watched, "A product whose distortion is wanted; one that the law holds is held no longer", "PRODUCT");
     add("--define", quantities, "A quantity that neither the law nor mechanics knows, e.g. E:GPa", "NAME:UNIT");
     add("--value", values, "What a quantity is in the prototype, e.g. \"E=29.2 GPa\"; the model's is told", "NAME=QUANTITY");
-    command.add_option("--format", format, "Form of the answer of a law as data, or of --facts")
-        ->check(CLI::IsMember({"text", "markdown", "latex"}))
-        ->capture_default_str();
+    add_format_option(command, style, "Form of the answer of a law as data, or of --facts");
     command.add_flag("--laws", lists_laws, "List the laws that come with musim");
 }
 
 bool ScaleLawOptions::name_products() const { return !(held.empty() && watched.empty() && quantities.empty() && values.empty()); }
 
-bool ScaleLawOptions::are_given() const { return name_products() || format != "text"; }
-
-scaling::ReportStyle ScaleLawOptions::style() const {
-    if (format == "markdown") return scaling::ReportStyle::markdown;
-    return format == "latex" ? scaling::ReportStyle::latex : scaling::ReportStyle::plain;
-}
+bool ScaleLawOptions::are_given() const { return name_products() || style != scaling::ReportStyle::plain; }
 
 SolvedWithValues ScaleLawOptions::solve(const std::string& name, const std::vector<scaling::GivenFactor>& given) const {
     const bool is_free = name.empty();
@@ -158,8 +151,8 @@ int run_scale_law(const ScaleLawOptions& options, const std::string& law, const 
         print_json(object);
         return kDone;
     }
-    print("{}", make_law_report(solved, options.style()));
-    if (uncertain) print("{}", make_uncertainty_report(solved, *uncertain, options.style()));
+    print("{}", make_law_report(solved, options.style));
+    if (uncertain) print("{}", make_uncertainty_report(solved, *uncertain, options.style));
     return kDone;
 }
 

@@ -22,11 +22,8 @@ struct ScaleLawOptions {
     std::vector<std::string> watched;
     std::vector<std::string> quantities;
     std::vector<std::string> values;
-    std::string format = "text";
+    scaling::ReportStyle style = scaling::ReportStyle::plain;
     bool lists_laws = false;
-
-    /// How a report is written.
-    scaling::ReportStyle style() const;
 
     void add_to(CLI::App& command);
 

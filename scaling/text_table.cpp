@@ -137,6 +137,10 @@ std::string make_lines(const std::vector<std::string>& lines, ReportStyle style)
     return is_latex ? text + "\\end{itemize}\n" : text;
 }
 
+std::string make_paragraph(const std::string& text, ReportStyle style) {
+    return (style == ReportStyle::latex ? escape_latex(text) : text) + "\n";
+}
+
 std::string escape_latex(const std::string& text) {
     std::string escaped;
     for (const char c : text) {

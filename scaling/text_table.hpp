@@ -34,6 +34,9 @@ std::string make_heading(const std::string& text, ReportStyle style);
 /// Lines of a report, one below the other; items of a list in Markdown and LaTeX. Empty for no lines.
 std::string make_lines(const std::vector<std::string>& lines, ReportStyle style);
 
+/// A paragraph of its own.
+std::string make_paragraph(const std::string& text, ReportStyle style);
+
 /// A text with the signs escaped that mean something to LaTeX.
 std::string escape_latex(const std::string& text);
 

@@ -63,6 +63,9 @@ TEST_CASE("the report is text or Markdown, with the same numbers") {
     }
     CHECK(plain.out.find("---") == std::string::npos);
     CHECK(markdown.out.find("\n| --- | --- |") != std::string::npos);
+    const std::string latex = here.run("design '" + kExample + "' --format latex").out;
+    CHECK(latex.find("\\begin{longtable}") != std::string::npos);
+    CHECK(latex.find("mu\\textasciicircum{}N") != std::string::npos);
     CHECK(markdown.out.find("sum \\|ln d\\|") != std::string::npos);
 }
 

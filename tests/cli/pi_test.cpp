@@ -49,7 +49,7 @@ TEST_CASE("pi expresses a group of the user, lists all bases, and says when ther
 TEST_CASE("pi writes tables in text, Markdown and LaTeX") {
     const TowerPlace here;
     CHECK(here.run("pi tower.json --repeating l,mu_g").out.find("v^2/(l*mu_g)") != std::string::npos);
-    CHECK(here.run("pi tower.json --format markdown").out.find("|---|") != std::string::npos);
+    CHECK(here.run("pi tower.json --format markdown").out.find("| --- | --- |") != std::string::npos);
     const std::string latex = here.run("pi tower.json --repeating l,mu_g --format latex").out;
     CHECK(latex.find("\\begin{align}") != std::string::npos);
     CHECK(latex.find("\\Pi_{1} &= \\frac{v^{2}}{l\\,\\mu_{g}}") != std::string::npos);

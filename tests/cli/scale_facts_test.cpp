@@ -145,6 +145,16 @@ TEST_CASE("records and tables are looked for beside the facts, and agree with th
     }
 }
 
+TEST_CASE("the report of facts is written in LaTeX, its signs escaped") {
+    const Workplace here;
+    here.write("facts.json", std::string(kFacts) + "}");
+    const std::string latex = here.run("scale --length 1/107 --facts facts.json --format latex").out;
+    CHECK(latex.starts_with("\\section*{"));
+    CHECK(latex.find("\\subsection*{Groups of friction}\n\\begin{longtable}") != std::string::npos);
+    CHECK(latex.find("kappa\\_n") != std::string::npos);
+    CHECK(latex.find(" kappa_n") == std::string::npos);
+}
+
 TEST_CASE("wrong input to the facts is told in one line") {
     const Workplace here;
     here.write("facts.json", std::string(kFacts) + "}");
@@ -164,7 +174,7 @@ TEST_CASE("wrong input to the facts is told in one line") {
     error("--facts facts.json --json --format markdown", 2);
     error("--facts facts.json --slenderness 0.3", 2);
     error("--facts facts.json --friction-prototype 0.3", 2);
-    error("--facts facts.json --format latex", 2);
+    error("--facts facts.json --format html", 2);
     error("--unit g", 2);
     CHECK(here.run("scale --length 0 --facts facts.json").exit_code == 3);
 }
