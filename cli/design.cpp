@@ -45,7 +45,7 @@ int run_design(const DesignOptions& options) {
     const bool is_feasible = std::any_of(candidates.begin(), candidates.end(), [](const auto& each) { return each.is_feasible(); });
     if (is_feasible) return kDone;
     note("musim: error: {}: nothing is feasible ({}, law {}: {})\n", options.file, candidates.front().material.name,
-         to_string(candidates.front().law), candidates.front().problem);
+         candidates.front().law.name(), candidates.front().problem);
     return kCheckFailed;
 }
 
@@ -65,6 +65,7 @@ void add_design_command(CLI::App& app, Action& action) {
         "Files named in the design are looked for in its folder. Exit code 0: something is feasible; 5: nothing is.\n"
         "Examples:\n"
         "  musim design examples/design/tower.json\n"
+        "  musim design examples/design/laws.json\n"
         "  musim design examples/design/tower.json --format markdown > campaign.md\n"
         "  musim design examples/design/tower.json --json");
     command->callback([&action, options] { action = [options] { return run_design(*options); }; });

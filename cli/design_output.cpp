@@ -30,6 +30,11 @@ std::string describe_remark(const Candidate& candidate) {
     return candidate.changes_regime() ? "excluded: changes between sliding and rocking" : "";
 }
 
+std::string describe_mass(const ModelState& state) {
+    const std::string mass = scaling::format_quantity(state.mass, 4);
+    return state.added_mass.value() > 0.0 ? fmt::format("{} ({} added)", mass, scaling::format_quantity(state.added_mass, 4)) : mass;
+}
+
 scaling::TextTable make_ranking(const std::vector<Candidate>& candidates) {
     scaling::TextTable table{{"rank", "material", "law", "length scales", "smaller: in the way", "larger: in the way", "ranked at",
                               "sum |ln d|", "mass", "cost", "remark"}};
@@ -42,15 +47,11 @@ scaling::TextTable make_ranking(const std::vector<Candidate>& candidates) {
             below += separator + describe_end(range.binds_below);
             above += separator + describe_end(range.binds_above);
         }
-        std::vector<std::string> row{describe_rank(candidate, i),
-                                     candidate.material.name,
-                                     std::string(to_string(candidate.law)),
-                                     scales.empty() ? "none" : scales,
-                                     below,
-                                     above};
+        std::vector<std::string> row{
+            describe_rank(candidate, i), candidate.material.name, candidate.law.name(), scales.empty() ? "none" : scales, below, above};
         if (const auto& state = candidate.ranked) {
-            row.insert(row.end(), {describe_scale(state->length), fmt::format("{:.4g}", state->measure),
-                                   scaling::format_quantity(state->mass, 4), state->cost ? fmt::format("{:.4g}", *state->cost) : ""});
+            row.insert(row.end(), {describe_scale(state->length), fmt::format("{:.4g}", state->measure), describe_mass(*state),
+                                   state->cost ? fmt::format("{:.4g}", *state->cost) : ""});
         } else {
             row.insert(row.end(), 4, "");
         }
@@ -96,6 +97,33 @@ std::string find_remark(const std::vector<scaling::Distortion>& distortions, std
     return "";
 }
 
+/// The factors that a law gives, one by one.
+struct FactorRow {
+    const char* name;
+    double scaling::ModelScales::*factor;
+};
+constexpr FactorRow kFactorRows[] = {{"height", &scaling::ModelScales::height},
+                                     {"width", &scaling::ModelScales::width},
+                                     {"time", &scaling::ModelScales::time},
+                                     {"displacement", &scaling::ModelScales::displacement},
+                                     {"velocity", &scaling::ModelScales::velocity},
+                                     {"acceleration", &scaling::ModelScales::acceleration},
+                                     {"acceleration_vertical", &scaling::ModelScales::acceleration_vertical},
+                                     {"gravity", &scaling::ModelScales::gravity},
+                                     {"friction", &scaling::ModelScales::friction},
+                                     {"mass", &scaling::ModelScales::mass}};
+
+scaling::TextTable make_factors(const Candidate& candidate) {
+    scaling::TextTable table{{"factor"}};
+    for (const FactorRow& row : kFactorRows) table.rows.push_back({row.name});
+    for (const ModelState* const state : find_states(candidate)) {
+        table.header.push_back("at " + describe_scale(state->length));
+        for (std::size_t i = 0; i < table.rows.size(); ++i)
+            table.rows[i].push_back(fmt::format("{:.5g}", state->scales.*kFactorRows[i].factor));
+    }
+    return table;
+}
+
 scaling::TextTable make_groups(const design::Design& design, const Candidate& candidate) {
     scaling::TextTable table{{"group", "weighed"}};
     const std::vector<const ModelState*> states = find_states(candidate);
@@ -113,9 +141,7 @@ scaling::TextTable make_groups(const design::Design& design, const Candidate& ca
     return table;
 }
 
-std::string name_candidate(const Candidate& candidate) {
-    return fmt::format("{}, law {}", candidate.material.name, to_string(candidate.law));
-}
+std::string name_candidate(const Candidate& candidate) { return fmt::format("{}, law {}", candidate.material.name, candidate.law.name()); }
 
 nlohmann::json to_json(const scaling::LengthRange& range) { return {range.smallest, range.largest}; }
 
@@ -129,12 +155,16 @@ nlohmann::json to_json(const ModelState& state) {
                         {"floor", use.is_floor},
                         {"used", use.used()}});
     }
+    nlohmann::json factors = nlohmann::json::object();
+    for (const FactorRow& row : kFactorRows) factors[row.name] = state.scales.*row.factor;
     return {{"length", state.length},
+            {"factors", factors},
             {"uses", uses},
             {"groups", cli::to_json(state.groups)},
             {"distortions", study::to_json(state.distortions)},
             {"measure", state.measure},
             {"mass_kg", state.mass.value()},
+            {"added_mass_kg", state.added_mass.value()},
             {"cost", state.cost ? nlohmann::json(*state.cost) : nlohmann::json()}};
 }
 
@@ -162,7 +192,7 @@ nlohmann::json to_json(const Candidate& candidate) {
                     {"at_least", candidate.conflict->at_least}};
     }
     return {{"material", candidate.material.name},
-            {"law", std::string(to_string(candidate.law))},
+            {"law", candidate.law.name()},
             {"feasible", candidate.is_feasible()},
             {"changes_regime", candidate.changes_regime()},
             {"ranges", ranges},
@@ -184,6 +214,7 @@ std::string make_design_report(const design::Design& design, const std::vector<C
         if (candidate.limits.empty()) continue;
         text += make_heading(name_candidate(candidate) + ": limits", style) + make_table(make_limits(candidate), style);
         if (find_states(candidate).empty()) continue;
+        text += make_heading(name_candidate(candidate) + ": factors, model/prototype", style) + make_table(make_factors(candidate), style);
         text += make_heading(name_candidate(candidate) + ": groups, d = model/prototype", style) +
                 make_table(make_groups(design, candidate), style);
     }
@@ -193,7 +224,7 @@ std::string make_design_report(const design::Design& design, const std::vector<C
 nlohmann::json to_json(const design::Design& design, const std::vector<Candidate>& candidates) {
     nlohmann::json list = nlohmann::json::array();
     for (const Candidate& candidate : candidates) list.push_back(to_json(candidate));
-    return {{"name", design.name}, {"gravity", design.gravity}, {"groups", design.groups}, {"candidates", list}};
+    return {{"name", design.name}, {"gravity", design.gravity.value_or(1.0)}, {"groups", design.groups}, {"candidates", list}};
 }
 
 }  // namespace musim::cli

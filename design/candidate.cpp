@@ -5,31 +5,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "design/models.hpp"
+
 namespace musim::design {
 namespace {
 
 constexpr scaling::LengthRange kSearch{records::kSmallestScale, 1.0};
 
-std::optional<double> find_ratio(const std::optional<double>& model, const std::optional<double>& prototype) {
-    if (!model || !prototype) return {};
-    return *model / *prototype;
-}
-
-template <class Quantity>
-std::optional<double> find_ratio(const std::optional<Quantity>& model, const std::optional<Quantity>& prototype, double factor) {
-    if (!model || !prototype) return {};
-    return factor * (*model / *prototype).value();
-}
-
-/// What the model has beside its similitude; a face stiffness is E_eff A/H, hence λ_k = λ_E λ_l.
-scaling::ModelFacts find_facts(const Prototype& prototype, const Material& material, double length) {
-    const auto& [thin, wide, height] = prototype.block;
-    return {.friction_prototype = prototype.friction,
-            .slenderness = {(thin / height).value(), (wide / height).value()},
-            .normal_stiffness = find_ratio(material.modulus, prototype.modulus, length),
-            .shear_stiffness = find_ratio(material.shear_modulus, prototype.shear_modulus, length),
-            .restitution = find_ratio(material.restitution, prototype.restitution),
-            .height_deviation = find_ratio(material.deviation, prototype.deviation, 1.0)};
+const scaling::NamedFactor* find_group(const std::vector<scaling::NamedFactor>& groups, std::string_view name) {
+    const auto found = std::find_if(groups.begin(), groups.end(), [&](const auto& group) { return group.name == name; });
+    return found == groups.end() ? nullptr : &*found;
 }
 
 double find_measure(const std::vector<scaling::NamedFactor>& groups, const std::vector<std::string>& weighed) {
@@ -51,7 +36,8 @@ double find_ranked_length(const std::vector<FeasibleRange>& ranges, const std::o
 }
 
 /// "raise hall height to 3 m", so that the limit holds at `length`.
-std::string describe_remedy(const Setting& setting, const Material& material, scaling::Law law, const std::string& limit, double length) {
+std::string describe_remedy(const Setting& setting, const Material& material, const DesignLaw& law, const std::string& limit,
+                            double length) {
     for (const Use& use : find_state(setting, material, law, length).uses) {
         if (use.limit == limit)
             return fmt::format("{} {} to {}", use.is_floor ? "lower" : "raise", limit, describe_amount(use.demand, use.unit));
@@ -110,36 +96,47 @@ bool ModelState::changes_regime() const {
                        [](const scaling::Distortion& each) { return each.severity == scaling::Severity::error; });
 }
 
-ModelState find_state(const Setting& setting, const Material& material, scaling::Law law, double length) {
+ModelState find_state(const Setting& setting, const Material& material, const DesignLaw& law, double length) {
     const Design& design = setting.design;
-    const scaling::Similitude similitude(make_factors(design, material, length), law);
-    const scaling::ModelFacts facts = find_facts(design.prototype, material, length);
+    const Models models(design, material, law);
+    const scaling::ModelScales scales = models.at(length);
+    const scaling::ModelFacts facts = models.facts(scales);
     ModelState state{.length = length,
-                     .uses = find_uses(setting, material, similitude),
-                     .groups = scaling::group_factors(similitude, facts),
-                     .distortions = scaling::find_distortions(similitude, facts)};
+                     .scales = scales,
+                     .uses = find_uses(setting, material, scales),
+                     .groups = scaling::group_factors(scales, facts),
+                     .distortions = scaling::find_distortions(scales, facts)};
+    for (const scaling::NamedFactor& group : models.own_groups(length)) {
+        if (find_group(state.groups, group.name) != nullptr) continue;
+        state.groups.push_back(group);
+        if (const auto severity = scaling::find_severity(group.value)) {
+            state.distortions.push_back({std::string(group.name), group.value, *severity, "a product that the law names is not kept"});
+        }
+    }
     state.measure = find_measure(state.groups, design.groups);
-    state.mass = similitude.to_model(design.prototype.mass);
-    if (material.price) state.cost = *material.price * state.mass.value();
+    state.mass = scales.mass * design.prototype.mass;
+    const double solid = models.solid_mass(scales);
+    if (scales.mass / solid - 1.0 > scaling::kFactorRounding) state.added_mass = (scales.mass - solid) * design.prototype.mass;
+    if (material.price) state.cost = *material.price * (state.mass - state.added_mass).value();
     return state;
 }
 
-std::vector<LimitRanges> find_limit_ranges(const Setting& setting, const Material& material, scaling::Law law) {
-    const scaling::ScaleFactors factors = make_factors(setting.design, material, 1.0);
-    const records::Payload payload = make_payload(setting.design.prototype);
+std::vector<LimitRanges> find_limit_ranges(const Setting& setting, const Material& material, const DesignLaw& law) {
+    const Models models(setting.design, material, law);
+    const auto uses_of_axis = [&](const records::AxisLoad& load, double length) {
+        return find_axis_uses(setting.design.prototype, load, models.at(length));
+    };
     std::vector<LimitRanges> limits;
     for (const records::AxisLoad& load : setting.loads) {
-        for (const records::LimitUse& use : records::check_axis(load.prototype, load.axis, payload.on_model(scaling::Similitude({})))) {
+        for (const records::LimitUse& use : uses_of_axis(load, 1.0)) {
             const auto counts = [&](const records::TableAxis& /*axis*/, records::TableLimit limit) { return limit == use.which; };
             LimitRanges limit{name_table_limit(use.which, load.axis.name), {}};
-            for (const records::ScaleRange& range : records::find_scales({load}, payload, factors, law, counts))
+            for (const records::ScaleRange& range : records::find_scales({load}, uses_of_axis, counts))
                 limit.ranges.push_back({range.smallest, range.largest});
             limits.push_back(limit);
         }
     }
-    const auto own_uses = [&](double length) {
-        return find_own_uses(setting.design, material, scaling::Similitude(make_factors(setting.design, material, length), law));
-    };
+    const auto own_uses = [&](double length) { return find_own_uses(setting.design, material, models.at(length)); };
     const std::vector<Use> own = own_uses(1.0);
     for (std::size_t i = 0; i < own.size(); ++i) {
         const auto used = [&](double length) { return own_uses(length)[i].used(); };
@@ -176,7 +173,7 @@ std::optional<Conflict> find_conflict(const std::vector<LimitRanges>& limits) {
     return worst;
 }
 
-Candidate find_candidate(const Setting& setting, const Material& material, scaling::Law law) {
+Candidate find_candidate(const Setting& setting, const Material& material, const DesignLaw& law) {
     Candidate candidate{.material = material, .law = law, .limits = {}, .ranges = {}};
     try {
         candidate.limits = find_limit_ranges(setting, material, law);
@@ -203,7 +200,7 @@ Candidate find_candidate(const Setting& setting, const Material& material, scali
 std::vector<Candidate> find_candidates(const Setting& setting) {
     std::vector<Candidate> candidates;
     for (const Material& material : setting.design.materials)
-        for (const scaling::Law law : setting.design.laws) candidates.push_back(find_candidate(setting, material, law));
+        for (const DesignLaw& law : setting.design.laws) candidates.push_back(find_candidate(setting, material, law));
     // in single precision, so that rounding does not rank: the mu law and Froude's often distort alike
     const auto key = [](const Candidate& each) {
         const int kind = !each.is_feasible() ? 2 : each.changes_regime() ? 1 : 0;

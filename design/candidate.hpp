@@ -20,18 +20,20 @@ std::vector<std::string> known_groups();
 /// A model of one length scale.
 struct ModelState {
     double length = 1.0;  ///< λ_l
-    std::vector<Use> uses;
-    std::vector<scaling::NamedFactor> groups;  ///< δ of every group that is known
+    scaling::ModelScales scales = {};
+    std::vector<Use> uses = {};
+    std::vector<scaling::NamedFactor> groups;  ///< δ of every group that is known, then of a law as data's own products
     std::vector<scaling::Distortion> distortions;
-    double measure = 0.0;  ///< Σ |ln δ| over the groups that the design weighs
-    scaling::Mass mass{};
-    std::optional<double> cost = {};  ///< mass times price
+    double measure = 0.0;             ///< Σ |ln δ| over the groups that the design weighs
+    scaling::Mass mass{};             ///< with what a law adds
+    scaling::Mass added_mass{};       ///< of that: not made of the material
+    std::optional<double> cost = {};  ///< mass of the material times price
 
     bool changes_regime() const;  ///< slides where the prototype rocks, or the reverse
 };
 
 /// Throws SimilitudeError as Similitude does.
-ModelState find_state(const Setting& setting, const Material& material, scaling::Law law, double length);
+ModelState find_state(const Setting& setting, const Material& material, const DesignLaw& law, double length);
 
 /// The length scales that one limit leaves.
 struct LimitRanges {
@@ -41,7 +43,7 @@ struct LimitRanges {
 
 /// Of each limit by itself: the table's by records::find_scales(), others by scaling::find_length_range(); from records::kSmallestScale
 /// to 1.
-std::vector<LimitRanges> find_limit_ranges(const Setting& setting, const Material& material, scaling::Law law);
+std::vector<LimitRanges> find_limit_ranges(const Setting& setting, const Material& material, const DesignLaw& law);
 
 /// Length scales at which all limits hold.
 struct FeasibleRange {
@@ -64,7 +66,7 @@ std::optional<Conflict> find_conflict(const std::vector<LimitRanges>& limits);
 /// One material by one law.
 struct Candidate {
     Material material;
-    scaling::Law law = scaling::Law::mu;
+    DesignLaw law = scaling::Law::mu;
     std::vector<LimitRanges> limits;
     std::vector<FeasibleRange> ranges;
     std::optional<Conflict> conflict = {};  ///< when nothing is feasible and a pair is to blame
@@ -78,7 +80,7 @@ struct Candidate {
 };
 
 /// All of it. A law that does not admit the material (`exact` with another friction) makes it infeasible.
-Candidate find_candidate(const Setting& setting, const Material& material, scaling::Law law);
+Candidate find_candidate(const Setting& setting, const Material& material, const DesignLaw& law);
 
 /// Every material by every law, the best first: feasible ones by rising measure, then those that are feasible but change the regime, by the
 /// same, then the infeasible; equal ones (to seven digits) as the design lists them.

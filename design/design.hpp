@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "design/design_law.hpp"
 #include "records/shake_table.hpp"
 #include "records/table_check.hpp"
 #include "scaling/similitude.hpp"
@@ -74,10 +75,10 @@ struct Design {
     std::string table_file;  ///< of schema musim-table/1; empty: no table, and no motion
     Limits limits;
     std::vector<Material> materials;
-    std::vector<scaling::Law> laws;
-    double gravity = 1.0;               ///< λ_g: 1, or a centrifuge's
-    std::optional<double> length = {};  ///< λ_l that one has in mind
-    std::vector<std::string> groups;    ///< that the ranking weighs (names of scaling::group_factors())
+    std::vector<DesignLaw> laws;
+    std::optional<double> gravity = {};  ///< λ_g; none: 1, or what a law as data finds
+    std::optional<double> length = {};   ///< λ_l that one has in mind
+    std::vector<std::string> groups;     ///< that the ranking weighs (names of scaling::group_factors())
 };
 
 /// What the axes have to make, from the record in its prototype form. Throws ReadError and ProcessingError as the steps do.

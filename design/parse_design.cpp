@@ -4,10 +4,13 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "design/candidate.hpp"
 #include "design/detail/material_fields.hpp"
+#include "design/models.hpp"
+#include "scaling/scale_law_catalogue.hpp"
 
 namespace musim::design {
 namespace {
@@ -150,22 +153,83 @@ void check_limits(const JsonFields& fields, const Design& design) {
     }
 }
 
-std::vector<scaling::Law> read_laws(JsonFields& fields) {
+/// A law by name, or from a file beside the design.
+scaling::ScaleLaw load_law(const std::string& name, const std::string& source) {
+    if (const auto shipped = scaling::find_scale_law(name)) return *shipped;
+    const std::filesystem::path beside = std::filesystem::path(source).parent_path() / name;
+    return scaling::load_scale_law(std::filesystem::exists(beside) ? beside.string() : name);
+}
+
+/// {"law": "restoring_force", "set": {"F_R": "1/500"}, "hold": ["F_R/(mu*m*g)"]}.
+DesignLaw read_law_object(const Json& object, const std::string& place, const std::string& source) {
+    JsonFields fields(object, place);
+    scaling::ScaleLaw law = load_law(require_text(fields, "law"), source);
+    if (fields.has("hold")) {
+        for (const std::string& product : read_names(fields, "hold", R"-(["F_R/(mu*m*g)"])-")) law.held.push_back(product);
+    }
+    std::vector<scaling::GivenFactor> set;
+    if (fields.has("set")) {
+        if (!fields["set"].is_object()) fields.fail("set is no object", R"(write {"F_R": "1/500"}, a factor by the quantity's name)");
+        JsonFields factors(fields["set"], place + ": set");
+        for (const auto& [quantity, value] : fields["set"].items()) {
+            set.push_back({quantity, require_positive<scaling::Ratio>(factors, quantity.c_str()).value()});
+        }
+    }
+    fields.refuse_unknown_keys();
+    return {std::move(law), std::move(set)};
+}
+
+std::vector<DesignLaw> read_laws(JsonFields& fields, const std::string& source) {
     if (!fields.has("laws")) return {scaling::Law::mu};
-    std::vector<scaling::Law> laws;
-    for (const std::string& name : read_names(fields, "laws", R"(["mu", "froude"])")) {
+    std::vector<DesignLaw> laws;
+    for (const Json& entry : require_list(fields, "laws", R"(["mu", {"law": "gravity_distorted", "set": {"a": 2}}])")) {
+        const std::string place = fmt::format("{}: laws", fields.place());
         try {
-            laws.push_back(scaling::parse_law(name));
+            if (entry.is_object()) {
+                laws.push_back(read_law_object(entry, place, source));
+            } else if (!entry.is_string()) {
+                fields.fail("an entry of laws is no text", "write it in quotes");
+            } else if (const auto name = entry.get<std::string>(); scaling::is_law(name)) {
+                laws.emplace_back(scaling::parse_law(name));
+            } else {
+                laws.emplace_back(load_law(name, source), std::vector<scaling::GivenFactor>());
+            }
         } catch (const scaling::SimilitudeError& error) {
-            throw records::ReadError(fmt::format("{}: laws: {}", fields.place(), error.what()));
+            throw records::ReadError(fmt::format("{}: {}", place, error.what()));
         }
     }
     return laws;
 }
 
-std::vector<std::string> read_groups(JsonFields& fields) {
+/// A factor that a law expects and that nothing in the design tells is missing at every length. What contradicts is found later, by
+/// material.
+void check_laws(const JsonFields& fields, const Design& design) {
+    for (const DesignLaw& law : design.laws) {
+        for (const Material& material : design.materials) {
+            try {
+                const Models models(design, material, law);
+            } catch (const scaling::MissingFactor& error) {
+                throw records::ReadError(fmt::format(
+                    R"({}: laws: {}: {}; in a design {{"law": "{}", "set": {{"NAME": NUMBER}}}} gives it, or "hold": [...] lets it follow)",
+                    fields.place(), material.name, error.what(), law.name()));
+            } catch (const scaling::PiError& error) {
+                throw records::ReadError(fmt::format("{}: laws: law {}: {}", fields.place(), law.name(), error.what()));
+            } catch (const scaling::SimilitudeError&) {
+                continue;
+            }
+        }
+    }
+}
+
+std::vector<std::string> read_groups(JsonFields& fields, const std::vector<DesignLaw>& laws) {
     if (!fields.has("groups")) return default_groups();
-    const std::vector<std::string> known = known_groups(), names = read_names(fields, "groups", R"(["mu^N", "omega/p"])");
+    std::vector<std::string> known = known_groups();
+    for (const DesignLaw& law : laws) {
+        if (!law.data()) continue;
+        known.insert(known.end(), law.data()->held.begin(), law.data()->held.end());
+        known.insert(known.end(), law.data()->watched.begin(), law.data()->watched.end());
+    }
+    const std::vector<std::string> names = read_names(fields, "groups", R"(["mu^N", "omega/p"])");
     for (const std::string& name : names) {
         if (std::find(known.begin(), known.end(), name) == known.end()) {
             fields.fail(fmt::format("groups: \"{}\" is no group", name), fmt::format("take some of {}", fmt::join(known, ", ")));
@@ -192,12 +256,13 @@ Design parse_design(std::string_view json, const std::string& source, const std:
     if (has_record) design.motion = read_motion(object["record"], source + ": record");
     if (fields.has("limits")) design.limits = read_limits(object["limits"], source + ": limits");
     design.materials = read_materials(fields, presets);
-    design.laws = read_laws(fields);
-    design.gravity = read_number(fields, "gravity").value_or(1.0);
+    design.laws = read_laws(fields, source);
+    design.gravity = read_number(fields, "gravity");
     design.length = read_number(fields, "length");
-    design.groups = read_groups(fields);
+    design.groups = read_groups(fields, design.laws);
     fields.refuse_unknown_keys();
     check_limits(fields, design);
+    check_laws(fields, design);
     return design;
 }
 

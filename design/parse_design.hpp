@@ -16,7 +16,8 @@ namespace musim::design {
 ///   "limits": {"hall_height", "deviation_ratio", "overlap_ratio", "camera": {"rate", "pictures"}},
 ///   "materials": ["wood", {"preset": "wood", "height_deviation": "0.155 mm"}, {"name", "density", "friction", "restitution", "modulus" or
 ///     "normal_stiffness" with "stiffness_block": [b, w, H], "shear_...", "height_deviation", "smallest_edge", "price"}, ...],
-///   "laws": ["mu"], "gravity": 1, "length": "1/25", "groups": ["mu^N", ...]}.
+///   "laws": ["mu", "true_replica", "mine.json", {"law": "restoring_force", "set": {"F_R": "1/500"}, "hold": [products]}], "gravity": 1,
+///   "length": "1/25", "groups": ["mu^N", ...]}.
 /// Quantities are SI numbers or text with a unit, plain numbers may be text such as "0.63/0.59". A name among the materials is that of a
 /// preset, whose values others in the same object replace. Defaults: mass of the prototype 0, its centre at half the height, law mu,
 /// groups default_groups(). A record and a table need each other. Throws ReadError `source: place: what (why); what to do` for anything

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "records/table_axes.hpp"
 #include "scaling/groups.hpp"
 #include "scaling/quantity_text.hpp"
 
@@ -50,52 +51,59 @@ std::string name_table_limit(records::TableLimit limit, const std::string& axis)
     return fmt::format("{} of axis {}", records::to_string(limit), axis);
 }
 
-scaling::ScaleFactors make_factors(const Design& design, const Material& material, double length) {
-    return {.length = length,
-            .friction = material.friction / design.prototype.friction,
-            .gravity = design.gravity,
-            .density = (material.density / design.prototype.density).value()};
+std::vector<records::LimitUse> find_axis_uses(const Prototype& prototype, const records::AxisLoad& load,
+                                              const scaling::ModelScales& scales) {
+    const bool vertical = records::is_vertical_axis(load.axis);
+    const double displacement = vertical ? scales.displacement_vertical : scales.displacement;
+    const records::TableDemand& motion = load.prototype;
+    const records::TableDemand demand{displacement * motion.displacement,
+                                      displacement * motion.half_range,
+                                      (vertical ? scales.velocity_vertical : scales.velocity) * motion.velocity,
+                                      (vertical ? scales.acceleration_vertical : scales.acceleration) * motion.acceleration,
+                                      scales.frequency * motion.lowest_frequency,
+                                      scales.frequency * motion.highest_frequency};
+    return records::check_axis(demand, load.axis, {scales.mass * prototype.mass, scales.height * prototype.mass_center, false});
 }
 
-records::Payload make_payload(const Prototype& prototype) { return {prototype.mass, prototype.mass_center, true}; }
-
-std::vector<Use> find_own_uses(const Design& design, const Material& material, const scaling::Similitude& similitude) {
+std::vector<Use> find_own_uses(const Design& design, const Material& material, const scaling::ModelScales& scales) {
     const Prototype& prototype = design.prototype;
     const Limits& limits = design.limits;
-    const scaling::Length block_height = similitude.to_model(prototype.block[2]), height = similitude.to_model(prototype.height);
+    const auto& [thin, wide, high] = prototype.block;
+    const scaling::Length block_height = scales.height * high, height = scales.height * prototype.height;
     std::vector<Use> uses;
     if (limits.hall_height) uses.push_back({"hall height", "m", height.value(), limits.hall_height->value()});
     if (material.smallest_edge) {
-        const scaling::Length edge = similitude.to_model(*std::min_element(prototype.block.begin(), prototype.block.end()));
+        const scaling::Length edge = std::min({scales.width * thin, scales.width * wide, block_height});
         uses.push_back({"smallest edge", "m", edge.value(), material.smallest_edge->value(), true});
     }
     if (limits.deviation_ratio && material.deviation) {
         uses.push_back({"height deviation", "-", (*material.deviation / block_height).value(), *limits.deviation_ratio});
     }
     if (limits.overlap_ratio && material.deviation && material.modulus) {
-        const double gravity = similitude.gravity() * scaling::kStandardGravity.value();
-        const double overlap = material.density.value() * gravity * height.value() * block_height.value() / material.modulus->value();
+        // k_n = E_eff A/H and N m = ρ A l of the prototype, with the model's modulus and scales
+        const double weight = prototype.density.value() * scaling::kStandardGravity.value() * scales.weight;
+        const double overlap =
+            weight * prototype.height.value() * high.value() * scales.height / (scales.width * scales.width) / material.modulus->value();
         uses.push_back({"overlap", "-", overlap / material.deviation->value(), *limits.overlap_ratio});
     }
     if (limits.camera_rate) {
         // one second of the model in sliding times of the prototype
-        const double second = scaling::groups::sliding_time(similitude.to_prototype(scaling::Time::from_value(1.0)), prototype.friction,
+        const double second = scaling::groups::sliding_time(scaling::Time::from_value(1.0 / scales.time), prototype.friction,
                                                             scaling::kStandardGravity, prototype.height);
         uses.push_back({"camera", "Hz", limits.pictures * second, limits.camera_rate->value()});
     }
     return uses;
 }
 
-std::vector<Use> find_uses(const Setting& setting, const Material& material, const scaling::Similitude& similitude) {
+std::vector<Use> find_uses(const Setting& setting, const Material& material, const scaling::ModelScales& scales) {
     std::vector<Use> uses;
-    const records::Payload payload = make_payload(setting.design.prototype).on_model(similitude);
     for (const records::AxisLoad& load : setting.loads) {
-        for (const records::LimitUse& use : records::check_axis(records::to_model(load.prototype, similitude), load.axis, payload)) {
+        for (const records::LimitUse& use : find_axis_uses(setting.design.prototype, load, scales)) {
             uses.push_back({name_table_limit(use.which, load.axis.name), find_unit(use.which), use.demand, use.limit,
                             use.which == records::TableLimit::lowest_frequency});
         }
     }
-    const std::vector<Use> own = find_own_uses(setting.design, material, similitude);
+    const std::vector<Use> own = find_own_uses(setting.design, material, scales);
     uses.insert(uses.end(), own.begin(), own.end());
     return uses;
 }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "design/design.hpp"
+#include "scaling/model_scales.hpp"
 
 /// How far a model uses each limit of a design.
 namespace musim::design {
@@ -25,23 +26,21 @@ struct Setting {
     std::vector<records::AxisLoad> loads;  ///< of the prototype
 };
 
-/// Chosen factors of a model of some material: λ_ρ and λ_μ are the material's over the prototype's.
-scaling::ScaleFactors make_factors(const Design& design, const Material& material, double length);
-
-/// The prototype as payload.
-records::Payload make_payload(const Prototype& prototype);
-
 /// The limits besides the table's, in a fixed order; those for which something is not given are left out:
-///   hall height        λ_l l ≤ h
-///   smallest edge      λ_l min(b, w, H) ≥ s
-///   height deviation   σ_H/(λ_l H) ≤ limit
+///   hall height        λ_H l ≤ h
+///   smallest edge      min(λ_b b, λ_b w, λ_H H) ≥ s
+///   height deviation   σ_H/(λ_H H) ≤ limit
 ///   overlap            δ_w/σ_H = ρ g l H/(E_eff σ_H) of the model ≤ limit, since k_n = E_eff A/H and N m = ρ A l
 ///   camera             n/(λ_t √(l/(μ g))) ≤ pictures a second
-/// Each is a power of λ_l.
-std::vector<Use> find_own_uses(const Design& design, const Material& material, const scaling::Similitude& similitude);
+/// where λ_H and λ_b, heights and widths, are λ_l but for vertical distortion. Each is a power of the length scale.
+std::vector<Use> find_own_uses(const Design& design, const Material& material, const scaling::ModelScales& scales);
 
-/// The table's limits by records::check_axis(), then find_own_uses().
-std::vector<Use> find_uses(const Setting& setting, const Material& material, const scaling::Similitude& similitude);
+/// A table's limits of one axis with the model of a prototype on it, by records::check_axis().
+std::vector<records::LimitUse> find_axis_uses(const Prototype& prototype, const records::AxisLoad& load,
+                                              const scaling::ModelScales& scales);
+
+/// The table's limits of all axes, then find_own_uses().
+std::vector<Use> find_uses(const Setting& setting, const Material& material, const scaling::ModelScales& scales);
 
 /// A number in an SI unit as an engineer would write it: "12 mm", "0.51 g", "3.2 kN m", four digits.
 std::string describe_amount(double value, const std::string& unit);

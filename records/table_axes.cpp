@@ -15,15 +15,14 @@ std::string to_lower(const std::string& text) {
     return lower;
 }
 
-bool is_vertical(const TableAxis& axis) { return axis.name == "z" || axis.name == "vertical"; }
-
 std::vector<std::pair<std::string, std::string>> make_pairs(const GroundMotion& motion, const ShakeTable& table) {
     std::vector<std::pair<std::string, std::string>> pairs;
     std::vector<const TableAxis*> free;
     for (const TableAxis& axis : table.axes) free.push_back(&axis);
     for (const Component& component : motion.components) {
         const bool vertical = is_vertical(component);
-        const auto axis = std::find_if(free.begin(), free.end(), [&](const TableAxis* each) { return is_vertical(*each) == vertical; });
+        const auto axis =
+            std::find_if(free.begin(), free.end(), [&](const TableAxis* each) { return is_vertical_axis(*each) == vertical; });
         if (axis == free.end()) {
             throw ReadError(fmt::format("{}: the table has no {} axis left for component {}; choose components with --axis {}=AXIS",
                                         motion.source.empty() ? "record" : motion.source, vertical ? "vertical" : "horizontal",
@@ -36,6 +35,8 @@ std::vector<std::pair<std::string, std::string>> make_pairs(const GroundMotion& 
 }
 
 }  // namespace
+
+bool is_vertical_axis(const TableAxis& axis) { return axis.name == "z" || axis.name == "vertical"; }
 
 bool is_vertical(const Component& component) {
     if (component.azimuth_deg) return false;

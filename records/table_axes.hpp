@@ -21,6 +21,9 @@ struct AssignedAxes {
 AssignedAxes assign_axes(const GroundMotion& motion, const ShakeTable& table,
                          const std::vector<std::pair<std::string, std::string>>& wanted);
 
+/// Whether an axis is called "z" or "vertical".
+bool is_vertical_axis(const TableAxis& axis);
+
 /// Whether a component's name says that it is vertical: "Up", "UD", "Z", "V", "HNZ", "Vertical", "UD2", ...
 bool is_vertical(const Component& component);
 

@@ -47,13 +47,10 @@ struct Worst {
     std::string axis;
 };
 
-Worst find_worst(const std::vector<AxisLoad>& loads, const Payload& payload, scaling::ScaleFactors factors, scaling::Law law,
-                 const LimitFilter& counts, double length) {
-    factors.length = length;
-    const scaling::Similitude similitude(factors, law);
+Worst find_worst(const std::vector<AxisLoad>& loads, const UsesOfAxis& find_uses, const LimitFilter& counts, double length) {
     std::optional<Worst> worst;
     for (const AxisLoad& load : loads) {
-        for (const LimitUse& use : check_axis(to_model(load.prototype, similitude), load.axis, payload.on_model(similitude))) {
+        for (const LimitUse& use : find_uses(load, length)) {
             if ((!counts || counts(load.axis, use.which)) && (!worst || use.used() > worst->use.used())) worst = Worst{use, load.axis.name};
         }
     }
@@ -146,8 +143,18 @@ std::vector<LimitUse> check_axis(const TableDemand& demand, const TableAxis& axi
 
 std::vector<ScaleRange> find_scales(const std::vector<AxisLoad>& loads, const Payload& payload, const scaling::ScaleFactors& chosen,
                                     scaling::Law law, const LimitFilter& counts) {
+    const auto find_uses = [&](const AxisLoad& load, double length) {
+        scaling::ScaleFactors factors = chosen;
+        factors.length = length;
+        const scaling::Similitude similitude(factors, law);
+        return check_axis(to_model(load.prototype, similitude), load.axis, payload.on_model(similitude));
+    };
+    return find_scales(loads, find_uses, counts);
+}
+
+std::vector<ScaleRange> find_scales(const std::vector<AxisLoad>& loads, const UsesOfAxis& find_uses, const LimitFilter& counts) {
     constexpr int kStepsPerOctave = 64;
-    const auto worst = [&](double length) { return find_worst(loads, payload, chosen, law, counts, length); };
+    const auto worst = [&](double length) { return find_worst(loads, find_uses, counts, length); };
     const auto used = [&](double length) { return worst(length).use.used(); };
     // the last scale that fits on the way to one that does not, and what is in the way there
     const auto find_end = [&](double inside, double outside) {

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "scaling/similitude.hpp"
+#include "scaling/model_scales.hpp"
 
 namespace musim::scaling {
 
@@ -40,13 +40,14 @@ struct ModelFacts {
     std::optional<double> height_deviation;    ///< actual λ of the block height deviation σ_H (required: λ_l)
 };
 
-/// δ of every dimensionless group that is known, in a fixed order, distorted or not.
-std::vector<NamedFactor> group_factors(const Similitude& similitude, const ModelFacts& facts = {});
+/// δ of every dimensionless group that is known, in a fixed order, distorted or not. Where widths and heights scale apart, l in groups of
+/// sliding and velocity is a horizontal size, as slip is; in p and in groups of contacts it is the height.
+std::vector<NamedFactor> group_factors(const ModelScales& scales, const ModelFacts& facts = {});
 
 /// The groups of group_factors() that differ from 1 by more than rounding, in the same order, with what that means. When friction and
 /// slenderness are given and μ/tan α lies on different sides of 1 in prototype and model, that entry is an error.
 /// Throws SimilitudeError when a given value is not positive and finite.
-std::vector<Distortion> find_distortions(const Similitude& similitude, const ModelFacts& facts = {});
+std::vector<Distortion> find_distortions(const ModelScales& scales, const ModelFacts& facts = {});
 
 /// A factor this near to one is one [-]: some twenty products and roots of doubles, 1e-16 each, stay far below; a real distortion far
 /// above.

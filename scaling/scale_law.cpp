@@ -144,8 +144,8 @@ SolvedLaw solve_law(const ScaleLaw& law, const std::vector<GivenFactor>& given) 
     for (const LawChoice& choice : law.choices) {
         const std::size_t j = find_quantity(problem.quantities, choice.name);
         if (choice.fallback || !is_open(solution, j)) continue;
-        throw SimilitudeError(fmt::format("law {}: the factor of {} ({}) is missing; give it (--set {}=NUMBER), or another that settles it",
-                                          law.name, choice.name, law.quantities[j].meaning, choice.name));
+        throw MissingFactor(fmt::format("law {}: the factor of {} ({}) is missing; give it (--set {}=NUMBER), or another that settles it",
+                                        law.name, choice.name, law.quantities[j].meaning, choice.name));
     }
     return solved;
 }

@@ -75,10 +75,16 @@ struct SolvedLaw {
     std::optional<std::size_t> find_base(const LawAddition& addition) const;
 };
 
+/// A factor that a law expects to be chosen, that was not given and does not follow. One line.
+class MissingFactor : public SimilitudeError {
+  public:
+    using SimilitudeError::SimilitudeError;
+};
+
 /// Solves a law with the given factors. Any quantity of the law may be given, not only those it expects. Its defaults are then taken one
 /// by one where nothing settles the factor yet: true replicas ask for a density where the modulus is given, for a modulus otherwise.
 /// Throws SimilitudeError: PiError for an unknown name or one given twice; given factors that contradict what the law holds (names them
-/// and the products, says what to release or to watch); a factor that the law expects and that nothing settles.
+/// and the products, says what to release or to watch); MissingFactor.
 SolvedLaw solve_law(const ScaleLaw& law, const std::vector<GivenFactor>& given);
 
 }  // namespace musim::scaling

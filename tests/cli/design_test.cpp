@@ -141,3 +141,31 @@ TEST_CASE("wrong input to design is told in one line") {
     error("design.json --json --format markdown", 2);
     error("", 2);
 }
+
+TEST_CASE("a design by laws as data ranks materials, names conflicts and tells factors and added mass") {
+    const Workplace here;
+    const std::string laws = std::string("design '") + MUSIM_SOURCE_DIR + "/examples/design/laws.json' ";
+    const Outcome outcome = here.run(laws + "--json");
+    REQUIRE(outcome.exit_code == 0);
+    const auto candidates = outcome.json()["candidates"];
+    REQUIRE(candidates.size() == 10);
+    // only with widths and heights apart does aluminium slide and rock as concrete does
+    CHECK(candidates[1]["material"] == "aluminium");
+    CHECK(candidates[1]["law"] == "mu_vertical_distortion");
+    CHECK(candidates[1]["changes_regime"] == false);
+    CHECK(candidates[1]["at_length"]["factors"]["width"].get<double>() == doctest::Approx(0.18 / 0.59 / 107.0).epsilon(1e-12));
+    const auto& heavy = candidates[3];
+    CHECK(heavy["law"] == "artificial_mass");
+    CHECK(heavy["at_length"]["added_mass_kg"].get<double>() > 0.9 * heavy["at_length"]["mass_kg"].get<double>());
+    CHECK(candidates[9]["conflict"]["upper"] == "payload of axis x");
+    const std::string text = here.run(laws).out;
+    CHECK(text.find("2.874 t (2.798 t added)") != std::string::npos);
+    CHECK(text.find("restoring_force: factors, model/prototype") != std::string::npos);
+
+    here.write("design.json", R"({"schema": "musim-design/1", "prototype": {"block": [1.36, 2.82, 4.25], "height": 161.5, "density": 2320,
+        "friction": 0.59}, "materials": ["wood"], "laws": ["restoring_spring"]})");
+    const Outcome missing = here.run("design design.json");
+    CHECK(missing.exit_code == 3);
+    CHECK(missing.has_one_error_line());
+    CHECK(missing.err.find("the factor of k_s (stiffness of an interface) is missing") != std::string::npos);
+}

@@ -193,7 +193,7 @@ TEST_CASE("candidates that distort alike keep the order of the design, whatever 
     Setting setting = make_setting(free_axis());
     setting.design.materials = {wood()};
     // U above 1: 1.5 ln U in a/(g tan α) and ω/p by the mu law, in a/(μ g) and μ^N by Froude's
-    for (const auto& laws : {std::vector{Law::mu, Law::froude}, std::vector{Law::froude, Law::mu}}) {
+    for (const auto& laws : {std::vector<DesignLaw>{Law::mu, Law::froude}, std::vector<DesignLaw>{Law::froude, Law::mu}}) {
         setting.design.laws = laws;
         const std::vector<Candidate> ranking = find_candidates(setting);
         CHECK(ranking[0].ranked->measure == relative(ranking[1].ranked->measure, 1e-12));

@@ -37,8 +37,8 @@ TEST_CASE("a design has defaults for all but prototype and materials") {
     CHECK(design.prototype.block[1] == 2.82 * si::meters);
     CHECK(design.prototype.friction == 0.59);
     CHECK(design.prototype.mass_center == 0.5 * design.prototype.height);
-    CHECK(design.laws == std::vector{scaling::Law::mu});
-    CHECK(design.gravity == 1.0);
+    CHECK(design.laws == std::vector<DesignLaw>{scaling::Law::mu});
+    CHECK_FALSE(design.gravity.has_value());
     CHECK_FALSE(design.length.has_value());
     CHECK(design.groups == default_groups());
     CHECK(design.table_file.empty());
@@ -68,7 +68,7 @@ TEST_CASE("record, limits, laws and groups are read") {
     CHECK(record.axes == std::vector{std::pair<std::string, std::string>("360", "x")});
     CHECK(record.high_pass->value() == 0.05);
     CHECK(design.limits.camera_rate->value() == 4800.0);
-    CHECK(design.laws == std::vector{scaling::Law::froude, scaling::Law::cauchy});
+    CHECK(design.laws == std::vector<DesignLaw>{scaling::Law::froude, scaling::Law::cauchy});
     CHECK(*design.length == 1.0 / 25.0);
     CHECK(design.groups == std::vector<std::string>{"kappa_n"});
 }

@@ -6,11 +6,11 @@
 
 #include "scaling/law_similitude.hpp"
 #include "scaling/scale_law_catalogue.hpp"
-#include "tests/support/error_text.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace musim::scaling::tests {
 
-using musim::tests::error_text;
+using musim::tests::message_of;
 
 namespace {
 
@@ -52,15 +52,19 @@ TEST_CASE("formulas take new values to the same bits as solving again") {
 
 TEST_CASE("values that contradict the law, or that it was not given, are named") {
     const LawFormulas centrifuge = make_formulas("centrifuge", {{"l", 1.0 / 25.0}, {"g", 25.0}, {"E", 1.0}, {"rho", 1.0}});
-    CHECK(error_text([&] { centrifuge.choose({{"l", 1.0 / 50.0}, {"g", 50.0}}); }).empty());
-    const std::string conflict = error_text([&] { centrifuge.choose({{"l", 1.0 / 50.0}, {"g", 25.0}, {"E", 1.0}, {"rho", 1.0}}); });
+    CHECK(message_of<std::runtime_error>([&] { centrifuge.choose({{"l", 1.0 / 50.0}, {"g", 50.0}}); }).empty());
+    const std::string conflict = message_of<std::runtime_error>([&] {
+        centrifuge.choose({{"l", 1.0 / 50.0}, {"g", 25.0}, {"E", 1.0}, {"rho", 1.0}});
+    });
     CHECK(conflict.find("law centrifuge: ") != std::string::npos);
     CHECK(conflict.find("cannot be where") != std::string::npos);
     const LawFormulas mu = make_formulas("mu", {{"l", 1.0 / 25.0}});
-    CHECK(error_text([&] { mu.choose({{"l", 0.1}, {"rho", 0.5}}); }).find("rho was not given") != std::string::npos);
-    CHECK(error_text([&] { mu.choose({{"l", -0.1}}); }).find("l is chosen as -0.1") != std::string::npos);
-    CHECK(error_text([&] { mu.choose({{"x", 0.1}}); }).find("\"x\" is no quantity") != std::string::npos);
-    CHECK(error_text([&] { mu.factor(11, mu.choose({{"l", 1e-200}})); }).find("leaves the range of doubles") != std::string::npos);
+    CHECK(message_of<std::runtime_error>([&] { mu.choose({{"l", 0.1}, {"rho", 0.5}}); }).find("rho was not given") != std::string::npos);
+    CHECK(message_of<std::runtime_error>([&] { mu.choose({{"l", -0.1}}); }).find("l is chosen as -0.1") != std::string::npos);
+    CHECK(message_of<std::runtime_error>([&] { mu.choose({{"x", 0.1}}); }).find("\"x\" is no quantity") != std::string::npos);
+    CHECK(message_of<std::runtime_error>([&] {
+              mu.factor(11, mu.choose({{"l", 1e-200}}));
+          }).find("leaves the range of doubles") != std::string::npos);
 }
 
 }  // namespace musim::scaling::tests

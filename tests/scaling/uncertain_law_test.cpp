@@ -9,7 +9,7 @@
 #include "scaling/scale_law_catalogue.hpp"
 #include "scaling/uncertain_similitude.hpp"
 #include "tests/scaling/expected.hpp"
-#include "tests/support/error_text.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace musim::scaling::tests {
 
@@ -160,7 +160,9 @@ TEST_CASE("the prototype's value and the lower one of its fraction are one input
     // 0.59 · 0.63/0.59: the model's own 5 %, not sqrt(3) of them
     CHECK_EXPECTED(wood.report.values[0].model.first_order.relative, 0.05);
     const auto message = [](const char* value) {
-        return musim::tests::error_text([&] { propagate_case("mu", {{"l", "1/107"}, {"mu", kWood}}, {{"mu", value}}); });
+        return musim::tests::message_of<std::runtime_error>([&] {
+            propagate_case("mu", {{"l", "1/107"}, {"mu", kWood}}, {{"mu", value}});
+        });
     };
     CHECK(message("0.6").find("mu of the prototype is 0.6") != std::string::npos);
     CHECK(message("0.59+/-2%").find("leave one out") != std::string::npos);
@@ -212,11 +214,15 @@ TEST_CASE("samples of solved factors agree with first order and depend on the se
 }
 
 TEST_CASE("a held product that nothing is left to keep cannot rest on an uncertain factor") {
-    const std::string message = musim::tests::error_text([] { propagate_case("exact", {{"l", "1/25"}, {"mu", "1+/-5%"}}); });
+    const std::string message = musim::tests::message_of<std::runtime_error>([] {
+        propagate_case("exact", {{"l", "1/25"}, {"mu", "1+/-5%"}});
+    });
     CHECK(message.find("law exact: the factor of mu is uncertain, where mu is held") != std::string::npos);
     CHECK(message.find("watch mu instead") != std::string::npos);
-    CHECK(musim::tests::error_text([] { propagate_case("exact", {{"l", "1/25"}, {"mu", "1"}, {"rho", "1+/-1%"}}); }).empty());
-    CHECK(musim::tests::error_text([] {
+    CHECK(musim::tests::message_of<std::runtime_error>([] {
+              propagate_case("exact", {{"l", "1/25"}, {"mu", "1"}, {"rho", "1+/-1%"}});
+          }).empty());
+    CHECK(musim::tests::message_of<std::runtime_error>([] {
               propagate_case("true_replica", {{"l", "1/25"}}, {}, MonteCarloSettings{});
           }).find("nothing is uncertain") != std::string::npos);
 }

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scaling/scale_law.hpp"
+#include "scaling/similitude.hpp"
+
+namespace musim::design {
+
+/// A law by which models are looked for: one of scaling::Law, or a law as data with factors of its own.
+class DesignLaw {
+  public:
+    DesignLaw(scaling::Law law);  // NOLINT(google-explicit-constructor): it is one
+
+    /// `set` are factors that are the same at every length. Throws PiError as check_law() does.
+    DesignLaw(scaling::ScaleLaw law, std::vector<scaling::GivenFactor> set);
+
+    const std::string& name() const { return name_; }
+
+    /// None for a law as data.
+    std::optional<scaling::Law> plain() const { return plain_; }
+
+    /// The law as data, null for a plain one; its texts stay where they are as long as a copy of this lives.
+    const std::shared_ptr<const scaling::ScaleLaw>& data() const { return data_; }
+
+    const std::vector<scaling::GivenFactor>& set() const { return set_; }
+
+    /// By name and factors.
+    bool operator==(const DesignLaw& other) const;
+
+  private:
+    std::string name_;
+    std::optional<scaling::Law> plain_;
+    std::shared_ptr<const scaling::ScaleLaw> data_;
+    std::vector<scaling::GivenFactor> set_;
+};
+
+}  // namespace musim::design

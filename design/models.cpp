@@ -1,0 +1,122 @@
+#include "design/models.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace musim::design {
+namespace {
+
+std::optional<double> find_ratio(const std::optional<double>& model, const std::optional<double>& prototype) {
+    if (!model || !prototype) return {};
+    return *model / *prototype;
+}
+
+template <class Quantity>
+std::optional<double> find_ratio(const std::optional<Quantity>& model, const std::optional<Quantity>& prototype) {
+    if (!model || !prototype) return {};
+    return (*model / *prototype).value();
+}
+
+std::optional<double> times(const std::optional<double>& ratio, double factor) {
+    return ratio ? std::optional(*ratio * factor) : std::nullopt;
+}
+
+}  // namespace
+
+Models::Models(const Design& design, const Material& material, const DesignLaw& law)
+    : prototype_(design.prototype), gravity_(design.gravity), material_(material), law_(law) {
+    // any length will do for the formulas
+    if (law.data()) formulas_.emplace(solve_law(*law.data(), give(design.length.value_or(1.0))));
+    at(design.length.value_or(1.0));
+}
+
+bool Models::is_set(const std::string& name) const {
+    const std::vector<scaling::GivenFactor>& set = law_.set();
+    return std::any_of(set.begin(), set.end(), [&](const scaling::GivenFactor& factor) { return factor.name == name; });
+}
+
+bool Models::expects(const std::string& name) const {
+    const std::vector<scaling::LawChoice>& choices = law_.data()->choices;
+    return std::any_of(choices.begin(), choices.end(), [&](const scaling::LawChoice& choice) { return choice.name == name; });
+}
+
+bool Models::has(const std::string& name) const {
+    const std::vector<scaling::LawQuantity>& quantities = law_.data()->quantities;
+    return std::any_of(quantities.begin(), quantities.end(), [&](const auto& each) { return each.quantity.name == name; });
+}
+
+std::vector<Models::Property> Models::properties(double length) const {
+    return {{"E", find_ratio(material_.modulus, prototype_.modulus)},
+            {"e", find_ratio(material_.restitution, prototype_.restitution)},
+            {"k_s", times(find_ratio(material_.shear_modulus, prototype_.shear_modulus), length)}};
+}
+
+std::vector<scaling::GivenFactor> Models::give(double length) const {
+    std::vector<scaling::GivenFactor> given = law_.set();
+    given.push_back({has("l") ? "l" : "H", length});
+    if (has("mu")) given.push_back({"mu", material_.friction / prototype_.friction});
+    if (has("rho")) given.push_back({has("rho_s") ? "rho_s" : "rho", (material_.density / prototype_.density).value()});
+    if (gravity_ && has("g") && !is_set("g")) given.push_back({"g", *gravity_});
+    for (const Property& property : properties(length)) {
+        if (property.factor && expects(property.name) && !is_set(property.name)) given.push_back({property.name, *property.factor});
+    }
+    return given;
+}
+
+scaling::ModelScales Models::at(double length) const {
+    if (formulas_) return make_model_scales(*formulas_, formulas_->choose(give(length)));
+    return scaling::Similitude({.length = length,
+                                .friction = material_.friction / prototype_.friction,
+                                .gravity = gravity_.value_or(1.0),
+                                .density = (material_.density / prototype_.density).value()},
+                               *law_.plain());
+}
+
+std::vector<scaling::NamedFactor> Models::own_groups(double length) const {
+    std::vector<scaling::NamedFactor> groups;
+    if (!formulas_) return groups;
+    const scaling::ChosenFactors chosen = formulas_->choose(give(length));
+    const scaling::ScaleProblem& problem = formulas_->solved().problem;
+    const auto add = [&](const scaling::ScaleProduct& product, std::optional<double> delta, const std::string& text) {
+        for (const Property& property : properties(length)) {
+            if (!has(property.name) || is_set(property.name)) continue;
+            const std::size_t j = find_quantity(problem.quantities, property.name);
+            const scaling::Rational& exponent = product.exponents[j];
+            if (exponent == 0) continue;
+            // what the material has in place of what the law asks for
+            const auto asked = formulas_->factor(j, chosen);
+            const double power = static_cast<double>(exponent.numerator()) / static_cast<double>(exponent.denominator());
+            delta = delta && asked && property.factor ? std::optional(*delta * std::pow(*property.factor / *asked, power)) : std::nullopt;
+        }
+        if (delta) groups.push_back({text, *delta});
+    };
+    // the law's own texts outlast this object
+    std::size_t held = problem.held.size() - law_.data()->held.size();
+    for (const std::string& text : law_.data()->held) {
+        add(problem.held[held], formulas_->held(held, chosen), text);
+        ++held;
+    }
+    for (std::size_t i = 0; i < problem.watched.size(); ++i) {
+        add(problem.watched[i], formulas_->watched(i, chosen), law_.data()->watched[i]);
+    }
+    return groups;
+}
+
+scaling::ModelFacts Models::facts(const scaling::ModelScales& scales) const {
+    const auto& [thin, wide, height] = prototype_.block;
+    // a face stiffness is E_eff A/H
+    const double face = scales.width * (scales.width / scales.height);
+    const std::optional<double> deviation = find_ratio(material_.deviation, prototype_.deviation);
+    return {.friction_prototype = prototype_.friction,
+            .slenderness = {(thin / height).value(), (wide / height).value()},
+            .normal_stiffness = times(find_ratio(material_.modulus, prototype_.modulus), face),
+            .shear_stiffness = times(find_ratio(material_.shear_modulus, prototype_.shear_modulus), face),
+            .restitution = find_ratio(material_.restitution, prototype_.restitution),
+            .height_deviation = deviation};
+}
+
+double Models::solid_mass(const scaling::ModelScales& scales) const {
+    return (material_.density / prototype_.density).value() * scales.width * scales.width * scales.height;
+}
+
+}  // namespace musim::design
