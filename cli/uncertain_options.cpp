@@ -38,8 +38,11 @@ std::size_t read_samples(const std::string& text) {
 template <class Quantity>
 void add_quantity_option(CLI::App& command, const std::string& name, std::optional<scaling::UncertainQuantity<Quantity>>& quantity,
                          const std::string& help, const char* type) {
-    add_read_option(command, name, help, type,
-                    [&quantity](const std::string& text) { quantity = scaling::parse_uncertain_quantity<Quantity>(text); });
+    add_read_option(command, name, help, type, [&quantity](const std::string& text) {
+        quantity = scaling::parse_uncertain_quantity<Quantity>(text);
+        if (quantity->value.value() > 0.0) return;
+        throw scaling::ParseError(fmt::format("\"{}\": the value must be positive; correct it, or leave the option out", text));
+    });
 }
 
 }  // namespace

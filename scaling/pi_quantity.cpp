@@ -57,6 +57,11 @@ void check_quantities(const std::vector<PiQuantity>& quantities) {
         if (!is_word) {
             throw PiError(fmt::format("\"{}\" is no name for a product (digit or blank at its ends, operator in it); rename it", name));
         }
+        if (quantity.value && !(std::isfinite(*quantity.value) && *quantity.value > 0.0)) {
+            throw PiError(
+                fmt::format("{} is {} (a value must be positive and finite: groups are products of powers); correct it or leave it out",
+                            name, format_value(*quantity.value, quantity)));
+        }
         if (!names.insert(name).second) throw PiError(fmt::format("\"{}\" is there twice; rename one", name));
     }
 }

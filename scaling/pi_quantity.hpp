@@ -40,7 +40,7 @@ double parse_value(std::string_view text, const PiQuantity& quantity);
 std::string format_value(double value, const PiQuantity& quantity, int digits = 6);
 
 /// Throws PiError when there is no quantity, two have the same name, or a name cannot stand in a product: empty, a digit or blank first or
-/// a blank last, or with one of * / ^ ( ) , in it.
+/// a blank last, or with one of * / ^ ( ) , in it; or when a value is not positive and finite.
 void check_quantities(const std::vector<PiQuantity>& quantities);
 
 /// Position of the quantity called `name`. Throws PiError, which names the nearest.

@@ -83,7 +83,8 @@ constexpr std::array<Prefix, 11> kPrefixes{
 
 /// The known unit, with or without prefix, that is spelled most like `name`; empty when none shares a letter with it.
 std::string find_nearest_unit(std::string_view name) {
-    int smallest = 2 * static_cast<int>(name.size());
+    // half of the letters may be wrong: "GPx", but nothing for "furlong"
+    int smallest = static_cast<int>(name.size()) / 2 + 2;
     std::string nearest;
     const auto consider = [&](std::string candidate) {
         const int distance = edit_distance(name, candidate);

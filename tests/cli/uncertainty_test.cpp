@@ -243,5 +243,10 @@ TEST_CASE("uncertainties of laws as data that cannot be are one line") {
     CHECK(error("--law true_replica --set l=1/25 --monte-carlo").find("nothing is uncertain") != std::string::npos);
     CHECK(error("--law true_replica --set l=1/25+/--1%").find("must not be negative") != std::string::npos);
     CHECK(error("--law true_replica --set l=1/25 --value 'E=29.2+/-1 kg'").find("a stress is wanted") != std::string::npos);
+    CHECK(error("--law true_replica --set l=1/25 --value 'E=-2 GPa'").find("E is -2 GPa (a value must be positive") != std::string::npos);
+    CHECK(error("--law true_replica --set l=1/25 --value mu=0").find("mu is 0 (a value must be positive") != std::string::npos);
+    CHECK(error("--length 1/25 --pgd '-3 cm'").find("--pgd: \"-3 cm\": the value must be positive") != std::string::npos);
+    CHECK(error("--length 1/25 --height '0 m'").find("--height: \"0 m\": the value must be positive") != std::string::npos);
+    CHECK(error("--length 1/25 --pgv '42 furlong'").find("unknown unit \"furlong\"; write") != std::string::npos);
     CHECK(error("--law true_replica --set l=1/25 --value 'E=2 GPa' --value 'E=3 GPa'").find("E is told twice") != std::string::npos);
 }

@@ -38,6 +38,11 @@ TEST_CASE("a problem that cannot be is refused in one line that names the culpri
     CHECK(refusal(R"([{"name": "v", "unit": 3}])").find("\"unit\" is no text") != std::string::npos);
     CHECK(refusal(R"([{"name": "v", "unit": "m", "value": true}])").find("\"value\" is no number") != std::string::npos);
     CHECK(refusal(R"([{"name": "v", "unit": "m", "value": "3 m"}])").find("a number is wanted") != std::string::npos);
+    for (const char* value : {"-3", "0"}) {
+        CHECK(refusal(R"([{"name": "l", "unit": "m", "value": )" + std::string(value) + "}]") ==
+              "p.json: l is " + std::string(value) +
+                  " m (a value must be positive and finite: groups are products of powers); correct it or leave it out");
+    }
     CHECK(refusal(R"([{"name": "v", "unit": "m", "value": "1/0"}])").find("division by zero") != std::string::npos);
     CHECK(refusal(R"([3])").find("/quantities/0: not an object") != std::string::npos);
     CHECK(refusal("3").find("no list of \"quantities\"") != std::string::npos);
