@@ -24,6 +24,9 @@ constexpr double kYLabelGap = 60.0, kLeft = kYLabelGap + 20.0, kRight = 16.0, kC
 constexpr double kKeyTop = 50.0, kKeyLine = 17.0, kSampleWidth = 26.0, kKeyGap = 18.0;
 constexpr double kColumnHeight = 560.0, kXNames = 56.0, kSecondXNames = 40.0, kCommonGap = 14.0, kTitleHeight = 20.0, kCaptionLine = 16.0;
 
+/// A panel with names of its own below it is at least so high: with less, its axis has one number.
+constexpr double kLeastHeight = 130.0;
+
 /// Letters of DejaVu Sans Bold are so much wider at most.
 constexpr double kBoldest = 1.26;
 
@@ -92,13 +95,23 @@ double draw_key(std::string& svg, const Figure& figure, double right, detail::Fi
     return y + 8.0;
 }
 
-/// Draws the panels of a column between `top` and `top` + kColumnHeight; `number` counts the figure's panels for their letters.
-void draw_column(std::string& svg, const FigureColumn& column, double left, double top, detail::FindStyle find_style, int& number) {
+/// Height of all columns: what the one with most panels needs.
+double find_column_height(const Figure& figure) {
+    double height = kColumnHeight;
+    for (const FigureColumn& column : figure.columns) {
+        if (!column.common_x) height = std::max(height, static_cast<double>(column.panels.size()) * (kLeastHeight + kXNames));
+    }
+    return height;
+}
+
+/// Draws the panels of a column between `top` and `top` + `column_height`; `number` counts the figure's panels for their letters.
+void draw_column(std::string& svg, const FigureColumn& column, double left, double top, double column_height, detail::FindStyle find_style,
+                 int& number) {
     if (column.panels.empty()) return;
     const double above = !column.second_x.empty() ? kSecondXNames : 0.0;
     const auto count = static_cast<double>(column.panels.size());
     const double gap = column.common_x ? kCommonGap : kXNames + above;
-    const double height = (kColumnHeight - above - kXNames - (count - 1.0) * gap) / count;
+    const double height = (column_height - above - kXNames - (count - 1.0) * gap) / count;
 
     detail::DataRange common{.logarithmic = column.panels.front().x_logarithmic};
     for (const LinePlot& panel : column.panels) detail::add_abscissas(common, panel);
@@ -134,13 +147,14 @@ std::string make_svg(const Figure& figure) {
     std::string content;
     draw_title(content, figure.title, right);
     const double top = draw_key(content, figure, right, find_style) + 8.0;
+    const double column_height = find_column_height(figure);
     double left = kLeft;
     int number = 0;
     for (const FigureColumn& column : figure.columns) {
-        draw_column(content, column, left, top, find_style, number);
+        draw_column(content, column, left, top, column_height, find_style, number);
         left += column.width + kColumnGap;
     }
-    double y = top + kColumnHeight;
+    double y = top + column_height;
     for (const std::string& text : figure.caption) {
         for (const std::string& line : detail::wrap(text, kSmallFont, right - kLeft)) {
             y += kCaptionLine;

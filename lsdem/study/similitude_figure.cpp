@@ -16,23 +16,28 @@ std::string name(const SimilitudeCase& shown) {
         return fmt::format("{}, {} × {:.4g}", to_string(shown.scene), to_string(shown.broken.group), shown.broken.factor);
     }
     if (shown.collapses) return fmt::format("{}, equal groups", to_string(shown.scene));
-    return fmt::format("{}, only the law (λμ = {:.3g})", to_string(shown.scene), shown.similitude.friction());
+    return fmt::format("{}, the law alone (λμ = {:.3g})", to_string(shown.scene), shown.similitude.friction());
 }
 
 std::string write_result(const SimilitudeOutcome& outcome) {
     const SimilitudeCase& shown = outcome.wanted;
-    if (shown.collapses) return fmt::format("difference {:.1e} (at most {:.1e})", outcome.difference, outcome.yardstick);
-    return fmt::format("{}predicted {:.4g}, measured {:.4g}", shown.measure == Measure::peak ? "" : "time: ", shown.prediction.ratio,
-                       outcome.ratio);
+    if (shown.collapses) return fmt::format("difference {:.2g} (at most {:.2g})", outcome.difference, outcome.yardstick);
+    return fmt::format("{} × {:.4g} (predicted {:.4g})", shown.measure == Measure::peak ? "peak" : "peak time", outcome.ratio,
+                       shown.prediction.ratio);
 }
+
+/// Part of the drawn time that shows the rest before the motion [-].
+constexpr double kRestShown = 0.04;
 
 /// Points of a drawn curve; the responses are smooth at that distance.
 constexpr std::size_t kPoints = 220;
 
 PlotSeries make_curve(const ScaledResponse& response, int style) {
     PlotSeries curve{.label = "", .x = {}, .y = {}, .style = style, .y_error = {}};
-    const std::size_t stride = 1 + response.time.size() / kPoints;
-    for (std::size_t k = 0; k < response.time.size(); k += stride) {
+    const double from = -kRestShown * response.time.back();
+    const auto begin = static_cast<std::size_t>(std::lower_bound(response.time.begin(), response.time.end(), from) - response.time.begin());
+    const std::size_t stride = 1 + (response.time.size() - begin) / kPoints;
+    for (std::size_t k = begin; k < response.time.size(); k += stride) {
         curve.x.push_back(response.time[k]);
         curve.y.push_back(response.value[k]);
     }
@@ -74,8 +79,8 @@ std::string make_similitude_svg(const std::string& law, const std::vector<Simili
         if (std::find(scales.begin(), scales.end(), scale) == scales.end()) scales.push_back(scale);
     }
     Figure figure{.title = fmt::format("Law {}: groups equal (left), a group broken (right)", law),
-                  .key_headings = {"run", "in the prototype's units"},
-                  .key = {{0, {"prototype", ""}}, {1, {"model", "times over λₜ, lengths over λₗ"}}},
+                  .key_headings = {"run", "drawn"},
+                  .key = {{0, {"prototype", "as it is"}}, {1, {"model", "in the prototype's units: times over λₜ, lengths over λₗ"}}},
                   .columns = {},
                   .caption = std::move(scales),
                   .looks = CurveLooks::pairs};
@@ -83,7 +88,8 @@ std::string make_similitude_svg(const std::string& law, const std::vector<Simili
         if (!column->panels.empty()) figure.columns.push_back(std::move(*column));
     }
     figure.caption.emplace_back(
-        "u: motion of the top behind the base; θ: tilt. Ratios are model over prototype, greatest value or its time.");
+        "u: motion of the top behind the base; θ: tilt. Peak and its time: the model's over the prototype's. Difference: rms over the "
+        "prototype's rms.");
     return make_svg(figure);
 }
 
