@@ -89,7 +89,7 @@ std::string make_similitude_svg(const std::string& law, const std::vector<Simili
     }
     figure.caption.emplace_back(
         "u: motion of the top behind the base; θ: tilt. Peak and its time: the model's over the prototype's. Difference: rms over the "
-        "prototype's rms.");
+        "prototype's rms. The law alone: nothing is broken on purpose.");
     return make_svg(figure);
 }
 

@@ -88,7 +88,9 @@ TEST_CASE("laws as data propagate what the laws of the code do, to first order a
             {}, {});
         const Case data = propagate_case(law, {{"l", "1/107+/-0.4%"}, {"mu", kWood}, {"g", "1+/-0.2%"}, {"rho", "(800+/-1%)/(2320+/-2%)"}});
         REQUIRE(data.report.inputs.size() == code.inputs.size());
-        for (const auto& [key, quantity] : names) {
+        for (const auto& name : names) {
+            const char* const key = name.first;
+            const char* const quantity = name.second;
             CAPTURE(key);
             const auto found = std::find_if(code.factors.begin(), code.factors.end(), [&](const auto& each) { return each.name == key; });
             REQUIRE(found != code.factors.end());
