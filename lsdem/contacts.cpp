@@ -276,8 +276,6 @@ void compute_block_contact(const Model& model, const Bodies& bodies, const BaseP
                            ContactList& list) {
     const ContactPair& pair = list.pairs[index];
     const std::size_t l = pair.leader, f = pair.follower;
-    const Shape& leader = model.shapes[model.blocks[l].shape];
-    const Shape& follower = model.shapes[model.blocks[f].shape];
     const Vector3 &leader_half = bodies.half[l], &follower_half = bodies.half[f];
     const Matrix3 to_follower = bodies.rotation[f].transpose(), rotation = to_follower * bodies.rotation[l];
     const Vector3 position = to_follower * (bodies.position[l] - bodies.position[f]);
@@ -304,6 +302,8 @@ void compute_block_contact(const Model& model, const Bodies& bodies, const BaseP
         store(sums, bodies.rotation[f], position, list.forces[index], list.tallies[index], list.work[index]);
         return;
     }
+    const Shape& leader = model.shapes[model.blocks[l].shape];
+    const Shape& follower = model.shapes[model.blocks[f].shape];
     const BlockNodes nodes = nodes_of(model, model.blocks[l]);
     const double equal_area = find_equal_area(model, leader, list.tallies[index]);
     const bool apart = !find_contact_faces(pose, leader_half, face);
@@ -339,7 +339,7 @@ void compute_ground_contact(const Model& model, const Bodies& bodies, const Base
 }
 
 /// So many pairs before its turn a pair is asked for. Affects speed only.
-constexpr std::size_t kAhead = 2;
+constexpr std::size_t kAhead = 4;
 
 void prefetch_pair(const Bodies& bodies, const ContactList& list, std::size_t index) {
     const ContactPair& pair = list.pairs[index];
@@ -349,9 +349,11 @@ void prefetch_pair(const Bodies& bodies, const ContactList& list, std::size_t in
         detail::prefetch(&bodies.previous_rotation[block]);
         detail::prefetch(&bodies.position[block]);
         detail::prefetch(&bodies.previous_position[block]);
+        detail::prefetch(&bodies.half[block]);
     }
     detail::prefetch(&list.tilted[pair.tilted]);
     detail::prefetch(&list.tallies[index]);
+    detail::prefetch(&list.work[index]);
     detail::prefetch(&list.forces[index]);
 }
 
@@ -375,8 +377,10 @@ double compute_node_pairs(const Model& model, const Bodies& bodies, const BasePo
         } else {
             compute_block_contact(model, bodies, base, dt, index, list);
         }
+        const double overlap = list.tallies[index].overlap;
+        if (!(overlap > 0.0)) continue;
         const double height = 2.0 * model.shapes[model.blocks[pair.leader].shape].half_extents.z();
-        deepest = std::max(deepest, list.tallies[index].overlap / height);
+        deepest = std::max(deepest, overlap / height);
     }
     return deepest;
 }

@@ -30,19 +30,19 @@ using Clock = std::chrono::steady_clock;
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 /// What thread `index` of `count` gets.
-Share share_of(std::size_t items, int index, int count) {
+detail::Share share_of(std::size_t items, int index, int count) {
     const auto i = static_cast<std::size_t>(index), n = static_cast<std::size_t>(count);
     return {items * i / n, items * (i + 1) / n};
 }
 
 /// Items in a row for each thread, of about equal work.
 template <class WorkOf>
-std::vector<Share> share_equally(std::size_t items, int threads, const WorkOf& work_of) {
-    std::vector<Share> shares(static_cast<std::size_t>(threads));
+std::vector<detail::Share> share_equally(std::size_t items, int threads, const WorkOf& work_of) {
+    std::vector<detail::Share> shares(static_cast<std::size_t>(threads));
     std::size_t work = 0, done = 0, item = 0;
     for (std::size_t i = 0; i < items; ++i) work += work_of(i);
     for (int thread = 0; thread < threads; ++thread) {
-        Share& share = shares[static_cast<std::size_t>(thread)];
+        detail::Share& share = shares[static_cast<std::size_t>(thread)];
         const std::size_t goal = share_of(work, thread, threads).last;
         share.first = item;
         for (; item < items && (done < goal || thread + 1 == threads); ++item) done += work_of(item);
@@ -65,7 +65,7 @@ void Simulation::Implementation::move(double h) {
                             .h = h,
                             .decay = decay_over(h)};
     const auto task = [&](int thread) {
-        const Share share = share_of(bodies.size(), thread, team.size());
+        const detail::Share share = share_of(bodies.size(), thread, team.size());
         drift[static_cast<std::size_t>(thread)] =
             detail::move_blocks(touches, list.forces, search.reference(), leap, share.first, share.last, bodies);
     };
@@ -91,16 +91,24 @@ void Simulation::Implementation::share_work() {
         const bool any = std::any_of(touching, touching + PatchGroup::kSize, [](double nodes) { return nodes > 0.0; });
         return any ? kNodesPerPatchGroup : 1;
     };
-    node_shares = share_equally(list.node_pairs.size(), team.size(), work_of_pair);
-    patch_shares = share_equally(list.patches.groups.size(), team.size(), work_of_group);
+    node_work.set(share_equally(list.node_pairs.size(), team.size(), work_of_pair));
+    patch_work.set(share_equally(list.patches.groups.size(), team.size(), work_of_group));
 }
 
 void Simulation::Implementation::update_contacts() {
+    patch_work.begin();
+    node_work.begin();
     const auto task = [&](int thread) {
         const auto i = static_cast<std::size_t>(thread);
-        const double in_patches = detail::compute_patches(bodies, base, dt, patch_shares[i].first, patch_shares[i].last, list);
-        const double at_nodes = compute_node_pairs(model, bodies, base, dt, node_shares[i].first, node_shares[i].last, list);
-        overlap[i] = std::max(overlap[i], std::max(in_patches, at_nodes));
+        detail::Share piece;
+        while (patch_work.take(i, piece)) {
+            const double in_patches = detail::compute_patches(bodies, base, dt, piece.first, piece.last, list);
+            overlap[i] = std::max(overlap[i], in_patches);
+        }
+        while (node_work.take(i, piece)) {
+            const double at_nodes = compute_node_pairs(model, bodies, base, dt, piece.first, piece.last, list);
+            overlap[i] = std::max(overlap[i], at_nodes);
+        }
     };
     team.run(task);
     Vector3 force = Vector3::Zero();

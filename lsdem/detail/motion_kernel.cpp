@@ -75,6 +75,9 @@ using Four = std::array<std::size_t, kLanes>;
 /// More than the rounding of a sum: a travel that many small ways make does not fall behind them.
 constexpr double kUpward = 1.0 + 2.0 * std::numeric_limits<double>::epsilon();
 
+/// So many blocks before its turn the forces on a block are asked for. Affects speed only.
+constexpr std::size_t kAhead = 2 * kLanes;
+
 template <bool damped>
 [[gnu::always_inline]] inline double move_range(const TouchList& touches, const std::vector<PairForce>& forces,
                                                 const NeighborSearch::Reference& reference, const Leap& leap, std::size_t first,
@@ -90,6 +93,7 @@ template <bool damped>
         std::array<const double*, kLanes> force_at{}, torque_at{};
         for (std::size_t lane = 0; lane < kLanes; ++lane) {
             i[lane] = std::min(begin + lane, last - 1);
+            if (begin + lane + kAhead < last) touches.prefetch(begin + lane + kAhead, forces);
             load[lane] = touches.sum(i[lane], forces);
             force_at[lane] = load[lane].force.data();
             torque_at[lane] = load[lane].torque.data();

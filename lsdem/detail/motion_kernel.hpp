@@ -6,6 +6,7 @@
 
 #include "lsdem/bodies.hpp"
 #include "lsdem/contacts.hpp"
+#include "lsdem/detail/prefetch.hpp"
 #include "lsdem/detail/velocity_decay.hpp"
 #include "lsdem/neighbors.hpp"
 
@@ -33,6 +34,11 @@ class TouchList {
             }
         }
         return load;
+    }
+
+    /// Asks for the forces that `sum` of block i will add up.
+    void prefetch(std::size_t i, const std::vector<PairForce>& forces) const {
+        for (std::size_t t = begin_[i]; t < begin_[i + 1]; ++t) detail::prefetch(&forces[touches_[t].pair]);
     }
 
   private:

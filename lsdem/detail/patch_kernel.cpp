@@ -362,10 +362,14 @@ struct Resultant {
     return end;
 }
 
-/// So many groups before its turn a group is asked for. Affects speed only.
-constexpr std::size_t kAhead = 2;
+/// So many groups before its turn a group itself is asked for, then what it names, and last what its state says will be needed. Affects
+/// speed only.
+constexpr std::size_t kGroupAhead = 8;
+constexpr std::size_t kStateAhead = 4;
+constexpr std::size_t kSlipsAhead = 1;
 
-[[gnu::always_inline]] inline void prefetch_group(const Bodies& bodies, const ContactList& list, std::size_t index) {
+/// Blocks, forces and state of a group.
+[[gnu::always_inline]] inline void prefetch_state(const Bodies& bodies, const ContactList& list, std::size_t index) {
     const PatchGroup& group = list.patches.groups[index];
     for (std::size_t lane = 0; lane < kWidth; ++lane) {
         prefetch(&bodies.rotation[group.leader[lane]]);
@@ -378,13 +382,28 @@ constexpr std::size_t kAhead = 2;
     prefetch(list.patches.field(index, 0), patch_field::count * kWidth);
 }
 
+/// Slips of the patches of a group that will be looked at node by node: they touch, and nothing tells that none of their nodes slides.
+[[gnu::always_inline]] inline void prefetch_slips(const PatchList& patches, std::size_t index) {
+    const PatchGroup& group = patches.groups[index];
+    const std::size_t nodes = patches.slots(group);
+    const double* const touching = patches.field(index, patch_field::touching);
+    const double* const slack = patches.field(index, patch_field::slack);
+    for (std::size_t lane = 0; lane < group.count; ++lane) {
+        if (!(touching[lane] > 0.0) || slack[lane] > 0.0) continue;
+        prefetch(&patches.slip_u[group.first_slot + lane * nodes], nodes);
+        prefetch(&patches.slip_v[group.first_slot + lane * nodes], nodes);
+    }
+}
+
 [[gnu::always_inline]] inline double compute_range(const Bodies& bodies, const BasePose& base, double dt, std::size_t first,
                                                    std::size_t last, ContactList& list) {
     const std::size_t end = list_due_groups(bodies, first, last, list.patches);
     const std::vector<std::uint32_t>& due = list.patches.due;
     double deepest = 0.0;
     for (std::size_t i = first; i < end; ++i) {
-        if (i + kAhead < end) prefetch_group(bodies, list, due[i + kAhead]);
+        if (i + kGroupAhead < end) prefetch(&list.patches.groups[due[i + kGroupAhead]]);
+        if (i + kStateAhead < end) prefetch_state(bodies, list, due[i + kStateAhead]);
+        if (i + kSlipsAhead < end) prefetch_slips(list.patches, due[i + kSlipsAhead]);
         deepest = std::max(deepest, compute_group(bodies, base, dt, due[i], list));
     }
     return deepest;

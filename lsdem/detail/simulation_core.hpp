@@ -10,6 +10,7 @@
 #include "lsdem/bodies.hpp"
 #include "lsdem/contacts.hpp"
 #include "lsdem/detail/motion_kernel.hpp"
+#include "lsdem/detail/shared_work.hpp"
 #include "lsdem/detail/velocity_decay.hpp"
 #include "lsdem/neighbors.hpp"
 #include "lsdem/simulation.hpp"
@@ -18,11 +19,6 @@
 /// What a simulation consists of. Its functions are in simulation_start.cpp, simulation_step.cpp, simulation_energy.cpp and
 /// simulation_state.cpp; what users see of it, in simulation.cpp.
 namespace musim::lsdem {
-
-/// The items of one thread, [first, last).
-struct Share {
-    std::size_t first = 0, last = 0;
-};
 
 /// Throws std::invalid_argument with the message unless `holds`.
 void require(bool holds, const char* what);
@@ -42,8 +38,8 @@ struct Simulation::Implementation {
     Losses finished;          ///< up to the last rebuild of the list
     double velocity_damping;  ///< [1/s]
     detail::TouchList touches;
-    std::vector<Share> node_shares;        ///< of list.node_pairs, per thread
-    std::vector<Share> patch_shares;       ///< of the groups of patches, per thread
+    detail::SharedWork node_work;          ///< list.node_pairs
+    detail::SharedWork patch_work;         ///< the groups of patches
     Vector3 base_force = Vector3::Zero();  ///< on the blocks, at step n [N]
     double base_work = 0.0;                ///< [J]
     std::uint64_t step = 0;
