@@ -84,8 +84,8 @@ scene::Scene make_prototype(const PairOptions& options) {
 }
 
 void print_header() {
-    print("{:<10} {:>12} {:>12} {:>9} {:>11} {:>11} {:>7} {:>9} {:>8}  {}\n", "run", "length", "dt [s]", "steps", "rms diff.", "max diff.",
-          "digits", "parts [s]", "bitwise", "verdict");
+    print("{:<10} {:>12} {:>12} {:>9} {:>11} {:>11} {:>7} {:>11} {:>9} {:>8}  {}\n", "run", "length", "dt [s]", "steps", "rms diff.",
+          "max diff.", "digits", "loss diff.", "parts [s]", "bitwise", "verdict");
 }
 
 void print_row(const std::string& label, double length, const study::RunResult& run, const std::string& difference,
@@ -94,8 +94,13 @@ void print_row(const std::string& label, double length, const study::RunResult& 
           run.status == study::RunStatus::completed ? "" : study::to_string(run.status) + ", ", verdict);
 }
 
+std::string format_losses(const study::RunDifference& difference) {
+    return difference.losses ? fmt::format("{:.3g}", *difference.losses) : "-";
+}
+
 std::string format_difference(const study::RunDifference& difference) {
-    return fmt::format("{:>11.3g} {:>11.3g} {:>7} {:>9} {:>8}", difference.rms_velocity, difference.max_velocity, difference.digits(),
+    return fmt::format("{:>11.3g} {:>11.3g} {:>7} {:>11} {:>9} {:>8}", difference.rms_velocity, difference.max_velocity,
+                       difference.digits(), format_losses(difference),
                        difference.parting_time ? fmt::format("{:.4g}", *difference.parting_time) : "never",
                        difference.bitwise_identical ? "yes" : "no");
 }
@@ -107,10 +112,10 @@ void print_alone(const study::PairedRun& model, double shadow) {
     std::sort(alone.begin(), alone.end(),
               [](const auto& a, const auto& b) { return a.difference.rms_velocity > b.difference.rms_velocity; });
     print("\nEach property of {} alone, in a model that is exact otherwise\n", model.label);
-    print("{:<18} {:>10} {:>11} {:>11} {:>11}\n", "property", "factor", "rms diff.", "max diff.", "of shadow's");
+    print("{:<18} {:>10} {:>11} {:>11} {:>11} {:>11}\n", "property", "factor", "rms diff.", "max diff.", "of shadow's", "loss diff.");
     for (const study::LoneDistortion& lone : alone) {
-        print("{:<18} {:>10.4g} {:>11.3g} {:>11.3g} {:>11.3g}{}\n", lone.property, lone.factor, lone.difference.rms_velocity,
-              lone.difference.max_velocity, lone.difference.rms_velocity / shadow,
+        print("{:<18} {:>10.4g} {:>11.3g} {:>11.3g} {:>11.3g} {:>11}{}\n", lone.property, lone.factor, lone.difference.rms_velocity,
+              lone.difference.max_velocity, lone.difference.rms_velocity / shadow, format_losses(lone.difference),
               lone.status == study::RunStatus::completed ? "" : "  " + study::to_string(lone.status));
     }
 }
@@ -120,7 +125,8 @@ void print_study(const study::ScenePair& pair) {
     print("{}, {} materials: spine velocities v/λ_v at t/λ_t against the prototype\n", pair.prototype.name,
           study::to_string(study.materials));
     print_header();
-    print_row("prototype", 1.0, study.prototype, fmt::format("{:>11} {:>11} {:>7} {:>9} {:>8}", "-", "-", "-", "-", "-"), "reference");
+    print_row("prototype", 1.0, study.prototype, fmt::format("{:>11} {:>11} {:>7} {:>11} {:>9} {:>8}", "-", "-", "-", "-", "-", "-"),
+              "reference");
     print_row("shadow", 1.0, study.shadow.run, format_difference(study.shadow.difference), "yardstick: one ulp per block");
     for (const study::PairedRun& model : study.models) {
         const char* verdict = model.consistent ? "consistent" : "NOT consistent";
@@ -134,6 +140,7 @@ void print_study(const study::ScenePair& pair) {
     }
     for (const study::PairedRun& model : study.models) print_alone(model, study.shadow.difference.rms_velocity);
     print("\n`parts`: prototype time at which a velocity first differs by {:g} of its peak\n", study::kPartingLevel);
+    print("`loss diff.`: of the energy dissipated, level by level, as a part of all that the prototype dissipated\n");
     if (study.materials == study::Materials::exact) {
         print("{}: rms below {:g} times the shadow's ({:.3g}) or below {:g}\n", study.consistent() ? "Consistent" : "NOT consistent",
               study::kShadowFactor, study.shadow.difference.rms_velocity, study::kRoundingLevel);

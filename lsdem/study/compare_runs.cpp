@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <map>
 #include <stdexcept>
 #include <vector>
 
@@ -32,6 +33,13 @@ bool same_energy(const Energy& p, const Energy& m, const BackScaling& back) {
            back.same(p.base_work, m.base_work) && back.same(p.preparation_loss, m.preparation_loss);
 }
 
+bool same_losses(const Losses& p, const Losses& m, const BackScaling& back) {
+    const auto same = [&](const PairWork& a, const PairWork& b) {
+        return back.same(a.friction, b.friction) && back.same(a.damping, b.damping);
+    };
+    return same(p.ground, m.ground) && std::equal(p.block.begin(), p.block.end(), m.block.begin(), m.block.end(), same);
+}
+
 bool are_bitwise_identical(const RunResult& prototype, const RunResult& model, const scaling::Similitude& similitude) {
     const History& p = prototype.history;
     const History& m = model.history;
@@ -54,9 +62,10 @@ bool are_bitwise_identical(const RunResult& prototype, const RunResult& model, c
     const Kinematics& a = prototype.final;
     const Kinematics& b = model.final;
     const auto same_orientation = [](const Quaternion& x, const Quaternion& y) { return x.coeffs() == y.coeffs(); };
-    return length.same(p.spine_position, m.spine_position) && velocity.same(p.spine_velocity, m.spine_velocity) &&
-           number.same(p.spine_rotation, m.spine_rotation) && length.same(a.position, b.position) &&
-           velocity.same(a.velocity, b.velocity) && rate.same(a.angular_velocity, b.angular_velocity) &&
+    return same_losses(prototype.losses, model.losses, energy) && length.same(p.spine_position, m.spine_position) &&
+           velocity.same(p.spine_velocity, m.spine_velocity) && number.same(p.spine_rotation, m.spine_rotation) &&
+           length.same(a.position, b.position) && velocity.same(a.velocity, b.velocity) &&
+           rate.same(a.angular_velocity, b.angular_velocity) &&
            std::equal(a.orientation.begin(), a.orientation.end(), b.orientation.begin(), b.orientation.end(), same_orientation);
 }
 
@@ -74,6 +83,21 @@ struct VelocityMeasure {
         peak = std::max(peak, other.peak);
     }
 };
+
+/// See RunDifference::losses.
+std::optional<double> compare_losses(const RunResult& prototype, const RunResult& model, double energy_factor) {
+    const std::vector<PairWork>&p = prototype.losses.block, &m = model.losses.block;
+    const std::vector<int>& layer = prototype.blocks.layer;
+    if (p.size() != m.size() || p.size() > layer.size())
+        throw std::invalid_argument("compare_runs: the runs have losses of different blocks");
+    const double all = prototype.losses.total().total();
+    if (!(all > 0.0)) return std::nullopt;
+    double widest = std::abs(model.losses.ground.total() / energy_factor - prototype.losses.ground.total());
+    std::map<int, double> of_level;
+    for (std::size_t b = 0; b < p.size(); ++b) of_level[layer[b]] += m[b].total() / energy_factor - p[b].total();
+    for (const auto& [level, difference] : of_level) widest = std::max(widest, std::abs(difference));
+    return widest / all;
+}
 
 double ratio(double difference, double reference) {
     if (difference == 0.0) return 0.0;
@@ -119,6 +143,7 @@ RunDifference compare_runs(const RunResult& prototype, const RunResult& model, c
             worst.parting_time = prototype.history.time[i / spine];
         }
     }
+    worst.losses = compare_losses(prototype, model, similitude.energy());
     worst.bitwise_identical = are_bitwise_identical(prototype, model, similitude);
     return worst;
 }

@@ -19,7 +19,10 @@ struct RunDifference {
     double max_velocity = 0.0;
     /// When a spine velocity first differs by more than kPartingLevel of that block's peak, in the prototype's time [s]; nothing if never.
     std::optional<double> parting_time = {};
-    /// Times, base and spine motion, energies and the final state of all blocks agree in every bit.
+    /// max over levels of |W_M/λ_E − W_P| over all that the prototype dissipated, W: of friction and dashpots in the interfaces that the
+    /// blocks of a level lead, and at the ground [-]. Nothing when the prototype dissipated nothing.
+    std::optional<double> losses = {};
+    /// Times, base and spine motion, energies, losses interface by interface and the final state of all blocks agree in every bit.
     bool bitwise_identical = false;
 
     /// Decimal digits that rms_velocity leaves in agreement, at most the 16 of a double.
@@ -27,9 +30,10 @@ struct RunDifference {
 };
 
 /// Compares two runs sample by sample; both must sample at the same dimensionless times, as runs of similar TimePlans do. A run that ended
-/// early is compared up to its end. A spine block that never moves in the prototype is measured against the liveliest block instead.
+/// early is compared up to its end. A spine block that never moves in the prototype is measured against the liveliest block instead. Losses
+/// are those at the end of each.
 ///
-/// Throws std::invalid_argument when the runs have spines of different length.
+/// Throws std::invalid_argument when the runs have spines of different length, or losses of other blocks.
 RunDifference compare_runs(const RunResult& prototype, const RunResult& model, const scaling::Similitude& similitude);
 
 }  // namespace musim::lsdem::study

@@ -87,6 +87,8 @@ nlohmann::json to_json(const std::vector<scaling::Distortion>& distortions) {
     return list;
 }
 
+static nlohmann::json to_json(const std::optional<double>& number) { return number ? nlohmann::json(*number) : nlohmann::json(); }
+
 static nlohmann::json to_json(const std::vector<LoneDistortion>& alone) {
     nlohmann::json all = nlohmann::json::array();
     for (const LoneDistortion& lone : alone) {
@@ -94,7 +96,8 @@ static nlohmann::json to_json(const std::vector<LoneDistortion>& alone) {
                        {"factor", lone.factor},
                        {"status", to_string(lone.status)},
                        {"max_relative_velocity_difference", lone.difference.max_velocity},
-                       {"rms_relative_velocity_difference", lone.difference.rms_velocity}});
+                       {"rms_relative_velocity_difference", lone.difference.rms_velocity},
+                       {"max_relative_loss_difference", to_json(lone.difference.losses)}});
     }
     return all;
 }
@@ -105,19 +108,20 @@ nlohmann::json to_json(const PairStudy& study) {
     nlohmann::json pairs = nlohmann::json::array();
     for (const PairedRun& model : study.models) {
         runs.push_back(make_labelled_summary(model.label, model.run));
-        pairs.push_back(
-            {{"label", model.label},
-             {"length", model.similitude.length()},
-             {"materials", to_string(study.materials)},
-             {"max_relative_velocity_difference", model.difference.max_velocity},
-             {"rms_relative_velocity_difference", model.difference.rms_velocity},
-             {"shadow_rms", study.shadow.difference.rms_velocity},
-             {"bitwise_identical", model.difference.bitwise_identical},
-             {"digits", model.difference.digits()},
-             {"parting_time_s", model.difference.parting_time ? nlohmann::json(*model.difference.parting_time) : nlohmann::json()},
-             {"consistent", model.consistent},
-             {"distortions", to_json(model.distortions)},
-             {"alone", to_json(model.alone)}});
+        pairs.push_back({{"label", model.label},
+                         {"length", model.similitude.length()},
+                         {"materials", to_string(study.materials)},
+                         {"max_relative_velocity_difference", model.difference.max_velocity},
+                         {"rms_relative_velocity_difference", model.difference.rms_velocity},
+                         {"max_relative_loss_difference", to_json(model.difference.losses)},
+                         {"shadow_rms", study.shadow.difference.rms_velocity},
+                         {"shadow_loss_difference", to_json(study.shadow.difference.losses)},
+                         {"bitwise_identical", model.difference.bitwise_identical},
+                         {"digits", model.difference.digits()},
+                         {"parting_time_s", to_json(model.difference.parting_time)},
+                         {"consistent", model.consistent},
+                         {"distortions", to_json(model.distortions)},
+                         {"alone", to_json(model.alone)}});
     }
     return {{"runs", runs}, {"pairs", pairs}, {"consistent", study.consistent()}};
 }

@@ -59,6 +59,11 @@ TEST_CASE("one changed bit anywhere breaks bitwise identity") {
         next(model.history.energy[3].friction_loss);
         CHECK_FALSE(compare_runs(prototype, model, same).bitwise_identical);
     }
+    SUBCASE("loss of one interface") {
+        RunResult model = prototype;
+        next(model.losses.block[0].damping);
+        CHECK_FALSE(compare_runs(prototype, model, same).bitwise_identical);
+    }
     SUBCASE("final orientation of a block off the spine") {
         RunResult model = prototype;
         next(model.final.orientation[1].z());
@@ -76,6 +81,27 @@ TEST_CASE("the difference is that of the worst spine block, relative to the same
     CHECK(difference.rms_velocity == doctest::Approx(0.009).epsilon(1e-10));
     CHECK(difference.max_velocity == doctest::Approx(0.009).epsilon(1e-10));
     CHECK(difference.digits() == 2);
+}
+
+TEST_CASE("losses are compared level by level, as a part of all that the prototype dissipated") {
+    // 0.5 J under level 1, nothing under level 2, 0.5 J at the ground
+    const RunResult prototype = make_made_run(20);
+    const Similitude small({.length = 1.0 / 16.0}, Law::exact);
+    RunResult model = scale_run(prototype, small);
+    CHECK(compare_runs(prototype, model, small).losses == 0.0);
+    model.losses.block[0].friction += 0.02 * small.energy();
+    CHECK(compare_runs(prototype, model, small).losses.value() == doctest::Approx(0.02));
+    model.losses.block[1].damping += 0.03 * small.energy();
+    CHECK(compare_runs(prototype, model, small).losses.value() == doctest::Approx(0.03));
+    // what one level gains and another loses does not cancel
+    model.losses.ground.friction -= 0.05 * small.energy();
+    CHECK(compare_runs(prototype, model, small).losses.value() == doctest::Approx(0.05));
+
+    RunResult still = prototype;
+    still.losses = {.block = {{}, {}}, .ground = {}};
+    CHECK_FALSE(compare_runs(still, model, small).losses.has_value());
+    model.losses.block.pop_back();
+    CHECK_THROWS_AS(compare_runs(prototype, model, small), std::invalid_argument);
 }
 
 TEST_CASE("runs part when a velocity first differs by a thousandth of its peak") {

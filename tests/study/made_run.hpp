@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -55,6 +56,9 @@ inline RunResult scale_run(RunResult run, const scaling::Similitude& s) {
             *part *= s.energy();
         }
     }
+    const auto scale = [&](PairWork& work) { work.friction *= s.energy(), work.damping *= s.energy(); };
+    std::for_each(run.losses.block.begin(), run.losses.block.end(), scale);
+    scale(run.losses.ground);
     for (Vector3& x : run.history.spine_position) x *= s.length();
     for (Vector3& v : run.history.spine_velocity) v *= s.velocity();
     for (Vector3& x : run.final.position) x *= s.length();
