@@ -98,6 +98,16 @@ struct Verdict {
     bool fits = false;
 };
 
+/// Models of other lengths, by the same law with the same other factors.
+records::SimilitudeOfLength vary_length(const SimilitudeOptions& options) {
+    const scaling::UncertainScales scales = options.scales();
+    return [make = options.make_similitudes(), chosen = scales.factors(), others = scaling::values_of(scales.others)](double length) {
+        scaling::ScaleFactors factors = chosen;
+        factors.length = length;
+        return make(factors, others);
+    };
+}
+
 Verdict judge(const TableOptions& options, const records::TableTask& task, const records::Payload& payload,
               const scaling::Similitude& similitude) {
     Verdict verdict;
@@ -105,9 +115,8 @@ Verdict judge(const TableOptions& options, const records::TableTask& task, const
     std::vector<records::AxisLoad> loads;
     for (std::size_t c = 0; c < verdict.uses.size(); ++c)
         loads.push_back({task.axes[c], records::to_prototype(verdict.uses[c].demand, similitude)});
-    const auto find = [&](const records::LimitFilter& counts) {
-        return records::find_scales(loads, payload, similitude.chosen(), *similitude.law(), counts);
-    };
+    const records::SimilitudeOfLength similitude_of = vary_length(options.scales);
+    const auto find = [&](const records::LimitFilter& counts) { return records::find_scales(loads, payload, similitude_of, counts); };
     verdict.scales = find({});
     for (const records::ComponentUse& component : verdict.uses) {
         for (const records::LimitUse& use : component.uses) {
@@ -176,10 +185,6 @@ int run_table(TableOptions options) {
 
     const scaling::Similitude similitude = options.scales.similitude();
     options.scales.note_values_used();
-    if (!similitude.law()) {
-        throw scaling::SimilitudeError(fmt::format(
-            "law {}: a table looks for other length scales, by mu, froude, exact or cauchy; choose one of these", similitude.law_name()));
-    }
     const records::Payload payload = find_payload(options);
     const Pairs pairs = parse_axes(options.axes);
     const records::ShakeTable table = read_shake_table(options.limits);

@@ -141,15 +141,13 @@ std::vector<LimitUse> check_axis(const TableDemand& demand, const TableAxis& axi
     return uses;
 }
 
-std::vector<ScaleRange> find_scales(const std::vector<AxisLoad>& loads, const Payload& payload, const scaling::ScaleFactors& chosen,
-                                    scaling::Law law, const LimitFilter& counts) {
+std::vector<ScaleRange> find_scales(const std::vector<AxisLoad>& loads, const Payload& payload, const SimilitudeOfLength& similitude_of,
+                                    const LimitFilter& counts) {
     const auto find_uses = [&](const AxisLoad& load, double length) {
-        scaling::ScaleFactors factors = chosen;
-        factors.length = length;
-        const scaling::Similitude similitude(factors, law);
+        const scaling::Similitude similitude = similitude_of(length);
         return check_axis(to_model(load.prototype, similitude), load.axis, payload.on_model(similitude));
     };
-    return find_scales(loads, find_uses, counts);
+    return find_scales(loads, UsesOfAxis(find_uses), counts);
 }
 
 std::vector<ScaleRange> find_scales(const std::vector<AxisLoad>& loads, const UsesOfAxis& find_uses, const LimitFilter& counts) {

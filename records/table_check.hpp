@@ -100,14 +100,16 @@ using LimitFilter = std::function<bool(const TableAxis&, TableLimit)>;
 /// How far a model of length scale λ_l uses each limit of an axis.
 using UsesOfAxis = std::function<std::vector<LimitUse>(const AxisLoad&, double length)>;
 
-/// All ranges of λ_l between kSmallestScale and 1 at which the table can do it, by rising λ_l, with the other factors and the law given;
-/// with a filter, as far as the limits that count are concerned.
-/// Looked for in steps of 2^(1/64), ends found by bisection to rounding; a range narrower than a step can be missed. Throws
-/// SimilitudeError as Similitude does.
-std::vector<ScaleRange> find_scales(const std::vector<AxisLoad>& loads, const Payload& payload, const scaling::ScaleFactors& chosen,
-                                    scaling::Law law, const LimitFilter& counts = {});
+/// The similitude of a model of length scale λ_l, by any law.
+using SimilitudeOfLength = std::function<scaling::Similitude(double length)>;
 
-/// The same for models that `find_uses` judges, by any law; throws what it throws.
+/// All ranges of λ_l between kSmallestScale and 1 at which the table can do it, by rising λ_l; with a filter, as far as the limits that
+/// count are concerned. Looked for in steps of 2^(1/64), ends found by bisection to rounding; a range narrower than a step can be missed.
+/// Throws what `similitude_of` throws.
+std::vector<ScaleRange> find_scales(const std::vector<AxisLoad>& loads, const Payload& payload, const SimilitudeOfLength& similitude_of,
+                                    const LimitFilter& counts = {});
+
+/// The same for models that `find_uses` judges, as those whose heights and widths scale apart; throws what it throws.
 std::vector<ScaleRange> find_scales(const std::vector<AxisLoad>& loads, const UsesOfAxis& find_uses, const LimitFilter& counts = {});
 
 }  // namespace musim::records

@@ -134,6 +134,25 @@ TEST_CASE("the example tables are read") {
     }
 }
 
+TEST_CASE("a table judges models of a law as data, and finds their length scales") {
+    const Workplace here;
+    here.write("table.json", make_table("10 m"));
+    const Outcome outcome = here.run(std::string(kArguments) + "--law gravity_distorted --set a=16 --json");
+    REQUIRE_MESSAGE(outcome.exit_code == 0, outcome.err);
+    const auto object = outcome.json();
+    // with the acceleration chosen, velocities go with sqrt(l): the 1 m/s are reached where (v at 1/25) sqrt(25 l) is as much
+    const double velocity = object["components"].at(0)["velocity_cm_s"].get<double>() / 100.0;
+    const auto& scales = object["scales"];
+    REQUIRE(scales.size() == 1);
+    CHECK(scales[0]["binds_above"] == "velocity");
+    CHECK(scales[0]["largest"].get<double>() == relative(1.0 / (25.0 * velocity * velocity), 1e-12));
+
+    const Outcome incomplete = here.run(std::string(kArguments) + "--law gravity_distorted");
+    CHECK(incomplete.exit_code != 0);
+    CHECK(incomplete.has_one_error_line());
+    CHECK(incomplete.err.find("give it (--set a=NUMBER)") != std::string::npos);
+}
+
 TEST_CASE("wrong input to table is told in one line") {
     const Workplace here;
     here.write("table.json", make_table("100 mm"));

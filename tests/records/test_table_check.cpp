@@ -14,7 +14,6 @@ namespace {
 
 using lsdem::tests::relative;
 using scaling::Law;
-using scaling::ScaleFactors;
 using scaling::Similitude;
 namespace si = scaling::si;
 
@@ -43,9 +42,14 @@ double use_of(const TableAxis& axis, TableLimit which, const Payload& payload) {
     return 0.0;
 }
 
+/// Models of a law whose factors are 1 but for length.
+SimilitudeOfLength by(Law law) {
+    return [law](double length) { return Similitude({.length = length}, law); };
+}
+
 /// The one range of scales; its ends are found to the last bits, products of a few roundings.
 ScaleRange only_range(const TableAxis& axis, const Payload& payload, Law law = Law::mu) {
-    const auto ranges = find_scales({{axis, demand()}}, payload, ScaleFactors{}, law);
+    const auto ranges = find_scales({{axis, demand()}}, payload, by(law));
     REQUIRE(ranges.size() == 1);
     return ranges.front();
 }
@@ -127,12 +131,12 @@ TEST_CASE("limits can leave no scale, or all, or be looked at alone") {
     table.displacement = 0.01 * si::meters;
     table.highest_frequency = 20.0 / si::seconds;
     const std::vector<AxisLoad> loads{{table, demand()}};
-    CHECK(find_scales(loads, load(0.0), {}, Law::mu).empty());
+    CHECK(find_scales(loads, load(0.0), by(Law::mu)).empty());
     const auto alone =
-        find_scales(loads, load(0.0), {}, Law::mu, [](const TableAxis&, TableLimit limit) { return limit == TableLimit::displacement; });
+        find_scales(loads, load(0.0), by(Law::mu), [](const TableAxis&, TableLimit limit) { return limit == TableLimit::displacement; });
     REQUIRE(alone.size() == 1);
     CHECK(alone.front().smallest == kSmallestScale);
-    const auto all = find_scales({{axis(), demand()}}, load(1e9), {}, Law::mu);
+    const auto all = find_scales({{axis(), demand()}}, load(1e9), by(Law::mu));
     REQUIRE(all.size() == 1);
     CHECK(all.front().smallest == kSmallestScale);
     CHECK(all.front().largest == 1.0);
@@ -142,7 +146,7 @@ TEST_CASE("a payload that grows and an acceleration that falls can leave two end
     TableAxis table = axis();
     table.moving_mass = 100.0 * si::kilograms;
     table.force = 10e3 * si::newtons;
-    const auto ranges = find_scales({{table, demand()}}, load(1e4, 0.0, true), {}, Law::cauchy);  // (M + m λ³) a/λ
+    const auto ranges = find_scales({{table, demand()}}, load(1e4, 0.0, true), by(Law::cauchy));  // (M + m λ³) a/λ
     REQUIRE(ranges.size() == 1);
     for (const double end : {ranges[0].smallest, ranges[0].largest})
         CHECK((100.0 + 1e4 * end * end * end) * 6.0 / end == relative(10e3, 1e-12));
