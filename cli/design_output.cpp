@@ -127,9 +127,9 @@ scaling::TextTable make_factors(const Candidate& candidate) {
 scaling::TextTable make_groups(const design::Design& design, const Candidate& candidate) {
     scaling::TextTable table{{"group", "weighed"}};
     const std::vector<const ModelState*> states = find_states(candidate);
-    for (const scaling::NamedFactor& group : states.front()->groups) {
+    for (const design::GroupFactor& group : states.front()->groups) {
         const bool is_weighed = std::find(design.groups.begin(), design.groups.end(), group.name) != design.groups.end();
-        table.rows.push_back({std::string(group.name), is_weighed ? "yes" : ""});
+        table.rows.push_back({group.name, is_weighed ? "yes" : ""});
     }
     for (const ModelState* const state : states) {
         table.header.push_back("d at " + describe_scale(state->length));
@@ -144,6 +144,12 @@ scaling::TextTable make_groups(const design::Design& design, const Candidate& ca
 std::string name_candidate(const Candidate& candidate) { return fmt::format("{}, law {}", candidate.material.name, candidate.law.name()); }
 
 nlohmann::json to_json(const scaling::LengthRange& range) { return {range.smallest, range.largest}; }
+
+nlohmann::json to_json(const std::vector<design::GroupFactor>& groups) {
+    nlohmann::json object = nlohmann::json::object();
+    for (const design::GroupFactor& group : groups) object[group.name] = group.value;
+    return object;
+}
 
 nlohmann::json to_json(const ModelState& state) {
     nlohmann::json uses = nlohmann::json::array();
@@ -160,7 +166,7 @@ nlohmann::json to_json(const ModelState& state) {
     return {{"length", state.length},
             {"factors", factors},
             {"uses", uses},
-            {"groups", cli::to_json(state.groups)},
+            {"groups", to_json(state.groups)},
             {"distortions", study::to_json(state.distortions)},
             {"measure", state.measure},
             {"mass_kg", state.mass.value()},

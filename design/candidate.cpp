@@ -12,14 +12,13 @@ namespace {
 
 constexpr scaling::LengthRange kSearch{records::kSmallestScale, 1.0};
 
-const scaling::NamedFactor* find_group(const std::vector<scaling::NamedFactor>& groups, std::string_view name) {
-    const auto found = std::find_if(groups.begin(), groups.end(), [&](const auto& group) { return group.name == name; });
-    return found == groups.end() ? nullptr : &*found;
+bool has_group(const std::vector<GroupFactor>& groups, std::string_view name) {
+    return std::any_of(groups.begin(), groups.end(), [&](const GroupFactor& group) { return group.name == name; });
 }
 
-double find_measure(const std::vector<scaling::NamedFactor>& groups, const std::vector<std::string>& weighed) {
+double find_measure(const std::vector<GroupFactor>& groups, const std::vector<std::string>& weighed) {
     double sum = 0.0;
-    for (const scaling::NamedFactor& group : groups)
+    for (const GroupFactor& group : groups)
         if (std::find(weighed.begin(), weighed.end(), group.name) != weighed.end()) sum += std::abs(std::log(group.value));
     return sum;
 }
@@ -104,11 +103,13 @@ ModelState find_state(const Setting& setting, const Material& material, const De
     ModelState state{.length = length,
                      .scales = scales,
                      .uses = find_uses(setting, material, scales),
-                     .groups = scaling::group_factors(scales, facts),
+                     .groups = {},
                      .distortions = scaling::find_distortions(scales, facts)};
+    for (const scaling::NamedFactor& group : scaling::group_factors(scales, facts))
+        state.groups.push_back({std::string(group.name), group.value});
     for (const scaling::NamedFactor& group : models.own_groups(length)) {
-        if (find_group(state.groups, group.name) != nullptr) continue;
-        state.groups.push_back(group);
+        if (has_group(state.groups, group.name)) continue;
+        state.groups.push_back({std::string(group.name), group.value});
         if (const auto severity = scaling::find_severity(group.value)) {
             state.distortions.push_back({std::string(group.name), group.value, *severity, "a product that the law names is not kept"});
         }

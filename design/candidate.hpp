@@ -17,12 +17,18 @@ std::vector<std::string> default_groups();
 /// Every group that scaling::group_factors() can tell.
 std::vector<std::string> known_groups();
 
+/// δ of a group; the name is its own, as a law as data names products itself.
+struct GroupFactor {
+    std::string name;
+    double value = 1.0;
+};
+
 /// A model of one length scale.
 struct ModelState {
     double length = 1.0;  ///< λ_l
     scaling::ModelScales scales = {};
     std::vector<Use> uses = {};
-    std::vector<scaling::NamedFactor> groups;  ///< δ of every group that is known, then of a law as data's own products
+    std::vector<GroupFactor> groups;  ///< every group that is known, then of a law as data's own products
     std::vector<scaling::Distortion> distortions;
     double measure = 0.0;             ///< Σ |ln δ| over the groups that the design weighs
     scaling::Mass mass{};             ///< with what a law adds

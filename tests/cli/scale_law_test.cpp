@@ -141,7 +141,7 @@ TEST_CASE("laws as data are refused in one line when they cannot be, exit code 3
           "scale --set l=1/25 --set x=1 --hold 'v/sqrt(g*l)'", "scale --length 1/25 --set l=1/25", "scale --law froude --set l=a",
           "scale --law exact --set l=1/25 --set mu=2", "rescale synthetic --length 1/25 --law mu_vertical_distortion -o x.csv",
           "rescale synthetic --length 1/25 --law restoring_force -o x.csv",
-          "table synthetic --limits " MUSIM_SOURCE_DIR "/examples/tables/outdoor.json --length 1/25 --law centrifuge"}) {
+          "table synthetic --limits " MUSIM_SOURCE_DIR "/examples/tables/outdoor.json --length 1/25 --law restoring_force"}) {
         const Outcome outcome = here.run(arguments);
         CHECK_MESSAGE(outcome.exit_code == 3, arguments, " gave ", outcome.out, outcome.err);
         CHECK_MESSAGE(outcome.has_one_error_line(), outcome.err);

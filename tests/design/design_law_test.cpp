@@ -85,7 +85,7 @@ TEST_CASE("the laws of the code and the same laws as data allow the same") {
         }
         REQUIRE(plain.ends.size() == data.ends.size());
         for (std::size_t i = 0; i < plain.ends.size(); ++i) {
-            for (const scaling::NamedFactor& each : plain.ends[i].groups) {
+            for (const GroupFactor& each : plain.ends[i].groups) {
                 CHECK(group(data.ends[i], each.name) == relative(each.value, kRounding));
             }
         }
