@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
@@ -13,6 +14,7 @@
 #include "lsdem/study/similitude_bench.hpp"
 #include "lsdem/study/similitude_figure.hpp"
 #include "lsdem/study/write_results.hpp"
+#include "scaling/text_table.hpp"
 
 namespace musim::cli {
 namespace {
@@ -22,6 +24,7 @@ namespace study = lsdem::study;
 struct BenchSimilitudeOptions {
     std::string out;
     std::string law;
+    scaling::ReportStyle style = scaling::ReportStyle::plain;
     bool json = false;
     int threads = 0;
 };
@@ -30,13 +33,15 @@ nlohmann::json to_json(const std::vector<study::SimilitudeOutcome>& outcomes) {
     nlohmann::json cases = nlohmann::json::array();
     for (const study::SimilitudeOutcome& outcome : outcomes) {
         const study::SimilitudeCase& wanted = outcome.wanted;
-        const scaling::ScaleFactors& chosen = wanted.similitude.chosen();
+        const scaling::Similitude& scales = wanted.scales.similitude;
         cases.push_back({{"law", wanted.law},
                          {"scene", study::to_string(wanted.scene)},
-                         {"length", chosen.length},
-                         {"friction", chosen.friction},
-                         {"gravity", chosen.gravity},
-                         {"density", chosen.density},
+                         {"length", scales.length()},
+                         {"friction", scales.friction()},
+                         {"gravity", scales.gravity()},
+                         {"density", scales.density()},
+                         {"acceleration", scales.acceleration()},
+                         {"heights", wanted.scales.heights},
                          {"broken", study::to_string(wanted.broken.group)},
                          {"factor", wanted.broken.factor},
                          {"measure", study::to_string(wanted.measure)},
@@ -50,20 +55,31 @@ nlohmann::json to_json(const std::vector<study::SimilitudeOutcome>& outcomes) {
     return {{"cases", cases}, {"all_hold", study::all_hold(outcomes)}};
 }
 
-void print_outcomes(const std::vector<study::SimilitudeOutcome>& outcomes) {
-    print("{:<11}{:<7}{:>8}{:>8}{:>5} {:<10}{:>7} {:<10}{:>10}{:>10}{:>10}{:>12}{:>11}\n", "law", "scene", "length", "mu ratio", "g",
-          "broken", "factor", "measure", "predicted", "+-", "measured", "difference", "yardstick");
+std::string describe(const study::Break& broken) {
+    if (broken.group == study::BrokenGroup::none) return "-";
+    return fmt::format("{} x {:.4g}", study::to_string(broken.group), broken.factor);
+}
+
+std::string judge(const study::SimilitudeOutcome& outcome) {
+    if (outcome.holds()) return "holds";
+    return outcome.diverged ? "DIVERGED" : "FAILS";
+}
+
+scaling::TextTable make_table(const std::vector<study::SimilitudeOutcome>& outcomes) {
+    scaling::TextTable table{{"law", "scene", "length", "mu", "g", "a", "heights", "broken", "measure", "predicted", "measured",
+                              "difference", "yardstick", "verdict"}};
     for (const study::SimilitudeOutcome& outcome : outcomes) {
         const study::SimilitudeCase& wanted = outcome.wanted;
-        const scaling::ScaleFactors& chosen = wanted.similitude.chosen();
-        print("{:<11}{:<7}{:>8.4g}{:>8.4g}{:>5.3g} {:<10}{:>7.4g} {:<10}{:>10.5g}{:>10.2g}{:>10.5g}{:>12.2g}{:>11.2g}  {}\n", wanted.law,
-              study::to_string(wanted.scene), chosen.length, chosen.friction, chosen.gravity, study::to_string(wanted.broken.group),
-              wanted.broken.factor, study::to_string(wanted.measure), wanted.prediction.ratio, wanted.prediction.tolerance, outcome.ratio,
-              outcome.difference, outcome.yardstick,
-              outcome.holds()    ? "holds"
-              : outcome.diverged ? "DIVERGED"
-                                 : "FAILS");
+        const scaling::Similitude& scales = wanted.scales.similitude;
+        const auto number = [](double value) { return fmt::format("{:.4g}", value); };
+        table.rows.push_back({wanted.law, std::string(study::to_string(wanted.scene)), number(scales.length()), number(scales.friction()),
+                              number(scales.gravity()), number(scales.acceleration()), number(wanted.scales.heights),
+                              describe(wanted.broken), std::string(study::to_string(wanted.measure)),
+                              fmt::format("{:.5g} +/- {:.1g}", wanted.prediction.ratio, wanted.prediction.tolerance),
+                              fmt::format("{:.5g}", outcome.ratio), fmt::format("{:.1e}", outcome.difference),
+                              fmt::format("{:.1e}", outcome.yardstick), judge(outcome)});
     }
+    return table;
 }
 
 int run_bench_similitude(const BenchSimilitudeOptions& options) {
@@ -88,7 +104,7 @@ int run_bench_similitude(const BenchSimilitudeOptions& options) {
     if (options.json) {
         print_json(to_json(outcomes));
     } else {
-        print_outcomes(outcomes);
+        print("{}", scaling::make_table(make_table(outcomes), options.style));
     }
     return study::all_hold(outcomes) ? kDone : kCheckFailed;
 }
@@ -101,12 +117,15 @@ void add_bench_similitude_command(CLI::App& bench, Action& action) {
         bench.add_subcommand("similitude", "Laws of similitude against the simulator: groups kept equal, and one broken on purpose");
     command->add_option("-o,--out", options->out, "Directory for similitude.csv and a figure per law")->type_name("DIR");
     command->add_option("--law", options->law, "Only this law (default: all)")->check(CLI::IsMember(study::similitude_law_names()));
+    add_format_option(*command, options->style, "Form of the table");
     add_threads_option(*command, options->threads);
     add_json_option(*command, options->json);
     command->footer(
         "Examples:\n"
         "  musim bench similitude -o out/similitude\n"
         "  musim bench similitude --law mu --json\n"
+        "  musim bench similitude --format markdown\n"
+        "length: of widths; heights: over it. Factors of the model over the prototype; broken: one more factor, set wrong on purpose.\n"
         "With equal groups the difference of the curves stays below the yardstick; with a broken one the measured ratio is the predicted.\n"
         "Exit code 5 when a case does not hold; docs/similitude.md derives the predictions.");
     command->callback([&action, options] { action = [options] { return run_bench_similitude(*options); }; });

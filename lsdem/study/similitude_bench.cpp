@@ -9,7 +9,6 @@
 #include <map>
 #include <stdexcept>
 
-#include "lsdem/scene/scale_scene.hpp"
 #include "lsdem/study/pair.hpp"
 #include "lsdem/study/run.hpp"
 #include "scaling/side_by_side.hpp"
@@ -29,7 +28,8 @@ struct PrototypeRuns {
     ScaledRun run, shadow;
 };
 
-ScaledResponse scale_back(const RunResult& run, BenchScene scene, double start, const scaling::Similitude& similitude) {
+ScaledResponse scale_back(const RunResult& run, BenchScene scene, double start, const ModelScales& scales) {
+    const scaling::Similitude& similitude = scales.similitude;
     const History& history = run.history;
     const std::size_t count = run.spine.size(), top = count - 1;
     ScaledResponse response;
@@ -37,7 +37,8 @@ ScaledResponse scale_back(const RunResult& run, BenchScene scene, double start, 
         const std::size_t i = k * count + top;
         const double behind = history.base[k].displacement.x() - (history.spine_position[i].x() - history.spine_position[top].x());
         response.time.push_back(history.time[k] / similitude.time() - start);
-        response.value.push_back(scene == BenchScene::rock ? -history.spine_rotation[i].y() : behind / similitude.length());
+        response.value.push_back(scene == BenchScene::rock ? -history.spine_rotation[i].y() * scales.heights
+                                                           : behind / similitude.length());
         response.speed.push_back((history.base[k].velocity.x() - history.spine_velocity[i].x()) / similitude.velocity());
     }
     return response;
@@ -46,21 +47,19 @@ ScaledResponse scale_back(const RunResult& run, BenchScene scene, double start, 
 /// When the base of a prototype begins to move [s].
 double find_start(const scene::Scene& prototype) { return std::get<scene::SignalMotion>(prototype.base_motion.source).start.value(); }
 
-ScaledRun run_scaled(const Specimen& specimen, const TimePlan& plan, BenchScene scene, double start,
-                     const scaling::Similitude& similitude) {
+ScaledRun run_scaled(const Specimen& specimen, const TimePlan& plan, BenchScene scene, double start, const ModelScales& scales) {
     const RunResult run = simulate(specimen, plan);
-    return {scale_back(run, scene, start, similitude), run.status == RunStatus::diverged};
+    return {scale_back(run, scene, start, scales), run.status == RunStatus::diverged};
 }
 
-/// The model takes the prototype's steps, scaled, unless its springs are others.
+/// The model takes the prototype's steps, scaled, unless its springs ask for others.
 ScaledRun run_model(const SimilitudeCase& wanted, const scene::Scene& prototype) {
-    const scene::Scene scene = make_model_scene(wanted);
+    const scene::Scene scene = make_model_scene(wanted.scene, wanted.scales, wanted.broken);
     const Specimen specimen = make_upright_specimen(scene);
-    const TimePlan plan = wanted.broken.group == BrokenGroup::stiffness
+    const TimePlan plan = wanted.broken.shifts_frequencies()
                               ? make_time_plan(scene, specimen.model)
-                              : make_time_plan(prototype, make_upright_specimen(prototype).model).scaled(wanted.similitude.time());
-    const double stretch = wanted.broken.group == BrokenGroup::duration ? wanted.broken.factor : 1.0;
-    return run_scaled(specimen, plan, wanted.scene, stretch * find_start(prototype), wanted.similitude);
+                              : make_time_plan(prototype, make_upright_specimen(prototype).model).scaled(wanted.scales.similitude.time());
+    return run_scaled(specimen, plan, wanted.scene, wanted.broken.of(BrokenGroup::duration) * find_start(prototype), wanted.scales);
 }
 
 /// A parabola through three values at −1, 0, 1: where it is greatest, and how great.
@@ -119,7 +118,7 @@ bool all_hold(const std::vector<SimilitudeOutcome>& outcomes) {
 
 std::vector<SimilitudeOutcome> run_similitude_cases(const std::vector<SimilitudeCase>& cases, int threads,
                                                     const std::function<void(double)>& on_progress) {
-    const scaling::Similitude whole({});
+    const ModelScales whole{scaling::Similitude({})};
     std::map<BenchScene, PrototypeRuns> prototypes;
     for (const SimilitudeCase& wanted : cases) prototypes[wanted.scene].scene = make_bench_scene(wanted.scene);
 
@@ -162,13 +161,15 @@ std::vector<SimilitudeOutcome> run_similitude_cases(const std::vector<Similitude
 
 std::string make_similitude_csv(const std::vector<SimilitudeOutcome>& outcomes) {
     std::string csv =
-        "law,scene,length,friction,gravity,density,broken,factor,measure,predicted,tolerance,measured,difference,yardstick,holds\n";
+        "law,scene,length,friction,gravity,density,acceleration,heights,broken,factor,measure,predicted,tolerance,measured,difference,"
+        "yardstick,holds\n";
     for (const SimilitudeOutcome& o : outcomes) {
         const SimilitudeCase& c = o.wanted;
-        const scaling::ScaleFactors& chosen = c.similitude.chosen();
-        fmt::format_to(std::back_inserter(csv), "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", c.law, to_string(c.scene), chosen.length,
-                       chosen.friction, chosen.gravity, chosen.density, to_string(c.broken.group), c.broken.factor, to_string(c.measure),
-                       c.prediction.ratio, c.prediction.tolerance, o.ratio, o.difference, o.yardstick, o.holds() ? 1 : 0);
+        const scaling::Similitude& s = c.scales.similitude;
+        fmt::format_to(std::back_inserter(csv), "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", c.law, to_string(c.scene),
+                       s.length(), s.friction(), s.gravity(), s.density(), s.acceleration(), c.scales.heights, to_string(c.broken.group),
+                       c.broken.factor, to_string(c.measure), c.prediction.ratio, c.prediction.tolerance, o.ratio, o.difference,
+                       o.yardstick, o.holds() ? 1 : 0);
     }
     return csv;
 }

@@ -8,7 +8,7 @@
 
 namespace musim::lsdem::study {
 
-/// Response of a run in the prototype's units: times over λ_t, lengths over λ_l, velocities over λ_v.
+/// Response of a run in the prototype's units: times over λ_t, lengths over λ_l, velocities over λ_v, angles over λ_θ.
 struct ScaledResponse {
     std::vector<double> time;   ///< since the base began to move [s]
     std::vector<double> value;  ///< how far the highest block of the spine is behind the base [m]; of `rock` its tilt [rad]
@@ -42,8 +42,8 @@ bool all_hold(const std::vector<SimilitudeOutcome>& outcomes);
 std::vector<SimilitudeOutcome> run_similitude_cases(const std::vector<SimilitudeCase>& cases, int threads = 0,
                                                     const std::function<void(double)>& on_progress = {});
 
-/// One line per case: law, scene, length, friction, gravity, density, broken, factor, measure, predicted, tolerance, measured, difference,
-/// yardstick, holds. Numbers are the shortest text that reads back the same.
+/// One line per case: law, scene, length (of widths), friction, gravity, density, acceleration, heights (over widths), broken, factor,
+/// measure, predicted, tolerance, measured, difference, yardstick, holds. Numbers are the shortest text that reads back the same.
 std::string make_similitude_csv(const std::vector<SimilitudeOutcome>& outcomes);
 
 }  // namespace musim::lsdem::study

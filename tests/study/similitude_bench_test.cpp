@@ -6,11 +6,13 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "lsdem/study/closed_responses.hpp"
 #include "lsdem/study/similitude_figure.hpp"
 #include "scaling/error.hpp"
+#include "scaling/scale_law_catalogue.hpp"
 #include "tests/support/relative.hpp"
 
 using namespace musim::lsdem::study;
@@ -69,13 +71,47 @@ TEST_CASE("a rocking block parts from the mu law as its weight does, and not at 
 
 // All factors are powers of two: what parts a column at other scales is rounding and not the law.
 TEST_CASE("the shaken column at one sixteenth is its prototype to the last bit") {
-    for (const char* law : {"froude", "exact", "centrifuge"}) {
+    for (const char* law : {"froude", "exact", "centrifuge", "true_replica", "artificial_mass"}) {
         const std::vector<SimilitudeOutcome> outcomes = run_similitude_cases(select(law, BenchScene::column));
         REQUIRE(outcomes.size() == 1);
         CHECK(outcomes[0].difference == 0.0);
         CHECK(outcomes[0].ratio == 1.0);
         CHECK(outcomes[0].holds());
     }
+}
+
+TEST_CASE("replicas, laws of restoring forces and of distortions keep what they say and part as predicted") {
+    for (const char* law : {"true_replica", "artificial_mass", "gravity_distorted", "restoring_force", "restoring_rocking",
+                            "restoring_spring", "restoring_cohesion", "restoring_mixed", "mu_vertical_distortion"}) {
+        std::vector<SimilitudeCase> cases = make_similitude_cases(law);
+        std::erase_if(cases, [](const SimilitudeCase& c) { return c.scene == BenchScene::column; });
+        check_hold(run_similitude_cases(cases));
+    }
+}
+
+TEST_CASE("every law has a case that collapses or is predicted to, and one that parts") {
+    REQUIRE(similitude_law_names().size() + 1 == musim::scaling::scale_law_names().size());
+    for (const std::string& law : similitude_law_names()) {
+        CAPTURE(law);
+        const std::vector<SimilitudeCase> cases = make_similitude_cases(law);
+        const auto is_one = [](const SimilitudeCase& c) { return std::abs(c.prediction.ratio - 1.0) <= c.prediction.tolerance; };
+        CHECK(std::any_of(cases.begin(), cases.end(), is_one));
+        CHECK_FALSE(std::all_of(cases.begin(), cases.end(), is_one));
+    }
+}
+
+// H = 1/25, friction 0.3: widths 0.3/25, so that tan(alpha) is 0.3 of the prototype's, and heights 1/0.3 over widths
+TEST_CASE("a model with its own scale of heights is as high and as wide as its law says") {
+    const ModelScales scales = make_model_scales("mu_vertical_distortion", {{"H", 1.0 / 25.0}, {"mu", 0.3}});
+    CHECK(scales.similitude.length() == relative(0.3 / 25.0, 1e-14));
+    CHECK(scales.similitude.acceleration() == relative(0.3, 1e-14));
+    CHECK(scales.similitude.time() == relative(1.0 / 5.0, 1e-14));
+    CHECK(scales.heights == relative(1.0 / 0.3, 1e-14));
+    const auto block = [](const musim::lsdem::scene::Scene& scene) { return std::get<musim::lsdem::scene::Column>(scene.structure).block; };
+    const auto prototype = block(make_bench_scene(BenchScene::rock)), model = block(make_model_scene(BenchScene::rock, scales, {}));
+    CHECK(model[0].value() == relative(prototype[0].value() * 0.3 / 25.0, 1e-14));
+    CHECK(model[1].value() == relative(prototype[1].value() * 0.3 / 25.0, 1e-14));
+    CHECK(model[2].value() == relative(prototype[2].value() / 25.0, 1e-14));
 }
 
 TEST_CASE("a wrong prediction fails its verdict, and so does a broken group called equal") {
@@ -102,8 +138,8 @@ TEST_CASE("a wrong prediction fails its verdict, and so does a broken group call
 TEST_CASE("the predictions are exact numbers where groups enter by powers") {
     const musim::scaling::Similitude twin({.length = 1.0 / 25.0}, musim::scaling::Law::exact);
     // a few roundings
-    CHECK(predict(BenchScene::slide, twin, {BrokenGroup::duration, 1.5}, Measure::peak).ratio == relative(2.25, 1e-14));
-    CHECK(predict(BenchScene::chain, twin, {BrokenGroup::stiffness, 4.0}, Measure::peak_time).ratio == relative(0.5, 1e-14));
-    CHECK_THROWS_AS(predict(BenchScene::column, twin, {}, Measure::peak), std::invalid_argument);
+    CHECK(predict(BenchScene::slide, {twin}, {BrokenGroup::duration, 1.5}, Measure::peak).ratio == relative(2.25, 1e-14));
+    CHECK(predict(BenchScene::chain, {twin}, {BrokenGroup::stiffness, 4.0}, Measure::peak_time).ratio == relative(0.5, 1e-14));
+    CHECK_THROWS_AS(predict(BenchScene::column, {twin}, {}, Measure::peak), std::invalid_argument);
     CHECK_THROWS_AS(make_similitude_cases("newton"), musim::scaling::SimilitudeError);
 }
