@@ -28,7 +28,7 @@ struct PrototypeRuns {
     ScaledRun run, shadow;
 };
 
-ScaledResponse scale_back(const RunResult& run, BenchScene scene, double start, const ModelScales& scales) {
+ScaledResponse scale_back(const RunResult& run, BenchScene scene, double start, const TwinScales& scales) {
     const scaling::Similitude& similitude = scales.similitude;
     const History& history = run.history;
     const std::size_t count = run.spine.size(), top = count - 1;
@@ -47,7 +47,7 @@ ScaledResponse scale_back(const RunResult& run, BenchScene scene, double start, 
 /// When the base of a prototype begins to move [s].
 double find_start(const scene::Scene& prototype) { return std::get<scene::SignalMotion>(prototype.base_motion.source).start.value(); }
 
-ScaledRun run_scaled(const Specimen& specimen, const TimePlan& plan, BenchScene scene, double start, const ModelScales& scales) {
+ScaledRun run_scaled(const Specimen& specimen, const TimePlan& plan, BenchScene scene, double start, const TwinScales& scales) {
     const RunResult run = simulate(specimen, plan);
     return {scale_back(run, scene, start, scales), run.status == RunStatus::diverged};
 }
@@ -118,7 +118,7 @@ bool all_hold(const std::vector<SimilitudeOutcome>& outcomes) {
 
 std::vector<SimilitudeOutcome> run_similitude_cases(const std::vector<SimilitudeCase>& cases, int threads,
                                                     const std::function<void(double)>& on_progress) {
-    const ModelScales whole{scaling::Similitude({})};
+    const TwinScales whole{scaling::Similitude({})};
     std::map<BenchScene, PrototypeRuns> prototypes;
     for (const SimilitudeCase& wanted : cases) prototypes[wanted.scene].scene = make_bench_scene(wanted.scene);
 

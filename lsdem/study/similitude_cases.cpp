@@ -29,13 +29,13 @@ class CaseList {
   public:
     explicit CaseList(std::string law) : law_(std::move(law)) {}
 
-    ModelScales scale(const Factors& given) const { return make_model_scales(law_, given); }
+    TwinScales scale(const Factors& given) const { return make_twin_scales(law_, given); }
 
     /// Models whose curves are the prototype's.
-    void add_equal(std::initializer_list<BenchScene> scenes, const ModelScales& scales) {
+    void add_equal(std::initializer_list<BenchScene> scenes, const TwinScales& scales) {
         for (const BenchScene scene : scenes) cases_.push_back({.law = law_, .scene = scene, .scales = scales, .collapses = true});
     }
-    void add(BenchScene scene, const ModelScales& scales, const Break& broken = {}, Measure measure = Measure::peak) {
+    void add(BenchScene scene, const TwinScales& scales, const Break& broken = {}, Measure measure = Measure::peak) {
         cases_.push_back({.law = law_,
                           .scene = scene,
                           .scales = scales,
@@ -52,12 +52,12 @@ class CaseList {
 };
 
 /// Stiffness of the prototype's own solid, λ_k = λ_l, over what the law asks for.
-Break own_solid(const ModelScales& scales) { return {BrokenGroup::stiffness, scales.similitude.length() / scales.similitude.stiffness()}; }
+Break own_solid(const TwinScales& scales) { return {BrokenGroup::stiffness, scales.similitude.length() / scales.similitude.stiffness()}; }
 
 using enum BenchScene;
 
 void add_mu(CaseList& list) {
-    const ModelScales wood = list.scale({{"l", kLength}, {"mu", kWoodFriction}, {"rho", kWoodDensity}});
+    const TwinScales wood = list.scale({{"l", kLength}, {"mu", kWoodFriction}, {"rho", kWoodDensity}});
     list.add_equal({slide}, wood);
     list.add(slide, wood, {BrokenGroup::friction, 0.5});
     list.add(slide, wood, {BrokenGroup::duration, 1.5});
@@ -67,7 +67,7 @@ void add_mu(CaseList& list) {
 }
 
 void add_froude(CaseList& list) {
-    const ModelScales wood = list.scale({{"l", kLength}, {"rho", kWoodDensity}});
+    const TwinScales wood = list.scale({{"l", kLength}, {"rho", kWoodDensity}});
     list.add_equal({slide, rock}, wood);
     list.add_equal({column}, list.scale({{"l", kBitLength}, {"rho", 0.5}}));
     list.add(slide, wood, {BrokenGroup::friction, 2.0});
@@ -78,7 +78,7 @@ void add_froude(CaseList& list) {
 }
 
 void add_exact(CaseList& list) {
-    const ModelScales heavier = list.scale({{"l", kLength}, {"g", 3.0}, {"rho", kWoodDensity}});
+    const TwinScales heavier = list.scale({{"l", kLength}, {"g", 3.0}, {"rho", kWoodDensity}});
     list.add_equal({slide, rock, chain}, heavier);
     list.add_equal({column}, list.scale({{"l", kBitLength}, {"g", 4.0}, {"rho", 0.5}}));
     list.add(slide, heavier, {BrokenGroup::amplitude, 1.25});
@@ -88,7 +88,7 @@ void add_exact(CaseList& list) {
 
 void add_cauchy(CaseList& list) {
     // at 1/25 a block would slide 25 times as hard, for longer than a short run
-    const ModelScales same_solid = list.scale({{"l", 1.0 / 5.0}});
+    const TwinScales same_solid = list.scale({{"l", 1.0 / 5.0}});
     // a/g is not kept: no equal groups, though nothing slips
     list.add(chain, same_solid);
     list.add(chain, same_solid, {BrokenGroup::stiffness, 4.0});
@@ -98,7 +98,7 @@ void add_cauchy(CaseList& list) {
 }
 
 void add_centrifuge(CaseList& list) {
-    const ModelScales same_solid = list.scale({{"l", kLength}});
+    const TwinScales same_solid = list.scale({{"l", kLength}});
     list.add_equal({slide, rock, chain}, same_solid);
     list.add_equal({column}, list.scale({{"l", kBitLength}}));
     list.add(slide, same_solid, {BrokenGroup::gravity, 0.5});
@@ -106,7 +106,7 @@ void add_centrifuge(CaseList& list) {
 }
 
 void add_true_replica(CaseList& list) {
-    const ModelScales soft = list.scale({{"l", kLength}, {"rho", kWoodDensity}});
+    const TwinScales soft = list.scale({{"l", kLength}, {"rho", kWoodDensity}});
     list.add_equal({slide, rock, chain}, soft);
     list.add_equal({column}, list.scale({{"l", kBitLength}, {"rho", 0.5}}));
     list.add(chain, soft, own_solid(soft));
@@ -115,7 +115,7 @@ void add_true_replica(CaseList& list) {
 }
 
 void add_artificial_mass(CaseList& list) {
-    const ModelScales laden = list.scale({{"l", kLength}});
+    const TwinScales laden = list.scale({{"l", kLength}});
     const Break bare{BrokenGroup::density, 1.0 / laden.similitude.density()};
     list.add_equal({slide, rock, chain}, laden);
     list.add_equal({column}, list.scale({{"l", kBitLength}}));
@@ -127,7 +127,7 @@ void add_artificial_mass(CaseList& list) {
 }
 
 void add_gravity_distorted(CaseList& list) {
-    const ModelScales stronger = list.scale({{"l", kLength}, {"a", 2.0}, {"rho", kWoodDensity}});
+    const TwinScales stronger = list.scale({{"l", kLength}, {"a", 2.0}, {"rho", kWoodDensity}});
     list.add_equal({slide}, list.scale({{"l", kLength}, {"a", 2.0}, {"mu", 2.0}, {"rho", kWoodDensity}}));
     list.add(chain, stronger);
     list.add(slide, stronger);
@@ -161,7 +161,7 @@ void add_restoring_rocking(CaseList& list) {
 void add_restoring_spring(CaseList& list) {
     // twice the prototype's acceleration
     const double stiffness = 2.0 * kWoodMass / kLength;
-    const ModelScales stiffer = list.scale({{"l", kLength}, {"k_s", stiffness}, {"rho", kWoodDensity}});
+    const TwinScales stiffer = list.scale({{"l", kLength}, {"k_s", stiffness}, {"rho", kWoodDensity}});
     list.add_equal({slide, rock, chain}, list.scale({{"l", kLength}, {"k_s", stiffness}, {"g", 2.0}, {"rho", kWoodDensity}}));
     list.add(chain, stiffer);
     list.add(chain, stiffer, {BrokenGroup::stiffness, 0.25});
@@ -181,15 +181,15 @@ void add_restoring_cohesion(CaseList& list) {
 }
 
 void add_restoring_mixed(CaseList& list) {
-    const ModelScales wood = list.scale({{"l", kLength}, {"mu", kWoodFriction}, {"rho", kWoodDensity}});
+    const TwinScales wood = list.scale({{"l", kLength}, {"mu", kWoodFriction}, {"rho", kWoodDensity}});
     list.add_equal({slide}, wood);
     list.add(slide, wood, {BrokenGroup::friction, 0.5});
     list.add(slide, wood, {BrokenGroup::gravity, 0.5});
 }
 
 void add_mu_vertical_distortion(CaseList& list) {
-    const ModelScales wood = list.scale({{"H", kLength}, {"mu", kWoodFriction}, {"rho", kWoodDensity}});
-    const ModelScales aluminium = list.scale({{"H", kLength}, {"mu", kAluminiumFriction}, {"rho", kAluminiumDensity}});
+    const TwinScales wood = list.scale({{"H", kLength}, {"mu", kWoodFriction}, {"rho", kWoodDensity}});
+    const TwinScales aluminium = list.scale({{"H", kLength}, {"mu", kAluminiumFriction}, {"rho", kAluminiumDensity}});
     list.add_equal({slide}, wood);
     list.add_equal({slide}, aluminium);
     list.add(rock, wood);

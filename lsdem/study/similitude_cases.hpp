@@ -13,7 +13,7 @@ namespace musim::lsdem::study {
 struct SimilitudeCase {
     std::string law;  ///< as in similitude_law_names()
     BenchScene scene = BenchScene::slide;
-    ModelScales scales;
+    TwinScales scales;
     Break broken = {};
     Measure measure = Measure::peak;
     Prediction prediction = {};

@@ -56,7 +56,7 @@ LinePlot make_panel(const SimilitudeOutcome& outcome, const std::string& scale) 
     return panel;
 }
 
-std::string write_scales(const ModelScales& scales) {
+std::string write_scales(const TwinScales& scales) {
     const scaling::Similitude& s = scales.similitude;
     std::string text = fmt::format("λₗ = {:.4g}, λμ = {:.4g}, λg = {:.4g}, λρ = {:.4g}, λₐ = {:.4g}", s.length(), s.friction(), s.gravity(),
                                    s.density(), s.acceleration());

@@ -58,7 +58,7 @@ void multiply(const Break& broken, scene::Scene& scene) {
 
 }  // namespace
 
-ModelScales make_model_scales(const std::string& law, const std::vector<scaling::GivenFactor>& given) {
+TwinScales make_twin_scales(const std::string& law, const std::vector<scaling::GivenFactor>& given) {
     const scaling::SolvedLaw solved = scaling::solve_law(scaling::load_scale_law(law), given);
     const double heights = 1.0 / solved.factor("tan_alpha").value_or(1.0);
     return {solved.factor("b") ? make_width_similitude(solved) : scaling::make_similitude(solved), heights};
@@ -74,7 +74,7 @@ bool Break::shifts_frequencies() const {
     return group == BrokenGroup::stiffness || group == BrokenGroup::density || group == BrokenGroup::height;
 }
 
-scene::Scene make_model_scene(BenchScene scene, const ModelScales& scales, const Break& broken) {
+scene::Scene make_model_scene(BenchScene scene, const TwinScales& scales, const Break& broken) {
     scene::Scene model = scene::scale_scene(make_bench_scene(scene), scales.similitude);
     // higher blocks are heavier, and so much stiffer are their contacts: T²k/m stays
     block_of(model)[2] *= scales.heights;

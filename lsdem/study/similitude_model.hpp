@@ -11,15 +11,16 @@
 
 namespace musim::lsdem::study {
 
-/// How a model is made of its prototype: by one similitude, or with heights that scale apart from all other lengths.
-struct ModelScales {
+/// How a similar twin is made of a prototype: by one similitude, or with heights that scale apart from all other lengths.
+struct TwinScales {
     scaling::Similitude similitude;  ///< its length is that of widths
     double heights = 1.0;            ///< λ of heights over λ of widths [-]; angles scale by 1/heights
 };
 
-/// The scales that a law as data (scaling/laws/) gives for these factors. Its lengths are l, or else widths b; heights are wider or lower
-/// by its tan_alpha, 1 in a law without one. Throws scaling::SimilitudeError as solve_law() and make_similitude() do.
-ModelScales make_model_scales(const std::string& law, const std::vector<scaling::GivenFactor>& given);
+/// The scales that a law as data (scaling/laws/) gives for these factors. Its lengths are l, or else widths b; heights over
+/// widths are scaled by 1/tan_alpha, 1 in a law without that quantity. Throws scaling::SimilitudeError as solve_law() and make_similitude()
+/// do.
+TwinScales make_twin_scales(const std::string& law, const std::vector<scaling::GivenFactor>& given);
 
 /// What is set wrong in a model on purpose.
 enum class BrokenGroup {
@@ -47,6 +48,6 @@ struct Break {
 };
 
 /// The similar twin of a prototype, with one quantity wrong.
-scene::Scene make_model_scene(BenchScene scene, const ModelScales& scales, const Break& broken);
+scene::Scene make_model_scene(BenchScene scene, const TwinScales& scales, const Break& broken);
 
 }  // namespace musim::lsdem::study

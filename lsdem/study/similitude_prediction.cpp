@@ -24,7 +24,7 @@ struct GroupRatios {
     double angle = 1.0;      ///< of any angle, as the law has it
 };
 
-GroupRatios compare_groups(const ModelScales& scales, const Break& broken) {
+GroupRatios compare_groups(const TwinScales& scales, const Break& broken) {
     const Similitude& s = scales.similitude;
     const double gravity = s.gravity() * broken.of(BrokenGroup::gravity), time = s.time() * broken.of(BrokenGroup::duration);
     const double higher = broken.of(BrokenGroup::height);
@@ -123,7 +123,7 @@ Prediction predict_chain(const GroupRatios& groups, Measure measure) {
 
 std::string_view to_string(Measure measure) { return measure == Measure::peak ? "peak" : "peak time"; }
 
-Prediction predict(BenchScene scene, const ModelScales& scales, const Break& broken, Measure measure) {
+Prediction predict(BenchScene scene, const TwinScales& scales, const Break& broken, Measure measure) {
     const GroupRatios groups = compare_groups(scales, broken);
     switch (scene) {
         case BenchScene::slide:

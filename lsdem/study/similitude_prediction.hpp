@@ -22,6 +22,6 @@ struct Prediction {
 
 /// Ratio of the measure from the groups of the model over those of the prototype; docs/similitude.md has the derivation. Throws
 /// std::invalid_argument for the column, which has no closed form, and as the closed forms do.
-Prediction predict(BenchScene scene, const ModelScales& scales, const Break& broken, Measure measure);
+Prediction predict(BenchScene scene, const TwinScales& scales, const Break& broken, Measure measure);
 
 }  // namespace musim::lsdem::study

@@ -102,7 +102,7 @@ TEST_CASE("every law has a case that collapses or is predicted to, and one that 
 
 // H = 1/25, friction 0.3: widths 0.3/25, so that tan(alpha) is 0.3 of the prototype's, and heights 1/0.3 over widths
 TEST_CASE("a model with its own scale of heights is as high and as wide as its law says") {
-    const ModelScales scales = make_model_scales("mu_vertical_distortion", {{"H", 1.0 / 25.0}, {"mu", 0.3}});
+    const TwinScales scales = make_twin_scales("mu_vertical_distortion", {{"H", 1.0 / 25.0}, {"mu", 0.3}});
     CHECK(scales.similitude.length() == relative(0.3 / 25.0, 1e-14));
     CHECK(scales.similitude.acceleration() == relative(0.3, 1e-14));
     CHECK(scales.similitude.time() == relative(1.0 / 5.0, 1e-14));
