@@ -27,6 +27,9 @@ class UncertainReading {
     /// Whether an input is away from its value: what compares values with each other was settled when they were read as they are.
     bool is_moved() const { return factor_ != 1.0; }
 
+    /// Which; only where one is.
+    const UncertainInput& moved_input() const { return inputs_[moved_]; }
+
   private:
     std::string source_;
     std::vector<UncertainInput> inputs_;
