@@ -106,8 +106,9 @@ scaling::TextTable make_limits(const Candidate& candidate, const design::Uncerta
 }
 
 std::string find_remark(const std::vector<scaling::Distortion>& distortions, std::string_view group) {
-    for (const scaling::Distortion& each : distortions)
+    for (const scaling::Distortion& each : distortions) {
         if (each.group == group) return fmt::format("{}: {}", to_string(each.severity), each.effect);
+    }
     return "";
 }
 
@@ -116,8 +117,9 @@ scaling::TextTable make_factors(const std::vector<ToldState>& states) {
     for (const scaling::ModelScale& scale : scaling::kModelScales) table.rows.push_back({std::string(scale.name)});
     for (const auto& [state, uncertain] : states) {
         table.header.push_back("at " + describe_scale(state->length));
-        for (std::size_t i = 0; i < table.rows.size(); ++i)
+        for (std::size_t i = 0; i < table.rows.size(); ++i) {
             table.rows[i].push_back(fmt::format("{:.5g}", state->scales.*scaling::kModelScales[i].factor));
+        }
         if (uncertain != nullptr) add_intervals(table, uncertain->scales);
     }
     return table;
@@ -226,9 +228,10 @@ nlohmann::json to_json(const Candidate& candidate, const design::UncertainCandid
 std::string make_design_report(const design::Design& design, const std::vector<Candidate>& candidates, const DesignUncertainty& uncertainty,
                                scaling::ReportStyle style) {
     std::string text = make_title(design.name.empty() ? "Design" : design.name, style) + make_table(make_ranking(candidates), style);
-    for (const Candidate& candidate : candidates)
-        if (!candidate.is_feasible())
-            text += "\n" + make_paragraph(fmt::format("{} is infeasible: {}", name_candidate(candidate), candidate.problem), style);
+    for (const Candidate& candidate : candidates) {
+        if (candidate.is_feasible()) continue;
+        text += "\n" + make_paragraph(fmt::format("{} is infeasible: {}", name_candidate(candidate), candidate.problem), style);
+    }
     if (!uncertainty.is_certain()) {
         text += make_heading("Uncertain values, u standard", style) + make_table(make_inputs_table(uncertainty.inputs), style);
         text +=

@@ -147,6 +147,7 @@ std::vector<DesignLaw> read_laws(JsonFields& fields, const std::string& source) 
     if (!fields.has("laws")) return {scaling::Law::mu};
     std::vector<DesignLaw> laws;
     for (const Json& entry : require_list(fields, "laws", R"(["mu", {"law": "gravity_distorted", "set": {"a": 2}}])")) {
+        if (!entry.is_string() && !entry.is_object()) fields.fail("an entry of laws is no text", "write it in quotes");
         laws.push_back(detail::read_law(entry, fields, "laws", source));
     }
     return laws;

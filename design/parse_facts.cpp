@@ -134,6 +134,9 @@ Facts parse_facts(std::string_view json, const std::string& source, const std::v
         fields.fail("motion is missing (model_motion is held against it)", "add the prototype's motion, or remove model_motion");
     }
     if (fields.has("table")) facts.table = read_table(object["table"], source + ": table", reading);
+    if (fields.has("law") && !object["law"].is_string() && !object["law"].is_object()) {
+        fields.fail("law is neither a name nor an object", R"(write "true_replica" or {"law": "gravity_distorted", "set": {"a": 2}})");
+    }
     if (fields.has("law")) facts.law = detail::read_law(object["law"], fields, "law", source);
     fields.refuse_unknown_keys();
     return facts;

@@ -1,5 +1,7 @@
 #include "scaling/regime_report.hpp"
 
+#include <fmt/format.h>
+
 #include <limits>
 
 #include "scaling/detail/regime_borders.hpp"

@@ -39,7 +39,6 @@ DesignLaw read_law(const Json& entry, const JsonFields& fields, const std::strin
     const std::string place = fmt::format("{}: {}", fields.place(), key);
     try {
         if (entry.is_object()) return read_law_object(JsonFields(entry, place, fields.reading()), source);
-        if (!entry.is_string()) fields.fail(fmt::format("an entry of {} is no text", key), "write it in quotes");
         const auto name = entry.get<std::string>();
         if (scaling::is_law(name)) return scaling::parse_law(name);
         return {load_law(name, source), {}};

@@ -185,6 +185,9 @@ TEST_CASE("facts carry uncertainties and name a law as designs do") {
     check_refused(
         kBoth + R"(, "motion": {"acceleration": "0.5 g +/- 1%"})",
         "f.json: motion: acceleration is \"0.5 g +/- 1%\" (+/- makes no sense here: values alone are used); give the value alone");
+    check_refused(
+        kBoth + R"(, "law": 1)",
+        "f.json: law is neither a name nor an object; write \"true_replica\" or {\"law\": \"gravity_distorted\", \"set\": {\"a\": 2}}");
     check_refused(kBoth + R"(, "motion": {"file": "a.v1", "high_pass": "0.1 Hz +/- 1%"})",
                   "f.json: motion: high_pass is \"0.1 Hz +/- 1%\" (+/- makes no sense here: it is chosen); give the value alone");
     CHECK(musim::tests::message_of<records::ReadError>([&] { read(kBoth + R"(, "law": "no_such_law")"); }).find("f.json: law: ") == 0);
