@@ -2,7 +2,9 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/commands.hpp"
@@ -25,23 +27,61 @@ struct DesignOptions {
     bool json = false;
 };
 
-std::vector<records::AxisLoad> find_loads(const DesignOptions& options, const design::Design& design) {
-    if (design.table_file.empty()) return {};
-    const records::ShakeTable table = read_shake_table(find_beside(options.file, design.table_file));
-    if (const auto* const peaks = std::get_if<std::vector<design::GivenPeaks>>(&design.motion))
-        return make_loads(*peaks, table, options.file);
-    const auto& record = std::get<design::RecordFile>(design.motion);
-    return make_loads(options.source.load_beside(options.file, record.file), record, table);
+/// A design with all that its files say, to be read more than once.
+class DesignFiles {
+  public:
+    explicit DesignFiles(const DesignOptions& options)
+        : options_(options), json_(read_input_file(options.file, "a design (musim-design/1)")), presets_(make_preset_materials()) {}
+
+    design::Setting read(scaling::UncertainReading& reading) {
+        design::Setting setting{design::parse_design(json_, options_.file, presets_, &reading), {}};
+        const design::Design& design = setting.design;
+        if (design.table_file.empty()) return setting;
+        const records::ShakeTable table = read_shake_table(find_beside(options_.file, design.table_file), &reading);
+        if (const auto* const peaks = std::get_if<std::vector<design::GivenPeaks>>(&design.motion)) {
+            setting.loads = make_loads(*peaks, table, options_.file);
+            return setting;
+        }
+        setting.loads = loads_of_record(std::get<design::RecordFile>(design.motion), table);
+        return setting;
+    }
+
+  private:
+    /// A record asks the same of every table: it is measured once.
+    std::vector<records::AxisLoad> loads_of_record(const design::RecordFile& record, const records::ShakeTable& table) {
+        if (!of_record_) of_record_ = make_loads(options_.source.load_beside(options_.file, record.file), record, table);
+        std::vector<records::AxisLoad> loads = *of_record_;
+        for (records::AxisLoad& load : loads) load.axis = table.find_axis(load.axis.name);
+        return loads;
+    }
+
+    const DesignOptions& options_;
+    std::string json_;
+    std::vector<design::Material> presets_;
+    std::optional<std::vector<records::AxisLoad>> of_record_;
+};
+
+DesignUncertainty find_uncertainty(DesignFiles& files, const scaling::UncertainReading& reading, const design::Setting& setting,
+                                   const std::vector<design::Candidate>& candidates) {
+    if (reading.inputs().empty()) return {};
+    std::vector<design::MovedSetting> settings;
+    for (auto& moved : scaling::read_moved(reading, [&](scaling::UncertainReading& each) { return files.read(each); })) {
+        settings.push_back({std::move(moved.below), std::move(moved.above)});
+    }
+    return {reading.inputs(), design::propagate(setting, candidates, reading.inputs(), settings)};
 }
 
 int run_design(const DesignOptions& options) {
-    const design::Design design =
-        design::parse_design(read_input_file(options.file, "a design (musim-design/1)"), options.file, make_preset_materials());
-    const std::vector<design::Candidate> candidates = design::find_candidates({design, find_loads(options, design)});
-    if (options.json)
-        print_json(to_json(design, candidates));
-    else
-        print("{}", make_design_report(design, candidates, options.style));
+    DesignFiles files(options);
+    scaling::UncertainReading reading(options.file);
+    const design::Setting setting = files.read(reading);
+    const std::vector<design::Candidate> candidates = design::find_candidates(setting);
+    const DesignUncertainty uncertainty = find_uncertainty(files, reading, setting, candidates);
+    if (options.json) {
+        print_json(to_json(setting.design, candidates, uncertainty));
+    } else {
+        print("{}", make_design_report(setting.design, candidates, uncertainty, options.style));
+    }
     const bool is_feasible = std::any_of(candidates.begin(), candidates.end(), [](const auto& each) { return each.is_feasible(); });
     if (is_feasible) return kDone;
     note("musim: error: {}: nothing is feasible ({}, law {}: {})\n", options.file, candidates.front().material.name,
@@ -63,9 +103,12 @@ void add_design_command(CLI::App& app, Action& action) {
     command->get_option("--json")->excludes(format);
     command->footer(
         "Files named in the design are looked for in its folder. Exit code 0: something is feasible; 5: nothing is.\n"
+        "Values and limits may carry standard uncertainties, \"6 m +/- 5 cm\", \"0.63+/-5%\", in the design and in its table: ends of the\n"
+        "length scales and all that is told of models then have 95 % intervals, to first order.\n"
         "Examples:\n"
         "  musim design examples/design/tower.json\n"
         "  musim design examples/design/laws.json\n"
+        "  musim design examples/design/uncertain.json\n"
         "  musim design examples/design/tower.json --format markdown > campaign.md\n"
         "  musim design examples/design/tower.json --json");
     command->callback([&action, options] { action = [options] { return run_design(*options); }; });

@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "cli/length_ranges.hpp"
 #include "cli/named_values.hpp"
 #include "cli/report.hpp"
+#include "cli/uncertainty_output.hpp"
 #include "scaling/quantity_text.hpp"
 
 namespace musim::cli {
@@ -61,30 +61,44 @@ scaling::TextTable make_ranking(const std::vector<Candidate>& candidates) {
     return table;
 }
 
-/// The models a candidate is looked at: the ends of its ranges, and the length in mind.
-std::vector<const ModelState*> find_states(const Candidate& candidate) {
-    std::vector<const ModelState*> states;
-    for (const ModelState& end : candidate.ends) states.push_back(&end);
-    if (candidate.chosen) states.push_back(&*candidate.chosen);
+/// A model that a candidate is looked at, with its uncertain side; null where all is certain.
+struct ToldState {
+    const ModelState* state;
+    const design::UncertainState* uncertain;
+};
+
+/// The ends of its ranges, and the length in mind.
+std::vector<ToldState> find_states(const Candidate& candidate, const design::UncertainCandidate* uncertain) {
+    std::vector<ToldState> states;
+    for (std::size_t i = 0; i < candidate.ends.size(); ++i) {
+        states.push_back({&candidate.ends[i], uncertain == nullptr ? nullptr : &uncertain->ends[i]});
+    }
+    if (candidate.chosen) states.push_back({&*candidate.chosen, uncertain == nullptr ? nullptr : &*uncertain->chosen});
     return states;
 }
 
-scaling::TextTable make_limits(const Candidate& candidate) {
+scaling::TextTable make_limits(const Candidate& candidate, const design::UncertainCandidate* uncertain_candidate) {
     scaling::TextTable table{{"limit", "length scales"}};
     for (const design::LimitRanges& limit : candidate.limits) table.rows.push_back({limit.limit, describe_ranges(limit.ranges)});
-    for (const ModelState* const state : find_states(candidate)) {
+    if (uncertain_candidate != nullptr) {
+        table.header.push_back(coverage_title());
+        for (std::size_t i = 0; i < table.rows.size(); ++i) table.rows[i].push_back(describe_ends(uncertain_candidate->limits[i]));
+    }
+    const std::vector<ToldState> states = find_states(candidate, uncertain_candidate);
+    for (const auto& [state, uncertain] : states) {
         table.header.push_back("used at " + describe_scale(state->length));
         for (std::size_t i = 0; i < state->uses.size(); ++i) {
             const double used = state->uses[i].used();
             table.rows[i].push_back(fmt::format("{:.4f}{}", used, used > 1.0 ? " too much" : ""));
         }
+        if (uncertain != nullptr) add_intervals(table, uncertain->used);
     }
-    const std::vector<const ModelState*> states = find_states(candidate);
     if (states.empty()) return table;
-    table.header.push_back("asked at " + describe_scale(states.back()->length));
+    const ModelState& last = *states.back().state;
+    table.header.push_back("asked at " + describe_scale(last.length));
     table.header.emplace_back("limit is");
     for (std::size_t i = 0; i < table.rows.size(); ++i) {
-        const design::Use& use = states.back()->uses[i];
+        const design::Use& use = last.uses[i];
         table.rows[i].push_back(design::describe_amount(use.demand, use.unit));
         table.rows[i].push_back(design::describe_amount(use.bound, use.unit));
     }
@@ -92,51 +106,38 @@ scaling::TextTable make_limits(const Candidate& candidate) {
 }
 
 std::string find_remark(const std::vector<scaling::Distortion>& distortions, std::string_view group) {
-    for (const scaling::Distortion& each : distortions)
+    for (const scaling::Distortion& each : distortions) {
         if (each.group == group) return fmt::format("{}: {}", to_string(each.severity), each.effect);
+    }
     return "";
 }
 
-/// The factors that a law gives, one by one.
-struct FactorRow {
-    const char* name;
-    double scaling::ModelScales::*factor;
-};
-constexpr FactorRow kFactorRows[] = {{"height", &scaling::ModelScales::height},
-                                     {"width", &scaling::ModelScales::width},
-                                     {"time", &scaling::ModelScales::time},
-                                     {"displacement", &scaling::ModelScales::displacement},
-                                     {"velocity", &scaling::ModelScales::velocity},
-                                     {"acceleration", &scaling::ModelScales::acceleration},
-                                     {"acceleration_vertical", &scaling::ModelScales::acceleration_vertical},
-                                     {"gravity", &scaling::ModelScales::gravity},
-                                     {"friction", &scaling::ModelScales::friction},
-                                     {"mass", &scaling::ModelScales::mass}};
-
-scaling::TextTable make_factors(const Candidate& candidate) {
+scaling::TextTable make_factors(const std::vector<ToldState>& states) {
     scaling::TextTable table{{"factor"}};
-    for (const FactorRow& row : kFactorRows) table.rows.push_back({row.name});
-    for (const ModelState* const state : find_states(candidate)) {
+    for (const scaling::ModelScale& scale : scaling::kModelScales) table.rows.push_back({std::string(scale.name)});
+    for (const auto& [state, uncertain] : states) {
         table.header.push_back("at " + describe_scale(state->length));
-        for (std::size_t i = 0; i < table.rows.size(); ++i)
-            table.rows[i].push_back(fmt::format("{:.5g}", state->scales.*kFactorRows[i].factor));
+        for (std::size_t i = 0; i < table.rows.size(); ++i) {
+            table.rows[i].push_back(fmt::format("{:.5g}", state->scales.*scaling::kModelScales[i].factor));
+        }
+        if (uncertain != nullptr) add_intervals(table, uncertain->scales);
     }
     return table;
 }
 
-scaling::TextTable make_groups(const design::Design& design, const Candidate& candidate) {
+scaling::TextTable make_groups(const design::Design& design, const Candidate& candidate, const std::vector<ToldState>& states) {
     scaling::TextTable table{{"group", "weighed"}};
-    const std::vector<const ModelState*> states = find_states(candidate);
-    for (const design::GroupFactor& group : states.front()->groups) {
+    for (const design::GroupFactor& group : states.front().state->groups) {
         const bool is_weighed = std::find(design.groups.begin(), design.groups.end(), group.name) != design.groups.end();
         table.rows.push_back({group.name, is_weighed ? "yes" : ""});
     }
-    for (const ModelState* const state : states) {
+    for (const auto& [state, uncertain] : states) {
         table.header.push_back("d at " + describe_scale(state->length));
         for (std::size_t i = 0; i < state->groups.size(); ++i) table.rows[i].push_back(fmt::format("{:.4f}", state->groups[i].value));
+        if (uncertain != nullptr) add_intervals(table, uncertain->groups);
     }
     table.header.emplace_back("remark");
-    const ModelState& remarked = candidate.ranked ? *candidate.ranked : *states.front();
+    const ModelState& remarked = candidate.ranked ? *candidate.ranked : *states.front().state;
     for (std::size_t i = 0; i < table.rows.size(); ++i) table.rows[i].push_back(find_remark(remarked.distortions, remarked.groups[i].name));
     return table;
 }
@@ -151,7 +152,7 @@ nlohmann::json to_json(const std::vector<design::GroupFactor>& groups) {
     return object;
 }
 
-nlohmann::json to_json(const ModelState& state) {
+nlohmann::json to_json(const ModelState& state, const design::UncertainState* uncertain, const DesignUncertainty& uncertainty) {
     nlohmann::json uses = nlohmann::json::array();
     for (const design::Use& use : state.uses) {
         uses.push_back({{"limit", use.limit},
@@ -162,21 +163,27 @@ nlohmann::json to_json(const ModelState& state) {
                         {"used", use.used()}});
     }
     nlohmann::json factors = nlohmann::json::object();
-    for (const FactorRow& row : kFactorRows) factors[row.name] = state.scales.*row.factor;
-    return {{"length", state.length},
-            {"factors", factors},
-            {"uses", uses},
-            {"groups", to_json(state.groups)},
-            {"distortions", study::to_json(state.distortions)},
-            {"measure", state.measure},
-            {"mass_kg", state.mass.value()},
-            {"added_mass_kg", state.added_mass.value()},
-            {"cost", state.cost ? nlohmann::json(*state.cost) : nlohmann::json()}};
+    for (const scaling::ModelScale& scale : scaling::kModelScales) factors[std::string(scale.name)] = state.scales.*scale.factor;
+    nlohmann::json object = {{"length", state.length},
+                             {"factors", factors},
+                             {"uses", uses},
+                             {"groups", to_json(state.groups)},
+                             {"distortions", study::to_json(state.distortions)},
+                             {"measure", state.measure},
+                             {"mass_kg", state.mass.value()},
+                             {"added_mass_kg", state.added_mass.value()},
+                             {"cost", state.cost ? nlohmann::json(*state.cost) : nlohmann::json()}};
+    if (uncertain != nullptr) object["uncertainty"] = cli::to_json(state, *uncertain, uncertainty.inputs);
+    return object;
 }
 
-nlohmann::json state_or_null(const std::optional<ModelState>& state) { return state ? to_json(*state) : nlohmann::json(); }
-
-nlohmann::json to_json(const Candidate& candidate) {
+nlohmann::json to_json(const Candidate& candidate, const design::UncertainCandidate* uncertain, const DesignUncertainty& uncertainty) {
+    const auto state_or_null = [&](const std::optional<ModelState>& state, const std::optional<design::UncertainState>* of_state) {
+        return state ? to_json(*state, of_state == nullptr ? nullptr : &**of_state, uncertainty) : nlohmann::json();
+    };
+    const auto end_to_json = [&](std::size_t end) {
+        return to_json(candidate.ends[end], uncertain == nullptr ? nullptr : &uncertain->ends[end], uncertainty);
+    };
     nlohmann::json ranges = nlohmann::json::array(), limits = nlohmann::json::array(), conflict;
     for (std::size_t i = 0; i < candidate.ranges.size(); ++i) {
         const design::FeasibleRange& range = candidate.ranges[i];
@@ -184,12 +191,19 @@ nlohmann::json to_json(const Candidate& candidate) {
                           {"largest", range.scales.largest},
                           {"binds_below", text_or_null(range.binds_below)},
                           {"binds_above", text_or_null(range.binds_above)},
-                          {"at_smallest", to_json(candidate.ends[2 * i])},
-                          {"at_largest", to_json(candidate.ends[2 * i + 1])}});
+                          {"at_smallest", end_to_json(2 * i)},
+                          {"at_largest", end_to_json(2 * i + 1)}});
+        if (uncertain != nullptr) ranges.back()["uncertainty"] = cli::to_json(uncertain->ranges[i], uncertainty.inputs);
     }
-    for (const design::LimitRanges& limit : candidate.limits) {
+    for (std::size_t i = 0; i < candidate.limits.size(); ++i) {
+        const design::LimitRanges& limit = candidate.limits[i];
         limits.push_back({{"limit", limit.limit}, {"scales", nlohmann::json::array()}});
         for (const scaling::LengthRange& range : limit.ranges) limits.back()["scales"].push_back(to_json(range));
+        if (uncertain == nullptr) continue;
+        limits.back()["uncertainty"] = nlohmann::json::array();
+        for (const design::UncertainRange& range : uncertain->limits[i]) {
+            limits.back()["uncertainty"].push_back(cli::to_json(range, uncertainty.inputs));
+        }
     }
     if (candidate.conflict) {
         conflict = {{"upper", candidate.conflict->upper},
@@ -205,32 +219,45 @@ nlohmann::json to_json(const Candidate& candidate) {
             {"limits", limits},
             {"conflict", conflict},
             {"problem", text_or_null(candidate.problem)},
-            {"ranked_at", state_or_null(candidate.ranked)},
-            {"at_length", state_or_null(candidate.chosen)}};
+            {"ranked_at", state_or_null(candidate.ranked, uncertain == nullptr ? nullptr : &uncertain->ranked)},
+            {"at_length", state_or_null(candidate.chosen, uncertain == nullptr ? nullptr : &uncertain->chosen)}};
 }
 
 }  // namespace
 
-std::string make_design_report(const design::Design& design, const std::vector<Candidate>& candidates, scaling::ReportStyle style) {
+std::string make_design_report(const design::Design& design, const std::vector<Candidate>& candidates, const DesignUncertainty& uncertainty,
+                               scaling::ReportStyle style) {
     std::string text = make_title(design.name.empty() ? "Design" : design.name, style) + make_table(make_ranking(candidates), style);
-    for (const Candidate& candidate : candidates)
-        if (!candidate.is_feasible())
-            text += "\n" + make_paragraph(fmt::format("{} is infeasible: {}", name_candidate(candidate), candidate.problem), style);
     for (const Candidate& candidate : candidates) {
+        if (candidate.is_feasible()) continue;
+        text += "\n" + make_paragraph(fmt::format("{} is infeasible: {}", name_candidate(candidate), candidate.problem), style);
+    }
+    if (!uncertainty.is_certain()) {
+        text += make_heading("Uncertain values, u standard", style) + make_table(make_inputs_table(uncertainty.inputs), style);
+        text +=
+            make_heading("Ends of the length scales, to first order", style) + make_table(make_ends_table(candidates, uncertainty), style);
+    }
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+        const Candidate& candidate = candidates[i];
         if (candidate.limits.empty()) continue;
-        text += make_heading(name_candidate(candidate) + ": limits", style) + make_table(make_limits(candidate), style);
-        if (find_states(candidate).empty()) continue;
-        text += make_heading(name_candidate(candidate) + ": factors, model/prototype", style) + make_table(make_factors(candidate), style);
+        const design::UncertainCandidate* const uncertain = uncertainty.find(i);
+        text += make_heading(name_candidate(candidate) + ": limits", style) + make_table(make_limits(candidate, uncertain), style);
+        const std::vector<ToldState> states = find_states(candidate, uncertain);
+        if (states.empty()) continue;
+        text += make_heading(name_candidate(candidate) + ": factors, model/prototype", style) + make_table(make_factors(states), style);
         text += make_heading(name_candidate(candidate) + ": groups, d = model/prototype", style) +
-                make_table(make_groups(design, candidate), style);
+                make_table(make_groups(design, candidate, states), style);
     }
     return text;
 }
 
-nlohmann::json to_json(const design::Design& design, const std::vector<Candidate>& candidates) {
+nlohmann::json to_json(const design::Design& design, const std::vector<Candidate>& candidates, const DesignUncertainty& uncertainty) {
     nlohmann::json list = nlohmann::json::array();
-    for (const Candidate& candidate : candidates) list.push_back(to_json(candidate));
-    return {{"name", design.name}, {"gravity", design.gravity.value_or(1.0)}, {"groups", design.groups}, {"candidates", list}};
+    for (std::size_t i = 0; i < candidates.size(); ++i) list.push_back(to_json(candidates[i], uncertainty.find(i), uncertainty));
+    nlohmann::json object = {
+        {"name", design.name}, {"gravity", design.gravity.value_or(1.0)}, {"groups", design.groups}, {"candidates", list}};
+    if (!uncertainty.is_certain()) object["uncertainty"] = {{"inputs", cli::to_json(uncertainty.inputs)}, {"coverage", scaling::kCoverage}};
+    return object;
 }
 
 }  // namespace musim::cli

@@ -4,16 +4,19 @@
 #include <string>
 #include <vector>
 
+#include "cli/design_uncertainty_output.hpp"
 #include "design/candidate.hpp"
 #include "scaling/text_table.hpp"
 
 namespace musim::cli {
 
 /// The ranking, what conflicts where nothing is feasible, and for each candidate the limits used and the groups distorted at the ends and
-/// at the length in mind.
-std::string make_design_report(const design::Design& design, const std::vector<design::Candidate>& candidates, scaling::ReportStyle style);
+/// at the length in mind; with uncertain inputs, these and coverage intervals, too.
+std::string make_design_report(const design::Design& design, const std::vector<design::Candidate>& candidates,
+                               const DesignUncertainty& uncertainty, scaling::ReportStyle style);
 
-/// The same as JSON, in SI units.
-nlohmann::json to_json(const design::Design& design, const std::vector<design::Candidate>& candidates);
+/// The same as JSON, in SI units; "uncertainty" of the whole, of candidates, ranges and states only where something is uncertain.
+nlohmann::json to_json(const design::Design& design, const std::vector<design::Candidate>& candidates,
+                       const DesignUncertainty& uncertainty);
 
 }  // namespace musim::cli

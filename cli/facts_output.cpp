@@ -9,6 +9,7 @@
 #include "cli/named_values.hpp"
 #include "cli/pair_rows.hpp"
 #include "cli/report.hpp"
+#include "cli/uncertainty_output.hpp"
 #include "scaling/length_range.hpp"
 #include "scaling/quantity_text.hpp"
 
@@ -49,14 +50,28 @@ scaling::TextTable make_regimes(const std::vector<RegimeStatement>& regimes) {
     return table;
 }
 
-scaling::TextTable make_groups(const std::vector<GroupComparison>& groups, GroupClass kind) {
-    scaling::TextTable table{
-        {"group", "direction", "prototype", "model", "model/prototype", "required", "verdict", "sources", "what changes"}};
-    for (const GroupComparison& group : groups) {
+scaling::TextTable make_groups(const FactsReport& report, GroupClass kind) {
+    const bool is_certain = report.uncertain.is_certain();
+    scaling::TextTable table{{"group", "direction"}};
+    for (const char* const title : {"prototype", "model", "model/prototype"}) {
+        table.header.emplace_back(title);
+        if (!is_certain) table.header.push_back(coverage_title());
+    }
+    table.header.insert(table.header.end(), {"required", "verdict", "sources", "what changes"});
+    for (std::size_t i = 0; i < report.report.groups.size(); ++i) {
+        const GroupComparison& group = report.report.groups[i];
         if (group.kind != kind) continue;
-        table.rows.push_back({std::string(group.name), name_direction(group.direction), fmt::format("{:.5g}", group.prototype),
-                              fmt::format("{:.5g}", group.model), fmt::format("{:.5g}", group.factor()), group.is_required ? "yes" : "no",
-                              name_severity(group.severity), group.severity ? join_keys(group.sources) : "", group.effect});
+        std::vector<std::string> row{std::string(group.name), name_direction(group.direction)};
+        const auto add = [&](double value, scaling::FirstOrder scaling::UncertainComparison::*side) {
+            row.push_back(fmt::format("{:.5g}", value));
+            if (!is_certain) row.push_back(describe_interval(report.uncertain.groups[i].*side));
+        };
+        add(group.prototype, &scaling::UncertainComparison::prototype);
+        add(group.model, &scaling::UncertainComparison::model);
+        add(group.factor(), &scaling::UncertainComparison::factor);
+        row.insert(row.end(), {group.is_required ? "yes" : "no", name_severity(group.severity),
+                               group.severity ? join_keys(group.sources) : "", group.effect});
+        table.rows.push_back(row);
     }
     return table;
 }
@@ -106,6 +121,12 @@ nlohmann::json to_json(const GroupComparison& group) {
             {"sources", group.sources}};
 }
 
+nlohmann::json to_json(const scaling::UncertainComparison& group, const std::vector<scaling::UncertainInput>& inputs) {
+    return {{"prototype", cli::to_json(group.prototype, inputs)},
+            {"model", cli::to_json(group.model, inputs)},
+            {"factor", cli::to_json(group.factor, inputs)}};
+}
+
 nlohmann::json to_json(const std::vector<PairRow>& rows) {
     nlohmann::json object = nlohmann::json::object();
     for (const PairRow& row : rows) {
@@ -132,10 +153,15 @@ std::string make_facts_report(const FactsReport& report, scaling::ReportStyle st
                     similitude.acceleration(), similitude.force()),
         fmt::format("{}; {}", count_severities(report.report.regimes, "regimes"), count_severities(report.report.groups, "groups"))};
     text += make_lines(lines, style);
+    if (!report.uncertain.is_certain()) {
+        text += make_heading("Uncertain facts, u standard", style) + make_table(make_inputs_table(report.uncertain.inputs), style);
+        text += make_heading("Factors asked for, model/prototype", style) +
+                make_table(make_results_table("factor", report.uncertain.factors), style);
+    }
     text += make_heading("Regimes", style) + make_table(make_regimes(report.report.regimes), style);
     for (const GroupClass kind :
          {GroupClass::geometry, GroupClass::friction, GroupClass::contact, GroupClass::rocking, GroupClass::loading}) {
-        const scaling::TextTable table = make_groups(report.report.groups, kind);
+        const scaling::TextTable table = make_groups(report, kind);
         if (!table.rows.empty()) text += make_heading("Groups of " + std::string(to_string(kind)), style) + make_table(table, style);
     }
     if (facts.motion && facts.model_motion) {
@@ -150,17 +176,20 @@ std::string make_facts_report(const FactsReport& report, scaling::ReportStyle st
     }
     text += make_heading("Structural speed: derived, Rosakis21 for the number", style) + make_table(speeds, style);
     text += make_heading("Rocking blocks: Housner63", style) + make_table(rocking, style);
-    if (!report.report.untold.empty())
+    if (!report.report.untold.empty()) {
         text += "\n" + make_paragraph("Not told by prototype or model: " + describe_untold(report.report.untold), style);
+    }
     return text;
 }
 
 nlohmann::json to_json(const FactsReport& report) {
     nlohmann::json groups = nlohmann::json::array(), distortions = nlohmann::json::array(), regimes = nlohmann::json::array(),
                    untold = nlohmann::json::array(), rocking = nlohmann::json::object();
-    for (const GroupComparison& group : report.report.groups) {
-        groups.push_back(to_json(group));
-        if (group.severity) distortions.push_back(to_json(group));
+    const scaling::UncertainRegimes& uncertain = report.uncertain;
+    for (std::size_t i = 0; i < report.report.groups.size(); ++i) {
+        groups.push_back(to_json(report.report.groups[i]));
+        if (!uncertain.is_certain()) groups.back()["uncertainty"] = to_json(uncertain.groups[i], uncertain.inputs);
+        if (report.report.groups[i].severity) distortions.push_back(groups.back());
     }
     for (const RegimeStatement& regime : report.report.regimes) {
         regimes.push_back({{"topic", std::string(regime.topic)},
@@ -168,6 +197,7 @@ nlohmann::json to_json(const FactsReport& report) {
                            {"severity", severity_or_null(regime.severity)},
                            {"statement", regime.statement},
                            {"sources", regime.sources}});
+        if (!uncertain.is_certain()) regimes.back()["limit_within_uncertainty"] = regime.is_open;
     }
     for (const scaling::UntoldGroup& group : report.report.untold) {
         untold.push_back({{"group", std::string(group.name)}, {"missing", std::string(group.missing)}});
@@ -191,6 +221,11 @@ nlohmann::json to_json(const FactsReport& report) {
                        {"speeds", to_json(make_speed_rows(report.facts, report.similitude))},
                        {"rocking", rocking},
                        {"untold", untold}};
+    if (!uncertain.is_certain()) {
+        object["uncertainty"] = {{"inputs", cli::to_json(uncertain.inputs)},
+                                 {"factors", cli::to_json(uncertain.factors, uncertain.inputs)},
+                                 {"coverage", scaling::kCoverage}};
+    }
     return object;
 }
 

@@ -20,8 +20,8 @@ std::string find_beside(const std::string& naming_file, const std::string& named
     return (std::filesystem::path(naming_file).parent_path() / named).string();
 }
 
-records::ShakeTable read_shake_table(const std::string& file) {
-    return records::parse_shake_table(read_input_file(file, "the limits of a shake table (musim-table/1)"), file);
+records::ShakeTable read_shake_table(const std::string& file, scaling::UncertainReading* reading) {
+    return records::parse_shake_table(read_input_file(file, "the limits of a shake table (musim-table/1)"), file, reading);
 }
 
 }  // namespace musim::cli

@@ -12,7 +12,8 @@ std::string read_input_file(const std::string& file, const std::string& wanted);
 /// A file that another one names, as seen from the folder of that one.
 std::string find_beside(const std::string& naming_file, const std::string& named);
 
-/// The shake table of a file of schema musim-table/1. Throws records::ReadError.
-records::ShakeTable read_shake_table(const std::string& file);
+/// The shake table of a file of schema musim-table/1; uncertain limits are for a reading, and refused without it. Throws
+/// records::ReadError.
+records::ShakeTable read_shake_table(const std::string& file, scaling::UncertainReading* reading = nullptr);
 
 }  // namespace musim::cli

@@ -111,12 +111,16 @@ void note_values_used(const std::vector<scaling::UncertainFactor>& factors) {
         "musim: note: only the values of uncertain factors are used here; musim scale and musim rescale tell what the uncertainty does");
 }
 
-scaling::Similitude solve_similitude(const std::string& law, const std::vector<scaling::GivenFactor>& given) {
-    const scaling::SolvedLaw solved = scaling::solve_law(scaling::load_scale_law(law), given);
+void note_overruled(const scaling::SolvedLaw& solved) {
     for (const std::size_t j : solved.overruled) {
         note_at_end(fmt::format("musim: warning: law {}: {} is {:.7g} by the factors given, not its default", solved.law.name,
                                 solved.problem.quantities[j].name, *solved.solution.quantities[j].factor.value));
     }
+}
+
+scaling::Similitude solve_similitude(const std::string& law, const std::vector<scaling::GivenFactor>& given) {
+    const scaling::SolvedLaw solved = scaling::solve_law(scaling::load_scale_law(law), given);
+    note_overruled(solved);
     return scaling::make_similitude(solved);
 }
 

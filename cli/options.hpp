@@ -58,6 +58,9 @@ struct SimilitudeOptions {
     void note_values_used() const;
 };
 
+/// Warnings at the end for defaults of a law that given factors overrule.
+void note_overruled(const scaling::SolvedLaw& solved);
+
 /// The similitude of a law as data, by name or file, with the given factors. A default of the law that these overrule is a warning at the
 /// end. Throws scaling::SimilitudeError.
 scaling::Similitude solve_similitude(const std::string& law, const std::vector<scaling::GivenFactor>& given);

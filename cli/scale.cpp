@@ -63,13 +63,16 @@ int run_scale(const ScaleOptions& options) {
     if (options.data.lists_laws) return list_scale_laws(options.json);
     const CLI::App& command = *options.scales.command;
     const bool by_facts = options.facts.is_given() && !options.data.name_products();
-    if (options.scales.is_plain() && (by_facts || !options.data.are_given())) {
+    if (by_facts || (options.scales.is_plain() && !options.data.are_given())) {
         if (command.count("--length") == 0) throw CLI::RequiredError("--length (or --set for a law as data)");
         return by_facts ? run_scale_facts(command, options.scales, options.facts, options.data.style, options.json)
                         : run_similitude(options);
     }
-    for (const char* option : {"--friction-prototype", "--slenderness", "--height", "--pga", "--pgv", "--pgd", "--arias", "--duration",
-                               "--time-step", "--facts"}) {
+    if (options.facts.is_given()) {
+        throw CLI::ValidationError("--facts", "takes no products or values; give the file a \"law\" with \"set\" and \"hold\"");
+    }
+    for (const char* option :
+         {"--friction-prototype", "--slenderness", "--height", "--pga", "--pgv", "--pgd", "--arias", "--duration", "--time-step"}) {
         if (command.count(option) > 0) {
             throw CLI::ValidationError(
                 option, "belongs to laws mu, froude, exact and cauchy with --length; tell a law as data by --value what the prototype has");
@@ -102,6 +105,7 @@ void add_scale_command(CLI::App& app, Action& action) {
         "  musim scale --length 1/107+/-0.4% --friction 1.07+/-7% --pga 0.511g --pgv \"42.4+/-0.4 cm/s\" --json\n"
         "  musim scale --length 1/25 --gravity 25 --law froude --json\n"
         "  musim scale --length 1/107 --facts examples/facts/wood.json --format markdown > wood.md\n"
+        "  musim scale --length 1/107 --facts examples/facts/uncertain.json\n"
         "  musim scale --laws\n"
         "  musim scale --law true_replica --set l=1/25 --value \"E=29.2 GPa\"\n"
         "  musim scale --law artificial_mass --set l=1/25 --value \"m_s=270151 t\" --format markdown\n"

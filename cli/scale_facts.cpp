@@ -11,7 +11,10 @@
 #include "cli/input_file.hpp"
 #include "cli/output.hpp"
 #include "cli/preset_materials.hpp"
+#include "design/facts_law.hpp"
 #include "design/parse_facts.hpp"
+#include "scaling/scale_law_catalogue.hpp"
+#include "scaling/uncertain_regimes.hpp"
 
 namespace musim::cli {
 namespace {
@@ -27,28 +30,107 @@ void require_agreement(const CLI::App& command, const std::string& file, const c
                     file, name, typed, told));
 }
 
-scaling::Similitude make_similitude(const CLI::App& command, const SimilitudeOptions& scales, const std::string& file,
-                                    const scaling::PairFacts& pair) {
-    const scaling::ScaleFactors typed = scales.scales().factors(), told = make_scale_factors(pair, typed.length);
-    require_agreement(command, file, "--friction", typed.friction, told.friction);
-    require_agreement(command, file, "--gravity", typed.gravity, told.gravity);
-    require_agreement(command, file, "--density", typed.density, told.density);
-    return scaling::Similitude(told, scaling::parse_law(scales.law));
+/// The law of the file, or the one typed; they must not be two.
+design::DesignLaw find_law(const CLI::App& command, const SimilitudeOptions& scales, const std::string& file,
+                           const std::optional<design::DesignLaw>& told) {
+    const bool is_typed = command.count("--law") > 0;
+    if (told) {
+        if ((is_typed && scales.law != told->name()) || !scales.factors.empty()) {
+            throw scaling::SimilitudeError(fmt::format("{}: its law is {}, and {} was typed, too; leave one out", file, told->name(),
+                                                       scales.factors.empty() ? "--law " + scales.law : "--set " + scales.factors.front()));
+        }
+        return *told;
+    }
+    if (scales.is_plain()) return scaling::parse_law(scales.law);
+    return {scaling::load_scale_law(scales.law), scaling::values_of(parse_factors(scales.factors))};
 }
 
-std::optional<scaling::MotionFacts> find_motion(const FactsOptions& options, const std::optional<design::MotionSource>& source) {
-    if (!source) return std::nullopt;
-    if (const auto* const told = std::get_if<scaling::MotionFacts>(&*source)) return *told;
-    const auto& record = std::get<design::RecordOfMotion>(*source);
-    return design::measure_motion(options.source.load_beside(options.file, record.file), record);
+/// A file of facts with all that it says, to be read more than once.
+class FactsFiles {
+  public:
+    FactsFiles(const CLI::App& command, const SimilitudeOptions& scales, const FactsOptions& options)
+        : command_(command),
+          scales_(scales),
+          options_(options),
+          // the model's default size needs a length scale that makes sense
+          length_(scaling::Similitude({.length = scales.scales().factors().length}).length()),
+          json_(read_input_file(options.file, "what is known of prototype and model (musim-facts/1)")),
+          presets_(make_preset_materials()) {}
+
+    struct Read {
+        std::string name;
+        scaling::PairFacts pair;
+        design::FactsLaw law;
+    };
+
+    /// Facts, and the similitude that they ask for; the motion of a model that was not given one is left open.
+    Read read(scaling::UncertainReading& reading) {
+        const design::Facts facts = design::parse_facts(json_, options_.file, presets_, length_, &reading);
+        scaling::PairFacts pair{.prototype = facts.prototype,
+                                .model = facts.model,
+                                .motion = find_motion(facts.motion, measured_motion_),
+                                .model_motion = find_motion(facts.model_motion, measured_model_motion_),
+                                .table = find_table(facts, reading)};
+        check(pair);
+        return {facts.name, pair, apply_law(facts, pair, reading)};
+    }
+
+  private:
+    design::FactsLaw apply_law(const design::Facts& facts, const scaling::PairFacts& pair, const scaling::UncertainReading& reading) const {
+        const design::DesignLaw law = find_law(command_, scales_, options_.file, facts.law);
+        try {
+            return design::apply_law(law, pair, length_);
+        } catch (const scaling::SimilitudeError& error) {
+            if (!reading.is_moved()) throw scaling::SimilitudeError(fmt::format("{}: {}", options_.file, error.what()));
+            throw scaling::SimilitudeError(
+                fmt::format("{}: {} is uncertain, and law {} admits its value alone ({}); give the value alone, or choose another law",
+                            options_.file, reading.moved_input().name, law.name(), error.what()));
+        }
+    }
+
+    /// A record says the same whatever the facts: it is measured once.
+    std::optional<scaling::MotionFacts> find_motion(const std::optional<design::MotionSource>& source,
+                                                    std::optional<scaling::MotionFacts>& measured) const {
+        if (!source) return std::nullopt;
+        if (const auto* const told = std::get_if<scaling::MotionFacts>(&*source)) return *told;
+        const auto& record = std::get<design::RecordOfMotion>(*source);
+        if (!measured) measured = design::measure_motion(options_.source.load_beside(options_.file, record.file), record);
+        return measured;
+    }
+
+    std::optional<scaling::Bandwidth> find_table(const design::Facts& facts, scaling::UncertainReading& reading) const {
+        if (const auto* const told = std::get_if<scaling::Bandwidth>(&facts.table)) return *told;
+        const auto* const named = std::get_if<design::AxisOfTable>(&facts.table);
+        if (named == nullptr) return std::nullopt;
+        const records::ShakeTable table = read_shake_table(find_beside(options_.file, named->file), &reading);
+        return design::find_bandwidth(table.find_axis(named->axis), design::find_mass(facts.model));
+    }
+
+    const CLI::App& command_;
+    const SimilitudeOptions& scales_;
+    const FactsOptions& options_;
+    double length_;
+    std::string json_;
+    std::vector<design::Material> presets_;
+    std::optional<scaling::MotionFacts> measured_motion_, measured_model_motion_;
+};
+
+/// Facts whose model is shaken as it was told, or else by `shaken`.
+scaling::FactsAndLaw with_motion(const FactsFiles::Read& read, const scaling::Similitude& shaken) {
+    scaling::FactsAndLaw facts{read.pair, read.law.similitude};
+    if (facts.facts.motion && !facts.facts.model_motion) facts.facts.model_motion = to_model(*facts.facts.motion, shaken);
+    return facts;
 }
 
-std::optional<scaling::Bandwidth> find_table(const FactsOptions& options, const design::Facts& facts) {
-    if (const auto* const told = std::get_if<scaling::Bandwidth>(&facts.table)) return *told;
-    const auto* const named = std::get_if<design::AxisOfTable>(&facts.table);
-    if (named == nullptr) return std::nullopt;
-    const records::ShakeTable table = read_shake_table(find_beside(options.file, named->file));
-    return design::find_bandwidth(table.find_axis(named->axis), design::find_mass(facts.model));
+scaling::UncertainRegimes find_uncertain_regimes(FactsFiles& files, const scaling::UncertainReading& reading,
+                                                 const scaling::FactsAndLaw& facts, const scaling::KeptNumbers& kept,
+                                                 scaling::RegimeReport& report) {
+    if (reading.inputs().empty()) return {};
+    std::vector<scaling::MovedFacts> moved;
+    for (const auto& each : scaling::read_moved(reading, [&](scaling::UncertainReading& one) { return files.read(one); })) {
+        moved.push_back({with_motion(each.below, facts.similitude), with_motion(each.above, facts.similitude)});
+    }
+    return propagate(report, facts, kept, reading.inputs(), moved);
 }
 
 }  // namespace
@@ -60,7 +142,7 @@ void FactsOptions::add_to(CLI::App& command) {
                         "What is known of prototype and model (JSON, musim-facts/1; see design/README.md): reports every group of both, "
                         "regimes, structural speed and rocking")
             ->type_name("FACTS.json");
-    // what the facts tell themselves, and uncertainties, which this report does not carry
+    // what the facts tell themselves, and samples, which this report does not draw
     for (const char* const name : {"--friction-prototype", "--slenderness", "--height", "--pga", "--pgv", "--pgd", "--arias", "--duration",
                                    "--time-step", "--monte-carlo"}) {
         facts->excludes(name);
@@ -73,20 +155,19 @@ void FactsOptions::add_to(CLI::App& command) {
 
 int run_scale_facts(const CLI::App& command, const SimilitudeOptions& scales, const FactsOptions& options, scaling::ReportStyle style,
                     bool json) {
-    // the model's default size needs a length scale that makes sense
-    const scaling::Similitude by_length({.length = scales.scales().factors().length});
     scales.note_values_used();
-    const design::Facts facts = design::parse_facts(read_input_file(options.file, "what is known of prototype and model (musim-facts/1)"),
-                                                    options.file, make_preset_materials(), by_length.length());
-    scaling::PairFacts pair{.prototype = facts.prototype,
-                            .model = facts.model,
-                            .motion = find_motion(options, facts.motion),
-                            .model_motion = find_motion(options, facts.model_motion),
-                            .table = find_table(options, facts)};
-    const scaling::Similitude similitude = make_similitude(command, scales, options.file, pair);
-    check(pair);
-    if (pair.motion && !pair.model_motion) pair.model_motion = to_model(*pair.motion, similitude);
-    const FactsReport report{facts.name, pair, similitude, make_regime_report(pair, similitude)};
+    FactsFiles files(command, scales, options);
+    scaling::UncertainReading reading(options.file);
+    const FactsFiles::Read read = files.read(reading);
+    const scaling::ScaleFactors typed = scales.scales().factors(), told = make_scale_factors(read.pair, typed.length);
+    require_agreement(command, options.file, "--friction", typed.friction, told.friction);
+    require_agreement(command, options.file, "--gravity", typed.gravity, told.gravity);
+    require_agreement(command, options.file, "--density", typed.density, told.density);
+    if (read.law.solved) note_overruled(*read.law.solved);
+    const scaling::FactsAndLaw facts = with_motion(read, read.law.similitude);
+    scaling::RegimeReport regimes = make_regime_report(facts.facts, facts.similitude, read.law.kept);
+    const scaling::UncertainRegimes uncertain = find_uncertain_regimes(files, reading, facts, read.law.kept, regimes);
+    const FactsReport report{read.name, facts.facts, facts.similitude, regimes, uncertain};
     if (json) {
         print_json(to_json(report));
     } else {

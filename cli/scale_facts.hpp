@@ -21,8 +21,9 @@ struct FactsOptions {
     bool is_given() const { return !file.empty(); }
 };
 
-/// Prints the report of distortions and regimes. λ_μ, λ_g and λ_ρ are those of the facts; throws SimilitudeError when `command` was given
-/// others, and what reading facts, records and tables throws. Returns an exit code.
+/// Prints the report of distortions and regimes, with first-order uncertainties where the facts have some. λ_μ, λ_g and λ_ρ are those of
+/// the facts, the law is theirs or the one typed; throws SimilitudeError when `command` was given others, as design::apply_law() does, and
+/// what reading facts, records and tables throws. Returns an exit code.
 int run_scale_facts(const CLI::App& command, const SimilitudeOptions& scales, const FactsOptions& options, scaling::ReportStyle style,
                     bool json);
 

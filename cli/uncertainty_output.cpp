@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "scaling/quantity_text.hpp"
@@ -36,8 +37,6 @@ std::string key_of(const scaling::UncertainPair& pair) {
     return known.key.empty() ? pair.name : std::string(known.key);
 }
 
-std::string format_share(double share) { return share == 0.0 ? "-" : fmt::format("{:.3g} %", 100.0 * share); }
-
 /// Value, u, u/value, and what the samples say: the cells of one result.
 void add_cells(std::vector<std::string>& row, const scaling::UncertainResult& result, const scaling::RationalDimension& dimension) {
     const bool certain = result.first_order.relative == 0.0;
@@ -61,6 +60,8 @@ void add_titles(std::vector<std::string>& header, const std::string& value, bool
 
 }  // namespace
 
+std::string format_share(double share) { return share == 0.0 ? "-" : fmt::format("{:.3g} %", 100.0 * share); }
+
 std::string format_uncertainty(double uncertainty, double value, const scaling::RationalDimension& dimension) {
     int digits = 2;
     std::string text = scaling::format_si_like(uncertainty, value, dimension, digits);
@@ -81,6 +82,37 @@ nlohmann::json to_json(const scaling::UncertainResult& result, double unit) {
                           {"relative", result.first_order.relative}};
     if (result.samples) object["monte_carlo"] = to_json(*result.samples, unit);
     return object;
+}
+
+nlohmann::json to_json(const scaling::FirstOrder& result, const std::vector<scaling::UncertainInput>& inputs) {
+    const scaling::CoverageInterval interval = scaling::find_interval(result);
+    nlohmann::json exponents = nlohmann::json::object();
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+        if (result.exponents[i] != 0.0) exponents[inputs[i].name] = result.exponents[i];
+    }
+    return {{"value", result.value},
+            {"standard_uncertainty", result.uncertainty()},
+            {"relative", result.relative},
+            {"interval", {interval.lower, interval.upper}},
+            {"exponents", exponents}};
+}
+
+std::string describe_interval(const scaling::FirstOrder& result) {
+    if (result.relative == 0.0) return "-";
+    const scaling::CoverageInterval interval = scaling::find_interval(result);
+    return fmt::format("{:.4g} to {:.4g}", interval.lower, interval.upper);
+}
+
+std::string coverage_title() { return fmt::format("{:g} %", 100.0 * scaling::kCoverage); }
+
+std::string describe_main_input(const scaling::FirstOrder& result, const std::vector<scaling::UncertainInput>& inputs) {
+    if (result.relative == 0.0) return "-";
+    std::size_t main = 0;
+    const auto share = [&](std::size_t i) { return std::abs(result.exponents[i] * inputs[i].quantity.relative()) / result.relative; };
+    for (std::size_t i = 1; i < inputs.size(); ++i) {
+        if (share(i) > share(main)) main = i;
+    }
+    return fmt::format("{} ({:.3g} %)", inputs[main].name, 100.0 * share(main) * share(main));
 }
 
 nlohmann::json to_json(const std::vector<scaling::UncertainResult>& results, const std::vector<scaling::UncertainInput>& inputs) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "scaling/coverage.hpp"
 #include "scaling/text_table.hpp"
 #include "scaling/uncertain_similitude.hpp"
 
@@ -13,9 +14,25 @@ namespace musim::cli {
 /// An uncertainty with two digits [JCGM100] 7.2.6 in the unit of its value; with more where two would need a power of ten.
 std::string format_uncertainty(double uncertainty, double value, const scaling::RationalDimension& dimension);
 
+/// A relative uncertainty as "7.07 %"; "-" for none.
+std::string format_share(double share);
+
 /// What samples say of a quantity, and a result with its uncertainty, both told in a unit [SI].
 nlohmann::json to_json(const scaling::SampleSummary& samples, double unit);
 nlohmann::json to_json(const scaling::UncertainResult& result, double unit);
+
+/// A result to first order: value, standard and relative uncertainty, the coverage interval, and the exponents of those inputs that it
+/// depends on, by their names.
+nlohmann::json to_json(const scaling::FirstOrder& result, const std::vector<scaling::UncertainInput>& inputs);
+
+/// The coverage interval of a plain number as "0.9 to 1.1", four digits; "-" where it is certain.
+std::string describe_interval(const scaling::FirstOrder& result);
+
+/// "95 %".
+std::string coverage_title();
+
+/// The input that contributes most to a variance, with its share: "limits: hall_height (82 %)"; "-" for a certain result.
+std::string describe_main_input(const scaling::FirstOrder& result, const std::vector<scaling::UncertainInput>& inputs);
 
 /// Results by name, with the exponents of the inputs; the inputs; how samples were drawn.
 nlohmann::json to_json(const std::vector<scaling::UncertainResult>& results, const std::vector<scaling::UncertainInput>& inputs);

@@ -5,12 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "design/models.hpp"
-
 namespace musim::design {
 namespace {
-
-constexpr scaling::LengthRange kSearch{records::kSmallestScale, 1.0};
 
 bool has_group(const std::vector<GroupFactor>& groups, std::string_view name) {
     return std::any_of(groups.begin(), groups.end(), [&](const GroupFactor& group) { return group.name == name; });
@@ -96,8 +92,12 @@ bool ModelState::changes_regime() const {
 }
 
 ModelState find_state(const Setting& setting, const Material& material, const DesignLaw& law, double length) {
+    return find_state(setting, Models(setting.design, material, law), length);
+}
+
+ModelState find_state(const Setting& setting, const Models& models, double length) {
     const Design& design = setting.design;
-    const Models models(design, material, law);
+    const Material& material = models.material();
     const scaling::ModelScales scales = models.at(length);
     const scaling::ModelFacts facts = models.facts(scales);
     ModelState state{.length = length,

@@ -4,12 +4,16 @@
 #include <string>
 #include <vector>
 
+#include "design/models.hpp"
 #include "design/uses.hpp"
 #include "scaling/distortion.hpp"
 #include "scaling/length_range.hpp"
 
 /// What is possible in one material by one law.
 namespace musim::design {
+
+/// The length scales that are looked at.
+inline constexpr scaling::LengthRange kSearch{records::kSmallestScale, 1.0};
 
 /// Names of the groups that a ranking weighs unless a design says otherwise: one of each kind, see README.md.
 std::vector<std::string> default_groups();
@@ -38,7 +42,8 @@ struct ModelState {
     bool changes_regime() const;  ///< slides where the prototype rocks, or the reverse
 };
 
-/// Throws SimilitudeError as Similitude does.
+/// A model of one length. Throws SimilitudeError as Models::at() and its constructor do.
+ModelState find_state(const Setting& setting, const Models& models, double length);
 ModelState find_state(const Setting& setting, const Material& material, const DesignLaw& law, double length);
 
 /// The length scales that one limit leaves.

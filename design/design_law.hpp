@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "scaling/scale_law.hpp"
@@ -27,6 +28,11 @@ class DesignLaw {
     const std::shared_ptr<const scaling::ScaleLaw>& data() const { return data_; }
 
     const std::vector<scaling::GivenFactor>& set() const { return set_; }
+
+    /// Whether a law as data sets a factor, expects one to be chosen, and has a quantity.
+    bool sets(std::string_view quantity) const;
+    bool expects(std::string_view quantity) const;
+    bool has(std::string_view quantity) const;
 
     /// By name and factors.
     bool operator==(const DesignLaw& other) const;

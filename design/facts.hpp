@@ -4,6 +4,7 @@
 #include <string>
 #include <variant>
 
+#include "design/design_law.hpp"
 #include "records/ground_motion.hpp"
 #include "records/shake_table.hpp"
 #include "scaling/structure_facts.hpp"
@@ -33,6 +34,7 @@ struct Facts {
     scaling::StructureFacts prototype, model;
     std::optional<MotionSource> motion = {}, model_motion = {};
     std::variant<std::monostate, scaling::Bandwidth, AxisOfTable> table = {};
+    std::optional<DesignLaw> law = {};  ///< that the model is meant to follow
 };
 
 /// Peaks, significant duration D5-95, step, periods of the largest PSA and PSV (5 % damping, records::compute_own_spectrum), and the

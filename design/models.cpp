@@ -1,6 +1,5 @@
 #include "design/models.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace musim::design {
@@ -30,37 +29,18 @@ Models::Models(const Design& design, const Material& material, const DesignLaw& 
     at(design.length.value_or(1.0));
 }
 
-bool Models::is_set(const std::string& name) const {
-    const std::vector<scaling::GivenFactor>& set = law_.set();
-    return std::any_of(set.begin(), set.end(), [&](const scaling::GivenFactor& factor) { return factor.name == name; });
-}
-
-bool Models::expects(const std::string& name) const {
-    const std::vector<scaling::LawChoice>& choices = law_.data()->choices;
-    return std::any_of(choices.begin(), choices.end(), [&](const scaling::LawChoice& choice) { return choice.name == name; });
-}
-
-bool Models::has(const std::string& name) const {
-    const std::vector<scaling::LawQuantity>& quantities = law_.data()->quantities;
-    return std::any_of(quantities.begin(), quantities.end(), [&](const auto& each) { return each.quantity.name == name; });
-}
-
-std::vector<Models::Property> Models::properties(double length) const {
+std::vector<KnownProperty> Models::properties(double length) const {
     return {{"E", find_ratio(material_.modulus, prototype_.modulus)},
             {"e", find_ratio(material_.restitution, prototype_.restitution)},
             {"k_s", times(find_ratio(material_.shear_modulus, prototype_.shear_modulus), length)}};
 }
 
 std::vector<scaling::GivenFactor> Models::give(double length) const {
-    std::vector<scaling::GivenFactor> given = law_.set();
-    given.push_back({has("l") ? "l" : "H", length});
-    if (has("mu")) given.push_back({"mu", material_.friction / prototype_.friction});
-    if (has("rho")) given.push_back({has("rho_s") ? "rho_s" : "rho", (material_.density / prototype_.density).value()});
-    if (gravity_ && has("g") && !is_set("g")) given.push_back({"g", *gravity_});
-    for (const Property& property : properties(length)) {
-        if (property.factor && expects(property.name) && !is_set(property.name)) given.push_back({property.name, *property.factor});
-    }
-    return given;
+    return give_factors(law_, {.length = length,
+                               .friction = material_.friction / prototype_.friction,
+                               .density = (material_.density / prototype_.density).value(),
+                               .gravity = gravity_,
+                               .properties = properties(length)});
 }
 
 scaling::ModelScales Models::at(double length) const {
@@ -78,8 +58,8 @@ std::vector<scaling::NamedFactor> Models::own_groups(double length) const {
     const scaling::ChosenFactors chosen = formulas_->choose(give(length));
     const scaling::ScaleProblem& problem = formulas_->solved().problem;
     const auto add = [&](const scaling::ScaleProduct& product, std::optional<double> delta, const std::string& text) {
-        for (const Property& property : properties(length)) {
-            if (!has(property.name) || is_set(property.name)) continue;
+        for (const KnownProperty& property : properties(length)) {
+            if (!law_.has(property.name) || law_.sets(property.name)) continue;
             const std::size_t j = find_quantity(problem.quantities, property.name);
             const scaling::Rational& exponent = product.exponents[j];
             if (exponent == 0) continue;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "design/design.hpp"
+#include "design/known_factors.hpp"
 #include "scaling/distortion.hpp"
 #include "scaling/law_formulas.hpp"
 
@@ -11,10 +12,8 @@ namespace musim::design {
 
 /// The models of one material by one law, at any length scale.
 ///
-/// A law as data gets what a design knows, under the names of scaling/laws: the length as l, or else as the height H; μ; the material's
-/// density as rho_s where the law has one, else as rho; g where the design tells it; and where the law expects them to be chosen and both
-/// materials tell them the modulus E, the restitution e and the stiffness of a face k_s (E_shear A/H, hence ∝ λ_l). A factor that the law
-/// sets goes before E, e, k_s, g.
+/// A law as data gets what a design knows as give_factors() has it: g where the design tells it, and E, e and the stiffness of a face
+/// k_s = E_shear A/H, hence ∝ λ_l, where both materials tell them.
 class Models {
   public:
     /// Throws SimilitudeError: the law does not admit the material, needs another factor (MissingFactor), or has not the quantities that
@@ -38,16 +37,8 @@ class Models {
     double solid_mass(const scaling::ModelScales& scales) const;
 
   private:
-    /// A property of the model that the material has, whatever the law asks for.
-    struct Property {
-        std::string name;
-        std::optional<double> factor;  ///< none where prototype or material do not tell it
-    };
     std::vector<scaling::GivenFactor> give(double length) const;
-    std::vector<Property> properties(double length) const;
-    bool is_set(const std::string& name) const;
-    bool expects(const std::string& name) const;
-    bool has(const std::string& name) const;
+    std::vector<KnownProperty> properties(double length) const;
 
     Prototype prototype_;
     std::optional<double> gravity_;

@@ -4,13 +4,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "design/candidate.hpp"
+#include "design/detail/law_fields.hpp"
 #include "design/detail/material_fields.hpp"
 #include "design/models.hpp"
-#include "scaling/scale_law_catalogue.hpp"
 
 namespace musim::design {
 namespace {
@@ -18,30 +17,16 @@ namespace {
 using detail::Json;
 using detail::JsonFields;
 using detail::read_modulus;
+using detail::read_names;
 using detail::read_number;
 using detail::read_positive;
 using detail::require_block;
+using detail::require_list;
 using detail::require_positive;
 using detail::require_text;
 
-const Json& require_list(JsonFields& fields, const char* key, const std::string& example) {
-    if (!fields.has(key) || !fields[key].is_array() || fields[key].empty()) {
-        fields.fail(fmt::format("{} is no list", key), "write " + example);
-    }
-    return fields[key];
-}
-
-std::vector<std::string> read_names(JsonFields& fields, const char* key, const std::string& example) {
-    std::vector<std::string> names;
-    for (const Json& entry : require_list(fields, key, example)) {
-        if (!entry.is_string()) fields.fail(fmt::format("an entry of {} is no text", key), "write it in quotes");
-        names.push_back(entry.get<std::string>());
-    }
-    return names;
-}
-
-Prototype read_prototype(const Json& object, const std::string& place) {
-    JsonFields fields(object, place);
+Prototype read_prototype(const Json& object, const std::string& place, scaling::UncertainReading* reading) {
+    JsonFields fields(object, place, reading);
     Prototype prototype;
     prototype.block = require_block(fields, "block");
     prototype.height = require_positive<scaling::Length>(fields, "height");
@@ -58,9 +43,10 @@ Prototype read_prototype(const Json& object, const std::string& place) {
     return prototype;
 }
 
-Material read_material(const Json& value, const std::string& place, const std::vector<Material>& presets) {
+Material read_material(const Json& value, const std::string& place, const std::vector<Material>& presets,
+                       scaling::UncertainReading* reading) {
     if (value.is_string()) return detail::find_preset(value.get<std::string>(), place, presets);
-    JsonFields fields(value, place);
+    JsonFields fields(value, place, reading);
     const std::optional<Material> preset = detail::read_preset(fields, presets);
     const std::string name = preset ? fields.text("name", preset->name) : require_text(fields, "name");
     Material material = detail::read_properties(fields, preset, [&] { return require_block(fields, "stiffness_block"); });
@@ -74,7 +60,8 @@ Material read_material(const Json& value, const std::string& place, const std::v
 std::vector<Material> read_materials(JsonFields& fields, const std::vector<Material>& presets) {
     std::vector<Material> materials;
     for (const Json& entry : require_list(fields, "materials", R"(["wood", {"name": "resin", "density": ..., "friction": ...}])")) {
-        const Material material = read_material(entry, fmt::format("{}: materials {}", fields.place(), materials.size() + 1), presets);
+        const Material material =
+            read_material(entry, fmt::format("{}: materials {}", fields.place(), materials.size() + 1), presets, fields.reading());
         if (std::any_of(materials.begin(), materials.end(), [&](const Material& other) { return other.name == material.name; })) {
             fields.fail(fmt::format("the material \"{}\" comes twice", material.name), "give every one its own \"name\"");
         }
@@ -86,7 +73,7 @@ std::vector<Material> read_materials(JsonFields& fields, const std::vector<Mater
 std::vector<GivenPeaks> read_peaks(JsonFields& fields) {
     std::vector<GivenPeaks> list;
     for (const Json& entry : require_list(fields, "peaks", R"([{"axis": "x", "acceleration": "0.5 g", ...}])")) {
-        JsonFields row(entry, fmt::format("{}: peaks {}", fields.place(), list.size() + 1));
+        JsonFields row(entry, fmt::format("{}: peaks {}", fields.place(), list.size() + 1), fields.reading());
         GivenPeaks peaks{.axis = require_text(row, "axis"), .acceleration = require_positive<scaling::Acceleration>(row, "acceleration")};
         peaks.velocity = read_positive<scaling::Velocity>(row, "velocity");
         peaks.displacement = read_positive<scaling::Length>(row, "displacement");
@@ -107,12 +94,14 @@ RecordFile read_record_file(JsonFields& fields) {
             record.axes.emplace_back(component, axis.get<std::string>());
         }
     }
+    fields.refuse_uncertainty("high_pass", "it is chosen");
     record.high_pass = read_positive<scaling::Frequency>(fields, "high_pass");
     return record;
 }
 
-std::variant<RecordFile, std::vector<GivenPeaks>> read_motion(const Json& object, const std::string& place) {
-    JsonFields fields(object, place);
+std::variant<RecordFile, std::vector<GivenPeaks>> read_motion(const Json& object, const std::string& place,
+                                                              scaling::UncertainReading* reading) {
+    JsonFields fields(object, place, reading);
     std::variant<RecordFile, std::vector<GivenPeaks>> motion;
     if (fields.has("peaks")) {
         motion = read_peaks(fields);
@@ -123,14 +112,15 @@ std::variant<RecordFile, std::vector<GivenPeaks>> read_motion(const Json& object
     return motion;
 }
 
-Limits read_limits(const Json& object, const std::string& place) {
-    JsonFields fields(object, place);
+Limits read_limits(const Json& object, const std::string& place, scaling::UncertainReading* reading) {
+    JsonFields fields(object, place, reading);
     Limits limits;
     limits.hall_height = read_positive<scaling::Length>(fields, "hall_height");
     limits.deviation_ratio = read_number(fields, "deviation_ratio");
     limits.overlap_ratio = read_number(fields, "overlap_ratio");
     if (fields.has("camera")) {
-        JsonFields camera(fields["camera"], place + ": camera");
+        JsonFields camera(fields["camera"], place + ": camera", reading);
+        camera.refuse_uncertainty("pictures", "they are chosen");
         limits.camera_rate = require_positive<scaling::Frequency>(camera, "rate");
         limits.pictures = require_positive<scaling::Ratio>(camera, "pictures").value();
         camera.refuse_unknown_keys();
@@ -153,50 +143,12 @@ void check_limits(const JsonFields& fields, const Design& design) {
     }
 }
 
-/// A law by name, or from a file beside the design.
-scaling::ScaleLaw load_law(const std::string& name, const std::string& source) {
-    if (const auto shipped = scaling::find_scale_law(name)) return *shipped;
-    const std::filesystem::path beside = std::filesystem::path(source).parent_path() / name;
-    return scaling::load_scale_law(std::filesystem::exists(beside) ? beside.string() : name);
-}
-
-/// {"law": "restoring_force", "set": {"F_R": "1/500"}, "hold": ["F_R/(mu*m*g)"]}.
-DesignLaw read_law_object(const Json& object, const std::string& place, const std::string& source) {
-    JsonFields fields(object, place);
-    scaling::ScaleLaw law = load_law(require_text(fields, "law"), source);
-    if (fields.has("hold")) {
-        for (const std::string& product : read_names(fields, "hold", R"-(["F_R/(mu*m*g)"])-")) law.held.push_back(product);
-    }
-    std::vector<scaling::GivenFactor> set;
-    if (fields.has("set")) {
-        if (!fields["set"].is_object()) fields.fail("set is no object", R"(write {"F_R": "1/500"}, a factor by the quantity's name)");
-        JsonFields factors(fields["set"], place + ": set");
-        for (const auto& [quantity, value] : fields["set"].items()) {
-            set.push_back({quantity, require_positive<scaling::Ratio>(factors, quantity.c_str()).value()});
-        }
-    }
-    fields.refuse_unknown_keys();
-    return {std::move(law), std::move(set)};
-}
-
 std::vector<DesignLaw> read_laws(JsonFields& fields, const std::string& source) {
     if (!fields.has("laws")) return {scaling::Law::mu};
     std::vector<DesignLaw> laws;
     for (const Json& entry : require_list(fields, "laws", R"(["mu", {"law": "gravity_distorted", "set": {"a": 2}}])")) {
-        const std::string place = fmt::format("{}: laws", fields.place());
-        try {
-            if (entry.is_object()) {
-                laws.push_back(read_law_object(entry, place, source));
-            } else if (!entry.is_string()) {
-                fields.fail("an entry of laws is no text", "write it in quotes");
-            } else if (const auto name = entry.get<std::string>(); scaling::is_law(name)) {
-                laws.emplace_back(scaling::parse_law(name));
-            } else {
-                laws.emplace_back(load_law(name, source), std::vector<scaling::GivenFactor>());
-            }
-        } catch (const scaling::SimilitudeError& error) {
-            throw records::ReadError(fmt::format("{}: {}", place, error.what()));
-        }
+        if (!entry.is_string() && !entry.is_object()) fields.fail("an entry of laws is no text", "write it in quotes");
+        laws.push_back(detail::read_law(entry, fields, "laws", source));
     }
     return laws;
 }
@@ -240,24 +192,26 @@ std::vector<std::string> read_groups(JsonFields& fields, const std::vector<Desig
 
 }  // namespace
 
-Design parse_design(std::string_view json, const std::string& source, const std::vector<Material>& presets) {
+Design parse_design(std::string_view json, const std::string& source, const std::vector<Material>& presets,
+                    scaling::UncertainReading* reading) {
     const Json object = detail::parse_object(json, source, "musim-design/1", "design", R"("prototype": {...}, "materials": [...])");
-    JsonFields fields(object, source);
+    JsonFields fields(object, source, reading);
     Design design;
     design.name = fields.text("name", "");
     if (!fields.has("prototype")) fields.fail("prototype is missing", R"(add {"block": [...], "height", "density", "friction"})");
-    design.prototype = read_prototype(object["prototype"], source + ": prototype");
+    design.prototype = read_prototype(object["prototype"], source + ": prototype", reading);
     design.table_file = fields.text("table", "");
     const bool has_record = fields.has("record");
     if (has_record != !design.table_file.empty()) {
         fields.fail(has_record ? "table is missing (it is to make the record)" : "record is missing (the table is to make it)",
                     "give both, or neither");
     }
-    if (has_record) design.motion = read_motion(object["record"], source + ": record");
-    if (fields.has("limits")) design.limits = read_limits(object["limits"], source + ": limits");
+    if (has_record) design.motion = read_motion(object["record"], source + ": record", reading);
+    if (fields.has("limits")) design.limits = read_limits(object["limits"], source + ": limits", reading);
     design.materials = read_materials(fields, presets);
     design.laws = read_laws(fields, source);
     design.gravity = read_number(fields, "gravity");
+    fields.refuse_uncertainty("length", "it is chosen");
     design.length = read_number(fields, "length");
     design.groups = read_groups(fields, design.laws);
     fields.refuse_unknown_keys();

@@ -1,5 +1,6 @@
 #include "design/parse_facts.hpp"
 
+#include "design/detail/law_fields.hpp"
 #include "design/detail/material_fields.hpp"
 
 namespace musim::design {
@@ -36,8 +37,8 @@ std::optional<scaling::Stiffness> find_face_stiffness(const std::optional<scalin
 }
 
 scaling::StructureFacts read_structure(const Json& object, const std::string& place, const std::vector<Material>& presets,
-                                       const Defaults& defaults) {
-    JsonFields fields(object, place);
+                                       const Defaults& defaults, scaling::UncertainReading* reading) {
+    JsonFields fields(object, place, reading);
     scaling::StructureFacts facts;
     const std::optional<Material> preset = detail::read_preset(fields, presets);
     facts.name = fields.text("name", preset ? preset->name : defaults.name);
@@ -64,6 +65,7 @@ scaling::StructureFacts read_structure(const Json& object, const std::string& pl
 }
 
 RecordOfMotion read_record(JsonFields& fields) {
+    fields.refuse_uncertainty("high_pass", "it is chosen");
     return {.file = require_text(fields, "file"),
             .component = fields.text("component", ""),
             .vertical = fields.text("vertical", ""),
@@ -87,14 +89,15 @@ scaling::MotionFacts read_peaks(JsonFields& fields) {
 
 std::optional<MotionSource> read_motion(JsonFields& parent, const Json& object, const char* key) {
     if (!parent.has(key)) return std::nullopt;
-    JsonFields fields(object[key], parent.place() + ": " + key);
+    JsonFields fields(object[key], parent.place() + ": " + key, parent.reading());
     const MotionSource motion = fields.has("file") ? MotionSource(read_record(fields)) : MotionSource(read_peaks(fields));
     fields.refuse_unknown_keys();
     return motion;
 }
 
-std::variant<std::monostate, scaling::Bandwidth, AxisOfTable> read_table(const Json& object, const std::string& place) {
-    JsonFields fields(object, place);
+std::variant<std::monostate, scaling::Bandwidth, AxisOfTable> read_table(const Json& object, const std::string& place,
+                                                                         scaling::UncertainReading* reading) {
+    JsonFields fields(object, place, reading);
     std::variant<std::monostate, scaling::Bandwidth, AxisOfTable> table;
     if (fields.has("file")) {
         table = AxisOfTable{.file = require_text(fields, "file"), .axis = require_text(fields, "axis")};
@@ -108,9 +111,10 @@ std::variant<std::monostate, scaling::Bandwidth, AxisOfTable> read_table(const J
 
 }  // namespace
 
-Facts parse_facts(std::string_view json, const std::string& source, const std::vector<Material>& presets, double length) {
+Facts parse_facts(std::string_view json, const std::string& source, const std::vector<Material>& presets, double length,
+                  scaling::UncertainReading* reading) {
     const Json object = detail::parse_object(json, source, "musim-facts/1", "file of facts", R"("prototype": {...}, "model": {...})");
-    JsonFields fields(object, source);
+    JsonFields fields(object, source, reading);
     Facts facts;
     facts.name = fields.text("name", "");
     for (const char* const side : {"prototype", "model"}) {
@@ -118,17 +122,22 @@ Facts parse_facts(std::string_view json, const std::string& source, const std::v
             fields.fail(fmt::format("{} is missing", side), R"(add {"preset" or "density" and "friction", "block", "layers", ...})");
         }
     }
-    facts.prototype = read_structure(object["prototype"], source + ": prototype", presets, {.name = "prototype"});
+    facts.prototype = read_structure(object["prototype"], source + ": prototype", presets, {.name = "prototype"}, reading);
     const Block& block = facts.prototype.block;
     facts.model = read_structure(
         object["model"], source + ": model", presets,
-        {.name = "model", .block = Block{length * block[0], length * block[1], length * block[2]}, .layers = facts.prototype.layers});
+        {.name = "model", .block = Block{length * block[0], length * block[1], length * block[2]}, .layers = facts.prototype.layers},
+        reading);
     facts.motion = read_motion(fields, object, "motion");
     facts.model_motion = read_motion(fields, object, "model_motion");
     if (facts.model_motion && !facts.motion) {
         fields.fail("motion is missing (model_motion is held against it)", "add the prototype's motion, or remove model_motion");
     }
-    if (fields.has("table")) facts.table = read_table(object["table"], source + ": table");
+    if (fields.has("table")) facts.table = read_table(object["table"], source + ": table", reading);
+    if (fields.has("law") && !object["law"].is_string() && !object["law"].is_object()) {
+        fields.fail("law is neither a name nor an object", R"(write "true_replica" or {"law": "gravity_distorted", "set": {"a": 2}})");
+    }
+    if (fields.has("law")) facts.law = detail::read_law(object["law"], fields, "law", source);
     fields.refuse_unknown_keys();
     return facts;
 }

@@ -41,11 +41,13 @@ std::vector<PayloadLimit> read_acceleration(JsonFields& fields) {
     if (!value.is_array()) return {{0.0 * scaling::si::kilograms, require_limit<scaling::Acceleration>(fields, "acceleration")}};
     std::vector<PayloadLimit> limits;
     for (const Json& entry : value) {
-        JsonFields row(entry, fmt::format("{}: acceleration {}", fields.place(), limits.size() + 1));
+        JsonFields row(entry, fmt::format("{}: acceleration {}", fields.place(), limits.size() + 1), fields.reading());
         const auto payload = row.quantity<scaling::Mass>("payload");
         const auto limit = require_limit<scaling::Acceleration>(row, "limit");
         row.refuse_unknown_keys();
-        const bool rises = limits.empty() ? payload.value() >= 0.0 : payload > limits.back().payload && limit <= limits.back().limit;
+        const bool was_in_order = row.reading() != nullptr && row.reading()->is_moved();
+        const bool rises =
+            was_in_order || (limits.empty() ? payload.value() >= 0.0 : payload > limits.back().payload && limit <= limits.back().limit);
         if (!rises) row.fail("more payload must come after less, with no more acceleration", "bring the rows into order");
         limits.push_back({payload, limit});
     }
@@ -53,8 +55,8 @@ std::vector<PayloadLimit> read_acceleration(JsonFields& fields) {
     return limits;
 }
 
-OilColumn read_oil_column(const Json& object, const std::string& place) {
-    JsonFields fields(object, place + ": oil_column");
+OilColumn read_oil_column(const Json& object, const JsonFields& axis) {
+    JsonFields fields(object, axis.place() + ": oil_column", axis.reading());
     OilColumn column{require_limit<scaling::Frequency>(fields, "frequency"), fields.number("share", 1.0)};
     if (!(column.share > 0.0 && column.share <= 1.0)) fields.fail("share is not above 0 and up to 1", "write the usable part, such as 0.6");
     fields.refuse_unknown_keys();
@@ -72,7 +74,7 @@ TableAxis read_axis(JsonFields& fields) {
     axis.payload = read_limit<scaling::Mass>(fields, "payload");
     axis.lowest_frequency = read_limit<scaling::Frequency>(fields, "lowest_frequency");
     axis.highest_frequency = read_limit<scaling::Frequency>(fields, "highest_frequency");
-    if (fields.has("oil_column")) axis.oil_column = read_oil_column(fields["oil_column"], fields.place());
+    if (fields.has("oil_column")) axis.oil_column = read_oil_column(fields["oil_column"], fields);
     if ((axis.force || axis.oil_column) && !axis.moving_mass) {
         fields.fail("moving_mass is missing (force and oil column act on table and payload)", "add the mass of platen and rods");
     }
@@ -83,8 +85,8 @@ TableAxis read_axis(JsonFields& fields) {
 }
 
 /// One entry of the list stands for as many axes as it has names.
-void add_axes(std::vector<TableAxis>& axes, const Json& object, const std::string& place) {
-    JsonFields fields(object, place);
+void add_axes(std::vector<TableAxis>& axes, const Json& object, const std::string& place, scaling::UncertainReading* reading) {
+    JsonFields fields(object, place, reading);
     if (!fields.has("names") || !fields["names"].is_array() || fields["names"].empty()) {
         fields.fail("has no names", "add \"names\": [\"x\"], one for each direction that has these limits");
     }
@@ -160,7 +162,7 @@ const TableAxis& ShakeTable::find_axis(std::string_view wanted) const {
     throw ReadError(fmt::format("the table has no axis \"{}\"; choose one of {}", wanted, names));
 }
 
-ShakeTable parse_shake_table(std::string_view json, const std::string& source) {
+ShakeTable parse_shake_table(std::string_view json, const std::string& source, scaling::UncertainReading* reading) {
     const Json object = Json::parse(json, nullptr, false);
     if (object.is_discarded()) throw ReadError(source + ": is no JSON; write {\"schema\": \"musim-table/1\", \"axes\": [...]}");
     if (!object.is_object() || !object.contains("schema") || object["schema"] != kSchema) {
@@ -175,7 +177,7 @@ ShakeTable parse_shake_table(std::string_view json, const std::string& source) {
     }
     if (!fields.has("axes") || !object["axes"].is_array() || object["axes"].empty()) fields.fail("has no axes", "add \"axes\": [...]");
     for (std::size_t i = 0; i < object["axes"].size(); ++i) {
-        add_axes(table.axes, object["axes"][i], fmt::format("{}: axes {}", source, i + 1));
+        add_axes(table.axes, object["axes"][i], fmt::format("{}: axes {}", source, i + 1), reading);
     }
     if (fields.has("controller")) {
         table.controller = read_controller(object["controller"], source + ": controller");

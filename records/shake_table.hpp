@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "records/sample_unit.hpp"
+#include "scaling/uncertain_reading.hpp"
 #include "scaling/units.hpp"
 
 /// A shake table as data: what it can do, and what its controller reads.
@@ -70,7 +71,7 @@ struct ShakeTable {
 /// {"rate", "quiet", "displacement": "mm", "velocity": "mm/s", "acceleration": "g", "columns": ["time", ...], "separator": "comma" | "tab"
 /// | "space", "header", "digits"}}. Quantities are SI numbers or text with a unit. A force and an oil column need the moving mass. Throws
 /// ReadError `source: place: what (why); what to do` for anything else, unknown keys, limits that are not positive and names that come
-/// twice included.
-ShakeTable parse_shake_table(std::string_view json, const std::string& source);
+/// twice included. `reading` takes limits and masses with standard uncertainties (scaling/uncertain.hpp), which are refused without it.
+ShakeTable parse_shake_table(std::string_view json, const std::string& source, scaling::UncertainReading* reading = nullptr);
 
 }  // namespace musim::records

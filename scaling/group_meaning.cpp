@@ -219,18 +219,10 @@ std::string_view to_string(GroupClass kind) {
     return "loading";
 }
 
-bool GroupMeaning::is_required_by(Law law) const {
-    switch (law) {
-        case Law::mu:
-            return laws.mu;
-        case Law::froude:
-            return laws.froude;
-        case Law::cauchy:
-            return laws.cauchy;
-        case Law::exact:
-            break;
-    }
-    return true;
+bool GroupMeaning::is_required_by(const KeptNumbers& kept) const {
+    if (kept.froude && kept.cauchy) return true;
+    const bool by_all = laws.mu && laws.froude && laws.cauchy;
+    return by_all || (kept.mu && laws.mu) || (kept.froude && laws.froude) || (kept.cauchy && laws.cauchy);
 }
 
 std::vector<std::string> GroupMeaning::list_sources() const {

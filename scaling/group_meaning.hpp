@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "scaling/similitude.hpp"
+#include "scaling/kept_numbers.hpp"
 
 namespace musim::scaling {
 
@@ -31,7 +31,9 @@ struct GroupMeaning {
     std::string_view if_smaller;                   ///< when it is smaller
     std::array<std::string_view, 2> sources = {};  ///< keys of docs/references.md, or "derived" (README.md); the rest is empty
 
-    bool is_required_by(Law law) const;
+    /// By a law that keeps these numbers: whatever one of them asks for, all of it where a law keeps weight and elasticity at once, and
+    /// what every law asks for.
+    bool is_required_by(const KeptNumbers& kept) const;
     std::string_view effect(double factor) const { return factor > 1.0 ? if_larger : if_smaller; }
     std::vector<std::string> list_sources() const;
 };

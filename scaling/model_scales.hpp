@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "scaling/law_formulas.hpp"
 #include "scaling/similitude.hpp"
@@ -28,6 +29,24 @@ struct ModelScales {
     /// λ of tan α = width/height.
     double slenderness() const { return width / height; }
 };
+
+/// One of the factors that a law gives.
+struct ModelScale {
+    std::string_view name;  ///< "acceleration_vertical"
+    double ModelScales::*factor;
+};
+
+/// The factors to be told of a model, one by one.
+inline constexpr ModelScale kModelScales[] = {{"height", &ModelScales::height},
+                                              {"width", &ModelScales::width},
+                                              {"time", &ModelScales::time},
+                                              {"displacement", &ModelScales::displacement},
+                                              {"velocity", &ModelScales::velocity},
+                                              {"acceleration", &ModelScales::acceleration},
+                                              {"acceleration_vertical", &ModelScales::acceleration_vertical},
+                                              {"gravity", &ModelScales::gravity},
+                                              {"friction", &ModelScales::friction},
+                                              {"mass", &ModelScales::mass}};
 
 /// Those of a law as data: of its similitude where it has a length l, else by the names that mu_vertical_distortion gives its quantities:
 /// H, b, t, u, v, a, u_v, a_v, m, mu, g. Throws SimilitudeError when a quantity is missing, of another dimension or open.

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "scaling/coverage.hpp"
 #include "scaling/distribution.hpp"
 #include "scaling/propagate.hpp"
 
@@ -21,9 +22,6 @@ struct MonteCarloSettings {
 /// results take more than half a gigabyte.
 inline constexpr std::size_t kFewestSamples = 1'000;
 inline constexpr std::size_t kMostSamples = 1'000'000;
-
-/// Probability of the coverage interval, as many samples on either side of it.
-inline constexpr double kCoverage = 0.95;
 
 /// Samples of one result.
 struct SampleSummary {

@@ -24,6 +24,19 @@ double find_exponent(double larger, double smaller) {
     return std::abs(raw - exact) <= kExponentRounding ? exact : std::numeric_limits<double>::quiet_NaN();
 }
 
+/// How far rounding may move an exponent that is found with kMove [-]: some fifty roundings of 1e-16, over twice its logarithm.
+constexpr double kMovedRounding = 1e-10;
+
+/// The exponent between two neighbors of a result.
+double find_moved_exponent(double below, double value, double above) {
+    const double step = 2.0 * std::log(kMove);
+    // logarithms are exact for products; a result that changes sign has none
+    const bool has_logarithms = below / value > 0.0 && above / value > 0.0;
+    const double raw = below == above ? 0.0 : has_logarithms ? std::log(above / below) / step : (above - below) / (step * value);
+    const double exact = std::round(raw * kPartsOfExponent) / kPartsOfExponent;
+    return std::abs(raw - exact) <= kMovedRounding ? exact : raw;
+}
+
 }  // namespace
 
 FirstOrder make_first_order(double value, std::vector<double> exponents, const std::vector<UncertainInput>& inputs) {
@@ -57,6 +70,19 @@ std::vector<FirstOrder> propagate_first_order(const std::vector<UncertainInput>&
     }
     std::vector<FirstOrder> propagated;
     for (std::size_t r = 0; r < results.size(); ++r) propagated.push_back(make_first_order(results[r], std::move(exponents[r]), inputs));
+    return propagated;
+}
+
+std::vector<FirstOrder> find_first_order(const std::vector<double>& results, const std::vector<UncertainInput>& inputs,
+                                         const std::vector<MovedResults>& moved) {
+    std::vector<FirstOrder> propagated;
+    for (std::size_t r = 0; r < results.size(); ++r) {
+        std::vector<double> exponents;
+        for (const MovedResults& results_moved : moved) {
+            exponents.push_back(find_moved_exponent(results_moved.below[r], results[r], results_moved.above[r]));
+        }
+        propagated.push_back(make_first_order(results[r], std::move(exponents), inputs));
+    }
     return propagated;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <span>
 #include <string>
@@ -28,7 +29,7 @@ struct FirstOrder {
     double relative = 0.0;               ///< u/value: √Σ (n_i u_i/x_i)²
     std::vector<double> exponents = {};  ///< n_i = ∂ln(result)/∂ln(x_i), one for each input
 
-    double uncertainty() const { return relative * value; }
+    double uncertainty() const { return relative * std::abs(value); }
 };
 
 /// First order of value = c Π x_i^(n_i), whose exponents are known, one for each input.
@@ -38,5 +39,21 @@ FirstOrder make_first_order(double value, std::vector<double> exponents, const s
 /// the square of its exponent [JCGM100] 5.1.6. The exponents are exact, not differences: x_i doubled multiplies the result by 2^n_i, and
 /// what rounding adds to n_i is taken off (multiples of 1/12). Throws std::logic_error for a result that is no product of powers.
 std::vector<FirstOrder> propagate_first_order(const std::vector<UncertainInput>& inputs, const Evaluation& evaluate);
+
+/// By how much, as a factor or its inverse, find_first_order() wants an input moved [-]. Smaller: rounding, 1e-16 over its logarithm,
+/// shows; larger: what is no product of powers is told with an error of its logarithm squared, 1e-6. Changes nothing where results are
+/// products.
+inline constexpr double kMove = 1.0 + 0x1p-10;
+
+/// All results with one input divided and multiplied by kMove.
+struct MovedResults {
+    std::vector<double> below, above;
+};
+
+/// First order of any smooth results, from what they are at the inputs' values and with each input moved: n_i = ∂ln|y|/∂ln(x_i) by central
+/// differences, exact for products of powers, where what rounding adds is taken off (multiples of 1/12). Results that no input changes may
+/// be zero. `moved` has one entry for each input.
+std::vector<FirstOrder> find_first_order(const std::vector<double>& results, const std::vector<UncertainInput>& inputs,
+                                         const std::vector<MovedResults>& moved);
 
 }  // namespace musim::scaling

@@ -1,5 +1,7 @@
 #include "scaling/regime_report.hpp"
 
+#include <fmt/format.h>
+
 #include <limits>
 
 #include "scaling/detail/regime_borders.hpp"
@@ -35,14 +37,14 @@ void weigh_contacts(std::vector<GroupComparison>& groups) {
     }
 }
 
-GroupComparison compare(const GroupValue& prototype, const GroupValue& model, Law law) {
+GroupComparison compare(const GroupValue& prototype, const GroupValue& model, const KeptNumbers& kept) {
     const GroupMeaning& meaning = find_group_meaning(prototype.name);
     GroupComparison group{.name = meaning.name,
                           .kind = meaning.kind,
                           .direction = prototype.direction,
                           .prototype = *prototype.value,
                           .model = *model.value,
-                          .is_required = meaning.is_required_by(law),
+                          .is_required = meaning.is_required_by(kept),
                           .sources = meaning.list_sources()};
     group.severity = find_severity(group.factor());
     if (group.severity) group.effect = meaning.effect(group.factor());
@@ -57,11 +59,15 @@ double GroupComparison::factor() const {
 }
 
 RegimeReport make_regime_report(const PairFacts& facts, const Similitude& similitude) {
-    check(facts);
     if (!similitude.law()) {
         throw SimilitudeError(
             fmt::format("law {}: what it requires of groups is not known; choose mu, froude, exact or cauchy", similitude.law_name()));
     }
+    return make_regime_report(facts, similitude, find_kept_numbers(*similitude.law()));
+}
+
+RegimeReport make_regime_report(const PairFacts& facts, const Similitude& similitude, const KeptNumbers& kept) {
+    check(facts);
     PairFacts pair = facts;
     if (pair.motion && !pair.model_motion) pair.model_motion = to_model(*pair.motion, similitude);
     const bool is_shaken = pair.motion && pair.model_motion;
@@ -74,7 +80,7 @@ RegimeReport make_regime_report(const PairFacts& facts, const Similitude& simili
     for (std::size_t i = 0; i < of_prototype.size(); ++i) {
         const GroupValue &prototype = of_prototype[i], &model = of_model[i];
         if (prototype.value && model.value) {
-            report.groups.push_back(compare(prototype, model, *similitude.law()));
+            report.groups.push_back(compare(prototype, model, kept));
         } else if (prototype.direction != Direction::wide) {
             report.untold.push_back({prototype.name, prototype.value ? "model" : model.value ? "prototype" : "both"});
         }

@@ -33,6 +33,7 @@ struct RegimeStatement {
     std::optional<Severity> severity = {};    ///< nothing: prototype and model are on one side
     std::string statement = {};               ///< one line
     std::vector<std::string> sources = {};
+    bool is_open = false;  ///< a border lies within the uncertainty of the facts (uncertain_regimes.hpp)
 };
 
 /// A group that prototype, model or both do not tell.
@@ -54,7 +55,10 @@ struct RegimeReport {
 ///            does not follow the frequency that governs;
 ///   note     for κ_n and δ_w/σ_H while δ_w/σ_H is below kRigidContact in both, and for C^N while it is itself.
 ///
-/// Throws SimilitudeError as check(PairFacts).
+/// What the law requires is what the numbers that it keeps ask for. Throws SimilitudeError as check(PairFacts).
+RegimeReport make_regime_report(const PairFacts& facts, const Similitude& similitude, const KeptNumbers& kept);
+
+/// The same for a law of the code; throws SimilitudeError for another, too.
 RegimeReport make_regime_report(const PairFacts& facts, const Similitude& similitude);
 
 /// Contacts count as rigid while the static overlap at the base is below this share of the height deviation, and while normal contact waves

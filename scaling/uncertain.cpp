@@ -127,6 +127,8 @@ Uncertain parse_with_unit(std::string_view text, const std::function<double(std:
 
 }  // namespace
 
+bool is_marked_uncertain(std::string_view text) { return split_at_mark(text).has_value(); }
+
 Uncertain parse_uncertain(std::string_view text) {
     const auto marked = split_at_mark(text);
     if (!marked) return {parse_number(text), 0.0};

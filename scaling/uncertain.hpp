@@ -38,6 +38,9 @@ struct UncertainQuantity {
     Uncertain si() const { return {value.value(), uncertainty.value()}; }
 };
 
+/// Whether a text has a "+/-" or "±" in it.
+bool is_marked_uncertain(std::string_view text);
+
 /// A number or fraction as parse_number() reads it, with or without its standard uncertainty: "0.63+/-0.03", "0.63 +/- 5%", "0.63±0.03",
 /// "1/107+/-1%". Behind a fraction the uncertainty is that of the quotient; a percentage is of the value.
 ///

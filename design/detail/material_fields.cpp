@@ -30,13 +30,30 @@ std::string require_text(JsonFields& fields, const char* key) {
     return text;
 }
 
+const Json& require_list(JsonFields& fields, const char* key, const std::string& example) {
+    if (!fields.has(key) || !fields[key].is_array() || fields[key].empty()) {
+        fields.fail(fmt::format("{} is no list", key), "write " + example);
+    }
+    return fields[key];
+}
+
+std::vector<std::string> read_names(JsonFields& fields, const char* key, const std::string& example) {
+    std::vector<std::string> names;
+    for (const Json& entry : require_list(fields, key, example)) {
+        if (!entry.is_string()) fields.fail(fmt::format("an entry of {} is no text", key), "write it in quotes");
+        names.push_back(entry.get<std::string>());
+    }
+    return names;
+}
+
 Block require_block(JsonFields& fields, const char* key) {
     if (!fields.has(key) || !fields[key].is_array() || fields[key].size() != 3) {
         fields.fail(fmt::format("{} is no list of three lengths", key), R"(write ["12.7 mm", "26.4 mm", "39.7 mm"], the height last)");
     }
+    constexpr std::string_view kEdges[] = {"b", "w", "H"};
     Block block;
     for (std::size_t i = 0; i < block.size(); ++i) {
-        block[i] = fields.to_quantity<scaling::Length>(fields[key][i], key);
+        block[i] = fields.to_quantity<scaling::Length>(fields[key][i], key, kEdges[i]);
         if (!(block[i].value() > 0.0 && std::isfinite(block[i].value()))) {
             fields.fail(fmt::format("a length of {} is not above zero", key), "correct it");
         }

@@ -57,6 +57,12 @@ std::optional<double> read_number(JsonFields& fields, const char* key);
 
 std::string require_text(JsonFields& fields, const char* key);
 
+/// A list that is not empty; `example` goes into the message.
+const Json& require_list(JsonFields& fields, const char* key, const std::string& example);
+
+/// The texts of such a list.
+std::vector<std::string> read_names(JsonFields& fields, const char* key, const std::string& example);
+
 /// Three lengths above zero: b, w, H.
 Block require_block(JsonFields& fields, const char* key);
 

@@ -4,9 +4,12 @@
 
 #include <algorithm>
 
+#include "scaling/uncertain.hpp"
+
 namespace musim::records::detail {
 
-JsonFields::JsonFields(const Json& object, std::string place) : object_(object), place_(std::move(place)) {
+JsonFields::JsonFields(const Json& object, std::string place, scaling::UncertainReading* reading)
+    : object_(object), place_(std::move(place)), reading_(reading) {
     if (!object.is_object()) fail("is no object", "write {\"KEY\": VALUE, ...}");
 }
 
@@ -57,14 +60,35 @@ TimeWindow JsonFields::window(const char* key) {
     return {to_quantity<scaling::Time>(object_[key][0], key), to_quantity<scaling::Time>(object_[key][1], key)};
 }
 
-double JsonFields::to_si(const Json& value, const char* key, scaling::Dimension dimension) const {
+void JsonFields::refuse_uncertainty(const char* key, std::string_view why) const {
+    if (!object_.contains(key) || !object_[key].is_string()) return;
+    const auto text = object_[key].get<std::string>();
+    if (!scaling::is_marked_uncertain(text)) return;
+    fail(fmt::format("{} is \"{}\" (+/- makes no sense here: {})", key, text, why), "give the value alone");
+}
+
+double JsonFields::to_si(const Json& value, const char* key, std::string_view part, scaling::Dimension dimension) const {
     if (value.is_number()) return value.get<double>();
     if (!value.is_string()) fail(fmt::format("{} is no quantity", key), "write a number in SI units, or text such as \"0.05 Hz\"");
     try {
-        return scaling::parse_si(value.get<std::string>(), dimension);
+        const auto text = value.get<std::string>();
+        if (scaling::is_marked_uncertain(text)) return take_uncertain(text, key, part, dimension);
+        return scaling::parse_si(text, dimension);
     } catch (const scaling::ParseError& error) {
         throw ReadError(fmt::format("{}: {}: {}", place_, key, error.what()));
     }
+}
+
+double JsonFields::take_uncertain(const std::string& text, const char* key, std::string_view part, scaling::Dimension dimension) const {
+    if (reading_ == nullptr) {
+        fail(fmt::format("{} is \"{}\" (+/- makes no sense here: values alone are used)", key, text), "give the value alone");
+    }
+    const std::string name = fmt::format("{}: {}{}{}", place_, key, part.empty() ? "" : " ", part);
+    const bool is_fraction_of_two = dimension == scaling::Dimension{} && text.find('(') != std::string::npos;
+    if (!is_fraction_of_two) return reading_->take(name, scaling::parse_uncertain_si(text, dimension), dimension);
+    const scaling::UncertainRatio ratio = scaling::parse_uncertain_ratio(text);
+    if (!ratio.denominator) return reading_->take(name, ratio.numerator);
+    return reading_->take(name + ", above", ratio.numerator) / reading_->take(name + ", below", *ratio.denominator);
 }
 
 void JsonFields::refuse_unknown_keys() const {

@@ -9,6 +9,7 @@
 #include "records/error.hpp"
 #include "records/processing.hpp"
 #include "scaling/quantity_text.hpp"
+#include "scaling/uncertain_reading.hpp"
 
 namespace musim::records::detail {
 
@@ -18,14 +19,15 @@ class JsonFields {
   public:
     using Json = nlohmann::ordered_json;
 
-    /// `object` must outlive this. Throws when it is no object.
-    JsonFields(const Json& object, std::string place);
+    /// `object` must outlive this. `reading` takes values with uncertainties; without it they are refused. Throws when it is no object.
+    JsonFields(const Json& object, std::string place, scaling::UncertainReading* reading = nullptr);
 
     [[noreturn]] void fail(const std::string& what, const std::string& what_to_do) const;
 
     bool has(const char* key);
     const Json& operator[](const char* key) const { return object_[key]; }
     const std::string& place() const { return place_; }
+    scaling::UncertainReading* reading() const { return reading_; }
 
     double number(const char* key, double fallback);
     int integer(const char* key, int fallback);
@@ -44,20 +46,26 @@ class JsonFields {
     std::optional<Quantity> optional_quantity(const char* key) {
         return has(key) ? std::optional(to_quantity<Quantity>(object_[key], key)) : std::nullopt;
     }
-    /// A number in SI units or text with a unit.
+    /// A number in SI units or text with a unit, perhaps with a standard uncertainty (scaling/uncertain.hpp) where there is a reading; a
+    /// plain number may be a fraction of two uncertain ones. `part` tells entries of a list apart.
     template <class Quantity>
-    Quantity to_quantity(const Json& value, const char* key) const {
-        return Quantity::from_value(to_si(value, key, scaling::dimension_of<Quantity>()));
+    Quantity to_quantity(const Json& value, const char* key, std::string_view part = "") const {
+        return Quantity::from_value(to_si(value, key, part, scaling::dimension_of<Quantity>()));
     }
+
+    /// Throws where the value at a key, if it is there, has an uncertainty: `why` it makes no sense.
+    void refuse_uncertainty(const char* key, std::string_view why) const;
 
     /// Throws for a key that nobody asked for.
     void refuse_unknown_keys() const;
 
   private:
-    double to_si(const Json& value, const char* key, scaling::Dimension dimension) const;
+    double to_si(const Json& value, const char* key, std::string_view part, scaling::Dimension dimension) const;
+    double take_uncertain(const std::string& text, const char* key, std::string_view part, scaling::Dimension dimension) const;
 
     const Json& object_;
     std::string place_;
+    scaling::UncertainReading* reading_;
     std::vector<std::string> used_;
 };
 

@@ -14,13 +14,6 @@ namespace {
 /// Rounding alone crosses no border.
 bool is_kept(double model, double prototype) { return std::abs(model / prototype - 1.0) <= kFactorRounding; }
 
-/// One frequency of the model's motion against the table's.
-struct Demand {
-    std::string_view name;
-    std::optional<Frequency> frequency;
-    Severity severity;
-};
-
 std::optional<Frequency> invert(const std::optional<Time>& period) {
     return period ? std::optional<Frequency>(1.0 / *period) : std::nullopt;
 }
@@ -32,6 +25,13 @@ std::string describe_bandwidth(const Bandwidth& table) {
 }
 
 }  // namespace
+
+std::array<TableDemand, 4> list_table_demands(const MotionFacts& model) {
+    return {{{"pulse frequency", invert(model.pulse_period), Severity::error},
+             {"predominant frequency", invert(model.predominant_period), Severity::error},
+             {"lowest frequency", model.lowest_frequency, Severity::warning},
+             {"highest frequency", model.highest_frequency, Severity::warning}}};
+}
 
 std::optional<RegimeStatement> cross_border(const GroupComparison& group) {
     const Border* const border = find_border(group.name);
@@ -86,14 +86,10 @@ void add_contacts(std::vector<RegimeStatement>& regimes, const std::vector<Group
 }
 
 void add_table(std::vector<RegimeStatement>& regimes, const MotionFacts& model, const Bandwidth& table) {
-    const Demand demands[] = {{"pulse frequency", invert(model.pulse_period), Severity::error},
-                              {"predominant frequency", invert(model.predominant_period), Severity::error},
-                              {"lowest frequency", model.lowest_frequency, Severity::warning},
-                              {"highest frequency", model.highest_frequency, Severity::warning}};
     if (!table.lowest && !table.highest) return;
     RegimeStatement statement{.topic = "table", .sources = {"derived"}};
     std::string outside, inside;
-    for (const Demand& demand : demands) {
+    for (const TableDemand& demand : list_table_demands(model)) {
         if (!demand.frequency) continue;
         const bool is_outside =
             (table.lowest && *demand.frequency < *table.lowest) || (table.highest && *demand.frequency > *table.highest);

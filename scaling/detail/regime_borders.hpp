@@ -1,12 +1,24 @@
 #pragma once
 
+#include <array>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "scaling/regime_report.hpp"
 
 /// Where one kind of response ends and another begins.
 namespace musim::scaling::detail {
+
+/// One frequency of the model's motion against the table's, and how bad it is if the table does not follow it.
+struct TableDemand {
+    std::string_view name;
+    std::optional<Frequency> frequency;
+    Severity severity;
+};
+
+/// Those of a motion, told or not.
+std::array<TableDemand, 4> list_table_demands(const MotionFacts& model);
 
 /// What a group that has a border at 1 says about both structures; nothing for a group without one.
 std::optional<RegimeStatement> cross_border(const GroupComparison& group);

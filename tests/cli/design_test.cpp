@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <string>
 
@@ -168,4 +169,50 @@ TEST_CASE("a design by laws as data ranks materials, names conflicts and tells f
     CHECK(missing.exit_code == 3);
     CHECK(missing.has_one_error_line());
     CHECK(missing.err.find("the factor of k_s (stiffness of an interface) is missing") != std::string::npos);
+}
+
+TEST_CASE("uncertain values of a design and its table give intervals in every form of the report") {
+    const Workplace here;
+    const std::string design = "design '" MUSIM_SOURCE_DIR "/examples/design/uncertain.json' ";
+    const auto object = here.run(design + "--json").json();
+    CHECK(object["uncertainty"]["coverage"] == 0.95);
+    CHECK(object["uncertainty"]["inputs"].size() == 11);
+    const auto& wood = object["candidates"].at(0);
+    const auto& range = wood["ranges"].at(0);
+    const auto& smallest = range["uncertainty"]["smallest"];
+    CHECK(smallest["value"] == range["smallest"]);
+    // L ≥ U (f_P/f)² with 5 % on both coefficients and on f_P
+    CHECK(smallest["relative"].get<double>() == relative(std::hypot(std::hypot(0.05, 0.05), 0.1), 1e-12));
+    CHECK(smallest["exponents"]["record: peaks 1: highest_frequency"] == 2.0);
+    CHECK(smallest["interval"].at(0).get<double>() < range["smallest"].get<double>());
+    CHECK(wood["at_length"]["uncertainty"]["groups"]["mu^N"]["relative"] == 0.0);
+    CHECK(wood["at_length"]["uncertainty"]["used"].size() == wood["at_length"]["uses"].size());
+    const std::string latex = here.run(design + "--format latex").out, markdown = here.run(design + "--format markdown").out;
+    for (const std::string& text : {here.run(design).out, markdown, latex}) {
+        CHECK(text.find("1/186 to 1/115.1") != std::string::npos);
+        CHECK(text.find("0.9296 to 1.227") != std::string::npos);  // mu/tan(alpha)
+        CHECK(text.find("prototype: mass (80") != std::string::npos);
+    }
+    // nothing of it where nothing is uncertain
+    const auto certain = here.run("design '" + kExample + "' --json").json();
+    CHECK_FALSE(certain.contains("uncertainty"));
+    CHECK(here.run("design '" + kExample + "'").out.find("95 %") == std::string::npos);
+}
+
+TEST_CASE("a table's uncertain limits are a design's input, and no business of other commands") {
+    const Workplace here;
+    here.write("table.json", R"({"schema": "musim-table/1", "axes": [{"names": ["x"], "displacement": "1 mm +/- 3 %"}]})");
+    here.write("design.json", make_design(""));
+    const auto object = here.run("design design.json --json").json();
+    CHECK(object["uncertainty"]["inputs"].at(0)["name"] == "table.json: axes 1: displacement");
+    // displacement goes with λ_l
+    CHECK(object["candidates"].at(0)["ranges"].at(0)["uncertainty"]["largest"]["relative"].get<double>() == relative(0.03, 1e-12));
+    const Outcome table = here.run("table synthetic --limits table.json --length 1/25");
+    CHECK(table.exit_code == 3);
+    CHECK(table.has_one_error_line());
+    CHECK(table.err.find("table.json: axes 1: displacement is \"1 mm +/- 3 %\" (+/- makes no sense here") != std::string::npos);
+    here.write("design.json", make_design(R"(, "length": "1/25 +/- 1%")"));
+    const Outcome chosen = here.run("design design.json");
+    CHECK(chosen.exit_code == 3);
+    CHECK(chosen.has_one_error_line());
 }

@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <string>
 
 #include "tests/cli/program.hpp"
@@ -177,4 +178,67 @@ TEST_CASE("wrong input to the facts is told in one line") {
     error("--facts facts.json --format html", 2);
     error("--unit g", 2);
     CHECK(here.run("scale --length 0 --facts facts.json").exit_code == 3);
+}
+
+TEST_CASE("uncertain facts give intervals on groups and say which regimes are open") {
+    const Workplace here;
+    const std::string scale = "scale --length 1/107 --facts " + example("uncertain");
+    const Outcome outcome = here.run(scale + " --json");
+    REQUIRE_MESSAGE(outcome.exit_code == 0, outcome.err);
+    const auto object = outcome.json();
+    CHECK(object["uncertainty"]["inputs"].size() == 10);
+    CHECK(object["uncertainty"]["factors"]["friction"]["relative"].get<double>() == relative(std::hypot(0.05, 0.05), 1e-12));
+    const auto slip = find(object["facts"]["groups"], "group", "mu^N");
+    // u(μ^N)² = u(v)² + (u(l)² + u(μ)²)/4, l by the height of the model's blocks
+    CHECK(slip["uncertainty"]["model"]["relative"].get<double>() ==
+          relative(std::hypot(0.4 / 42.4, 0.5 * std::hypot(0.05 / 39.78, 0.05)), 1e-12));
+    CHECK(slip["uncertainty"]["prototype"]["interval"].size() == 2);
+    const auto open = find(object["facts"]["regimes"], "topic", "sliding or rocking first", "wide");
+    CHECK(open["limit_within_uncertainty"] == true);
+    CHECK(open["severity"] == "warning");
+    CHECK(find(object["facts"]["regimes"], "topic", "sliding or rocking first", "thin")["limit_within_uncertainty"] == false);
+    for (const char* const format : {"text", "markdown", "latex"}) {
+        const std::string text = here.run(scale + " --format " + format).out;
+        CHECK(text.find("times its limit (95") != std::string::npos);
+        CHECK(text.find("0.9296 to 1.227") != std::string::npos);
+        CHECK(text.find("motion: predominant") != std::string::npos);
+    }
+    // nothing of it where nothing is uncertain
+    const Outcome certain = here.run("scale --length 1/107 --facts " + example("wood") + " --json");
+    CHECK_FALSE(certain.json().contains("uncertainty"));
+    CHECK(certain.out.find("limit_within") == std::string::npos);
+    const Outcome admitted = here.run("scale --length 1/107 --law exact --facts " + example("uncertain"));
+    CHECK(admitted.exit_code == 3);
+    CHECK(admitted.has_one_error_line());
+}
+
+TEST_CASE("facts go by every law as data, told in the file or typed") {
+    const Workplace here;
+    const std::string both = R"({"schema": "musim-facts/1", "prototype": {"preset": "concrete", "block": ["1.36 m", "2.82 m", "4.25 m"],
+        "layers": 38}, "model": {"preset": "concrete"}, "motion": {"acceleration": "0.5 g"})";
+    here.write("facts.json", both + "}");
+    here.write("distorted.json", both + R"(, "law": {"law": "gravity_distorted", "set": {"a": 2}}})");
+    here.write("uneven.json", both + R"(, "law": "mu_vertical_distortion"})");
+    const auto typed = here.run("scale --length 1/25 --law gravity_distorted --set a=2 --facts facts.json --json");
+    REQUIRE_MESSAGE(typed.exit_code == 0, typed.err);
+    CHECK(typed.json()["law"] == "gravity_distorted");
+    CHECK(find(typed.json()["facts"]["groups"], "group", "a/g")["factor"].get<double>() == relative(2.0, 1e-12));
+    CHECK(here.run("scale --length 1/25 --facts distorted.json --json").json() == typed.json());
+    const auto replica = here.run("scale --length 1/25 --law true_replica --facts facts.json --json").json();
+    const auto rigidity = find(replica["facts"]["groups"], "group", "kappa_n");
+    CHECK(rigidity["required"] == true);  // E/(rho g l) is held, and the same solid does not keep it
+    CHECK(rigidity["factor"].get<double>() == relative(25.0, 1e-12));
+    const auto error = [&](const std::string& arguments, int code) {
+        const Outcome outcome = here.run("scale --length 1/25 " + arguments);
+        CHECK(outcome.exit_code == code);
+        CHECK(outcome.has_one_error_line());
+        CHECK(outcome.out.empty());
+        return outcome.err;
+    };
+    CHECK(error("--facts uneven.json", 3).find("uneven.json: law mu_vertical_distortion: it settles no single length l (") !=
+          std::string::npos);
+    CHECK(error("--facts distorted.json --law froude", 3) ==
+          "musim: error: distorted.json: its law is gravity_distorted, and --law froude was typed, too; leave one out\n");
+    CHECK(error("--facts distorted.json --set a=3", 3).find("and --set a=3 was typed, too") != std::string::npos);
+    CHECK(error("--facts facts.json --hold 'v/sqrt(g*l)'", 2).find("--facts") != std::string::npos);
 }

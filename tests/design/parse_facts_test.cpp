@@ -6,6 +6,7 @@
 #include <numbers>
 #include <string>
 
+#include "design/facts_law.hpp"
 #include "records/error.hpp"
 #include "records/intensity.hpp"
 #include "records/synthetic.hpp"
@@ -163,6 +164,55 @@ TEST_CASE("a table's axis follows what its own limits, its loaded oil column and
     CHECK(find_mass(structure).value() == 0.0);
     structure.blocks_per_layer = 188;
     CHECK(find_mass(structure).value() == relative(76.158, 0.002));  // printed for blocks of 1/106.84
+}
+
+TEST_CASE("facts carry uncertainties and name a law as designs do") {
+    scaling::UncertainReading reading("f.json");
+    const auto read = [&](const std::string& fields) {
+        return parse_facts(R"({"schema": "musim-facts/1", )" + fields + "}", "f.json", {wood(), concrete()}, 0.25, &reading);
+    };
+    const Facts facts =
+        read(R"("prototype": {"preset": "concrete", "block": ["1.36 m +/- 1 mm", 2.82, 4.25], "layers": 38}, )" + kModel +
+             R"(, "motion": {"acceleration": "0.511 g +/- 1%", "direction": "30 deg +/- 2 deg"}, "law": {"law": "gravity_distorted",
+             "set": {"a": "2 +/- 1%"}}, "table": {"highest_frequency": "100 +/- 2 Hz"})");
+    REQUIRE(reading.inputs().size() == 5);
+    CHECK(reading.inputs()[0].name == "prototype: block b");
+    CHECK(reading.inputs()[2].quantity.uncertainty == relative(2.0 * std::numbers::pi / 180.0, 1e-15 * 4.0));
+    CHECK(reading.inputs()[4].name == "law: set: a");
+    CHECK(facts.law->name() == "gravity_distorted");
+    CHECK(facts.law->set().front().factor == 2.0);
+    CHECK(read(kBoth + R"(, "law": "froude")").law->plain() == scaling::Law::froude);
+    check_refused(
+        kBoth + R"(, "motion": {"acceleration": "0.5 g +/- 1%"})",
+        "f.json: motion: acceleration is \"0.5 g +/- 1%\" (+/- makes no sense here: values alone are used); give the value alone");
+    check_refused(
+        kBoth + R"(, "law": 1)",
+        "f.json: law is neither a name nor an object; write \"true_replica\" or {\"law\": \"gravity_distorted\", \"set\": {\"a\": 2}}");
+    check_refused(kBoth + R"(, "motion": {"file": "a.v1", "high_pass": "0.1 Hz +/- 1%"})",
+                  "f.json: motion: high_pass is \"0.1 Hz +/- 1%\" (+/- makes no sense here: it is chosen); give the value alone");
+    CHECK(musim::tests::message_of<records::ReadError>([&] { read(kBoth + R"(, "law": "no_such_law")"); }).find("f.json: law: ") == 0);
+}
+
+TEST_CASE("a law as data takes from the facts what it asks for") {
+    const auto apply = [&](const std::string& law, const std::string& model = kModel, double length = 0.04) {
+        const Facts facts = parse(kPrototype + ", " + model + R"(, "law": )" + law, length);
+        return apply_law(*facts.law, {.prototype = facts.prototype, .model = facts.model}, length);
+    };
+    const std::string same = R"("model": {"preset": "concrete"})", spun = R"("model": {"preset": "concrete", "gravity": "25 g"})";
+    const FactsLaw replica = apply(R"("true_replica")");
+    CHECK(replica.similitude.law_name() == "true_replica");
+    CHECK(replica.similitude.time() == 0.2);
+    CHECK(replica.kept.froude);
+    CHECK(replica.kept.cauchy);
+    CHECK(apply(R"("centrifuge")", spun).similitude.acceleration() == relative(25.0, 1e-12));
+    CHECK(apply(R"({"law": "gravity_distorted", "set": {"a": 4}})", same, 0.25).similitude.time() == 0.25);
+    CHECK(apply(R"("mu")").similitude.law() == scaling::Law::mu);
+    const auto refusal = [&](const std::string& law, const std::string& model) {
+        return musim::tests::message_of<scaling::SimilitudeError>([&] { apply(law, model); });
+    };
+    CHECK(refusal(R"("mu_vertical_distortion")", same).find("law mu_vertical_distortion: it settles no single length l (") == 0);
+    CHECK(refusal(R"("centrifuge")", same).find("law centrifuge: ") == 0);
+    CHECK(refusal(R"({"law": "mechanics", "set": {"t": 0.2, "g": 25}})", same).find("law mechanics: it sets g to 25, where gravity") == 0);
 }
 
 }  // namespace musim::design::tests

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "design/uncertain_candidate.hpp"
+#include "scaling/text_table.hpp"
+
+namespace musim::cli {
+
+/// What the uncertain values of a design do to its candidates, in their order; no inputs, no candidates where all is certain.
+struct DesignUncertainty {
+    std::vector<scaling::UncertainInput> inputs;
+    std::vector<design::UncertainCandidate> candidates;
+
+    bool is_certain() const { return inputs.empty(); }
+
+    /// Of one candidate; null where all is certain.
+    const design::UncertainCandidate* find(std::size_t candidate) const { return is_certain() ? nullptr : &candidates[candidate]; }
+};
+
+/// The ends of all feasible ranges that a limit sets: what binds, u, the coverage interval, and the input that matters most.
+scaling::TextTable make_ends_table(const std::vector<design::Candidate>& candidates, const DesignUncertainty& uncertainty);
+
+/// Coverage intervals of the ends of a limit's ranges: "1/149.8 to 1/143.1 ... -"; "-" where all are certain.
+std::string describe_ends(const std::vector<design::UncertainRange>& ranges);
+
+/// A column of coverage intervals behind the last one, a row each.
+void add_intervals(scaling::TextTable& table, const std::vector<scaling::FirstOrder>& results);
+
+/// {"smallest", "largest"}; null for an end that no limit sets.
+nlohmann::json to_json(const design::UncertainRange& range, const std::vector<scaling::UncertainInput>& inputs);
+
+/// {"groups" and "factors" by name, "used" in the order of the limits, "mass_kg", "cost"}.
+nlohmann::json to_json(const design::ModelState& state, const design::UncertainState& uncertain,
+                       const std::vector<scaling::UncertainInput>& inputs);
+
+}  // namespace musim::cli

@@ -1,0 +1,153 @@
+#include "scaling/uncertain_regimes.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string>
+
+#include "scaling/uncertain_reading.hpp"
+#include "tests/scaling/expected.hpp"
+#include "tests/scaling/paper_towers.hpp"
+#include "tests/support/relative.hpp"
+
+namespace musim::scaling::tests {
+
+using lsdem::tests::relative;
+
+namespace {
+
+/// Exponents are exact but for rounding, variances add by two roundings each.
+constexpr double kRounding = 1e-12;
+
+/// Facts as a file would say them: a value to take for each place.
+using Say = std::function<PairFacts(UncertainReading&)>;
+
+struct Told {
+    RegimeReport report;
+    UncertainRegimes uncertain;
+
+    const UncertainComparison& group(std::string_view name, std::optional<Direction> direction = {}) const {
+        const auto found = std::find_if(report.groups.begin(), report.groups.end(),
+                                        [&](const auto& each) { return each.name == name && each.direction == direction; });
+        REQUIRE_MESSAGE(found != report.groups.end(), name);
+        return uncertain.groups[static_cast<std::size_t>(found - report.groups.begin())];
+    }
+    const RegimeStatement& regime(std::string_view topic, std::optional<Direction> direction = {}) const {
+        const auto found = std::find_if(report.regimes.begin(), report.regimes.end(),
+                                        [&](const auto& each) { return each.topic == topic && each.direction == direction; });
+        REQUIRE_MESSAGE(found != report.regimes.end(), topic);
+        return *found;
+    }
+};
+
+Told tell(const Say& say, double length = 1.0 / 107.0) {
+    const KeptNumbers kept = find_kept_numbers(Law::mu);
+    const auto read = [&](UncertainReading& reading) {
+        const PairFacts facts = say(reading);
+        return FactsAndLaw{facts, Similitude(make_scale_factors(facts, length), Law::mu)};
+    };
+    UncertainReading reading("f.json");
+    FactsAndLaw facts = read(reading);
+    const auto shake = [&](FactsAndLaw one) {
+        if (one.facts.motion && !one.facts.model_motion) one.facts.model_motion = to_model(*one.facts.motion, facts.similitude);
+        return one;
+    };
+    std::vector<MovedFacts> moved;
+    for (const auto& each : read_moved(reading, read)) moved.push_back({shake(each.below), shake(each.above)});
+    facts = shake(facts);
+    RegimeReport report = make_regime_report(facts.facts, facts.similitude, kept);
+    const UncertainRegimes uncertain = propagate(report, facts, kept, reading.inputs(), moved);
+    return {report, uncertain};
+}
+
+/// The concrete tower and a wooden model under the Ridgecrest motion, friction and peak known to some share.
+Say towers(double friction, double peak) {
+    return [=](UncertainReading& reading) {
+        PairFacts facts{.prototype = concrete_prototype(), .model = wood_1_107(), .motion = ridgecrest()};
+        facts.prototype.friction = reading.take("prototype: friction", {0.59, 0.59 * friction});
+        facts.model.friction = reading.take("model: friction", {0.63, 0.63 * friction});
+        const double a = facts.motion->acceleration.value();
+        facts.motion->acceleration = Acceleration::from_value(reading.take("motion: acceleration", {a, a * peak}));
+        return facts;
+    };
+}
+
+}  // namespace
+
+TEST_CASE("groups of a test as it is shaken have the uncertainties of their closed forms") {
+    const Told told = tell(towers(0.05, 0.02));
+    CHECK(told.uncertain.inputs.size() == 3);
+    // prototype and model: u(a/(μ g))² = u(a)² + u(μ)²; of their ratio the peak cancels, as the model is shaken by the prototype's
+    CHECK(told.group("a/(mu*g)").prototype.relative == relative(std::hypot(0.02, 0.05), kRounding));
+    CHECK(told.group("a/(mu*g)").model.relative == relative(std::hypot(0.02, 0.05), kRounding));
+    CHECK(told.group("a/(mu*g)").factor.relative == relative(std::hypot(0.05, 0.05), kRounding));
+    CHECK(told.group("mu^N").model.relative == relative(0.025, kRounding));
+    CHECK(told.group("a/g").factor.relative == 0.0);  // shaken with a value of λ_μ
+    CHECK(told.group("mu/tan(alpha)", Direction::thin).model.relative == relative(0.05, kRounding));
+    CHECK(told.group("e_r", Direction::thin).model.relative == 0.0);
+    // factors are those to aim at
+    for (const UncertainResult& factor : told.uncertain.factors) {
+        if (factor.name == "time") CHECK(factor.first_order.relative == relative(0.5 * std::hypot(0.05, 0.05), kRounding));
+        if (factor.name == "mass") CHECK(factor.first_order.relative == 0.0);
+    }
+}
+
+TEST_CASE("an uncertain block moves restitution by its slope, of either sign") {
+    const Told told = tell([](UncertainReading& reading) {
+        PairFacts facts{.prototype = concrete_prototype(), .model = wood_1_107()};
+        const double b = facts.model.block[0].value();
+        facts.model.block[0] = Length::from_value(reading.take("model: block b", {b, 0.01 * b}));
+        return facts;
+    });
+    // e_r = 1 − 1.5 sin²α with tan α = b/H: ∂e_r/∂ln b = −3 sin²α cos²α
+    const StructureFacts model = wood_1_107();
+    const double slenderness = (model.block[0] / model.block[2]).value(), cosine2 = 1.0 / (1.0 + slenderness * slenderness);
+    const double expected = 0.01 * 3.0 * (1.0 - cosine2) * cosine2;
+    CHECK(told.group("e_r", Direction::thin).model.uncertainty() == relative(expected, 1e-5));  // h² = 1e-6 of the difference
+    CHECK(told.group("e_r", Direction::thin).prototype.relative == 0.0);
+}
+
+TEST_CASE("a regime says when its limit lies within the uncertainty, and only then") {
+    // μ/tan α of wood, wide: 0.951, which is 1 at +5.1 %; 95 % reach 1.96 u
+    const Told vague = tell(towers(0.05, 0.0)), sharp = tell(towers(0.02, 0.0));
+    const RegimeStatement& open = vague.regime("sliding or rocking first", Direction::wide);
+    CHECK(open.is_open);
+    CHECK(open.severity == Severity::warning);
+    CHECK(open.statement.find("; not sure: mu/tan(alpha) of the model is 0.95") != std::string::npos);
+    CHECK_FALSE(sharp.regime("sliding or rocking first", Direction::wide).is_open);
+    CHECK_FALSE(sharp.regime("sliding or rocking first", Direction::wide).severity.has_value());
+    CHECK_FALSE(vague.regime("sliding or rocking first", Direction::thin).is_open);  // 1.84 and 1.97
+    // a/(μ g) = 0.866 in both: 1 at +14 %, within 1.96 hypot(5 %, 6 %) = 15 %
+    const Told shaken = tell(towers(0.05, 0.06));
+    CHECK(shaken.regime("sliding").is_open);
+    CHECK_FALSE(vague.regime("sliding").is_open);
+    // wide: blocks at rest under 0.77 and 0.82 of what they bear, so that sliding or rocking is no question yet
+    CHECK_FALSE(vague.regime("first motion", Direction::wide).is_open);
+    const Told strong = tell(towers(0.05, 0.12));
+    CHECK(strong.regime("first motion", Direction::wide).is_open);
+    CHECK(strong.regime("first motion", Direction::wide).statement.find("the peak of the model is") != std::string::npos);
+}
+
+TEST_CASE("contacts and the table's band have limits of their own") {
+    const auto facts = [](double deviation, double highest) {
+        return [=](UncertainReading& reading) {
+            PairFacts pair{.prototype = concrete_prototype(), .model = wood_1_107(), .motion = ridgecrest()};
+            // δ_w/σ_H of the prototype is 0.043, its limit 0.1
+            pair.prototype.height_deviation = Length::from_value(reading.take("s", {12.5e-3, 12.5e-3 * deviation}));
+            pair.motion->highest_frequency = Frequency::from_value(8.0);
+            pair.table = Bandwidth{.highest = Frequency::from_value(reading.take("table", {90.0, 90.0 * highest}))};
+            return pair;
+        };
+    };
+    // the model's 8 Hz are 85.5 Hz: 0.95 of the table's
+    const Told vague = tell(facts(0.6, 0.04)), sharp = tell(facts(0.1, 0.01));
+    CHECK(vague.regime("contacts").is_open);
+    CHECK(vague.regime("table").is_open);
+    CHECK(vague.regime("table").statement.find("highest frequency of the model is 0.95") != std::string::npos);
+    CHECK_FALSE(sharp.regime("contacts").is_open);
+    CHECK_FALSE(sharp.regime("table").is_open);
+}
+
+}  // namespace musim::scaling::tests
