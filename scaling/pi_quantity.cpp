@@ -1,6 +1,7 @@
 #include "scaling/pi_quantity.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cctype>
 #include <cmath>
@@ -66,7 +67,7 @@ void check_quantities(const std::vector<PiQuantity>& quantities) {
     }
 }
 
-std::size_t find_quantity(const std::vector<PiQuantity>& quantities, std::string_view name) {
+std::size_t find_quantity(const std::vector<PiQuantity>& quantities, std::string_view name, std::string_view owner) {
     std::string_view nearest;
     int smallest = 2 * static_cast<int>(name.size());
     for (std::size_t i = 0; i < quantities.size(); ++i) {
@@ -76,8 +77,10 @@ std::size_t find_quantity(const std::vector<PiQuantity>& quantities, std::string
         smallest = distance;
         nearest = quantities[i].name;
     }
-    throw PiError(nearest.empty() ? fmt::format("\"{}\" is no quantity of the problem; correct the name", name)
-                                  : fmt::format("\"{}\" is no quantity of the problem; did you mean \"{}\"?", name, nearest));
+    if (!nearest.empty()) throw PiError(fmt::format("\"{}\" is no quantity of {}; did you mean \"{}\"?", name, owner, nearest));
+    std::vector<std::string_view> names;
+    for (const PiQuantity& quantity : quantities) names.emplace_back(quantity.name);
+    throw PiError(fmt::format("\"{}\" is no quantity of {}; take one of {}", name, owner, fmt::join(names, ", ")));
 }
 
 RationalDimension dimension_of_product(const std::vector<Rational>& exponents, const std::vector<PiQuantity>& quantities) {

@@ -43,8 +43,8 @@ std::string format_value(double value, const PiQuantity& quantity, int digits = 
 /// a blank last, or with one of * / ^ ( ) , in it; or when a value is not positive and finite.
 void check_quantities(const std::vector<PiQuantity>& quantities);
 
-/// Position of the quantity called `name`. Throws PiError, which names the nearest.
-std::size_t find_quantity(const std::vector<PiQuantity>& quantities, std::string_view name);
+/// Position of the quantity called `name`. Throws PiError, which names the nearest or else all; `owner` has them, for its message.
+std::size_t find_quantity(const std::vector<PiQuantity>& quantities, std::string_view name, std::string_view owner = "the problem");
 
 /// Dimension of Π quantities^exponents. Throws SimilitudeError when an exponent leaves 64 bits.
 RationalDimension dimension_of_product(const std::vector<Rational>& exponents, const std::vector<PiQuantity>& quantities);

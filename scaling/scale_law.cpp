@@ -121,7 +121,7 @@ SolvedLaw solve_law(const ScaleLaw& law, const std::vector<GivenFactor>& given) 
     ScaleProblem& problem = solved.problem;
     ScaleSolution& solution = solved.solution;
     for (const auto& [name, factor] : given) {
-        auto& chosen = problem.chosen[find_quantity(problem.quantities, name)];
+        auto& chosen = problem.chosen[find_quantity(problem.quantities, name, "law " + law.name)];
         if (chosen) throw PiError(fmt::format("law {}: {} is given twice; give it once", law.name, name));
         chosen = factor;
     }

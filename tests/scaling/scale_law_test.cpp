@@ -337,6 +337,8 @@ TEST_CASE("factors that contradict a law are named, with the products and the wa
     CHECK_THROWS_WITH_AS(solve("mu", {{"rho", 0.5}}), doctest::Contains("law mu: the factor of l (length) is missing"), SimilitudeError);
     CHECK_THROWS_WITH_AS(solve("mu", {{"l", 0.5}, {"l", 0.5}}), doctest::Contains("l is given twice"), PiError);
     CHECK_THROWS_WITH_AS(solve("mu", {{"x", 0.5}}), doctest::Contains("\"x\" is no quantity"), PiError);
+    CHECK_THROWS_WITH_AS(solve("mu_vertical_distortion", {{"l", 0.5}}),
+                         doctest::Contains("\"l\" is no quantity of law mu_vertical_distortion; take one of H, b, mu, g,"), PiError);
     // what settles a factor will do in its place
     CHECK(factor(solve("froude", {{"v", 0.25}}), "l") == 0.0625);
 }
