@@ -64,7 +64,10 @@ int run_scale(const ScaleOptions& options) {
     const CLI::App& command = *options.scales.command;
     const bool by_facts = options.facts.is_given() && !options.data.name_products();
     if (by_facts || (options.scales.is_plain() && !options.data.are_given())) {
-        if (command.count("--length") == 0) throw CLI::RequiredError("--length (or --set for a law as data)");
+        if (command.count("--length") == 0) {
+            throw CLI::RequiredError(by_facts ? "--length (of the model, whatever the law; --set takes its other factors)"
+                                              : "--length (or --set for a law as data)");
+        }
         return by_facts ? run_scale_facts(command, options.scales, options.facts, options.data.style, options.json)
                         : run_similitude(options);
     }
