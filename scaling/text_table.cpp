@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
+#include <sstream>
 
 namespace musim::scaling {
 
@@ -15,6 +17,15 @@ constexpr std::size_t kLongCell = 28;
 
 /// Share of the line's width that long columns have together in LaTeX [-]; short ones have the rest.
 constexpr double kShareOfLong = 0.6;
+
+/// Letters that a line of LaTeX has room for, across a page on its side in small print: in wider tables every column breaks.
+constexpr std::size_t kLatexLine = 130;
+
+/// How much of what goes beyond its longest word counts for the width of a column that breaks: lines are about three of it [-].
+constexpr double kBroken = 1.0 / 3.0;
+
+/// Letters between two columns.
+constexpr std::size_t kBetween = 2;
 
 /// Letters of a text in UTF-8: all bytes but those that continue one.
 std::size_t count_letters(const std::string& text) {
@@ -34,7 +45,7 @@ std::vector<std::size_t> find_widths(const TextTable& table) {
 
 std::string make_plain_row(const Row& row, const std::vector<std::size_t>& widths) {
     std::string line;
-    for (std::size_t i = 0; i < row.size(); ++i) line += row[i] + std::string(widths[i] - count_letters(row[i]) + 2, ' ');
+    for (std::size_t i = 0; i < row.size(); ++i) line += row[i] + std::string(widths[i] - count_letters(row[i]) + kBetween, ' ');
     line.erase(line.find_last_not_of(' ') + 1);
     return line + "\n";
 }
@@ -55,9 +66,15 @@ std::string make_latex_row(const Row& row) {
     return line + " \\\\\n";
 }
 
+std::size_t find_longest_word(const std::string& text) {
+    std::size_t longest = 0;
+    std::istringstream words(text);
+    for (std::string word; words >> word;) longest = std::max(longest, count_letters(word));
+    return longest;
+}
+
 /// "lp{0.3\linewidth}l".
-std::string make_latex_columns(const TextTable& table) {
-    const std::vector<std::size_t> widths = find_widths(table);
+std::string make_latex_columns(const std::vector<std::size_t>& widths) {
     std::size_t letters = 0;
     for (const std::size_t width : widths) letters += width > kLongCell ? width : 0;
     std::string columns;
@@ -66,6 +83,27 @@ std::string make_latex_columns(const TextTable& table) {
         columns += width > kLongCell ? fmt::format("p{{{:.2f}\\linewidth}}", share) : "l";
     }
     return columns;
+}
+
+/// All columns share the line, by their longest words first.
+std::string make_broken_latex_columns(const TextTable& table, const std::vector<std::size_t>& widths) {
+    std::vector<double> weights;
+    for (std::size_t i = 0; i < widths.size(); ++i) {
+        std::size_t word = find_longest_word(table.header[i]);
+        for (const Row& row : table.rows) word = std::max(word, find_longest_word(row[i]));
+        weights.push_back(static_cast<double>(word + kBetween) + kBroken * static_cast<double>(widths[i] - word));
+    }
+    const double total = std::accumulate(weights.begin(), weights.end(), 0.0);
+    std::string columns;
+    for (const double weight : weights) {
+        columns += fmt::format(">{{\\raggedright\\arraybackslash}}p{{\\dimexpr{:.3f}\\linewidth-2\\tabcolsep\\relax}}", weight / total);
+    }
+    return columns;
+}
+
+bool is_too_wide(const std::vector<std::size_t>& widths) {
+    const auto add = [](std::size_t sum, std::size_t width) { return sum + std::min(width, kLongCell) + kBetween; };
+    return std::accumulate(widths.begin(), widths.end(), std::size_t{0}, add) > kLatexLine;
 }
 
 }  // namespace
@@ -84,7 +122,9 @@ std::string to_markdown(const TextTable& table) {
 }
 
 std::string to_latex(const TextTable& table) {
-    std::string text = fmt::format("\\begin{{longtable}}{{{}}}\n\\hline\n", make_latex_columns(table));
+    const std::vector<std::size_t> widths = find_widths(table);
+    const std::string columns = is_too_wide(widths) ? make_broken_latex_columns(table, widths) : make_latex_columns(widths);
+    std::string text = fmt::format("\\begin{{longtable}}{{{}}}\n\\hline\n", columns);
     text += make_latex_row(table.header) + "\\hline\n\\endhead\n";
     for (const Row& row : table.rows) text += make_latex_row(row);
     return text + "\\hline\n\\end{longtable}\n";

@@ -20,8 +20,8 @@ std::string to_plain_text(const TextTable& table);
 /// A table in Markdown; `|` in cells is escaped, formulas in dollars stay.
 std::string to_markdown(const TextTable& table);
 
-/// A longtable of LaTeX (package longtable) between two rules, which may go over pages: columns with long texts share the line's width and
-/// break. Cells are escaped.
+/// A longtable of LaTeX (packages longtable and array) between two rules, which may go over pages: columns with long texts share a part of
+/// the line and break; in a table wider than a line all do. Cells are escaped.
 std::string to_latex(const TextTable& table);
 
 /// A table in one of these forms.

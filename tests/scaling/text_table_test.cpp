@@ -27,6 +27,12 @@ TEST_CASE("a table in LaTeX escapes signs and lets long columns break") {
     // both long columns share 0.6 of the line by their letters
     const std::string text = to_latex({{"a", "b", "c"}, {{words, "x", std::string(30, 'v')}}});
     CHECK(text.find("{p{0.40\\linewidth}lp{0.20\\linewidth}}") != std::string::npos);
+
+    // twelve columns of "ab cd efgh": 4 letters of the longest word and a third of the other 6 each, as much for all
+    const std::vector<std::string> row(12, "ab cd efgh");
+    const std::string wide = to_latex({row, {row}});
+    CHECK(wide.find("p{\\dimexpr0.083\\linewidth-2\\tabcolsep\\relax}") != std::string::npos);
+    CHECK(to_latex({std::vector<std::string>(10, "ab cd efgh")}).find("{llllllllll}") != std::string::npos);
 }
 
 TEST_CASE("a report has titles and lines in every style") {
