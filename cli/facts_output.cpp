@@ -41,11 +41,16 @@ std::string count_severities(const Entries& entries, const std::string& what) {
                        name(counts[static_cast<int>(Severity::note)], "note"));
 }
 
-scaling::TextTable make_regimes(const std::vector<RegimeStatement>& regimes) {
-    scaling::TextTable table{{"verdict", "regime", "direction", "sources", "prototype and model"}};
+scaling::TextTable make_regimes(const std::vector<RegimeStatement>& regimes, const std::optional<scaling::RegimeSamples>& samples) {
+    scaling::TextTable table{{"verdict", "regime", "direction"}};
+    if (samples) table.header.emplace_back("another in");
+    table.header.insert(table.header.end(), {"sources", "prototype and model"});
     for (const RegimeStatement& regime : regimes) {
-        table.rows.push_back({regime.severity ? name_severity(regime.severity) : "same", std::string(regime.topic),
-                              name_direction(regime.direction), join_keys(regime.sources), regime.statement});
+        table.rows.push_back(
+            {regime.severity ? name_severity(regime.severity) : "same", std::string(regime.topic), name_direction(regime.direction)});
+        std::vector<std::string>& row = table.rows.back();
+        if (samples) row.push_back(format_share(samples->shares_elsewhere[table.rows.size() - 1]));
+        row.insert(row.end(), {join_keys(regime.sources), regime.statement});
     }
     return table;
 }
@@ -62,13 +67,16 @@ scaling::TextTable make_groups(const FactsReport& report, GroupClass kind) {
         const GroupComparison& group = report.report.groups[i];
         if (group.kind != kind) continue;
         std::vector<std::string> row{std::string(group.name), name_direction(group.direction)};
-        const auto add = [&](double value, scaling::FirstOrder scaling::UncertainComparison::*side) {
+        const auto add = [&](double value, scaling::FirstOrder scaling::UncertainComparison::*side,
+                             scaling::SampleSummary scaling::ComparisonSamples::*sampled) {
             row.push_back(fmt::format("{:.5g}", value));
-            if (!is_certain) row.push_back(describe_interval(report.uncertain.groups[i].*side));
+            if (is_certain) return;
+            const scaling::UncertainComparison& uncertain = report.uncertain.groups[i];
+            row.push_back(describe_interval(uncertain.*side, uncertain.samples ? &((*uncertain.samples).*sampled) : nullptr));
         };
-        add(group.prototype, &scaling::UncertainComparison::prototype);
-        add(group.model, &scaling::UncertainComparison::model);
-        add(group.factor(), &scaling::UncertainComparison::factor);
+        add(group.prototype, &scaling::UncertainComparison::prototype, &scaling::ComparisonSamples::prototype);
+        add(group.model, &scaling::UncertainComparison::model, &scaling::ComparisonSamples::model);
+        add(group.factor(), &scaling::UncertainComparison::factor, &scaling::ComparisonSamples::factor);
         row.insert(row.end(), {group.is_required ? "yes" : "no", name_severity(group.severity),
                                group.severity ? join_keys(group.sources) : "", group.effect});
         table.rows.push_back(row);
@@ -122,9 +130,15 @@ nlohmann::json to_json(const GroupComparison& group) {
 }
 
 nlohmann::json to_json(const scaling::UncertainComparison& group, const std::vector<scaling::UncertainInput>& inputs) {
-    return {{"prototype", cli::to_json(group.prototype, inputs)},
-            {"model", cli::to_json(group.model, inputs)},
-            {"factor", cli::to_json(group.factor, inputs)}};
+    nlohmann::json object{{"prototype", cli::to_json(group.prototype, inputs)},
+                          {"model", cli::to_json(group.model, inputs)},
+                          {"factor", cli::to_json(group.factor, inputs)}};
+    if (group.samples) {
+        object["prototype"]["monte_carlo"] = cli::to_json(group.samples->prototype, 1.0);
+        object["model"]["monte_carlo"] = cli::to_json(group.samples->model, 1.0);
+        object["factor"]["monte_carlo"] = cli::to_json(group.samples->factor, 1.0);
+    }
+    return object;
 }
 
 nlohmann::json to_json(const std::vector<PairRow>& rows) {
@@ -155,10 +169,13 @@ std::string make_facts_report(const FactsReport& report, scaling::ReportStyle st
     text += make_lines(lines, style);
     if (!report.uncertain.is_certain()) {
         text += make_heading("Uncertain facts, u standard", style) + make_table(make_inputs_table(report.uncertain.inputs), style);
+        if (report.uncertain.samples) {
+            text += "\n" + make_lines({describe_samples(*report.monte_carlo, report.uncertain.samples->rejected)}, style);
+        }
         text += make_heading("Factors asked for, model/prototype", style) +
                 make_table(make_results_table("factor", report.uncertain.factors), style);
     }
-    text += make_heading("Regimes", style) + make_table(make_regimes(report.report.regimes), style);
+    text += make_heading("Regimes", style) + make_table(make_regimes(report.report.regimes, report.uncertain.samples), style);
     for (const GroupClass kind :
          {GroupClass::geometry, GroupClass::friction, GroupClass::contact, GroupClass::rocking, GroupClass::loading}) {
         const scaling::TextTable table = make_groups(report, kind);
@@ -198,6 +215,7 @@ nlohmann::json to_json(const FactsReport& report) {
                            {"statement", regime.statement},
                            {"sources", regime.sources}});
         if (!uncertain.is_certain()) regimes.back()["limit_within_uncertainty"] = regime.is_open;
+        if (uncertain.samples) regimes.back()["share_elsewhere"] = uncertain.samples->shares_elsewhere[regimes.size() - 1];
     }
     for (const scaling::UntoldGroup& group : report.report.untold) {
         untold.push_back({{"group", std::string(group.name)}, {"missing", std::string(group.missing)}});
@@ -225,6 +243,7 @@ nlohmann::json to_json(const FactsReport& report) {
         object["uncertainty"] = {{"inputs", cli::to_json(uncertain.inputs)},
                                  {"factors", cli::to_json(uncertain.factors, uncertain.inputs)},
                                  {"coverage", scaling::kCoverage}};
+        if (uncertain.samples) object["uncertainty"]["monte_carlo"] = cli::to_json(*report.monte_carlo, uncertain.samples->rejected);
     }
     return object;
 }

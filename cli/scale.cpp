@@ -68,8 +68,9 @@ int run_scale(const ScaleOptions& options) {
             throw CLI::RequiredError(by_facts ? "--length (of the model, whatever the law; --set takes its other factors)"
                                               : "--length (or --set for a law as data)");
         }
-        return by_facts ? run_scale_facts(command, options.scales, options.facts, options.data.style, options.json)
-                        : run_similitude(options);
+        return by_facts
+                   ? run_scale_facts(command, options.scales, options.facts, options.monte_carlo.make(), options.data.style, options.json)
+                   : run_similitude(options);
     }
     if (options.facts.is_given()) {
         throw CLI::ValidationError("--facts", "takes no products or values; give the file a \"law\" with \"set\" and \"hold\"");
@@ -108,7 +109,7 @@ void add_scale_command(CLI::App& app, Action& action) {
         "  musim scale --length 1/107+/-0.4% --friction 1.07+/-7% --pga 0.511g --pgv \"42.4+/-0.4 cm/s\" --json\n"
         "  musim scale --length 1/25 --gravity 25 --law froude --json\n"
         "  musim scale --length 1/107 --facts examples/facts/wood.json --format markdown > wood.md\n"
-        "  musim scale --length 1/107 --facts examples/facts/uncertain.json\n"
+        "  musim scale --length 1/107 --facts examples/facts/uncertain.json --monte-carlo --seed 7\n"
         "  musim scale --laws\n"
         "  musim scale --law true_replica --set l=1/25 --value \"E=29.2 GPa\"\n"
         "  musim scale --law artificial_mass --set l=1/25 --value \"m_s=270151 t\" --format markdown\n"

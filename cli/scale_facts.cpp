@@ -11,6 +11,7 @@
 #include "cli/input_file.hpp"
 #include "cli/output.hpp"
 #include "cli/preset_materials.hpp"
+#include "cli/progress_line.hpp"
 #include "design/facts_law.hpp"
 #include "design/parse_facts.hpp"
 #include "scaling/scale_law_catalogue.hpp"
@@ -81,10 +82,11 @@ class FactsFiles {
         try {
             return design::apply_law(law, pair, length_);
         } catch (const scaling::SimilitudeError& error) {
-            if (!reading.is_moved()) throw scaling::SimilitudeError(fmt::format("{}: {}", options_.file, error.what()));
+            const scaling::UncertainInput* const moved = reading.moved_input();
+            if (moved == nullptr) throw scaling::SimilitudeError(fmt::format("{}: {}", options_.file, error.what()));
             throw scaling::SimilitudeError(
                 fmt::format("{}: {} is uncertain, and law {} admits its value alone ({}); give the value alone, or choose another law",
-                            options_.file, reading.moved_input().name, law.name(), error.what()));
+                            options_.file, moved->name, law.name(), error.what()));
         }
     }
 
@@ -124,13 +126,19 @@ scaling::FactsAndLaw with_motion(const FactsFiles::Read& read, const scaling::Si
 
 scaling::UncertainRegimes find_uncertain_regimes(FactsFiles& files, const scaling::UncertainReading& reading,
                                                  const scaling::FactsAndLaw& facts, const scaling::KeptNumbers& kept,
+                                                 const std::optional<scaling::MonteCarloSettings>& monte_carlo,
                                                  scaling::RegimeReport& report) {
-    if (reading.inputs().empty()) return {};
+    if (reading.inputs().empty() && !monte_carlo) return {};
+    const auto read = [&](scaling::UncertainReading& each) { return with_motion(files.read(each), facts.similitude); };
     std::vector<scaling::MovedFacts> moved;
-    for (const auto& each : scaling::read_moved(reading, [&](scaling::UncertainReading& one) { return files.read(one); })) {
-        moved.push_back({with_motion(each.below, facts.similitude), with_motion(each.above, facts.similitude)});
+    for (const auto& each : scaling::read_moved(reading, read)) moved.push_back({each.below, each.above});
+    scaling::UncertainRegimes uncertain = propagate(report, facts, kept, reading.inputs(), moved);
+    if (monte_carlo) {
+        ProgressLine progress("samples");
+        const auto draw = [&](std::span<const double> values) { return scaling::read_drawn(reading, values, read); };
+        add_samples(uncertain, report, facts, kept, draw, *monte_carlo, [&](double fraction) { progress.update(fraction); });
     }
-    return propagate(report, facts, kept, reading.inputs(), moved);
+    return uncertain;
 }
 
 }  // namespace
@@ -142,9 +150,9 @@ void FactsOptions::add_to(CLI::App& command) {
                         "What is known of prototype and model (JSON, musim-facts/1; see design/README.md): reports every group of both, "
                         "regimes, structural speed and rocking")
             ->type_name("FACTS.json");
-    // what the facts tell themselves, and samples, which this report does not draw
-    for (const char* const name : {"--friction-prototype", "--slenderness", "--height", "--pga", "--pgv", "--pgd", "--arias", "--duration",
-                                   "--time-step", "--monte-carlo"}) {
+    // what the facts tell themselves
+    for (const char* const name :
+         {"--friction-prototype", "--slenderness", "--height", "--pga", "--pgv", "--pgd", "--arias", "--duration", "--time-step"}) {
         facts->excludes(name);
     }
     source.add_to(command);
@@ -153,8 +161,8 @@ void FactsOptions::add_to(CLI::App& command) {
     }
 }
 
-int run_scale_facts(const CLI::App& command, const SimilitudeOptions& scales, const FactsOptions& options, scaling::ReportStyle style,
-                    bool json) {
+int run_scale_facts(const CLI::App& command, const SimilitudeOptions& scales, const FactsOptions& options,
+                    const std::optional<scaling::MonteCarloSettings>& monte_carlo, scaling::ReportStyle style, bool json) {
     scales.note_values_used();
     FactsFiles files(command, scales, options);
     scaling::UncertainReading reading(options.file);
@@ -166,8 +174,8 @@ int run_scale_facts(const CLI::App& command, const SimilitudeOptions& scales, co
     if (read.law.solved) note_overruled(*read.law.solved);
     const scaling::FactsAndLaw facts = with_motion(read, read.law.similitude);
     scaling::RegimeReport regimes = make_regime_report(facts.facts, facts.similitude, read.law.kept);
-    const scaling::UncertainRegimes uncertain = find_uncertain_regimes(files, reading, facts, read.law.kept, regimes);
-    const FactsReport report{read.name, facts.facts, facts.similitude, regimes, uncertain};
+    const scaling::UncertainRegimes uncertain = find_uncertain_regimes(files, reading, facts, read.law.kept, monte_carlo, regimes);
+    const FactsReport report{read.name, facts.facts, facts.similitude, regimes, uncertain, monte_carlo};
     if (json) {
         print_json(to_json(report));
     } else {

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <CLI/App.hpp>
+#include <optional>
 #include <string>
 
 #include "cli/options.hpp"
 #include "cli/record_source.hpp"
+#include "scaling/monte_carlo.hpp"
 #include "scaling/text_table.hpp"
 
 namespace musim::cli {
@@ -15,16 +17,17 @@ struct FactsOptions {
     std::string file;
     RecordSourceOptions source;
 
-    /// Adds the options to a command that has those of SimilitudeOptions, UncertainStructureOptions, motions and MonteCarloOptions.
+    /// Adds the options to a command that has those of SimilitudeOptions, UncertainStructureOptions and motions.
     void add_to(CLI::App& command);
 
     bool is_given() const { return !file.empty(); }
 };
 
-/// Prints the report of distortions and regimes, with first-order uncertainties where the facts have some. λ_μ, λ_g and λ_ρ are those of
+/// Prints the report of distortions and regimes, with uncertainties where the facts have some: to first order, and by
+/// samples if `monte_carlo` is given. λ_μ, λ_g and λ_ρ are those of
 /// the facts, the law is theirs or the one typed; throws SimilitudeError when `command` was given others, as design::apply_law() does, and
 /// what reading facts, records and tables throws. Returns an exit code.
-int run_scale_facts(const CLI::App& command, const SimilitudeOptions& scales, const FactsOptions& options, scaling::ReportStyle style,
-                    bool json);
+int run_scale_facts(const CLI::App& command, const SimilitudeOptions& scales, const FactsOptions& options,
+                    const std::optional<scaling::MonteCarloSettings>& monte_carlo, scaling::ReportStyle style, bool json);
 
 }  // namespace musim::cli

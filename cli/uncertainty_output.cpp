@@ -97,8 +97,9 @@ nlohmann::json to_json(const scaling::FirstOrder& result, const std::vector<scal
             {"exponents", exponents}};
 }
 
-std::string describe_interval(const scaling::FirstOrder& result) {
+std::string describe_interval(const scaling::FirstOrder& result, const scaling::SampleSummary* samples) {
     if (result.relative == 0.0) return "-";
+    if (samples != nullptr) return fmt::format("{:.4g} to {:.4g}", samples->lower, samples->upper);
     const scaling::CoverageInterval interval = scaling::find_interval(result);
     return fmt::format("{:.4g} to {:.4g}", interval.lower, interval.upper);
 }

@@ -25,8 +25,8 @@ nlohmann::json to_json(const scaling::UncertainResult& result, double unit);
 /// depends on, by their names.
 nlohmann::json to_json(const scaling::FirstOrder& result, const std::vector<scaling::UncertainInput>& inputs);
 
-/// The coverage interval of a plain number as "0.9 to 1.1", four digits; "-" where it is certain.
-std::string describe_interval(const scaling::FirstOrder& result);
+/// The coverage interval of a plain number as "0.9 to 1.1", four digits, that of its samples if there are any; "-" where it is certain.
+std::string describe_interval(const scaling::FirstOrder& result, const scaling::SampleSummary* samples = nullptr);
 
 /// "95 %".
 std::string coverage_title();

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 #include "scaling/random_bits.hpp"
 #include "scaling/side_by_side.hpp"
@@ -35,9 +36,12 @@ double find_sample_quantile(const std::vector<double>& sorted, double p) {
 }
 
 SampleSummary summarize(std::vector<double>& samples) {
+    samples.erase(std::remove_if(samples.begin(), samples.end(), [](double sample) { return std::isnan(sample); }), samples.end());
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    if (samples.empty()) return {0, kNone, kNone, kNone, kNone, kNone, kNone};
     std::sort(samples.begin(), samples.end());
     const auto count = static_cast<double>(samples.size());
-    SampleSummary summary;
+    SampleSummary summary{.told = samples.size()};
     for (const double sample : samples) summary.mean += sample / count;
     double squares = 0.0;
     for (const double sample : samples) squares += (sample - summary.mean) * (sample - summary.mean);
@@ -51,7 +55,13 @@ SampleSummary summarize(std::vector<double>& samples) {
 
 }  // namespace
 
-MonteCarloRun run_monte_carlo(const std::vector<UncertainInput>& inputs, const Evaluation& evaluate, const MonteCarloSettings& settings) {
+double find_share(const SampleSummary& samples) {
+    const auto count = static_cast<double>(samples.told);
+    return std::round(samples.mean * count) / count;
+}
+
+MonteCarloRun run_monte_carlo(const std::vector<UncertainInput>& inputs, const Evaluation& evaluate, const MonteCarloSettings& settings,
+                              const std::function<void(double)>& on_progress) {
     check(inputs, settings);
     std::vector<double> values;
     for (const UncertainInput& input : inputs) values.push_back(input.quantity.value);
@@ -78,7 +88,7 @@ MonteCarloRun run_monte_carlo(const std::vector<UncertainInput>& inputs, const E
     };
     std::vector<std::function<void()>> jobs;
     for (std::size_t turn = 0; turn < turns; ++turn) jobs.emplace_back([&take_turn, turn] { take_turn(turn); });
-    run_side_by_side(jobs, settings.threads);
+    run_side_by_side(jobs, settings.threads, on_progress);
 
     // sum up
     MonteCarloRun run;

@@ -14,6 +14,7 @@ double UncertainReading::take(const std::string& place, const Uncertain& quantit
         if (inputs_[i].name != name) continue;
         const Uncertain& known = inputs_[i].quantity;
         if (known.value == quantity.value && known.uncertainty == quantity.uncertainty) {
+            if (!drawn_.empty()) return drawn_[i];
             return i == moved_ ? factor_ * quantity.value : quantity.value;
         }
         name = fmt::format("{} ({})", base, ++namesakes);
@@ -27,6 +28,17 @@ UncertainReading UncertainReading::move(std::size_t input, double factor) const 
     moved.moved_ = input;
     moved.factor_ = factor;
     return moved;
+}
+
+UncertainReading UncertainReading::draw(std::span<const double> values) const {
+    UncertainReading drawn = *this;
+    drawn.drawn_.assign(values.begin(), values.end());
+    return drawn;
+}
+
+SimilitudeError UncertainReading::refuse_draw(const std::string& why) const {
+    return SimilitudeError(fmt::format(
+        "{}: a sample of the uncertain values is refused ({}); give smaller uncertainties, or choose another distribution", source_, why));
 }
 
 }  // namespace musim::scaling

@@ -1,10 +1,13 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "scaling/error.hpp"
 #include "scaling/propagate.hpp"
 
 namespace musim::scaling {
@@ -26,17 +29,24 @@ class UncertainReading {
     /// For reading once more, with one input times a factor.
     UncertainReading move(std::size_t input, double factor) const;
 
-    /// Whether an input is away from its value: what compares values with each other was settled when they were read as they are.
-    bool is_moved() const { return factor_ != 1.0; }
+    /// For reading once more, with all inputs at drawn values, in their order.
+    UncertainReading draw(std::span<const double> values) const;
 
-    /// Which; only where one is.
-    const UncertainInput& moved_input() const { return inputs_[moved_]; }
+    /// Whether inputs are away from their values: what compares values with each other was settled when they were read as they are.
+    bool is_moved() const { return factor_ != 1.0 || !drawn_.empty(); }
+
+    /// The only input that is; null where all are drawn, or none is moved.
+    const UncertainInput* moved_input() const { return factor_ == 1.0 ? nullptr : &inputs_[moved_]; }
+
+    /// An error for drawn values that cannot be.
+    SimilitudeError refuse_draw(const std::string& why) const;
 
   private:
     std::string source_;
     std::vector<UncertainInput> inputs_;
     std::size_t moved_ = 0;
     double factor_ = 1.0;
+    std::vector<double> drawn_;
 };
 
 /// `read(reading)` with each input of a reading moved, below and above in turn.
@@ -51,6 +61,18 @@ auto read_moved(const UncertainReading& reading, const Read& read) {
         moved.push_back({read(below), read(above)});
     }
     return moved;
+}
+
+/// `read(reading)` with all inputs of a reading drawn. From any thread, if `read` is. What it throws becomes a SimilitudeError
+/// `SOURCE: a sample of the uncertain values is refused (why); what to do`.
+template <class Read>
+auto read_drawn(const UncertainReading& reading, std::span<const double> values, const Read& read) {
+    UncertainReading drawn = reading.draw(values);
+    try {
+        return read(drawn);
+    } catch (const std::runtime_error& error) {
+        throw reading.refuse_draw(error.what());
+    }
 }
 
 }  // namespace musim::scaling

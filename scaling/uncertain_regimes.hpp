@@ -1,5 +1,8 @@
 #pragma once
 
+#include <functional>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "scaling/regime_report.hpp"
@@ -19,10 +22,27 @@ struct MovedFacts {
     FactsAndLaw below, above;
 };
 
+/// The facts of drawn values of the inputs, with the motion of the model as MovedFacts have it. Called from any thread.
+using DrawFacts = std::function<FactsAndLaw(std::span<const double>)>;
+
+/// What samples say of a group of a report.
+struct ComparisonSamples {
+    SampleSummary prototype, model, factor;
+};
+
 /// A group of a report.
 struct UncertainComparison {
     FirstOrder prototype, model;
     FirstOrder factor;  ///< δ
+    std::optional<ComparisonSamples> samples = {};
+};
+
+/// What samples say of facts as a whole.
+struct RegimeSamples {
+    /// Of each regime of the report, the share of samples in which prototype or model is on another side of a border than by the values.
+    /// Borders that do not matter to a sample (sliding or rocking of what rests) count as a side of their own.
+    std::vector<double> shares_elsewhere;
+    std::size_t rejected = 0;  ///< draws that were not positive, and drawn again
 };
 
 /// What uncertain facts do to a report.
@@ -30,6 +50,8 @@ struct UncertainRegimes {
     std::vector<UncertainInput> inputs;
     std::vector<UncertainResult> factors;     ///< of Similitude::factors(), by the true values: what to aim at
     std::vector<UncertainComparison> groups;  ///< in the order of the report's, of the test as it is shaken
+
+    std::optional<RegimeSamples> samples = {};
 
     bool is_certain() const { return inputs.empty(); }
 };
@@ -40,5 +62,10 @@ struct UncertainRegimes {
 /// entry for each input. Throws SimilitudeError as make_regime_report().
 UncertainRegimes propagate(RegimeReport& report, const FactsAndLaw& facts, const KeptNumbers& kept,
                            const std::vector<UncertainInput>& inputs, const std::vector<MovedFacts>& moved);
+
+/// Adds to uncertain facts what samples of their inputs say: of factors, of groups, and of the regimes of `report`. `report`, `facts` and
+/// `kept` as propagate() has them. Throws as run_monte_carlo(), and what `draw` throws.
+void add_samples(UncertainRegimes& uncertain, const RegimeReport& report, const FactsAndLaw& facts, const KeptNumbers& kept,
+                 const DrawFacts& draw, const MonteCarloSettings& settings, const std::function<void(double)>& on_progress = {});
 
 }  // namespace musim::scaling

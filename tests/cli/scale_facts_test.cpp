@@ -212,6 +212,36 @@ TEST_CASE("uncertain facts give intervals on groups and say which regimes are op
     CHECK(admitted.has_one_error_line());
 }
 
+TEST_CASE("samples of uncertain facts give intervals and the share in which each regime is another") {
+    const Workplace here;
+    const std::string scale = "scale --length 1/107 --facts " + example("uncertain") + " --monte-carlo 2000 --seed 3";
+    const Outcome outcome = here.run(scale + " --json");
+    REQUIRE_MESSAGE(outcome.exit_code == 0, outcome.err);
+    const auto object = outcome.json();
+    CHECK(object["uncertainty"]["monte_carlo"]["samples"] == 2000);
+    CHECK(object["uncertainty"]["factors"]["time"].contains("monte_carlo"));
+    const auto slip = find(object["facts"]["groups"], "group", "mu^N")["uncertainty"]["model"];
+    // the standard error of a mean is sd/√N; what is beyond first order adds 3/8 u(μ)² = 0.1 % of the value, far below sd
+    const auto mean = slip["monte_carlo"]["mean"].get<double>(), value = slip["value"].get<double>();
+    const auto deviation = slip["standard_uncertainty"].get<double>();
+    CHECK(std::abs(mean - 1.00094 * value) < 4.0 * deviation / std::sqrt(2000.0));
+    const auto share = [&](const char* topic, const char* direction) {
+        return find(object["facts"]["regimes"], "topic", topic, direction)["share_elsewhere"].get<double>();
+    };
+    CHECK(share("sliding or rocking first", "wide") > 0.1);
+    CHECK(share("sliding or rocking first", "thin") == 0.0);
+    CHECK(here.run(scale + " --json").out == outcome.out);
+    CHECK(here.run(scale + " --distribution uniform --json").out != outcome.out);
+    for (const char* const format : {"text", "markdown", "latex"}) {
+        const std::string text = here.run(scale + " --format " + format).out;
+        CHECK(text.find("2000 samples, normal, seed 3.") != std::string::npos);
+        CHECK(text.find("another in") != std::string::npos);
+    }
+    const Outcome certain = here.run("scale --length 1/107 --monte-carlo 2000 --facts " + example("wood"));
+    CHECK(certain.exit_code == 3);
+    CHECK(certain.has_one_error_line());
+}
+
 TEST_CASE("facts go by every law as data, told in the file or typed") {
     const Workplace here;
     const std::string both = R"({"schema": "musim-facts/1", "prototype": {"preset": "concrete", "block": ["1.36 m", "2.82 m", "4.25 m"],

@@ -63,6 +63,24 @@ TEST_CASE("a value read twice at one place is one input, another of its name is 
     CHECK(moved.is_moved());
     CHECK(moved.take("f.json: set: a", {2.0, 0.1}) == 2.0);
     CHECK(moved.take("f.json: set: a", {3.0, 0.1}) == 6.0);
+    CHECK(moved.moved_input()->name == "set: a (2)");
+}
+
+TEST_CASE("a drawn reading takes every input at its drawn value, and names the file when that cannot be") {
+    UncertainReading reading("f.json");
+    const auto read = [](UncertainReading& each) {
+        const double x = each.take("f.json: x", {2.0, 0.1}), y = each.take("f.json: y", {3.0, 0.1});
+        if (y < x) throw SimilitudeError("y is below x");
+        return y - x + each.take("f.json: z", {10.0, 0.0});
+    };
+    CHECK(read(reading) == 11.0);
+    CHECK(read_drawn(reading, std::vector{1.0, 5.0}, read) == 14.0);
+    CHECK(reading.draw(std::vector{1.0, 5.0}).is_moved());
+    CHECK(reading.draw(std::vector{1.0, 5.0}).moved_input() == nullptr);
+    CHECK_THROWS_WITH_AS(read_drawn(reading, std::vector{4.0, 3.0}, read),
+                         "f.json: a sample of the uncertain values is refused (y is below x); give smaller uncertainties, or choose "
+                         "another distribution",
+                         SimilitudeError);
 }
 
 TEST_CASE("the interval of a quotient is that of its inverse upside down, near the value 1.96 u to either side") {

@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numbers>
+#include <optional>
+#include <span>
 #include <string>
 
 #include "scaling/uncertain_reading.hpp"
@@ -34,6 +37,9 @@ struct Told {
         REQUIRE_MESSAGE(found != report.groups.end(), name);
         return uncertain.groups[static_cast<std::size_t>(found - report.groups.begin())];
     }
+    double share_elsewhere(std::string_view topic, std::optional<Direction> direction = {}) const {
+        return uncertain.samples->shares_elsewhere[static_cast<std::size_t>(&regime(topic, direction) - report.regimes.data())];
+    }
     const RegimeStatement& regime(std::string_view topic, std::optional<Direction> direction = {}) const {
         const auto found = std::find_if(report.regimes.begin(), report.regimes.end(),
                                         [&](const auto& each) { return each.topic == topic && each.direction == direction; });
@@ -42,7 +48,8 @@ struct Told {
     }
 };
 
-Told tell(const Say& say, double length = 1.0 / 107.0) {
+Told tell(const Say& say, const std::optional<MonteCarloSettings>& monte_carlo = {}) {
+    constexpr double length = 1.0 / 107.0;
     const KeptNumbers kept = find_kept_numbers(Law::mu);
     const auto read = [&](UncertainReading& reading) {
         const PairFacts facts = say(reading);
@@ -58,7 +65,11 @@ Told tell(const Say& say, double length = 1.0 / 107.0) {
     for (const auto& each : read_moved(reading, read)) moved.push_back({shake(each.below), shake(each.above)});
     facts = shake(facts);
     RegimeReport report = make_regime_report(facts.facts, facts.similitude, kept);
-    const UncertainRegimes uncertain = propagate(report, facts, kept, reading.inputs(), moved);
+    UncertainRegimes uncertain = propagate(report, facts, kept, reading.inputs(), moved);
+    if (monte_carlo) {
+        const auto draw = [&](std::span<const double> values) { return shake(read_drawn(reading, values, read)); };
+        add_samples(uncertain, report, facts, kept, draw, *monte_carlo);
+    }
     return {report, uncertain};
 }
 
@@ -148,6 +159,55 @@ TEST_CASE("contacts and the table's band have limits of their own") {
     CHECK(vague.regime("table").statement.find("highest frequency of the model is 0.95") != std::string::npos);
     CHECK_FALSE(sharp.regime("contacts").is_open);
     CHECK_FALSE(sharp.regime("table").is_open);
+}
+
+TEST_CASE("samples of facts have the distribution of their closed forms") {
+    const MonteCarloSettings settings{.samples = 20'000, .seed = 5, .distribution = Distribution::lognormal};
+    const Told told = tell(towers(0.2, 0.1), settings);
+    REQUIRE(told.group("a/(mu*g)").samples.has_value());
+    const SampleSummary& demand = told.group("a/(mu*g)").samples->model;
+    // logarithms of a and μ are normal, with variances ln(1 + r²) and medians value/√(1 + r²): so is that of a/(μ g)
+    const double median = told.group("a/(mu*g)").model.value * std::sqrt((1.0 + 0.2 * 0.2) / (1.0 + 0.1 * 0.1));
+    const double sigma = std::sqrt(std::log1p(0.2 * 0.2) + std::log1p(0.1 * 0.1));
+    // standard errors of quantiles p: √(p (1 − p)/N) over the density there, four of them
+    const double root = std::sqrt(static_cast<double>(settings.samples));
+    CHECK(std::abs(std::log(demand.median / median)) < 4.0 * sigma * std::sqrt(0.5 * std::numbers::pi) / root);
+    const double tail = 4.0 * sigma * std::sqrt(0.025 * 0.975) / (0.05845 * root);  // normal density at 1.95996
+    CHECK(std::abs(std::log(demand.lower / median) + 1.959964 * sigma) < tail);
+    CHECK(std::abs(std::log(demand.upper / median) - 1.959964 * sigma) < tail);
+    // the peak cancels of model/prototype
+    const SampleSummary& factor = told.group("a/(mu*g)").samples->factor;
+    const double sigma_factor = std::sqrt(2.0 * std::log1p(0.2 * 0.2));
+    CHECK(std::abs(std::log(factor.upper / factor.lower) / (2.0 * 1.959964 * sigma_factor) - 1.0) < 8.0 * 2.67 / (3.92 * root));
+    CHECK(told.uncertain.samples->rejected == 0);
+    CHECK(told.uncertain.factors.front().samples.has_value());
+}
+
+TEST_CASE("the share of samples in another regime is that of the normal distribution") {
+    const MonteCarloSettings settings{.samples = 20'000, .seed = 11};
+    const Told told = tell(towers(0.05, 0.0), settings);
+    // μ/tan α is normal, 0.889 and 0.951 times 1 ± 5 %: the chance that either is above 1
+    const auto above = [](double ratio) { return 0.5 * std::erfc((1.0 / ratio - 1.0) / (0.05 * std::numbers::sqrt2)); };
+    const UncertainComparison& group = told.group("mu/tan(alpha)", Direction::wide);
+    const double expected = 1.0 - (1.0 - above(group.prototype.value)) * (1.0 - above(group.model.value));
+    const double error = std::sqrt(expected * (1.0 - expected) / static_cast<double>(settings.samples));
+    CHECK(expected > 0.1);
+    CHECK(std::abs(told.share_elsewhere("sliding or rocking first", Direction::wide) - expected) < 4.0 * error);
+    CHECK(told.share_elsewhere("sliding or rocking first", Direction::thin) == 0.0);  // 1.84 is 9 u away
+}
+
+TEST_CASE("samples of facts are the same bits for one seed, whatever the threads") {
+    const auto draw = [](std::uint64_t seed, int threads) {
+        return tell(towers(0.05, 0.02), MonteCarloSettings{.samples = 3'000, .seed = seed, .threads = threads});
+    };
+    const Told one = draw(3, 1), three = draw(3, 3), other = draw(4, 3);
+    for (std::size_t i = 0; i < one.uncertain.groups.size(); ++i) {
+        const ComparisonSamples &a = *one.uncertain.groups[i].samples, &b = *three.uncertain.groups[i].samples;
+        CHECK(a.model.mean == b.model.mean);
+        CHECK(a.factor.upper == b.factor.upper);
+    }
+    CHECK(one.uncertain.samples->shares_elsewhere == three.uncertain.samples->shares_elsewhere);
+    CHECK(one.group("mu^N").samples->model.mean != other.group("mu^N").samples->model.mean);
 }
 
 }  // namespace musim::scaling::tests
