@@ -236,6 +236,13 @@ std::string make_design_report(const design::Design& design, const std::vector<C
         text += make_heading("Uncertain values, u standard", style) + make_table(make_inputs_table(uncertainty.inputs), style);
         text +=
             make_heading("Ends of the length scales, to first order", style) + make_table(make_ends_table(candidates, uncertainty), style);
+        if (uncertainty.samples) {
+            text += make_heading("Length scales that are feasible, by samples", style) +
+                    make_lines({describe_samples(*uncertainty.monte_carlo, uncertainty.samples->rejected)}, style) + "\n" +
+                    make_table(make_sampled_ends_table(candidates, *uncertainty.samples), style) +
+                    make_heading("Limits in the way, by samples", style) +
+                    make_table(make_sampled_limits_table(candidates, *uncertainty.samples), style);
+        }
     }
     for (std::size_t i = 0; i < candidates.size(); ++i) {
         const Candidate& candidate = candidates[i];
@@ -253,10 +260,14 @@ std::string make_design_report(const design::Design& design, const std::vector<C
 
 nlohmann::json to_json(const design::Design& design, const std::vector<Candidate>& candidates, const DesignUncertainty& uncertainty) {
     nlohmann::json list = nlohmann::json::array();
-    for (std::size_t i = 0; i < candidates.size(); ++i) list.push_back(to_json(candidates[i], uncertainty.find(i), uncertainty));
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+        list.push_back(to_json(candidates[i], uncertainty.find(i), uncertainty));
+        if (uncertainty.samples) list.back()["monte_carlo"] = cli::to_json(candidates[i], uncertainty.samples->candidates[i]);
+    }
     nlohmann::json object = {
         {"name", design.name}, {"gravity", design.gravity.value_or(1.0)}, {"groups", design.groups}, {"candidates", list}};
     if (!uncertainty.is_certain()) object["uncertainty"] = {{"inputs", cli::to_json(uncertainty.inputs)}, {"coverage", scaling::kCoverage}};
+    if (uncertainty.samples) object["uncertainty"]["monte_carlo"] = cli::to_json(*uncertainty.monte_carlo, uncertainty.samples->rejected);
     return object;
 }
 

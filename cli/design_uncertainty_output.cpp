@@ -25,6 +25,17 @@ nlohmann::json end_to_json(const End& end, const std::vector<scaling::UncertainI
     return end ? cli::to_json(*end, inputs) : nlohmann::json();
 }
 
+/// Median and coverage interval of a length scale.
+std::vector<std::string> describe_scales(const scaling::SampleSummary& scales) {
+    if (scales.told == 0) return {"-", "-"};
+    return {scaling::describe_scale(scales.median),
+            fmt::format("{} to {}", scaling::describe_scale(scales.lower), scaling::describe_scale(scales.upper))};
+}
+
+nlohmann::json scales_to_json(const scaling::SampleSummary& scales) {
+    return scales.told == 0 ? nlohmann::json() : cli::to_json(scales, 1.0);
+}
+
 }  // namespace
 
 scaling::TextTable make_ends_table(const std::vector<design::Candidate>& candidates, const DesignUncertainty& uncertainty) {
@@ -42,6 +53,50 @@ scaling::TextTable make_ends_table(const std::vector<design::Candidate>& candida
         }
     }
     return table;
+}
+
+scaling::TextTable make_sampled_ends_table(const std::vector<design::Candidate>& candidates, const design::SampledDesign& samples) {
+    scaling::TextTable table{{"material", "law", "feasible in", "smallest: median", coverage_title(), "largest: median", coverage_title()}};
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+        const design::SampledCandidate& sampled = samples.candidates[i];
+        std::vector<std::string> row{candidates[i].material.name, candidates[i].law.name(), format_share(sampled.feasible)};
+        for (const std::string& cell : describe_scales(sampled.smallest)) row.push_back(cell);
+        for (const std::string& cell : describe_scales(sampled.largest)) row.push_back(cell);
+        table.rows.push_back(row);
+    }
+    return table;
+}
+
+scaling::TextTable make_sampled_limits_table(const std::vector<design::Candidate>& candidates, const design::SampledDesign& samples) {
+    scaling::TextTable table{{"material", "law", "limit", "smaller: in the way in", "larger: in the way in", "too much in", "at"}};
+    for (std::size_t c = 0; c < candidates.size(); ++c) {
+        const design::SampledCandidate& sampled = samples.candidates[c];
+        for (std::size_t i = 0; i < sampled.limits.size(); ++i) {
+            const design::SampledLimit& limit = sampled.limits[i];
+            if (limit.sets_smallest == 0.0 && limit.sets_largest == 0.0 && limit.broken.value_or(0.0) == 0.0) continue;
+            table.rows.push_back({candidates[c].material.name, candidates[c].law.name(), candidates[c].limits[i].limit,
+                                  format_share(limit.sets_smallest), format_share(limit.sets_largest),
+                                  format_share(limit.broken.value_or(0.0)),
+                                  sampled.length ? scaling::describe_scale(*sampled.length) : "-"});
+        }
+    }
+    return table;
+}
+
+nlohmann::json to_json(const design::Candidate& candidate, const design::SampledCandidate& sampled) {
+    nlohmann::json limits = nlohmann::json::array();
+    for (std::size_t i = 0; i < sampled.limits.size(); ++i) {
+        const design::SampledLimit& limit = sampled.limits[i];
+        limits.push_back({{"limit", candidate.limits[i].limit},
+                          {"sets_smallest_share", limit.sets_smallest},
+                          {"sets_largest_share", limit.sets_largest},
+                          {"broken_share", limit.broken ? nlohmann::json(*limit.broken) : nlohmann::json()}});
+    }
+    return {{"feasible_share", sampled.feasible},
+            {"smallest", scales_to_json(sampled.smallest)},
+            {"largest", scales_to_json(sampled.largest)},
+            {"length", sampled.length ? nlohmann::json(*sampled.length) : nlohmann::json()},
+            {"limits", limits}};
 }
 
 std::string describe_ends(const std::vector<design::UncertainRange>& ranges) {

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "design/sampled_candidate.hpp"
 #include "design/uncertain_candidate.hpp"
 #include "scaling/text_table.hpp"
 
@@ -13,6 +15,8 @@ namespace musim::cli {
 struct DesignUncertainty {
     std::vector<scaling::UncertainInput> inputs;
     std::vector<design::UncertainCandidate> candidates;
+    std::optional<scaling::MonteCarloSettings> monte_carlo = {};  ///< by which samples were drawn, if they were
+    std::optional<design::SampledDesign> samples = {};
 
     bool is_certain() const { return inputs.empty(); }
 
@@ -22,6 +26,16 @@ struct DesignUncertainty {
 
 /// The ends of all feasible ranges that a limit sets: what binds, u, the coverage interval, and the input that matters most.
 scaling::TextTable make_ends_table(const std::vector<design::Candidate>& candidates, const DesignUncertainty& uncertainty);
+
+/// By samples: in how many each candidate is feasible, and the ends of its length scales then.
+scaling::TextTable make_sampled_ends_table(const std::vector<design::Candidate>& candidates, const design::SampledDesign& samples);
+
+/// By samples: which limits are in the way, or broken at the length told. Limits that never are have no row.
+scaling::TextTable make_sampled_limits_table(const std::vector<design::Candidate>& candidates, const design::SampledDesign& samples);
+
+/// {"feasible_share", "smallest" and "largest" of the samples that are (null when none is), "length" at which limits are told broken,
+/// "limits": [{"limit", "sets_smallest_share", "sets_largest_share", "broken_share"}]}.
+nlohmann::json to_json(const design::Candidate& candidate, const design::SampledCandidate& sampled);
 
 /// Coverage intervals of the ends of a limit's ranges: "1/149.8 to 1/143.1 ... -"; "-" where all are certain.
 std::string describe_ends(const std::vector<design::UncertainRange>& ranges);

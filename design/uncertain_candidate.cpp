@@ -6,6 +6,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "design/detail/place.hpp"
+
 namespace musim::design {
 namespace {
 
@@ -28,18 +30,9 @@ struct Case {
     }
 };
 
-/// Where a candidate's material and law stand in the design: the same places in a moved one, which may have other values there.
-struct Place {
-    std::size_t material = 0, law = 0;
-
-    Place(const Design& design, const Candidate& candidate) {
-        while (design.materials[material].name != candidate.material.name) ++material;
-        while (!(design.laws[law] == candidate.law)) ++law;
-    }
-    Case find(const Setting& setting) const {
-        return {setting, Models(setting.design, setting.design.materials[material], setting.design.laws[law])};
-    }
-};
+Case find_case(const Setting& setting, const detail::Place& place) {
+    return {setting, Models(setting.design, setting.design.materials[place.material], setting.design.laws[place.law])};
+}
 
 /// All numbers of a state in one row, and the way back.
 std::vector<double> list_numbers(const ModelState& state) {
@@ -72,12 +65,12 @@ class MovedCases {
   public:
     MovedCases(const Setting& setting, const Candidate& candidate, const std::vector<UncertainInput>& inputs,
                const std::vector<MovedSetting>& moved)
-        : inputs_(inputs), own_(Place(setting.design, candidate).find(setting)) {
-        const Place place(setting.design, candidate);
+        : inputs_(inputs), own_(find_case(setting, detail::Place(setting.design, candidate))) {
+        const detail::Place place(setting.design, candidate);
         for (std::size_t i = 0; i < moved.size(); ++i) {
             try {
-                below_.push_back(place.find(moved[i].below));
-                above_.push_back(place.find(moved[i].above));
+                below_.push_back(find_case(moved[i].below, place));
+                above_.push_back(find_case(moved[i].above, place));
             } catch (const scaling::SimilitudeError& error) {
                 throw scaling::SimilitudeError(fmt::format(
                     "{} by law {}: {} is uncertain, and the law admits its value alone ({}); give the value alone, or leave out "

@@ -199,6 +199,37 @@ TEST_CASE("uncertain values of a design and its table give intervals in every fo
     CHECK(here.run("design '" + kExample + "'").out.find("95 %") == std::string::npos);
 }
 
+TEST_CASE("samples of an uncertain design tell how often it is feasible and what is in the way") {
+    const Workplace here;
+    here.write("design.json", R"({"schema": "musim-design/1",
+        "prototype": {"block": [1.36, 2.82, 4.25], "height": "161.5 +/- 1% m", "density": 2320, "friction": 0.59},
+        "limits": {"hall_height": "6 m +/- 5 cm"}, "length": "1/27",
+        "materials": [{"preset": "wood", "smallest_edge": "8 mm +/- 2%"}], "laws": ["mu"]})");
+    const std::string design = "design design.json --monte-carlo 1000 --seed 5 ";
+    const Outcome outcome = here.run(design + "--json");
+    REQUIRE_MESSAGE(outcome.exit_code == 0, outcome.err);
+    const auto object = outcome.json();
+    CHECK(object["uncertainty"]["monte_carlo"]["seed"] == 5);
+    const auto& sampled = object["candidates"].at(0)["monte_carlo"];
+    CHECK(sampled["feasible_share"] == 1.0);
+    CHECK(sampled["length"].get<double>() == relative(1.0 / 27.0, 1e-15));
+    const auto& hall = sampled["limits"].at(0);
+    CHECK(hall["limit"] == "hall height");
+    CHECK(hall["sets_largest_share"] == 1.0);
+    // 161.5 m/27 is 18.5 mm below the hall, with u = 78 mm of both: 40.6 %, four standard errors of 1000 samples are 6.2 %
+    CHECK(std::abs(hall["broken_share"].get<double>() - 0.406) < 0.062);
+    CHECK(sampled["smallest"]["interval"].at(0) < object["candidates"].at(0)["ranges"].at(0)["smallest"]);
+    CHECK(here.run(design + "--json").out == outcome.out);
+    for (const char* const format : {"text", "markdown", "latex"}) {
+        const std::string text = here.run(design + "--format " + format).out;
+        CHECK(text.find("1000 samples, normal, seed 5.") != std::string::npos);
+        CHECK(text.find("feasible in") != std::string::npos);
+    }
+    const Outcome certain = here.run("design '" + kExample + "' --monte-carlo 1000");
+    CHECK(certain.exit_code == 3);
+    CHECK(certain.has_one_error_line());
+}
+
 TEST_CASE("a table's uncertain limits are a design's input, and no business of other commands") {
     const Workplace here;
     here.write("table.json", R"({"schema": "musim-table/1", "axes": [{"names": ["x"], "displacement": "1 mm +/- 3 %"}]})");

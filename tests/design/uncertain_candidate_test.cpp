@@ -3,9 +3,12 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <numbers>
+#include <span>
 #include <string>
 
 #include "design/parse_design.hpp"
+#include "design/sampled_candidate.hpp"
 #include "records/error.hpp"
 #include "scaling/uncertain_reading.hpp"
 #include "tests/design/tower.hpp"
@@ -60,6 +63,33 @@ Answer find_answer(const std::string& more, const std::string& material = kWood)
     const std::vector<Candidate> candidates = find_candidates(setting);
     return {reading.inputs(), candidates, propagate(setting, candidates, reading.inputs(), moved)};
 }
+
+/// What samples say of the only candidate.
+struct SampledAnswer {
+    Candidate candidate;
+    SampledCandidate sampled;
+
+    const SampledLimit& limit(const std::string& name) const {
+        std::size_t i = 0;
+        while (candidate.limits.at(i).limit != name) ++i;
+        return sampled.limits[i];
+    }
+};
+
+SampledAnswer draw_answer(const std::string& more, const std::string& material, const scaling::MonteCarloSettings& settings) {
+    scaling::UncertainReading reading("d.json");
+    const auto read = [&](scaling::UncertainReading& each) { return read_setting(more, each, material); };
+    const Setting setting = read(reading);
+    const std::vector<Candidate> candidates = find_candidates(setting);
+    const auto draw = [&](std::span<const double> values) { return scaling::read_drawn(reading, values, read); };
+    return {candidates.front(), draw_candidates(setting, candidates, reading.inputs(), draw, settings).candidates.front()};
+}
+
+/// The normal distribution function.
+double normal_probability(double x) { return 0.5 * std::erfc(-x / std::numbers::sqrt2); }
+
+/// Four standard errors of a share of samples.
+double share_error(double share, std::size_t samples) { return 4.0 * std::sqrt(share * (1.0 - share) / static_cast<double>(samples)); }
 
 /// The uncertain range of a limit.
 const UncertainRange& range_of(const Answer& answer, const std::string& limit) {
@@ -153,6 +183,62 @@ TEST_CASE("where an uncertainty makes no sense one line says so") {
     CHECK(message_of<scaling::SimilitudeError>([] {
               find_answer(R"(, "laws": ["exact"])", R"({"name": "copy", "density": 2320, "friction": "0.59 +/- 5%"})");
           }).find("copy by law exact: prototype: friction is uncertain, and the law admits its value alone (") == 0);
+}
+
+TEST_CASE("samples of an end have the distribution of its closed form, and its limit binds") {
+    const scaling::MonteCarloSettings settings{.samples = 1'000, .seed = 3, .distribution = scaling::Distribution::lognormal};
+    const SampledAnswer answer = draw_answer(R"(, "limits": {"hall_height": "6 m +/- 5 cm"})", kWood, settings);
+    // payload: L = (m/(ρ/ρ_prototype M))^(1/3), the logarithm of which is normal
+    const double variance = (std::log1p(0.06 * 0.06) + std::log1p(0.03 * 0.03) + std::log1p(0.02 * 0.02)) / 9.0;
+    const double drift = (-std::log1p(0.06 * 0.06) + std::log1p(0.03 * 0.03) + std::log1p(0.02 * 0.02)) / 6.0;
+    const double median = std::cbrt(500.0 / (800.0 / 2320.0 * 2.7e8)) * std::exp(drift);
+    const double sigma = std::sqrt(variance), root = std::sqrt(static_cast<double>(settings.samples));
+    // standard errors of quantiles p: √(p (1 − p)/N) over the density there, four of them
+    CHECK(std::abs(std::log(answer.sampled.largest.median / median)) < 4.0 * sigma * std::sqrt(0.5 * std::numbers::pi) / root);
+    CHECK(std::abs(std::log(answer.sampled.largest.upper / median) - 1.959964 * sigma) <
+          4.0 * sigma * std::sqrt(0.025 * 0.975) / (0.05845 * root));
+    CHECK(answer.sampled.feasible == 1.0);  // the other end is 5.8 standard deviations below
+    CHECK(answer.sampled.largest.told == settings.samples);
+    CHECK(answer.limit("payload of axis x").sets_largest == 1.0);
+    CHECK(answer.limit("hall height").sets_largest == 0.0);
+    CHECK(answer.limit("highest frequency of axis x").sets_smallest == 1.0);
+}
+
+TEST_CASE("the share of feasible samples is that of two limits which do not cross") {
+    const scaling::MonteCarloSettings settings{.samples = 1'000, .seed = 8, .distribution = scaling::Distribution::lognormal};
+    // the edge asks for L ≥ s/b, by the values more than the payload leaves
+    const std::string material =
+        R"({"name": "wood", "density": "800 +/- 3% kg/m^3", "friction": "0.63+/-5%", "modulus": 3.56e9, "smallest_edge": "24.5 mm +/- 2%"})";
+    const SampledAnswer answer = draw_answer("", material, settings);
+    const double sigma =
+        std::sqrt((std::log1p(0.06 * 0.06) + std::log1p(0.03 * 0.03) + std::log1p(0.02 * 0.02)) / 9.0 + std::log1p(0.02 * 0.02));
+    const double drift = (-std::log1p(0.06 * 0.06) + std::log1p(0.03 * 0.03) + std::log1p(0.02 * 0.02)) / 6.0;
+    const double payload = std::log(std::cbrt(500.0 / (800.0 / 2320.0 * 2.7e8))) + drift;
+    const double edge = std::log(24.5e-3 / 1.36) - 0.5 * std::log1p(0.02 * 0.02);
+    const double expected = normal_probability((payload - edge) / sigma);
+    CHECK_FALSE(answer.candidate.is_feasible());
+    CHECK(expected > 0.1);
+    CHECK(std::abs(answer.sampled.feasible - expected) < share_error(expected, settings.samples));
+    CHECK(static_cast<double>(answer.sampled.smallest.told) ==
+          relative(answer.sampled.feasible * static_cast<double>(settings.samples), 1e-12));
+    CHECK(answer.limit("smallest edge").sets_smallest == answer.sampled.feasible);
+    CHECK_FALSE(answer.limit("smallest edge").broken.has_value());  // no length is told
+}
+
+TEST_CASE("the share in which a limit is broken at the length told is that of the normal distribution, the same bits for any threads") {
+    scaling::MonteCarloSettings settings{.samples = 1'000, .seed = 21, .threads = 1};
+    const std::string more = R"(, "limits": {"hall_height": "6 m +/- 5 cm"}, "length": "1/27")";
+    const SampledAnswer answer = draw_answer(more, kWood, settings);
+    // h − l/27 is normal: 6 m − 161.5 m/27, with 5 cm and 1 % of the latter
+    const double expected = normal_probability((161.5 / 27.0 - 6.0) / std::hypot(0.05, 1.615 / 27.0));
+    CHECK(std::abs(*answer.limit("hall height").broken - expected) < share_error(expected, settings.samples));
+    CHECK(answer.limit("payload of axis x").broken == 1.0);
+    settings.threads = 3;
+    const SampledAnswer again = draw_answer(more, kWood, settings);
+    CHECK(again.sampled.largest.upper == answer.sampled.largest.upper);
+    CHECK(again.limit("hall height").broken == answer.limit("hall height").broken);
+    settings.seed = 22;
+    CHECK(draw_answer(more, kWood, settings).sampled.largest.upper != answer.sampled.largest.upper);
 }
 
 }  // namespace musim::design::tests
