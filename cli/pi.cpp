@@ -13,6 +13,8 @@
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/pi_report.hpp"
+#include "cli/progress_line.hpp"
+#include "cli/uncertain_options.hpp"
 #include "scaling/pi_problem.hpp"
 
 namespace musim::cli {
@@ -24,6 +26,7 @@ struct PiOptions {
     bool all = false;
     std::size_t limit = 100;
     std::vector<std::string> products;
+    MonteCarloOptions monte_carlo;
     scaling::ReportStyle style = scaling::ReportStyle::plain;
     bool json = false;
 };
@@ -45,6 +48,13 @@ int run_pi(const PiOptions& options) {
     for (const std::string& text : options.products) {
         const auto exponents = scaling::parse_group(text, report.quantities);
         report.expressed.push_back({text, exponents, scaling::express(exponents, report.basis.groups, report.quantities)});
+    }
+    report.monte_carlo = options.monte_carlo.make();
+    if (report.monte_carlo) {
+        std::vector<scaling::PiGroup> groups;
+        for (const scaling::PiBasis& basis : list_bases(report)) groups.insert(groups.end(), basis.groups.begin(), basis.groups.end());
+        ProgressLine progress("samples");
+        report.samples = draw_groups(groups, report.quantities, *report.monte_carlo, [&](double fraction) { progress.update(fraction); });
     }
     if (options.json) {
         print_json(to_json(report));
@@ -74,13 +84,18 @@ void add_pi_command(CLI::App& app, Action& action) {
         ->type_name("PRODUCT")
         ->expected(1)
         ->take_all();
+    options->monte_carlo.add_to(*command);
     add_format_option(*command, options->style, "Form of the answer");
     add_json_option(*command, options->json);
     command->footer(
         "Units as everywhere (\"MN/m\", \"MPa m^0.5\", \"W/(m K)\"); \"1\" for a plain number; \"g\" is gram, \"gn\" gravity.\n"
+        "A value may carry its standard uncertainty, \"value\": \"42.4 +/- 0.4\" or \"0.59 +/- 5%\": groups then have u and 95 % "
+        "intervals, to\n"
+        "first order or of the samples.\n"
         "Examples:\n"
         "  musim pi examples/pi/tower.json\n"
         "  musim pi examples/pi/tower.json --repeating rho,l,g --express \"v/sqrt(mu*g*l)\"\n"
+        "  musim pi examples/pi/uncertain.json --monte-carlo --seed 7\n"
         "  musim pi examples/pi/sphere_drag.json --all --format markdown");
     command->callback([&action, options] { action = [options] { return run_pi(*options); }; });
 }

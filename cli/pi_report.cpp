@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "cli/uncertainty_output.hpp"
 #include "scaling/named_groups.hpp"
 #include "scaling/pi_remarks.hpp"
 #include "scaling/pi_text.hpp"
@@ -49,7 +51,24 @@ std::string powers_text(const std::vector<scaling::Rational>& powers, PiNotation
     return scaling::format_group(powers, groups, notation);
 }
 
-json group_json(const PiGroup& group, std::size_t number, const std::vector<PiQuantity>& quantities) {
+bool is_uncertain(const PiReport& report) { return !list_uncertain(report.quantities).empty(); }
+
+/// What samples say of a group; null without any.
+const scaling::SampleSummary* find_samples(const PiReport& report, const PiGroup& group) {
+    const auto found = report.samples.groups.find(group);
+    return found == report.samples.groups.end() ? nullptr : &found->second;
+}
+
+/// Value, u, u/value and coverage interval of a group; empty where it has no value.
+std::vector<std::string> describe_value(const PiReport& report, const PiGroup& group) {
+    const auto value = find_uncertain_value(group, report.quantities);
+    if (!value) return {"", "", "", ""};
+    return {fmt::format("{:.7g}", value->value), value->relative == 0.0 ? "-" : format_uncertainty(value->uncertainty(), value->value, {}),
+            format_share(value->relative), describe_interval(*value, find_samples(report, group))};
+}
+
+json group_json(const PiGroup& group, std::size_t number, const PiReport& report) {
+    const std::vector<PiQuantity>& quantities = report.quantities;
     json exponents = json::object();
     for (std::size_t i = 0; i < quantities.size(); ++i) {
         if (group[i] != 0) exponents[quantities[i].name] = group[i];
@@ -62,24 +81,39 @@ json group_json(const PiGroup& group, std::size_t number, const std::vector<PiQu
                    {"known", json::array()}};
     for (const auto& name : names) object["known"].push_back({{"name", name.name}, {"formula", name.formula}, {"as", name.as}});
     if (const auto value = scaling::group_value(group, quantities)) object["value"] = *value;
+    if (const auto value = find_uncertain_value(group, quantities); value && is_uncertain(report)) {
+        object["uncertainty"] = to_json(*value, list_uncertain(quantities));
+        if (const auto* const samples = find_samples(report, group)) object["uncertainty"]["monte_carlo"] = to_json(*samples, 1.0);
+    }
     return object;
 }
 
-json basis_json(const PiBasis& basis, const std::vector<PiQuantity>& quantities) {
+json basis_json(const PiBasis& basis, const PiReport& report) {
     json groups = json::array();
-    for (const PiGroup& group : basis.groups) groups.push_back(group_json(group, groups.size() + 1, quantities));
-    return {{"repeating", names_of(quantities, basis.repeating)}, {"groups", groups}};
+    for (const PiGroup& group : basis.groups) groups.push_back(group_json(group, groups.size() + 1, report));
+    return {{"repeating", names_of(report.quantities, basis.repeating)}, {"groups", groups}};
 }
 
-std::string make_group_lines(const PiBasis& basis, const std::vector<PiQuantity>& quantities) {
-    std::size_t widest = 0;
-    for (const PiGroup& group : basis.groups) widest = std::max(widest, scaling::format_group(group, quantities).size());
+/// "= 0.866", or "= 0.866, u 0.043 (5 %), 95 %: 0.785 to 0.955" where quantities are uncertain; empty without a value.
+std::string equate_value(const PiReport& report, const PiGroup& group) {
+    const std::vector<std::string> cells = describe_value(report, group);
+    if (cells[0].empty()) return "";
+    return cells[1] == "-" ? "= " + cells[0]
+                           : fmt::format("= {}, u {} ({}), {}: {}", cells[0], cells[1], cells[2], coverage_title(), cells[3]);
+}
+
+std::string make_group_lines(const PiBasis& basis, const PiReport& report) {
+    const std::vector<PiQuantity>& quantities = report.quantities;
+    std::size_t widest = 0, widest_value = 16;
+    for (const PiGroup& group : basis.groups) {
+        widest = std::max(widest, scaling::format_group(group, quantities).size());
+        widest_value = std::max(widest_value, equate_value(report, group).size());
+    }
     std::string text;
     for (std::size_t k = 0; k < basis.groups.size(); ++k) {
-        const auto value = scaling::group_value(basis.groups[k], quantities);
-        const std::string number = value ? fmt::format("= {:.7g}", *value) : "";
-        const std::string line = fmt::format("  Pi_{:<3} {:<{}}  {:<16} {}", k + 1, scaling::format_group(basis.groups[k], quantities),
-                                             widest, number, group_name(basis.groups[k], quantities));
+        const std::string line =
+            fmt::format("  Pi_{:<3} {:<{}}  {:<{}} {}", k + 1, scaling::format_group(basis.groups[k], quantities), widest,
+                        equate_value(report, basis.groups[k]), widest_value, group_name(basis.groups[k], quantities));
         text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
     }
     return text;
@@ -87,11 +121,13 @@ std::string make_group_lines(const PiBasis& basis, const std::vector<PiQuantity>
 
 std::string join(const std::vector<std::string>& names) { return fmt::format("{}", fmt::join(names, ", ")); }
 
-/// The basis of the report, then all others if they are wanted.
-std::vector<PiBasis> list_bases(const PiReport& report) {
-    std::vector<PiBasis> bases{report.basis};
-    if (report.all) bases.insert(bases.end(), report.all->bases.begin(), report.all->bases.end());
-    return bases;
+/// The uncertain quantities, and how samples of them were drawn.
+std::string make_inputs(const PiReport& report, ReportStyle style) {
+    if (!is_uncertain(report)) return "";
+    std::string text =
+        make_heading("Uncertain quantities, u standard", style) + make_table(make_inputs_table(list_uncertain(report.quantities)), style);
+    if (report.monte_carlo) text += "\n" + make_lines({describe_samples(*report.monte_carlo, report.samples.rejected)}, style);
+    return text;
 }
 
 /// "\Pi_{1}".
@@ -107,29 +143,33 @@ std::string make_text(const PiReport& report) {
     const auto& quantities = report.quantities;
     std::string text = fmt::format("{} quantities, rank {}, {} groups; repeating {}\n", quantities.size(), report.basis.rank(),
                                    report.basis.groups.size(), join(names_of(quantities, report.basis.repeating)));
-    text += make_group_lines(report.basis, quantities);
+    text += make_group_lines(report.basis, report);
     for (const ExpressedProduct& product : report.expressed) {
         const std::string name = scaling::recognised_text(scaling::recognise(product.exponents, quantities));
         text += fmt::format("{} = {}{}{}\n", product.text, powers_text(product.powers, PiNotation::text), name.empty() ? "" : "   ", name);
     }
     if (report.all) {
         for (const PiBasis& basis : report.all->bases) {
-            text += fmt::format("repeating {}\n", join(names_of(quantities, basis.repeating))) + make_group_lines(basis, quantities);
+            text += fmt::format("repeating {}\n", join(names_of(quantities, basis.repeating))) + make_group_lines(basis, report);
         }
     }
-    return text + make_lines(list_remarks(report), ReportStyle::plain);
+    return text + make_lines(list_remarks(report), ReportStyle::plain) + make_inputs(report, ReportStyle::plain);
 }
 
 std::string make_markdown(const PiReport& report) {
     const auto& quantities = report.quantities;
     std::string text;
     for (const PiBasis& basis : list_bases(report)) {
-        scaling::TextTable table{{"group", "product", "value", "known as"}};
+        scaling::TextTable table{{"group", "product", "value"}};
+        if (is_uncertain(report)) table.header.insert(table.header.end(), {"u", "u/value", coverage_title()});
+        table.header.emplace_back("known as");
         for (std::size_t k = 0; k < basis.groups.size(); ++k) {
-            const auto value = scaling::group_value(basis.groups[k], quantities);
-            table.rows.push_back({fmt::format("${}$", latex_number(k)),
-                                  fmt::format("${}$", scaling::format_group(basis.groups[k], quantities, PiNotation::latex)),
-                                  value ? fmt::format("{:.7g}", *value) : "", group_name(basis.groups[k], quantities)});
+            std::vector<std::string> row{fmt::format("${}$", latex_number(k)),
+                                         fmt::format("${}$", scaling::format_group(basis.groups[k], quantities, PiNotation::latex))};
+            const std::vector<std::string> cells = describe_value(report, basis.groups[k]);
+            row.insert(row.end(), cells.begin(), is_uncertain(report) ? cells.end() : std::next(cells.begin()));
+            row.push_back(group_name(basis.groups[k], quantities));
+            table.rows.push_back(row);
         }
         text += fmt::format("Repeating: {}.\n\n{}\n", join(names_of(quantities, basis.repeating)), to_markdown(table));
     }
@@ -137,7 +177,20 @@ std::string make_markdown(const PiReport& report) {
     for (const ExpressedProduct& product : report.expressed) lines.push_back(fmt::format("${}$", equate(product, quantities)));
     const std::vector<std::string> remarks = list_remarks(report);
     lines.insert(lines.end(), remarks.begin(), remarks.end());
-    return text + make_lines(lines, ReportStyle::markdown);
+    return text + make_lines(lines, ReportStyle::markdown) + make_inputs(report, ReportStyle::markdown);
+}
+
+/// A number in LaTeX's mathematics: "1.924e-04" is 1.924 \times 10^{-4}.
+std::string latex_value(const std::string& number) {
+    const std::size_t mark = number.find('e');
+    if (mark == std::string::npos) return number;
+    return fmt::format("{} \\times 10^{{{}}}", number.substr(0, mark), std::stoi(number.substr(mark + 1)));
+}
+
+/// " = 0.866 \pm 0.043" behind a group whose value is uncertain, else nothing.
+std::string equate_latex(const PiReport& report, const PiGroup& group) {
+    const std::vector<std::string> cells = describe_value(report, group);
+    return cells[0].empty() || cells[1] == "-" ? "" : fmt::format(" = {} \\pm {}", latex_value(cells[0]), latex_value(cells[1]));
 }
 
 std::string make_latex(const PiReport& report) {
@@ -147,21 +200,31 @@ std::string make_latex(const PiReport& report) {
         text += fmt::format("% repeating {}\n\\begin{{align}}\n", join(names_of(quantities, basis.repeating)));
         for (std::size_t k = 0; k < basis.groups.size(); ++k) {
             const std::string name = group_name(basis.groups[k], quantities);
-            text +=
-                fmt::format("  {} &= {}{}{}{}\n", latex_number(k), scaling::format_group(basis.groups[k], quantities, PiNotation::latex),
-                            k + 1 < basis.groups.size() ? " \\\\" : "", name.empty() ? "" : "  % ", name);
+            text += fmt::format(
+                "  {} &= {}{}{}{}{}\n", latex_number(k), scaling::format_group(basis.groups[k], quantities, PiNotation::latex),
+                equate_latex(report, basis.groups[k]), k + 1 < basis.groups.size() ? " \\\\" : "", name.empty() ? "" : "  % ", name);
         }
         text += "\\end{align}\n";
     }
     for (const ExpressedProduct& product : report.expressed) text += fmt::format("\\[ {} \\]\n", equate(product, quantities));
     for (const std::string& line : list_remarks(report)) text += fmt::format("% {}\n", line);
-    return text;
+    return text + make_inputs(report, ReportStyle::latex);
 }
 
 }  // namespace
 
+std::vector<PiBasis> list_bases(const PiReport& report) {
+    std::vector<PiBasis> bases{report.basis};
+    if (report.all) bases.insert(bases.end(), report.all->bases.begin(), report.all->bases.end());
+    return bases;
+}
+
 json to_json(const PiReport& report) {
-    json object = basis_json(report.basis, report.quantities);
+    json object = basis_json(report.basis, report);
+    if (is_uncertain(report)) {
+        object["uncertainty"] = {{"inputs", to_json(list_uncertain(report.quantities))}, {"coverage", scaling::kCoverage}};
+        if (report.monte_carlo) object["uncertainty"]["monte_carlo"] = to_json(*report.monte_carlo, report.samples.rejected);
+    }
     object["rank"] = report.basis.rank();
     object["unused"] = json::array();
     for (const auto& unused : scaling::explain_unused(report.quantities, report.basis)) {
@@ -170,7 +233,7 @@ json to_json(const PiReport& report) {
     object["remarks"] = scaling::find_remarks(report.quantities, report.basis);
     if (report.all) {
         object["bases"] = json::array();
-        for (const PiBasis& basis : report.all->bases) object["bases"].push_back(basis_json(basis, report.quantities));
+        for (const PiBasis& basis : report.all->bases) object["bases"].push_back(basis_json(basis, report));
         object["complete"] = report.all->complete;
     }
     if (!report.expressed.empty()) object["expressed"] = json::array();

@@ -23,6 +23,7 @@ struct PiQuantity {
     RationalDimension dimension;
     std::optional<double> value;  ///< [SI]
     bool is_angle = false;        ///< given in rad or deg: a plain number all the same
+    double uncertainty = 0.0;     ///< standard, of the value [SI]; 0: taken as exact
 };
 
 /// Exponents of a dimensionless product, one per quantity of the problem and in its order: whole numbers without common divisor.

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "scaling/uncertain.hpp"
+
 namespace musim::scaling::detail {
 
 void fail_at(std::string_view where, std::string_view message) { throw PiError(fmt::format("{}: {}", where, message)); }
@@ -50,7 +52,11 @@ PiQuantity parse_quantity_object(const Json& object, const std::string& where, s
     std::optional<std::string> value;
     if (object.contains("value")) value = number_text_at(object, "value", here);
     try {
-        return make_pi_quantity(name, unit, value);
+        if (!value || !is_marked_uncertain(*value)) return make_pi_quantity(name, unit, value);
+        const Uncertain measured = parse_uncertain(*value);
+        PiQuantity quantity = make_pi_quantity(name, unit, fmt::format("{}", measured.value));
+        quantity.uncertainty = *quantity.value * measured.relative();
+        return quantity;
     } catch (const SimilitudeError& error) {
         fail_at(here, error.what());
     }

@@ -27,7 +27,8 @@ const std::string& text_at(const Json& object, const char* key, std::string_view
 /// A number as text: a JSON number or a text such as "1/107".
 std::string number_text_at(const Json& object, const char* key, std::string_view where);
 
-/// {"name", "unit"}, and "value" if it is there; `known` are all keys that the object may have.
+/// {"name", "unit"}, and "value", with or without its standard uncertainty ("0.63 +/- 5%"), if it is there; `known` are all keys that the
+/// object may have.
 PiQuantity parse_quantity_object(const Json& object, const std::string& where,
                                  std::initializer_list<std::string_view> known = {"name", "unit", "value"});
 

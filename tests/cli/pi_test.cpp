@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <string>
 
 #include "tests/cli/program.hpp"
@@ -55,6 +56,39 @@ TEST_CASE("pi writes tables in text, Markdown and LaTeX") {
     CHECK(latex.find("\\Pi_{1} &= \\frac{v^{2}}{l\\,\\mu_{g}}") != std::string::npos);
 }
 
+TEST_CASE("pi tells how sure the values of groups are, to first order and by samples, in every form") {
+    const Workplace here;
+    here.write("u.json",
+               R"({"quantities": [{"name": "v", "unit": "cm/s", "value": "42.4 +/- 10%"}, {"name": "l", "unit": "m", "value": 161.5},
+        {"name": "mu_g", "unit": "gn", "value": "0.59 +/- 0.0295"}]})");
+    const auto first = here.run("pi u.json --repeating l,mu_g --json").json();
+    CHECK(first["groups"][0]["uncertainty"]["relative"].get<double>() == doctest::Approx(std::hypot(0.2, 0.05)).epsilon(1e-12));
+    CHECK(first["groups"][0]["uncertainty"]["exponents"] == nlohmann::json({{"v", 2.0}, {"mu_g", -1.0}}));
+    CHECK(first["uncertainty"]["inputs"].size() == 2);
+    CHECK_FALSE(first["groups"][0]["uncertainty"].contains("monte_carlo"));
+    const std::string sampled = "pi u.json --repeating l,mu_g --monte-carlo 2000 --seed 4 ";
+    const Outcome outcome = here.run(sampled + "--json");
+    REQUIRE_MESSAGE(outcome.exit_code == 0, outcome.err);
+    CHECK(outcome.json()["groups"][0]["uncertainty"]["monte_carlo"]["interval"].size() == 2);
+    CHECK(outcome.json()["uncertainty"]["monte_carlo"]["seed"] == 4);
+    CHECK(here.run(sampled + "--json").out == outcome.out);
+    CHECK(here.run(sampled).out.find("(20.6 %), 95 %: ") != std::string::npos);
+    CHECK(here.run(sampled + "--format markdown").out.find("| 20.6 % |") != std::string::npos);
+    CHECK(here.run(sampled + "--format latex").out.find(" \\pm ") != std::string::npos);
+    for (const char* const format : {"text", "markdown", "latex"}) {
+        CHECK(here.run(sampled + "--format " + format).out.find("2000 samples, normal, seed 4.") != std::string::npos);
+    }
+    here.write("certain.json", kTower);
+    CHECK(here.run("pi certain.json --monte-carlo").has_one_error_line());
+    CHECK_FALSE(here.run("pi certain.json --json").json().contains("uncertainty"));
+    CHECK(here.run("pi certain.json").out.find("u/value") == std::string::npos);
+    here.write("wrong.json", R"({"quantities": [{"name": "v", "unit": "m/s", "value": "1 +/- -2"}]})");
+    const Outcome wrong = here.run("pi wrong.json");
+    CHECK(wrong.exit_code == 3);
+    CHECK(wrong.has_one_error_line());
+    CHECK(wrong.err.find("wrong.json: /quantities/0 (v): ") != std::string::npos);
+}
+
 TEST_CASE("pi refuses bad input in one line, exit code 3, and bad usage with 2") {
     const TowerPlace here;
     here.write("broken.json", "{");
@@ -73,7 +107,7 @@ TEST_CASE("pi refuses bad input in one line, exit code 3, and bad usage with 2")
 
 TEST_CASE("the shipped problems are answered") {
     const Workplace here;
-    for (const char* name : {"tower", "sphere_drag", "rocking_block"}) {
+    for (const char* name : {"tower", "sphere_drag", "rocking_block", "uncertain"}) {
         const auto object = here.run(std::string("pi " MUSIM_SOURCE_DIR "/examples/pi/") + name + ".json --json").json();
         CHECK_MESSAGE(object["groups"].size() >= 2, name);
     }
