@@ -42,7 +42,10 @@ std::string read_problem_file(const std::string& file) {
 
 int run_pi(const PiOptions& options) {
     PiReport report;
-    report.quantities = scaling::parse_pi_problem(read_problem_file(options.problem), options.problem);
+    const std::string problem = read_problem_file(options.problem);
+    report.quantities = scaling::parse_pi_problem(problem, options.problem);
+    const nlohmann::json document = nlohmann::json::parse(problem);
+    report.problem = document.value("problem", document);
     report.basis = scaling::find_pi_basis(report.quantities, options.repeating);
     if (options.all) report.all = scaling::find_all_pi_bases(report.quantities, options.limit);
     for (const std::string& text : options.products) {
@@ -92,6 +95,7 @@ void add_pi_command(CLI::App& app, Action& action) {
         "A value may carry its standard uncertainty, \"value\": \"42.4 +/- 0.4\" or \"0.59 +/- 5%\": groups then have u and 95 % "
         "intervals, to\n"
         "first order or of the samples.\n"
+        "What --json prints holds the problem and is a PROBLEM.json itself.\n"
         "Examples:\n"
         "  musim pi examples/pi/tower.json\n"
         "  musim pi examples/pi/tower.json --repeating rho,l,g --express \"v/sqrt(mu*g*l)\"\n"

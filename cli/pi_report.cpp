@@ -221,6 +221,7 @@ std::vector<PiBasis> list_bases(const PiReport& report) {
 
 json to_json(const PiReport& report) {
     json object = basis_json(report.basis, report);
+    object["problem"] = report.problem;
     if (is_uncertain(report)) {
         object["uncertainty"] = {{"inputs", to_json(list_uncertain(report.quantities))}, {"coverage", scaling::kCoverage}};
         if (report.monte_carlo) object["uncertainty"]["monte_carlo"] = to_json(*report.monte_carlo, report.samples.rejected);

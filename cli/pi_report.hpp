@@ -1,6 +1,6 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,6 +20,7 @@ struct ExpressedProduct {
 
 /// What `musim pi` has to say.
 struct PiReport {
+    nlohmann::json problem;  ///< as the file has it
     std::vector<scaling::PiQuantity> quantities;
     scaling::PiBasis basis;
     std::optional<scaling::PiBases> all;
@@ -31,10 +32,11 @@ struct PiReport {
 /// The basis of the report, then all others if they are wanted.
 std::vector<scaling::PiBasis> list_bases(const PiReport& report);
 
-/// One JSON object: "rank", "groups", "unused", and "repeating", "remarks", "bases", "complete", "expressed". A group has "exponents" (of
-/// the quantities it holds), "name" (as recognised, else "Pi_1", ...), "product", "latex", "known" (the names one by one) and, where its
-/// quantities have values, "value", and "uncertainty" of it where some are uncertain, with "monte_carlo" if samples were drawn;
-/// "uncertainty" of the whole has the inputs. Powers of an expressed product are texts such as "-1/2".
+/// One JSON object: "problem" (which parse_pi_problem() reads back from it), "rank", "groups", "unused", and "repeating", "remarks",
+/// "bases", "complete", "expressed". A group has "exponents" (of the quantities it holds), "name" (as recognised, else "Pi_1", ...),
+/// "product", "latex", "known" (the names one by one) and, where its quantities have values, "value", and "uncertainty" of it where some
+/// are uncertain, with "monte_carlo" if samples were drawn; "uncertainty" of the whole has the inputs. Powers of an expressed product are
+/// texts such as "-1/2".
 nlohmann::json to_json(const PiReport& report);
 
 /// Groups with names and values, and remarks, uncertainties where there are some: lines of text, tables in Markdown, an align environment

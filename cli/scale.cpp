@@ -115,7 +115,7 @@ void add_scale_command(CLI::App& app, Action& action) {
         "  musim scale --law artificial_mass --set l=1/25 --value \"m_s=270151 t\" --format markdown\n"
         "  musim scale --law true_replica --set l=1/25+/-0.4% --set \"rho=(2310+/-1%)/(2320+/-1%)\" --value \"E=29.2+/-1.5 GPa\" "
         "--monte-carlo\n"
-        "  musim scale --law my_law.json --set l=1/25 --set E=1\n"
+        "  musim scale --law my_law.json --set l=1/25 --set E=1                 # or what --law NAME --json printed, which holds the law\n"
         "  musim scale --define E:GPa --set l=1/25 --set g=1 --set E=1 --set rho=1 --hold \"v/sqrt(g*l)\" --watch \"rho*g*l/E\"\n"
         "Factors may carry standard uncertainties: 0.63+/-0.03, \"0.63 +/- 5%\", \"(0.63+/-5%)/(0.59+/-5%)\". They are propagated to first "
         "order;\n"

@@ -7,7 +7,8 @@
 namespace musim::scaling {
 
 std::vector<PiQuantity> parse_pi_problem(std::string_view text, std::string_view origin) {
-    const detail::Json problem = detail::parse_json(text, origin);
+    const detail::Json document = detail::parse_json(text, origin);
+    const detail::Json& problem = document.is_object() && document.contains("problem") ? document["problem"] : document;
     constexpr std::string_view kExample = R"({"quantities": [{"name": "v", "unit": "m/s"}, ...]})";
     if (!problem.is_object()) detail::fail_at(origin, fmt::format("not an object; write {}", kExample));
     detail::refuse_unknown_keys(problem, {"quantities"}, origin);

@@ -96,7 +96,9 @@ ScaleLaw find_base(const Json& law, std::string_view origin) {
 }  // namespace
 
 ScaleLaw parse_scale_law(std::string_view text, std::string_view origin) {
-    const Json object = detail::parse_json(text, origin);
+    const Json document = detail::parse_json(text, origin);
+    const bool is_wrapped = document.is_object() && !document.contains("schema") && document.contains("law");
+    const Json& object = is_wrapped ? document["law"] : document;
     if (!object.is_object() || !object.contains("schema") || object["schema"] != kSchema) {
         detail::fail_at(origin, fmt::format("is no law; add \"schema\": \"{}\"", kSchema));
     }

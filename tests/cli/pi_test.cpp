@@ -37,6 +37,20 @@ TEST_CASE("pi gives rank, groups, names, values and what cannot take part as JSO
     CHECK(object["unused"] == nlohmann::json({{{"name", "rho"}, {"why", "rho cannot take part: it alone carries mass"}}}));
 }
 
+TEST_CASE("what pi prints as JSON is a problem that gives the same answer") {
+    const TowerPlace here;
+    for (const char* problem : {kTower, R"({"quantities": [{"name": "v", "unit": "cm/s", "value": "42.4 +/- 0.4"},
+                                           {"name": "g", "unit": "gn", "value": 1}, {"name": "l", "unit": "m"}]})"}) {
+        here.write("problem.json", problem);
+        const Outcome first = here.run("pi problem.json --json");
+        REQUIRE(first.exit_code == 0);
+        here.write("answer.json", first.out);
+        CHECK(here.run("pi answer.json --json").out == first.out);
+    }
+    here.write("bad.json", R"({"problem": {"quantity": []}, "rank": 1})");
+    CHECK(here.run("pi bad.json").err.find("unknown key \"quantity\"") != std::string::npos);
+}
+
 TEST_CASE("pi expresses a group of the user, lists all bases, and says when there are more") {
     const TowerPlace here;
     const auto object = here.run("pi tower.json --repeating l,mu_g --express 'v/sqrt(mu_g*l)' --all --limit 2 --json").json();

@@ -60,10 +60,15 @@ TEST_CASE("the law of a result is a law file that gives the same result") {
         CAPTURE(arguments);
         const auto first = here.run(std::string("scale --json ") + arguments).json();
         here.write("law.json", first["law"].dump());
-        std::string again = "scale --json --law law.json";
-        for (const auto& [name, value] : first["chosen"].items()) again += " --set " + name + "=" + value.dump();
-        auto second = here.run(again).json();
-        for (const char* key : {"law", "chosen", "factors", "groups", "additions", "free"}) CHECK_MESSAGE(second[key] == first[key], key);
+        here.write("result.json", first.dump());
+        for (const char* file : {"law.json", "result.json"}) {
+            std::string again = std::string("scale --json --law ") + file;
+            for (const auto& [name, value] : first["chosen"].items()) again += " --set " + name + "=" + value.dump();
+            auto second = here.run(again).json();
+            for (const char* key : {"law", "chosen", "factors", "groups", "additions", "free"}) {
+                CHECK_MESSAGE(second[key] == first[key], key);
+            }
+        }
     }
 }
 
