@@ -15,8 +15,8 @@ namespace {
 struct MeasureKey {
     std::string_view name;
     std::string_view key;
-    std::string_view unit_name = "";  ///< empty: SI
-    double unit = 1.0;                ///< in SI
+    std::string_view unit_name;  ///< empty: SI
+    double unit = 1.0;           ///< in SI
 };
 
 const MeasureKey& find_key(const std::string& name) {
@@ -221,6 +221,7 @@ scaling::TextTable make_pairs_table(const std::vector<std::string>& first, const
 
 scaling::TextTable make_pairs_table(const std::string& title, const std::vector<scaling::UncertainPair>& pairs) {
     std::vector<UncertainPairRow> rows;
+    rows.reserve(pairs.size());
     for (const scaling::UncertainPair& pair : pairs) rows.push_back({{}, &pair});
     return make_pairs_table({}, title, rows);
 }

@@ -15,8 +15,9 @@ bool has_group(const std::vector<GroupFactor>& groups, std::string_view name) {
 
 double find_measure(const std::vector<GroupFactor>& groups, const std::vector<std::string>& weighed) {
     double sum = 0.0;
-    for (const GroupFactor& group : groups)
+    for (const GroupFactor& group : groups) {
         if (std::find(weighed.begin(), weighed.end(), group.name) != weighed.end()) sum += std::abs(std::log(group.value));
+    }
     return sum;
 }
 
@@ -35,8 +36,9 @@ double find_ranked_length(const std::vector<FeasibleRange>& ranges, const std::o
 std::string describe_remedy(const Setting& setting, const Material& material, const DesignLaw& law, const std::string& limit,
                             double length) {
     for (const Use& use : find_state(setting, material, law, length).uses) {
-        if (use.limit == limit)
+        if (use.limit == limit) {
             return fmt::format("{} {} to {}", use.is_floor ? "lower" : "raise", limit, describe_amount(use.demand, use.unit));
+        }
     }
     return "change " + limit;
 }
@@ -62,8 +64,9 @@ std::string describe_problem(const Setting& setting, const Candidate& candidate)
 template <class End>
 std::string find_binding(const std::vector<LimitRanges>& limits, double length, const End& end) {
     for (const LimitRanges& limit : limits) {
-        for (const scaling::LengthRange& range : limit.ranges)
+        for (const scaling::LengthRange& range : limit.ranges) {
             if (end(range) == length) return limit.limit;
+        }
     }
     return "";
 }
@@ -82,8 +85,9 @@ std::vector<std::string> known_groups() {
                                   .restitution = 1.0,
                                   .height_deviation = 1.0};
     std::vector<std::string> names;
-    for (const scaling::NamedFactor& group : scaling::group_factors(scaling::Similitude(scaling::ScaleFactors{}), all))
+    for (const scaling::NamedFactor& group : scaling::group_factors(scaling::Similitude(scaling::ScaleFactors{}), all)) {
         names.emplace_back(group.name);
+    }
     return names;
 }
 
@@ -106,8 +110,9 @@ ModelState find_state(const Setting& setting, const Models& models, double lengt
                      .uses = find_uses(setting, material, scales),
                      .groups = {},
                      .distortions = scaling::find_distortions(scales, facts)};
-    for (const scaling::NamedFactor& group : scaling::group_factors(scales, facts))
+    for (const scaling::NamedFactor& group : scaling::group_factors(scales, facts)) {
         state.groups.push_back({std::string(group.name), group.value});
+    }
     for (const scaling::NamedFactor& group : models.own_groups(length)) {
         if (has_group(state.groups, group.name)) continue;
         state.groups.push_back({std::string(group.name), group.value});
@@ -137,8 +142,9 @@ std::vector<LimitRanges> find_limit_ranges(const Setting& setting, const Materia
         for (const records::LimitUse& use : uses_of_axis(load, 1.0)) {
             const auto counts = [&](const records::TableAxis& /*axis*/, records::TableLimit limit) { return limit == use.which; };
             LimitRanges limit{name_table_limit(use.which, load.axis.name), {}};
-            for (const records::ScaleRange& range : records::find_scales({load}, uses_of_axis, counts))
+            for (const records::ScaleRange& range : records::find_scales({load}, uses_of_axis, counts)) {
                 limit.ranges.push_back({range.smallest, range.largest});
+            }
             limits.push_back(limit);
         }
     }
@@ -157,10 +163,12 @@ std::vector<FeasibleRange> find_common(const std::vector<LimitRanges>& limits) {
     std::vector<FeasibleRange> ranges;
     for (const scaling::LengthRange& scales : common) {
         FeasibleRange range{scales, "", ""};
-        if (scales.smallest > kSearch.smallest)
+        if (scales.smallest > kSearch.smallest) {
             range.binds_below = find_binding(limits, scales.smallest, [](const scaling::LengthRange& each) { return each.smallest; });
-        if (scales.largest < kSearch.largest)
+        }
+        if (scales.largest < kSearch.largest) {
             range.binds_above = find_binding(limits, scales.largest, [](const scaling::LengthRange& each) { return each.largest; });
+        }
         ranges.push_back(range);
     }
     return ranges;
@@ -205,8 +213,9 @@ Candidate find_candidate(const Setting& setting, const Material& material, const
 
 std::vector<Candidate> find_candidates(const Setting& setting) {
     std::vector<Candidate> candidates;
-    for (const Material& material : setting.design.materials)
+    for (const Material& material : setting.design.materials) {
         for (const DesignLaw& law : setting.design.laws) candidates.push_back(find_candidate(setting, material, law));
+    }
     // in single precision, so that rounding does not rank: the mu law and Froude's often distort alike
     const auto key = [](const Candidate& each) {
         const int kind = !each.is_feasible() ? 2 : each.changes_regime() ? 1 : 0;

@@ -181,7 +181,7 @@ std::vector<std::string> read_groups(JsonFields& fields, const std::vector<Desig
         known.insert(known.end(), law.data()->held.begin(), law.data()->held.end());
         known.insert(known.end(), law.data()->watched.begin(), law.data()->watched.end());
     }
-    const std::vector<std::string> names = read_names(fields, "groups", R"(["mu^N", "omega/p"])");
+    std::vector<std::string> names = read_names(fields, "groups", R"(["mu^N", "omega/p"])");
     for (const std::string& name : names) {
         if (std::find(known.begin(), known.end(), name) == known.end()) {
             fields.fail(fmt::format("groups: \"{}\" is no group", name), fmt::format("take some of {}", fmt::join(known, ", ")));

@@ -79,6 +79,7 @@ SampledDesign draw_candidates(const Setting& setting, const std::vector<Candidat
                               const std::vector<scaling::UncertainInput>& inputs, const DrawSetting& draw,
                               const scaling::MonteCarloSettings& settings, const std::function<void(double)>& on_progress) {
     std::vector<Drawn> all;
+    all.reserve(candidates.size());
     for (const Candidate& candidate : candidates) all.emplace_back(setting, candidate);
     const scaling::Evaluation evaluate = [&](std::span<const double> values) {
         const Setting drawn = draw(values);

@@ -12,8 +12,9 @@ bool has_quantity(const SolvedLaw& solved, std::string_view name) {
 }
 
 bool is_kept(const SolvedLaw& solved, const std::string& number, const std::vector<std::string>& quantities) {
-    if (!std::all_of(quantities.begin(), quantities.end(), [&](const std::string& name) { return has_quantity(solved, name); }))
+    if (!std::all_of(quantities.begin(), quantities.end(), [&](const std::string& name) { return has_quantity(solved, name); })) {
         return false;
+    }
     ScaleProblem problem = solved.problem;
     problem.watched = {parse_scale_product(number, problem.quantities)};
     const std::vector<Rational> exponents = solve_scales(problem).watched.front().exponents;

@@ -64,6 +64,7 @@ MonteCarloRun run_monte_carlo(const std::vector<UncertainInput>& inputs, const E
                               const std::function<void(double)>& on_progress) {
     check(inputs, settings);
     std::vector<double> values;
+    values.reserve(inputs.size());
     for (const UncertainInput& input : inputs) values.push_back(input.quantity.value);
     std::vector<std::vector<double>> samples(evaluate(values).size(), std::vector<double>(settings.samples));
 

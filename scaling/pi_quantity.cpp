@@ -79,6 +79,7 @@ std::size_t find_quantity(const std::vector<PiQuantity>& quantities, std::string
     }
     if (!nearest.empty()) throw PiError(fmt::format("\"{}\" is no quantity of {}; did you mean \"{}\"?", name, owner, nearest));
     std::vector<std::string_view> names;
+    names.reserve(quantities.size());
     for (const PiQuantity& quantity : quantities) names.emplace_back(quantity.name);
     throw PiError(fmt::format("\"{}\" is no quantity of {}; take one of {}", name, owner, fmt::join(names, ", ")));
 }

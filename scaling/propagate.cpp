@@ -49,6 +49,7 @@ FirstOrder make_first_order(double value, std::vector<double> exponents, const s
 
 std::vector<FirstOrder> propagate_first_order(const std::vector<UncertainInput>& inputs, const Evaluation& evaluate) {
     std::vector<double> values;
+    values.reserve(inputs.size());
     for (const UncertainInput& input : inputs) values.push_back(input.quantity.value);
     const std::vector<double> results = evaluate(values);
     std::vector<std::vector<double>> exponents(results.size());
@@ -78,6 +79,7 @@ std::vector<FirstOrder> find_first_order(const std::vector<double>& results, con
     std::vector<FirstOrder> propagated;
     for (std::size_t r = 0; r < results.size(); ++r) {
         std::vector<double> exponents;
+        exponents.reserve(moved.size());
         for (const MovedResults& results_moved : moved) {
             exponents.push_back(find_moved_exponent(results_moved.below[r], results[r], results_moved.above[r]));
         }

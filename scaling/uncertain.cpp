@@ -134,8 +134,9 @@ Uncertain parse_uncertain(std::string_view text) {
     if (!marked) return {parse_number(text), 0.0};
     const double value = parse_number(marked->value);
     const UncertaintyText uncertainty = read_uncertainty(marked->uncertainty, text);
-    if (!uncertainty.unit.empty())
+    if (!uncertainty.unit.empty()) {
         fail(text, fmt::format("unexpected \"{}\" after the uncertainty; a plain number has no unit", uncertainty.unit));
+    }
     return make_uncertain(value, uncertainty.is_share ? uncertainty.number * value : uncertainty.number, text);
 }
 
@@ -145,8 +146,9 @@ UncertainRatio parse_uncertain_ratio(std::string_view text) {
         std::string_view rest;
         const std::string_view inside = take_brackets(trimmed, rest, text);
         if (rest.empty()) return {parse_uncertain(inside)};
-        if (!rest.starts_with('/'))
+        if (!rest.starts_with('/')) {
             fail(text, fmt::format("unexpected \"{}\" after the bracket; a fraction is wanted, such as (0.63+/-5%)/(0.59+/-5%)", rest));
+        }
         return make_ratio(parse_uncertain(inside), parse_side(rest.substr(1), text), text);
     }
     const std::size_t bracket = trimmed.find('(');

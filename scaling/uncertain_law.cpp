@@ -118,6 +118,7 @@ MonteCarloRun draw(const std::vector<Row>& rows, const std::vector<UncertainInpu
         std::vector<double> logs;
         for (std::size_t i = 0; i < drawn.size(); ++i) logs.push_back(detail::portable_log(drawn[i] / inputs[i].quantity.value));
         std::vector<double> values;
+        values.reserve(rows.size());
         for (const Row& row : rows) values.push_back(row.sample(logs));
         return values;
     };

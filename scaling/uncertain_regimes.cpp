@@ -15,6 +15,7 @@ using detail::RegimeMargin;
 /// Factors and groups that follow from facts, in one row.
 std::vector<double> list_numbers(const std::vector<NamedFactor>& factors, const std::vector<GroupComparison>& groups) {
     std::vector<double> numbers;
+    numbers.reserve(factors.size());
     for (const NamedFactor& factor : factors) numbers.push_back(factor.value);
     for (const GroupComparison& group : groups) numbers.insert(numbers.end(), {group.prototype, group.model, group.factor()});
     return numbers;
@@ -74,6 +75,7 @@ UncertainRegimes propagate(RegimeReport& report, const FactsAndLaw& facts, const
     };
     const std::vector<RegimeMargin> margins = detail::find_regime_margins(facts.facts, report.groups);
     std::vector<MovedResults> results;
+    results.reserve(moved.size());
     for (const MovedFacts& each : moved) results.push_back({evaluate(each.below), evaluate(each.above)});
     const std::vector<FirstOrder> numbers =
         find_first_order(list_numbers(facts.similitude.factors(), report.groups, margins), inputs, results);
