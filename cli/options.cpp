@@ -53,7 +53,8 @@ void SimilitudeOptions::add_to(CLI::App& app, LengthOption length_option) {
                          "Ratio of the friction coefficients, e.g. 0.63/0.59 or \"(0.63+/-5%)/(0.59+/-5%)\" (default 1)");
     add_uncertain_option(app, "--gravity", gravity, "Ratio of gravity, above 1 in a centrifuge (default 1)");
     add_uncertain_option(app, "--density", density, "Ratio of densities (default 1)");
-    app.add_option("--law", law, "Which force governs: mu, froude, exact, cauchy, another of `musim scale --laws`, or a law file")
+    app.add_option("--law", law,
+                   "Which force governs: mu, froude, exact, cauchy, another of `musim scale --laws` with one length l, or a law file")
         ->capture_default_str()
         ->type_name("LAW");
     app.add_option("--set", factors, "Factor of another quantity of the law, e.g. F_R=1/500; repeat for several")

@@ -1,8 +1,6 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstddef>
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -10,6 +8,7 @@
 #include <vector>
 
 #include "cli/commands.hpp"
+#include "cli/input_file.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/pi_report.hpp"
@@ -31,18 +30,9 @@ struct PiOptions {
     bool json = false;
 };
 
-std::string read_problem_file(const std::string& file) {
-    std::ifstream stream(file, std::ios::binary);
-    std::string text{std::istreambuf_iterator<char>(stream), {}};
-    if (!stream || text.empty()) {
-        throw scaling::PiError(file + ": cannot be read (missing, a folder, or empty); give a file with {\"quantities\": [...]}");
-    }
-    return text;
-}
-
 int run_pi(const PiOptions& options) {
     PiReport report;
-    const std::string problem = read_problem_file(options.problem);
+    const std::string problem = read_input_file(options.problem, R"(a file with {"quantities": [...]})");
     report.quantities = scaling::parse_pi_problem(problem, options.problem);
     const nlohmann::json document = nlohmann::json::parse(problem);
     report.problem = document.value("problem", document);

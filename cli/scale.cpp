@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -25,6 +26,14 @@ struct ScaleOptions {
     bool json = false;
 };
 
+/// Warns that slenderness alone does not tell the regime.
+void note_untold_regime(const ScaleOptions& options, const UncertainScale& scale) {
+    const std::vector<scaling::UncertainPair>& told = scale.report.structure;
+    const auto is_regime = [](const scaling::UncertainPair& pair) { return pair.name.starts_with("mu/tan(alpha)"); };
+    if (options.structure.slenderness.empty() || std::any_of(told.begin(), told.end(), is_regime)) return;
+    note_at_end("musim: warning: whether blocks slide or rock first (mu/tan(alpha)) is not told: --slenderness needs --friction-prototype");
+}
+
 /// The law of scaling::Similitude: mu, froude, exact, cauchy, with all their options.
 int run_similitude(const ScaleOptions& options) {
     const scaling::Similitude similitude = options.scales.similitude();
@@ -35,6 +44,7 @@ int run_similitude(const ScaleOptions& options) {
     const auto distortions = scaling::find_distortions(similitude, facts);
     const UncertainScale uncertain =
         find_uncertain_scale(options.scales, options.structure, options.motion, facts, options.monte_carlo.make());
+    note_untold_regime(options, uncertain);
 
     if (options.json) {
         nlohmann::json object = study::to_json(similitude);

@@ -211,7 +211,22 @@ Candidate find_candidate(const Setting& setting, const Material& material, const
     return candidate;
 }
 
+namespace {
+
+/// A limit of what the table carries finds no mass in a prototype that tells none.
+void require_mass(const Setting& setting) {
+    if (setting.design.prototype.mass > scaling::Mass{}) return;
+    for (const records::AxisLoad& load : setting.loads) {
+        if (!load.axis.payload && !load.axis.overturning_moment) continue;
+        throw records::ReadError(
+            fmt::format("prototype: mass is missing (axis {} of the table limits what it carries); add it", load.axis.name));
+    }
+}
+
+}  // namespace
+
 std::vector<Candidate> find_candidates(const Setting& setting) {
+    require_mass(setting);
     std::vector<Candidate> candidates;
     for (const Material& material : setting.design.materials) {
         for (const DesignLaw& law : setting.design.laws) candidates.push_back(find_candidate(setting, material, law));

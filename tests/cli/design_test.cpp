@@ -139,6 +139,10 @@ TEST_CASE("wrong input to design is told in one line") {
     CHECK(error("design.json", 3).find("up") != std::string::npos);
     here.write("design.json", make_design("", R"({"file": "lost.v1"})"));
     CHECK(error("design.json", 3).find("lost.v1") != std::string::npos);
+    here.write("design.json", make_design(""));
+    here.write("table.json", R"({"schema": "musim-table/1", "axes": [{"names": ["x"], "displacement": "1 m", "payload": "5 t"}]})");
+    CHECK(error("design.json", 3).find("prototype: mass is missing (axis x of the table limits what it carries); add it") !=
+          std::string::npos);
     error("design.json --json --format markdown", 2);
     error("", 2);
 }

@@ -48,6 +48,14 @@ TEST_CASE("an uncertain factor is read in all its forms") {
     }
 }
 
+TEST_CASE("slenderness without the prototype's friction is told to be of no use") {
+    const Workplace here;
+    const std::string command = "scale --length 1/25 --slenderness 0.32 --friction ";
+    CHECK(here.run(command + "0.18/0.59").err.find("--slenderness needs --friction-prototype") != std::string::npos);
+    CHECK(here.run(command + "0.18/0.59 --friction-prototype 0.59").err.empty());
+    CHECK(here.run(command + "'(0.18+/-5%)/(0.59+/-5%)'").err.empty());
+}
+
 TEST_CASE("several slendernesses stand in one option or in several") {
     const Workplace here;
     const std::string command = "scale --length 1/25 --friction-prototype 0.59 --json ";
