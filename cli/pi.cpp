@@ -80,6 +80,7 @@ void add_pi_command(CLI::App& app, Action& action) {
     options->monte_carlo.add_to(*command);
     add_format_option(*command, options->style, "Form of the answer");
     add_json_option(*command, options->json);
+    command->get_option("--json")->excludes("--format");
     command->footer(
         "Units as everywhere (\"MN/m\", \"MPa m^0.5\", \"W/(m K)\"); \"1\" for a plain number; \"g\" is gram, \"gn\" gravity.\n"
         "A value may carry its standard uncertainty, \"value\": \"42.4 +/- 0.4\" or \"0.59 +/- 5%\": groups then have u and 95 % "

@@ -251,9 +251,10 @@ void add_table_command(CLI::App& app, Action& action) {
     command->footer(
         "Exit code 0: the table can make the record, as it is or corrected; 5: it cannot, and nothing is written.\n"
         "Examples:\n"
-        "  musim table CICLC.v1 --limits examples/tables/array.json --length 1/25 --axis 360=x --payload \"2 t\"\n"
-        "  musim table CICLC.v1 --limits examples/tables/array.json --length 1/107 --friction 0.63/0.59 --prototype-mass \"1.2e5 t\" \\\n"
-        "      --drive drive.csv\n"
+        "  musim table CICLC.v1 --limits examples/tables/array.json --length 1/25 --axis 360=x --payload \"2 t\"     # too quick: exit "
+        "code 5\n"
+        "  musim table TCU052-N.AT2 --limits examples/tables/array.json --length 1/40 --friction 0.63/0.59 --axis N=x \\\n"
+        "    --prototype-mass \"1.2e5 t\" --drive drive.csv\n"
         "  musim table TCU052-N.AT2 --limits examples/tables/outdoor.json --length 1/4 --correct --drive drive.csv --json");
     command->callback([&action, options] { action = [options] { return run_table(*options); }; });
 }
