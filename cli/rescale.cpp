@@ -35,6 +35,7 @@ int run_rescale(const RescaleOptions& options) {
     const records::GroundMotion prototype = options.source.load(options.record);
     const records::GroundMotion model = records::rescale(prototype, similitude);
     const UncertainRescale uncertain = find_uncertain_rescale(prototype, options.scales, options.structure, options.monte_carlo.make());
+    const auto distortions = scaling::find_distortions(similitude, options.structure.facts());
     options.output.write(model);
 
     nlohmann::json components = nlohmann::json::array();
@@ -57,10 +58,13 @@ int run_rescale(const RescaleOptions& options) {
         nlohmann::json object = study::to_json(similitude);
         object["out"] = options.output.out;
         object["components"] = components;
+        object["distortions"] = study::to_json(distortions);
         add_to_json(object, uncertain);
         print_json(object);
     } else {
         print_uncertain_rescale(uncertain);
+        print("\n");
+        print_distortions(distortions);
         print("\nWritten to {}\n", options.output.out);
     }
     return kDone;

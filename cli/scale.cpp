@@ -37,9 +37,7 @@ void note_untold_regime(const ScaleOptions& options, const UncertainScale& scale
 /// The law of scaling::Similitude: mu, froude, exact, cauchy, with all their options.
 int run_similitude(const ScaleOptions& options) {
     const scaling::Similitude similitude = options.scales.similitude();
-    scaling::ModelFacts facts;
-    if (options.structure.friction) facts.friction_prototype = options.structure.friction->value;
-    for (const scaling::Uncertain& slenderness : options.structure.slenderness) facts.slenderness.push_back(slenderness.value);
+    const scaling::ModelFacts facts = options.structure.facts();
     const auto groups = scaling::group_factors(similitude, facts);
     const auto distortions = scaling::find_distortions(similitude, facts);
     const UncertainScale uncertain =

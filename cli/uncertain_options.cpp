@@ -79,6 +79,13 @@ void UncertainStructureOptions::put_into(scaling::UncertainScales& scales) const
     scales.height = height;
 }
 
+scaling::ModelFacts UncertainStructureOptions::facts() const {
+    scaling::ModelFacts facts;
+    if (friction) facts.friction_prototype = friction->value;
+    for (const scaling::Uncertain& each : slenderness) facts.slenderness.push_back(each.value);
+    return facts;
+}
+
 void add_motion_options(CLI::App& command, scaling::UncertainMotion& motion) {
     add_quantity_option(command, "--pga", motion.pga, "Peak acceleration of the prototype's motion, e.g. 0.511g", "ACCELERATION");
     add_quantity_option(command, "--pgv", motion.pgv, "Peak velocity of it, e.g. \"42.4+/-0.4 cm/s\"", "VELOCITY");

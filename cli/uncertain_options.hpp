@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "scaling/distortion.hpp"
 #include "scaling/monte_carlo.hpp"
 #include "scaling/uncertain.hpp"
 #include "scaling/uncertain_similitude.hpp"
@@ -28,6 +29,8 @@ struct UncertainStructureOptions {
     void add_to(CLI::App& command);
     bool any() const { return friction || !slenderness.empty() || height; }
     void put_into(scaling::UncertainScales& scales) const;
+    /// Their values.
+    scaling::ModelFacts facts() const;
 };
 
 /// Measures of the prototype's motion, as options --pga, --pgv, --pgd, --arias, --duration, --time-step.

@@ -56,6 +56,17 @@ TEST_CASE("slenderness without the prototype's friction is told to be of no use"
     CHECK(here.run(command + "'(0.18+/-5%)/(0.59+/-5%)'").err.empty());
 }
 
+TEST_CASE("rescale tells the regime that changes, as scale does") {
+    const Workplace here;
+    const std::string command =
+        "rescale synthetic --length 1/107 --friction 0.18/0.59 --friction-prototype 0.59 --slenderness 0.32 -o m.csv ";
+    CHECK(here.run(command).out.find("error: mu/tan(alpha) is off by a factor 0.3051") != std::string::npos);
+    const auto distortions = here.run(command + "--json").json()["distortions"];
+    CHECK(distortions ==
+          here.run("scale --length 1/107 --friction 0.18/0.59 --friction-prototype 0.59 --slenderness 0.32 --json").json()["distortions"]);
+    CHECK(distortions.size() > 1);
+}
+
 TEST_CASE("several slendernesses stand in one option or in several") {
     const Workplace here;
     const std::string command = "scale --length 1/25 --friction-prototype 0.59 --json ";
