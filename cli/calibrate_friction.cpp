@@ -27,13 +27,15 @@ int run_friction(const FrictionOptions& options) {
     const study::BlockSample sample = options.test.sample.sample();
     std::vector<study::TiltCase> cases;
     for (const auto pose : {study::TiltPose::lying, study::TiltPose::upright}) {
-        for (const auto support : {study::TiltSupport::ground, study::TiltSupport::block})
+        for (const auto support : {study::TiltSupport::ground, study::TiltSupport::block}) {
             for (const auto side : {study::TiltSide::wide, study::TiltSide::other}) cases.push_back({support, pose, side});
+        }
     }
     std::vector<study::TiltResult> results(cases.size());
     std::vector<std::function<void()>> jobs;
-    for (std::size_t i = 0; i < cases.size(); ++i)
+    for (std::size_t i = 0; i < cases.size(); ++i) {
         jobs.emplace_back([&, i] { results[i] = study::run_tilt_test(sample, cases[i], options.resolution * kDegree); });
+    }
     {
         ProgressLine progress("friction");
         scaling::run_side_by_side(jobs, options.test.threads, [&](double fraction) { progress.update(fraction); });

@@ -83,8 +83,9 @@ int run_restitution(const RestitutionOptions& options) {
                               .supports = {},
                               .safety = options.safety,
                               .threads = options.test.threads};
-    if (sweep.restitutions.empty())
+    if (sweep.restitutions.empty()) {
         for (int i = 1; i <= 9; ++i) sweep.restitutions.push_back(0.1 * i);
+    }
     std::sort(sweep.restitutions.begin(), sweep.restitutions.end());
     if (options.support != "two_blocks") sweep.supports.push_back(study::RockingSupport::ground);
     if (options.support != "ground") sweep.supports.push_back(study::RockingSupport::two_blocks);
@@ -102,14 +103,16 @@ int run_restitution(const RestitutionOptions& options) {
         for (const study::RockingCurve& curve : curves) searches.push_back({&curve, {}});
         std::vector<std::function<void()>> jobs;
         jobs.reserve(searches.size());
-        for (NamedSearch& s : searches)
+        for (NamedSearch& s : searches) {
             jobs.emplace_back([&] { s.search = study::find_restitution(sample, *s.curve, *options.target, options.safety); });
+        }
         scaling::run_side_by_side(jobs, options.test.threads, [&](double fraction) { progress.update(fraction); });
     }
     if (folder) {
         folder->add_text("restitution.csv", study::make_rocking_csv(sample, curves));
-        for (const study::RockingSupport support : sweep.supports)
+        for (const study::RockingSupport support : sweep.supports) {
             folder->add_text("restitution_" + to_string(support) + ".svg", study::make_rocking_svg(sample, curves, support));
+        }
         folder->commit();
     }
 

@@ -15,9 +15,10 @@ constexpr double kMostDamping = 2.0;
 
 void require_damping_ratio(double damping) {
     records::require_damping(damping);
-    if (damping > kMostDamping)
+    if (damping > kMostDamping) {
         throw records::ProcessingError(fmt::format("--damping: {:g} is {:g} % of critical (at most {:g} %); write 0.05 for 5 %", damping,
                                                    100.0 * damping, 100.0 * kMostDamping));
+    }
 }
 
 }  // namespace musim::cli

@@ -88,8 +88,9 @@ void print_summary(const study::EnsembleSummary& summary, const std::vector<stud
         print("  {:>5} {:>24} {:>24} {:>24}\n", level->level, with_sd(level->peak_velocity, summary.axis),
               with_sd(level->peak_displacement, summary.axis, 1e-3), with_sd(level->residual_displacement, summary.axis, 1e-3));
     }
-    for (const study::SpeedMoments& speed : summary.speeds)
+    for (const study::SpeedMoments& speed : summary.speeds) {
         print("  speed by {:<17} {} m/s, {} members\n", speed.method, with_sd(speed.speed, 0), speed.speed.count());
+    }
     print("  damage index {}\n", with_sd(summary.damage, 0));
 }
 
@@ -213,8 +214,9 @@ void add_ensemble_command(CLI::App& app, Action& action) {
     command->callback([&action, options] {
         if (options->compare.empty() && options->scene.empty()) throw CLI::RequiredError("scene (or --compare)");
         if (options->compare.empty() && options->out.empty()) throw CLI::RequiredError("--out");
-        if (options->only > options->members)
+        if (options->only > options->members) {
             throw CLI::ValidationError("--only", fmt::format("there is no member {} of {}", options->only, options->members));
+        }
         action = [options] { return run_ensemble(*options); };
     });
 }

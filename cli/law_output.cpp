@@ -52,6 +52,7 @@ std::vector<LawGroup> list_groups(const SolvedLaw& solved) {
 
 std::vector<std::string> names_of(const SolvedLaw& solved, const std::vector<std::size_t>& positions) {
     std::vector<std::string> names;
+    names.reserve(positions.size());
     for (const std::size_t j : positions) names.push_back(solved.problem.quantities[j].name);
     return names;
 }
