@@ -14,6 +14,7 @@
 #include "cli/report.hpp"
 #include "cli/version.hpp"
 #include "lsdem/scene/scene_json.hpp"
+#include "lsdem/study/live_file.hpp"
 #include "lsdem/study/pair_scene.hpp"
 #include "lsdem/study/spine_plot.hpp"
 #include "lsdem/study/use_record.hpp"
@@ -187,8 +188,10 @@ int run_pair(const PairOptions& options) {
     std::optional<study::ScenePair> pair;
     {
         ProgressLine progress(prototype.name);
-        pair = study::pair_scene(prototype, choices, options.materials == "own" ? study::Materials::own : study::Materials::exact,
-                                 {.threads = options.threads, .on_progress = [&](double fraction) { progress.update(fraction); }},
+        study::RunSettings settings{.threads = options.threads, .on_progress = [&](double fraction) { progress.update(fraction); }};
+        std::optional<study::LiveFile> live;
+        if (folder) live.emplace(options.out, prototype.name).listen_to(settings);
+        pair = study::pair_scene(prototype, choices, options.materials == "own" ? study::Materials::own : study::Materials::exact, settings,
                                  options.each_alone);
     }
     if (folder) write_study(*folder, *pair);

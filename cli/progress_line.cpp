@@ -1,11 +1,12 @@
 #include "cli/progress_line.hpp"
 
-#include <unistd.h>
-
-#include <cmath>
+#include <algorithm>
 #include <utility>
+#include <vector>
 
+#include "cli/live_text.hpp"
 #include "cli/output.hpp"
+#include "cli/terminal.hpp"
 
 namespace musim::cli {
 namespace {
@@ -15,18 +16,33 @@ using namespace std::chrono_literals;
 /// Nothing is shown before: most commands are done by then.
 constexpr auto kPatience = 2s;
 
-/// "1 h 05 min", "3 min 20 s" or "12 s".
-std::string format_duration(double seconds) {
-    const auto whole = static_cast<long>(std::lround(seconds));
-    if (whole >= 3600) return fmt::format("{} h {:02} min", whole / 3600, whole % 3600 / 60);
-    if (whole >= 60) return fmt::format("{} min {:02} s", whole / 60, whole % 60);
-    return fmt::format("{} s", whole);
+/// What stays of a name on a line that is too short for it.
+constexpr std::size_t kLeastOfName = 12;
+
+/// All of a line but the name.
+std::string compose_tail(double fraction, const std::optional<lsdem::study::LiveRun>& seen, double left) {
+    return fmt::format(": {:.0f} %, {}{} left", 100.0 * fraction, seen ? describe_live(*seen) + ", " : "", format_duration(left));
+}
+
+/// A line that leaves the last column free, since a terminal goes to the next line there: of the name as much as there is room for, and
+/// bars and state only where they fit.
+std::string compose_line(const std::string& name, double fraction, const std::optional<lsdem::study::LiveRun>& seen, double left,
+                         std::size_t columns) {
+    std::vector<std::string> tails;
+    if (seen) tails = {compose_tail(fraction, seen, left) + draw_live(*seen), compose_tail(fraction, seen, left)};
+    tails.push_back(compose_tail(fraction, std::nullopt, left));
+    for (const std::string& tail : tails) {
+        const std::size_t taken = count_characters(tail) + 1;
+        const std::size_t room = columns > taken ? columns - taken : 0;
+        if (room >= std::min(kLeastOfName, count_characters(name))) return fit(name, room) + tail;
+    }
+    return fit(tails.back(), columns - 1);
 }
 
 }  // namespace
 
 ProgressLine::ProgressLine(std::string what, bool continues)
-    : what_(std::move(what)), continues_(continues), terminal_(isatty(STDERR_FILENO) == 1), next_(start_ + kPatience) {}
+    : what_(std::move(what)), continues_(continues), terminal_(is_terminal(stderr)), next_(start_ + kPatience) {}
 
 ProgressLine::~ProgressLine() {
     // leaves a clean line behind
@@ -44,10 +60,25 @@ void ProgressLine::update(double fraction) {
     if (now < next_ || !(fraction > fraction_before_)) return;
     const double elapsed = std::chrono::duration<double>(now - start_).count();
     const double left = elapsed * (1.0 - fraction) / (fraction - fraction_before_);
-    note("{}{}: {:.0f} %, {} left{}", terminal_ ? "\r" : "", what_, 100.0 * fraction, format_duration(left), terminal_ ? "\x1b[K" : "\n");
+    if (terminal_) {
+        note("\r{}\x1b[K", compose_line(what_, fraction, seen_, left, count_columns(stderr)));
+    } else {
+        note("{}{}\n", what_, compose_tail(fraction, seen_, left));
+    }
     std::fflush(stderr);
     shown_ = true;
     next_ = now + (terminal_ ? Clock::duration(200ms) : Clock::duration(10s));
+}
+
+void ProgressLine::see(const lsdem::study::RunResult& run, const lsdem::study::TimePlan& plan) {
+    const std::lock_guard lock(mutex_);
+    if (Clock::now() >= next_) seen_ = lsdem::study::observe_run(run, plan);
+}
+
+ProgressLine& ProgressInParts::run_line() {
+    preparation_.reset();
+    if (!run_) run_.emplace(what_, continues_);
+    return *run_;
 }
 
 std::function<void(double)> ProgressInParts::of_preparation() {
@@ -58,11 +89,11 @@ std::function<void(double)> ProgressInParts::of_preparation() {
 }
 
 std::function<void(double)> ProgressInParts::of_run() {
-    return [this](double fraction) {
-        preparation_.reset();
-        if (!run_) run_.emplace(what_, continues_);
-        run_->update(fraction);
-    };
+    return [this](double fraction) { run_line().update(fraction); };
+}
+
+std::function<void(const lsdem::study::RunResult&, const lsdem::study::TimePlan&)> ProgressInParts::of_samples() {
+    return [this](const lsdem::study::RunResult& run, const lsdem::study::TimePlan& plan) { run_line().see(run, plan); };
 }
 
 }  // namespace musim::cli

@@ -6,10 +6,12 @@
 #include <optional>
 #include <string>
 
+#include "lsdem/study/live_run.hpp"
+
 namespace musim::cli {
 
-/// A line on stderr with the percentage done and the time left. It says nothing during the first two seconds; on a terminal it is
-/// rewritten in place, elsewhere a new line follows every ten seconds.
+/// A line on stderr with the percentage done, where a run stands if that is known, and the time left. It says nothing during the first two
+/// seconds; on a terminal it is rewritten in place, with the velocity of the top as bars, elsewhere a new line follows every ten seconds.
 class ProgressLine {
   public:
     /// `continues`: the first fraction told was done by an earlier run, and the time left is counted from there.
@@ -21,10 +23,14 @@ class ProgressLine {
     /// `fraction` done, 0 to 1. May be called from any thread, as often as one likes.
     void update(double fraction);
 
+    /// Where the run stands, for the lines from now on. As often as one likes: looked at only when a line falls due.
+    void see(const lsdem::study::RunResult& run, const lsdem::study::TimePlan& plan);
+
   private:
     using Clock = std::chrono::steady_clock;
 
     std::string what_;
+    std::optional<lsdem::study::LiveRun> seen_;
     bool continues_;
     double fraction_before_ = 0.0;
     bool terminal_;
@@ -42,8 +48,12 @@ class ProgressInParts {
 
     std::function<void(double)> of_preparation();
     std::function<void(double)> of_run();
+    /// What the run is at its samples; to be told before its fraction.
+    std::function<void(const lsdem::study::RunResult&, const lsdem::study::TimePlan&)> of_samples();
 
   private:
+    ProgressLine& run_line();
+
     std::string what_;
     bool continues_;
     std::optional<ProgressLine> preparation_, run_;

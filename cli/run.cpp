@@ -18,6 +18,7 @@
 #include "lsdem/scene/motions.hpp"
 #include "lsdem/scene/scene_json.hpp"
 #include "lsdem/study/failure.hpp"
+#include "lsdem/study/live_file.hpp"
 #include "lsdem/study/write_results.hpp"
 
 namespace musim::cli {
@@ -111,6 +112,9 @@ study::RunResult carry_out(Begin begin, const RunOptions& options, const std::st
     ProgressInParts progress(begin.scene.name, begin.checkpoint.has_value());
     settings.on_preparation = progress.of_preparation();
     settings.on_progress = progress.of_run();
+    settings.on_sample = progress.of_samples();
+    std::optional<study::LiveFile> live;
+    if (!directory.empty()) live.emplace(directory, begin.scene.name).listen_to(settings);
     if (!begin.checkpoint) return study::run_scene(begin.scene, settings);
     try {
         return study::resume_scene(begin.scene, std::move(*begin.checkpoint), settings);

@@ -13,6 +13,7 @@
 #include "cli/progress_line.hpp"
 #include "cli/version.hpp"
 #include "lsdem/scene/scene_json.hpp"
+#include "lsdem/study/live_file.hpp"
 #include "scaling/units.hpp"
 
 namespace musim::cli {
@@ -35,16 +36,19 @@ struct SequenceOptions {
 study::SequenceSummary carry_out(const SequenceOptions& options) {
     const bool resumes = !options.resume.empty();
     ProgressInParts progress(resumes ? options.resume : options.scene, resumes);
-    const study::SequenceSettings settings{
-        .directory = options.directory(),
-        .version = kVersion,
-        .threads = options.threads,
-        .checkpoint_interval = options.checkpoint_interval,
-        .on_progress = progress.of_run(),
-        .on_preparation = progress.of_preparation(),
-        .on_no_checkpoint = [](const std::string& why) { note("musim: warning: no checkpoint: {}\n", why); }};
-    if (resumes) return study::resume_sequence(settings);
-    return study::run_sequence(scene::read_scene(options.scene), settings);
+    study::SequenceSettings settings{.directory = options.directory(),
+                                     .version = kVersion,
+                                     .threads = options.threads,
+                                     .checkpoint_interval = options.checkpoint_interval,
+                                     .on_progress = progress.of_run(),
+                                     .on_preparation = progress.of_preparation(),
+                                     .on_sample = progress.of_samples(),
+                                     .on_no_checkpoint = [](const std::string& why) { note("musim: warning: no checkpoint: {}\n", why); }};
+    std::optional<scene::Scene> scene;
+    if (!resumes) scene = scene::read_scene(options.scene);
+    study::LiveFile live(options.directory(), scene ? scene->name : options.resume);
+    live.listen_to(settings);
+    return scene ? study::run_sequence(*scene, settings) : study::resume_sequence(settings);
 }
 
 void print_sequence(const study::SequenceSummary& summary) {

@@ -9,6 +9,7 @@
 
 #include "lsdem/archive.hpp"
 #include "lsdem/state_fields.hpp"
+#include "lsdem/study/detail/leftovers.hpp"
 #include "records/atomic_file.hpp"
 
 // The fields that a checkpoint consists of, type by type. With a new one, the version in kKind is raised.
@@ -126,17 +127,7 @@ Checkpoint read_checkpoint(const fs::path& file, const std::string& program_vers
     return c;
 }
 
-void remove_checkpoint(const fs::path& file) noexcept {
-    std::error_code ignored;
-    fs::remove(file, ignored);
-    const std::string begin = fmt::format(".{}.", file.filename().string());
-    std::vector<fs::path> leftovers;
-    for (fs::directory_iterator entry(file.parent_path(), ignored), last; !ignored && entry != last; entry.increment(ignored)) {
-        const std::string name = entry->path().filename().string();
-        if (name.starts_with(begin) && name.ends_with(".tmp")) leftovers.push_back(entry->path());
-    }
-    for (const fs::path& leftover : leftovers) fs::remove(leftover, ignored);
-}
+void remove_checkpoint(const fs::path& file) noexcept { detail::remove_with_leftovers(file); }
 
 void write_checkpoint(const CheckpointSettings& settings, std::uint64_t done, const TimePlan& plan, RunResult& run,
                       const Simulation& simulation, const std::optional<QuietState>& quiet) {

@@ -130,10 +130,10 @@ PlotSeries make_profile(const std::string& label, const Response& response, cons
 
 }  // namespace
 
-int find_strongest_axis(const StoredRun& run) {
+int find_strongest_axis(const History& history) {
     Vector3 base = Vector3::Zero(), spine = Vector3::Zero();
-    for (const BaseState& state : run.history.base) base += state.velocity.cwiseAbs2();
-    for (const Vector3& v : run.history.spine_velocity) spine += v.cwiseAbs2();
+    for (const BaseState& state : history.base) base += state.velocity.cwiseAbs2();
+    for (const Vector3& v : history.spine_velocity) spine += v.cwiseAbs2();
     Eigen::Index axis = 0;
     (base.sum() > 0.0 ? base : spine).maxCoeff(&axis);
     return static_cast<int>(axis);
@@ -170,7 +170,7 @@ std::string axis_name(int axis) { return std::string(1, "xyz"[axis]); }
 
 Response measure_response(const StoredRun& run, const ResponseSettings& settings) {
     Response response;
-    response.axis = settings.axis.value_or(find_strongest_axis(run));
+    response.axis = settings.axis.value_or(find_strongest_axis(run.history));
     response.scales = find_scales(run, response.axis);
     const auto samples = find_samples(run, settings);
     double base_peak = 0.0;

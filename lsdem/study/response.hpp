@@ -58,7 +58,7 @@ struct Response {
 Response measure_response(const StoredRun& run, const ResponseSettings& settings = {});
 
 /// The axis along which the base moves most (0, 1, 2: x, y, z); along which the spine does when the base stands.
-int find_strongest_axis(const StoredRun& run);
+int find_strongest_axis(const History& history);
 
 /// The spine's levels; in-plane rotations are those about the horizontal axis across `axis`.
 std::vector<SpineLevel> measure_spine(const StoredRun& run, int axis);

@@ -4,6 +4,7 @@
 #include <mutex>
 #include <numeric>
 
+#include "lsdem/study/live_file.hpp"
 #include "lsdem/study/run.hpp"
 #include "lsdem/study/write_results.hpp"
 #include "scaling/side_by_side.hpp"
@@ -47,18 +48,20 @@ void run_member(const EnsembleMember& member, const MemberSettings& settings, co
     // the folder first: it keeps other processes off the member
     ResultFolder folder(directory);
     double prepared = 0.0;
-    const RunSettings run_settings{.threads = 1,
-                                   .on_progress = [&](double fraction) { on_progress(prepared + (1.0 - prepared) * fraction); },
-                                   .on_preparation =
-                                       [&](double fraction) {
-                                           prepared = kPreparationWorth;
-                                           on_progress(prepared * fraction);
-                                       },
-                                   .checkpoint = CheckpointSettings{.file = checkpoint,
-                                                                    .scene = member.scene_text,
-                                                                    .program_version = settings.version,
-                                                                    .interval = settings.checkpoint_interval,
-                                                                    .on_failure = settings.on_no_checkpoint}};
+    LiveFile live(directory, member.scene.name);
+    RunSettings run_settings{.threads = 1,
+                             .on_progress = [&](double fraction) { on_progress(prepared + (1.0 - prepared) * fraction); },
+                             .on_preparation =
+                                 [&](double fraction) {
+                                     prepared = kPreparationWorth;
+                                     on_progress(prepared * fraction);
+                                 },
+                             .checkpoint = CheckpointSettings{.file = checkpoint,
+                                                              .scene = member.scene_text,
+                                                              .program_version = settings.version,
+                                                              .interval = settings.checkpoint_interval,
+                                                              .on_failure = settings.on_no_checkpoint}};
+    live.listen_to(run_settings);
     report.resumed = fs::exists(checkpoint);
     const RunResult run = report.resumed ? resume_scene(member.scene, read_checkpoint(checkpoint, settings.version), run_settings)
                                          : run_scene(member.scene, run_settings);

@@ -156,6 +156,7 @@ class Sequence {
         const double before = work_before(stage), own = motion_work(stage);
         return {.threads = settings_.threads,
                 .on_progress = [this, before, own](double fraction) { report(before + own * fraction); },
+                .on_sample = settings_.on_sample,
                 .checkpoint = checkpoint_};
     }
 

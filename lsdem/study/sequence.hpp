@@ -6,20 +6,22 @@
 
 #include "lsdem/scene/scene.hpp"
 #include "lsdem/study/sequence_summary.hpp"
+#include "lsdem/study/time_plan.hpp"
 
 /// Several motions one after another on the same structure, until it has collapsed.
 namespace musim::lsdem::study {
 
 /// How to carry out a sequence; none of it changes the results.
 struct SequenceSettings {
-    std::filesystem::path directory;                                ///< of all results
-    std::string version;                                            ///< of the program
-    int threads = 1;                                                ///< 0: all cores
-    double checkpoint_interval = 60.0;                              ///< wall time between two checkpoints [s]; 0: one after every sample
-    std::function<void(double)> on_progress = {};                   ///< called now and then with the fraction done, 0 to 1
-    std::function<void(double)> on_preparation = {};                ///< likewise, while the specimen is being prepared
-    std::function<void(const std::string&)> on_stage = {};          ///< told the folder of every stage once it is stored
-    std::function<void(const std::string&)> on_no_checkpoint = {};  ///< told why a checkpoint could not be written; the run goes on
+    std::filesystem::path directory;                  ///< of all results
+    std::string version;                              ///< of the program
+    int threads = 1;                                  ///< 0: all cores
+    double checkpoint_interval = 60.0;                ///< wall time between two checkpoints [s]; 0: one after every sample
+    std::function<void(double)> on_progress = {};     ///< called now and then with the fraction done, 0 to 1
+    std::function<void(double)> on_preparation = {};  ///< likewise, while the specimen is being prepared
+    std::function<void(const RunResult&, const TimePlan&)> on_sample = {};  ///< called after every sample of a stage
+    std::function<void(const std::string&)> on_stage = {};                  ///< told the folder of every stage once it is stored
+    std::function<void(const std::string&)> on_no_checkpoint = {};          ///< told why a checkpoint could not be written; the run goes on
 };
 
 /// Shakes the structure of a scene with its motions, one after another, and stores every stage as a run of its own in DIR/stage-01-NAME,

@@ -32,7 +32,7 @@ StageSummary summarize_stage(const StoredRun& run, const StageFolder& where, con
     stage.status = run.status;
     stage.start_time = run.origin ? run.origin->time : 0.0;
     stage.duration = run.history.time.back();
-    stage.axis = find_strongest_axis(run);
+    stage.axis = find_strongest_axis(run.history);
     for (const BaseState& base : run.history.base) {
         stage.peak_velocity = std::max(stage.peak_velocity, base.velocity.norm());
         stage.peak_acceleration = std::max(stage.peak_acceleration, base.acceleration.norm());

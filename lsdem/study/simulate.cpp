@@ -128,6 +128,7 @@ void carry_on(RunResult& run, Simulation& simulation, const TimePlan& plan, std:
         if (plan.samples_per_frame > 0 && k % plan.samples_per_frame == 0) add_frame(run, simulation);
         run.wall_time = wall_time_before + std::chrono::duration<double>(Clock::now() - start).count();
         if (checkpoints) checkpoints->after_sample(k, plan, run, simulation);
+        if (settings.on_sample) settings.on_sample(run, plan);
         if (settings.on_progress) settings.on_progress(static_cast<double>(k) / static_cast<double>(plan.samples));
     }
     finish(run, simulation);

@@ -22,10 +22,11 @@ struct Specimen {
 
 /// How to carry out a run; none of it changes the results.
 struct RunSettings {
-    int threads = 1;                                    ///< 0: all cores
-    std::function<void(double)> on_progress = {};       ///< called now and then with the fraction done, 0 to 1, from the thread that runs
-    std::function<void(double)> on_preparation = {};    ///< likewise, while a specimen is being prepared
-    std::optional<CheckpointSettings> checkpoint = {};  ///< none: a run that is killed is lost
+    int threads = 1;                                  ///< 0: all cores
+    std::function<void(double)> on_progress = {};     ///< called now and then with the fraction done, 0 to 1, from the thread that runs
+    std::function<void(double)> on_preparation = {};  ///< likewise, while a specimen is being prepared
+    std::function<void(const RunResult&, const TimePlan&)> on_sample = {};  ///< called after every sample with what there is so far
+    std::optional<CheckpointSettings> checkpoint = {};                      ///< none: a run that is killed is lost
 };
 
 /// A structure has collapsed when this fraction of its blocks has fallen (has_fallen). One in twenty: a few blocks may

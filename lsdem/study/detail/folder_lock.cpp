@@ -23,4 +23,14 @@ FolderLock::~FolderLock() {
     if (descriptor_ >= 0) ::close(descriptor_);
 }
 
+std::optional<bool> is_locked(const std::filesystem::path& directory) {
+    const int descriptor = ::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (descriptor < 0) return false;
+    // a shared lock is refused while one process has it all; it goes with the descriptor
+    const bool free = ::flock(descriptor, LOCK_SH | LOCK_NB) == 0;
+    const bool told = free || errno == EWOULDBLOCK;
+    ::close(descriptor);
+    return told ? std::optional(!free) : std::nullopt;
+}
+
 }  // namespace musim::lsdem::study::detail

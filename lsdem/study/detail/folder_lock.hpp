@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 namespace musim::lsdem::study::detail {
 
@@ -17,5 +18,8 @@ class FolderLock {
   private:
     int descriptor_;
 };
+
+/// Does a process hold a directory now? Nothing on file systems that cannot tell.
+std::optional<bool> is_locked(const std::filesystem::path& directory);
 
 }  // namespace musim::lsdem::study::detail

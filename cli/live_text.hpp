@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+#include "lsdem/study/live_run.hpp"
+
+namespace musim::cli {
+
+/// Where a run stands: "0.61 of 1.365 s, kinetic energy 1.2 mJ, largest drift 0.84 %, 12 of 7144 blocks fallen".
+std::string describe_live(const lsdem::study::LiveRun& live);
+
+/// The velocity of the top as a line of bars with its axis, " top v_x ▁▅█"; empty when there is none.
+std::string draw_live(const lsdem::study::LiveRun& live);
+
+/// "1 h 05 min", "3 min 20 s" or "12 s".
+std::string format_duration(double seconds);
+
+}  // namespace musim::cli

@@ -1,0 +1,11 @@
+#pragma once
+
+#include <filesystem>
+
+namespace musim::lsdem::study::detail {
+
+/// Removes a file that records::write_file_atomically() writes again and again, and what a kill left of one that was being written. Nothing
+/// happens when there is none.
+void remove_with_leftovers(const std::filesystem::path& file) noexcept;
+
+}  // namespace musim::lsdem::study::detail

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "lsdem/study/live_run.hpp"
+
+namespace musim::lsdem::study {
+
+/// What a run that goes on says of itself in its folder.
+struct LiveState {
+    std::string name;            ///< of the scene
+    bool prepares = false;       ///< its specimen is being prepared; nothing moves yet
+    double fraction = 0.0;       ///< done of the preparation, or of the run, 0 to 1
+    double wall_time = 0.0;      ///< since it began, or was resumed [s]
+    std::optional<double> left;  ///< wall time that the preparation, or the run, will still take if it goes on as up to now [s]
+    std::optional<LiveRun> run;  ///< at its last sample
+};
+
+/// {"schema", "name", "phase": "preparing" or "running", "fraction", "wall_s", "left_s", "run"}; the last two only when known.
+nlohmann::json to_json(const LiveState& state);
+
+/// The name of that file in a folder of results.
+inline constexpr const char* kLiveName = "live.json";
+
+/// Wall time between two states: often enough to follow a run, and each waits for the disk.
+inline constexpr std::chrono::seconds kLiveInterval{2};
+
+/// Keeps a file in a folder of results by which others follow a run. It is written for the first time after an interval of wall time, whole
+/// each time, and goes with the object; one that cannot be written is left out. A kill leaves the last one behind.
+class LiveFile {
+  public:
+    LiveFile(const std::filesystem::path& directory, std::string name, std::chrono::seconds interval = kLiveInterval);
+    ~LiveFile();
+    LiveFile(const LiveFile&) = delete;
+    LiveFile& operator=(const LiveFile&) = delete;
+
+    void tell_preparation(double fraction) { tell(true, fraction); }
+    void tell_progress(double fraction) { tell(false, fraction); }
+    void tell_sample(const RunResult& run, const TimePlan& plan);
+
+    /// Hears what a run, or a sequence, tells from now on, besides who hears it already. Outlives it.
+    template <class Settings>
+    void listen_to(Settings& settings) {
+        settings.on_preparation = also(std::move(settings.on_preparation), [this](double fraction) { tell_preparation(fraction); });
+        settings.on_progress = also(std::move(settings.on_progress), [this](double fraction) { tell_progress(fraction); });
+        settings.on_sample =
+            also(std::move(settings.on_sample), [this](const RunResult& run, const TimePlan& plan) { tell_sample(run, plan); });
+    }
+
+  private:
+    using Clock = std::chrono::steady_clock;
+
+    template <class Function, class Second>
+    static Function also(Function first, Second second) {
+        if (!first) return second;
+        return [first = std::move(first), second](auto&&... told) {
+            first(told...);
+            second(told...);
+        };
+    }
+
+    void tell(bool prepares, double fraction);
+    bool is_due() const { return Clock::now() >= next_; }
+    void write();
+
+    std::filesystem::path file_;
+    LiveState state_;
+    Clock::duration interval_;
+    Clock::time_point start_ = Clock::now(), next_;
+    std::optional<double> first_fraction_;  ///< told of the present phase
+    Clock::time_point first_told_;
+};
+
+/// What the file in a folder says; nothing when there is none, or none that this program wrote.
+std::optional<LiveState> read_live_file(const std::filesystem::path& directory);
+
+}  // namespace musim::lsdem::study
