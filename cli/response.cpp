@@ -12,9 +12,10 @@
 #include <vector>
 
 #include "cli/commands.hpp"
+#include "cli/field_options.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
-#include "lsdem/study/camera_view.hpp"
+#include "lsdem/study/field_picture.hpp"
 #include "lsdem/study/write_results.hpp"
 #include "scaling/angle.hpp"
 
@@ -32,9 +33,7 @@ struct ResponseOptions {
     Number threshold{0.1};
     std::vector<Number> window;
     std::vector<Number> fields;  ///< times [s]
-    std::string side;
-    std::string component = "right";
-    int pixels = 240;
+    FieldOptions look;
     bool json = false;
 };
 
@@ -85,40 +84,18 @@ void print_response(const study::Response& r) {
     print_losses(d);
 }
 
-study::CameraSide find_side(const std::string& name, int axis) {
-    if (name == "+x") return study::CameraSide::plus_x;
-    if (name == "-x") return study::CameraSide::minus_x;
-    if (name == "+y") return study::CameraSide::plus_y;
-    if (name == "-y") return study::CameraSide::minus_y;
-    return study::find_side_facing(axis);
-}
-
 /// Pictures of the velocity field at the times wanted, all with the same colours.
 nlohmann::json add_fields(study::ResultFolder& folder, const study::StoredRun& run, const ResponseOptions& options, int axis) {
-    const study::CameraSide side = find_side(options.side, axis);
-    const auto component = options.component == "up"      ? study::FieldComponent::up
-                           : options.component == "speed" ? study::FieldComponent::speed
-                                                          : study::FieldComponent::right;
-    struct Picture {
-        std::size_t frame;
-        study::CameraImage image;
-    };
-    std::vector<Picture> pictures;
-    double limit = 0.0;
-    for (const Number& time : options.fields) {
-        const std::size_t frame = study::find_frame(run, time);
-        pictures.push_back({frame, study::take_picture(run, frame, {.side = side, .columns = static_cast<std::size_t>(options.pixels)})});
-        for (const int block : pictures.back().image.block) {
-            if (block < 0) continue;
-            limit = std::max(limit, std::abs(study::find_velocity(run, frame, static_cast<std::size_t>(block), side, component)));
-        }
-    }
+    const study::CameraSettings camera = options.look.camera(axis);
+    study::FieldPicture picture{.side = camera.side, .component = options.look.shown(), .limit = 0.0, .name = options.directory};
+    const std::vector<study::FieldView> views = study::take_views(run, {options.fields.begin(), options.fields.end()}, camera);
+    picture.limit = study::find_field_limit(run, views, picture.side, picture.component);
     nlohmann::json list = nlohmann::json::array();
-    for (const Picture& picture : pictures) {
-        const std::string name = fmt::format("field_{:.6g}s", picture.image.time);
-        folder.add_text(name + ".csv", study::make_field_csv(run, picture.frame, picture.image, side));
-        folder.add_text(name + ".svg", study::make_field_svg(run, picture.frame, picture.image, side, component, limit, options.directory));
-        list.push_back({{"time_s", picture.image.time}, {"picture", name + ".svg"}, {"grid", name + ".csv"}});
+    for (const study::FieldView& view : views) {
+        const std::string name = fmt::format("field_{:.6g}s", view.image.time);
+        folder.add_text(name + ".csv", study::make_field_csv(run, view.frame, view.image, camera.side));
+        folder.add_text(name + ".svg", study::make_field_svg(run, {view}, picture));
+        list.push_back({{"time_s", view.image.time}, {"picture", name + ".svg"}, {"grid", name + ".csv"}});
     }
     return list;
 }
@@ -168,12 +145,7 @@ void add_response_command(CLI::App& app, Action& action) {
     command->add_option("--field", options->fields, "Times at which the velocity field is drawn [s]; needs frames")
         ->type_name("TIME")
         ->needs(out);
-    command->add_option("--view", options->side, "Side on which the camera stands (default: the motion goes from left to right)")
-        ->check(CLI::IsMember({"+x", "-x", "+y", "-y"}));
-    command->add_option("--component", options->component, "Velocity that gives the colour")
-        ->capture_default_str()
-        ->check(CLI::IsMember({"right", "up", "speed"}));
-    command->add_option("--pixels", options->pixels, "Columns of the image grid")->capture_default_str()->check(CLI::Range(8, 4000));
+    options->look.add_to(*command);
     add_json_option(*command, options->json);
     command->footer(
         "Examples:\n"

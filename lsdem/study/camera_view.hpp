@@ -32,7 +32,10 @@ struct CameraSettings {
     std::size_t columns = 240;  ///< pixels across the image, which holds the structure at its start with a margin of 5 %
 };
 
-/// Number of the frame nearest to a time. Throws ResultError when the run has kept no frames.
+/// Throws ResultError when the run has kept no frames.
+void require_frames(const StoredRun& run);
+
+/// Number of the frame nearest to a time. Throws as require_frames() does.
 std::size_t find_frame(const StoredRun& run, double time);
 
 /// Looks at a frame: every pixel takes the nearest block that a ray through its middle meets. All blocks are looked at as boxes.
@@ -43,10 +46,5 @@ double find_velocity(const StoredRun& run, std::size_t frame, std::size_t block,
 
 /// column,row,right_m,z_m,block,level,v_right_m_s,v_up_m_s: one line per pixel in which a block is seen.
 std::string make_field_csv(const StoredRun& run, std::size_t frame, const CameraImage& image, CameraSide side);
-
-/// The blocks that are seen, in the colour of their velocity, with a colour bar. `limit` [m/s]: where the colours end; equal limits make
-/// pictures comparable. Signed components get a diverging map, white at rest, the speed a sequential one.
-std::string make_field_svg(const StoredRun& run, std::size_t frame, const CameraImage& image, CameraSide side, FieldComponent component,
-                           double limit, const std::string& name);
 
 }  // namespace musim::lsdem::study

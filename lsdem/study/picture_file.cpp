@@ -26,12 +26,16 @@ void require_picture_name(const std::filesystem::path& path) {
     }
 }
 
+std::string make_picture_bytes(const std::string& svg, const std::string& kind) {
+    require_picture_name("picture." + kind);
+    if (kind == "png") return detail::render_png(svg, kPngScale);
+    if (kind == "pdf") return detail::render_pdf(svg, kPdfScale);
+    return svg;
+}
+
 void write_picture(const std::filesystem::path& path, const std::string& svg) {
     require_picture_name(path);
-    const std::string extension = path.extension().string();
-    if (extension == ".png") return records::write_file_atomically(path, detail::render_png(svg, kPngScale));
-    if (extension == ".pdf") return records::write_file_atomically(path, detail::render_pdf(svg, kPdfScale));
-    records::write_file_atomically(path, svg);
+    records::write_file_atomically(path, make_picture_bytes(svg, path.extension().string().substr(1)));
 }
 
 }  // namespace musim::lsdem::study

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "lsdem/scene/scene_json.hpp"
-#include "lsdem/study/camera_view.hpp"
+#include "lsdem/study/field_picture.hpp"
 #include "lsdem/study/run.hpp"
 #include "lsdem/study/write_results.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -159,10 +159,27 @@ TEST_CASE("the camera sees the block in front, in its colour and place") {
     CHECK(find_velocity(run, 0, 0, CameraSide::minus_y, FieldComponent::up) == 0.5);
 
     // block 2 is hidden from the front: two polygons, the grid names two blocks
-    const std::string svg = make_field_svg(run, 0, front, CameraSide::minus_y, FieldComponent::right, 2.0, "made");
-    std::size_t polygons = 0;
-    for (std::size_t p = svg.find("<polygon"); p != std::string::npos; p = svg.find("<polygon", p + 1)) ++polygons;
-    CHECK(polygons == 2);
+    const std::string svg =
+        make_field_svg(run, {{0, front}}, {.side = CameraSide::minus_y, .component = FieldComponent::right, .limit = 2.0, .name = "made"});
+    const auto count_of = [](const std::string& text, const std::string& part) {
+        std::size_t count = 0;
+        for (std::size_t p = text.find(part); p != std::string::npos; p = text.find(part, p + 1)) ++count;
+        return count;
+    };
+    CHECK(count_of(svg, "<polygon") == 2);
+    // of three views each has a panel, its time, and one colour bar
+    run.frames.time.front() = 0.25;
+    const CameraImage later = take_picture(run, 0, {.side = CameraSide::minus_y, .columns = 60});
+    const std::string panels =
+        make_field_svg(run, {{0, later}, {0, later}, {0, later}},
+                       {.side = CameraSide::minus_y, .component = FieldComponent::right, .limit = 2.0, .name = "made"});
+    CHECK(count_of(panels, "<polygon") == 6);
+    CHECK(count_of(panels, "<clipPath") == 3);
+    CHECK(count_of(panels, ">0.25 s<") == 3);
+    CHECK(count_of(panels, ">velocity to the right [m/s]<") == 1);
+    CHECK(find_field_limit(run, {{0, front}}, CameraSide::minus_y, FieldComponent::right) == 1.0);
+    CHECK(find_field_limit(run, {{0, front}}, CameraSide::minus_y, FieldComponent::up) == 0.5);
+
     CHECK(make_field_csv(run, 0, front, CameraSide::minus_y).find(",2,2,") == std::string::npos);
 
     run.frames = {};
