@@ -34,6 +34,32 @@ constexpr FourFactor kFourFactors[] = {{"--length", "l", &SimilitudeOptions::len
                                        {"--gravity", "g", &SimilitudeOptions::gravity, &scaling::ScaleFactors::gravity},
                                        {"--density", "rho", &SimilitudeOptions::density, &scaling::ScaleFactors::density}};
 
+/// One of them that is given, with the quantity of the law at hand.
+struct GivenOption {
+    FourFactor factor;
+    std::string quantity;
+};
+
+/// Those of a command line with the factors of --set.
+std::vector<GivenOption> find_given(const SimilitudeOptions& options, const std::vector<scaling::UncertainFactor>& set) {
+    std::vector<GivenOption> list;
+    for (const FourFactor& factor : kFourFactors) {
+        if (options.command->count(factor.option) > 0) list.push_back({factor, factor.quantity});
+    }
+    const bool has_length = options.command->count("--length") > 0;
+    if (has_length && !scaling::is_law(options.law)) {
+        list.front().quantity = find_length_name(scaling::load_scale_law(options.law), scaling::values_of(set));
+    }
+    return list;
+}
+
+/// A law as data with the given factors; a default of it that these overrule is a warning at the end.
+scaling::SolvedLaw solve_noting(const std::string& law, const std::vector<scaling::GivenFactor>& given) {
+    scaling::SolvedLaw solved = scaling::solve_law(scaling::load_scale_law(law), given);
+    note_overruled(solved);
+    return solved;
+}
+
 }  // namespace
 
 bool lexical_cast(const std::string& text, Number& number) {
@@ -47,14 +73,16 @@ bool lexical_cast(const std::string& text, Number& number) {
 
 void SimilitudeOptions::add_to(CLI::App& app, LengthOption length_option) {
     command = &app;
-    add_uncertain_option(app, "--length", length, "Length factor, model/prototype, e.g. 1/107 or 1/107+/-1%")
+    add_uncertain_option(app, "--length", length,
+                         "Length factor, model/prototype, e.g. 1/107 or 1/107+/-1%; by mu_vertical_distortion that of heights")
         ->required(length_option == LengthOption::required);
     add_uncertain_option(app, "--friction", friction,
                          "Ratio of the friction coefficients, e.g. 0.63/0.59 or \"(0.63+/-5%)/(0.59+/-5%)\" (default 1)");
     add_uncertain_option(app, "--gravity", gravity, "Ratio of gravity, above 1 in a centrifuge (default 1)");
     add_uncertain_option(app, "--density", density, "Ratio of densities (default 1)");
-    app.add_option("--law", law,
-                   "Which force governs: mu, froude, exact, cauchy, another of `musim scale --laws` with one length l, or a law file")
+    app.add_option(
+           "--law", law,
+           "Which force governs: mu, froude, exact, cauchy, another of `musim scale --laws` with one length to be chosen, or a law file")
         ->capture_default_str()
         ->type_name("LAW");
     app.add_option("--set", factors, "Factor of another quantity of the law, e.g. F_R=1/500; repeat for several")
@@ -66,31 +94,35 @@ void SimilitudeOptions::add_to(CLI::App& app, LengthOption length_option) {
 bool SimilitudeOptions::is_plain() const { return factors.empty() && scaling::is_law(law); }
 
 std::vector<scaling::UncertainFactor> SimilitudeOptions::given() const {
+    const std::vector<scaling::UncertainFactor> set = parse_factors(factors);
     std::vector<scaling::UncertainFactor> list;
-    for (const FourFactor& factor : kFourFactors) {
-        if (command->count(factor.option) > 0) list.push_back({factor.quantity, this->*factor.ratio});
-    }
-    for (const scaling::UncertainFactor& factor : parse_factors(factors)) list.push_back(factor);
+    for (const GivenOption& option : find_given(*this, set)) list.push_back({option.quantity, this->*option.factor.ratio});
+    list.insert(list.end(), set.begin(), set.end());
     return list;
 }
 
 scaling::Similitude SimilitudeOptions::similitude() const {
-    return is_plain() ? make_similitudes()(scales().factors(), {}) : solve_similitude(law, scaling::values_of(given()));
+    if (is_plain()) return scaling::Similitude(scales().factors(), scaling::parse_law(law));
+    return solve_similitude(law, scaling::values_of(given()));
 }
 
-scaling::MakeSimilitude SimilitudeOptions::make_similitudes() const {
+scaling::ModelScales SimilitudeOptions::model_scales() const {
+    if (is_plain()) return similitude();
+    const scaling::LawFormulas formulas(solve_noting(law, scaling::values_of(given())));
+    return scaling::make_model_scales(formulas, formulas.solved().problem.chosen);
+}
+
+scaling::MakeModelScales SimilitudeOptions::make_scales() const {
     if (is_plain()) {
         return [named = scaling::parse_law(law)](const scaling::ScaleFactors& values, const std::vector<scaling::GivenFactor>& /*others*/) {
             return scaling::Similitude(values, named);
         };
     }
-    std::vector<FourFactor> named;
-    std::copy_if(std::begin(kFourFactors), std::end(kFourFactors), std::back_inserter(named),
-                 [this](const FourFactor& factor) { return command->count(factor.option) > 0; });
+    const std::vector<GivenOption> named = find_given(*this, parse_factors(factors));
     const scaling::LawFormulas formulas(scaling::solve_law(scaling::load_scale_law(law), scaling::values_of(given())));
     return [named, formulas](const scaling::ScaleFactors& values, std::vector<scaling::GivenFactor> others) {
-        for (const FourFactor& factor : named) others.push_back({factor.quantity, values.*factor.value});
-        return scaling::make_similitude(formulas, formulas.choose(others));
+        for (const GivenOption& option : named) others.push_back({option.quantity, values.*option.factor.value});
+        return scaling::make_model_scales(formulas, formulas.choose(others));
     };
 }
 
@@ -120,9 +152,7 @@ void note_overruled(const scaling::SolvedLaw& solved) {
 }
 
 scaling::Similitude solve_similitude(const std::string& law, const std::vector<scaling::GivenFactor>& given) {
-    const scaling::SolvedLaw solved = scaling::solve_law(scaling::load_scale_law(law), given);
-    note_overruled(solved);
-    return scaling::make_similitude(solved);
+    return scaling::make_similitude(solve_noting(law, given));
 }
 
 std::vector<scaling::UncertainFactor> parse_factors(const std::vector<std::string>& texts) {

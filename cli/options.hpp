@@ -39,17 +39,21 @@ struct SimilitudeOptions {
     /// Whether laws as data are not asked for: no --set, and a law of scaling::Law.
     bool is_plain() const;
 
-    /// What the options give of a law as data: --length is l, --friction mu, --gravity g, --density rho. Throws CLI::ValidationError for a
-    /// --set that is not NAME=NUMBER, scaling::ParseError.
+    /// What the options give of a law as data: --length is what scaling::find_length_name() says, --friction mu, --gravity g, --density
+    /// rho. Throws CLI::ValidationError for a --set that is not NAME=NUMBER, scaling::ParseError, scaling::SimilitudeError.
     std::vector<scaling::UncertainFactor> given() const;
 
     /// The similitude of the factors' values by scaling::Law, or by a law as data that settles length, time and mass. Throws
     /// scaling::SimilitudeError, as given() does.
     scaling::Similitude similitude() const;
 
-    /// Makes similitudes of other factors by the same law, as long as these options live; a law as data is read once. Throws
+    /// The model scales of the factors' values by scaling::Law, or by a law as data; heights and widths may scale apart. Throws as
+    /// similitude().
+    scaling::ModelScales model_scales() const;
+
+    /// Makes model scales of other factors by the same law, as long as these options live; a law as data is read once. Throws
     /// scaling::SimilitudeError, now and when called.
-    scaling::MakeSimilitude make_similitudes() const;
+    scaling::MakeModelScales make_scales() const;
 
     /// The factors with their uncertainties.
     scaling::UncertainScales scales() const;

@@ -96,7 +96,7 @@ std::vector<PairRow> make_motion_rows(const scaling::MotionFacts& prototype, con
         make_row("pga_m_s2", "PGA", std::optional(prototype.acceleration), std::optional(model.acceleration), similitude.acceleration()));
     add("pgv_m_s", "PGV", &MotionFacts::velocity, similitude.velocity());
     add("pgd_m", "PGD", &MotionFacts::displacement, similitude.length());
-    add("vertical_pga_m_s2", "vertical PGA", &MotionFacts::vertical_acceleration, similitude.acceleration());
+    add("vertical_pga_m_s2", "vertical PGA", &MotionFacts::vertical_acceleration, similitude.acceleration_vertical());
     add("predominant_period_s", "predominant period", &MotionFacts::predominant_period, time);
     add("pulse_period_s", "pulse period", &MotionFacts::pulse_period, time);
     add("duration_s", "duration", &MotionFacts::duration, time);

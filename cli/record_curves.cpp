@@ -5,6 +5,7 @@
 #include "records/measures.hpp"
 #include "records/motion_histories.hpp"
 #include "records/own_spectrum.hpp"
+#include "records/scale_record.hpp"
 
 namespace musim::cli {
 namespace {
@@ -20,12 +21,13 @@ struct CurveUnits {
 /// The units that curves are drawn in, times the factors of a model.
 class Units {
   public:
-    explicit Units(const std::optional<scaling::Similitude>& model_of) {
+    Units(const std::optional<scaling::ModelScales>& model_of, scaling::Shaking direction) {
         if (!model_of) return;
-        time_ = model_of->time();
-        g_ *= model_of->acceleration();
-        cm_s_ *= model_of->velocity();
-        cm_ *= model_of->length();
+        const scaling::ShakingScales scales = model_of->shaking(direction);
+        time_ = model_of->time;
+        g_ *= scales.acceleration;
+        cm_s_ *= scales.velocity;
+        cm_ *= scales.displacement;
     }
 
     CurveUnits of(CurveKind kind) const {
@@ -99,7 +101,7 @@ void add_psa(CurveMaker& maker, const TimeSeries& acceleration, const std::optio
 }  // namespace
 
 ComponentCurves compute_curves(const records::GroundMotion& motion, const records::Component& component, const CurveRequest& request,
-                               const std::optional<scaling::Similitude>& model_of) {
+                               const std::optional<scaling::ModelScales>& model_of) {
     const std::optional<scaling::Frequency> corner = motion.integration_corner;
     const records::MotionHistories histories = records::compute_histories(component.series, corner);
     ComponentCurves result{.file = motion.source,
@@ -110,7 +112,7 @@ ComponentCurves compute_curves(const records::GroundMotion& motion, const record
                            .curves = {},
                            .peaks = {},
                            .d5_95 = {}};
-    const Units units(model_of);
+    const Units units(model_of, find_shaking(component));
     const double time = units.of(CurveKind::acceleration).x;
     std::optional<records::TimeWindow> window = request.window;
     if (window) *window = {time * window->start, time * window->end};

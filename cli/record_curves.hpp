@@ -8,7 +8,7 @@
 #include "records/ground_motion.hpp"
 #include "records/intensity.hpp"
 #include "records/processing.hpp"
-#include "scaling/similitude.hpp"
+#include "scaling/model_scales.hpp"
 
 namespace musim::cli {
 
@@ -48,9 +48,9 @@ struct CurveRequest {
     std::optional<records::TimeWindow> window;  ///< of the histories, in the time of the prototype; peaks and spectra are of all samples
 };
 
-/// Curves of a component of `motion`, which is integrated as `record info` does. With a similitude, it is taken for the model's. Throws
+/// Curves of a component of `motion`, which is integrated as `record info` does. With model scales, it is taken for the model's. Throws
 /// records::ProcessingError for a window beyond the record and a damping ratio that is none.
 ComponentCurves compute_curves(const records::GroundMotion& motion, const records::Component& component, const CurveRequest& request,
-                               const std::optional<scaling::Similitude>& model_of = std::nullopt);
+                               const std::optional<scaling::ModelScales>& model_of = std::nullopt);
 
 }  // namespace musim::cli

@@ -182,10 +182,14 @@ std::string tell_integration(const RecordFigure& figure) {
 std::vector<std::string> make_caption(const RecordFigure& figure) {
     std::vector<std::string> lines{tell_integration(figure)};
     if (figure.model_of) {
-        const scaling::Similitude& similitude = *figure.model_of;
+        const scaling::ModelScales& scales = *figure.model_of;
         lines.push_back(
             fmt::format("Model curves are divided by their factors, law {}: λₜ = {:.6g}, λₐ = {:.6g}, λᵥ = {:.6g}, λₗ = {:.6g}.",
-                        similitude.law_name(), similitude.time(), similitude.acceleration(), similitude.velocity(), similitude.length()));
+                        scales.law, scales.time, scales.acceleration, scales.velocity, scales.displacement));
+        if (scales.acceleration_vertical != scales.acceleration) {
+            lines.push_back(fmt::format("Of vertical components (Up, Z and the like): λₐ = {:.6g}, λᵥ = {:.6g}, λₗ = {:.6g}.",
+                                        scales.acceleration_vertical, scales.velocity_vertical, scales.displacement_vertical));
+        }
         lines.emplace_back("Upper axes and the table's rows of models are in the model's own units.");
     }
     return lines;
@@ -202,7 +206,7 @@ std::string make_svg(const RecordFigure& figure) {
     FigureColumn histories = make_column(figure, spectra.panels.empty() ? kAloneWidth : kHistoryWidth, true,
                                          {CurveKind::acceleration, CurveKind::velocity, CurveKind::displacement, CurveKind::arias});
     if (figure.model_of) {
-        const double time = figure.model_of->time();
+        const double time = figure.model_of->time;
         histories.second_x = {{"time of the model [s]", time}};
         spectra.second_x = {{"frequency of the model [Hz]", 1.0 / time}, {"period of the model [s]", time}};
     }

@@ -6,17 +6,17 @@
 
 #include "cli/record_curves.hpp"
 #include "lsdem/study/figure.hpp"
-#include "scaling/similitude.hpp"
+#include "scaling/model_scales.hpp"
 
 namespace musim::cli {
 
 /// Components as a figure.
 struct RecordFigure {
-    std::vector<ComponentCurves> components;      ///< with a similitude: each prototype is followed by its model
-    double damping = 0.05;                        ///< of PSA
-    bool windowed = false;                        ///< the histories are parts of the records
-    std::string title;                            ///< event, station
-    std::optional<scaling::Similitude> model_of;  ///< of the models
+    std::vector<ComponentCurves> components;       ///< with a similitude: each prototype is followed by its model
+    double damping = 0.05;                         ///< of PSA
+    bool windowed = false;                         ///< the histories are parts of the records
+    std::string title;                             ///< event, station
+    std::optional<scaling::ModelScales> model_of;  ///< of the models
 };
 
 /// How curves of components, or of prototypes and their models, are told apart.

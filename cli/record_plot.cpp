@@ -62,12 +62,12 @@ std::string make_title(const records::GroundMotion& motion) {
 }
 
 void add_components(std::vector<ComponentCurves>& list, const records::GroundMotion& prototype, const CurveRequest& request,
-                    const std::optional<scaling::Similitude>& similitude) {
-    const auto model = similitude ? std::optional(records::rescale(prototype, *similitude)) : std::nullopt;
+                    const std::optional<scaling::ModelScales>& scales) {
+    const auto model = scales ? std::optional(records::rescale(prototype, *scales)) : std::nullopt;
     try {
         for (std::size_t i = 0; i < prototype.components.size(); ++i) {
             list.push_back(compute_curves(prototype, prototype.components[i], request));
-            if (model) list.push_back(compute_curves(*model, model->components[i], request, similitude));
+            if (model) list.push_back(compute_curves(*model, model->components[i], request, scales));
         }
     } catch (const records::ProcessingError& error) {
         throw records::ProcessingError(prototype.source + ": " + error.what());
@@ -95,7 +95,7 @@ int run_record_plot(const RecordPlotOptions& options) {
                         .damping = request.damping,
                         .windowed = request.window.has_value(),
                         .title = {},
-                        .model_of = options.scaled ? std::optional(options.scales.similitude()) : std::nullopt};
+                        .model_of = options.scaled ? std::optional(options.scales.model_scales()) : std::nullopt};
     std::vector<records::GroundMotion> motions;
     for (const std::string& file : options.files) motions.push_back(load_wanted(options, file));
     require_looks(motions, options.scaled);
@@ -107,7 +107,7 @@ int run_record_plot(const RecordPlotOptions& options) {
     if (options.json) {
         nlohmann::json object{{"out", options.out}, {"components", to_json(figure.components)}};
         if (!options.csv.empty()) object["csv"] = options.csv;
-        if (figure.model_of) object["similitude"] = study::to_json(*figure.model_of);
+        if (figure.model_of) object["similitude"] = to_json(*figure.model_of);
         print_json(object);
     } else {
         print("{} components drawn in {}{}\n", figure.components.size(), options.out,

@@ -13,6 +13,18 @@ nlohmann::json to_json(const std::vector<scaling::NamedFactor>& factors) {
     return object;
 }
 
+nlohmann::json to_json(const scaling::ModelScales& scales) {
+    if (scales.similitude) return study::to_json(*scales.similitude);
+    return {{"law", scales.law},
+            {"chosen", {{scales.length_name, scales.height}, {"friction", scales.friction}, {"gravity", scales.gravity}}},
+            {"factors", to_json(scales.factors())}};
+}
+
+std::string describe_lengths(const scaling::ModelScales& scales) {
+    if (scales.similitude) return "";
+    return fmt::format("height {} {:.7g}, width {:.7g}, ", scales.length_name, scales.height, scales.width);
+}
+
 void print_factors(const std::string& title, const std::vector<scaling::NamedFactor>& factors) {
     print("{:<26} {:>14}\n", title, "value");
     for (const scaling::NamedFactor& factor : factors) print("{:<26} {:>14.7g}\n", factor.name, factor.value);

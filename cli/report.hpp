@@ -6,7 +6,7 @@
 
 #include "lsdem/study/summary.hpp"
 #include "scaling/distortion.hpp"
-#include "scaling/similitude.hpp"
+#include "scaling/model_scales.hpp"
 
 namespace musim::cli {
 
@@ -14,6 +14,12 @@ namespace study = lsdem::study;
 
 /// Named factors as one JSON object.
 nlohmann::json to_json(const std::vector<scaling::NamedFactor>& factors);
+
+/// {"law", "chosen", "factors"}, as study::to_json() of a similitude; the length that is chosen goes by its name where it is not l.
+nlohmann::json to_json(const scaling::ModelScales& scales);
+
+/// "height H 0.04, width 0.012, " where these may scale apart; nothing of a similitude.
+std::string describe_lengths(const scaling::ModelScales& scales);
 
 /// A table of factors under a title.
 void print_factors(const std::string& title, const std::vector<scaling::NamedFactor>& factors);

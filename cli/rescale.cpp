@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -14,6 +15,8 @@
 #include "cli/rescale_uncertainty.hpp"
 #include "cli/uncertain_options.hpp"
 #include "records/scale_record.hpp"
+#include "records/table_axes.hpp"
+#include "scaling/distortion.hpp"
 
 namespace musim::cli {
 namespace {
@@ -28,34 +31,52 @@ struct RescaleOptions {
     bool json = false;
 };
 
+/// What is done to the components that shake vertically, where it is not what is done to the others: a line, or nothing.
+std::string describe_vertical(const records::GroundMotion& prototype, const scaling::ModelScales& scales) {
+    std::string names;
+    for (const records::Component& component : prototype.components) {
+        if (records::is_vertical(component)) names += (names.empty() ? "" : ", ") + component.name;
+    }
+    const double change = scales.acceleration_vertical / scales.acceleration;
+    if (names.empty() || std::abs(change - 1.0) <= scaling::kFactorRounding) return "";
+    const double shaking = scales.acceleration_vertical / scales.gravity;
+    const std::string group = std::abs(shaking - 1.0) <= scaling::kFactorRounding
+                                  ? "which keeps a_vertical/g"
+                                  : fmt::format("which changes a_vertical/g by {:.7g}", shaking);
+    return fmt::format("Vertical component {}: displacement {:.7g}, velocity {:.7g}, acceleration {:.7g}, {}\n", names,
+                       scales.displacement_vertical, scales.velocity_vertical, scales.acceleration_vertical, group);
+}
+
 int run_rescale(const RescaleOptions& options) {
-    const scaling::Similitude similitude = options.scales.similitude();
+    const scaling::ModelScales scales = options.scales.model_scales();
     options.output.check();
     refuse_overwriting(options.source.find_files({options.record}), {options.output.out});
     const records::GroundMotion prototype = options.source.load(options.record);
-    const records::GroundMotion model = records::rescale(prototype, similitude);
+    const records::GroundMotion model = records::rescale(prototype, scales);
     const UncertainRescale uncertain = find_uncertain_rescale(prototype, options.scales, options.structure, options.monte_carlo.make());
-    const auto distortions = scaling::find_distortions(similitude, options.structure.facts());
+    const auto distortions = scaling::find_distortions(scales, options.structure.facts());
     options.output.write(model);
 
     nlohmann::json components = nlohmann::json::array();
     if (!options.json) {
-        print("Law {}: time {:.7g}, velocity {:.7g}, acceleration {:.7g} (model/prototype)\n\n", similitude.law_name(), similitude.time(),
-              similitude.velocity(), similitude.acceleration());
+        print("Law {}: {}time {:.7g}, velocity {:.7g}, acceleration {:.7g} (model/prototype)\n", scales.law, describe_lengths(scales),
+              scales.time, scales.velocity, scales.acceleration);
+        print("{}\n", describe_vertical(prototype, scales));
         print_peaks_heading();
     }
     for (std::size_t c = 0; c < model.components.size(); ++c) {
         const std::string& name = model.components[c].name;
         const ComponentPeaks before = find_peaks(prototype, prototype.components[c]);
         const ComponentPeaks after = find_peaks(model, model.components[c]);
-        components.push_back({{"component", name}, {"prototype", to_json(before)}, {"model", to_json(after)}});
+        const bool is_vertical = records::is_vertical(prototype.components[c]);
+        components.push_back({{"component", name}, {"vertical", is_vertical}, {"prototype", to_json(before)}, {"model", to_json(after)}});
         if (!options.json) {
             print_peaks("prototype", name, before);
             print_peaks("model", name, after);
         }
     }
     if (options.json) {
-        nlohmann::json object = study::to_json(similitude);
+        nlohmann::json object = to_json(scales);
         object["out"] = options.output.out;
         object["components"] = components;
         object["distortions"] = study::to_json(distortions);
@@ -89,7 +110,12 @@ void add_rescale_command(CLI::App& app, Action& action) {
         "  musim rescale CICLC.v1 --length 1/107+/-0.4% --friction \"(0.63+/-5%)/(0.59+/-5%)\" --height 161.5m --monte-carlo -o model.csv\n"
         "  musim rescale synthetic --length 1/107 --law froude -o model.csv --json\n"
         "  musim rescale CICLC.v1 --length 1/25 --law centrifuge -o model.csv\n"
+        "  musim rescale CICLC.v1 --length 1/107 --friction 0.18/0.59 --law mu_vertical_distortion -o model.csv   # heights 1:107, widths "
+        "by "
+        "the law\n"
         "  musim rescale CICLC.v1 --length 1/25 --law my_law.json --set k_b=1/100 -o model.csv\n"
+        "Vertical components (Up, UD, Z, HNZ and the like) are scaled by the law's own factor, as `musim scale` tells it: that of gravity "
+        "where weights matter.\n"
         "Where factors carry uncertainties, e.g. 0.63+/-0.03, the record is scaled by their values, and the model's measures are told with "
         "u, a\n"
         "standard uncertainty; those of --monte-carlo with intervals that cover 95 %.");

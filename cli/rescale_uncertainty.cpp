@@ -6,6 +6,7 @@
 #include "cli/output.hpp"
 #include "cli/uncertainty_output.hpp"
 #include "records/intensity.hpp"
+#include "records/scale_record.hpp"
 
 namespace musim::cli {
 namespace {
@@ -19,6 +20,7 @@ Quantity magnitude(const records::Peak<Quantity>& peak) {
 scaling::UncertainMotion measure_component(const records::GroundMotion& motion, const records::Component& component) {
     const records::Intensity intensity = records::compute_intensity(component.series, motion.integration_corner);
     scaling::UncertainMotion measures;
+    measures.direction = find_shaking(component);
     if (intensity.pga) measures.pga = {magnitude(*intensity.pga)};
     if (intensity.pgv) measures.pgv = {magnitude(*intensity.pgv)};
     if (intensity.pgd) measures.pgd = {magnitude(*intensity.pgd)};
@@ -48,11 +50,11 @@ UncertainRescale find_uncertain_rescale(const records::GroundMotion& prototype, 
     scaling::UncertainScales scales = factors.scales();
     structure.put_into(scales);
     if (!scales.is_uncertain() && !structure.any() && !monte_carlo) return rescale;
-    const scaling::MakeSimilitude make_similitude = factors.make_similitudes();
+    const scaling::MakeModelScales make_scales = factors.make_scales();
     for (const records::Component& component : prototype.components) {
         scales.motion = measure_component(prototype, component);
         rescale.components.push_back(component.name);
-        rescale.reports.push_back(scaling::propagate(scales, make_similitude, {}, monte_carlo));
+        rescale.reports.push_back(scaling::propagate(scales, make_scales, {}, monte_carlo));
     }
     return rescale;
 }

@@ -20,7 +20,8 @@ struct UncertainRescale {
 };
 
 /// Propagates the factors' uncertainties to PGA, PGV, PGD, Arias intensity, duration and time step of every component, and to the groups of
-/// the structure that `structure` tells. Empty when nothing is uncertain and no structure is told. Throws scaling::SimilitudeError.
+/// the structure that `structure` tells; a vertical component has a_vertical/g alone. Empty when nothing is uncertain and no structure is
+/// told. Throws scaling::SimilitudeError.
 UncertainRescale find_uncertain_rescale(const records::GroundMotion& prototype, const SimilitudeOptions& factors,
                                         const UncertainStructureOptions& structure,
                                         const std::optional<scaling::MonteCarloSettings>& monte_carlo);

@@ -13,8 +13,7 @@ UncertainScale find_uncertain_scale(const SimilitudeOptions& factors, const Unce
     scaling::UncertainScales scales = factors.scales();
     structure.put_into(scales);
     scales.motion = motion;
-    const scaling::MakeSimilitude make_similitude = factors.make_similitudes();
-    return {scaling::propagate(scales, make_similitude, facts, monte_carlo), monte_carlo};
+    return {scaling::propagate(scales, factors.make_scales(), facts, monte_carlo), monte_carlo};
 }
 
 void add_to_json(nlohmann::json& object, const UncertainScale& scale) {

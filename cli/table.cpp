@@ -71,11 +71,11 @@ records::Payload find_payload(const TableOptions& options) {
     return {parse<scaling::Mass>("--payload", options.payload), parse<scaling::Length>("--payload-height", options.height), false};
 }
 
-std::vector<scaling::Time> find_periods(const TableOptions& options, const scaling::Similitude& similitude,
+std::vector<scaling::Time> find_periods(const TableOptions& options, const scaling::ModelScales& scales,
                                         const std::vector<records::ComponentUse>& uses) {
     if (options.periods.empty()) return records::make_task_periods(uses);
     constexpr std::size_t kPeriods = 50;
-    const auto period = [&](std::size_t i) { return similitude.to_model(options.periods[i].value * scaling::si::seconds); };
+    const auto period = [&](std::size_t i) { return scales.time * options.periods[i].value * scaling::si::seconds; };
     return records::make_periods(period(0), period(1), kPeriods);
 }
 
@@ -99,9 +99,9 @@ struct Verdict {
 };
 
 /// Models of other lengths, by the same law with the same other factors.
-records::SimilitudeOfLength vary_length(const SimilitudeOptions& options) {
+records::ScalesOfLength vary_length(const SimilitudeOptions& options) {
     const scaling::UncertainScales scales = options.scales();
-    return [make = options.make_similitudes(), chosen = scales.factors(), others = scaling::values_of(scales.others)](double length) {
+    return [make = options.make_scales(), chosen = scales.factors(), others = scaling::values_of(scales.others)](double length) {
         scaling::ScaleFactors factors = chosen;
         factors.length = length;
         return make(factors, others);
@@ -109,33 +109,34 @@ records::SimilitudeOfLength vary_length(const SimilitudeOptions& options) {
 }
 
 Verdict judge(const TableOptions& options, const records::TableTask& task, const records::Payload& payload,
-              const scaling::Similitude& similitude) {
+              const scaling::ModelScales& scales) {
     Verdict verdict;
     verdict.uses = records::check_task(task);
     std::vector<records::AxisLoad> loads;
     for (std::size_t c = 0; c < verdict.uses.size(); ++c)
-        loads.push_back({task.axes[c], records::to_prototype(verdict.uses[c].demand, similitude)});
-    const records::SimilitudeOfLength similitude_of = vary_length(options.scales);
-    const auto find = [&](const records::LimitFilter& counts) { return records::find_scales(loads, payload, similitude_of, counts); };
+        loads.push_back({task.axes[c], to_prototype(verdict.uses[c].demand, scales, find_shaking(task.axes[c]))});
+    const records::ScalesOfLength scales_of = vary_length(options.scales);
+    const auto find = [&](const records::LimitFilter& counts) { return records::find_scales(loads, payload, scales_of, counts); };
     verdict.scales = find({});
     for (const records::ComponentUse& component : verdict.uses) {
         for (const records::LimitUse& use : component.uses) {
             const auto counts = [&](const records::TableAxis& axis, records::TableLimit limit) {
                 return axis.name == component.axis && limit == use.which;
             };
-            LimitScales scales{component.axis, use.which, {}};
-            for (const records::ScaleRange& range : find(counts)) scales.ranges.push_back({range.smallest, range.largest});
-            verdict.limit_scales.push_back(std::move(scales));
+            LimitScales limit{component.axis, use.which, {}};
+            for (const records::ScaleRange& range : find(counts)) limit.ranges.push_back({range.smallest, range.largest});
+            verdict.limit_scales.push_back(std::move(limit));
         }
     }
     verdict.fits = records::find_largest_use(verdict.uses) <= 1.0;
-    if (!verdict.fits) verdict.corrections = records::find_corrections(task, find_periods(options, similitude, verdict.uses));
+    if (!verdict.fits) verdict.corrections = records::find_corrections(task, find_periods(options, scales, verdict.uses));
     return verdict;
 }
 
-void print_verdict(const records::ShakeTable& table, const Verdict& verdict, const scaling::Similitude& similitude) {
-    print("{}: law {}, length {:.6g}, time {:.6g}, acceleration {:.6g} (model/prototype)\n\n", table.name, similitude.law_name(),
-          similitude.length(), similitude.time(), similitude.acceleration());
+void print_verdict(const records::ShakeTable& table, const Verdict& verdict, const scaling::ModelScales& scales) {
+    const std::string length = scales.similitude ? fmt::format("length {:.6g}, ", scales.height) : describe_lengths(scales);
+    print("{}: law {}, {}time {:.6g}, acceleration {:.6g} (model/prototype)\n\n", table.name, scales.law, length, scales.time,
+          scales.acceleration);
     print_uses(verdict.uses, verdict.limit_scales);
     print("\n");
     print_scales(verdict.scales);
@@ -148,21 +149,21 @@ void print_verdict(const records::ShakeTable& table, const Verdict& verdict, con
         return;
     }
     print("The table cannot make this record as it is. Corrections that fit, the one that changes the response least first:\n");
-    for (const records::Correction& correction : verdict.corrections) print_correction(correction, similitude);
+    for (const records::Correction& correction : verdict.corrections) print_correction(correction, scales);
     print("\n");
-    print_spectra(verdict.corrections.front(), similitude);
+    print_spectra(verdict.corrections.front(), scales);
 }
 
 nlohmann::json describe(const TableOptions& options, const records::ShakeTable& table, const Verdict& verdict,
-                        const scaling::Similitude& similitude) {
-    nlohmann::json object = study::to_json(similitude);
+                        const scaling::ModelScales& scales) {
+    nlohmann::json object = to_json(scales);
     object["table"] = table.name;
     object["fits"] = verdict.fits;
     object["components"] = to_json(verdict.uses, verdict.limit_scales);
     object["scales"] = nlohmann::json::array();
     for (const records::ScaleRange& range : verdict.scales) object["scales"].push_back(to_json(range));
     object["corrections"] = nlohmann::json::array();
-    for (const records::Correction& correction : verdict.corrections) object["corrections"].push_back(to_json(correction, similitude));
+    for (const records::Correction& correction : verdict.corrections) object["corrections"].push_back(to_json(correction, scales));
     object["drive"] = options.drive.empty() ? nlohmann::json() : nlohmann::json(options.drive);
     return object;
 }
@@ -183,7 +184,7 @@ int run_table(TableOptions options) {
     inputs.push_back(options.limits);
     refuse_overwriting(inputs, {options.drive, options.save_recipe});
 
-    const scaling::Similitude similitude = options.scales.similitude();
+    const scaling::ModelScales scales = options.scales.model_scales();
     options.scales.note_values_used();
     const records::Payload payload = find_payload(options);
     const Pairs pairs = parse_axes(options.axes);
@@ -192,10 +193,13 @@ int run_table(TableOptions options) {
         throw records::ReadError(options.limits + ": has no controller (a drive file needs its rate and units); add \"controller\"");
     const records::AssignedAxes assigned = records::assign_axes(options.source.load(options.record), table, pairs);
 
-    records::TableTask task{records::rescale(assigned.motion, similitude), assigned.axes, payload.on_model(similitude), table.energy_share};
-    if (options.highpass) task.settings.high_pass = similitude.to_model(options.highpass->value / scaling::si::seconds);
+    std::vector<scaling::Shaking> directions;
+    for (const records::TableAxis& axis : assigned.axes) directions.push_back(find_shaking(axis));
+    records::TableTask task{records::rescale(assigned.motion, scales, directions), assigned.axes, payload.on_model(scales),
+                            table.energy_share};
+    if (options.highpass) task.settings.high_pass = scales.frequency * options.highpass->value / scaling::si::seconds;
     if (table.controller) task.settings.dt = 1.0 / table.controller->rate;
-    const Verdict verdict = judge(options, task, payload, similitude);
+    const Verdict verdict = judge(options, task, payload, scales);
 
     const bool is_correctable = !verdict.corrections.empty() && std::exp(verdict.corrections.front().mean_change) <= options.accept;
     const bool is_made = verdict.fits || (options.correct && is_correctable);
@@ -206,9 +210,9 @@ int run_table(TableOptions options) {
 
     if (!is_made) options.drive.clear();
     if (options.json)
-        print_json(describe(options, table, verdict, similitude));
+        print_json(describe(options, table, verdict, scales));
     else
-        print_verdict(table, verdict, similitude);
+        print_verdict(table, verdict, scales);
     if (!is_made) {
         note("musim: error: {}: the table cannot make it{}\n", options.record, advise(options, verdict));
         return kCheckFailed;
@@ -255,6 +259,8 @@ void add_table_command(CLI::App& app, Action& action) {
         "code 5\n"
         "  musim table TCU052-N.AT2 --limits examples/tables/array.json --length 1/40 --friction 0.63/0.59 --axis N=x \\\n"
         "    --prototype-mass \"1.2e5 t\" --drive drive.csv\n"
+        "  musim table TCU052-N.AT2 --limits examples/tables/array.json --length 1/40 --friction 0.18/0.59 --law mu_vertical_distortion "
+        "--axis N=x\n"
         "  musim table TCU052-N.AT2 --limits examples/tables/outdoor.json --length 1/4 --correct --drive drive.csv --json");
     command->callback([&action, options] { action = [options] { return run_table(*options); }; });
 }

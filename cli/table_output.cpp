@@ -102,14 +102,14 @@ nlohmann::json to_json(const records::ScaleRange& range) {
             {"axis_above", range.axis_above}};
 }
 
-nlohmann::json to_json(const records::Correction& correction, const scaling::Similitude& similitude) {
+nlohmann::json to_json(const records::Correction& correction, const scaling::ModelScales& scales) {
     nlohmann::json spectra = nlohmann::json::array();
     for (const records::SpectrumChange& change : correction.spectra) {
         const auto before = change.before.pseudo_acceleration(), after = change.after.pseudo_acceleration();
         nlohmann::json rows = nlohmann::json::array();
         for (std::size_t i = 0; i < before.size(); ++i) {
             rows.push_back({{"period_s", change.before.period[i]},
-                            {"prototype_period_s", change.before.period[i] / similitude.time()},
+                            {"prototype_period_s", change.before.period[i] / scales.time},
                             {"psa_before_g", before[i] / scaling::kStandardGravity.value()},
                             {"psa_after_g", after[i] / scaling::kStandardGravity.value()}});
         }
@@ -154,12 +154,12 @@ void print_scales(const std::vector<records::ScaleRange>& ranges) {
     }
 }
 
-void print_correction(const records::Correction& correction, const scaling::Similitude& similitude) {
+void print_correction(const records::Correction& correction, const scaling::ModelScales& scales) {
     const records::DriveSettings& settings = correction.settings;
     std::string what;
     const auto add = [&](const std::string& text) { what += (what.empty() ? "" : ", ") + text; };
     const auto describe = [&](const scaling::Frequency& corner) {
-        return fmt::format("{:.4g} Hz ({:.4g} Hz of the prototype)", corner.value(), similitude.to_prototype(corner).value());
+        return fmt::format("{:.4g} Hz ({:.4g} Hz of the prototype)", corner.value(), corner.value() / scales.frequency);
     };
     if (settings.high_pass) add("high-pass at " + describe(*settings.high_pass));
     if (settings.low_pass) add("low-pass at " + describe(*settings.low_pass));
@@ -168,7 +168,7 @@ void print_correction(const records::Correction& correction, const scaling::Simi
           std::exp(correction.mean_change), std::exp(correction.largest_change));
 }
 
-void print_spectra(const records::Correction& correction, const scaling::Similitude& similitude) {
+void print_spectra(const records::Correction& correction, const scaling::ModelScales& scales) {
     constexpr std::size_t kRows = 10;
     print("{:<10} {:>14} {:>10} {:>14} {:>14} {:>9}\n", "component", "T prototype", "T model", "PSA record", "PSA corrected", "ratio");
     for (const records::SpectrumChange& change : correction.spectra) {
@@ -176,7 +176,7 @@ void print_spectra(const records::Correction& correction, const scaling::Similit
         for (std::size_t row = 0; row < kRows; ++row) {
             const std::size_t i = row * (before.size() - 1) / (kRows - 1);
             const double g = scaling::kStandardGravity.value(), period = change.before.period[i];
-            print("{:<10} {:>12.4g} s {:>8.4g} s {:>12.4g} g {:>12.4g} g {:>9.4f}\n", change.component, period / similitude.time(), period,
+            print("{:<10} {:>12.4g} s {:>8.4g} s {:>12.4g} g {:>12.4g} g {:>9.4f}\n", change.component, period / scales.time, period,
                   before[i] / g, after[i] / g, after[i] / before[i]);
         }
     }

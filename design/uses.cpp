@@ -53,16 +53,8 @@ std::string name_table_limit(records::TableLimit limit, const std::string& axis)
 
 std::vector<records::LimitUse> find_axis_uses(const Prototype& prototype, const records::AxisLoad& load,
                                               const scaling::ModelScales& scales) {
-    const bool vertical = records::is_vertical_axis(load.axis);
-    const double displacement = vertical ? scales.displacement_vertical : scales.displacement;
-    const records::TableDemand& motion = load.prototype;
-    const records::TableDemand demand{displacement * motion.displacement,
-                                      displacement * motion.half_range,
-                                      (vertical ? scales.velocity_vertical : scales.velocity) * motion.velocity,
-                                      (vertical ? scales.acceleration_vertical : scales.acceleration) * motion.acceleration,
-                                      scales.frequency * motion.lowest_frequency,
-                                      scales.frequency * motion.highest_frequency};
-    return records::check_axis(demand, load.axis, {scales.mass * prototype.mass, scales.height * prototype.mass_center, false});
+    const records::TableDemand demand = to_model(load.prototype, scales, find_shaking(load.axis));
+    return check_axis(demand, load.axis, {scales.mass * prototype.mass, scales.height * prototype.mass_center, false});
 }
 
 std::vector<Use> find_own_uses(const Design& design, const Material& material, const scaling::ModelScales& scales) {

@@ -38,6 +38,10 @@ std::vector<std::pair<std::string, std::string>> make_pairs(const GroundMotion& 
 
 bool is_vertical_axis(const TableAxis& axis) { return axis.name == "z" || axis.name == "vertical"; }
 
+scaling::Shaking find_shaking(const TableAxis& axis) {
+    return is_vertical_axis(axis) ? scaling::Shaking::vertical : scaling::Shaking::horizontal;
+}
+
 bool is_vertical(const Component& component) {
     if (component.azimuth_deg) return false;
     std::string name = to_lower(component.name);

@@ -6,6 +6,7 @@
 
 #include "records/ground_motion.hpp"
 #include "records/shake_table.hpp"
+#include "scaling/model_scales.hpp"
 
 namespace musim::records {
 
@@ -23,6 +24,9 @@ AssignedAxes assign_axes(const GroundMotion& motion, const ShakeTable& table,
 
 /// Whether an axis is called "z" or "vertical".
 bool is_vertical_axis(const TableAxis& axis);
+
+/// Which way an axis shakes, by is_vertical_axis().
+scaling::Shaking find_shaking(const TableAxis& axis);
 
 /// Whether a component's name says that it is vertical: "Up", "UD", "Z", "V", "HNZ", "Vertical", "UD2", ...
 bool is_vertical(const Component& component);

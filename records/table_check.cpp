@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "records/measures.hpp"
+#include "records/table_axes.hpp"
 #include "scaling/length_range.hpp"
 
 namespace musim::records {
@@ -87,21 +88,23 @@ std::vector<TableDemand> find_demands(const GroundMotion& model, const DriveSett
     return demands;
 }
 
-TableDemand to_model(const TableDemand& prototype, const scaling::Similitude& similitude) {
-    return {similitude.to_model(prototype.displacement),     similitude.to_model(prototype.half_range),
-            similitude.to_model(prototype.velocity),         similitude.to_model(prototype.acceleration),
-            similitude.to_model(prototype.lowest_frequency), similitude.to_model(prototype.highest_frequency)};
+TableDemand to_model(const TableDemand& prototype, const scaling::ModelScales& scales, scaling::Shaking direction) {
+    const scaling::ShakingScales motion = scales.shaking(direction);
+    return {motion.displacement * prototype.displacement,  motion.displacement * prototype.half_range,
+            motion.velocity * prototype.velocity,          motion.acceleration * prototype.acceleration,
+            scales.frequency * prototype.lowest_frequency, scales.frequency * prototype.highest_frequency};
 }
 
-TableDemand to_prototype(const TableDemand& model, const scaling::Similitude& similitude) {
-    return {similitude.to_prototype(model.displacement),     similitude.to_prototype(model.half_range),
-            similitude.to_prototype(model.velocity),         similitude.to_prototype(model.acceleration),
-            similitude.to_prototype(model.lowest_frequency), similitude.to_prototype(model.highest_frequency)};
+TableDemand to_prototype(const TableDemand& model, const scaling::ModelScales& scales, scaling::Shaking direction) {
+    const scaling::ShakingScales motion = scales.shaking(direction);
+    return {model.displacement / motion.displacement,  model.half_range / motion.displacement,
+            model.velocity / motion.velocity,          model.acceleration / motion.acceleration,
+            model.lowest_frequency / scales.frequency, model.highest_frequency / scales.frequency};
 }
 
-Payload Payload::on_model(const scaling::Similitude& similitude) const {
+Payload Payload::on_model(const scaling::ModelScales& scales) const {
     if (!is_prototype) return *this;
-    return {similitude.to_model(mass), similitude.to_model(height), false};
+    return {scales.mass * mass, scales.height * height, false};
 }
 
 std::string_view to_string(TableLimit limit) {
@@ -141,11 +144,11 @@ std::vector<LimitUse> check_axis(const TableDemand& demand, const TableAxis& axi
     return uses;
 }
 
-std::vector<ScaleRange> find_scales(const std::vector<AxisLoad>& loads, const Payload& payload, const SimilitudeOfLength& similitude_of,
+std::vector<ScaleRange> find_scales(const std::vector<AxisLoad>& loads, const Payload& payload, const ScalesOfLength& scales_of,
                                     const LimitFilter& counts) {
     const auto find_uses = [&](const AxisLoad& load, double length) {
-        const scaling::Similitude similitude = similitude_of(length);
-        return check_axis(to_model(load.prototype, similitude), load.axis, payload.on_model(similitude));
+        const scaling::ModelScales scales = scales_of(length);
+        return check_axis(to_model(load.prototype, scales, find_shaking(load.axis)), load.axis, payload.on_model(scales));
     };
     return find_scales(loads, UsesOfAxis(find_uses), counts);
 }

@@ -6,7 +6,7 @@
 
 #include "records/drive_motion.hpp"
 #include "records/shake_table.hpp"
-#include "scaling/similitude.hpp"
+#include "scaling/model_scales.hpp"
 
 /// Whether a shake table can make a motion.
 namespace musim::records {
@@ -31,18 +31,20 @@ TableDemand find_demand(const DriveMotion& motion, double energy_share);
 /// that step takes any away. Throws ProcessingError as the steps do.
 std::vector<TableDemand> find_demands(const GroundMotion& model, const DriveSettings& settings, double energy_share);
 
-/// The demand of the model's motion, from the prototype's; and back.
-TableDemand to_model(const TableDemand& prototype, const scaling::Similitude& similitude);
-TableDemand to_prototype(const TableDemand& model, const scaling::Similitude& similitude);
+/// The demand of the model's motion in one direction, from the prototype's; and back.
+TableDemand to_model(const TableDemand& prototype, const scaling::ModelScales& scales,
+                     scaling::Shaking direction = scaling::Shaking::horizontal);
+TableDemand to_prototype(const TableDemand& model, const scaling::ModelScales& scales,
+                         scaling::Shaking direction = scaling::Shaking::horizontal);
 
 /// What stands on the table.
 struct Payload {
     scaling::Mass mass;
     scaling::Length height;     ///< of its centre of mass above the platen
-    bool is_prototype = false;  ///< mass and height are the prototype's, and scale as λ_ρ λ_l³ and λ_l
+    bool is_prototype = false;  ///< mass and height are the prototype's, and scale as masses and heights do
 
     /// What the model has.
-    Payload on_model(const scaling::Similitude& similitude) const;
+    Payload on_model(const scaling::ModelScales& scales) const;
 };
 
 enum class TableLimit {
@@ -100,13 +102,13 @@ using LimitFilter = std::function<bool(const TableAxis&, TableLimit)>;
 /// How far a model of length scale λ_l uses each limit of an axis.
 using UsesOfAxis = std::function<std::vector<LimitUse>(const AxisLoad&, double length)>;
 
-/// The similitude of a model of length scale λ_l, by any law.
-using SimilitudeOfLength = std::function<scaling::Similitude(double length)>;
+/// The factors of a model of length scale λ_l, by any law.
+using ScalesOfLength = std::function<scaling::ModelScales(double length)>;
 
 /// All ranges of λ_l between kSmallestScale and 1 at which the table can do it, by rising λ_l; with a filter, as far as the limits that
 /// count are concerned. Looked for in steps of 2^(1/64), ends found by bisection to rounding; a range narrower than a step can be missed.
-/// Throws what `similitude_of` throws.
-std::vector<ScaleRange> find_scales(const std::vector<AxisLoad>& loads, const Payload& payload, const SimilitudeOfLength& similitude_of,
+/// An axis called z or vertical shakes vertically. Throws what `scales_of` throws.
+std::vector<ScaleRange> find_scales(const std::vector<AxisLoad>& loads, const Payload& payload, const ScalesOfLength& scales_of,
                                     const LimitFilter& counts = {});
 
 /// The same for models that `find_uses` judges, as those whose heights and widths scale apart; throws what it throws.

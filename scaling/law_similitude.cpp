@@ -1,7 +1,9 @@
 #include "scaling/law_similitude.hpp"
 
+#include <cmath>
 #include <optional>
 
+#include "scaling/detail/law_shaking.hpp"
 #include "scaling/detail/named_factors.hpp"
 
 namespace musim::scaling {
@@ -25,7 +27,10 @@ Similitude make_similitude(const LawFormulas& formulas, const ChosenFactors& cho
                               .friction = factors.find<Ratio>("mu").value_or(1.0),
                               .gravity = factors.find<Acceleration>("g").value_or(1.0),
                               .density = density ? *density : *mass / volume};
-    return Similitude(scales, acceleration ? *acceleration : *length / (*time * *time), formulas.solved().law.name);
+    const double horizontal = acceleration ? *acceleration : *length / (*time * *time);
+    const double duration = time ? *time : std::sqrt(*length / horizontal);
+    const ShakingScales vertical = detail::find_vertical(factors, {*length, *length / duration, horizontal});
+    return Similitude(scales, horizontal, formulas.solved().law.name, vertical.acceleration);
 }
 
 }  // namespace musim::scaling

@@ -6,7 +6,8 @@
 namespace musim::scaling {
 
 /// The similitude of a law that settles length, time and mass by quantities of these names: l; a, or else t; rho, or else m; mu and g,
-/// which are 1 in a law that does not have them. λ_a is the law's own. Throws SimilitudeError: a quantity is missing, of another dimension
+/// which are 1 in a law that does not have them. λ_a is the law's own; a vertical shaking goes by a_v, or else v_v or u_v, without any as a
+/// horizontal one. Throws SimilitudeError: a quantity is missing, of another dimension
 /// or open, or the law does not keep a t²/l and m/(ρ l³).
 Similitude make_similitude(const SolvedLaw& solved);
 Similitude make_similitude(const LawFormulas& formulas, const ChosenFactors& chosen);

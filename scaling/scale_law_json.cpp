@@ -83,6 +83,20 @@ void read_additions(const Json& law, std::string_view origin, std::vector<LawAdd
     }
 }
 
+/// Takes definitions out that an extended law has and the extending one does without.
+void release(const Json& law, std::string_view origin, std::vector<std::string>& definitions) {
+    std::vector<std::string> released;
+    read_texts(law, "released", origin, R"(["a_v/g"])", released);
+    for (const std::string& text : released) {
+        const auto place = std::find(definitions.begin(), definitions.end(), text);
+        if (place == definitions.end()) {
+            detail::fail_at(origin, fmt::format("/released: \"{}\" is no definition of the law that this one extends; take one of {}", text,
+                                                fmt::join(definitions, ", ")));
+        }
+        definitions.erase(place);
+    }
+}
+
 /// The law that another extends, without what it chooses; an empty one when it extends none.
 ScaleLaw find_base(const Json& law, std::string_view origin) {
     if (!law.contains("extends")) return {};
@@ -104,7 +118,7 @@ ScaleLaw parse_scale_law(std::string_view text, std::string_view origin) {
     }
     detail::refuse_unknown_keys(object,
                                 {"schema", "name", "title", "description", "extends", "sources", "assumptions", "quantities", "chosen",
-                                 "definitions", "held", "watched", "additions"},
+                                 "released", "definitions", "held", "watched", "additions"},
                                 origin);
     ScaleLaw law = find_base(object, origin);
     law.name = detail::text_at(object, "name", origin, "\"my_law\"");
@@ -115,6 +129,7 @@ ScaleLaw parse_scale_law(std::string_view text, std::string_view origin) {
     read_texts(object, "assumptions", origin, R"(["rigid blocks"])", law.assumptions);
     read_quantities(object, origin, law.quantities);
     read_choices(object, origin, law.choices);
+    release(object, origin, law.definitions);
     read_texts(object, "definitions", origin, R"(["v*t/l"])", law.definitions);
     read_texts(object, "held", origin, R"-(["v/sqrt(g*l)"])-", law.held);
     read_texts(object, "watched", origin, R"-(["E/(rho*g*l)"])-", law.watched);

@@ -95,7 +95,11 @@ std::string_view to_string(Law law) {
 }
 
 Similitude::Similitude(const ScaleFactors& chosen, Law law)
-    : chosen_(chosen), law_(law), law_name_(to_string(law)), acceleration_(acceleration_factor(chosen, law)) {
+    : chosen_(chosen),
+      law_(law),
+      law_name_(to_string(law)),
+      acceleration_(acceleration_factor(chosen, law)),
+      acceleration_vertical_(law == Law::cauchy ? acceleration_ : chosen.gravity) {
     check_chosen(chosen);
     if (law == Law::exact && chosen.friction != 1.0) {
         throw SimilitudeError(
@@ -107,10 +111,14 @@ Similitude::Similitude(const ScaleFactors& chosen, Law law)
     check();
 }
 
-Similitude::Similitude(const ScaleFactors& chosen, double acceleration, std::string law_name)
-    : chosen_(chosen), law_name_(std::move(law_name)), acceleration_(acceleration) {
+Similitude::Similitude(const ScaleFactors& chosen, double acceleration, std::string law_name, std::optional<double> acceleration_vertical)
+    : chosen_(chosen),
+      law_name_(std::move(law_name)),
+      acceleration_(acceleration),
+      acceleration_vertical_(acceleration_vertical.value_or(chosen.gravity)) {
     check_chosen(chosen);
     check_factor("acceleration", acceleration);
+    check_factor("vertical acceleration", acceleration_vertical_);
     check();
 }
 
@@ -131,6 +139,11 @@ double Similitude::factor(Dimension dimension) const {
     product.multiply(acceleration_, -dimension.time);
     return product.value();
 }
+
+// the ratio comes first: where it is 1, vertical motion scales as horizontal motion to the bit
+double Similitude::velocity_vertical() const { return velocity() * (acceleration_vertical_ / acceleration_); }
+
+double Similitude::displacement_vertical() const { return chosen_.length * (acceleration_vertical_ / acceleration_); }
 
 double Similitude::force_vertical() const { return mass() * chosen_.gravity; }
 
@@ -166,7 +179,7 @@ std::vector<NamedFactor> Similitude::factors() const {
         {"energy", energy()},
         {"power", power()},
         {"momentum", momentum()},
-        {"acceleration_vertical", gravity()},
+        {"acceleration_vertical", acceleration_vertical()},
         {"force_vertical", force_vertical()},
         {"stress_vertical", stress_vertical()},
         {"stiffness_static", stiffness_static()},

@@ -55,8 +55,9 @@ class Similitude {
     /// law does not admit them (`exact` with λ_μ ≠ 1).
     explicit Similitude(const ScaleFactors& chosen, Law law = Law::mu);
 
-    /// λ_a given directly, by a law called `law_name` that is none of Law. Throws SimilitudeError as the other.
-    Similitude(const ScaleFactors& chosen, double acceleration, std::string law_name);
+    /// λ_a given directly, by a law called `law_name` that is none of Law, and that of vertical shaking, by default λ_g. Throws
+    /// SimilitudeError as the other.
+    Similitude(const ScaleFactors& chosen, double acceleration, std::string law_name, std::optional<double> acceleration_vertical = {});
 
     std::optional<Law> law() const { return law_; }
     const std::string& law_name() const { return law_name_; }
@@ -102,6 +103,12 @@ class Similitude {
     double power() const { return factor<Power>(); }          ///< λ_ρ λ_l^3.5 λ_a^1.5
     double momentum() const { return factor<Momentum>(); }    ///< λ_ρ λ_l^3.5 √λ_a
 
+    /// Vertical shaking: λ_g, which keeps a_v/g and with it the share by which normal forces change; λ_a by laws that neglect gravity.
+    double acceleration_vertical() const { return acceleration_vertical_; }
+    /// Velocities of a vertical shaking, on the one clock of all directions: λ_v λ_a,vertical/λ_a.
+    double velocity_vertical() const;
+    /// Displacements of it: λ_l λ_a,vertical/λ_a.
+    double displacement_vertical() const;
     /// Weights and vertical reactions: λ_ρ λ_l³ λ_g.
     double force_vertical() const;
     /// Stress under dead weight: λ_ρ λ_l λ_g.
@@ -123,6 +130,7 @@ class Similitude {
     std::optional<Law> law_;
     std::string law_name_;
     double acceleration_;
+    double acceleration_vertical_;
 };
 
 }  // namespace musim::scaling

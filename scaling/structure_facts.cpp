@@ -127,10 +127,12 @@ ModelFacts make_model_facts(const PairFacts& facts) {
 }
 
 MotionFacts to_model(const MotionFacts& prototype, const Similitude& similitude) {
+    std::optional<Acceleration> vertical = prototype.vertical_acceleration;
+    if (vertical) *vertical *= similitude.acceleration_vertical();
     return {.acceleration = similitude.to_model(prototype.acceleration),
             .velocity = scale(prototype.velocity, similitude),
             .displacement = scale(prototype.displacement, similitude),
-            .vertical_acceleration = scale(prototype.vertical_acceleration, similitude),
+            .vertical_acceleration = vertical,
             .predominant_period = scale(prototype.predominant_period, similitude),
             .pulse_period = scale(prototype.pulse_period, similitude),
             .duration = scale(prototype.duration, similitude),

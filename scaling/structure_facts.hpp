@@ -78,7 +78,7 @@ ScaleFactors make_scale_factors(const PairFacts& facts, double length);
 /// What find_distortions() wants to know, as factors; those that one side does not tell are left out.
 ModelFacts make_model_facts(const PairFacts& facts);
 
-/// A motion by the similitude: accelerations, vertical ones too, by λ_a, times by λ_t; the direction stays.
+/// A motion by the similitude, its vertical acceleration by Similitude::acceleration_vertical(); the direction stays.
 MotionFacts to_model(const MotionFacts& prototype, const Similitude& similitude);
 
 }  // namespace musim::scaling

@@ -119,26 +119,26 @@ struct Entry {
 /// Everything that follows from one set of values.
 class Results {
   public:
-    Results(const Places& places, const Values& values) : places_(places), values_(values) {}
+    Results(const Places& places, const Values& values, Shaking direction) : places_(places), values_(values), direction_(direction) {}
 
-    void add_factors(const Similitude& similitude, const ModelFacts& facts) {
-        for (const NamedFactor& factor : similitude.factors()) entries_.push_back({Section::factors, factor.name, factor.value});
-        for (const NamedFactor& group : group_factors(similitude, facts)) entries_.push_back({Section::groups, group.name, group.value});
+    void add_factors(const ModelScales& scales, const ModelFacts& facts) {
+        for (const NamedFactor& factor : scales.factors()) entries_.push_back({Section::factors, factor.name, factor.value});
+        for (const NamedFactor& group : group_factors(scales, facts)) entries_.push_back({Section::groups, group.name, group.value});
     }
 
     /// δ of the groups of sliding between motion factors `shaken` and a structure whose factors are `real`.
-    void add_shaken(const Similitude& shaken, const Similitude& real) {
-        const Length length = Length::from_value(real.length());
-        const Acceleration gravity = Acceleration::from_value(real.gravity());
+    void add_shaken(const ModelScales& shaken, const ModelScales& real) {
+        const Length length = Length::from_value(real.width);
+        const Acceleration gravity = Acceleration::from_value(real.gravity);
         const auto add = [&](std::string_view name, double value) { entries_.push_back({Section::shaken, name, value}); };
-        add("mu^N", groups::mu_number(Velocity::from_value(shaken.velocity()), real.friction(), gravity, length));
-        add("t*sqrt(mu*g/l)", groups::sliding_time(Time::from_value(shaken.time()), real.friction(), gravity, length));
-        add("a/(mu*g)", groups::sliding_demand(Acceleration::from_value(shaken.acceleration()), real.friction(), gravity));
+        add("mu^N", groups::mu_number(Velocity::from_value(shaken.velocity), real.friction, gravity, length));
+        add("t*sqrt(mu*g/l)", groups::sliding_time(Time::from_value(shaken.time), real.friction, gravity, length));
+        add("a/(mu*g)", groups::sliding_demand(Acceleration::from_value(shaken.acceleration), real.friction, gravity));
     }
 
-    void add_structure(const Similitude& shaken, const Similitude& real) {
+    void add_structure(const ModelScales& shaken, const ModelScales& real) {
         const Acceleration gravity = kStandardGravity;
-        const Acceleration gravity_model = real.gravity() * kStandardGravity;
+        const Acceleration gravity_model = real.gravity * kStandardGravity;
         const auto pga = at<Acceleration>(places_.pga);
         const auto pgv = at<Velocity>(places_.pgv);
         const auto height = at<Length>(places_.height);
@@ -146,35 +146,41 @@ class Results {
             entries_.push_back({Section::structure, name, prototype, {}, direction});
             entries_.push_back({Section::structure, name, model, {}, direction});
         };
+        if (direction_ == Shaking::vertical) {
+            if (pga) add("a_vertical/g", *pga / gravity, shaken.acceleration_vertical * *pga / gravity_model);
+            return;
+        }
         for (std::size_t i = 0; i < places_.slenderness.size() && pga; ++i) {
             const double slenderness = values_[places_.slenderness[i]];
             add("a/(g*tan(alpha))", groups::rocking_demand(*pga, gravity, slenderness),
-                groups::rocking_demand(shaken.to_model(*pga), gravity_model, slenderness), i);
+                groups::rocking_demand(shaken.acceleration * *pga, gravity_model, slenderness * real.slenderness()), i);
         }
         if (!places_.friction_prototype) return;
         const double friction = values_[*places_.friction_prototype];
-        const double friction_model = friction * real.friction();
+        const double friction_model = friction * real.friction;
         for (std::size_t i = 0; i < places_.slenderness.size(); ++i) {
             const double slenderness = values_[places_.slenderness[i]];
-            add("mu/tan(alpha)", groups::regime(friction, slenderness), groups::regime(friction_model, slenderness), i);
+            add("mu/tan(alpha)", groups::regime(friction, slenderness), groups::regime(friction_model, slenderness * real.slenderness()),
+                i);
         }
         if (pga) {
             add("a/(mu*g)", groups::sliding_demand(*pga, friction, gravity),
-                groups::sliding_demand(shaken.to_model(*pga), friction_model, gravity_model));
+                groups::sliding_demand(shaken.acceleration * *pga, friction_model, gravity_model));
         }
         if (pgv && height) {
             add("mu^N", groups::mu_number(*pgv, friction, gravity, *height),
-                groups::mu_number(shaken.to_model(*pgv), friction_model, gravity_model, real.to_model(*height)));
+                groups::mu_number(shaken.velocity * *pgv, friction_model, gravity_model, real.width * *height));
         }
     }
 
-    void add_measures(const Similitude& similitude) {
-        add_measure<Acceleration>("pga", places_.pga, similitude.acceleration());
-        add_measure<Velocity>("pgv", places_.pgv, similitude.velocity());
-        add_measure<Length>("pgd", places_.pgd, similitude.length());
-        add_measure<Velocity>("arias", places_.arias, similitude.arias_intensity());
-        add_measure<Time>("duration", places_.duration, similitude.time());
-        add_measure<Time>("time_step", places_.time_step, similitude.time());
+    void add_measures(const ModelScales& scales) {
+        const ShakingScales motion = scales.shaking(direction_);
+        add_measure<Acceleration>("pga", places_.pga, motion.acceleration);
+        add_measure<Velocity>("pgv", places_.pgv, motion.velocity);
+        add_measure<Length>("pgd", places_.pgd, motion.displacement);
+        add_measure<Velocity>("arias", places_.arias, scales.arias_intensity(direction_));
+        add_measure<Time>("duration", places_.duration, scales.time);
+        add_measure<Time>("time_step", places_.time_step, scales.time);
     }
 
     const std::vector<Entry>& entries() const { return entries_; }
@@ -194,6 +200,7 @@ class Results {
 
     const Places& places_;
     const Values& values_;
+    Shaking direction_;
     std::vector<Entry> entries_;
 };
 
@@ -240,10 +247,10 @@ bool UncertainScales::is_uncertain() const {
     return !quantities.inputs().empty();
 }
 
-UncertainReport propagate(const UncertainScales& scales, const MakeSimilitude& make_similitude, const ModelFacts& facts,
+UncertainReport propagate(const UncertainScales& scales, const MakeModelScales& make_scales, const ModelFacts& facts,
                           const std::optional<MonteCarloSettings>& monte_carlo) {
-    const Similitude shaken = make_similitude(scales.factors(), values_of(scales.others));
-    if (shaken.law() == Law::exact && scales.friction.is_uncertain()) {
+    const ModelScales shaken = make_scales(scales.factors(), values_of(scales.others));
+    if (shaken.similitude && shaken.similitude->law() == Law::exact && scales.friction.is_uncertain()) {
         throw SimilitudeError(
             "similitude: the friction factor is uncertain under law \"exact\" (which holds for a factor of 1 alone); choose law \"mu\" or "
             "\"froude\"");
@@ -260,8 +267,8 @@ UncertainReport propagate(const UncertainScales& scales, const MakeSimilitude& m
         for (std::size_t i = 0; i < places.others.size(); ++i) {
             others.push_back({scales.others[i].name, places.others[i].value(values)});
         }
-        const Similitude real = make_similitude(factors, others);
-        Results results(places, values);
+        const ModelScales real = make_scales(factors, others);
+        Results results(places, values, scales.motion.direction);
         results.add_factors(real, facts);
         results.add_shaken(shaken, real);
         results.add_structure(shaken, real);

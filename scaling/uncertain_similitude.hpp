@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "scaling/distortion.hpp"
+#include "scaling/model_scales.hpp"
 #include "scaling/monte_carlo.hpp"
-#include "scaling/similitude.hpp"
 #include "scaling/uncertain_factor.hpp"
 #include "scaling/uncertain_result.hpp"
 
@@ -15,6 +15,7 @@ namespace musim::scaling {
 
 /// Measures of the prototype's motion that are carried to the model, each with its uncertainty.
 struct UncertainMotion {
+    Shaking direction = Shaking::horizontal;
     std::optional<UncertainQuantity<Acceleration>> pga;
     std::optional<UncertainQuantity<Velocity>> pgv;
     std::optional<UncertainQuantity<Length>> pgd;
@@ -40,13 +41,13 @@ struct UncertainScales {
     bool is_uncertain() const;
 };
 
-/// Makes the similitude of chosen factors by the law in use; the second are the values of UncertainScales::others. From any thread.
-using MakeSimilitude = std::function<Similitude(const ScaleFactors&, const std::vector<GivenFactor>&)>;
+/// Makes the model scales of chosen factors by the law in use; the second are the values of UncertainScales::others. From any thread.
+using MakeModelScales = std::function<ModelScales(const ScaleFactors&, const std::vector<GivenFactor>&)>;
 
 /// What a similitude with uncertain inputs gives.
 struct UncertainReport {
     std::vector<UncertainInput> inputs;    ///< the uncertain ones; the order of all exponents
-    std::vector<UncertainResult> factors;  ///< of Similitude::factors()
+    std::vector<UncertainResult> factors;  ///< of ModelScales::factors()
     std::vector<UncertainResult> groups;   ///< δ of group_factors(), were the motion scaled by the true factors
     std::vector<UncertainResult> shaken;   ///< δ of the groups of sliding, with the motion scaled by the values
     std::vector<UncertainPair> structure;  ///< groups with absolute values, as far as friction, slenderness, height and peaks tell
@@ -59,11 +60,11 @@ struct UncertainReport {
 /// A fraction's two values are independent inputs and enter everywhere by themselves: μ of the model enters λ_μ and its own μ/tan α, and
 /// cancels where it should. `groups` and `measures` say what the law asks for, uncertain because the inputs are. `shaken` and the model's
 /// μ^N and a/(μ g) in `structure` say what a test has that is shaken with the factors' values, as one does: there u(μ^N)² = u(v)² +
-/// (u(l)² + u(μ)² + u(g)²)/4, relative, and u(a/(μ g))² = u(a)² + u(μ)² + u(g)².
+/// (u(l)² + u(μ)² + u(g)²)/4, relative, and u(a/(μ g))² = u(a)² + u(μ)² + u(g)². A vertical motion has one group, a/g.
 ///
 /// Throws SimilitudeError when the factors cannot be a similitude, when law `exact` meets an uncertain friction factor (it must be 1), when
 /// friction_prototype contradicts the denominator of `friction`, and as run_monte_carlo() does.
-UncertainReport propagate(const UncertainScales& scales, const MakeSimilitude& make_similitude, const ModelFacts& facts,
+UncertainReport propagate(const UncertainScales& scales, const MakeModelScales& make_scales, const ModelFacts& facts,
                           const std::optional<MonteCarloSettings>& monte_carlo);
 
 }  // namespace musim::scaling

@@ -116,11 +116,12 @@ std::array<BaseComponent, 3> make_components(const RecordMotion& motion) {
     return components;
 }
 
-void scale(std::array<BaseComponent, 3>& components, double time, double velocity) {
-    for (BaseComponent& component : components) {
-        component.start *= time;
-        component.dt *= time;
-        for (double& v : component.velocity) v *= velocity;
+void scale(std::array<BaseComponent, 3>& components, const MotionFactors& factors) {
+    for (std::size_t axis = 0; axis < components.size(); ++axis) {
+        BaseComponent& component = components[axis];
+        component.start *= factors.time;
+        component.dt *= factors.time;
+        for (double& v : component.velocity) v *= axis == 2 ? factors.velocity_vertical : factors.velocity;
     }
 }
 
@@ -131,9 +132,9 @@ std::array<BaseComponent, 3> make_base_components(const BaseMotion& motion, cons
         auto components = std::visit([](const auto& source) { return make_components(source); }, motion.source);
         if (const auto* record = std::get_if<RecordMotion>(&motion.source); record != nullptr && record->scale) {
             const scaling::Similitude similitude = make_similitude(*record->scale);
-            scale(components, similitude.time(), similitude.velocity());
+            scale(components, {similitude.time(), similitude.velocity(), similitude.velocity_vertical()});
         }
-        scale(components, motion.factors.time, motion.factors.velocity);
+        scale(components, motion.factors);
         return components;
     } catch (const records::ProcessingError& error) {
         throw SceneError(fmt::format("scene: {}: {}", place, error.what()));

@@ -231,6 +231,7 @@ void check(const BaseMotion& motion, const JsonPlace& place, const Scene& scene)
     std::visit([&](const auto& source) { check(source, place); }, motion.source);
     require_positive(motion.factors.time, place.at("factors").at("time"));
     require_positive(motion.factors.velocity, place.at("factors").at("velocity"));
+    require_positive(motion.factors.velocity_vertical, place.at("factors").at("velocity_vertical"));
     if (!scene.ground.present && !std::holds_alternative<std::monostate>(motion.source)) {
         fail(place, "there is no ground to move (/ground/present is false); leave one of the two out");
     }

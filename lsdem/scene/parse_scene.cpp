@@ -289,6 +289,8 @@ BaseMotion parse_base_motion(const json& value, const JsonPlace& place, const st
         const JsonObject factors(value.at("factors"), place.at("factors"), "factors");
         factors.read("time", motion.factors.time);
         factors.read("velocity", motion.factors.velocity);
+        motion.factors.velocity_vertical = motion.factors.velocity;
+        factors.read("velocity_vertical", motion.factors.velocity_vertical);
     }
     return motion;
 }

@@ -65,6 +65,7 @@ class Scaler {
         if (std::holds_alternative<std::monostate>(motion.source)) return;
         motion.factors.time *= similitude_.time();
         motion.factors.velocity *= similitude_.velocity();
+        motion.factors.velocity_vertical *= similitude_.velocity_vertical();
     }
 
   private:

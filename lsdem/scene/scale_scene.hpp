@@ -8,7 +8,8 @@ namespace musim::lsdem::scene {
 /// The similar twin of a scene: every quantity multiplied by its scale factor, which its dimension and the law give.
 ///
 /// Friction coefficients are multiplied by λ_μ and gravity by λ_g (not by the law's factor of accelerations). The base motion keeps its
-/// description; the factors of time and velocity are noted in it and applied to its samples. Multiplications only: for λ_l = 1/16, 1/64,
+/// description; the factors of time and velocity, of a vertical shaking its own, are noted in it and applied to its samples.
+/// Multiplications only: for λ_l = 1/16, 1/64,
 /// ... and the other factors powers of two, models and histories are exactly similar, bit for bit. Throws SceneError when a scaled value
 /// leaves the range of doubles.
 Scene scale_scene(const Scene& scene, const scaling::Similitude& similitude);

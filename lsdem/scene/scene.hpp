@@ -194,7 +194,8 @@ struct SignalMotion {
 /// What scale_scene did to a base motion so far: times and velocities of the prototype's samples are multiplied by these.
 struct MotionFactors {
     double time = 1.0;
-    double velocity = 1.0;
+    double velocity = 1.0;           ///< along x and y
+    double velocity_vertical = 1.0;  ///< along z
 
     bool operator==(const MotionFactors&) const = default;
 };

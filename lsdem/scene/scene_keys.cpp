@@ -18,7 +18,7 @@ const std::map<std::string, std::vector<std::string>>& scene_keys() {
         {"record", {"record", "components", "unit", "quantity", "dt", "window", "highpass", "scale", "factors"}},
         {"components", {"x", "y", "z"}},
         {"scale", {"law", "length", "friction", "gravity", "density", "set"}},
-        {"factors", {"time", "velocity"}},
+        {"factors", {"time", "velocity", "velocity_vertical"}},
         {"step", {"signal", "direction", "start", "factors", "velocity"}},
         {"sine", {"signal", "direction", "start", "factors", "dt", "amplitude", "frequency", "cycles"}},
         {"half_sine", {"signal", "direction", "start", "factors", "dt", "amplitude", "duration"}},

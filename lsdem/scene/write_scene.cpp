@@ -156,7 +156,10 @@ ordered_json to_json(const BaseMotion& motion) {
     ordered_json object =
         std::visit(Overloaded{[](std::monostate) -> ordered_json { return nullptr; }, [](const auto& source) { return to_json(source); }},
                    motion.source);
-    if (!object.is_null()) object["factors"] = {{"time", motion.factors.time}, {"velocity", motion.factors.velocity}};
+    if (object.is_null()) return object;
+    const MotionFactors& factors = motion.factors;
+    object["factors"] = {{"time", factors.time}, {"velocity", factors.velocity}};
+    if (factors.velocity_vertical != factors.velocity) object["factors"]["velocity_vertical"] = factors.velocity_vertical;
     return object;
 }
 

@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <string>
 
 #include "tests/cli/program.hpp"
@@ -137,6 +138,9 @@ TEST_CASE("scale names the factors and products in conflict and what to release 
 TEST_CASE("laws as data are refused in one line when they cannot be, exit code 3, and bad usage with 2") {
     const Workplace here;
     here.write("broken.json", "{");
+    here.write("two_lengths.json",
+               R"({"schema": "musim-law/1", "name": "two_lengths", "title": "t", "quantities": [{"name": "H", "unit": "m"},
+               {"name": "b", "unit": "m"}], "chosen": [{"name": "H"}, {"name": "b"}]})");
     here.write("key.json", R"({"schema": "musim-law/1", "name": "n", "title": "t", "quantity": []})");
     for (const char* arguments :
          {"scale --law nonsense --set l=1/25", "scale --law missing.json --set l=1/25", "scale --law broken.json --set l=1/25",
@@ -144,7 +148,7 @@ TEST_CASE("laws as data are refused in one line when they cannot be, exit code 3
           "scale --law froude --set rho=1", "scale --law froude --set l=1/25 --hold v/l",
           "scale --law froude --set l=1/25 --value 'v=3 kg'", "scale --set l=1/25 --hold 'v/sqrt(g*l)/x'",
           "scale --set l=1/25 --set x=1 --hold 'v/sqrt(g*l)'", "scale --length 1/25 --set l=1/25", "scale --law froude --set l=a",
-          "scale --law exact --set l=1/25 --set mu=2", "rescale synthetic --length 1/25 --law mu_vertical_distortion -o x.csv",
+          "scale --law exact --set l=1/25 --set mu=2", "rescale synthetic --length 1/25 --law two_lengths.json -o x.csv",
           "rescale synthetic --length 1/25 --law restoring_force -o x.csv",
           "table synthetic --limits " MUSIM_SOURCE_DIR "/examples/tables/outdoor.json --length 1/25 --law restoring_force"}) {
         const Outcome outcome = here.run(arguments);
@@ -182,4 +186,45 @@ TEST_CASE("records are rescaled by laws as data as by those of always") {
 
     const auto distorted = here.run("rescale synthetic --length 1/25 --law gravity_distorted --set a=1/2 -o distorted.csv --json").json();
     CHECK(distorted["factors"]["acceleration"] == 0.5);
+}
+
+// similitude by vertical distortion: t √(V/G), horizontally U G, vertically G
+TEST_CASE("a law whose heights and widths scale apart rescales a record, its vertical component by its own factor") {
+    const Workplace here;
+    std::string text = "# musim ground motion 1\n# quantity: acceleration\n# unit: m/s^2\n# start_s: 0\n# dt_s: 0.01\ntime_s,360,Up\n";
+    for (int i = 0; i <= 400; ++i) {
+        const double t = 0.01 * i;
+        text += std::to_string(t) + "," + std::to_string(std::sin(6.0 * t)) + "," + std::to_string(0.5 * std::sin(9.0 * t)) + "\n";
+    }
+    here.write("both.csv", text);
+    const std::string scales = " --length 1/107 --friction 0.18/0.59 ";
+    const auto peaks = [](const nlohmann::json& object, const char* scale) {
+        return std::pair(object["components"][0][scale]["pga_g"].get<double>(), object["components"][1][scale]["pga_g"].get<double>());
+    };
+    for (const char* law : {"mu", "mu_vertical_distortion"}) {
+        const auto object = here.run("rescale both.csv" + scales + "--law " + law + " -o model.csv --json").json();
+        CAPTURE(object.dump());
+        REQUIRE(object["components"][1]["vertical"] == true);
+        const auto [horizontal, vertical] = peaks(object, "prototype");
+        const auto [model_horizontal, model_vertical] = peaks(object, "model");
+        CHECK(model_horizontal == doctest::Approx(horizontal * 0.18 / 0.59).epsilon(1e-12));
+        CHECK(model_vertical == doctest::Approx(vertical).epsilon(1e-12));
+        CHECK(object["factors"]["acceleration_vertical"].get<double>() == doctest::Approx(1.0).epsilon(1e-14));
+    }
+    const Outcome told = here.run("rescale both.csv" + scales + "--law mu_vertical_distortion -o model.csv");
+    CHECK(told.out.find("Law mu_vertical_distortion: height H 0.009345794, width 0.002851259, time 0.09667365") == 0);
+    CHECK(told.out.find("Vertical component Up: displacement 0.009345794, velocity 0.09667365, acceleration 1, which keeps a_vertical/g") !=
+          std::string::npos);
+    // of a vertical component, a/g alone is told
+    const auto groups =
+        here.run("rescale both.csv" + scales + "--height 161.5m --friction-prototype 0.59 --slenderness 0.32 -o m.csv --json")
+            .json()["uncertainty"]["components"];
+    CHECK(groups[0]["structure"].contains("mu^N"));
+    CHECK(groups[1]["structure"].size() == 1);
+    CHECK(groups[1]["structure"].contains("a_vertical/g"));
+    // uncertain factors: u(λ_t) is half of u(λ_H), relative
+    const auto uncertain =
+        here.run("rescale both.csv --length 1/107+/-1% --friction 0.18/0.59 --law mu_vertical_distortion -o m.csv --json").json();
+    const auto time = uncertain["uncertainty"]["factors"]["time"];
+    CHECK(time["standard_uncertainty"].get<double>() / time["value"].get<double>() == doctest::Approx(0.005).epsilon(1e-9));
 }

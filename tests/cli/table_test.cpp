@@ -107,6 +107,26 @@ TEST_CASE("a record that does not fit ends with code 5 and nothing written, corr
     CHECK(peak == relative(best["components"].at(0)["displacement_mm"].get<double>(), 1e-8));
 }
 
+// horizontally U λ_H and U √λ_H
+TEST_CASE("the lengths that suit a table are heights by a law that scales heights and widths apart") {
+    const Workplace here;
+    here.write("table.json", make_table("100 mm"));
+    const std::string law = "--friction 0.18/0.59 --law mu_vertical_distortion ";
+    const auto object = here.run(kArguments + law + "--json").json();
+    CHECK(object["chosen"]["H"].get<double>() == relative(0.04, 1e-15));
+    const auto& component = object["components"].at(0);
+    CHECK(component["velocity_cm_s"].get<double>() == relative(0.18 / 0.59 * 42.4 / 5.0, 0.02));
+    const auto& limit = component["limits"].at(0);
+    CHECK(limit["scales"].at(0).at(1).get<double>() == relative(std::min(1.0, 0.04 / limit["used"].get<double>()), 1e-12));
+    const auto& speed = component["limits"].at(1);
+    CHECK(speed["scales"].at(0).at(1).get<double>() == relative(std::min(1.0, 0.04 / std::pow(speed["used"].get<double>(), 2.0)), 1e-12));
+    const auto alike = here.run(std::string(kArguments) + "--law mu_vertical_distortion --json").json(),
+               froude = here.run(std::string(kArguments) + "--law froude --json").json();
+    CHECK(alike["components"] == froude["components"]);
+    CHECK(alike["scales"] == froude["scales"]);
+    CHECK(here.run(kArguments + law).out.find("test table: law mu_vertical_distortion, height H 0.04, width 0.01220339, time 0.2") == 0);
+}
+
 TEST_CASE("the payload is the model's, or the prototype's scaled") {
     const Workplace here;
     here.write("table.json", make_table("100 mm", R"(, "payload": "2 t")"));

@@ -5,6 +5,7 @@
 #include "records/intensity.hpp"
 #include "records/scale_record.hpp"
 #include "records/synthetic.hpp"
+#include "scaling/scale_law_catalogue.hpp"
 #include "tests/support/relative.hpp"
 
 namespace musim::records {
@@ -59,6 +60,71 @@ TEST_CASE("the intensity of a record scaled by powers of two is the scaled inten
     CHECK(small.pgd->value.value() == full.pgd->value.value() / 64.0);
     CHECK(small.arias->value() == full.arias->value() / 8.0);
     CHECK(small.d5_95->value() == full.d5_95->value() / 8.0);
+}
+
+/// A record with a horizontal and a vertical component.
+GroundMotion make_two_components() {
+    GroundMotion motion = make_synthetic_record();
+    motion.components.front().name = "360";
+    motion.components.push_back(motion.components.front());
+    motion.components.back().name = "Up";
+    return motion;
+}
+
+scaling::ModelScales make_distorted(double length, double friction) {
+    const scaling::LawFormulas formulas(
+        scaling::solve_law(scaling::load_scale_law("mu_vertical_distortion"), {{"H", length}, {"mu", friction}}));
+    return scaling::make_model_scales(formulas, formulas.solved().problem.chosen);
+}
+
+double peak_ratio(const GroundMotion& model, const GroundMotion& prototype, const std::string& component) {
+    const auto peak = [&](const GroundMotion& motion) {
+        return compute_intensity(motion.find_component(component).series).pga->value.value();
+    };
+    return peak(model) / peak(prototype);
+}
+
+// scaling/README.md, vertical shaking: a_v/g is kept, whatever friction does to the horizontal
+TEST_CASE("a vertical component is scaled by gravity, on the clock of the horizontal ones") {
+    const GroundMotion prototype = make_two_components();
+    const Similitude aluminium({.length = 1.0 / 107.0, .friction = 0.18 / 0.59, .gravity = 2.0}, Law::mu);
+    const GroundMotion model = rescale(prototype, aluminium);
+    CHECK(peak_ratio(model, prototype, "360") == relative(2.0 * 0.18 / 0.59, 1e-15));
+    CHECK(peak_ratio(model, prototype, "Up") == 2.0);
+    CHECK(model.find_component("Up").series.dt() == model.find_component("360").series.dt());
+    CHECK(model.history.back().find("vertical acceleration 2") != std::string::npos);
+    CHECK(rescale(prototype, Similitude({.length = 0.04}, Law::froude)).history.back().find("vertical") == std::string::npos);
+}
+
+TEST_CASE("a record with a vertical component comes back to the bit at powers of two") {
+    const GroundMotion prototype = make_two_components();
+    for (const Law law : {Law::mu, Law::froude, Law::cauchy}) {
+        const Similitude there({.length = 1.0 / 16.0, .friction = 0.25, .gravity = 4.0}, law);
+        const Similitude back({.length = 16.0, .friction = 4.0, .gravity = 0.25}, law);
+        const GroundMotion same = rescale(rescale(prototype, there), back);
+        for (const Component& component : prototype.components) CHECK(same.find_component(component.name).series == component.series);
+    }
+    const GroundMotion same = rescale(rescale(prototype, make_distorted(1.0 / 16.0, 0.25)), make_distorted(16.0, 4.0));
+    for (const Component& component : prototype.components) CHECK(same.find_component(component.name).series == component.series);
+}
+
+// similitude by vertical distortion: t √(V/G), horizontally U G and U V, vertically G and V
+TEST_CASE("the mu law with vertical distortion moves the ground horizontally by friction, vertically by height") {
+    const double length = 1.0 / 107.0, friction = 0.18 / 0.59;
+    GroundMotion prototype = make_two_components();
+    const scaling::Time dt = 0.01 * scaling::si::seconds;
+    prototype.components.push_back({"d", {}, {SampleQuantity::displacement, 8.0 * scaling::si::seconds, dt, {2.0}}});
+    prototype.components.push_back({"Z", {}, {SampleQuantity::displacement, 8.0 * scaling::si::seconds, dt, {2.0}}});
+    const GroundMotion model = rescale(prototype, make_distorted(length, friction));
+    CHECK(peak_ratio(model, prototype, "360") == relative(friction, 1e-15));
+    CHECK(peak_ratio(model, prototype, "Up") == 1.0);
+    CHECK(model.find_component("d").series.samples()[0] == relative(2.0 * friction * length, 1e-15));
+    CHECK(model.find_component("Z").series.samples()[0] == relative(2.0 * length, 1e-15));
+    CHECK(model.find_component("Z").series.dt().value() == relative(0.01 * std::sqrt(length), 1e-15));
+
+    const GroundMotion alike = rescale(prototype, make_distorted(length, 1.0)),
+                       exact = rescale(prototype, Similitude({.length = length}, Law::exact));
+    for (const Component& component : alike.components) CHECK(component.series == exact.find_component(component.name).series);
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ double use_of(const TableAxis& axis, TableLimit which, const Payload& payload) {
 }
 
 /// Models of a law whose factors are 1 but for length.
-SimilitudeOfLength by(Law law) {
+ScalesOfLength by(Law law) {
     return [law](double length) { return Similitude({.length = length}, law); };
 }
 
@@ -177,6 +177,11 @@ TEST_CASE("what a motion asks is measured as it stands") {
     CHECK(there.displacement.value() == asked.displacement.value() * similitude.length());
     CHECK(there.highest_frequency.value() == asked.highest_frequency.value() * similitude.frequency());
     CHECK(back.velocity.value() == relative(asked.velocity.value(), kRounding));
+    const TableDemand up = to_model(asked, similitude, scaling::Shaking::vertical);
+    CHECK(up.acceleration.value() == asked.acceleration.value());
+    CHECK(up.displacement.value() == relative(asked.displacement.value() / 107.0 / 1.07, kRounding));
+    CHECK(up.highest_frequency.value() == there.highest_frequency.value());
+    CHECK(to_prototype(up, similitude, scaling::Shaking::vertical).velocity.value() == relative(asked.velocity.value(), kRounding));
     samples.assign(samples.size(), 0.0);
     CHECK_THROWS_AS(find_demand(integrate_twice(motion.acceleration.with_samples(samples)), kEnergyShare), ProcessingError);
 }

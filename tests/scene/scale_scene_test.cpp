@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "lsdem/scene/base_components.hpp"
 #include "lsdem/scene/build_model.hpp"
 #include "tests/scene/made_scene.hpp"
 
@@ -171,6 +172,21 @@ TEST_CASE("under the mu law friction, gravity and motion each follow their own f
     CHECK(model.material.density.value() == scene.material.density.value() * 3.0);
     CHECK(model.base_motion.factors.time == similitude.time());
     CHECK(model.base_motion.factors.velocity == similitude.velocity());
+    // vertical shaking by λ_g λ_t, told in the file where it is another factor
+    CHECK(model.base_motion.factors.velocity_vertical == doctest::Approx(2.0 * similitude.time()).epsilon(1e-15).scale(0.0));
+    CHECK(parse_scene(write_scene(model)).base_motion.factors == model.base_motion.factors);
+    CHECK(write_scene(scene).find("velocity_vertical") == std::string::npos);
+}
+
+TEST_CASE("a twin moves along z by its own factor") {
+    const std::string step = R"(, "base_motion": {"signal": "step", "velocity": "32 mm/s", "direction": ")";
+    const Similitude similitude({.length = 1.0 / 16.0, .friction = 0.25}, Law::mu);
+    const auto velocity = [&](const char* direction, std::size_t axis) {
+        const Scene model = scale_scene(parse_scene(make_scene_text(kColumn, step + direction + R"("})")), similitude);
+        return make_base_components(model.base_motion)[axis].velocity.front();
+    };
+    CHECK(velocity("x", 0) == 0.032 / 8.0);
+    CHECK(velocity("z", 2) == 0.032 / 2.0);
 }
 
 TEST_CASE("a twin of its own material keeps geometry and motion and takes the measured properties of its block") {
