@@ -13,6 +13,14 @@ bool has_group(const std::vector<GroupFactor>& groups, std::string_view name) {
     return std::any_of(groups.begin(), groups.end(), [&](const GroupFactor& group) { return group.name == name; });
 }
 
+/// Whether a product that a law names tells what a group with a name of its own does; laws with a tan α of their own differ.
+bool is_told(const std::vector<GroupFactor>& groups, const DesignLaw& law, const scaling::NamedFactor& product) {
+    const std::optional<std::string> name = law.find_common_name(std::string(product.name));
+    return name && std::any_of(groups.begin(), groups.end(), [&](const GroupFactor& group) {
+               return group.name == *name && std::abs(group.value / product.value - 1.0) <= scaling::kFactorRounding;
+           });
+}
+
 double find_measure(const std::vector<GroupFactor>& groups, const std::vector<std::string>& weighed) {
     double sum = 0.0;
     for (const GroupFactor& group : groups) {
@@ -74,7 +82,7 @@ std::string find_binding(const std::vector<LimitRanges>& limits, double length, 
 }  // namespace
 
 std::vector<std::string> default_groups() {
-    return {"mu^N", "a/(mu*g)", "a/(g*tan(alpha))", "omega/p", "mu/tan(alpha)", "c_res", "sigma_H/H"};
+    return {"mu^N", "a/(mu*g)", "a/(g*tan(alpha))", "omega/p", "mu/tan(alpha)", "c_res", "sigma_H/H", "e_r"};
 }
 
 std::vector<std::string> known_groups() {
@@ -85,7 +93,7 @@ std::vector<std::string> known_groups() {
                                   .restitution = 1.0,
                                   .height_deviation = 1.0};
     std::vector<std::string> names;
-    for (const scaling::NamedFactor& group : scaling::group_factors(scaling::Similitude(scaling::ScaleFactors{}), all)) {
+    for (const scaling::NamedFactor& group : scaling::group_factors(scaling::ModelScales{}, all)) {
         names.emplace_back(group.name);
     }
     return names;
@@ -115,6 +123,8 @@ ModelState find_state(const Setting& setting, const Models& models, double lengt
     }
     for (const scaling::NamedFactor& group : models.own_groups(length)) {
         if (has_group(state.groups, group.name)) continue;
+        const bool is_weighed = std::find(design.groups.begin(), design.groups.end(), group.name) != design.groups.end();
+        if (!is_weighed && is_told(state.groups, models.law(), group)) continue;
         state.groups.push_back({std::string(group.name), group.value});
         if (const auto severity = scaling::find_severity(group.value)) {
             state.distortions.push_back({std::string(group.name), group.value, *severity, "a product that the law names is not kept"});

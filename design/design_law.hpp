@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -34,6 +35,10 @@ class DesignLaw {
     bool expects(std::string_view quantity) const;
     bool has(std::string_view quantity) const;
 
+    /// The name by which scaling::group_factors() tells a product that this law holds or watches, "a_vertical/g" of "a_v/g"; none when it
+    /// has no such name.
+    std::optional<std::string> find_common_name(const std::string& product) const;
+
     /// By name and factors.
     bool operator==(const DesignLaw& other) const;
 
@@ -42,6 +47,7 @@ class DesignLaw {
     std::optional<scaling::Law> plain_;
     std::shared_ptr<const scaling::ScaleLaw> data_;
     std::vector<scaling::GivenFactor> set_;
+    std::map<std::string, std::string> common_names_;  ///< by the law's own texts
 };
 
 }  // namespace musim::design

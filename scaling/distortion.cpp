@@ -2,18 +2,21 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string_view>
 #include <utility>
 
 #include "scaling/detail/border.hpp"
 #include "scaling/group_meaning.hpp"
+#include "scaling/rocking_block.hpp"
 
 namespace musim::scaling {
 
 namespace {
 
 constexpr std::string_view kRegimeGroup = "mu/tan(alpha)";
+constexpr std::string_view kRestitutionGroup = "e_r";
 
 void check_positive(std::string_view name, std::optional<double> value) {
     if (!value || (std::isfinite(*value) && *value > 0.0)) return;
@@ -27,6 +30,35 @@ void check(const ModelFacts& facts) {
     check_positive("the shear stiffness factor", facts.shear_stiffness);
     check_positive("the restitution factor", facts.restitution);
     check_positive("the height deviation factor", facts.height_deviation);
+}
+
+/// What blocks of one slenderness are in prototype and model, with heights of 1.
+struct RockingPair {
+    RockingBlock prototype, model;
+
+    RockingPair(double slenderness, const ModelScales& scales)
+        : prototype{Length::from_value(slenderness), Length::from_value(1.0)},
+          model{Length::from_value(slenderness * scales.slenderness()), Length::from_value(1.0)} {}
+
+    /// λ of half diagonals over that of heights; 1 to the bit where all lengths scale alike.
+    double half_diagonal() const { return model.half_diagonal() / prototype.half_diagonal(); }
+};
+
+/// The direction in which blocks rock first.
+std::optional<RockingPair> find_slenderest(const ModelScales& scales, const ModelFacts& facts) {
+    if (facts.slenderness.empty()) return std::nullopt;
+    return RockingPair(*std::min_element(facts.slenderness.begin(), facts.slenderness.end()), scales);
+}
+
+/// "e_r goes from 0.8606 to 0.9861 at tan(alpha) = 0.32, ..." for every direction; empty where widths do not scale apart.
+std::string describe_restitutions(const ModelScales& scales, const ModelFacts& facts) {
+    std::string text;
+    for (const double slenderness : facts.slenderness) {
+        const RockingPair pair(slenderness, scales);
+        text += fmt::format("{} from {:.4g} to {:.4g} at tan(alpha) = {:.4g}", text.empty() ? "; it goes" : ",",
+                            pair.prototype.angular_restitution(), pair.model.angular_restitution(), slenderness);
+    }
+    return text;
 }
 
 /// One clause for each direction in which μ/tan α lies on the other side of 1 in the model; empty when there is none.
@@ -71,6 +103,8 @@ std::vector<NamedFactor> group_factors(const ModelScales& scales, const ModelFac
 
     // groups of the motion: scales alone
     const double shaking = scales.acceleration / gravity;
+    const std::optional<RockingPair> slenderest = find_slenderest(scales, facts);
+    const double half_diagonal = scales.height * (slenderest ? slenderest->half_diagonal() : 1.0);
     std::vector<NamedFactor> factors = {
         {"mu^N", scales.velocity / std::sqrt(friction * gravity * scales.width)},
         {"t*sqrt(mu*g/l)", scales.time * std::sqrt(friction * gravity / scales.width)},
@@ -78,7 +112,7 @@ std::vector<NamedFactor> group_factors(const ModelScales& scales, const ModelFac
         {"a/g", shaking},
         {"a/(g*tan(alpha))", shaking / scales.slenderness()},
         {"a_vertical/g", scales.acceleration_vertical / gravity},
-        {"omega/p", scales.frequency / std::sqrt(gravity / scales.height)},
+        {"omega/p", scales.frequency / std::sqrt(gravity / half_diagonal)},
         {"Fr^N", scales.velocity / std::sqrt(gravity * scales.width)},
         {kRegimeGroup, friction / scales.slenderness()},
         {"mu", friction},
@@ -98,6 +132,12 @@ std::vector<NamedFactor> group_factors(const ModelScales& scales, const ModelFac
     if (facts.normal_stiffness && facts.height_deviation) {
         factors.push_back({"delta_w/sigma_H", scales.weight / (*facts.normal_stiffness * *facts.height_deviation)});
     }
+
+    // where heights and widths may scale apart, so does what an impact leaves of a rotation
+    if (slenderest && !scales.similitude) {
+        const double prototype = slenderest->prototype.angular_restitution(), model = slenderest->model.angular_restitution();
+        if (prototype > 0.0 && model > 0.0) factors.push_back({kRestitutionGroup, model / prototype});
+    }
     return factors;
 }
 
@@ -110,6 +150,7 @@ std::vector<Distortion> find_distortions(const ModelScales& scales, const ModelF
                               .factor = group.value,
                               .severity = *severity,
                               .effect = std::string(find_group_meaning(group.name).effect(group.value))};
+        if (group.name == kRestitutionGroup) distortion.effect += describe_restitutions(scales, facts);
         if (group.name == kRegimeGroup) {
             const detail::Border& regime = *detail::find_border(kRegimeGroup);
             const std::string changes = describe_regime_changes(regime, scales, facts);

@@ -41,7 +41,9 @@ struct ModelFacts {
 };
 
 /// δ of every dimensionless group that is known, in a fixed order, distorted or not. Where widths and heights scale apart, l in groups of
-/// sliding and velocity is a horizontal size, as slip is; in p and in groups of contacts it is the height.
+/// sliding and velocity is a horizontal size, as slip is; in groups of contacts it is the height. p goes by half diagonals, where
+/// slenderness is given by those of the direction that is slenderest, which rocks first, and by heights otherwise; e_r of that direction
+/// is told where heights and widths may scale apart, unless a block is too stocky to go on rocking.
 std::vector<NamedFactor> group_factors(const ModelScales& scales, const ModelFacts& facts = {});
 
 /// The groups of group_factors() that differ from 1 by more than rounding, in the same order, with what that means. When friction and

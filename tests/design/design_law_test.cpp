@@ -166,10 +166,28 @@ TEST_CASE("a model with vertical distortion has its own widths, shaking and mass
     CHECK(use("velocity of axis x") == relative(0.424 * kFriction * 0.1, kRounding));
     CHECK(use("hall height") == relative(1.615, kRounding));
     CHECK(use("payload of axis x") == relative(2.701509e8 * 2632.0 / 2320.0 * kFriction * kFriction * 1e-6, kRounding));
-    for (const char* kept : {"mu^N", "t*sqrt(mu*g/l)", "a/(mu*g)", "a/(g*tan(alpha))", "a_vertical/g", "omega/p", "mu/tan(alpha)", "u/b"}) {
+    for (const char* kept : {"mu^N", "t*sqrt(mu*g/l)", "a/(mu*g)", "a/(g*tan(alpha))", "a_vertical/g", "mu/tan(alpha)", "u/b"}) {
         CHECK_MESSAGE(group(state, kept) == relative(1.0, kRounding), kept);
     }
     CHECK(group(state, "a/g") == relative(kFriction, kRounding));
+    // of the thin side, R ∝ H √(1 + tan²α) and e_r = 1 - 1.5 sin²α: 0.978 and 0.986/0.861
+    const auto secant_squared = [](double slenderness) { return 1.0 + slenderness * slenderness; };
+    const double prototype_side = 1.36 / 4.25, model_side = kFriction * prototype_side;
+    CHECK(group(state, "omega/p") == relative(std::pow(secant_squared(model_side) / secant_squared(prototype_side), 0.25), kRounding));
+    CHECK(group(state, "omega/p") == relative(0.978, 5e-4));
+    const auto leave = [&](double slenderness) { return 1.0 - 1.5 * (1.0 - 1.0 / secant_squared(slenderness)); };
+    CHECK(group(state, "e_r") == relative(leave(model_side) / leave(prototype_side), kRounding));
+    // all that the law holds has a name of its own already, but u/b
+    for (const char* twice : {"a/(g*tan_alpha)", "a_v/g", "mu/tan_alpha"}) {
+        CHECK_MESSAGE(std::none_of(state.groups.begin(), state.groups.end(), [&](const GroupFactor& each) { return each.name == twice; }),
+                      twice);
+    }
+    const auto kept = default_groups();
+    CHECK(std::find(kept.begin(), kept.end(), "e_r") != kept.end());
+    setting.design.groups = {"e_r", "a_v/g"};
+    const ModelState weighed = find_state(setting, metal, law, 0.01);
+    CHECK(weighed.measure == relative(std::log(leave(model_side) / leave(prototype_side)), kRounding));
+    CHECK(group(weighed, "a_v/g") == relative(1.0, kRounding));
     // rotation θ = u/H
     CHECK(group(state, "theta") == relative(kFriction, kRounding));
     CHECK_FALSE(state.changes_regime());

@@ -113,7 +113,7 @@ TEST_CASE("wrong designs are refused with the place and what to do") {
     check_refused(
         kPrototype + ", " + kMaterials + R"(, "groups": ["x"])",
         "d.json: groups: \"x\" is no group; take some of mu^N, t*sqrt(mu*g/l), a/(mu*g), a/g, a/(g*tan(alpha)), a_vertical/g, omega/p, "
-        "Fr^N, mu/tan(alpha), mu, kappa_n, C^N, S_e^N, k_s/k_n, c_res, sigma_H/H, delta_w/sigma_H");
+        "Fr^N, mu/tan(alpha), mu, kappa_n, C^N, S_e^N, k_s/k_n, c_res, sigma_H/H, delta_w/sigma_H, e_r");
     const std::string law =
         musim::tests::message_of<records::ReadError>([] { parse(kPrototype + ", " + kMaterials + R"(, "laws": ["x"])"); });
     CHECK(law.find("d.json: laws: ") == 0);

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "scaling/distortion.hpp"
+#include "scaling/rocking_block.hpp"
 #include "scaling/scale_law_catalogue.hpp"
 #include "scaling/scale_law_json.hpp"
 #include "tests/scaling/expected.hpp"
@@ -11,6 +13,10 @@
 namespace musim::scaling::tests {
 
 namespace {
+
+const double kAluminiumFriction = 0.18 / 0.59;
+constexpr double kThin = 1.36 / 4.25;
+constexpr double kWide = 2.82 / 4.25;
 
 ModelScales make_scales(const ScaleLaw& law, const std::vector<GivenFactor>& given) {
     const LawFormulas formulas(solve_law(law, given));
@@ -30,6 +36,13 @@ constexpr const char* kOwnQuantities =
     R"-("quantities": [{"name": "z", "unit": "m"}, {"name": "x", "unit": "m"}, {"name": "g", "unit": "gn"}, {"name": "rho", "unit": "kg/m^3"},
        {"name": "t", "unit": "s"}, {"name": "v", "unit": "m/s"}, {"name": "u_v", "unit": "m"}],
        "definitions": ["v*t/x", "u_v/z"], "held": ["t*sqrt(g/z)"], )-";
+
+const Distortion* find(const std::vector<Distortion>& distortions, std::string_view name) {
+    for (const Distortion& distortion : distortions) {
+        if (distortion.group == name) return &distortion;
+    }
+    return nullptr;
+}
 
 }  // namespace
 
@@ -130,6 +143,40 @@ TEST_CASE("motion names that do not belong to one time are refused") {
     CHECK(make_scales(law, {{"z", 0.5}, {"t", 0.5}, {"v", 2.0}}).acceleration_vertical == 4.0);
     CHECK_THROWS_WITH_AS(make_scales(law, {{"z", 0.5}, {"t", 0.5}, {"v", 2.0}, {"u_v", 2.0}}), doctest::Contains("it does not keep u_v"),
                          SimilitudeError);
+}
+
+// README.md, vertical distortion of aluminium: ω/p 0.978, r 0.741 -> 0.972, e_r 0.861 -> 0.986 thin and 0.541 -> 0.941 wide
+TEST_CASE("vertical distortion changes omega/p by the half diagonal, and what impacts leave of a rotation") {
+    const ModelScales aluminium = make_distorted(1.0 / 107.0, kAluminiumFriction);
+    const ModelFacts facts{.friction_prototype = 0.59,
+                           .slenderness = {kWide, kThin},
+                           .normal_stiffness = {},
+                           .shear_stiffness = {},
+                           .restitution = {},
+                           .height_deviation = {}};
+    double frequency = 0.0, restitution = 0.0;
+    for (const NamedFactor& group : group_factors(aluminium, facts)) {
+        if (group.name == "omega/p") frequency = group.value;
+        if (group.name == "e_r") restitution = group.value;
+    }
+    CHECK_EXPECTED(frequency, "0.978");
+    // R ∝ H √(1 + tan²α)
+    const double slender = kThin * kAluminiumFriction;
+    CHECK_EXPECTED(frequency, std::pow((1.0 + slender * slender) / (1.0 + kThin * kThin), 0.25));
+    const auto leave = [](double slenderness) { return RockingBlock{slenderness * si::meters, 1.0 * si::meters}.angular_restitution(); };
+    CHECK_EXPECTED(restitution, leave(slender) / leave(kThin));
+    CHECK_EXPECTED(leave(slender) * leave(slender), "0.972");
+    const auto distortions = find_distortions(aluminium, facts);
+    const Distortion* change = find(distortions, "e_r");
+    REQUIRE(change != nullptr);
+    CHECK(change->severity == Severity::warning);
+    CHECK(change->effect.find("from 0.5415 to 0.941 at tan(alpha) = 0.6635, from 0.8607 to 0.9858 at tan(alpha) = 0.32") !=
+          std::string::npos);
+    CHECK(find(distortions, "mu/tan(alpha)") == nullptr);
+    // one length scale keeps all angles
+    for (const NamedFactor& group : group_factors(Similitude({.length = 1.0 / 107.0, .friction = kAluminiumFriction}), facts)) {
+        CHECK(group.name != "e_r");
+    }
 }
 
 }  // namespace musim::scaling::tests
