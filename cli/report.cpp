@@ -1,5 +1,6 @@
 #include "cli/report.hpp"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "cli/output.hpp"
@@ -23,6 +24,15 @@ nlohmann::json to_json(const scaling::ModelScales& scales) {
 std::string describe_lengths(const scaling::ModelScales& scales) {
     if (scales.similitude) return "";
     return fmt::format("height {} {:.7g}, width {:.7g}, ", scales.length_name, scales.height, scales.width);
+}
+
+std::string describe_vertical(const std::vector<std::string>& components, const scaling::ModelScales& scales) {
+    const auto is_one = [](double factor) { return std::abs(factor - 1.0) <= scaling::kFactorRounding; };
+    if (components.empty() || is_one(scales.acceleration_vertical / scales.acceleration)) return "";
+    const double shaking = scales.acceleration_vertical / scales.gravity;
+    return fmt::format("Vertical component {}: displacement {:.7g}, velocity {:.7g}, acceleration {:.7g}, which {}\n",
+                       fmt::join(components, ", "), scales.displacement_vertical, scales.velocity_vertical, scales.acceleration_vertical,
+                       is_one(shaking) ? "keeps a_vertical/g" : fmt::format("changes a_vertical/g by {:.7g}", shaking));
 }
 
 void print_factors(const std::string& title, const std::vector<scaling::NamedFactor>& factors) {

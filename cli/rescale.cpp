@@ -1,8 +1,8 @@
 #include <CLI/CLI.hpp>
-#include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
@@ -16,7 +16,6 @@
 #include "cli/uncertain_options.hpp"
 #include "records/scale_record.hpp"
 #include "records/table_axes.hpp"
-#include "scaling/distortion.hpp"
 
 namespace musim::cli {
 namespace {
@@ -31,20 +30,13 @@ struct RescaleOptions {
     bool json = false;
 };
 
-/// What is done to the components that shake vertically, where it is not what is done to the others: a line, or nothing.
-std::string describe_vertical(const records::GroundMotion& prototype, const scaling::ModelScales& scales) {
-    std::string names;
-    for (const records::Component& component : prototype.components) {
-        if (records::is_vertical(component)) names += (names.empty() ? "" : ", ") + component.name;
+/// Names of the components that shake vertically.
+std::vector<std::string> list_vertical(const records::GroundMotion& motion) {
+    std::vector<std::string> names;
+    for (const records::Component& component : motion.components) {
+        if (records::is_vertical(component)) names.push_back(component.name);
     }
-    const double change = scales.acceleration_vertical / scales.acceleration;
-    if (names.empty() || std::abs(change - 1.0) <= scaling::kFactorRounding) return "";
-    const double shaking = scales.acceleration_vertical / scales.gravity;
-    const std::string group = std::abs(shaking - 1.0) <= scaling::kFactorRounding
-                                  ? "which keeps a_vertical/g"
-                                  : fmt::format("which changes a_vertical/g by {:.7g}", shaking);
-    return fmt::format("Vertical component {}: displacement {:.7g}, velocity {:.7g}, acceleration {:.7g}, {}\n", names,
-                       scales.displacement_vertical, scales.velocity_vertical, scales.acceleration_vertical, group);
+    return names;
 }
 
 int run_rescale(const RescaleOptions& options) {
@@ -61,7 +53,7 @@ int run_rescale(const RescaleOptions& options) {
     if (!options.json) {
         print("Law {}: {}time {:.7g}, velocity {:.7g}, acceleration {:.7g} (model/prototype)\n", scales.law, describe_lengths(scales),
               scales.time, scales.velocity, scales.acceleration);
-        print("{}\n", describe_vertical(prototype, scales));
+        print("{}\n", describe_vertical(list_vertical(prototype), scales));
         print_peaks_heading();
     }
     for (std::size_t c = 0; c < model.components.size(); ++c) {

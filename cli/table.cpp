@@ -135,8 +135,13 @@ Verdict judge(const TableOptions& options, const records::TableTask& task, const
 
 void print_verdict(const records::ShakeTable& table, const Verdict& verdict, const scaling::ModelScales& scales) {
     const std::string length = scales.similitude ? fmt::format("length {:.6g}, ", scales.height) : describe_lengths(scales);
-    print("{}: law {}, {}time {:.6g}, acceleration {:.6g} (model/prototype)\n\n", table.name, scales.law, length, scales.time,
+    print("{}: law {}, {}time {:.6g}, acceleration {:.6g} (model/prototype)\n", table.name, scales.law, length, scales.time,
           scales.acceleration);
+    std::vector<std::string> vertical;
+    for (const records::ComponentUse& use : verdict.uses) {
+        if (records::is_vertical_axis(table.find_axis(use.axis))) vertical.push_back(use.component);
+    }
+    print("{}\n", describe_vertical(vertical, scales));
     print_uses(verdict.uses, verdict.limit_scales);
     print("\n");
     print_scales(verdict.scales);

@@ -124,6 +124,12 @@ TEST_CASE("the lengths that suit a table are heights by a law that scales height
                froude = here.run(std::string(kArguments) + "--law froude --json").json();
     CHECK(alike["components"] == froude["components"]);
     CHECK(alike["scales"] == froude["scales"]);
+    // what an axis z makes is vertical
+    here.write("up.json", R"({"schema": "musim-table/1", "name": "up", "axes": [{"names": ["z"], "acceleration": "2 g"}]})");
+    const std::string up = "table synthetic --limits up.json --length 1/25 --axis 1=z " + law;
+    CHECK(here.run(up + "--json").json()["components"].at(0)["acceleration_g"].get<double>() == relative(0.511, 0.02));
+    CHECK(here.run(up).out.find("Vertical component 1: displacement 0.04, velocity 0.2, acceleration 1, which keeps a_vertical/g\n\n") !=
+          std::string::npos);
     CHECK(here.run(kArguments + law).out.find("test table: law mu_vertical_distortion, height H 0.04, width 0.01220339, time 0.2") == 0);
 }
 
