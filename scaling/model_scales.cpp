@@ -90,15 +90,15 @@ std::string find_length_name(const ScaleLaw& law, const std::vector<GivenFactor>
     if (names.size() == 1) return names.front();
     if (names.empty()) {
         throw SimilitudeError(
-            fmt::format("law {}: it expects no length to be chosen (a model's length scale belongs to l, or to the one length among "
-                        "\"chosen\"); choose "
-                        "another law, or add one to it",
-                        law.name));
+            fmt::format("law {}: it expects no length to be chosen{} (a model's length scale is that of l, or of the one length among "
+                        "\"chosen\"); {}",
+                        law.name, set.empty() ? "" : " beside the factors that are set",
+                        set.empty() ? "choose another law, or add a length to it" : "leave one of them out, or the length scale"));
     }
     throw SimilitudeError(fmt::format(
-        "law {}: {} are lengths to be chosen (a model's length scale is that of one alone); give all but one of them by --set, e.g. --set "
-        "{}=1/25",
-        law.name, fmt::join(names, ", "), names.back()));
+        "law {}: {} are lengths to be chosen (a model's length scale is that of one alone); set the factors of all others, e.g. "
+        "by --set {}=1/25",
+        law.name, fmt::join(names, " and "), names.back()));
 }
 
 }  // namespace musim::scaling

@@ -122,13 +122,13 @@ TEST_CASE("a law with two lengths to be chosen asks for all but one") {
         parse_own(kOwnQuantities + std::string(R"("chosen": [{"name": "z"}, {"name": "x"}, {"name": "g"}, {"name": "rho"}])"));
     CHECK_THROWS_WITH_AS(
         find_length_name(law, {}),
-        "law own: z, x are lengths to be chosen (a model's length scale is that of one alone); give all but one of them by "
-        "--set, e.g. --set x=1/25",
+        "law own: z and x are lengths to be chosen (a model's length scale is that of one alone); set the factors of all others, e.g. by "
+        "--set x=1/25",
         SimilitudeError);
     CHECK(find_length_name(law, {{"x", 0.5}}) == "z");
     CHECK(find_length_name(law, {{"z", 0.5}}) == "x");
-    CHECK_THROWS_WITH_AS(find_length_name(law, {{"x", 0.5}, {"z", 0.5}}), doctest::Contains("it expects no length to be chosen"),
-                         SimilitudeError);
+    CHECK_THROWS_WITH_AS(find_length_name(law, {{"x", 0.5}, {"z", 0.5}}),
+                         doctest::Contains("it expects no length to be chosen beside the factors that are set"), SimilitudeError);
     CHECK(find_length_name(load_scale_law("mu"), {}) == "l");
     CHECK(find_length_name(load_scale_law("mu_vertical_distortion"), {}) == "H");
 }
