@@ -53,6 +53,7 @@ int run(int argc, char** argv) {
     add_bench_command(app, action);
     add_calibrate_command(app, action);
     add_response_command(app, action);
+    add_report_command(app, action);
     add_field_command(app, action);
     add_watch_command(app, action);
     add_pi_command(app, action);

@@ -50,6 +50,24 @@ std::vector<FloatVector> read_frame_vectors(const Hdf5Reader& file, const std::s
     return vectors;
 }
 
+/// Energies as results hold them, where springs' energy is one number; none in results without them.
+void read_energies(const Hdf5Reader& file, std::size_t samples, std::vector<Energy>& energies) {
+    if (!file.has("/energy/kinetic")) return;
+    energies.resize(samples);
+    const auto take = [&](const char* path, double Energy::*part) {
+        const auto data = file.doubles(path, 1);
+        require_shape(file, path, data, {samples});
+        for (std::size_t k = 0; k < samples; ++k) energies[k].*part = data.values[k];
+    };
+    take("/energy/kinetic", &Energy::kinetic);
+    take("/energy/potential", &Energy::gravitational);
+    take("/energy/elastic", &Energy::elastic_normal);
+    take("/energy/friction", &Energy::friction_loss);
+    take("/energy/damping", &Energy::damping_loss);
+    take("/energy/preparation", &Energy::preparation_loss);
+    take("/energy/base_work", &Energy::base_work);
+}
+
 void read_history(const Hdf5Reader& file, StoredRun& run) {
     History& history = run.history;
     auto time = file.doubles("/time", 1);
@@ -71,6 +89,7 @@ void read_history(const Hdf5Reader& file, StoredRun& run) {
     history.spine_position = read_vectors(file, "/spine/position", {nt, ns});
     history.spine_velocity = read_vectors(file, "/spine/velocity", {nt, ns});
     history.spine_rotation = read_vectors(file, "/spine/rotation_vector", {nt, ns});
+    read_energies(file, nt, history.energy);
 }
 
 void read_blocks(const Hdf5Reader& file, StoredRun& run) {

@@ -28,7 +28,7 @@ struct StoredRun {
     std::string scene;                    ///< as JSON text
     BlockTable blocks;
     Spine spine;
-    History history;
+    History history;                    ///< energy of all springs as that of normal ones; no energies in results without them
     Frames frames;                      ///< empty when none were kept
     Falls falls;                        ///< empty in results of versions before they were kept
     std::optional<StageOrigin> origin;  ///< of a later stage of a sequence

@@ -1,0 +1,86 @@
+#include "lsdem/report/html.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace musim::lsdem::report {
+namespace {
+
+std::string to_html(const HtmlCell& cell, const char* tag, const char* attributes) {
+    std::string classes = cell.is_number ? "number" : "";
+    if (cell.tone != Tone::plain) {
+        if (!classes.empty()) classes += ' ';
+        classes += to_string(cell.tone);
+    }
+    return fmt::format("<{0}{1}{2}>{3}</{0}>", tag, attributes, classes.empty() ? "" : fmt::format(" class=\"{}\"", classes),
+                       escape_html(cell.text));
+}
+
+}  // namespace
+
+std::string escape_html(const std::string& text) {
+    std::string escaped;
+    escaped.reserve(text.size());
+    for (const char c : text) {
+        switch (c) {
+            case '&':
+                escaped += "&amp;";
+                break;
+            case '<':
+                escaped += "&lt;";
+                break;
+            case '>':
+                escaped += "&gt;";
+                break;
+            case '"':
+                escaped += "&quot;";
+                break;
+            case '\'':
+                escaped += "&#39;";
+                break;
+            default:
+                escaped += c;
+        }
+    }
+    return escaped;
+}
+
+std::string to_string(Tone tone) {
+    switch (tone) {
+        case Tone::good:
+            return "good";
+        case Tone::note:
+            return "note";
+        case Tone::warning:
+            return "warning";
+        case Tone::bad:
+            return "bad";
+        case Tone::plain:
+            break;
+    }
+    return {};
+}
+
+HtmlCell number_cell(double value, int digits) {
+    return {.text = std::isfinite(value) ? fmt::format("{:.{}g}", value, digits) : "-", .is_number = true};
+}
+
+std::string to_html(const HtmlTable& table) {
+    std::string html = "<div class=\"scroll\" tabindex=\"0\"><table>\n<caption>" + escape_html(table.caption) + "</caption>\n<thead><tr>";
+    for (const std::string& head : table.heads) html += "<th scope=\"col\">" + escape_html(head) + "</th>";
+    html += "</tr></thead>\n<tbody>\n";
+    for (const std::vector<HtmlCell>& row : table.rows) {
+        html += "<tr>";
+        for (std::size_t i = 0; i < row.size(); ++i) html += i == 0 ? to_html(row[i], "th", " scope=\"row\"") : to_html(row[i], "td", "");
+        html += "</tr>\n";
+    }
+    return html + "</tbody></table></div>\n";
+}
+
+std::string make_statement(Tone tone, const std::string& text) {
+    if (tone == Tone::plain) return "<p>" + escape_html(text) + "</p>\n";
+    return fmt::format("<p class=\"statement {0}\"><strong>{0}</strong> {1}</p>\n", to_string(tone), escape_html(text));
+}
+
+}  // namespace musim::lsdem::report

@@ -1,0 +1,185 @@
+#include "lsdem/report/report_content.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+#include "lsdem/study/checkpoint.hpp"
+#include "lsdem/study/watched_folder.hpp"
+
+namespace musim::lsdem::report {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string read_text(const fs::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+/// An object; empty when the file holds none.
+nlohmann::json read_object(const fs::path& file) {
+    nlohmann::json object = nlohmann::json::parse(read_text(file), nullptr, false);
+    return object.is_object() ? object : nlohmann::json::object();
+}
+
+void take_scene(ReportedRun& reported) {
+    const nlohmann::json scene = nlohmann::json::parse(reported.run.scene, nullptr, false);
+    if (!scene.is_object()) return;
+    reported.scene_name = scene.value("name", "");
+    const auto material = scene.find("material");
+    if (material == scene.end()) return;
+    if (material->is_string()) {
+        reported.material = material->get<std::string>();
+        return;
+    }
+    for (const auto& [key, value] : material->items()) {
+        reported.material +=
+            fmt::format("{}{} {}", reported.material.empty() ? "" : ", ", key, value.is_string() ? value.get<std::string>() : value.dump());
+    }
+}
+
+void take_factors(ReportedRun& reported) {
+    const nlohmann::json factors =
+        reported.summary.value("similitude", nlohmann::json::object()).value("factors", nlohmann::json::object());
+    reported.length = factors.value("length", 1.0);
+    reported.time = factors.value("time", 1.0);
+    reported.velocity = factors.value("velocity", 1.0);
+    reported.energy = factors.value("energy", 1.0);
+}
+
+/// A reading in progress.
+class Reader {
+  public:
+    ReportContent content;
+
+    void add_run(const fs::path& folder, const std::string& label) {
+        ReportedRun reported{.label = label, .folder = folder, .run = {}, .response = {}, .summary = {}, .scene_name = {}, .material = {}};
+        try {
+            reported.run = study::read_run(folder);
+        } catch (const std::runtime_error& error) {
+            content.remarks.push_back(error.what());
+            return;
+        }
+        reported.summary = read_object(folder / "summary.json");
+        try {
+            reported.response = study::measure_response(reported.run);
+        } catch (const std::runtime_error& error) {
+            content.remarks.push_back(fmt::format("{}: no speeds, rotations and damage: {}", label, error.what()));
+        }
+        take_scene(reported);
+        take_factors(reported);
+        if (reported.run.frames.time.empty()) {
+            content.remarks.push_back(
+                fmt::format("{}: the run has kept no frames, so blocks are shown at its start and end only; \"output\": "
+                            "{{\"frame_rate\": \"100 Hz\"}} in its scene keeps them",
+                            label));
+        }
+        content.runs.push_back(std::move(reported));
+    }
+
+    void add_pair(const fs::path& folder) {
+        content.kind = ReportKind::pair;
+        content.summary = read_object(folder / "pair.json");
+        if (fs::exists(folder / "prototype")) add_run(folder / "prototype", "prototype");
+        std::vector<fs::path> models;
+        for (const auto& entry : fs::directory_iterator(folder)) {
+            const std::string name = entry.path().filename().string();
+            if (name != "prototype" && name != "shadow" && fs::exists(entry.path() / "summary.json")) models.push_back(entry.path());
+        }
+        std::sort(models.begin(), models.end());
+        for (const fs::path& model : models) add_run(model, model.filename().string());
+        // the largest first: the prototype, then models as they get smaller
+        std::stable_sort(content.runs.begin(), content.runs.end(),
+                         [](const ReportedRun& a, const ReportedRun& b) { return a.length > b.length; });
+    }
+
+    void add_sequence(const fs::path& folder) {
+        content.kind = ReportKind::sequence;
+        content.summary = read_object(folder / "sequence.json");
+        for (const nlohmann::json& stage : content.summary.value("stages", nlohmann::json::array())) {
+            const std::string name = stage.value("folder", "");
+            if (!name.empty()) add_run(folder / name, name);
+        }
+    }
+
+    void add_ensemble(const fs::path& folder) {
+        content.kind = ReportKind::ensemble;
+        content.summary = read_object(folder / "ensemble.json");
+        content.picture = read_text(folder / "ensemble.svg");
+        if (content.picture.empty()) content.remarks.push_back(fmt::format("{}: no bands: no member is a result", folder.string()));
+        for (const nlohmann::json& member : content.summary.value("members", nlohmann::json::array())) {
+            const std::string name = member.value("name", "");
+            if (!content.runs.empty() || !fs::exists(folder / "members" / name / "summary.json")) continue;
+            add_run(folder / "members" / name, name);
+        }
+        if (content.runs.empty())
+            content.remarks.push_back(fmt::format("{}: no member has results; run `musim ensemble` again", folder.string()));
+    }
+
+    void add(const fs::path& folder) {
+        const std::string label = folder.filename().empty() ? folder.parent_path().filename().string() : folder.filename().string();
+        note_unfinished(folder);
+        if (fs::exists(folder / "pair.json")) return add_pair(folder);
+        if (fs::exists(folder / "sequence.json")) return add_sequence(folder);
+        if (fs::exists(folder / "ensemble.json")) return add_ensemble(folder);
+        if (fs::exists(folder / "summary.json")) return add_run(folder, label);
+        if (fs::exists(folder)) {
+            content.remarks.push_back(
+                fmt::format("{}: there are no results of `musim run`, `pair`, `sequence` or `ensemble` here", folder.string()));
+        } else {
+            content.remarks.push_back(fmt::format("{}: there is no such folder; give the directory of `musim run -o`", folder.string()));
+        }
+    }
+
+  private:
+    void note_unfinished(const fs::path& folder) {
+        const study::WatchedFolder watched = study::look_into(folder);
+        if (watched.state == study::FolderState::working)
+            content.remarks.push_back(
+                fmt::format("{}: a musim works here now; what is shown is older (`musim watch {}`)", folder.string(), folder.string()));
+        if (watched.state != study::FolderState::killed) return;
+        std::string text = fmt::format("{}: a run was killed here before it had results", folder.string());
+        for (const study::WatchedRun& run : watched.runs) text += fmt::format(", at {:.0f} %", 100.0 * run.state.fraction);
+        content.remarks.push_back(text + "; continue it with --resume");
+    }
+};
+
+std::string make_title(const ReportContent& content) {
+    const std::string name = content.runs.empty() || content.runs.front().scene_name.empty() ? "a run" : content.runs.front().scene_name;
+    switch (content.kind) {
+        case ReportKind::pair:
+            return name + ": prototype and models";
+        case ReportKind::sequence:
+            return name + ": one motion after another";
+        case ReportKind::ensemble:
+            return name + ": ensemble";
+        case ReportKind::runs:
+            return fmt::format("{} and {} more", name, content.runs.size() - 1);
+        case ReportKind::run:
+        case ReportKind::nothing:
+            break;
+    }
+    return name;
+}
+
+}  // namespace
+
+ReportContent read_content(const std::vector<fs::path>& folders) {
+    Reader reader;
+    for (const fs::path& folder : folders) reader.add(folder);
+    ReportContent& content = reader.content;
+    if (content.runs.empty() && content.summary.is_null()) {
+        throw study::ResultError(content.remarks.empty() ? "there is nothing to report on; give the directory of `musim run -o`"
+                                                         : content.remarks.front());
+    }
+    if (content.kind == ReportKind::nothing && !content.runs.empty())
+        content.kind = content.runs.size() == 1 ? ReportKind::run : ReportKind::runs;
+    content.title = make_title(content);
+    return std::move(content);
+}
+
+}  // namespace musim::lsdem::report

@@ -1,0 +1,96 @@
+#include "lsdem/report/report_figure.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace musim::lsdem::report {
+namespace {
+
+/// A text as a cell of CSV [RFC 4180].
+std::string quote(const std::string& text) {
+    std::string quoted = "\"";
+    for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
+    return quoted + "\"";
+}
+
+std::vector<HtmlCell> describe_series(const study::PlotSeries& series) {
+    std::vector<std::size_t> finite;
+    for (std::size_t i = 0; i < series.y.size(); ++i) {
+        if (std::isfinite(series.x[i]) && std::isfinite(series.y[i])) finite.push_back(i);
+    }
+    if (finite.empty()) return {{.text = series.label}, {.text = "no point"}};
+    const auto less = [&](std::size_t a, std::size_t b) { return series.y[a] < series.y[b]; };
+    const std::size_t low = *std::min_element(finite.begin(), finite.end(), less),
+                      high = *std::max_element(finite.begin(), finite.end(), less);
+    const auto left_right =
+        std::minmax_element(finite.begin(), finite.end(), [&](std::size_t a, std::size_t b) { return series.x[a] < series.x[b]; });
+    const std::size_t left = *left_right.first, right = *left_right.second;
+    return {{.text = series.label},      number_cell(static_cast<double>(finite.size()), 7),
+            number_cell(series.x[left]), number_cell(series.x[right]),
+            number_cell(series.y[low]),  number_cell(series.x[low]),
+            number_cell(series.y[high]), number_cell(series.x[high])};
+}
+
+/// Names of a picture's parts are its own: on one page many pictures have the same.
+std::string name_apart(std::string svg, const std::string& name) {
+    for (const std::string mark : {" id=\"", "url(#"}) {
+        for (std::size_t at = svg.find(mark); at != std::string::npos; at = svg.find(mark, at + mark.size()))
+            svg.insert(at + mark.size(), name + "-");
+    }
+    return svg;
+}
+
+std::string name_row(const study::StackedPlot& plot, std::size_t row) { return row < plot.row_labels.size() ? plot.row_labels[row] : ""; }
+
+}  // namespace
+
+ReportFigure make_figure(const std::string& name, const study::LinePlot& plot) {
+    ReportFigure figure{.name = name, .title = plot.title, .svg = make_svg(plot), .csv = "series,x,y\n", .twin = {}};
+    figure.twin.caption = fmt::format("{}: {} over {}", plot.title, plot.y_label, plot.x_label);
+    figure.twin.heads = {"series", "points", "first x", "last x", "smallest", "at x", "largest", "at x"};
+    for (const study::PlotSeries& series : plot.series) {
+        for (std::size_t i = 0; i < series.x.size(); ++i) {
+            fmt::format_to(std::back_inserter(figure.csv), "{},{},{}\n", quote(series.label), series.x[i], series.y[i]);
+        }
+        figure.twin.rows.push_back(describe_series(series));
+    }
+    return figure;
+}
+
+ReportFigure make_figure(const std::string& name, const study::StackedPlot& plot) {
+    ReportFigure figure{.name = name, .title = plot.title, .svg = make_svg(plot), .csv = "run,row,x,y\n", .twin = {}};
+    figure.twin.caption = fmt::format("{}: {} over {}", plot.title, plot.y_label, plot.x_label);
+    figure.twin.heads = {"run", "row", "largest magnitude", "at", "last value"};
+    for (const study::PlotCurves& run : plot.runs) {
+        for (std::size_t row = 0; row < run.y.size(); ++row) {
+            const std::vector<double>& y = run.y[row];
+            for (std::size_t k = 0; k < y.size(); ++k) {
+                fmt::format_to(std::back_inserter(figure.csv), "{},{},{},{}\n", quote(run.label), quote(name_row(plot, row)), run.x[k],
+                               y[k]);
+            }
+            if (y.empty()) continue;
+            const auto peak = std::max_element(y.begin(), y.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
+            figure.twin.rows.push_back({{.text = run.label},
+                                        {.text = name_row(plot, row)},
+                                        number_cell(*peak),
+                                        number_cell(run.x[static_cast<std::size_t>(peak - y.begin())]),
+                                        number_cell(y.back())});
+        }
+    }
+    return figure;
+}
+
+std::string to_html(const ReportFigure& figure) {
+    const std::string numbers = figure.twin.rows.empty() ? make_statement(Tone::plain, figure.twin.caption) : to_html(figure.twin);
+    return fmt::format(
+        "<figure id=\"figure-{}\" data-figure=\"{}\">\n<div class=\"plot\" role=\"img\" "
+        "aria-label=\"{}\">{}</div>\n<figcaption>{}</figcaption>\n"
+        "<details><summary>In numbers</summary>\n{}</details>\n</figure>\n",
+        figure.name, figure.name, escape_html(figure.twin.caption), name_apart(figure.svg, figure.name), escape_html(figure.title),
+        numbers);
+}
+
+}  // namespace musim::lsdem::report

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+
+#include "lsdem/report/html.hpp"
+#include "lsdem/study/line_plot.hpp"
+#include "lsdem/study/plot.hpp"
+
+namespace musim::lsdem::report {
+
+/// A plot in a report, which can also be a file of its own for a paper.
+struct ReportFigure {
+    std::string name;   ///< of its files: letters, digits, underscores
+    std::string title;  ///< in words, for who does not see it, too
+    std::string svg;
+    std::string csv;  ///< all that it draws
+    HtmlTable twin;   ///< what it shows, in numbers
+};
+
+/// Curves over one pair of axes. CSV: series,x,y, one line per point. Twin: for each series its ends and its smallest and largest value.
+ReportFigure make_figure(const std::string& name, const study::LinePlot& plot);
+
+/// Stacked curves. CSV: run,row,x,y. Twin: for each run and row the value of largest magnitude, when that is, and the last one.
+ReportFigure make_figure(const std::string& name, const study::StackedPlot& plot);
+
+/// The figure with its twin folded below.
+std::string to_html(const ReportFigure& figure);
+
+}  // namespace musim::lsdem::report

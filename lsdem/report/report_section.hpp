@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lsdem/report/report_figure.hpp"
+
+namespace musim::lsdem::report {
+
+/// A part of a report under a heading of its own.
+struct ReportSection {
+    std::string id;  ///< of the heading, for links
+    std::string title;
+    std::string html;  ///< before the figures
+    std::vector<ReportFigure> figures = {};
+};
+
+}  // namespace musim::lsdem::report

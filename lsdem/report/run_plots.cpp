@@ -1,0 +1,194 @@
+#include "lsdem/report/run_plots.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "lsdem/study/spine_plot.hpp"
+#include "scaling/angle.hpp"
+
+namespace musim::lsdem::report {
+namespace {
+
+using scaling::kDegree;
+using study::LinePlot;
+using study::PlotSeries;
+
+/// What stands below the title of a plot: whose it is.
+std::string describe_runs(const std::vector<ReportedRun>& runs) {
+    return runs.size() == 1 ? runs.front().label : fmt::format("scaled back to {}", runs.front().label);
+}
+
+/// A value of every level over the level, one series for each run that was measured.
+ReportFigure make_level_figure(const std::string& name, const std::string& title, const std::string& x_label,
+                               const std::vector<ReportedRun>& runs,
+                               const std::function<double(const study::LevelDamage&, const ReportedRun&)>& value) {
+    LinePlot plot{
+        .title = title, .subtitle = describe_runs(runs), .x_label = x_label, .y_label = "level", .series = {}, .y_from_zero = true};
+    for (const ReportedRun& run : runs) {
+        if (!run.response) continue;
+        PlotSeries series{.label = run.label, .x = {}, .y = {}, .marks = true, .y_error = {}};
+        for (const study::LevelDamage& level : run.response->damage.levels) {
+            series.x.push_back(value(level, run));
+            series.y.push_back(level.level);
+        }
+        plot.series.push_back(std::move(series));
+    }
+    return make_figure(name, plot);
+}
+
+ReportFigure make_residual_figure(const std::vector<ReportedRun>& runs) {
+    LinePlot plot{.title = "Residual displacement of the spine, relative to the base",
+                  .subtitle = describe_runs(runs),
+                  .x_label = "displacement [mm]",
+                  .y_label = "level",
+                  .series = {},
+                  .y_from_zero = true};
+    for (const ReportedRun& run : runs) {
+        if (!run.response) continue;
+        for (const int axis : {0, 1, 2}) {
+            const std::string along = "along " + study::axis_name(axis);
+            PlotSeries series{.label = runs.size() == 1 ? along : run.label + ", " + along, .x = {}, .y = {}, .marks = true, .y_error = {}};
+            for (const study::SpineLevel& level : run.response->spine) {
+                series.x.push_back(1e3 * level.residual_displacement[axis] / run.length);
+                series.y.push_back(level.level);
+            }
+            plot.series.push_back(std::move(series));
+        }
+    }
+    return make_figure("residual_displacement", plot);
+}
+
+/// Were two runs sampled at the same dimensionless times?
+bool samples_alike(const ReportedRun& a, const ReportedRun& b) {
+    const study::History &first = a.run.history, &second = b.run.history;
+    if (a.run.spine.size() != b.run.spine.size() || first.samples() < 2 || second.samples() < 2) return false;
+    const double interval = first.time[1] - first.time[0];
+    const std::size_t last = std::min(first.samples(), second.samples()) - 1;
+    // a thousandth of an interval: what differs by more was not sampled at the same times
+    return std::abs(second.time[last] / b.time - first.time[last] / a.time) < 1e-3 * interval / a.time;
+}
+
+}  // namespace
+
+std::optional<ReportFigure> make_spine_figure(const std::vector<ReportedRun>& runs) {
+    const ReportedRun& first = runs.front();
+    if (first.run.spine.size() == 0 || first.run.history.samples() < 2) return std::nullopt;
+    const int axis = study::find_strongest_axis(first.run.history);
+    study::StackedPlot plot{.title = fmt::format("Velocity of the spine along {}", study::axis_name(axis)),
+                            .subtitle = describe_runs(runs),
+                            .x_label = "t [s]",
+                            .y_label = "v [cm/s], one row per level",
+                            .row_labels = {},
+                            .runs = {}};
+    const std::vector<std::size_t> rows = study::choose_rows(first.run.spine.size());
+    for (const std::size_t row : rows) plot.row_labels.push_back(fmt::format("level {}", first.run.spine.level[row]));
+    for (const ReportedRun& run : runs) {
+        const std::size_t spine = run.run.spine.size();
+        if (spine != first.run.spine.size()) continue;
+        study::PlotCurves curves{.label = run.label, .x = {}, .y = std::vector<std::vector<double>>(rows.size())};
+        for (std::size_t k = 0; k < run.run.history.samples(); ++k) {
+            curves.x.push_back(run.run.history.time[k] / run.time);
+            for (std::size_t r = 0; r < rows.size(); ++r)
+                curves.y[r].push_back(1e2 * run.run.history.spine_velocity[k * spine + rows[r]][axis] / run.velocity);
+        }
+        plot.runs.push_back(std::move(curves));
+    }
+    return make_figure("spine_velocity", plot);
+}
+
+std::optional<ReportFigure> make_difference_figure(const std::vector<ReportedRun>& runs) {
+    const ReportedRun& first = runs.front();
+    const std::size_t spine = first.run.spine.size();
+    const std::vector<Vector3>& of_first = first.run.history.spine_velocity;
+    double largest = 0.0;
+    for (std::size_t k = 0; k < first.run.history.samples(); ++k) {
+        double sum = 0.0;
+        for (std::size_t s = 0; s < spine; ++s) sum += of_first[k * spine + s].squaredNorm();
+        largest = std::max(largest, sum);
+    }
+    LinePlot plot{.title = "Difference of velocities over time",
+                  .subtitle = fmt::format("root of the sum over the spine, over the largest of {}", first.label),
+                  .x_label = fmt::format("t of {} [s]", first.label),
+                  .y_label = "difference",
+                  .series = {},
+                  .y_logarithmic = true,
+                  .y_most_decades = 16.0};
+    for (std::size_t r = 1; r < runs.size(); ++r) {
+        const ReportedRun& model = runs[r];
+        if (!(largest > 0.0) || !samples_alike(first, model)) continue;
+        PlotSeries series{.label = model.label, .x = {}, .y = {}, .y_error = {}};
+        const std::size_t samples = std::min(first.run.history.samples(), model.run.history.samples());
+        for (std::size_t k = 0; k < samples; ++k) {
+            double sum = 0.0;
+            for (std::size_t s = 0; s < spine; ++s)
+                sum += (model.run.history.spine_velocity[k * spine + s] / model.velocity - of_first[k * spine + s]).squaredNorm();
+            series.x.push_back(first.run.history.time[k]);
+            series.y.push_back(std::sqrt(sum / largest));
+        }
+        plot.series.push_back(std::move(series));
+    }
+    if (plot.series.empty()) return std::nullopt;
+    return make_figure("difference", plot);
+}
+
+std::optional<ReportFigure> make_lag_figure(const ReportedRun& run) {
+    if (!run.response || run.response->speeds.empty()) return std::nullopt;
+    LinePlot plot{.title = fmt::format("Arrival along {} over height", study::axis_name(run.response->axis)),
+                  .subtitle = run.label,
+                  .x_label = "height above the lowest level of the spine [m]",
+                  .y_label = "lag [ms]",
+                  .series = {},
+                  .y_from_zero = true};
+    for (const study::SpeedEstimate& estimate : run.response->speeds) {
+        const std::string speed = estimate.speed ? fmt::format(" {:.4g} m/s", *estimate.speed) : "";
+        PlotSeries series{
+            .label = estimate.method + speed, .x = estimate.height, .y = estimate.lag, .marks = true, .line = false, .y_error = {}};
+        for (double& lag : series.y) lag *= 1e3;
+        plot.series.push_back(std::move(series));
+    }
+    return make_figure("lag_" + run.label, plot);
+}
+
+std::vector<ReportFigure> make_profile_figures(const std::vector<ReportedRun>& runs) {
+    if (std::none_of(runs.begin(), runs.end(), [](const ReportedRun& run) { return run.response.has_value(); })) return {};
+    return {make_residual_figure(runs),
+            make_level_figure("slip", "Slip below each level at the end, mean", "slip [mm]", runs,
+                              [](const study::LevelDamage& level, const ReportedRun& run) { return 1e3 * level.slip.mean / run.length; }),
+            make_level_figure("rotation", "Rotation of the blocks since the start, mean", "rotation [degrees]", runs,
+                              [](const study::LevelDamage& level, const ReportedRun&) { return level.rotation.mean / kDegree; }),
+            make_level_figure("initial_tilt", "Tilt of the blocks at the start, mean", "tilt [degrees]", runs,
+                              [](const study::LevelDamage& level, const ReportedRun&) { return level.initial_tilt.mean / kDegree; })};
+}
+
+ReportFigure make_energy_figure(const ReportedRun& run) {
+    LinePlot plot{.title = "Energy over time", .subtitle = run.label, .x_label = "t [s]", .y_label = "energy [J]", .series = {}};
+    const study::History& history = run.run.history;
+    const auto add = [&](const std::string& label, const std::function<double(const Energy&)>& value) {
+        PlotSeries series{.label = label, .x = history.time, .y = {}, .y_error = {}};
+        for (const Energy& energy : history.energy) series.y.push_back(value(energy));
+        plot.series.push_back(std::move(series));
+    };
+    const double start = history.energy.empty() ? 0.0 : history.energy.front().gravitational;
+    add("kinetic", [](const Energy& e) { return e.kinetic; });
+    add("gravitational, from the start", [start](const Energy& e) { return e.gravitational - start; });
+    add("elastic", [](const Energy& e) { return e.elastic_normal + e.elastic_shear; });
+    add("lost by friction", [](const Energy& e) { return e.friction_loss; });
+    add("lost in dashpots", [](const Energy& e) { return e.damping_loss; });
+    add("work of the base", [](const Energy& e) { return e.base_work; });
+    return make_figure("energy_" + run.label, plot);
+}
+
+std::optional<ReportFigure> make_loss_figure(const std::vector<ReportedRun>& runs) {
+    for (const ReportedRun& run : runs) {
+        if (!run.response || !run.response->damage.loss) return std::nullopt;
+    }
+    return make_level_figure("losses", "Energy dissipated below each level, of all", "share [%]", runs,
+                             [](const study::LevelDamage& level, const ReportedRun& run) {
+                                 return 100.0 * study::find_loss_share(level, run.response->damage);
+                             });
+}
+
+}  // namespace musim::lsdem::report

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "lsdem/report/report_content.hpp"
+#include "lsdem/report/report_figure.hpp"
+
+namespace musim::lsdem::report {
+
+/// Velocities of the spine along the strongest axis of the first run, all runs scaled back to it: cm/s over s; at most ten levels, the
+/// lowest at the bottom, as Fig. 8 of [Harmon23]. Nothing without a spine.
+std::optional<ReportFigure> make_spine_figure(const std::vector<ReportedRun>& runs);
+
+/// Of each model against the first run: √(Σ_s |v/λ_v − v_P|²)/√(max_t Σ_s |v_P|²) over time, s the blocks of the spine. Nothing without
+/// models that sample at the same dimensionless times.
+std::optional<ReportFigure> make_difference_figure(const std::vector<ReportedRun>& runs);
+
+/// Arrival over height of one run, with the speeds that fit it. Nothing without estimates.
+std::optional<ReportFigure> make_lag_figure(const ReportedRun& run);
+
+/// Profiles over the levels, runs beside each other: residual displacement of the spine over λ_l, mean slip below a level over λ_l, mean
+/// rotation, mean tilt at the start [Harmon23, Figs. 6 and 10].
+std::vector<ReportFigure> make_profile_figures(const std::vector<ReportedRun>& runs);
+
+/// Energies of one run over time, gravitational energy from its start.
+ReportFigure make_energy_figure(const ReportedRun& run);
+
+/// What interfaces dissipated, level by level, over all. Nothing for results without it.
+std::optional<ReportFigure> make_loss_figure(const std::vector<ReportedRun>& runs);
+
+}  // namespace musim::lsdem::report

@@ -1,0 +1,167 @@
+#include "lsdem/report/run_sections.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "lsdem/report/run_plots.hpp"
+
+namespace musim::lsdem::report {
+namespace {
+
+/// Energy that appears from nowhere beyond this share of what is in play is doubtful; runs call themselves so from a tenth on.
+constexpr double kGoodClosure = 0.01;
+
+std::string describe_status(const ReportedRun& run) {
+    if (run.run.status == study::RunStatus::diverged) return "diverged: " + run.run.divergence;
+    if (run.run.collapse_time) return fmt::format("collapsed at {:.4g} s", *run.run.collapse_time);
+    return "ran to its end";
+}
+
+Tone find_tone(study::RunStatus status) {
+    switch (status) {
+        case study::RunStatus::completed:
+            return Tone::good;
+        case study::RunStatus::collapsed:
+            return Tone::warning;
+        case study::RunStatus::diverged:
+            return Tone::bad;
+    }
+    return Tone::plain;
+}
+
+std::string make_run_verdict(const ReportedRun& run) {
+    std::string text = run.label + ": " + describe_status(run);
+    if (run.response) {
+        const study::Damage& damage = run.response->damage;
+        text += fmt::format("; {} of {} blocks fallen, damage index {:.3g}", damage.fallen, damage.blocks, damage.index);
+        if (run.response->failure) text += "; " + study::describe(*run.response->failure);
+    }
+    std::string html = make_statement(find_tone(run.run.status), text);
+    const double closure = run.summary.value("energy_closure", std::nan(""));
+    if (std::isfinite(closure)) {
+        html += make_statement(closure < kGoodClosure ? Tone::good : Tone::warning,
+                               fmt::format("{}: energy balance closes to {:.2g} of the energy in play", run.label, closure));
+    }
+    for (const std::string& doubt : run.run.doubts) html += make_statement(Tone::warning, run.label + ": " + doubt);
+    return html;
+}
+
+std::string make_pair_verdict(const nlohmann::json& pair) {
+    std::string html;
+    for (const nlohmann::json& model : pair.value("pairs", nlohmann::json::array())) {
+        const bool exact = model.value("materials", "") == "exact";
+        const std::string differs =
+            fmt::format("{}: velocities of the spine differ by {:.3g} (rms), rounding alone makes {:.3g}", model.value("label", "model"),
+                        model.value("rms_relative_velocity_difference", std::nan("")), model.value("shadow_rms", std::nan("")));
+        if (model.value("bitwise_identical", false)) {
+            html += make_statement(Tone::good, model.value("label", "model") + ": the same as the prototype, bit for bit");
+        } else if (!exact) {
+            html += make_statement(Tone::warning, differs + "; it is made of its own material and distorted");
+        } else if (model.value("consistent", false)) {
+            html += make_statement(Tone::good, differs + ": consistent");
+        } else {
+            html += make_statement(Tone::bad, differs + ": not consistent");
+        }
+    }
+    return html;
+}
+
+ReportSection make_spine_section(const std::vector<ReportedRun>& runs) {
+    ReportSection section{.id = "spine", .title = "Motion of the spine", .html = {}};
+    for (std::optional<ReportFigure> figure : {make_spine_figure(runs), make_difference_figure(runs)}) {
+        if (figure) section.figures.push_back(std::move(*figure));
+    }
+    return section;
+}
+
+ReportSection make_speed_section(const std::vector<ReportedRun>& runs) {
+    ReportSection section{.id = "speed", .title = "Structural speed", .html = {}};
+    HtmlTable table{.caption = "Speed of travel up the structure; S^N = speed over √(μ g l)",
+                    .heads = {"run", "method", "speed [m/s]", "± [m/s]", "S^N", "levels"},
+                    .rows = {}};
+    for (const ReportedRun& run : runs) {
+        if (!run.response) continue;
+        const double sliding = run.response->scales.sliding_speed();
+        for (const study::SpeedEstimate& estimate : run.response->speeds) {
+            if (!estimate.speed) {
+                table.rows.push_back({{.text = run.label}, {.text = estimate.method}, {.text = "none: " + estimate.why}});
+                continue;
+            }
+            table.rows.push_back({{.text = run.label},
+                                  {.text = estimate.method},
+                                  number_cell(*estimate.speed),
+                                  number_cell(estimate.speed_error, 2),
+                                  number_cell(sliding > 0.0 ? *estimate.speed / sliding : std::nan("")),
+                                  number_cell(static_cast<double>(estimate.height.size()))});
+        }
+    }
+    if (!table.rows.empty()) section.html = to_html(table);
+    if (std::optional<ReportFigure> figure = make_lag_figure(runs.front())) section.figures.push_back(std::move(*figure));
+    return section;
+}
+
+ReportSection make_energy_section(const std::vector<ReportedRun>& runs) {
+    ReportSection section{.id = "energy", .title = "Energy", .html = {}};
+    HtmlTable table{.caption = "Energy at the end; gravitational energy from the start [J]",
+                    .heads = {"run", "kinetic", "gravitational", "elastic", "friction", "dashpots", "work of the base", "closes to"},
+                    .rows = {}};
+    for (const ReportedRun& run : runs) {
+        const std::vector<Energy>& energy = run.run.history.energy;
+        if (energy.empty()) continue;
+        const Energy& last = energy.back();
+        table.rows.push_back({{.text = run.label},
+                              number_cell(last.kinetic),
+                              number_cell(last.gravitational - energy.front().gravitational),
+                              number_cell(last.elastic_normal + last.elastic_shear),
+                              number_cell(last.friction_loss),
+                              number_cell(last.damping_loss),
+                              number_cell(last.base_work),
+                              number_cell(study::compute_energy_closure(energy), 2)});
+    }
+    section.html = to_html(table);
+    if (!runs.front().run.history.energy.empty()) section.figures.push_back(make_energy_figure(runs.front()));
+    if (std::optional<ReportFigure> figure = make_loss_figure(runs)) section.figures.push_back(std::move(*figure));
+    return section;
+}
+
+}  // namespace
+
+ReportSection make_verdict_section(const ReportContent& content) {
+    ReportSection section{.id = "verdict", .title = "Verdict", .html = {}};
+    if (content.kind == ReportKind::pair) section.html += make_pair_verdict(content.summary);
+    for (const ReportedRun& run : content.runs) section.html += make_run_verdict(run);
+    for (const std::string& remark : content.remarks) section.html += make_statement(Tone::note, remark);
+    return section;
+}
+
+ReportSection make_overview_section(const ReportContent& content) {
+    HtmlTable table{.caption = "Runs",
+                    .heads = {"run", "scene", "material", "scale λ_l", "blocks", "simulated [s]", "steps", "step [s]", "wall time [s]",
+                              "musim", "state hash"},
+                    .rows = {}};
+    for (const ReportedRun& run : content.runs) {
+        const auto number = [&](const char* key, int digits) { return number_cell(run.summary.value(key, std::nan("")), digits); };
+        table.rows.push_back({{.text = run.label},
+                              {.text = run.scene_name},
+                              {.text = run.material},
+                              {.text = run.length == 1.0 ? "1" : fmt::format("1:{:.4g}", 1.0 / run.length), .is_number = true},
+                              number("blocks", 9),
+                              number("duration_s", 5),
+                              number("steps", 12),
+                              number("dt_s", 4),
+                              number("wall_s", 4),
+                              {.text = run.summary.value("program_version", "-")},
+                              {.text = run.run.state_hash}});
+    }
+    return {.id = "runs", .title = "What was run", .html = to_html(table)};
+}
+
+std::vector<ReportSection> make_run_sections(const ReportContent& content) {
+    const std::vector<ReportedRun>& runs = content.runs;
+    ReportSection profiles{.id = "profiles", .title = "What it left, level by level", .html = {}, .figures = make_profile_figures(runs)};
+    return {make_spine_section(runs), make_speed_section(runs), std::move(profiles), make_energy_section(runs)};
+}
+
+}  // namespace musim::lsdem::report

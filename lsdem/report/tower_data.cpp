@@ -1,0 +1,192 @@
+#include "lsdem/report/tower_data.hpp"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "lsdem/rotation.hpp"
+
+namespace musim::lsdem::report {
+namespace {
+
+/// Displacements, rotations and velocities of all blocks at one instant.
+struct TowerFrame {
+    double time = 0.0;
+    std::vector<Vector3> displacement, rotation, velocity;
+};
+
+Quaternion to_quaternion(const Eigen::Vector4f& wxyz) {
+    return Quaternion(static_cast<double>(wxyz[0]), static_cast<double>(wxyz[1]), static_cast<double>(wxyz[2]),
+                      static_cast<double>(wxyz[3]))
+        .normalized();
+}
+
+std::vector<TowerFrame> list_frames(const study::StoredRun& run) {
+    const std::size_t blocks = run.blocks.size.size();
+    std::vector<TowerFrame> list;
+    const study::Frames& frames = run.frames;
+    for (std::size_t k = 0; k < frames.time.size(); ++k) {
+        TowerFrame& frame = list.emplace_back();
+        frame.time = frames.time[k];
+        for (std::size_t b = 0; b < blocks; ++b) {
+            const std::size_t at = k * blocks + b;
+            frame.displacement.emplace_back(frames.position[at].cast<double>() - run.initial.position[b]);
+            frame.rotation.push_back(rotation_vector(run.initial.orientation[b], to_quaternion(frames.quaternion[at])));
+            frame.velocity.emplace_back(frames.velocity[at].cast<double>());
+        }
+    }
+    if (!list.empty()) return list;
+    for (const Kinematics* state : {&run.initial, &run.final}) {
+        TowerFrame& frame = list.emplace_back();
+        frame.time = state == &run.initial ? 0.0 : run.history.time.back();
+        for (std::size_t b = 0; b < blocks; ++b) {
+            frame.displacement.emplace_back(state->position[b] - run.initial.position[b]);
+            frame.rotation.push_back(rotation_vector(run.initial.orientation[b], state->orientation[b]));
+        }
+        frame.velocity.assign(blocks, Vector3::Zero());
+    }
+    return list;
+}
+
+double find_largest(const std::vector<TowerFrame>& frames, std::vector<Vector3> TowerFrame::*field) {
+    double largest = 0.0;
+    for (const TowerFrame& frame : frames) {
+        for (const Vector3& value : frame.*field) largest = std::max(largest, value.cwiseAbs().maxCoeff());
+    }
+    return largest;
+}
+
+/// Values in steps of scale/Steps, as differences from the frame before.
+template <class Integer, int Steps>
+class DeltaCoder {
+  public:
+    DeltaCoder(std::size_t blocks, double scale) : scale_(scale), before_(3 * blocks, 0) {}
+
+    void add(const std::vector<Vector3>& values, std::string& bytes) {
+        for (int axis = 0; axis < 3; ++axis) {
+            std::vector<Integer> deltas;
+            deltas.reserve(values.size());
+            for (std::size_t b = 0; b < values.size(); ++b) {
+                const auto now = static_cast<Integer>(scale_ > 0.0 ? std::lround(values[b][axis] / scale_ * Steps) : 0);
+                Integer& before = before_[static_cast<std::size_t>(axis) * values.size() + b];
+                deltas.push_back(static_cast<Integer>(now - before));
+                before = now;
+            }
+            for (unsigned byte = 0; byte < sizeof(Integer); ++byte) {
+                for (const Integer delta : deltas) bytes += static_cast<char>((static_cast<unsigned>(delta) >> (8U * byte)) & 0xFFU);
+            }
+        }
+    }
+
+    /// Half a step.
+    double rounding() const { return 0.5 * scale_ / Steps; }
+
+  private:
+    double scale_;
+    std::vector<Integer> before_;
+};
+
+std::string compress_bytes(const std::string& bytes) {
+    uLongf size = compressBound(bytes.size());
+    std::string packed(size, '\0');
+    const int status = compress2(reinterpret_cast<Bytef*>(packed.data()), &size, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size(),
+                                 Z_DEFAULT_COMPRESSION);
+    if (status != Z_OK) throw std::runtime_error("the frames cannot be compressed: zlib has not enough memory; keep fewer frames");
+    packed.resize(size);
+    return packed;
+}
+
+template <class Number>
+void append(std::string& bytes, Number number) {
+    std::array<char, sizeof(Number)> raw{};
+    std::memcpy(raw.data(), &number, sizeof(Number));
+    bytes.append(raw.data(), raw.size());
+}
+
+std::string list_start(const study::StoredRun& run) {
+    std::string bytes;
+    for (std::size_t b = 0; b < run.blocks.size.size(); ++b) {
+        const Quaternion& q = run.initial.orientation[b];
+        for (int axis = 0; axis < 3; ++axis) append(bytes, static_cast<float>(run.initial.position[b][axis]));
+        for (const double part : {q.w(), q.x(), q.y(), q.z()}) append(bytes, static_cast<float>(part));
+        for (int axis = 0; axis < 3; ++axis) append(bytes, static_cast<float>(run.blocks.size[b][axis]));
+    }
+    return bytes;
+}
+
+std::string list_slips(const ReportedRun& reported) {
+    std::vector<float> slip(reported.run.blocks.size.size(), 0.0F);
+    if (reported.response) {
+        for (const study::Joint& joint : reported.response->damage.joints)
+            slip[joint.upper] = std::max(slip[joint.upper], static_cast<float>(joint.slip));
+    }
+    std::string bytes;
+    for (const float value : slip) append(bytes, value);
+    return bytes;
+}
+
+/// Displacement of the base at the sample nearest to a time.
+std::array<double, 3> find_base(const study::History& history, double time) {
+    const auto after = std::lower_bound(history.time.begin(), history.time.end(), time);
+    std::size_t k = static_cast<std::size_t>(after - history.time.begin());
+    if (k == history.time.size() || (k > 0 && time - history.time[k - 1] < history.time[k] - time)) --k;
+    const Vector3& base = history.base[k].displacement;
+    return {base.x(), base.y(), base.z()};
+}
+
+}  // namespace
+
+std::string encode_base64(const std::string& bytes) {
+    constexpr const char* kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string text;
+    text.reserve((bytes.size() + 2) / 3 * 4);
+    for (std::size_t i = 0; i < bytes.size(); i += 3) {
+        std::uint32_t group = 0;
+        for (std::size_t j = 0; j < 3; ++j) group = group << 8U | (i + j < bytes.size() ? static_cast<unsigned char>(bytes[i + j]) : 0U);
+        for (std::size_t j = 0; j < 4; ++j) text += i + j > bytes.size() ? '=' : kDigits[group >> (18U - 6U * j) & 63U];
+    }
+    return text;
+}
+
+TowerData make_tower_data(const ReportedRun& reported) {
+    const study::StoredRun& run = reported.run;
+    const std::size_t blocks = run.blocks.size.size();
+    const std::vector<TowerFrame> frames = list_frames(run);
+    const double far = find_largest(frames, &TowerFrame::displacement), turned = find_largest(frames, &TowerFrame::rotation),
+                 fast = find_largest(frames, &TowerFrame::velocity);
+    DeltaCoder<std::int16_t, 32767> displacement(blocks, far), rotation(blocks, turned);
+    DeltaCoder<std::int8_t, 127> velocity(blocks, fast);
+    std::string bytes;
+    nlohmann::json times = nlohmann::json::array(), base = nlohmann::json::array();
+    for (const TowerFrame& frame : frames) {
+        displacement.add(frame.displacement, bytes);
+        rotation.add(frame.rotation, bytes);
+        velocity.add(frame.velocity, bytes);
+        times.push_back(frame.time);
+        base.push_back(find_base(run.history, frame.time));
+    }
+    std::string layers;
+    for (const int layer : run.blocks.layer) append(layers, static_cast<std::int16_t>(layer));
+    return {.json = {{"label", reported.label},
+                     {"blocks", blocks},
+                     {"length", reported.length},
+                     {"time", reported.time},
+                     {"velocity", reported.velocity},
+                     {"has_frames", !run.frames.time.empty()},
+                     {"times", times},
+                     {"base", base},
+                     {"scales", {{"displacement", far}, {"rotation", turned}, {"velocity", fast}}},
+                     {"start", encode_base64(list_start(run))},
+                     {"slip", encode_base64(list_slips(reported))},
+                     {"layer", encode_base64(layers)},
+                     {"frames", encode_base64(compress_bytes(bytes))}},
+            .rounding = {.displacement = displacement.rounding(), .rotation = rotation.rounding(), .velocity = velocity.rounding()}};
+}
+
+}  // namespace musim::lsdem::report

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "lsdem/report/report_content.hpp"
+
+namespace musim::lsdem::report {
+
+/// How far what a browser shows may be from what was stored, by the rounding of frames.
+struct TowerRounding {
+    double displacement = 0.0;  ///< of a centre along an axis, at most [m]
+    double rotation = 0.0;      ///< of a component of the rotation vector, at most [rad]
+    double velocity = 0.0;      ///< of a component, at most [m/s]
+};
+
+/// Blocks and frames of a run, small enough for a page.
+///
+/// Layout, little endian, base64: "start": 32-bit floats, for each block position x y z [m], quaternion w x y z (body to world), size x y z
+/// [m]; "slip": one float per block, the largest slip below it at the end [m], "layer": one 16-bit integer. "frames": zlib; for each frame
+/// in turn, 16-bit integers of displacement x y z since the start and of the rotation vector since the start, world frame, each component
+/// of all blocks one after another, low bytes before high ones; then 8-bit integers of the velocity's components. All integers are
+/// differences from the frame before, modulo their range. An integer over its greatest magnitude (32767, 127) times "scales" is the value.
+/// "base": displacement of the base at each frame [m]. A run without frames has two: its start and its end, without velocities.
+struct TowerData {
+    nlohmann::json json;
+    TowerRounding rounding;
+};
+
+TowerData make_tower_data(const ReportedRun& run);
+
+/// Bytes as text [RFC 4648].
+std::string encode_base64(const std::string& bytes);
+
+}  // namespace musim::lsdem::report

@@ -1,0 +1,115 @@
+#include "lsdem/report/tower_data.hpp"
+
+#include <doctest/doctest.h>
+#include <zlib.h>
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+
+#include "tests/report/made_stored_run.hpp"
+
+using namespace musim::lsdem;
+using namespace musim::lsdem::report;
+
+namespace {
+
+std::string decode_base64(const std::string& text) {
+    const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string bytes;
+    unsigned group = 0;
+    int bits = 0;
+    for (const char c : text) {
+        if (c == '=') break;
+        group = group << 6U | static_cast<unsigned>(digits.find(c));
+        bits += 6;
+        if (bits < 8) continue;
+        bits -= 8;
+        bytes += static_cast<char>(group >> static_cast<unsigned>(bits) & 0xFFU);
+    }
+    return bytes;
+}
+
+std::string unpack(const std::string& packed, std::size_t size) {
+    std::string bytes(size, '\0');
+    uLongf length = size;
+    REQUIRE(uncompress(reinterpret_cast<Bytef*>(bytes.data()), &length, reinterpret_cast<const Bytef*>(packed.data()), packed.size()) ==
+            Z_OK);
+    REQUIRE(length == size);
+    return bytes;
+}
+
+/// Sums of 16-bit (bytes = 2) or 8-bit differences of a component of a block up to a frame, as the layout has them.
+int sum_up(const std::string& frames, std::size_t blocks, std::size_t frame, std::size_t offset, std::size_t axis, std::size_t block,
+           std::size_t bytes) {
+    std::uint16_t sum = 0;
+    for (std::size_t f = 0; f <= frame; ++f) {
+        const std::size_t from = f * blocks * 15 + offset + axis * blocks * bytes + block;
+        const auto low = static_cast<unsigned char>(frames[from]);
+        const auto high = bytes == 2 ? static_cast<unsigned char>(frames[from + blocks]) : 0U;
+        sum = static_cast<std::uint16_t>(sum + (low | high << 8U));
+    }
+    return bytes == 2 ? static_cast<std::int16_t>(sum) : static_cast<std::int8_t>(sum & 0xFFU);
+}
+
+}  // namespace
+
+TEST_CASE("base64 is that of RFC 4648") {
+    CHECK(encode_base64("").empty());
+    CHECK(encode_base64("f") == "Zg==");
+    CHECK(encode_base64("fo") == "Zm8=");
+    CHECK(encode_base64("foo") == "Zm9v");
+    CHECK(encode_base64("foobar") == "Zm9vYmFy");
+    CHECK(encode_base64(std::string("\xff\x00\xfe", 3)) == "/wD+");
+}
+
+TEST_CASE("frames come back within the rounding that is told") {
+    const ReportedRun reported = make_stored_run(40);
+    const TowerData data = make_tower_data(reported);
+    const std::size_t blocks = 3;
+    const std::string frames = unpack(decode_base64(data.json["frames"]), 40 * blocks * 15);
+    const nlohmann::json& scales = data.json["scales"];
+    double worst = 0.0, worst_turn = 0.0, worst_velocity = 0.0;
+    for (std::size_t f = 0; f < 40; ++f) {
+        for (std::size_t b = 0; b < blocks; ++b) {
+            const Vector3 moved = reported.run.frames.position[f * blocks + b].cast<double>() - reported.run.initial.position[b];
+            const Vector3& angle = reported.run.history.spine_rotation[f * blocks + b];
+            for (int axis = 0; axis < 3; ++axis) {
+                const auto a = static_cast<std::size_t>(axis);
+                worst = std::max(
+                    worst, std::abs(scales["displacement"].get<double>() / 32767 * sum_up(frames, blocks, f, 0, a, b, 2) - moved[axis]));
+                worst_turn = std::max(
+                    worst_turn,
+                    std::abs(scales["rotation"].get<double>() / 32767 * sum_up(frames, blocks, f, 6 * blocks, a, b, 2) - angle[axis]));
+                worst_velocity = std::max(
+                    worst_velocity, std::abs(scales["velocity"].get<double>() / 127 * sum_up(frames, blocks, f, 12 * blocks, a, b, 1) -
+                                             static_cast<double>(reported.run.frames.velocity[f * blocks + b][axis])));
+            }
+        }
+    }
+    // half a step of the largest value; frames are single precision, whose rounding (of 3 m and of 1 rad) comes on top
+    CHECK(data.rounding.displacement == doctest::Approx(0.5 * scales["displacement"].get<double>() / 32767).epsilon(1e-12));
+    CHECK(worst <= data.rounding.displacement * (1.0 + 1e-9));
+    CHECK(worst > 0.5 * data.rounding.displacement);
+    CHECK(worst_turn <= data.rounding.rotation + 4.0 * 6e-8);
+    CHECK(worst_velocity <= data.rounding.velocity * (1.0 + 1e-9));
+    CHECK(data.json["times"].size() == 40);
+    CHECK(data.json["base"][39][0].get<double>() == reported.run.history.base[39].displacement.x());
+    CHECK(decode_base64(data.json["start"]).size() == blocks * 40);
+}
+
+TEST_CASE("a run without frames shows its start and its end, and one that never moves does, too") {
+    ReportedRun reported = make_stored_run(10);
+    reported.run.frames = {};
+    const TowerData data = make_tower_data(reported);
+    CHECK(data.json["has_frames"] == false);
+    REQUIRE(data.json["times"].size() == 2);
+    CHECK(data.json["times"][1].get<double>() == reported.run.history.time.back());
+    const std::string frames = unpack(decode_base64(data.json["frames"]), 2 * 3 * 15);
+    CHECK(sum_up(frames, 3, 0, 0, 0, 1, 2) == 0);
+    CHECK(sum_up(frames, 3, 1, 0, 0, 1, 2) != 0);
+
+    reported.run.final = reported.run.initial;
+    const TowerData still = make_tower_data(reported);
+    CHECK(still.rounding.displacement == 0.0);
+    CHECK(still.rounding.rotation == 0.0);
+}
