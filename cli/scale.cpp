@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <CLI/CLI.hpp>
 #include <memory>
@@ -12,6 +14,7 @@
 #include "cli/scale_uncertainty.hpp"
 #include "cli/uncertain_options.hpp"
 #include "scaling/distortion.hpp"
+#include "scaling/text_table.hpp"
 
 namespace musim::cli {
 namespace {
@@ -52,26 +55,29 @@ int run_similitude(const ScaleOptions& options) {
         print_json(object);
         return kDone;
     }
-    print("Law {}: length {:.7g}, friction {:.7g}, gravity {:.7g}, density {:.7g} (model/prototype)\n\n", similitude.law_name(),
-          similitude.length(), similitude.friction(), similitude.gravity(), similitude.density());
+    const scaling::ReportStyle style = options.data.style;
+    std::string text =
+        make_paragraph(
+            fmt::format("Law {}: length {:.7g}, friction {:.7g}, gravity {:.7g}, density {:.7g} (model/prototype)", similitude.law_name(),
+                        similitude.length(), similitude.friction(), similitude.gravity(), similitude.density()),
+            style) +
+        "\n";
     if (uncertain.is_uncertain()) {
-        print_uncertain_factors(uncertain);
+        text += make_uncertain_factors(uncertain, style);
     } else {
-        print_factors("factor", similitude.factors());
-        print("\n");
-        print_factors("group (1 = kept)", groups);
-        print("\n");
+        for (const auto& table : {make_factors_table("factor", similitude.factors()), make_factors_table("group (1 = kept)", groups)}) {
+            text += make_table(table, style) + "\n";
+        }
     }
-    print_structure_and_measures(uncertain);
-    print_distortions(distortions);
+    print("{}{}{}", text, make_structure_and_measures(uncertain, style), make_lines(describe_distortions(distortions), style));
     return kDone;
 }
 
 int run_scale(const ScaleOptions& options) {
-    if (options.data.lists_laws) return list_scale_laws(options.json);
+    if (options.data.lists_laws) return list_scale_laws(options.data.style, options.json);
     const CLI::App& command = *options.scales.command;
     const bool by_facts = options.facts.is_given() && !options.data.name_products();
-    if (by_facts || (options.scales.is_plain() && !options.data.are_given())) {
+    if (by_facts || (options.scales.is_plain() && !options.data.name_products())) {
         if (command.count("--length") == 0) {
             throw CLI::RequiredError(by_facts ? "--length (of the model, whatever the law; --set takes its other factors)"
                                               : "--length (or --set for a law as data)");

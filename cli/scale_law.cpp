@@ -81,13 +81,11 @@ void ScaleLawOptions::add_to(CLI::App& command) {
     add("--watch", watched, "A product whose distortion is wanted; one that the law holds is held no longer", "PRODUCT");
     add("--define", quantities, "A quantity that neither the law nor mechanics knows, e.g. E:GPa", "NAME:UNIT");
     add("--value", values, "What a quantity is in the prototype, e.g. \"E=29.2 GPa\"; the model's is told", "NAME=QUANTITY");
-    add_format_option(command, style, "Form of the answer of a law as data, or of --facts");
+    add_format_option(command, style, "Form of the answer");
     command.add_flag("--laws", lists_laws, "List the laws that come with musim");
 }
 
 bool ScaleLawOptions::name_products() const { return !(held.empty() && watched.empty() && quantities.empty() && values.empty()); }
-
-bool ScaleLawOptions::are_given() const { return name_products() || style != scaling::ReportStyle::plain; }
 
 SolvedWithValues ScaleLawOptions::solve(const std::string& name, const std::vector<scaling::GivenFactor>& given) const {
     const bool is_free = name.empty();
@@ -120,7 +118,7 @@ SolvedWithValues ScaleLawOptions::solve(const std::string& name, const std::vect
     return {scaling::solve_law(law, given), prototype};
 }
 
-int list_scale_laws(bool json) {
+int list_scale_laws(scaling::ReportStyle style, bool json) {
     scaling::TextTable table{{"law", "", "needs"}};
     nlohmann::json list = nlohmann::json::array();
     for (const std::string& name : scaling::scale_law_names()) {
@@ -135,7 +133,7 @@ int list_scale_laws(bool json) {
     if (json) {
         print_json({{"laws", list}});
     } else {
-        print("{}", to_plain_text(table));
+        print("{}", make_table(table, style));
     }
     return kDone;
 }
