@@ -13,6 +13,7 @@
 #include "cli/output.hpp"
 #include "cli/record_groups.hpp"
 #include "cli/record_measures.hpp"
+#include "cli/record_peaks.hpp"
 #include "cli/record_source.hpp"
 #include "records/intensity.hpp"
 
@@ -83,7 +84,7 @@ void print_peaks(const ComponentInfo& info) {
     const Measures m = measure(info.intensity);
     print("{:<10} {:<12} {:>9.6g} {:>7} {:>8} {:>9} {:>8} {:>9} {:>8}  {}\n", info.component.name, records::to_string(series.quantity()),
           series.dt().value(), series.size(), or_dash(m.pga_g, 4), or_dash(m.pgv_cm_s, 4), or_dash(m.pgd_cm, 4), or_dash(m.arias_m_s, 4),
-          or_dash(m.d5_95_s, 4), info.corner ? fmt::format("high-pass {:g} Hz", info.corner->value()) : "as it stands");
+          or_dash(m.d5_95_s, 4), describe_integration(info.corner ? std::optional(info.corner->value()) : std::nullopt));
 }
 
 /// The components of one file: peaks, measures, and groups if there are.
