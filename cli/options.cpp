@@ -129,7 +129,7 @@ std::vector<scaling::UncertainFactor> parse_factors(const std::vector<std::strin
     std::vector<scaling::UncertainFactor> list;
     for (const std::string& text : texts) {
         const auto [name, number] = split_option("--set", text, '=', "NAME=NUMBER, e.g. l=1/25");
-        list.push_back({name, scaling::parse_uncertain_ratio(number)});
+        list.push_back({name, name_place("--set " + name, [&text = number] { return scaling::parse_uncertain_ratio(text); })});
     }
     return list;
 }

@@ -55,7 +55,8 @@ Pairs parse_axes(const std::vector<std::string>& texts) {
 template <class Quantity>
 Quantity parse(const char* option, const std::string& text) {
     if (text.empty()) return Quantity::from_value(0.0);
-    const auto quantity = scaling::parse_quantity<Quantity>(text);
+    const auto read = [&] { return Quantity::from_value(scaling::parse_si_with_unit(text, scaling::dimension_of<Quantity>())); };
+    const auto quantity = name_place(option, read);
     if (!(quantity.value() >= 0.0)) throw CLI::ValidationError(option, "\"" + text + "\" is below zero; give zero or more");
     return quantity;
 }

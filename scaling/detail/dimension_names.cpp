@@ -64,6 +64,13 @@ std::string describe(const RationalDimension& dimension) {
     return "in " + base_units(dimension);
 }
 
+std::string describe_wish(const RationalDimension& dimension) {
+    const auto halves = to_halves(dimension);
+    const DimensionName* known = halves ? find_dimension_name(*halves) : nullptr;
+    if (known == nullptr) return fmt::format("a quantity in {} is wanted", base_units(dimension));
+    return fmt::format("{} is wanted (such as \"{}\")", known->name, known->example);
+}
+
 std::string base_units(const RationalDimension& dimension) {
     constexpr std::pair<std::string_view, BaseDimension> kUnits[] = {{"kg", BaseDimension::mass},
                                                                      {"m", BaseDimension::length},

@@ -6,6 +6,32 @@
 
 using namespace musim::cli;
 
+TEST_CASE("a quantity with a dimension needs its unit, and a bad value is told with its option") {
+    const Workplace here;
+    const std::string table = "table synthetic --limits " MUSIM_SOURCE_DIR "/examples/tables/outdoor.json --length 1/2 ";
+    struct Case {
+        std::string arguments, message;
+    };
+    for (const Case& bad :
+         {Case{"scale --law true_replica --set l=1/25 --value E=29.2",
+               "--value E: \"29.2\": the unit is missing; a stress is wanted (such as \"3.5 GPa\")"},
+          Case{"scale --law froude --set l=1/25 --value E=x", "--value E: \"x\": "},
+          Case{"scale --law froude --set l=1/25 --value zz=3m", "--value zz: \"zz\" is no quantity of the law"},
+          Case{"scale --define E:furlong --set l=1/25 --hold 'v/sqrt(g*l)'", "--define E: \"furlong\": unknown unit"},
+          Case{"scale --set l=1/2x", "--set l: \"1/2x\": "}, Case{table + "--payload '2 m'", "--payload: \"2 m\": a mass is wanted"},
+          Case{table + "--payload 200", "--payload: \"200\": the unit is missing; a mass is wanted (such as \"10.66 g\")"},
+          Case{"scale --law . --set l=1/2", ".: is a folder; name the law file in it"}}) {
+        CAPTURE(bad.arguments);
+        const Outcome outcome = here.run(bad.arguments);
+        CHECK(outcome.exit_code == 3);
+        CHECK_MESSAGE(outcome.has_one_error_line(), outcome.err);
+        CHECK_MESSAGE(outcome.err.starts_with("musim: error: " + bad.message), outcome.err);
+        CHECK(outcome.out.empty());
+    }
+    // plain numbers have no unit to forget
+    CHECK(here.run("scale --law mu --set l=1/25 --set mu=2 --value mu=0.59").exit_code == 0);
+}
+
 TEST_CASE("help of every command succeeds, goes to stdout and has an example") {
     const Workplace here;
     CHECK(here.run("--help").exit_code == 0);
