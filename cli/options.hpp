@@ -55,6 +55,10 @@ struct SimilitudeOptions {
     /// The factors with their uncertainties.
     scaling::UncertainScales scales() const;
 
+    /// Remarks at the end about factors that may have been meant otherwise: a model larger than its prototype, and one number below 1 for
+    /// the ratio of friction coefficients where the prototype's is not known.
+    void note_doubtful_factors(bool knows_coefficient) const;
+
     /// A remark at the end when factors are uncertain: for commands that use their values alone.
     void note_values_used() const;
 };

@@ -35,12 +35,12 @@ std::string describe_integration(const std::optional<double>& highpass_hz) {
 }
 
 void print_peaks_heading() {
-    print("{:<10} {:<10} {:>12} {:>12} {:>10} {:>11}  {}\n", "", "component", "dt [s]", "length [s]", "PGA [g]", "PGV [cm/s]",
+    print("{:<10} {:<10} {:>12} {:>12} {:>10} {:>11}  {}\n", "", "component", "dt [ms]", "length [s]", "PGA [g]", "PGV [cm/s]",
           "integrated");
 }
 
 void print_peaks(const std::string& what, const std::string& component, const ComponentPeaks& peaks) {
-    print("{:<10} {:<10} {:>12.7g} {:>12.7g} {:>10} {:>11}  {}\n", what, component, peaks.dt, peaks.duration, or_dash(peaks.pga_g, 5),
+    print("{:<10} {:<10} {:>12.7g} {:>12.7g} {:>10} {:>11}  {}\n", what, component, 1e3 * peaks.dt, peaks.duration, or_dash(peaks.pga_g, 5),
           or_dash(peaks.pgv_cm_s, 5), describe_integration(peaks.highpass_hz));
 }
 

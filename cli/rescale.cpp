@@ -37,6 +37,7 @@ int run_rescale(const RescaleOptions& options) {
     const UncertainRescale uncertain = find_uncertain_rescale(prototype, options.scales, options.structure, options.monte_carlo.make());
     const auto distortions = scaling::find_distortions(similitude, options.structure.facts());
     options.output.write(model);
+    options.scales.note_doubtful_factors(options.structure.friction.has_value());
 
     nlohmann::json components = nlohmann::json::array();
     if (!options.json) {
@@ -89,7 +90,7 @@ void add_rescale_command(CLI::App& app, Action& action) {
         "  musim rescale CICLC.v1 --length 1/107+/-0.4% --friction \"(0.63+/-5%)/(0.59+/-5%)\" --height 161.5m --monte-carlo -o model.csv\n"
         "  musim rescale synthetic --length 1/107 --law froude -o model.csv --json\n"
         "  musim rescale CICLC.v1 --length 1/25 --law centrifuge -o model.csv\n"
-        "  musim rescale CICLC.v1 --length 1/25 --law my_law.json --set k_b=1/100 -o model.csv\n"
+        "  musim rescale CICLC.v1 --length 1/25 --law examples/laws/bolted.json --set k_b=1/100 -o model.csv\n"
         "Where factors carry uncertainties, e.g. 0.63+/-0.03, the record is scaled by their values, and the model's measures are told with "
         "u, a\n"
         "standard uncertainty; those of --monte-carlo with intervals that cover 95 %.");

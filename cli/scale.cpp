@@ -37,6 +37,17 @@ void note_untold_regime(const ScaleOptions& options, const UncertainScale& scale
     note_at_end("musim: warning: whether blocks slide or rock first (mu/tan(alpha)) is not told: --slenderness needs --friction-prototype");
 }
 
+/// Says so when many draws were of no use: what is left is no longer the distribution asked for.
+void note_rejected_draws(const UncertainScale& scale) {
+    constexpr double kMany = 0.05;  // of the samples
+    const double rejected = static_cast<double>(scale.report.rejected.value_or(0));
+    if (!scale.monte_carlo || rejected < kMany * static_cast<double>(scale.monte_carlo->samples)) return;
+    note_at_end(fmt::format(
+        "musim: note: {:.0f} draws for {} samples were not positive and drawn again, so what is told is not of a {} distribution; "
+        "check the uncertainties, or take --distribution lognormal",
+        rejected, scale.monte_carlo->samples, scaling::to_string(scale.monte_carlo->distribution)));
+}
+
 /// The law of scaling::Similitude: mu, froude, exact, cauchy, with all their options.
 int run_similitude(const ScaleOptions& options) {
     const scaling::Similitude similitude = options.scales.similitude();
@@ -46,6 +57,8 @@ int run_similitude(const ScaleOptions& options) {
     const UncertainScale uncertain =
         find_uncertain_scale(options.scales, options.structure, options.motion, facts, options.monte_carlo.make());
     note_untold_regime(options, uncertain);
+    note_rejected_draws(uncertain);
+    options.scales.note_doubtful_factors(options.structure.friction.has_value());
 
     if (options.json) {
         nlohmann::json object = study::to_json(similitude);
@@ -129,7 +142,8 @@ void add_scale_command(CLI::App& app, Action& action) {
         "  musim scale --law artificial_mass --set l=1/25 --value \"m_s=270151 t\" --format markdown\n"
         "  musim scale --law true_replica --set l=1/25+/-0.4% --set \"rho=(2310+/-1%)/(2320+/-1%)\" --value \"E=29.2+/-1.5 GPa\" "
         "--monte-carlo\n"
-        "  musim scale --law my_law.json --set l=1/25 --set E=1                 # or what --law NAME --json printed, which holds the law\n"
+        "  musim scale --law examples/laws/bolted.json --set l=1/25 --set k_b=1/100    # or what --law NAME --json printed, which holds "
+        "the law\n"
         "  musim scale --define E:GPa --set l=1/25 --set g=1 --set E=1 --set rho=1 --hold \"v/sqrt(g*l)\" --watch \"rho*g*l/E\"\n"
         "Factors may carry standard uncertainties: 0.63+/-0.03, \"0.63 +/- 5%\", \"(0.63+/-5%)/(0.59+/-5%)\". They are propagated to first "
         "order;\n"

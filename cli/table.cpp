@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <memory>
@@ -186,6 +188,12 @@ int run_table(TableOptions options) {
 
     const scaling::Similitude similitude = options.scales.similitude();
     options.scales.note_values_used();
+    if (options.accept < 1.0) {
+        throw CLI::ValidationError("--accept",
+                                   fmt::format("{:g} is below 1 (a factor between PSA before and after, whichever is larger; 1 is no "
+                                               "change); give 1 or more, such as 1.5",
+                                               options.accept.value));
+    }
     const records::Payload payload = find_payload(options);
     const Pairs pairs = parse_axes(options.axes);
     const records::ShakeTable table = read_shake_table(options.limits);
@@ -243,7 +251,7 @@ void add_table_command(CLI::App& app, Action& action) {
         ->type_name("FIRST LAST")
         ->expected(2);
     command->add_flag("--correct", options->correct, "When the record does not fit, take the best correction, if --accept allows");
-    command->add_option("--accept", options->accept, "Factor by which --correct may change PSA on average (default 1.5)")
+    command->add_option("--accept", options->accept, "Factor, 1 or more, by which --correct may change PSA on average (default 1.5)")
         ->type_name("FACTOR");
     command->add_option("--drive", options->drive, "Write the motion as the table's controller reads it")->type_name("FILE");
     command->add_option("--save-recipe", options->save_recipe, "Write what was done to the model's record, as a recipe")->type_name("FILE");
