@@ -135,6 +135,7 @@ TEST_CASE("wrong input to design is told in one line") {
           std::string::npos);
     here.write("design.json", make_design("", R"({"peaks": [{"axis": "y", "acceleration": "0.5 g"}]})"));
     CHECK(error("design.json", 3).find("the table has no axis \"y\"; choose one of x") != std::string::npos);
+    CHECK(error("design.json", 3).find("record: peaks: axis: the table has no axis") != std::string::npos);
     here.write("design.json", make_design("", R"({"file": "synthetic", "axes": {"up": "x"}})"));
     CHECK(error("design.json", 3).find("up") != std::string::npos);
     here.write("design.json", make_design("", R"({"file": "lost.v1"})"));
