@@ -136,6 +136,21 @@ scaling::UncertainScales SimilitudeOptions::scales() const {
     return scales;
 }
 
+void SimilitudeOptions::note_doubtful_factors(bool knows_coefficient) const {
+    if (length.value() > 1.0) {
+        note_at_end(fmt::format(
+            "musim: note: --length {0:.7g} makes the model larger than the prototype; a model at 1:{0:.7g} is --length 1/{0:.7g}",
+            length.value()));
+    }
+    if (knows_coefficient || command->count("--friction") == 0 || friction.value() >= 1.0) return;
+    std::string text = command->get_option("--friction")->results().back();
+    if (const std::size_t mark = text.find("+/-"); mark != std::string::npos) text.erase(mark, 3);
+    if (text.find('/') != std::string::npos) return;
+    note_at_end(
+        fmt::format("musim: note: --friction {0:.7g} is taken as the ratio model/prototype; of two coefficients write {0:.7g}/PROTOTYPE",
+                    friction.value()));
+}
+
 void SimilitudeOptions::note_values_used() const { cli::note_values_used(given()); }
 
 void note_values_used(const std::vector<scaling::UncertainFactor>& factors) {
@@ -159,7 +174,7 @@ std::vector<scaling::UncertainFactor> parse_factors(const std::vector<std::strin
     std::vector<scaling::UncertainFactor> list;
     for (const std::string& text : texts) {
         const auto [name, number] = split_option("--set", text, '=', "NAME=NUMBER, e.g. l=1/25");
-        list.push_back({name, scaling::parse_uncertain_ratio(number)});
+        list.push_back({name, name_place("--set " + name, [&text = number] { return scaling::parse_uncertain_ratio(text); })});
     }
     return list;
 }

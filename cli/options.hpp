@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "scaling/error.hpp"
 #include "scaling/scale_law.hpp"
 #include "scaling/similitude.hpp"
 #include "scaling/text_table.hpp"
@@ -58,6 +59,10 @@ struct SimilitudeOptions {
     /// The factors with their uncertainties.
     scaling::UncertainScales scales() const;
 
+    /// Remarks at the end about factors that may have been meant otherwise: a model larger than its prototype, and one number below 1 for
+    /// the ratio of friction coefficients where the prototype's is not known.
+    void note_doubtful_factors(bool knows_coefficient) const;
+
     /// A remark at the end when factors are uncertain: for commands that use their values alone.
     void note_values_used() const;
 };
@@ -77,6 +82,16 @@ void note_values_used(const std::vector<scaling::UncertainFactor>& factors);
 
 /// The two sides of "NAME=REST", the mark being `=`. Throws CLI::ValidationError `option: 'text' is not WANTED`.
 std::pair<std::string, std::string> split_option(const std::string& option, const std::string& text, char mark, const std::string& wanted);
+
+/// What `read` returns; what it refuses begins with the place, such as "--set l: ". Throws scaling::ParseError.
+template <class Read>
+auto name_place(const std::string& place, const Read& read) {
+    try {
+        return read();
+    } catch (const scaling::SimilitudeError& error) {
+        throw scaling::ParseError(place + ": " + error.what());
+    }
+}
 
 /// `text` with small letters for A to Z.
 std::string to_lower_case(std::string text);

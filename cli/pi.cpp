@@ -71,7 +71,11 @@ void add_pi_command(CLI::App& app, Action& action) {
         ->type_name("NAMES");
     command->add_flag("--all", options->all, "The groups of every choice of repeating quantities");
     command->add_option("--limit", options->limit, "Largest number of choices that --all lists")
-        ->check(CLI::PositiveNumber)
+        ->check([](const std::string& text) -> std::string {
+            const bool is_whole = text.find_first_not_of("0123456789") == std::string::npos;
+            if (is_whole && text.find_first_not_of('0') != std::string::npos) return "";
+            return text + " is no whole number from 1; write one such as 100";
+        })
         ->capture_default_str();
     command->add_option("--express", options->products, "A group of yours as a product of these; repeat for several")
         ->type_name("PRODUCT")

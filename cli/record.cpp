@@ -13,6 +13,7 @@
 #include "cli/output.hpp"
 #include "cli/record_groups.hpp"
 #include "cli/record_measures.hpp"
+#include "cli/record_peaks.hpp"
 #include "cli/record_source.hpp"
 #include "records/intensity.hpp"
 
@@ -82,15 +83,16 @@ void print_peaks(const ComponentInfo& info) {
     const records::TimeSeries& series = info.component.series;
     const Measures m = measure(info.intensity);
     print("{:<10} {:<12} {:>9.6g} {:>7} {:>8} {:>9} {:>8} {:>9} {:>8}  {}\n", info.component.name, records::to_string(series.quantity()),
-          series.dt().value(), series.size(), or_dash(m.pga_g, 4), or_dash(m.pgv_cm_s, 4), or_dash(m.pgd_cm, 4), or_dash(m.arias_m_s, 4),
-          or_dash(m.d5_95_s, 4), info.corner ? fmt::format("high-pass {:g} Hz", info.corner->value()) : "as it stands");
+          1e3 * series.dt().value(), series.size(), or_dash(m.pga_g, 4), or_dash(m.pgv_cm_s, 4), or_dash(m.pgd_cm, 4),
+          or_dash(m.arias_m_s, 4), or_dash(m.d5_95_s, 4),
+          describe_integration(info.corner ? std::optional(info.corner->value()) : std::nullopt));
 }
 
 /// The components of one file: peaks, measures, and groups if there are.
 void print_tables(std::span<const ComponentInfo> infos) {
     const records::GroundMotion& motion = infos.front().motion;
     print("{}: {}{}{}\n", infos.front().file, motion.format, motion.station.empty() ? "" : ", station ", motion.station);
-    print("{:<10} {:<12} {:>9} {:>7} {:>8} {:>9} {:>8} {:>9} {:>8}  {}\n", "component", "quantity", "dt [s]", "npts", "PGA [g]",
+    print("{:<10} {:<12} {:>9} {:>7} {:>8} {:>9} {:>8} {:>9} {:>8}  {}\n", "component", "quantity", "dt [ms]", "npts", "PGA [g]",
           "PGV [cm/s]", "PGD [cm]", "Ia [m/s]", "D5-95 [s]", "integrated");
     for (const ComponentInfo& info : infos) print_peaks(info);
     print_titles("component", infos.front().measures);

@@ -1,11 +1,16 @@
 #include "cli/record_output.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <string_view>
 
 #include "cli/options.hpp"
+#include "cli/output.hpp"
+#include "cli/record_peaks.hpp"
 #include "records/error.hpp"
 #include "records/write_record.hpp"
 
@@ -32,6 +37,16 @@ std::string_view find_format(const RecordOutputOptions& options) {
     throw records::WriteError(options.out + ": the format is not told by the extension; add --format csv, at2, cosmos or mseed");
 }
 
+/// miniSEED has no room for how a record is integrated.
+void note_lost_corner(const std::string& file, const records::GroundMotion& motion) {
+    const std::optional<scaling::Frequency>& corner = motion.integration_corner;
+    if (corner && corner->value() == records::kUncorrectedCornerHz) return;
+    note_at_end(
+        fmt::format("musim: note: {}: miniSEED cannot tell how the record is integrated ({}): PGV and PGD of the file are those after a "
+                    "high-pass at {:g} Hz; write .csv, .v2 or .at2 to keep it",
+                    file, describe_integration(corner ? std::optional(corner->value()) : std::nullopt), records::kUncorrectedCornerHz));
+}
+
 }  // namespace
 
 void RecordOutputOptions::add_to(CLI::App& command) {
@@ -48,7 +63,10 @@ void RecordOutputOptions::write(const records::GroundMotion& motion) const {
     const std::string_view name = find_format(*this);
     if (name == "csv") return records::write_csv(out, motion);
     if (name == "cosmos") return records::write_cosmos(out, motion);
-    if (name == "mseed") return records::write_miniseed(out, motion);
+    if (name == "mseed") {
+        records::write_miniseed(out, motion);
+        return note_lost_corner(out, motion);
+    }
     if (component.empty() && motion.components.size() > 1) {
         throw records::WriteError(out + ": a PEER file holds one component; choose one with --component (" + motion.component_names() +
                                   ")");

@@ -14,6 +14,7 @@
 #include "cli/record_source.hpp"
 #include "records/align.hpp"
 #include "records/atomic_file.hpp"
+#include "records/error.hpp"
 #include "records/read_record.hpp"
 #include "records/recipe.hpp"
 
@@ -34,7 +35,11 @@ struct RecordProcessOptions {
 records::Recipe load_recipe(const std::string& file) {
     const std::string text = read_input_file(file, "a recipe, or a record processed before");
     if (!text.starts_with("# musim ground motion")) return records::parse_recipe(text, file);
-    return records::recipe_of(records::read_record(file));
+    const records::Recipe recipe = records::recipe_of(records::read_record(file));
+    if (!recipe.empty()) return recipe;
+    throw records::ReadError(file +
+                             ": its history tells no step of a recipe (it was not processed since it was read, made or rescaled); "
+                             "give the record that was processed, or a recipe (JSON)");
 }
 
 records::Recipe find_recipe(const RecordProcessOptions& options) {

@@ -35,20 +35,25 @@ std::string describe_vertical(const std::vector<std::string>& components, const 
                        is_one(shaking) ? "keeps a_vertical/g" : fmt::format("changes a_vertical/g by {:.7g}", shaking));
 }
 
-void print_factors(const std::string& title, const std::vector<scaling::NamedFactor>& factors) {
-    print("{:<26} {:>14}\n", title, "value");
-    for (const scaling::NamedFactor& factor : factors) print("{:<26} {:>14.7g}\n", factor.name, factor.value);
+scaling::TextTable make_factors_table(const std::string& title, const std::vector<scaling::NamedFactor>& factors) {
+    scaling::TextTable table{{title, "value"}};
+    for (const scaling::NamedFactor& factor : factors)
+        table.rows.push_back({std::string(factor.name), fmt::format("{:.7g}", factor.value)});
+    return table;
+}
+
+std::vector<std::string> describe_distortions(const std::vector<scaling::Distortion>& distortions) {
+    if (distortions.empty()) return {"No distortion: every known group is kept."};
+    std::vector<std::string> lines;
+    for (const scaling::Distortion& distortion : distortions) {
+        lines.push_back(fmt::format("{}: {} is off by a factor {:.4g}: {}", scaling::to_string(distortion.severity), distortion.group,
+                                    distortion.factor, distortion.effect));
+    }
+    return lines;
 }
 
 void print_distortions(const std::vector<scaling::Distortion>& distortions) {
-    if (distortions.empty()) {
-        print("No distortion: every known group is kept.\n");
-        return;
-    }
-    for (const scaling::Distortion& distortion : distortions) {
-        print("{}: {} is off by a factor {:.4g}: {}\n", scaling::to_string(distortion.severity), distortion.group, distortion.factor,
-              distortion.effect);
-    }
+    for (const std::string& line : describe_distortions(distortions)) print("{}\n", line);
 }
 
 bool report_divergence(const std::string& where, const study::RunResult& run) {

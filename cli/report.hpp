@@ -7,6 +7,8 @@
 #include "lsdem/study/summary.hpp"
 #include "scaling/distortion.hpp"
 #include "scaling/model_scales.hpp"
+#include "scaling/similitude.hpp"
+#include "scaling/text_table.hpp"
 
 namespace musim::cli {
 
@@ -25,9 +27,10 @@ std::string describe_lengths(const scaling::ModelScales& scales);
 std::string describe_vertical(const std::vector<std::string>& components, const scaling::ModelScales& scales);
 
 /// A table of factors under a title.
-void print_factors(const std::string& title, const std::vector<scaling::NamedFactor>& factors);
+scaling::TextTable make_factors_table(const std::string& title, const std::vector<scaling::NamedFactor>& factors);
 
-/// One line per distortion, or that there is none.
+/// One line per distortion, or that there is none; and the same on stdout.
+std::vector<std::string> describe_distortions(const std::vector<scaling::Distortion>& distortions);
 void print_distortions(const std::vector<scaling::Distortion>& distortions);
 
 /// If the run diverged, says so on stderr in one line with block, time and the step that would work, and returns true.

@@ -48,6 +48,7 @@ int run_rescale(const RescaleOptions& options) {
     const UncertainRescale uncertain = find_uncertain_rescale(prototype, options.scales, options.structure, options.monte_carlo.make());
     const auto distortions = scaling::find_distortions(scales, options.structure.facts());
     options.output.write(model);
+    options.scales.note_doubtful_factors(options.structure.friction.has_value());
 
     nlohmann::json components = nlohmann::json::array();
     if (!options.json) {
@@ -105,7 +106,7 @@ void add_rescale_command(CLI::App& app, Action& action) {
         "  musim rescale CICLC.v1 --length 1/107 --friction 0.18/0.59 --law mu_vertical_distortion -o model.csv   # heights 1:107, widths "
         "by "
         "the law\n"
-        "  musim rescale CICLC.v1 --length 1/25 --law my_law.json --set k_b=1/100 -o model.csv\n"
+        "  musim rescale CICLC.v1 --length 1/25 --law examples/laws/bolted.json --set k_b=1/100 -o model.csv\n"
         "Vertical components (Up, UD, Z, HNZ and the like) are scaled by the law's own factor, as `musim scale` tells it: that of gravity "
         "where weights matter.\n"
         "Where factors carry uncertainties, e.g. 0.63+/-0.03, the record is scaled by their values, and the model's measures are told with "

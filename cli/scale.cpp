@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <CLI/CLI.hpp>
 #include <memory>
@@ -12,6 +14,7 @@
 #include "cli/scale_uncertainty.hpp"
 #include "cli/uncertain_options.hpp"
 #include "scaling/distortion.hpp"
+#include "scaling/text_table.hpp"
 
 namespace musim::cli {
 namespace {
@@ -34,6 +37,17 @@ void note_untold_regime(const ScaleOptions& options, const UncertainScale& scale
     note_at_end("musim: warning: whether blocks slide or rock first (mu/tan(alpha)) is not told: --slenderness needs --friction-prototype");
 }
 
+/// Says so when many draws were of no use: what is left is no longer the distribution asked for.
+void note_rejected_draws(const UncertainScale& scale) {
+    constexpr double kMany = 0.05;  // of the samples
+    const double rejected = static_cast<double>(scale.report.rejected.value_or(0));
+    if (!scale.monte_carlo || rejected < kMany * static_cast<double>(scale.monte_carlo->samples)) return;
+    note_at_end(fmt::format(
+        "musim: note: {:.0f} draws for {} samples were not positive and drawn again, so what is told is not of a {} distribution; "
+        "check the uncertainties, or take --distribution lognormal",
+        rejected, scale.monte_carlo->samples, scaling::to_string(scale.monte_carlo->distribution)));
+}
+
 /// The law of scaling::Similitude: mu, froude, exact, cauchy, with all their options.
 int run_similitude(const ScaleOptions& options) {
     const scaling::Similitude similitude = options.scales.similitude();
@@ -43,6 +57,8 @@ int run_similitude(const ScaleOptions& options) {
     const UncertainScale uncertain =
         find_uncertain_scale(options.scales, options.structure, options.motion, facts, options.monte_carlo.make());
     note_untold_regime(options, uncertain);
+    note_rejected_draws(uncertain);
+    options.scales.note_doubtful_factors(options.structure.friction.has_value());
 
     if (options.json) {
         nlohmann::json object = study::to_json(similitude);
@@ -52,26 +68,29 @@ int run_similitude(const ScaleOptions& options) {
         print_json(object);
         return kDone;
     }
-    print("Law {}: length {:.7g}, friction {:.7g}, gravity {:.7g}, density {:.7g} (model/prototype)\n\n", similitude.law_name(),
-          similitude.length(), similitude.friction(), similitude.gravity(), similitude.density());
+    const scaling::ReportStyle style = options.data.style;
+    std::string text =
+        make_paragraph(
+            fmt::format("Law {}: length {:.7g}, friction {:.7g}, gravity {:.7g}, density {:.7g} (model/prototype)", similitude.law_name(),
+                        similitude.length(), similitude.friction(), similitude.gravity(), similitude.density()),
+            style) +
+        "\n";
     if (uncertain.is_uncertain()) {
-        print_uncertain_factors(uncertain);
+        text += make_uncertain_factors(uncertain, style);
     } else {
-        print_factors("factor", similitude.factors());
-        print("\n");
-        print_factors("group (1 = kept)", groups);
-        print("\n");
+        for (const auto& table : {make_factors_table("factor", similitude.factors()), make_factors_table("group (1 = kept)", groups)}) {
+            text += make_table(table, style) + "\n";
+        }
     }
-    print_structure_and_measures(uncertain);
-    print_distortions(distortions);
+    print("{}{}{}", text, make_structure_and_measures(uncertain, style), make_lines(describe_distortions(distortions), style));
     return kDone;
 }
 
 int run_scale(const ScaleOptions& options) {
-    if (options.data.lists_laws) return list_scale_laws(options.json);
+    if (options.data.lists_laws) return list_scale_laws(options.data.style, options.json);
     const CLI::App& command = *options.scales.command;
     const bool by_facts = options.facts.is_given() && !options.data.name_products();
-    if (by_facts || (options.scales.is_plain() && !options.data.are_given())) {
+    if (by_facts || (options.scales.is_plain() && !options.data.name_products())) {
         if (command.count("--length") == 0) {
             throw CLI::RequiredError(by_facts ? "--length (of the model, whatever the law; --set takes its other factors)"
                                               : "--length (or --set for a law as data)");
@@ -123,7 +142,8 @@ void add_scale_command(CLI::App& app, Action& action) {
         "  musim scale --law artificial_mass --set l=1/25 --value \"m_s=270151 t\" --format markdown\n"
         "  musim scale --law true_replica --set l=1/25+/-0.4% --set \"rho=(2310+/-1%)/(2320+/-1%)\" --value \"E=29.2+/-1.5 GPa\" "
         "--monte-carlo\n"
-        "  musim scale --law my_law.json --set l=1/25 --set E=1                 # or what --law NAME --json printed, which holds the law\n"
+        "  musim scale --law examples/laws/bolted.json --set l=1/25 --set k_b=1/100    # or what --law NAME --json printed, which holds "
+        "the law\n"
         "  musim scale --define E:GPa --set l=1/25 --set g=1 --set E=1 --set rho=1 --hold \"v/sqrt(g*l)\" --watch \"rho*g*l/E\"\n"
         "Factors may carry standard uncertainties: 0.63+/-0.03, \"0.63 +/- 5%\", \"(0.63+/-5%)/(0.59+/-5%)\". They are propagated to first "
         "order;\n"

@@ -81,20 +81,19 @@ void ScaleLawOptions::add_to(CLI::App& command) {
     add("--watch", watched, "A product whose distortion is wanted; one that the law holds is held no longer", "PRODUCT");
     add("--define", quantities, "A quantity that neither the law nor mechanics knows, e.g. E:GPa", "NAME:UNIT");
     add("--value", values, "What a quantity is in the prototype, e.g. \"E=29.2 GPa\"; the model's is told", "NAME=QUANTITY");
-    add_format_option(command, style, "Form of the answer of a law as data, or of --facts");
+    add_format_option(command, style, "Form of the answer");
     command.add_flag("--laws", lists_laws, "List the laws that come with musim");
 }
 
 bool ScaleLawOptions::name_products() const { return !(held.empty() && watched.empty() && quantities.empty() && values.empty()); }
-
-bool ScaleLawOptions::are_given() const { return name_products() || style != scaling::ReportStyle::plain; }
 
 SolvedWithValues ScaleLawOptions::solve(const std::string& name, const std::vector<scaling::GivenFactor>& given) const {
     const bool is_free = name.empty();
     ScaleLaw law = is_free ? make_free_law() : scaling::load_scale_law(name);
     for (std::size_t i = 0; i < quantities.size(); ++i) {
         const auto [symbol, unit] = split_option("--define", quantities[i], ':', "NAME:UNIT, e.g. E:GPa");
-        LawQuantity quantity{.quantity = scaling::make_pi_quantity(symbol, unit), .unit = unit, .meaning = {}};
+        const auto make = [&name = symbol, &of = unit] { return scaling::make_pi_quantity(name, of); };
+        LawQuantity quantity{.quantity = name_place("--define " + symbol, make), .unit = unit, .meaning = {}};
         add_quantity(law, std::move(quantity), is_free ? i : law.quantities.size());
     }
     for (const std::string& text : watched) watch(law, text);
@@ -108,8 +107,12 @@ SolvedWithValues ScaleLawOptions::solve(const std::string& name, const std::vect
     for (const auto& [symbol, factor] : given) named.push_back(symbol);
     for (const std::string& text : values) {
         const auto [symbol, value] = split_option("--value", text, '=', "NAME=QUANTITY, e.g. \"E=29.2 GPa\"");
-        scaling::PiQuantity& quantity = law.quantities[scaling::find_quantity(scaling::quantities_of(law), symbol)].quantity;
-        const scaling::Uncertain uncertain = scaling::parse_uncertain_value(value, quantity);
+        const std::string place = "--value " + symbol;
+        const std::vector<scaling::PiQuantity> known = scaling::quantities_of(law);
+        const std::size_t position = name_place(place, [&known, &name = symbol] { return scaling::find_quantity(known, name, "the law"); });
+        scaling::PiQuantity& quantity = law.quantities[position].quantity;
+        const scaling::Uncertain uncertain =
+            name_place(place, [&quantity, &text = value] { return scaling::parse_uncertain_value(text, quantity); });
         if (quantity.value) throw scaling::PiError(fmt::format("--value: {} is told twice; give it once", symbol));
         quantity.value = uncertain.value;
         prototype.push_back({symbol, uncertain});
@@ -120,7 +123,7 @@ SolvedWithValues ScaleLawOptions::solve(const std::string& name, const std::vect
     return {scaling::solve_law(law, given), prototype};
 }
 
-int list_scale_laws(bool json) {
+int list_scale_laws(scaling::ReportStyle style, bool json) {
     scaling::TextTable table{{"law", "", "needs"}};
     nlohmann::json list = nlohmann::json::array();
     for (const std::string& name : scaling::scale_law_names()) {
@@ -135,7 +138,7 @@ int list_scale_laws(bool json) {
     if (json) {
         print_json({{"laws", list}});
     } else {
-        print("{}", to_plain_text(table));
+        print("{}", make_table(table, style));
     }
     return kDone;
 }

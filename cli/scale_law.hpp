@@ -27,19 +27,16 @@ struct ScaleLawOptions {
 
     void add_to(CLI::App& command);
 
-    /// Whether --hold, --watch, --define or --value is given.
+    /// Whether --hold, --watch, --define or --value is given, which only laws as data take.
     bool name_products() const;
-
-    /// Whether one of the options asks for a law as data.
-    bool are_given() const;
 
     /// Solves `law` (a name or file; empty for none, quantities then come from --define and, by their usual names, from mechanics) with
     /// the given factors. Throws scaling::SimilitudeError, CLI::ValidationError for a malformed option.
     SolvedWithValues solve(const std::string& law, const std::vector<scaling::GivenFactor>& given) const;
 };
 
-/// Lists the laws that come with musim, one a line or as JSON.
-int list_scale_laws(bool json);
+/// Lists the laws that come with musim, as a table or as JSON.
+int list_scale_laws(scaling::ReportStyle style, bool json);
 
 /// Solves, propagates the uncertainties of factors and values if there are any, and prints in the wanted form. Throws
 /// scaling::SimilitudeError as scaling::propagate() does, and when samples are wanted and nothing is uncertain.

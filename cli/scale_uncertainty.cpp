@@ -2,7 +2,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "cli/output.hpp"
 #include "cli/uncertainty_output.hpp"
 
 namespace musim::cli {
@@ -27,19 +26,23 @@ void add_to_json(nlohmann::json& object, const UncertainScale& scale) {
     object["uncertainty"] = uncertainty;
 }
 
-void print_uncertain_factors(const UncertainScale& scale) {
+std::string make_uncertain_factors(const UncertainScale& scale, scaling::ReportStyle style) {
     const scaling::UncertainReport& report = scale.report;
-    print("{}\n", to_plain_text(make_inputs_table(report.inputs)));
-    if (scale.monte_carlo) print("{}\n\n", describe_samples(*scale.monte_carlo, report.rejected));
-    print("{}\n", to_plain_text(make_results_table("factor", report.factors)));
-    print("{}\n", to_plain_text(make_results_table("group (1 = kept)", report.groups)));
-    print("{}\n", to_plain_text(make_results_table("group as shaken", report.shaken)));
+    std::string text = make_table(make_inputs_table(report.inputs), style) + "\n";
+    if (scale.monte_carlo) text += make_paragraph(describe_samples(*scale.monte_carlo, report.rejected), style) + "\n";
+    for (const auto& table : {make_results_table("factor", report.factors), make_results_table("group (1 = kept)", report.groups),
+                              make_results_table("group as shaken", report.shaken)}) {
+        text += make_table(table, style) + "\n";
+    }
+    return text;
 }
 
-void print_structure_and_measures(const UncertainScale& scale) {
+std::string make_structure_and_measures(const UncertainScale& scale, scaling::ReportStyle style) {
     const scaling::UncertainReport& report = scale.report;
-    if (!report.structure.empty()) print("{}\n", to_plain_text(make_pairs_table("group", report.structure)));
-    if (!report.measures.empty()) print("{}\n", to_plain_text(make_pairs_table("measure", report.measures)));
+    std::string text;
+    if (!report.structure.empty()) text += make_table(make_pairs_table("group", report.structure), style) + "\n";
+    if (!report.measures.empty()) text += make_table(make_pairs_table("measure", report.measures), style) + "\n";
+    return text;
 }
 
 }  // namespace musim::cli

@@ -2,9 +2,11 @@
 
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
+#include <string>
 
 #include "cli/options.hpp"
 #include "cli/uncertain_options.hpp"
+#include "scaling/text_table.hpp"
 #include "scaling/uncertain_similitude.hpp"
 
 namespace musim::cli {
@@ -26,9 +28,9 @@ UncertainScale find_uncertain_scale(const SimilitudeOptions& factors, const Unce
 void add_to_json(nlohmann::json& object, const UncertainScale& scale);
 
 /// Tables of inputs, factors and groups with their uncertainties.
-void print_uncertain_factors(const UncertainScale& scale);
+std::string make_uncertain_factors(const UncertainScale& scale, scaling::ReportStyle style);
 
 /// Tables of groups and measures at both scales, if there are any.
-void print_structure_and_measures(const UncertainScale& scale);
+std::string make_structure_and_measures(const UncertainScale& scale, scaling::ReportStyle style);
 
 }  // namespace musim::cli

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <memory>
@@ -55,7 +57,8 @@ Pairs parse_axes(const std::vector<std::string>& texts) {
 template <class Quantity>
 Quantity parse(const char* option, const std::string& text) {
     if (text.empty()) return Quantity::from_value(0.0);
-    const auto quantity = scaling::parse_quantity<Quantity>(text);
+    const auto read = [&] { return Quantity::from_value(scaling::parse_si_with_unit(text, scaling::dimension_of<Quantity>())); };
+    const auto quantity = name_place(option, read);
     if (!(quantity.value() >= 0.0)) throw CLI::ValidationError(option, "\"" + text + "\" is below zero; give zero or more");
     return quantity;
 }
@@ -191,6 +194,12 @@ int run_table(TableOptions options) {
 
     const scaling::ModelScales scales = options.scales.model_scales();
     options.scales.note_values_used();
+    if (options.accept < 1.0) {
+        throw CLI::ValidationError("--accept",
+                                   fmt::format("{:g} is below 1 (a factor between PSA before and after, whichever is larger; 1 is no "
+                                               "change); give 1 or more, such as 1.5",
+                                               options.accept.value));
+    }
     const records::Payload payload = find_payload(options);
     const Pairs pairs = parse_axes(options.axes);
     const records::ShakeTable table = read_shake_table(options.limits);
@@ -251,7 +260,7 @@ void add_table_command(CLI::App& app, Action& action) {
         ->type_name("FIRST LAST")
         ->expected(2);
     command->add_flag("--correct", options->correct, "When the record does not fit, take the best correction, if --accept allows");
-    command->add_option("--accept", options->accept, "Factor by which --correct may change PSA on average (default 1.5)")
+    command->add_option("--accept", options->accept, "Factor, 1 or more, by which --correct may change PSA on average (default 1.5)")
         ->type_name("FACTOR");
     command->add_option("--drive", options->drive, "Write the motion as the table's controller reads it")->type_name("FILE");
     command->add_option("--save-recipe", options->save_recipe, "Write what was done to the model's record, as a recipe")->type_name("FILE");

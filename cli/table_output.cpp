@@ -43,6 +43,22 @@ DisplayUnit find_unit(TableLimit limit) {
     return {"Hz", "hz", 1.0};
 }
 
+/// The unit of find_unit(), or one a thousand times as large for a limit from ten thousand of it.
+DisplayUnit find_printed_unit(const records::LimitUse& use) {
+    const DisplayUnit unit = find_unit(use.which);
+    if (use.limit < 1e4 * unit.si) return unit;
+    switch (use.which) {
+        case TableLimit::force:
+            return {"MN", unit.key, 1e6};
+        case TableLimit::overturning_moment:
+            return {"MN m", unit.key, 1e6};
+        case TableLimit::payload:
+            return {"t", unit.key, 1e3};
+        default:
+            return unit;
+    }
+}
+
 std::string describe_end(const std::optional<TableLimit>& limit, const std::string& axis) {
     if (!limit) return "the end of the search";
     return fmt::format("{} of axis {}", to_string(*limit), axis);
@@ -129,7 +145,7 @@ void print_uses(const std::vector<records::ComponentUse>& uses, const std::vecto
           "length scales");
     for (const records::ComponentUse& component : uses) {
         for (const records::LimitUse& use : component.uses) {
-            const DisplayUnit unit = find_unit(use.which);
+            const DisplayUnit unit = find_printed_unit(use);
             const auto* const ranges = find_ranges(scales, component.axis, use.which);
             print("{:<10} {:<8} {:<20} {:>10.4g} {:>10.4g} {:<5} {:>7.3f}  {}{}\n", component.component, component.axis,
                   to_string(use.which), use.demand / unit.si, use.limit / unit.si, unit.name, use.used(),

@@ -18,6 +18,15 @@ Quantity take_peak(const std::optional<Quantity>& peak, bool is_limited, const c
     return peak.value_or(Quantity{});
 }
 
+/// The axis of the table that peaks name; the error says where they stand.
+const records::TableAxis& find_axis(const records::ShakeTable& table, const GivenPeaks& given, const std::string& source) {
+    try {
+        return table.find_axis(given.axis);
+    } catch (const records::ReadError& error) {
+        throw records::ReadError(fmt::format("{}: record: peaks: axis: {}", source, error.what()));
+    }
+}
+
 }  // namespace
 
 std::vector<records::AxisLoad> make_loads(const records::GroundMotion& motion, const RecordFile& record, const records::ShakeTable& table) {
@@ -33,7 +42,7 @@ std::vector<records::AxisLoad> make_loads(const std::vector<GivenPeaks>& peaks, 
                                           const std::string& source) {
     std::vector<records::AxisLoad> loads;
     for (const GivenPeaks& given : peaks) {
-        const records::TableAxis& axis = table.find_axis(given.axis);
+        const records::TableAxis& axis = find_axis(table, given, source);
         const auto displacement = take_peak(given.displacement, axis.displacement.has_value(), "displacement", given, source);
         const auto velocity = take_peak(given.velocity, axis.velocity.has_value(), "velocity", given, source);
         const auto lowest = take_peak(given.lowest_frequency, axis.lowest_frequency.has_value(), "lowest_frequency", given, source);

@@ -165,7 +165,7 @@ void check_laws(const JsonFields& fields, const Design& design) {
                     R"({}: laws: {}: {}; in a design {{"law": "{}", "set": {{"NAME": NUMBER}}}} gives it, or "hold": [...] lets it follow)",
                     fields.place(), material.name, error.what(), law.name()));
             } catch (const scaling::PiError& error) {
-                throw records::ReadError(fmt::format("{}: laws: law {}: {}", fields.place(), law.name(), error.what()));
+                throw records::ReadError(fmt::format("{}: laws: {}", fields.place(), error.what()));
             } catch (const scaling::SimilitudeError&) {
                 continue;
             }

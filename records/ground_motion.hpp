@@ -10,6 +10,9 @@
 
 namespace musim::records {
 
+/// Below this, uncorrected accelerograms hold drift and noise; the usual corner for strong motion [Hz] (README.md, "Uncorrected records").
+inline constexpr double kUncorrectedCornerHz = 0.05;
+
 /// One channel of a record.
 struct Component {
     std::string name = {};                   ///< as the file names it: "360", "Up", "H1"; plain text columns are "1", "2", ...

@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "records/detail/integration_corner.hpp"
 #include "records/detail/parsers.hpp"
 #include "records/detail/text.hpp"
 #include "records/detail/values.hpp"
@@ -17,6 +18,7 @@ struct At2Header {
     std::size_t count = 0;        ///< NPTS
     scaling::Time dt;
     std::optional<SampleUnit> unit;
+    std::optional<scaling::Frequency> integration_corner;
     std::string event;
     std::string station;
     std::string component;
@@ -58,8 +60,9 @@ void read_counts(const TextFile& file, At2Header& header) {
     header.dt = checked_dt(file, header.counts_line, *seconds);
 }
 
-// "ACCELERATION TIME SERIES IN UNITS OF G. FILTER ..." or "The units are (g)"
+// "ACCELERATION TIME SERIES IN UNITS OF G. FILTER ..." or "The units are (g)"; musim's own tell an integration corner behind the unit
 void read_unit(const TextFile& file, std::size_t index, At2Header& header) {
+    if (const auto corner = find_integration_corner(file, index)) header.integration_corner = corner;
     const std::string_view line = file.line(index);
     for (const std::string_view phrase : {std::string_view("UNITS OF"), std::string_view("UNITS ARE")}) {
         if (!contains_ignoring_case(line, phrase)) continue;
@@ -124,6 +127,7 @@ GroundMotion parse_at2(const TextFile& file, const ReadOptions& options) {
     GroundMotion motion{.source = file.path().string(), .format = std::string(format_name(unit.quantity))};
     motion.event = header.event;
     motion.station = header.station;
+    motion.integration_corner = header.integration_corner;
     motion.components.push_back({.name = header.component,
                                  .azimuth_deg = find_azimuth_deg(header.component),
                                  .series = {unit.quantity, 0.0 * scaling::si::seconds, header.dt, read_samples(file, header, unit.si)}});

@@ -6,6 +6,7 @@
 
 #include "records/detail/direction.hpp"
 #include "records/detail/header_checks.hpp"
+#include "records/detail/integration_corner.hpp"
 #include "records/detail/numeric_header.hpp"
 #include "records/detail/parsers.hpp"
 #include "records/detail/text.hpp"
@@ -28,8 +29,9 @@ constexpr double kUnknown = -999.0;
 
 /// One channel as the file holds it.
 struct Channel {
-    std::size_t start = 0;  ///< its first line
-    std::size_t data = 0;   ///< the line that announces its samples
+    std::size_t start = 0;                                      ///< its first line
+    std::size_t data = 0;                                       ///< the line that announces its samples
+    std::optional<scaling::Frequency> integration_corner = {};  ///< that musim wrote
     Direction direction = {};
     std::optional<UtcTime> first_sample = {};
     SampleUnit unit = {};
@@ -165,6 +167,9 @@ Channel read_channel(const TextFile& file, std::size_t& index) {
     const NumericHeader integers = read_announced_header(file, index + text_lines, "Integer-header", "integer-header value");
     const NumericHeader reals = read_announced_header(file, integers.end(), "Real-header", "real-header value");
     channel.data = skip_comments(file, reals.end());
+    for (std::size_t line = reals.end(); line < channel.data && !channel.integration_corner; ++line) {
+        channel.integration_corner = find_integration_corner(file, line);
+    }
 
     constexpr std::size_t kTitleLine = 8;
     channel.direction = read_title(file.line(channel.start + kTitleLine));
@@ -242,7 +247,7 @@ GroundMotion parse_cosmos(const TextFile& file, const ReadOptions& options) {
         motion.components.push_back({std::move(channel.direction.name), channel.direction.azimuth_deg, std::move(series)});
     }
 
-    if (!is_corrected) motion.integration_corner = kUncorrectedCornerHz * scaling::si::hertz;
+    if (!is_corrected) motion.integration_corner = channels.front().integration_corner.value_or(kUncorrectedCornerHz * scaling::si::hertz);
     motion.format = is_corrected ? "COSMOS V2" : channels.front().unit.name == "counts" ? "COSMOS V0" : "COSMOS V1";
     motion.history.push_back(fmt::format("read {} from {}", motion.format, file.path().filename().string()));
     return motion;

@@ -92,7 +92,7 @@ Step read_step(const Json& object, const std::string& place) {
         throw ReadError(place + ": has no name; add \"step\": \"filter\" or another");
     }
     const auto name = object["step"].get<std::string>();
-    JsonFields reader(object, fmt::format("{} ({})", place, name));
+    JsonFields reader(object, fmt::format("{} ({})", place, name), nullptr, detail::PlainNumbers::are_si);
     reader.has("step");
     const auto* const named = std::find_if(std::begin(kSteps), std::end(kSteps), [&](const Named& n) { return n.name == name; });
     if (named == std::end(kSteps)) reader.fail("is no step", "take one of " + list_names());

@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "records/atomic_file.hpp"
+#include "records/detail/integration_corner.hpp"
 #include "records/detail/station_codes.hpp"
 #include "records/detail/text.hpp"
 #include "records/write_record.hpp"
@@ -146,9 +147,11 @@ std::string real_header(const GroundMotion& motion, const TimeSeries& series) {
     return text;
 }
 
-std::string data_block(const TimeSeries& series, std::size_t ordinal) {
+std::string data_block(const GroundMotion& motion, const TimeSeries& series, std::size_t ordinal) {
     const CosmosUnit& unit = cosmos_unit(series.quantity());
-    std::string text = fmt::format("   1 Comment line(s) follow, each starting with a \"|\":\n| Written by musim\n");
+    const std::optional<scaling::Frequency>& corner = motion.integration_corner;
+    std::string text = fmt::format("{:4} Comment line(s) follow, each starting with a \"|\":\n| Written by musim\n", corner ? 2 : 1);
+    if (corner) text += fmt::format("| {}= {} HZ\n", detail::kCornerTitle, corner->value());
     text += fmt::format("{:8} {} pts, approx {:4.0f} secs, units={}({:02}),Format=(3E25.16)\n", series.size(), unit.name,
                         static_cast<double>(series.size()) * series.dt().value(), unit.unit, unit.unit_code);
     constexpr std::size_t kPerLine = 3;
@@ -168,7 +171,7 @@ void write_cosmos(const std::filesystem::path& path, const GroundMotion& motion)
     for (const Component& component : motion.components) {
         require_time_step(path, component);
         text += text_lines(motion, component, ordinal) + integer_header(motion, component, ordinal) +
-                real_header(motion, component.series) + data_block(component.series, ordinal);
+                real_header(motion, component.series) + data_block(motion, component.series, ordinal);
         ++ordinal;
     }
     write_file_atomically(path, text);

@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "records/atomic_file.hpp"
+#include "records/detail/integration_corner.hpp"
 #include "records/detail/musim_csv.hpp"
 
 namespace musim::records {
@@ -71,8 +72,10 @@ void write_at2(const std::filesystem::path& path, const GroundMotion& motion, st
     const double si = find_sample_unit(unit)->si;
 
     std::string text =
-        fmt::format("PEER FORMAT TIME SERIES, WRITTEN BY MUSIM\n{}, {}, {}\n{} TIME SERIES IN UNITS OF {}\n", one_line(motion.event, true),
+        fmt::format("PEER FORMAT TIME SERIES, WRITTEN BY MUSIM\n{}, {}, {}\n{} TIME SERIES IN UNITS OF {}", one_line(motion.event, true),
                     one_line(motion.station, false), one_line(component.name, false), title, unit);
+    if (motion.integration_corner) text += fmt::format(", {}= {} HZ", detail::kCornerTitle, motion.integration_corner->value());
+    text += '\n';
     text += fmt::format("NPTS= {:6}, DT= {:#} SEC\n", series.size(), series.dt().value());
     constexpr std::size_t kPerLine = 5;
     for (std::size_t i = 0; i < series.size(); ++i) {

@@ -10,7 +10,8 @@ namespace musim::records {
 /// Writes one component as a PEER file: acceleration in g (AT2), velocity in cm/s (VT2) or displacement in cm (DT2), whichever the series
 /// is.
 ///
-/// 17 digits a value, five a line; the format has no place for a start time or a history, which are lost. The file is complete or absent
+/// 17 digits a value, five a line; an integration corner stands behind the unit ("UNITS OF G, INTEGRATION CORNER= 0.05 HZ"), where
+/// read_record() finds it; the format has no place for a start time or a history, which are lost. The file is complete or absent
 /// (write_file_atomically). Throws WriteError, and ReadError for an unknown component.
 void write_at2(const std::filesystem::path& path, const GroundMotion& motion, std::string_view component);
 
@@ -20,7 +21,8 @@ void write_at2(const std::filesystem::path& path, const GroundMotion& motion, st
 /// step, and when the file cannot be written; it is complete or absent.
 void write_csv(const std::filesystem::path& path, const GroundMotion& motion);
 
-/// Writes all components as COSMOS 1.20, one section each: V2, or V1 for uncorrected records (those with an integration corner). Samples
+/// Writes all components as COSMOS 1.20, one section each: V2, or V1 for uncorrected records (those with an integration corner, which
+/// stands in a comment line, where read_record() finds it). Samples
 /// in cm/s^2, cm/s or cm with 17 digits; azimuths in whole degrees; start times to the microsecond where the motion has a time_zero, else
 /// lost, as is the history. The station "CE.23837 Pomona" gives the codes CE and 23837; other names stand behind the codes XX and UNKN.
 /// Throws WriteError when there is no component, a time step cannot be held to 1/100 of a step over the record (whole nanoseconds), and
@@ -31,7 +33,7 @@ void write_cosmos(const std::filesystem::path& path, const GroundMotion& motion)
 /// read_record() gives back the same samples to the last bit with ReadOptions::sensitivity 1 (and the quantity, for displacement). The
 /// station "CI.CLC ..." gives network and station, others are XX.MUSIM. Names of three capitals or digits are channel codes, other
 /// components get one: band of the sampling rate, N, H or Y for acceleration, velocity or displacement, and N, E, Z or the ordinal number.
-/// Without a time_zero the clock starts in 1970. Throws WriteError when there is no component, two have the same channel code, the sampling
+/// Without a time_zero the clock starts in 1970; an integration corner is lost (read_record() takes kUncorrectedCornerHz). Throws WriteError when there is no component, two have the same channel code, the sampling
 /// rate cannot be held to 1/100 of a step over the record, and when the file cannot be written; it is complete or absent.
 void write_miniseed(const std::filesystem::path& path, const GroundMotion& motion);
 

@@ -12,20 +12,13 @@ namespace musim::scaling {
 
 namespace {
 
-/// "a stiffness is wanted (such as "30 MN/m")"
-std::string wish(Dimension wanted) {
-    const detail::DimensionName* known = detail::find_dimension_name(wanted);
-    if (known == nullptr) return fmt::format("a quantity in {} is wanted", detail::base_units(wanted));
-    return fmt::format("{} is wanted (such as \"{}\")", known->name, known->example);
-}
-
 /// The unit in the reading of "g" that fits the wanted dimension.
 detail::Unit parse_unit_for(std::string_view unit_text, Dimension wanted, std::string_view text) {
     const detail::Unit unit = detail::parse_unit(unit_text, detail::GramOrGravity::gram, text);
     if (unit.dimension == RationalDimension(wanted)) return unit;
     const detail::Unit with_gravity = detail::parse_unit(unit_text, detail::GramOrGravity::gravity, text);
     if (with_gravity.dimension == RationalDimension(wanted)) return with_gravity;
-    throw ParseError(fmt::format("\"{}\": {}, this is {}", text, wish(wanted), detail::describe(unit.dimension)));
+    throw ParseError(fmt::format("\"{}\": {}, this is {}", text, detail::describe_wish(wanted), detail::describe(unit.dimension)));
 }
 
 }  // namespace
@@ -37,6 +30,16 @@ double parse_si(std::string_view text, Dimension wanted) {
     const double value = detail::to_double(number, unit.decimal_exponent, text) * unit.numerator / unit.denominator;
     if (!std::isfinite(value)) throw ParseError(fmt::format("\"{}\": the value is too large for a double; check number and unit", text));
     return value;
+}
+
+double parse_si_with_unit(std::string_view text, Dimension wanted) {
+    const double value = parse_si(text, wanted);
+    if (wanted == Dimension{} || !detail::split_number(text).rest.empty()) return value;
+    throw ParseError(fmt::format("\"{}\": {}", text, refuse_plain_number(wanted)));
+}
+
+std::string refuse_plain_number(const RationalDimension& wanted) {
+    return fmt::format("the unit is missing; {}", detail::describe_wish(wanted));
 }
 
 std::string format_si(double value, Dimension dimension, int digits) { return format_si_like(value, value, dimension, digits); }

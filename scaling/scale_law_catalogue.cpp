@@ -30,6 +30,9 @@ std::optional<ScaleLaw> find_scale_law(std::string_view name) {
 ScaleLaw load_scale_law(const std::string& name_or_file) {
     if (auto law = find_scale_law(name_or_file)) return *std::move(law);
     std::error_code ignored;
+    if (std::filesystem::is_directory(name_or_file, ignored)) {
+        throw PiError(fmt::format("{}: is a folder; name the law file in it", name_or_file));
+    }
     if (!std::filesystem::is_regular_file(name_or_file, ignored)) throw PiError(no_such_law(name_or_file) + ", or give a law file");
     std::ifstream stream(name_or_file, std::ios::binary);
     const std::string text{std::istreambuf_iterator<char>(stream), {}};

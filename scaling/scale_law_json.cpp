@@ -33,6 +33,13 @@ void read_texts(const Json& law, const char* key, std::string_view origin, std::
     }
 }
 
+/// A source that a law shares with the one it extends is one.
+void add_sources(const std::vector<std::string>& own, std::vector<std::string>& sources) {
+    for (const std::string& source : own) {
+        if (std::find(sources.begin(), sources.end(), source) == sources.end()) sources.push_back(source);
+    }
+}
+
 void read_quantities(const Json& law, std::string_view origin, std::vector<LawQuantity>& quantities) {
     std::vector<std::string> own;
     for (const Json& object : list_at(law, "quantities", origin, R"([{"name": "l", "unit": "m", "meaning": "length"}, ...])")) {
@@ -125,7 +132,9 @@ ScaleLaw parse_scale_law(std::string_view text, std::string_view origin) {
     law.title = detail::text_at(object, "title", origin, "\"what governs, in a line\"");
     if (law.name.empty()) detail::fail_at(origin, "\"name\" is empty; give the law a name");
     law.description = object.contains("description") ? detail::text_at(object, "description", origin, "\"what it keeps\"") : "";
-    read_texts(object, "sources", origin, R"(["MoncarzKrawinkler81"])", law.sources);
+    std::vector<std::string> own_sources;
+    read_texts(object, "sources", origin, R"(["MoncarzKrawinkler81"])", own_sources);
+    add_sources(own_sources, law.sources);
     read_texts(object, "assumptions", origin, R"(["rigid blocks"])", law.assumptions);
     read_quantities(object, origin, law.quantities);
     read_choices(object, origin, law.choices);

@@ -88,13 +88,14 @@ UncertainRatio make_ratio(const Uncertain& numerator, const Uncertain& denominat
     return {numerator, denominator};
 }
 
-/// A quantity by `read`, which turns number and unit into SI, with its uncertainty.
-Uncertain parse_with_unit(std::string_view text, const std::function<double(std::string_view)>& read, bool wants_unit) {
+/// A quantity by `read`, which turns number and unit into SI, with its uncertainty; with a unit unless a plain number is wanted.
+Uncertain parse_with_unit(std::string_view text, const std::function<double(std::string_view)>& read, const RationalDimension& wanted) {
+    const bool wants_unit = !wanted.is_dimensionless();
     const auto with_unit = [](std::string_view number, std::string_view unit) { return fmt::format("{} {}", detail::trim(number), unit); };
     const auto marked = split_at_mark(text);
     if (!marked) {
         const double value = read(text);
-        if (wants_unit && detail::split_number(text).rest.empty()) fail(text, "the unit is missing");
+        if (wants_unit && detail::split_number(text).rest.empty()) fail(text, refuse_plain_number(wanted));
         return {value, 0.0};
     }
 
@@ -118,7 +119,7 @@ Uncertain parse_with_unit(std::string_view text, const std::function<double(std:
     if (!bracketed) unit = uncertainty.unit;
     if (uncertainty.is_share && !own_unit.empty() && !unit.empty()) fail(text, "there are two units; a percentage needs none of its own");
     if (!uncertainty.is_share && !own_unit.empty() && unit.empty()) fail(text, "the uncertainty has no unit; give it one, or a percentage");
-    if (wants_unit && own_unit.empty() && unit.empty()) fail(text, "the unit is missing");
+    if (wants_unit && own_unit.empty() && unit.empty()) fail(text, refuse_plain_number(wanted));
 
     const double si = read(own_unit.empty() ? with_unit(value, unit) : std::string(value));
     if (uncertainty.is_share) return make_uncertain(si, uncertainty.number * si, text);
@@ -160,12 +161,12 @@ UncertainRatio parse_uncertain_ratio(std::string_view text) {
 
 Uncertain parse_uncertain_si(std::string_view text, Dimension wanted) {
     return parse_with_unit(
-        text, [wanted](std::string_view quantity) { return parse_si(quantity, wanted); }, !(wanted == Dimension{}));
+        text, [wanted](std::string_view quantity) { return parse_si(quantity, wanted); }, wanted);
 }
 
 Uncertain parse_uncertain_value(std::string_view text, const PiQuantity& quantity) {
     return parse_with_unit(
-        text, [&quantity](std::string_view value) { return parse_value(value, quantity); }, false);
+        text, [&quantity](std::string_view value) { return parse_value(value, quantity); }, quantity.dimension);
 }
 
 }  // namespace musim::scaling

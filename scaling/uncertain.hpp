@@ -56,8 +56,8 @@ UncertainRatio parse_uncertain_ratio(std::string_view text);
 /// Throws ParseError as parse_uncertain() and parse_si() do.
 Uncertain parse_uncertain_si(std::string_view text, Dimension wanted);
 
-/// A value of any quantity, with or without its standard uncertainty, in the same forms; units as parse_value() reads them, and a number
-/// without unit is SI, as there. Throws ParseError.
+/// A value of any quantity, with or without its standard uncertainty, in the same forms; units as parse_value() reads them, but a number
+/// without unit is refused, too, unless a plain number is wanted. Throws ParseError.
 Uncertain parse_uncertain_value(std::string_view text, const PiQuantity& quantity);
 
 /// parse_uncertain_si() for the dimension of `Quantity`, e.g. parse_uncertain_quantity<Velocity>("42.4+/-0.5 cm/s").

@@ -8,8 +8,8 @@
 
 namespace musim::records::detail {
 
-JsonFields::JsonFields(const Json& object, std::string place, scaling::UncertainReading* reading)
-    : object_(object), place_(std::move(place)), reading_(reading) {
+JsonFields::JsonFields(const Json& object, std::string place, scaling::UncertainReading* reading, PlainNumbers plain_numbers)
+    : object_(object), place_(std::move(place)), reading_(reading), plain_numbers_(plain_numbers) {
     if (!object.is_object()) fail("is no object", "write {\"KEY\": VALUE, ...}");
 }
 
@@ -68,12 +68,15 @@ void JsonFields::refuse_uncertainty(const char* key, std::string_view why) const
 }
 
 double JsonFields::to_si(const Json& value, const char* key, std::string_view part, scaling::Dimension dimension) const {
-    if (value.is_number()) return value.get<double>();
-    if (!value.is_string()) fail(fmt::format("{} is no quantity", key), "write a number in SI units, or text such as \"0.05 Hz\"");
+    const bool takes_number = plain_numbers_ == PlainNumbers::are_si || dimension == scaling::Dimension{};
+    if (value.is_number() && takes_number) return value.get<double>();
+    if (value.is_number())
+        throw ReadError(fmt::format("{}: {}: {}: {}", place_, key, value.dump(), scaling::refuse_plain_number(dimension)));
+    if (!value.is_string()) fail(fmt::format("{} is no quantity", key), "write text with a unit, such as \"0.05 Hz\"");
     try {
         const auto text = value.get<std::string>();
         if (scaling::is_marked_uncertain(text)) return take_uncertain(text, key, part, dimension);
-        return scaling::parse_si(text, dimension);
+        return takes_number ? scaling::parse_si(text, dimension) : scaling::parse_si_with_unit(text, dimension);
     } catch (const scaling::ParseError& error) {
         throw ReadError(fmt::format("{}: {}: {}", place_, key, error.what()));
     }

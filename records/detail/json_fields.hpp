@@ -13,6 +13,9 @@
 
 namespace musim::records::detail {
 
+/// What a plain number stands for where a quantity has a dimension: nothing, or SI as in files that musim writes.
+enum class PlainNumbers { refused, are_si };
+
 /// The fields of one JSON object in a file, with the place for messages. Knows which keys were asked for; all but has() and
 /// refuse_unknown_keys() throw ReadError `place: what (why); what to do`.
 class JsonFields {
@@ -20,7 +23,8 @@ class JsonFields {
     using Json = nlohmann::ordered_json;
 
     /// `object` must outlive this. `reading` takes values with uncertainties; without it they are refused. Throws when it is no object.
-    JsonFields(const Json& object, std::string place, scaling::UncertainReading* reading = nullptr);
+    JsonFields(const Json& object, std::string place, scaling::UncertainReading* reading = nullptr,
+               PlainNumbers plain_numbers = PlainNumbers::refused);
 
     [[noreturn]] void fail(const std::string& what, const std::string& what_to_do) const;
 
@@ -46,8 +50,8 @@ class JsonFields {
     std::optional<Quantity> optional_quantity(const char* key) {
         return has(key) ? std::optional(to_quantity<Quantity>(object_[key], key)) : std::nullopt;
     }
-    /// A number in SI units or text with a unit, perhaps with a standard uncertainty (scaling/uncertain.hpp) where there is a reading; a
-    /// plain number may be a fraction of two uncertain ones. `part` tells entries of a list apart.
+    /// Text with a unit, or a number in SI units where these are taken, perhaps with a standard uncertainty (scaling/uncertain.hpp) where
+    /// there is a reading; a plain number may be a fraction of two uncertain ones. `part` tells entries of a list apart.
     template <class Quantity>
     Quantity to_quantity(const Json& value, const char* key, std::string_view part = "") const {
         return Quantity::from_value(to_si(value, key, part, scaling::dimension_of<Quantity>()));
@@ -66,6 +70,7 @@ class JsonFields {
     const Json& object_;
     std::string place_;
     scaling::UncertainReading* reading_;
+    PlainNumbers plain_numbers_;
     std::vector<std::string> used_;
 };
 

@@ -8,9 +8,6 @@
 /// One parser per format, on a file already in memory; errors as in the public headers.
 namespace musim::records::detail {
 
-/// Below this, uncorrected accelerograms hold drift and noise; the usual corner for strong motion [Hz] (README.md, "Uncorrected records").
-inline constexpr double kUncorrectedCornerHz = 0.05;
-
 /// What read_record() makes of the bytes of a file called `path`, whatever their format.
 GroundMotion parse_record(const std::filesystem::path& path, std::string bytes, const ReadOptions& options);
 

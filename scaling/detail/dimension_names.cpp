@@ -10,7 +10,8 @@ namespace musim::scaling::detail {
 
 namespace {
 
-/// A display unit used from one of itself upwards.
+/// A display unit used from one of itself upwards. Others say from where: motions and sizes of blocks stay in cm/s and mm down to a
+/// thousandth of them, as people write them.
 DisplayUnit unit(std::string_view name, double size) { return {name, size, size}; }
 
 std::vector<DimensionName> make_dimension_names() {
@@ -19,13 +20,13 @@ std::vector<DimensionName> make_dimension_names() {
         {dimension_of<Length>(),
          "a length",
          "4.25 m",
-         {unit("nm", 1e-9), unit("um", 1e-6), unit("mm", 1e-3), unit("m", 1.0), unit("km", 1e3)}},
+         {unit("nm", 1e-9), {"um", 1e-6, 1e-9}, {"mm", 1e-3, 1e-6}, unit("m", 1.0), unit("km", 1e3)}},
         {dimension_of<Area>(), "an area", "3.8 m^2", {unit("mm^2", 1e-6), unit("m^2", 1.0)}},
         {dimension_of<Volume>(), "a volume", "16.3 m^3", {unit("mm^3", 1e-9), unit("m^3", 1.0)}},
         {dimension_of<Time>(), "a time", "2.5 s", {unit("ns", 1e-9), unit("us", 1e-6), unit("ms", 1e-3), unit("s", 1.0)}},
         {dimension_of<Frequency>(), "a frequency", "4800 Hz", {unit("Hz", 1.0), unit("kHz", 1e3), unit("MHz", 1e6)}},
         {dimension_of<AngularAcceleration>(), "an angular acceleration", "5 rad/s^2", {unit("rad/s^2", 1.0)}},
-        {dimension_of<Velocity>(), "a velocity", "42.4 cm/s", {unit("um/s", 1e-6), unit("cm/s", 1e-2), {"m/s", 1.0, 10.0}}},
+        {dimension_of<Velocity>(), "a velocity", "42.4 cm/s", {unit("um/s", 1e-6), {"cm/s", 1e-2, 1e-5}, {"m/s", 1.0, 10.0}}},
         {dimension_of<Acceleration>(), "an acceleration", "0.511 g", {unit("g", kStandardGravity.value())}},
         {dimension_of<Mass>(), "a mass", "10.66 g", {unit("mg", 1e-6), unit("g", 1e-3), unit("kg", 1.0), unit("t", 1e3)}},
         {dimension_of<Density>(), "a density", "800 kg/m^3", {unit("kg/m^3", 1.0)}},
@@ -62,6 +63,13 @@ std::string describe(const RationalDimension& dimension) {
         if (const DimensionName* known = find_dimension_name(*halves)) return std::string(known->name);
     }
     return "in " + base_units(dimension);
+}
+
+std::string describe_wish(const RationalDimension& dimension) {
+    const auto halves = to_halves(dimension);
+    const DimensionName* known = halves ? find_dimension_name(*halves) : nullptr;
+    if (known == nullptr) return fmt::format("a quantity in {} is wanted", base_units(dimension));
+    return fmt::format("{} is wanted (such as \"{}\")", known->name, known->example);
 }
 
 std::string base_units(const RationalDimension& dimension) {

@@ -29,6 +29,9 @@ const DimensionName* find_dimension_name(Dimension dimension);
 /// "a stiffness", or "in kg m^2 s^-5" for a dimension without a name.
 std::string describe(const RationalDimension& dimension);
 
+/// What is asked for: "a stiffness is wanted (such as "30 MN/m")", or "a quantity in kg m^2 s^-5 is wanted".
+std::string describe_wish(const RationalDimension& dimension);
+
 /// SI base units of a dimension: "kg m^2 s^-5", halves as "m^0.5", other fractions as "m^(1/3)"; empty for a plain number.
 std::string base_units(const RationalDimension& dimension);
 

@@ -17,7 +17,7 @@ const std::string kExample = MUSIM_SOURCE_DIR "/examples/design/tower.json";
 
 /// A design for table.json beside it, with more keys.
 std::string make_design(const std::string& more, const std::string& record = R"({"file": "synthetic"})") {
-    return R"({"schema": "musim-design/1", "prototype": {"block": [1.36, 2.82, 4.25], "height": "161.5 m", "density": 2320, "friction": 0.59},
+    return R"({"schema": "musim-design/1", "prototype": {"block": ["1.36 m", "2.82 m", "4.25 m"], "height": "161.5 m", "density": "2320 kg/m^3", "friction": 0.59},
         "table": "table.json", "record": )" +
            record + R"(, "materials": ["wood"])" + more + "}";
 }
@@ -135,6 +135,7 @@ TEST_CASE("wrong input to design is told in one line") {
           std::string::npos);
     here.write("design.json", make_design("", R"({"peaks": [{"axis": "y", "acceleration": "0.5 g"}]})"));
     CHECK(error("design.json", 3).find("the table has no axis \"y\"; choose one of x") != std::string::npos);
+    CHECK(error("design.json", 3).find("record: peaks: axis: the table has no axis") != std::string::npos);
     here.write("design.json", make_design("", R"({"file": "synthetic", "axes": {"up": "x"}})"));
     CHECK(error("design.json", 3).find("up") != std::string::npos);
     here.write("design.json", make_design("", R"({"file": "lost.v1"})"));
@@ -172,7 +173,9 @@ TEST_CASE("a design by laws as data ranks materials, names conflicts and tells f
     CHECK(text.find("2.874 t (2.798 t added)") != std::string::npos);
     CHECK(text.find("restoring_force: factors, model/prototype") != std::string::npos);
 
-    here.write("design.json", R"({"schema": "musim-design/1", "prototype": {"block": [1.36, 2.82, 4.25], "height": 161.5, "density": 2320,
+    here.write(
+        "design.json",
+        R"({"schema": "musim-design/1", "prototype": {"block": ["1.36 m", "2.82 m", "4.25 m"], "height": "161.5 m", "density": "2320 kg/m^3",
         "friction": 0.59}, "materials": ["wood"], "laws": ["restoring_spring"]})");
     const Outcome missing = here.run("design design.json");
     CHECK(missing.exit_code == 3);
@@ -211,7 +214,7 @@ TEST_CASE("uncertain values of a design and its table give intervals in every fo
 TEST_CASE("samples of an uncertain design tell how often it is feasible and what is in the way") {
     const Workplace here;
     here.write("design.json", R"({"schema": "musim-design/1",
-        "prototype": {"block": [1.36, 2.82, 4.25], "height": "161.5 +/- 1% m", "density": 2320, "friction": 0.59},
+        "prototype": {"block": ["1.36 m", "2.82 m", "4.25 m"], "height": "161.5 +/- 1% m", "density": "2320 kg/m^3", "friction": 0.59},
         "limits": {"hall_height": "6 m +/- 5 cm"}, "length": "1/27",
         "materials": [{"preset": "wood", "smallest_edge": "8 mm +/- 2%"}], "laws": ["mu"]})");
     const std::string design = "design design.json --monte-carlo 1000 --seed 5 ";

@@ -100,6 +100,41 @@ TEST_CASE("an unknown unit is refused with the known ones") {
     CHECK(outcome.err.find("furlong") != std::string::npos);
 }
 
+TEST_CASE("PGV of an uncorrected record is told as that of a high-passed motion, and kept in files that musim wrote") {
+    const Workplace here;
+    here.write("raw.at2", make_at2(2000, 2000));
+    REQUIRE(here.run("rescale raw.at2 --length 1 -o raw.csv").exit_code == 0);
+    here.shell("sed -i 's/^# dt_s/# integration_corner_hz: 0.25\\n# dt_s/' raw.csv");
+    const Outcome outcome = here.run("rescale raw.csv --length 1/25 --gravity 25 -o model.csv");
+    CHECK(outcome.out.find("high-pass 0.25 Hz") != std::string::npos);
+    CHECK(outcome.out.find("high-pass 6.25 Hz") != std::string::npos);  // λ_t = 1/25
+    CHECK(here.run("rescale synthetic --length 1/25 -o s.csv").out.find("as it stands") != std::string::npos);
+    for (const char* const file : {"model.csv", "model.at2", "model.v1"}) {
+        CAPTURE(file);
+        const auto model =
+            here.run(std::string("rescale raw.csv --length 1/25 --gravity 25 --json -o ") + file).json()["components"][0]["model"];
+        const auto read = here.run(std::string("record info --json ") + file).json()["components"][0];
+        CHECK(model["highpass_hz"] == 6.25);
+        CHECK(read["highpass_hz"] == 6.25);
+        // samples in other units: two roundings
+        CHECK(read["pgv_cm_s"].get<double>() == doctest::Approx(model["pgv_cm_s"].get<double>()).epsilon(1e-12));
+    }
+    // miniSEED has no room for it, which is said
+    const Outcome lost = here.run("rescale raw.csv --length 1/25 --gravity 25 -o model.mseed");
+    CHECK(lost.exit_code == 0);
+    CHECK(lost.err.find("miniSEED cannot tell how the record is integrated (high-pass 6.25 Hz)") != std::string::npos);
+}
+
+TEST_CASE("a record that was only rescaled is no recipe, and the message says why") {
+    const Workplace here;
+    REQUIRE(here.run("rescale synthetic --length 1/25 -o model.csv").exit_code == 0);
+    const Outcome outcome = here.run("record process synthetic --recipe model.csv -o x.csv");
+    CHECK(outcome.exit_code == 3);
+    CHECK(outcome.has_one_error_line());
+    CHECK(outcome.err.find("model.csv: its history tells no step of a recipe") != std::string::npos);
+    CHECK_FALSE(here.has("x.csv"));
+}
+
 TEST_CASE("a full disk leaves no partial record") {
     const Workplace here;
     const Outcome outcome = here.run("rescale synthetic --length 1/25 -o model.csv", kFullDisk);

@@ -109,7 +109,7 @@ TEST_CASE("scale writes laws as text, Markdown and LaTeX, and lists those it has
     CHECK(text.find("assumes: rigid blocks") != std::string::npos);
     CHECK(here.run("scale --law froude --set l=1/25 --format markdown").out.find("|---|---|") == std::string::npos);
     CHECK(here.run("scale --law froude --set l=1/25 --format markdown").out.find("| --- | --- |") != std::string::npos);
-    const std::string latex = here.run("scale --length 1/25 --format latex").out;
+    const std::string latex = here.run("scale --set l=1/25 --format latex").out;
     CHECK(latex.find("\\begin{align}") != std::string::npos);
     CHECK(latex.find("\\lambda_{v} &= \\sqrt{\\lambda_{l}\\,\\lambda_{\\mu}\\,\\lambda_{g}} = 0.2") != std::string::npos);
     const std::string list = here.run("scale --laws").out;

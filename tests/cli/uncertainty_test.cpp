@@ -1,4 +1,5 @@
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <cmath>
 #include <string>
@@ -36,6 +37,36 @@ TEST_CASE("scale tells the uncertainty of factors and groups beside the values, 
     const Outcome text = here.run("scale " + kWood);
     CHECK(text.out.find("7.07 %") != std::string::npos);
     CHECK(text.out.find("3.54 %") != std::string::npos);
+}
+
+TEST_CASE("the laws of always tell the same in every form") {
+    const Workplace here;
+    const std::string structure = " --friction-prototype 0.59 --slenderness 0.32";
+    for (const std::string& arguments :
+         {"--length 1/107 --friction 0.63/0.59" + structure, "--length 1/25 --law froude --gravity 25" + structure,
+          "--length 1/25 --law exact" + structure, "--length 1/25 --law cauchy" + structure,
+          kWood + "--pga 0.511g --slenderness 0.32 --monte-carlo 2000"}) {
+        CAPTURE(arguments);
+        const auto object = here.run("scale --json " + arguments).json();
+        for (const char* const format : {"text", "markdown", "latex"}) {
+            CAPTURE(format);
+            const Outcome outcome = here.run("scale " + arguments + " --format " + format);
+            REQUIRE(outcome.exit_code == 0);
+            CHECK(outcome.err.empty());
+            for (const auto& distortion : object["distortions"]) {
+                const std::string effect = distortion["effect"].get<std::string>();
+                CHECK_MESSAGE(outcome.out.find(effect.substr(0, effect.find_first_of("<>=_%"))) != std::string::npos, effect);
+            }
+            for (const auto& [name, value] : object["factors"].items()) {
+                const std::string number = fmt::format("{:.7g}", value.get<double>());
+                CHECK_MESSAGE(outcome.out.find(number) != std::string::npos, name, " = ", number);
+            }
+            if (object.contains("measures")) CHECK(outcome.out.find("pga, model") != std::string::npos);
+        }
+    }
+    CHECK(here.run("scale --length 1/25 --format markdown").out.find("| --- | --- |") != std::string::npos);
+    CHECK(here.run("scale --length 1/25 --format latex").out.find("\\begin{longtable}") != std::string::npos);
+    CHECK(here.run("scale --laws --format markdown").out.find("| froude | ") != std::string::npos);
 }
 
 TEST_CASE("an uncertain factor is read in all its forms") {

@@ -6,6 +6,70 @@
 
 using namespace musim::cli;
 
+TEST_CASE("factors that may have been meant otherwise, and samples of little use, are noted; those that are clear are not") {
+    const Workplace here;
+    struct Case {
+        const char *arguments, *note;
+    };
+    for (const Case& doubtful : {Case{"scale --length 107", "a model at 1:107 is --length 1/107"},
+                                 Case{"scale --length 1/107 --friction 0.63", "of two coefficients write 0.63/PROTOTYPE"},
+                                 // a normal distribution of mean 1 and deviation 2 has 31 % below zero
+                                 Case{"scale --length 1/25 --friction 1+/-200% --monte-carlo 2000", "not of a normal distribution"}}) {
+        CAPTURE(doubtful.arguments);
+        const Outcome outcome = here.run(doubtful.arguments);
+        CHECK(outcome.exit_code == 0);
+        CHECK_MESSAGE(outcome.err.find(doubtful.note) != std::string::npos, outcome.err);
+    }
+    for (const char* const clear :
+         {"scale --length 1", "scale --length 1/107 --friction 0.18/0.59", "scale --length 1/107 --friction 1.07",
+          "scale --length 1/25 --friction 0.3 --friction-prototype 0.6", "scale --length 1/25 --friction 1+/-5% --monte-carlo 2000"}) {
+        CHECK_MESSAGE(here.run(clear).err.empty(), clear);
+    }
+    const std::string table = "table synthetic --limits " MUSIM_SOURCE_DIR "/examples/tables/outdoor.json --length 1/2 --accept 0.5";
+    const std::string pi = "pi " MUSIM_SOURCE_DIR "/examples/pi/tower.json --all --limit ";
+    for (const std::string& arguments : {table, pi + "0", pi + "-1"}) {
+        CAPTURE(arguments);
+        const Outcome outcome = here.run(arguments);
+        CHECK(outcome.exit_code == 2);
+        CHECK(outcome.has_one_error_line());
+        CHECK(outcome.err.size() < 250);
+    }
+}
+
+TEST_CASE("the law in the examples is that of the help, and a source is told once") {
+    const Workplace here;
+    const std::string law = MUSIM_SOURCE_DIR "/examples/laws/bolted.json";
+    const auto object = here.run("scale --json --set l=1/4 --set k_b=1/4 --law " + law).json();
+    CHECK(object["factors"]["t"] == 0.25);  // √(λ_m/λ_k) = √((1/64)/(1/4))
+    CHECK(here.run("scale --law centrifuge --set l=1/25").out.find("sources: FengOwen14, MoncarzKrawinkler81\n") != std::string::npos);
+}
+
+TEST_CASE("a quantity with a dimension needs its unit, and a bad value is told with its option") {
+    const Workplace here;
+    const std::string table = "table synthetic --limits " MUSIM_SOURCE_DIR "/examples/tables/outdoor.json --length 1/2 ";
+    struct Case {
+        std::string arguments, message;
+    };
+    for (const Case& bad :
+         {Case{"scale --law true_replica --set l=1/25 --value E=29.2",
+               "--value E: \"29.2\": the unit is missing; a stress is wanted (such as \"3.5 GPa\")"},
+          Case{"scale --law froude --set l=1/25 --value E=x", "--value E: \"x\": "},
+          Case{"scale --law froude --set l=1/25 --value zz=3m", "--value zz: \"zz\" is no quantity of the law"},
+          Case{"scale --define E:furlong --set l=1/25 --hold 'v/sqrt(g*l)'", "--define E: \"furlong\": unknown unit"},
+          Case{"scale --set l=1/2x", "--set l: \"1/2x\": "}, Case{table + "--payload '2 m'", "--payload: \"2 m\": a mass is wanted"},
+          Case{table + "--payload 200", "--payload: \"200\": the unit is missing; a mass is wanted (such as \"10.66 g\")"},
+          Case{"scale --law . --set l=1/2", ".: is a folder; name the law file in it"}}) {
+        CAPTURE(bad.arguments);
+        const Outcome outcome = here.run(bad.arguments);
+        CHECK(outcome.exit_code == 3);
+        CHECK_MESSAGE(outcome.has_one_error_line(), outcome.err);
+        CHECK_MESSAGE(outcome.err.starts_with("musim: error: " + bad.message), outcome.err);
+        CHECK(outcome.out.empty());
+    }
+    // plain numbers have no unit to forget
+    CHECK(here.run("scale --law mu --set l=1/25 --set mu=2 --value mu=0.59").exit_code == 0);
+}
+
 TEST_CASE("help of every command succeeds, goes to stdout and has an example") {
     const Workplace here;
     CHECK(here.run("--help").exit_code == 0);

@@ -237,10 +237,11 @@ TEST_CASE("designs name laws as data, with factors, products and files of one's 
     std::ofstream(folder.path() / "mine.json") << R"({"schema": "musim-law/1", "name": "mine", "title": "own", "extends": "mechanics",
         "chosen": [{"name": "l"}, {"name": "rho", "default": 1}], "held": ["a/g"]})";
     const auto parse = [&](const std::string& laws) {
-        return parse_design(R"({"schema": "musim-design/1", "prototype": {"block": [1.36, 2.82, 4.25], "height": 161.5, "density": 2320,
-                "friction": 0.59}, "materials": [{"name": "stone", "density": 2320, "friction": 0.59}], "laws": )" +
-                                laws + "}",
-                            source, {});
+        return parse_design(
+            R"({"schema": "musim-design/1", "prototype": {"block": ["1.36 m", "2.82 m", "4.25 m"], "height": "161.5 m", "density": "2320 kg/m^3",
+                "friction": 0.59}, "materials": [{"name": "stone", "density": "2320 kg/m^3", "friction": 0.59}], "laws": )" +
+                laws + "}",
+            source, {});
     };
     const Design design = parse(R"-(["mu", "true_replica", "mine.json", {"law": "gravity_distorted", "set": {"a": "3/2"}},
         {"law": "restoring_force", "hold": ["F_R/(mu*m*g)"]}])-");

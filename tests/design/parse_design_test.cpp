@@ -15,7 +15,7 @@ namespace {
 using lsdem::tests::relative;
 
 const std::string kPrototype =
-    R"("prototype": {"block": ["1.36 m", 2.82, "4.25 m"], "height": "161.5 m", "density": 2320, "friction": "0.59"})";
+    R"("prototype": {"block": ["1.36 m", "2.82 m", "4.25 m"], "height": "161.5 m", "density": "2320 kg/m^3", "friction": "0.59"})";
 const std::string kMaterials = R"("materials": ["wood"])";
 
 Design parse(const std::string& fields) {
@@ -45,10 +45,22 @@ TEST_CASE("a design has defaults for all but prototype and materials") {
     CHECK(design.materials.at(0).name == "wood");
 }
 
+TEST_CASE("a quantity with a dimension is refused without its unit, whether number or text") {
+    for (const char* const height : {"161.5", "\"161.5\""}) {
+        CAPTURE(height);
+        const std::string message = musim::tests::message_of<records::ReadError>([&] {
+            parse(std::string(R"("prototype": {"block": ["1 m", "2 m", "4 m"], "height": )") + height +
+                  R"(, "density": "2320 kg/m^3", "friction": 0.59}, "materials": ["wood"])");
+        });
+        CHECK_MESSAGE(message.find("d.json: prototype: height: ") == 0, message);
+        CHECK_MESSAGE(message.find("the unit is missing; a length is wanted (such as \"4.25 m\")") != std::string::npos, message);
+    }
+}
+
 TEST_CASE("a preset's values can be replaced, and a face stiffness becomes the solid's modulus") {
     const Design design =
-        parse(kPrototype + R"(, "materials": [{"preset": "wood", "name": "oak", "density": 700, "height_deviation": "0.1 mm"},
-        {"name": "resin", "density": 1200, "friction": "0.6/2", "normal_stiffness": "30 MN/m", "stiffness_block": [0.01, 0.02, 0.04],
+        parse(kPrototype + R"(, "materials": [{"preset": "wood", "name": "oak", "density": "700 kg/m^3", "height_deviation": "0.1 mm"},
+        {"name": "resin", "density": "1200 kg/m^3", "friction": "0.6/2", "normal_stiffness": "30 MN/m", "stiffness_block": ["0.01 m", "0.02 m", "0.04 m"],
          "smallest_edge": "5 mm", "price": 3}])");
     const Material &oak = design.materials.at(0), &resin = design.materials.at(1);
     CHECK(oak.name == "oak");
@@ -62,7 +74,7 @@ TEST_CASE("a preset's values can be replaced, and a face stiffness becomes the s
 
 TEST_CASE("record, limits, laws and groups are read") {
     const Design design = parse(kPrototype + ", " + kMaterials + R"(, "table": "t.json", "record": {"file": "a.v1", "axes": {"360": "x"},
-        "high_pass": "0.05 Hz"}, "limits": {"hall_height": "3 m", "camera": {"rate": 4800, "pictures": 20}}, "laws": ["froude", "cauchy"],
+        "high_pass": "0.05 Hz"}, "limits": {"hall_height": "3 m", "camera": {"rate": "4800 Hz", "pictures": 20}}, "laws": ["froude", "cauchy"],
         "gravity": 25, "length": "1/25", "groups": ["kappa_n"], "name": "n")");
     const auto& record = std::get<RecordFile>(design.motion);
     CHECK(record.axes == std::vector{std::pair<std::string, std::string>("360", "x")});
@@ -90,11 +102,11 @@ TEST_CASE("wrong designs are refused with the place and what to do") {
     check_refused(kPrototype, R"(d.json: materials is no list; write ["wood", {"name": "resin", "density": ..., "friction": ...}])");
     check_refused(kPrototype + ", " + kMaterials + R"(, "colour": 1)",
                   R"(d.json: "colour" is none of its settings; remove it, or correct its name)");
-    check_refused(R"("prototype": {"block": [1, 2]})",
+    check_refused(R"("prototype": {"block": ["1 m", "2 m"]})",
                   R"(d.json: prototype: block is no list of three lengths; write ["12.7 mm", "26.4 mm", "39.7 mm"], the height last)");
-    check_refused(R"("prototype": {"block": [1, 2, 0]})", "d.json: prototype: a length of block is not above zero; correct it");
-    check_refused(R"("prototype": {"block": [1, 2, 3]})", "d.json: prototype: height is missing; add it");
-    check_refused(R"("prototype": {"block": [1, 2, 3], "height": -1})",
+    check_refused(R"("prototype": {"block": ["1 m", "2 m", "0 m"]})", "d.json: prototype: a length of block is not above zero; correct it");
+    check_refused(R"("prototype": {"block": ["1 m", "2 m", "3 m"]})", "d.json: prototype: height is missing; add it");
+    check_refused(R"("prototype": {"block": ["1 m", "2 m", "3 m"], "height": "-1 m"})",
                   "d.json: prototype: height is not above zero; correct it, or remove it where it is not known");
     check_refused(kPrototype + ", " + kMaterials + R"(, "table": "t.json")",
                   "d.json: record is missing (the table is to make it); give both, or neither");
@@ -105,7 +117,7 @@ TEST_CASE("wrong designs are refused with the place and what to do") {
                   R"(d.json: record: axes is no object; write {"360": "x"}, component before axis)");
     check_refused(kPrototype + ", " + kMaterials + R"(, "table": "t", "record": {"peaks": [{"axis": "x"}]})",
                   "d.json: record: peaks 1: acceleration is missing; add it");
-    check_refused(kPrototype + ", " + kMaterials + R"(, "limits": {"camera": {"rate": 1}})",
+    check_refused(kPrototype + ", " + kMaterials + R"(, "limits": {"camera": {"rate": "1 Hz"}})",
                   "d.json: limits: camera: pictures is missing; add it");
     check_refused(kPrototype + R"(, "materials": ["wood"], "limits": {"overlap_ratio": 1})",
                   "d.json: material wood has no modulus (overlap_ratio asks for it); add it, or remove the limit");
@@ -124,12 +136,12 @@ TEST_CASE("wrong materials are refused with the place and what to do") {
     check_material_refused(
         R"("tin")", "d.json: materials 1: \"tin\" is no preset; take one of wood, concrete, or give its density and friction under a name");
     check_material_refused(R"("wood", "wood")", "d.json: the material \"wood\" comes twice; give every one its own \"name\"");
-    check_material_refused(R"({"name": "a", "density": 1})", "d.json: materials 1: friction is missing; add it");
-    check_material_refused(R"({"density": 1})", "d.json: materials 1: name is missing; add it");
-    check_material_refused(R"({"preset": "wood", "modulus": 1, "normal_stiffness": 1})",
+    check_material_refused(R"({"name": "a", "density": "1 kg/m^3"})", "d.json: materials 1: friction is missing; add it");
+    check_material_refused(R"({"density": "1 kg/m^3"})", "d.json: materials 1: name is missing; add it");
+    check_material_refused(R"({"preset": "wood", "modulus": "1 Pa", "normal_stiffness": "1 N/m"})",
                            "d.json: materials 1: modulus contradicts normal_stiffness; remove one of them");
     check_material_refused(
-        R"({"preset": "wood", "normal_stiffness": 1})",
+        R"({"preset": "wood", "normal_stiffness": "1 N/m"})",
         R"(d.json: materials 1: stiffness_block is no list of three lengths; write ["12.7 mm", "26.4 mm", "39.7 mm"], the height last)");
     check_material_refused(R"({"preset": "wood", "taste": 1})",
                            R"(d.json: materials 1: "taste" is none of its settings; remove it, or correct its name)");

@@ -19,7 +19,7 @@ namespace {
 
 using lsdem::tests::relative;
 
-const std::string kPrototype = R"("prototype": {"preset": "concrete", "block": ["1.36 m", 2.82, "4.25 m"], "layers": 38})";
+const std::string kPrototype = R"("prototype": {"preset": "concrete", "block": ["1.36 m", "2.82 m", "4.25 m"], "layers": 38})";
 const std::string kModel = R"("model": {"preset": "wood"})";
 const std::string kBoth = kPrototype + ", " + kModel;
 
@@ -48,7 +48,7 @@ TEST_CASE("a model has the prototype's layers and its scaled block unless it say
 
     const Facts measured =
         parse(kPrototype + R"(, "model": {"preset": "wood", "name": "oak", "block": ["12.710 mm", "26.355 mm", "39.780 mm"],
-        "layers": 12, "gap": 0, "edge_radius": "0.1 mm", "blocks_per_layer": 188, "ground_friction": "0.6", "kinetic_friction": 0.5,
+        "layers": 12, "gap": "0 m", "edge_radius": "0.1 mm", "blocks_per_layer": 188, "ground_friction": "0.6", "kinetic_friction": 0.5,
         "gravity": "25 g", "friction": "0.63/2"})");
     CHECK(measured.model.name == "oak");
     CHECK(measured.model.block[0].value() == 12.710e-3);
@@ -63,22 +63,23 @@ TEST_CASE("a model has the prototype's layers and its scaled block unless it say
 }
 
 TEST_CASE("a modulus becomes the stiffness of the block's own face, a face stiffness stays what it is") {
-    const Facts facts = parse(kPrototype + R"(, "model": {"name": "resin", "density": 1200, "friction": 0.3, "normal_stiffness": "30 MN/m",
-        "shear_stiffness": "12 MN/m", "stiffness_block": [0.01, 0.02, 0.04]})");
+    const Facts facts =
+        parse(kPrototype + R"(, "model": {"name": "resin", "density": "1200 kg/m^3", "friction": 0.3, "normal_stiffness": "30 MN/m",
+        "shear_stiffness": "12 MN/m", "stiffness_block": ["0.01 m", "0.02 m", "0.04 m"]})");
     CHECK(facts.prototype.normal_stiffness->value() == relative(30e9 * 1.36 * 2.82 / 4.25, 1e-15 * 4.0));  // four roundings
     CHECK_FALSE(facts.prototype.shear_stiffness.has_value());
     // the same solid in another block: k A/H over that of the measured one
     const auto& [thin, wide, height] = facts.model.block;
     const double ratio = (thin.value() * wide.value() / height.value()) / (0.01 * 0.02 / 0.04);
     CHECK(facts.model.normal_stiffness->value() == relative(30e6 * ratio, 1e-15 * 8.0));  // eight roundings
-    const Facts own = parse(kPrototype + R"(, "model": {"density": 1200, "friction": 0.3, "shear_stiffness": "12 MN/m"})");
+    const Facts own = parse(kPrototype + R"(, "model": {"density": "1200 kg/m^3", "friction": 0.3, "shear_stiffness": "12 MN/m"})");
     CHECK(own.model.shear_stiffness->value() == relative(12e6, 1e-15 * 6.0));  // to a modulus and back
     CHECK(own.model.name == "model");
 }
 
 TEST_CASE("motions are peaks or records, a table is frequencies or an axis") {
     const Facts told = parse(kBoth + R"(, "motion": {"acceleration": "0.511 g", "velocity": "42.4 cm/s", "displacement": "20 cm",
-        "vertical_acceleration": 0, "predominant_period": "0.5 s", "pulse_period": 2, "duration": "40 s", "step": "5 ms",
+        "vertical_acceleration": "0 g", "predominant_period": "0.5 s", "pulse_period": "2 s", "duration": "40 s", "step": "5 ms",
         "lowest_frequency": "0.1 Hz", "highest_frequency": "10 Hz", "direction": "30 deg"},
         "model_motion": {"file": "table.csv", "component": "x", "vertical": "z", "high_pass": "1 Hz"},
         "table": {"lowest_frequency": "0.2 Hz", "highest_frequency": "50 Hz"}, "name": "n")");
@@ -104,23 +105,24 @@ TEST_CASE("wrong facts are refused with the place and what to do") {
     check_refused(kPrototype, R"(f.json: model is missing; add {"preset" or "density" and "friction", "block", "layers", ...})");
     check_refused(R"("prototype": {"preset": "concrete", "layers": 3}, )" + kModel,
                   R"(f.json: prototype: block is no list of three lengths; write ["12.7 mm", "26.4 mm", "39.7 mm"], the height last)");
-    check_refused(R"("prototype": {"preset": "concrete", "block": [1, 2, 3]}, )" + kModel, "f.json: prototype: layers is missing; add it");
-    check_refused(R"("prototype": {"preset": "concrete", "block": [1, 2, 3], "layers": 0}, )" + kModel,
+    check_refused(R"("prototype": {"preset": "concrete", "block": ["1 m", "2 m", "3 m"]}, )" + kModel,
+                  "f.json: prototype: layers is missing; add it");
+    check_refused(R"("prototype": {"preset": "concrete", "block": ["1 m", "2 m", "3 m"], "layers": 0}, )" + kModel,
                   "f.json: prototype: layers is below 1; correct it");
     check_refused(kPrototype + R"(, "model": {"preset": "glass"})",
                   "f.json: model: \"glass\" is no preset; take one of wood, concrete, or give its density and friction under a name");
-    check_refused(kPrototype + R"(, "model": {"density": 800})", "f.json: model: friction is missing; add it");
+    check_refused(kPrototype + R"(, "model": {"density": "800 kg/m^3"})", "f.json: model: friction is missing; add it");
     check_refused(kPrototype + R"(, "model": {"preset": "wood", "gap": "-1 mm"})",
                   "f.json: model: gap is below zero; correct it, or remove it where it is not known");
-    check_refused(kPrototype + R"(, "model": {"preset": "wood", "modulus": 1e9, "normal_stiffness": 1e6})",
+    check_refused(kPrototype + R"(, "model": {"preset": "wood", "modulus": "1e9 Pa", "normal_stiffness": "1e6 N/m"})",
                   "f.json: model: modulus contradicts normal_stiffness; remove one of them");
-    check_refused(kPrototype + R"(, "model": {"preset": "wood", "stiffness_block": [1, 2, 3]})",
+    check_refused(kPrototype + R"(, "model": {"preset": "wood", "stiffness_block": ["1 m", "2 m", "3 m"]})",
                   "f.json: model: \"stiffness_block\" is none of its settings; remove it, or correct its name");
     check_refused(kBoth + R"(, "colour": 1)", R"(f.json: "colour" is none of its settings; remove it, or correct its name)");
-    check_refused(kBoth + R"(, "motion": {"velocity": 1})", "f.json: motion: acceleration is missing; add it");
-    check_refused(kBoth + R"(, "motion": {"file": "a", "velocity": 1})",
+    check_refused(kBoth + R"(, "motion": {"velocity": "1 m/s"})", "f.json: motion: acceleration is missing; add it");
+    check_refused(kBoth + R"(, "motion": {"file": "a", "velocity": "1 m/s"})",
                   "f.json: motion: \"velocity\" is none of its settings; remove it, or correct its name");
-    check_refused(kBoth + R"(, "model_motion": {"acceleration": 1})",
+    check_refused(kBoth + R"(, "model_motion": {"acceleration": "1 m/s^2"})",
                   "f.json: motion is missing (model_motion is held against it); add the prototype's motion, or remove model_motion");
     check_refused(kBoth + R"(, "table": {"file": "t.json"})", "f.json: table: axis is missing; add it");
 }
@@ -172,7 +174,7 @@ TEST_CASE("facts carry uncertainties and name a law as designs do") {
         return parse_facts(R"({"schema": "musim-facts/1", )" + fields + "}", "f.json", {wood(), concrete()}, 0.25, &reading);
     };
     const Facts facts =
-        read(R"("prototype": {"preset": "concrete", "block": ["1.36 m +/- 1 mm", 2.82, 4.25], "layers": 38}, )" + kModel +
+        read(R"("prototype": {"preset": "concrete", "block": ["1.36 m +/- 1 mm", "2.82 m", "4.25 m"], "layers": 38}, )" + kModel +
              R"(, "motion": {"acceleration": "0.511 g +/- 1%", "direction": "30 deg +/- 2 deg"}, "law": {"law": "gravity_distorted",
              "set": {"a": "2 +/- 1%"}}, "table": {"highest_frequency": "100 +/- 2 Hz"})");
     REQUIRE(reading.inputs().size() == 5);

@@ -26,13 +26,13 @@ using scaling::FirstOrder;
 constexpr double kRounding = 1e-12;
 
 const std::string kPrototype =
-    R"("prototype": {"block": [1.36, 2.82, 4.25], "height": "161.5 +/- 1% m", "density": 2320, "friction": "0.59 +/- 5%",
+    R"("prototype": {"block": ["1.36 m", "2.82 m", "4.25 m"], "height": "161.5 +/- 1% m", "density": "2320 kg/m^3", "friction": "0.59 +/- 5%",
        "mass": "2.7e8 +/- 2% kg", "modulus": "29.2 GPa +/- 4%"})";
 const std::string kWood =
-    R"({"name": "wood", "density": "800 +/- 3% kg/m^3", "friction": "0.63+/-5%", "modulus": 3.56e9, "smallest_edge": "8 mm +/- 2%"})";
+    R"({"name": "wood", "density": "800 +/- 3% kg/m^3", "friction": "0.63+/-5%", "modulus": "3.56e9 Pa", "smallest_edge": "8 mm +/- 2%"})";
 const std::string kTable =
     R"({"schema": "musim-table/1", "axes": [{"names": ["x"], "velocity": "25 cm/s +/- 4%", "payload": "500 kg +/- 6%",
-    "acceleration": [{"payload": 0, "limit": "2 g +/- 5%"}, {"payload": "1 t", "limit": "2 g +/- 5%"}],
+    "acceleration": [{"payload": "0 kg", "limit": "2 g +/- 5%"}, {"payload": "1 t", "limit": "2 g +/- 5%"}],
     "force": "80 kN +/- 10%", "moving_mass": "3 t", "highest_frequency": "100 Hz"}]})";
 
 /// A design on the table, with uncertain peaks.
@@ -181,7 +181,7 @@ TEST_CASE("where an uncertainty makes no sense one line says so") {
           "t.json: axes 1: velocity is \"25 cm/s +/- 4%\" (+/- makes no sense here: values alone are used); give the value alone");
     // a law that admits one value of the friction factor alone
     CHECK(message_of<scaling::SimilitudeError>([] {
-              find_answer(R"(, "laws": ["exact"])", R"({"name": "copy", "density": 2320, "friction": "0.59 +/- 5%"})");
+              find_answer(R"(, "laws": ["exact"])", R"({"name": "copy", "density": "2320 kg/m^3", "friction": "0.59 +/- 5%"})");
           }).find("copy by law exact: prototype: friction is uncertain, and the law admits its value alone (") == 0);
 }
 
@@ -208,7 +208,7 @@ TEST_CASE("the share of feasible samples is that of two limits which do not cros
     const scaling::MonteCarloSettings settings{.samples = 1'000, .seed = 8, .distribution = scaling::Distribution::lognormal};
     // the edge asks for L ≥ s/b, by the values more than the payload leaves
     const std::string material =
-        R"({"name": "wood", "density": "800 +/- 3% kg/m^3", "friction": "0.63+/-5%", "modulus": 3.56e9, "smallest_edge": "24.5 mm +/- 2%"})";
+        R"({"name": "wood", "density": "800 +/- 3% kg/m^3", "friction": "0.63+/-5%", "modulus": "3.56e9 Pa", "smallest_edge": "24.5 mm +/- 2%"})";
     const SampledAnswer answer = draw_answer("", material, settings);
     const double sigma =
         std::sqrt((std::log1p(0.06 * 0.06) + std::log1p(0.03 * 0.03) + std::log1p(0.02 * 0.02)) / 9.0 + std::log1p(0.02 * 0.02));

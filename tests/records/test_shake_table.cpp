@@ -11,8 +11,8 @@ namespace {
 
 constexpr const char* kTable = R"({"schema": "musim-table/1", "name": "test", "energy_share": 0.95, "axes": [
     {"names": ["x", "y"], "displacement": "75 mm", "velocity": "80 cm/s", "moving_mass": "1 t", "force": "30 kN", "payload": "5 t",
-     "acceleration": [{"payload": 0, "limit": "3 g"}, {"payload": "5 t", "limit": "1.5 g"}], "overturning_moment": "20 kN*m",
-     "lowest_frequency": "0.1 Hz", "highest_frequency": 50, "oil_column": {"frequency": "40 Hz", "share": 0.5}},
+     "acceleration": [{"payload": "0 kg", "limit": "3 g"}, {"payload": "5 t", "limit": "1.5 g"}], "overturning_moment": "20 kN*m",
+     "lowest_frequency": "0.1 Hz", "highest_frequency": "50 Hz", "oil_column": {"frequency": "40 Hz", "share": 0.5}},
     {"names": ["vertical"], "acceleration": "0.8 g"}],
     "controller": {"rate": "1024 Hz", "quiet": "2 s", "displacement": "mm", "velocity": "cm/s", "acceleration": "g",
                    "columns": ["time", "displacement"], "separator": "tab", "header": false, "digits": 6}})";
@@ -83,32 +83,33 @@ TEST_CASE("a damaged shake table is refused in one line that names the place") {
     CHECK(error_of(R"({"schema": "musim-table/1", "axes": [{}]})") ==
           "t.json: axes 1: has no names; add \"names\": [\"x\"], one for each direction that has these limits");
     CHECK(error_of(axis(R"("velocity": "80 cm")")).starts_with("t.json: axes 1: velocity: \"80 cm\""));
-    CHECK(error_of(axis(R"("velocity": -1)")) ==
+    CHECK(error_of(axis(R"("velocity": "-1 m/s")")) ==
           "t.json: axes 1: velocity is not above zero; give its magnitude, or remove it where there is no limit");
-    CHECK(error_of(axis(R"("stroke": 1)")) == "t.json: axes 1: \"stroke\" is none of its settings; remove it, or correct its name");
+    CHECK(error_of(axis(R"("stroke": "1 m")")) == "t.json: axes 1: \"stroke\" is none of its settings; remove it, or correct its name");
     CHECK(error_of(axis(R"("force": "1 kN")")) ==
           "t.json: axes 1: moving_mass is missing (force and oil column act on table and payload); add the mass of platen and rods");
-    CHECK(error_of(axis(R"("lowest_frequency": 5, "highest_frequency": 5)")) ==
+    CHECK(error_of(axis(R"("lowest_frequency": "5 Hz", "highest_frequency": "5 Hz")")) ==
           "t.json: axes 1: lowest_frequency is not below highest_frequency; exchange them");
-    CHECK(error_of(axis(R"("acceleration": [{"payload": 2, "limit": 1}, {"payload": 1, "limit": 2}])")) ==
+    CHECK(error_of(axis(R"("acceleration": [{"payload": "2 kg", "limit": "1 m/s^2"}, {"payload": "1 kg", "limit": "2 m/s^2"}])")) ==
           "t.json: axes 1: acceleration 2: more payload must come after less, with no more acceleration; bring the rows into order");
     CHECK(error_of(axis(R"("acceleration": [])")).find("acceleration has no rows") != std::string::npos);
-    CHECK(error_of(axis(R"("moving_mass": 1, "oil_column": {"frequency": 9, "share": 2})")) ==
+    CHECK(error_of(axis(R"("moving_mass": "1 kg", "oil_column": {"frequency": "9 Hz", "share": 2})")) ==
           "t.json: axes 1: oil_column: share is not above 0 and up to 1; write the usable part, such as 0.6");
     CHECK(error_of(R"({"schema": "musim-table/1", "axes": [{"names": ["x", "x"]}]})") ==
           "t.json: axes 1: the name \"x\" comes twice; give every direction its own");
     CHECK(error_of(R"({"schema": "musim-table/1", "energy_share": 1, "axes": [{"names": ["x"]}]})") ==
           "t.json: energy_share is not between 0.5 and 1; write 0.99 or the like");
     CHECK(error_of(controller("")) == "t.json: controller: rate is missing; add it");
-    CHECK(error_of(controller(R"("rate": 100, "acceleration": "mm")"))
+    CHECK(error_of(controller(R"("rate": "100 Hz", "acceleration": "mm")"))
               .starts_with("t.json: controller: acceleration is in no unit of its own (\"mm\"); use one of "));
-    CHECK(error_of(controller(R"("rate": 100, "columns": ["jerk"])")) ==
+    CHECK(error_of(controller(R"("rate": "100 Hz", "columns": ["jerk"])")) ==
           "t.json: controller: \"jerk\" is no column; take time, displacement, velocity, acceleration");
-    CHECK(error_of(controller(R"("rate": 100, "separator": ";")")) ==
+    CHECK(error_of(controller(R"("rate": "100 Hz", "separator": ";")")) ==
           "t.json: controller: separator is \";\"; take \"comma\", \"tab\" or \"space\"");
-    CHECK(error_of(controller(R"("rate": 100, "digits": 18)")) == "t.json: controller: digits is not from 1 to 17; take 9");
-    CHECK(error_of(controller(R"("rate": 100, "quiet": -1)")) == "t.json: controller: quiet is below zero; give a time of zero or more");
-    CHECK(error_of(controller(R"("rate": 100, "header": 1)")) ==
+    CHECK(error_of(controller(R"("rate": "100 Hz", "digits": 18)")) == "t.json: controller: digits is not from 1 to 17; take 9");
+    CHECK(error_of(controller(R"("rate": "100 Hz", "quiet": "-1 s")")) ==
+          "t.json: controller: quiet is below zero; give a time of zero or more");
+    CHECK(error_of(controller(R"("rate": "100 Hz", "header": 1)")) ==
           "t.json: controller: header is neither true nor false; write one of them, without quotes");
 }
 
@@ -131,7 +132,7 @@ TEST_CASE("components find their axes by themselves or as told") {
     CHECK_THROWS_WITH(assign_axes(three_components(), table, {{"360", "x"}, {"90", "x"}}),
                       "axis x is to make two components; give each its own");
     CHECK_THROWS_WITH(assign_axes(three_components(), table, {{"360", "w"}}), "the table has no axis \"w\"; choose one of x, y, vertical");
-    const ShakeTable uniaxial = parse_shake_table(axis(R"("velocity": 1)"), "t.json");
+    const ShakeTable uniaxial = parse_shake_table(axis(R"("velocity": "1 m/s")"), "t.json");
     CHECK_THROWS_WITH(assign_axes(three_components(), uniaxial, {}),
                       "a.v1: the table has no vertical axis left for component Up; choose components with --axis Up=AXIS");
 }

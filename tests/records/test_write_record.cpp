@@ -89,6 +89,37 @@ TEST_CASE("a record written as AT2 comes back with its clock and samples") {
     }
 }
 
+TEST_CASE("an uncorrected record keeps its corner in every text format, and so its peak velocity") {
+    const tests::TemporaryFolder folder;
+    GroundMotion motion = make_motion();
+    std::erase_if(motion.components, [](const Component& component) { return component.name != "360"; });
+    for (const double hertz : {0.05, 0.05 * 10.688982}) {
+        motion.integration_corner = hertz * scaling::si::hertz;
+        write_at2(folder.path() / "a.at2", motion, "360");
+        write_cosmos(folder.path() / "a.v1", motion);
+        write_csv(folder.path() / "a.csv", motion);
+        for (const char* const file : {"a.at2", "a.v1", "a.csv"}) {
+            CAPTURE(file);
+            CHECK(read_record(folder.path() / file).integration_corner == motion.integration_corner);
+        }
+    }
+    motion.integration_corner.reset();
+    write_at2(folder.path() / "a.at2", motion, "360");
+    write_cosmos(folder.path() / "a.v2", motion);
+    for (const char* const file : {"a.at2", "a.v2"}) CHECK_FALSE(read_record(folder.path() / file).integration_corner);
+}
+
+TEST_CASE("a corner that is none is refused with its line") {
+    const tests::TemporaryFolder folder;
+    for (const char* const corner : {"-1", "0", "x", ""}) {
+        CAPTURE(corner);
+        std::ofstream(folder.path() / "a.at2") << "PEER\nQuake, Place, 90\nACCELERATION IN UNITS OF G, INTEGRATION CORNER= " << corner
+                                               << " HZ\nNPTS= 2, DT= .01 SEC\n0.1 0.2\n";
+        const std::string message = tests::message_of<ReadError>([&] { read_record(folder.path() / "a.at2"); });
+        CHECK_MESSAGE(message.find("a.at2:3: integration corner") != std::string::npos, message);
+    }
+}
+
 TEST_CASE("velocities are written as VT2 in cm/s") {
     const tests::TemporaryFolder folder;
     GroundMotion motion{.format = "test"};

@@ -155,7 +155,12 @@ TEST_CASE("quantities print in the units engineers write") {
 
 TEST_CASE("an uncertainty prints in the unit of its value") {
     const Dimension velocity = dimension_of<Velocity>();
-    CHECK(format_si(0.001498, velocity) == "1498 um/s");
+    CHECK(format_si(0.001498, velocity) == "0.1498 cm/s");
+    CHECK(format_si(2e-6, velocity) == "2 um/s");
+    CHECK(format_si(0.000155, dimension_of<Length>()) == "0.155 mm");
+    CHECK(format_si(5e-7, dimension_of<Length>()) == "0.5 um");
+    CHECK(format_si(2.039e6, dimension_of<Mass>()) == "2039 t");
+    CHECK(format_si(0.0009355, dimension_of<Time>()) == "935.5 us");
     CHECK(format_si_like(0.001498, 0.0424, velocity, 2) == "0.15 cm/s");
     CHECK(format_si_like(0.0424, 0.0424, velocity) == "4.24 cm/s");
     CHECK(format_si_like(0.5, 0.0, dimension_of<Length>()) == "0.5 m");
