@@ -33,8 +33,9 @@ void write_cosmos(const std::filesystem::path& path, const GroundMotion& motion)
 /// read_record() gives back the same samples to the last bit with ReadOptions::sensitivity 1 (and the quantity, for displacement). The
 /// station "CI.CLC ..." gives network and station, others are XX.MUSIM. Names of three capitals or digits are channel codes, other
 /// components get one: band of the sampling rate, N, H or Y for acceleration, velocity or displacement, and N, E, Z or the ordinal number.
-/// Without a time_zero the clock starts in 1970; an integration corner is lost (read_record() takes kUncorrectedCornerHz). Throws WriteError when there is no component, two have the same channel code, the sampling
-/// rate cannot be held to 1/100 of a step over the record, and when the file cannot be written; it is complete or absent.
+/// Without a time_zero the clock starts in 1970; an integration corner is lost (read_record() takes kUncorrectedCornerHz). Throws
+/// WriteError when there is no component, two have the same channel code, the sampling rate cannot be held to 1/100 of a step over the
+/// record, and when the file cannot be written; it is complete or absent.
 void write_miniseed(const std::filesystem::path& path, const GroundMotion& motion);
 
 }  // namespace musim::records

@@ -83,7 +83,10 @@ RecognisedGroup describe(const NamedGroup& named, const Match& match, const std:
     result.formula = named.formula;
     const bool inverse = match.power.numerator() < 0;
     const Rational size = inverse ? -match.power : match.power;
-    result.name = fmt::format("{}{}{}", inverse ? "1/" : "", named.name, power_text(size));
+    const std::string power = power_text(size);
+    // of a group whose name is a formula, such as E/(rho*g*l)
+    const bool brackets = (inverse || !power.empty()) && named.name.find_first_of("/*^") != std::string::npos;
+    result.name = fmt::format("{}{}{}{}{}", inverse ? "1/" : "", brackets ? "(" : "", named.name, brackets ? ")" : "", power);
     std::vector<std::string> stand_ins;
     for (std::size_t k = 0; k < named.roles.size(); ++k) {
         const GroupRole& role = named.roles[k];

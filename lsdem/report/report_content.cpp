@@ -7,8 +7,10 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "lsdem/scene/scene_json.hpp"
 #include "lsdem/study/checkpoint.hpp"
 #include "lsdem/study/watched_folder.hpp"
+#include "scaling/quantity_text.hpp"
 
 namespace musim::lsdem::report {
 namespace {
@@ -26,19 +28,19 @@ nlohmann::json read_object(const fs::path& file) {
     return object.is_object() ? object : nlohmann::json::object();
 }
 
+std::string describe_material(const scene::BlockMaterial& material) {
+    return fmt::format("{}, k_n {}, k_s {}, μ {:.4g}, e {:.4g}", scaling::format_quantity(material.density, 4),
+                       scaling::format_quantity(material.normal_stiffness, 4), scaling::format_quantity(material.shear_stiffness, 4),
+                       material.friction, material.restitution);
+}
+
 void take_scene(ReportedRun& reported) {
-    const nlohmann::json scene = nlohmann::json::parse(reported.run.scene, nullptr, false);
-    if (!scene.is_object()) return;
-    reported.scene_name = scene.value("name", "");
-    const auto material = scene.find("material");
-    if (material == scene.end()) return;
-    if (material->is_string()) {
-        reported.material = material->get<std::string>();
-        return;
-    }
-    for (const auto& [key, value] : material->items()) {
-        reported.material +=
-            fmt::format("{}{} {}", reported.material.empty() ? "" : ", ", key, value.is_string() ? value.get<std::string>() : value.dump());
+    try {
+        const scene::Scene scene = scene::parse_scene(reported.run.scene);
+        reported.scene_name = scene.name;
+        reported.material = describe_material(scene.material);
+    } catch (const std::runtime_error&) {
+        // the scene of another version; what it made is shown all the same
     }
 }
 

@@ -130,6 +130,12 @@ std::optional<ReportFigure> make_difference_figure(const std::vector<ReportedRun
         }
         plot.series.push_back(std::move(series));
     }
+    const auto differs = [](const PlotSeries& series) {
+        return std::any_of(series.y.begin(), series.y.end(), [](double y) { return y > 0.0; });
+    };
+    // of series that are zero a logarithmic axis shows nothing
+    plot.series.erase(std::remove_if(plot.series.begin(), plot.series.end(), [&](const PlotSeries& series) { return !differs(series); }),
+                      plot.series.end());
     if (plot.series.empty()) return std::nullopt;
     return make_figure("difference", plot);
 }

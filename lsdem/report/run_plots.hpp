@@ -12,8 +12,8 @@ namespace musim::lsdem::report {
 /// lowest at the bottom, as Fig. 8 of [Harmon23]. Nothing without a spine.
 std::optional<ReportFigure> make_spine_figure(const std::vector<ReportedRun>& runs);
 
-/// Of each model against the first run: √(Σ_s |v/λ_v − v_P|²)/√(max_t Σ_s |v_P|²) over time, s the blocks of the spine. Nothing without
-/// models that sample at the same dimensionless times.
+/// Of each model against the first run: √(Σ_s |v/λ_v − v_P|²)/√(max_t Σ_s |v_P|²) over time, s the blocks of the spine. Models that
+/// never differ are left out, and those that sample at other dimensionless times; nothing when none is left.
 std::optional<ReportFigure> make_difference_figure(const std::vector<ReportedRun>& runs);
 
 /// Arrival over height of one run, with the speeds that fit it. Nothing without estimates.

@@ -19,11 +19,11 @@ constexpr const char* kScene = R"({"schema": "musim-scene/1", "name": "two colum
 TEST_CASE("report makes one page of a pair, and its plots as files with their data") {
     const Workplace here;
     here.write("scene.json", kScene);
-    REQUIRE(here.run("pair scene.json --length 1/16 -o out").exit_code == 0);
+    REQUIRE(here.run("pair scene.json --length 1/16 --length 1/25 -o out").exit_code == 0);
     const Outcome outcome = here.run("report out -o page.html --figures figures --json");
     REQUIRE(outcome.exit_code == 0);
     const nlohmann::json json = outcome.json();
-    CHECK(json["runs"] == 2);
+    CHECK(json["runs"] == 3);
     CHECK(json["remarks"].empty());
     const std::string page = here.read("page.html");
     CHECK(page.size() == json["bytes"].get<std::size_t>());
@@ -34,7 +34,7 @@ TEST_CASE("report makes one page of a pair, and its plots as files with their da
         CHECK_MESSAGE(here.has(std::string("figures/") + name + ".svg"), name);
         CHECK_MESSAGE(here.read(std::string("figures/") + name + ".csv").find(',') != std::string::npos, name);
     }
-    CHECK(here.run("report out -o page.html").out.starts_with("page.html: 2 runs, "));
+    CHECK(here.run("report out -o page.html").out.starts_with("page.html: 3 runs, "));
 }
 
 TEST_CASE("report refuses what holds no results and leaves no page") {

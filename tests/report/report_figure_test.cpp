@@ -63,10 +63,8 @@ TEST_CASE("models are drawn scaled back to their prototype, so that a similar on
     for (std::size_t row = 0; row < 3; ++row) {
         for (std::size_t cell = 2; cell < 5; ++cell) CHECK(spine->twin.rows[row][cell].text == spine->twin.rows[row + 3][cell].text);
     }
-    // powers of four: the difference is zero, and nothing of it is on a logarithmic axis
-    const std::optional<ReportFigure> same = make_difference_figure({prototype, model});
-    REQUIRE(same);
-    CHECK(same->twin.rows[0][6].text == "0");
+    // powers of four: the difference is zero, of which a logarithmic axis shows nothing
+    CHECK_FALSE(make_difference_figure({prototype, model}));
     model.run.history.spine_velocity[3 * 20 + 1].x() += 0.25 * 0.1;
     const std::optional<ReportFigure> other = make_difference_figure({prototype, model});
     double largest = 0.0;

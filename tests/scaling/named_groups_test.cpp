@@ -58,6 +58,8 @@ TEST_CASE("groups are recognised in any power and inverse") {
     CHECK(name_of("rho*v^2*l/sigma", quantities) == "Weber");
     CHECK(name_of("k_n/(rho*g*l^2)", quantities) == "kappa");
     CHECK(name_of("c/v", quantities) == "1/Mach");
+    CHECK(name_of("E/(rho*g*l)", quantities) == "E/(rho*g*l)");
+    CHECK(name_of("rho*g*l/E", quantities) == "1/(E/(rho*g*l))");
     CHECK(name_of("mu", quantities) == "");
     CHECK(name_of("l/u", quantities) == "");
 }

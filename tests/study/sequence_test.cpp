@@ -144,7 +144,10 @@ TEST_CASE("every stage begins where the one before left the structure, at rest, 
         const StoredRun& run = runs[k];
         CHECK(run.history.time.front() == 0.0);
         CHECK(run.history.base.front().displacement == Vector3::Zero());
-        CHECK(run.history.energy.empty());
+        REQUIRE(run.history.energy.size() == run.history.samples());
+        CHECK(run.history.energy.front().base_work == 0.0);
+        CHECK(run.history.energy.front().friction_loss == 0.0);
+        CHECK(run.history.energy.front().damping_loss == 0.0);
         REQUIRE(run.origin.has_value() == (k > 0));
         const auto json = nlohmann::json::parse(bytes_of(run.directory / "summary.json"));
         // what a step in which blocks touch or part books wrongly, see lsdem/README.md

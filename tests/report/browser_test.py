@@ -1,0 +1,181 @@
+"""What a browser makes of reports: no error, the plots hold the data, the slider moves blocks, pictures of each view.
+
+usage: browser_test.py MUSIM [FOLDER FOR PICTURES]
+Exit code 77: skipped, since there is no chromium, chromedriver or selenium (Debian: chromium, chromium-driver, python3-selenium).
+"""
+import csv
+import json
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+
+SKIPPED = 77
+try:
+    from selenium import webdriver
+    from selenium.webdriver.chrome.options import Options
+    from selenium.webdriver.chrome.service import Service
+except ImportError:
+    print("skipped: there is no selenium (python3-selenium)")
+    sys.exit(SKIPPED)
+if not shutil.which("chromium") or not shutil.which("chromedriver"):
+    print("skipped: there is no chromium or chromedriver")
+    sys.exit(SKIPPED)
+
+SCENE = {
+    "schema": "musim-scene/1", "name": "ring of blocks",
+    "material": {"density": "2320 kg/m^3", "normal_stiffness": "2.625 GN/m", "shear_stiffness": "2.5 GN/m", "friction": 0.59, "restitution": 0.5},
+    "structure": {"kind": "tower", "layers": 6, "block": ["1.36 m", "2.82 m", "4.25 m"], "tiling": "ring_14"},
+    "base_motion": {"signal": "sine", "direction": "x", "amplitude": "0.3 g", "frequency": "2 Hz", "cycles": 1},
+    "time": {"duration": "1 s"}, "output": {"spine_rate": "200 Hz", "frame_rate": "50 Hz"},
+}
+
+
+def check(holds, what):
+    if not holds:
+        raise AssertionError(what)
+
+
+def open_browser(width, height, dark):
+    options = Options()
+    for argument in ("--headless=new", "--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
+                     "--hide-scrollbars", "--host-resolver-rules=MAP * ~NOTFOUND", f"--window-size={width},{height}"):
+        options.add_argument(argument)
+    options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
+    browser = webdriver.Chrome(service=Service(shutil.which("chromedriver")), options=options)
+    if dark:
+        browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": [{"name": "prefers-color-scheme", "value": "dark"}]})
+    return browser
+
+
+def open_report(browser, page):
+    browser.get(page.resolve().as_uri())
+    for _ in range(300):
+        if browser.execute_script("return document.getElementById('tower').dataset.ready === 'yes'"):
+            return
+        time.sleep(0.1)
+    raise AssertionError("the blocks are not shown: " + browser.execute_script("return document.getElementById('tower-message').textContent"))
+
+
+def check_console(browser):
+    errors = [entry for entry in browser.get_log("browser") if entry["level"] in ("SEVERE", "WARNING")]
+    check(not errors, f"the console is not empty: {errors}")
+
+
+def check_plots(browser, figures):
+    """Of each plot's numbers on the page, the largest magnitude is that of its CSV."""
+    names = browser.execute_script("return [...document.querySelectorAll('figure')].map(f => f.dataset.figure)")
+    check(len(names) > 5, f"only {names} are drawn")
+    for name in names:
+        with open(figures / f"{name}.csv", newline="") as file:
+            rows = list(csv.DictReader(file))
+        check(rows, f"{name}.csv is empty")
+        drawn = browser.execute_script(f"return document.querySelector('#figure-{name} svg').querySelectorAll('path, circle, polyline').length")
+        check(drawn > 0, f"{name} shows no curve")
+        series = "run" if "run" in rows[0] else "series"
+        cells = browser.execute_script(
+            f"return [...document.querySelectorAll('#figure-{name} tbody tr')].map(r => [...r.children].map(c => c.textContent))")
+        for cell in cells:
+            if series == "run":
+                values = [float(row["y"]) for row in rows if row["run"] == cell[0] and row["row"] == cell[1]]
+                expected, told = max(values, key=abs), float(cell[2])
+            else:
+                values = [float(row["y"]) for row in rows if row["series"] == cell[0]]
+                expected, told = max(values), float(cell[6])
+            check(abs(told - expected) <= 5e-4 * abs(expected) + 1e-300, f"{name}, {cell}: told {told}, the data have {expected}")
+
+
+def check_blocks(browser, blocks):
+    """The slider moves blocks, to where the frames have them; keyboard and fields work."""
+    move = "const s = document.getElementById('tower-time'); s.value = arguments[0]; s.dispatchEvent(new Event('input'));"
+    top = "return [...window.musimTower.groups[0].run.displacement.slice(3 * arguments[0], 3 * arguments[0] + 3)]"
+    browser.execute_script(move, 0)
+    start = browser.execute_script(top, blocks - 1)
+    browser.execute_script(move, 0.5)
+    moved = browser.execute_script(top, blocks - 1)
+    check(max(abs(value) for value in start) < 1e-9, f"the top has moved at the start: {start}")
+    check(abs(moved[0]) > 1e-3, f"the slider does not move the top: {moved}")
+    history = browser.execute_script("return window.musimTower.historyOf(window.musimTower.runs[0], arguments[0])", blocks - 1)
+    check(len(history) == 51, f"{len(history)} frames")
+    browser.execute_script("const b = document.getElementById('tower-block'); b.value = 7; b.dispatchEvent(new Event('change'));")
+    check("block 7 of" in browser.execute_script("return document.getElementById('tower-block-facts').textContent"), "the block's facts are not told")
+    before = browser.execute_script("return window.musimTower.camera.position.toArray()")
+    browser.execute_script("document.getElementById('tower-canvas').dispatchEvent(new KeyboardEvent('keydown', {key: 'ArrowLeft'}))")
+    check(browser.execute_script("return window.musimTower.camera.position.toArray()") != before, "the arrow keys do not turn the view")
+    browser.execute_script("document.getElementById('tower-play').click()")
+    time.sleep(1.0)
+    check(browser.execute_script("return window.musimTower.time") > 0.5, "it does not play")
+    browser.execute_script("window.musimTower.play(false)")
+
+
+def count_colours(browser):
+    return browser.execute_script("""
+        const gl = window.musimTower.renderer.getContext(), w = gl.drawingBufferWidth, h = gl.drawingBufferHeight, p = new Uint8Array(4 * w * h);
+        window.musimTower.draw();
+        gl.readPixels(0, 0, w, h, gl.RGBA, gl.UNSIGNED_BYTE, p);
+        const seen = new Set();
+        for (let i = 0; i < p.length; i += 4) if (p[i + 3] > 0) seen.add(p[i] << 16 | p[i + 1] << 8 | p[i + 2]);
+        return seen.size;""")
+
+
+def check_views(browser, pictures, name):
+    for camera in ("front", "side", "top", "corner"):
+        browser.execute_script(f"document.querySelector('[data-camera={camera}]').click()")
+        check(count_colours(browser) > 20, f"the view from {camera} is empty")
+        browser.execute_script("document.getElementById('blocks').scrollIntoView()")
+        browser.save_screenshot(str(pictures / f"{name}_{camera}.png"))
+    for colour in browser.execute_script("return [...document.getElementById('tower-colour').options].map(o => o.value)"):
+        browser.execute_script("const c = document.getElementById('tower-colour'); c.value = arguments[0]; c.dispatchEvent(new Event('change'));", colour)
+        check(count_colours(browser) > 10, f"coloured by {colour} nothing is seen")
+
+
+def check_layout(browser, page, pictures):
+    for name, width, dark in (("light", 1280, False), ("phone", 390, False), ("dark", 1280, True)):
+        other = open_browser(width, 900, dark)
+        try:
+            open_report(other, page)
+            check_console(other)
+            wide = other.execute_script("return document.documentElement.scrollWidth - document.documentElement.clientWidth")
+            check(wide <= 1, f"{name}: the page is {wide} pixels wider than the window")
+            if dark:
+                ground = other.execute_script("return getComputedStyle(document.body).backgroundColor")
+                check(ground != "rgb(255, 255, 255)", "the page is not dark")
+            for place in ("verdict", "blocks", "spine", "profiles", "energy"):
+                other.execute_script(f"document.getElementById('{place}').scrollIntoView()")
+                time.sleep(0.2)
+                other.save_screenshot(str(pictures / f"{name}_{place}.png"))
+        finally:
+            other.quit()
+
+
+def main():
+    musim = pathlib.Path(sys.argv[1]).resolve()
+    with tempfile.TemporaryDirectory() as folder:
+        place = pathlib.Path(folder)
+        pictures = pathlib.Path(sys.argv[2]) if len(sys.argv) > 2 else place
+        pictures.mkdir(parents=True, exist_ok=True)
+        (place / "scene.json").write_text(json.dumps(SCENE))
+
+        def run(*arguments):
+            return subprocess.run([musim, *arguments], cwd=place, check=True, capture_output=True, text=True).stdout
+
+        run("pair", "scene.json", "--length", "1/16", "--length", "1/25", "-o", "pair")
+        answer = json.loads(run("report", "pair", "-o", "pair.html", "--figures", "figures", "--json"))
+        check(answer["runs"] == 3 and not answer["remarks"], f"{answer}")
+        browser = open_browser(1280, 1000, False)
+        try:
+            open_report(browser, place / "pair.html")
+            check_plots(browser, place / "figures")
+            check_blocks(browser, 6 * 14)
+            check_views(browser, pictures, "pair")
+            check_console(browser)
+        finally:
+            browser.quit()
+        check_layout(browser, place / "pair.html", pictures)
+    print("reports are shown as they should be")
+
+
+if __name__ == "__main__":
+    main()
