@@ -54,24 +54,30 @@ void RecordOutputOptions::add_to(CLI::App& command) {
         ->required()
         ->type_name("OUT");
     command.add_option("--format", format, "csv, at2, cosmos or mseed, when the extension does not tell")->type_name("FORMAT");
-    command.add_option("--component", component, "Component for a PEER file, e.g. 360")->type_name("NAME");
+    command.add_option("--component", component, "The only component to write, e.g. 360; PEER files hold one")->type_name("NAME");
 }
 
 void RecordOutputOptions::check() const { find_format(*this); }
 
-void RecordOutputOptions::write(const records::GroundMotion& motion) const {
+records::GroundMotion RecordOutputOptions::select(records::GroundMotion motion) const {
+    if (!component.empty()) motion.components = {motion.find_component(component)};
+    return motion;
+}
+
+void RecordOutputOptions::write(const records::GroundMotion& all) const {
     const std::string_view name = find_format(*this);
+    const records::GroundMotion motion = select(all);
     if (name == "csv") return records::write_csv(out, motion);
     if (name == "cosmos") return records::write_cosmos(out, motion);
     if (name == "mseed") {
         records::write_miniseed(out, motion);
         return note_lost_corner(out, motion);
     }
-    if (component.empty() && motion.components.size() > 1) {
+    if (motion.components.size() > 1) {
         throw records::WriteError(out + ": a PEER file holds one component; choose one with --component (" + motion.component_names() +
                                   ")");
     }
-    records::write_at2(out, motion, component.empty() ? motion.components.front().name : component);
+    records::write_at2(out, motion, motion.components.front().name);
 }
 
 }  // namespace musim::cli

@@ -11,7 +11,7 @@ namespace musim::cli {
 struct RecordOutputOptions {
     std::string out;
     std::string format;     ///< empty: by the extension of `out`
-    std::string component;  ///< for formats that hold one
+    std::string component;  ///< the only one that is written; empty: all, of which PEER files hold one
 
     /// Adds the options to a command; --out is required.
     void add_to(CLI::App& command);
@@ -19,7 +19,10 @@ struct RecordOutputOptions {
     /// Throws records::WriteError when neither extension nor --format tell the format: asked before anything is computed.
     void check() const;
 
-    /// Writes the file; it is complete or absent. Throws records::WriteError.
+    /// The motion with nothing but the component that was asked for. Throws records::ReadError when there is none of that name.
+    records::GroundMotion select(records::GroundMotion motion) const;
+
+    /// Writes what select() leaves; the file is complete or absent. Throws records::WriteError.
     void write(const records::GroundMotion& motion) const;
 };
 

@@ -43,7 +43,7 @@ int run_rescale(const RescaleOptions& options) {
     const scaling::ModelScales scales = options.scales.model_scales();
     options.output.check();
     refuse_overwriting(options.source.find_files({options.record}), {options.output.out});
-    const records::GroundMotion prototype = options.source.load(options.record);
+    const records::GroundMotion prototype = options.output.select(options.source.load(options.record));
     const records::GroundMotion model = records::rescale(prototype, scales);
     const UncertainRescale uncertain = find_uncertain_rescale(prototype, options.scales, options.structure, options.monte_carlo.make());
     const auto distortions = scaling::find_distortions(scales, options.structure.facts());

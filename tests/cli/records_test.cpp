@@ -59,6 +59,23 @@ TEST_CASE("rescale multiplies time and samples by the factors it prints, and rea
     CHECK(model["pgv_cm_s"].get<double>() == doctest::Approx(42.4 * object["factors"]["velocity"].get<double>()).epsilon(1e-8));
 }
 
+TEST_CASE("a component that is asked for is the only one that is told and written, in every format") {
+    const Workplace here;
+    here.write("two.txt", "0 1 -2\n0.1 -1 3\n0.2 0.5 1\n0.3 0 0\n");
+    for (const char* file : {"one.csv", "one.v2", "one.at2"}) {
+        CAPTURE(std::string(file));
+        const Outcome outcome = here.run("rescale two.txt --length 1/4 --law froude --component 2 --json -o " + std::string(file));
+        REQUIRE(outcome.exit_code == 0);
+        REQUIRE(outcome.json()["components"].size() == 1);
+        CHECK(outcome.json()["components"][0]["component"] == "2");
+        CHECK(here.run("record info " + std::string(file) + " --json").json()["components"].size() == 1);
+    }
+    const Outcome unknown = here.run("rescale two.txt --length 1/4 --law froude --component 7 -o seven.csv");
+    CHECK(unknown.exit_code == 3);
+    CHECK(unknown.has_one_error_line());
+    CHECK_FALSE(here.has("seven.csv"));
+}
+
 TEST_CASE("rescale writes PEER files, and asks for a format it can't tell") {
     const Workplace here;
     CHECK(here.run("rescale synthetic --length 1/25 -o model.at2").exit_code == 0);
