@@ -178,17 +178,18 @@ std::string xdmf_frame(std::string_view path, std::size_t k, std::size_t frames,
 /// Frames when the run kept any, else its first and last instant.
 std::string make_xdmf(const RunResult& run) {
     const std::size_t n = run.blocks.mass.size();
-    const std::string size = xdmf_attribute("size", "Vector", xdmf_data("/blocks/size", n, 3, 8));
+    const std::string size = xdmf_attribute("size [m]", "Vector", xdmf_data("/blocks/size", n, 3, 8));
     std::string grids;
     const std::size_t frames = run.frames.time.size();
     for (std::size_t k = 0; k < frames; ++k) {
         grids += xdmf_grid(run.frames.time[k], n, xdmf_frame("/frames/position", k, frames, n, 3),
-                           size + xdmf_attribute("velocity", "Vector", xdmf_frame("/frames/velocity", k, frames, n, 3)) +
+                           size + xdmf_attribute("velocity [m/s]", "Vector", xdmf_frame("/frames/velocity", k, frames, n, 3)) +
                                xdmf_attribute("quaternion", "Matrix", xdmf_frame("/frames/quaternion", k, frames, n, 4)));
     }
     if (frames == 0) {
-        grids += xdmf_grid(run.initial.time, n, xdmf_data("/blocks/initial_position", n, 3, 8), size);
-        grids += xdmf_grid(run.final.time, n, xdmf_data("/blocks/final_position", n, 3, 8), size);
+        const auto turn = [&](const char* path) { return xdmf_attribute("quaternion", "Matrix", xdmf_data(path, n, 4, 8)); };
+        grids += xdmf_grid(run.initial.time, n, xdmf_data("/blocks/initial_position", n, 3, 8), size + turn("/blocks/initial_quaternion"));
+        grids += xdmf_grid(run.final.time, n, xdmf_data("/blocks/final_position", n, 3, 8), size + turn("/blocks/final_quaternion"));
     }
     return "<?xml version=\"1.0\"?>\n<Xdmf Version=\"3.0\">\n <Domain>\n  <Grid GridType=\"Collection\" CollectionType=\"Temporal\">\n" +
            grids + "  </Grid>\n </Domain>\n</Xdmf>\n";

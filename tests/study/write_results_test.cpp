@@ -231,6 +231,7 @@ TEST_CASE("result.xdmf names every frame, or the first and last instant of a run
         write_results(scratch.path(), run, kHeader);
         const std::string xdmf = bytes_of(scratch.path() / "result.xdmf");
         std::size_t n = 0;
+        for (const char* field : {"Name=\"size [m]\"", "Name=\"quaternion\""}) CHECK(xdmf.find(field) != std::string::npos);
         for (std::size_t at = xdmf.find("<Time "); at != std::string::npos; at = xdmf.find("<Time ", at + 1)) ++n;
         return n;
     };
