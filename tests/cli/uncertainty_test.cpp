@@ -57,9 +57,9 @@ TEST_CASE("the laws of always tell the same in every form") {
                 const std::string effect = distortion["effect"].get<std::string>();
                 CHECK_MESSAGE(outcome.out.find(effect.substr(0, effect.find_first_of("<>=_%"))) != std::string::npos, effect);
             }
-            for (const auto& [name, value] : object["factors"].items()) {
-                const std::string number = fmt::format("{:.7g}", value.get<double>());
-                CHECK_MESSAGE(outcome.out.find(number) != std::string::npos, name, " = ", number);
+            for (const auto& factor : object["factors"].items()) {
+                const std::string number = fmt::format("{:.7g}", factor.value().get<double>());
+                CHECK_MESSAGE(outcome.out.find(number) != std::string::npos, factor.key(), " = ", number);
             }
             if (object.contains("measures")) CHECK(outcome.out.find("pga, model") != std::string::npos);
         }
