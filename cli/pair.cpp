@@ -148,12 +148,6 @@ void print_study(const study::ScenePair& pair) {
     }
 }
 
-/// Folder of a run: its label without the colon.
-std::string folder_name(std::string label) {
-    std::replace(label.begin(), label.end(), ':', '-');
-    return label;
-}
-
 void write_study(study::ResultFolder& folder, const study::ScenePair& pair) {
     const study::PairStudy& study = pair.study;
     const std::string prototype = scene::write_scene(pair.prototype);
@@ -161,7 +155,7 @@ void write_study(study::ResultFolder& folder, const study::ScenePair& pair) {
     folder.add_run(study.shadow.label, study.shadow.run, {prototype, std::nullopt, kVersion});
     for (std::size_t m = 0; m < study.models.size(); ++m) {
         const study::PairedRun& model = study.models[m];
-        folder.add_run(folder_name(model.label), model.run, {scene::write_scene(pair.models[m]), model.similitude, kVersion});
+        folder.add_run(study::name_folder(model.label), model.run, {scene::write_scene(pair.models[m]), model.similitude, kVersion});
     }
     folder.add_text("spine.svg", study::make_svg(study::make_spine_plot(study, pair.scales, pair.prototype.name)));
     folder.add_text("pair.json", study::to_json(study).dump(2) + "\n");

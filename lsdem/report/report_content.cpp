@@ -9,6 +9,7 @@
 
 #include "lsdem/scene/scene_json.hpp"
 #include "lsdem/study/checkpoint.hpp"
+#include "lsdem/study/pair.hpp"
 #include "lsdem/study/watched_folder.hpp"
 #include "scaling/quantity_text.hpp"
 
@@ -86,14 +87,11 @@ class Reader {
     void add_pair(const fs::path& folder) {
         content.kind = ReportKind::pair;
         content.summary = read_object(folder / "pair.json");
-        if (fs::exists(folder / "prototype")) add_run(folder / "prototype", "prototype");
-        std::vector<fs::path> models;
-        for (const auto& entry : fs::directory_iterator(folder)) {
-            const std::string name = entry.path().filename().string();
-            if (name != "prototype" && name != "shadow" && fs::exists(entry.path() / "summary.json")) models.push_back(entry.path());
+        add_run(folder / "prototype", "prototype");
+        for (const nlohmann::json& model : content.summary.value("pairs", nlohmann::json::array())) {
+            const std::string name = study::name_folder(model.value("label", ""));
+            if (!name.empty()) add_run(folder / name, name);
         }
-        std::sort(models.begin(), models.end());
-        for (const fs::path& model : models) add_run(model, model.filename().string());
         // the largest first: the prototype, then models as they get smaller
         std::stable_sort(content.runs.begin(), content.runs.end(),
                          [](const ReportedRun& a, const ReportedRun& b) { return a.length > b.length; });
@@ -114,9 +112,13 @@ class Reader {
         content.picture = read_text(folder / "ensemble.svg");
         if (content.picture.empty()) content.remarks.push_back(fmt::format("{}: no bands: no member is a result", folder.string()));
         for (const nlohmann::json& member : content.summary.value("members", nlohmann::json::array())) {
-            const std::string name = member.value("name", "");
-            if (!content.runs.empty() || !fs::exists(folder / "members" / name / "summary.json")) continue;
-            add_run(folder / "members" / name, name);
+            const fs::path results = folder / "members" / member.value("name", "");
+            if (member.value("status", "failed") == "failed") continue;
+            if (!fs::exists(results / "summary.json")) {
+                content.remarks.push_back(fmt::format("{}: the results are gone; `musim ensemble` makes them again", results.string()));
+            } else if (content.runs.empty()) {
+                add_run(results, results.filename().string());
+            }
         }
         if (content.runs.empty())
             content.remarks.push_back(fmt::format("{}: no member has results; run `musim ensemble` again", folder.string()));
@@ -128,7 +130,7 @@ class Reader {
         if (fs::exists(folder / "pair.json")) return add_pair(folder);
         if (fs::exists(folder / "sequence.json")) return add_sequence(folder);
         if (fs::exists(folder / "ensemble.json")) return add_ensemble(folder);
-        if (fs::exists(folder / "summary.json")) return add_run(folder, label);
+        if (fs::exists(folder / "summary.json") || fs::exists(folder / "result.h5")) return add_run(folder, label);
         if (fs::exists(folder)) {
             content.remarks.push_back(
                 fmt::format("{}: there are no results of `musim run`, `pair`, `sequence` or `ensemble` here", folder.string()));

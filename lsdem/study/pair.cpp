@@ -65,6 +65,11 @@ void run_all(std::vector<Job>& jobs, const RunSettings& settings) {
 
 }  // namespace
 
+std::string name_folder(std::string label) {
+    std::replace(label.begin(), label.end(), ':', '-');
+    return label;
+}
+
 std::string to_string(Materials materials) { return materials == Materials::exact ? "exact" : "own"; }
 
 bool PairStudy::consistent() const {

@@ -11,6 +11,9 @@
 
 namespace musim::lsdem::study {
 
+/// The folder of a model's results: its label, ':' written '-'.
+std::string name_folder(std::string label);
+
 /// Whether a model's material is the prototype's, scaled so that every group is equal, or its own measured one.
 enum class Materials { exact, own };
 

@@ -89,6 +89,16 @@ TEST_CASE("what is missing is told, and the rest shown") {
     std::ofstream(place.path() / "damaged/result.h5") << "no HDF5";
     CHECK(holds(make_report({place.path() / "damaged", place.path() / "out"}), "damaged/result.h5"));
 
+    // a model that has gone
+    std::filesystem::create_directories(place.path() / "pair");
+    std::filesystem::copy(place.path() / "out", place.path() / "pair/prototype", std::filesystem::copy_options::recursive);
+    std::ofstream(place.path() / "pair/pair.json") << R"({"pairs": [{"label": "1:25", "materials": "exact", "consistent": true}]})";
+    const ReportContent pair = read_content({place.path() / "pair"});
+    CHECK(pair.runs.size() == 1);
+    CHECK(std::any_of(pair.remarks.begin(), pair.remarks.end(), [](const std::string& remark) { return holds(remark, "pair/1-25"); }));
+    std::filesystem::remove(place.path() / "pair/prototype/summary.json");
+    CHECK(holds(message_of<study::ResultError>([&] { read_content({place.path() / "pair/prototype"}); }), "summary.json"));
+
     // an ensemble without members
     std::filesystem::create_directories(place.path() / "empty");
     std::ofstream(place.path() / "empty/ensemble.json")

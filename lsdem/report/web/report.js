@@ -1,4 +1,4 @@
-// What every report does beside its blocks: a link to a figure opens its numbers for print.
+// What every report does beside its blocks: on paper the numbers of all plots are there.
 "use strict";
 (function () {
   window.addEventListener("beforeprint", function () {
