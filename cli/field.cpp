@@ -129,8 +129,9 @@ Drawn draw_film(study::ResultFolder& folder, const study::StoredRun& run, const 
 }
 
 int run_field(FieldCommand options) {
-    if (options.formats.empty())
+    if (options.formats.empty()) {
         options.formats = study::can_write_png() ? std::vector<std::string>{"svg", "png"} : std::vector<std::string>{"svg"};
+    }
     for (const std::string& format : options.formats) study::require_picture_name("field." + format);
     if (!(options.rate > 0.0)) throw std::runtime_error("--rate: a film has more than zero pictures a second; give e.g. 25");
     const study::StoredRun run = study::read_run(options.directory);

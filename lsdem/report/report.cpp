@@ -30,8 +30,9 @@ std::string make_page(const ReportContent& content, const std::vector<ReportSect
     page += fmt::format(
         "<title>{}</title>\n<style>\n{}\n</style>\n</head>\n<body>\n<header><h1>{}</h1></header>\n<nav aria-label=\"sections\"><ul>\n",
         title, kReportStyle, title);
-    for (const ReportSection& section : sections)
+    for (const ReportSection& section : sections) {
         page += fmt::format("<li><a href=\"#{}\">{}</a></li>\n", section.id, escape_html(section.title));
+    }
     page += "</ul></nav>\n<main>\n";
     for (const ReportSection& section : sections) {
         page += fmt::format("<section aria-labelledby=\"{0}\">\n<h2 id=\"{0}\">{1}</h2>\n{2}", section.id, escape_html(section.title),

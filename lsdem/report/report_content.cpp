@@ -64,7 +64,7 @@ class Reader {
         try {
             reported.run = study::read_run(folder);
         } catch (const std::runtime_error& error) {
-            content.remarks.push_back(error.what());
+            content.remarks.emplace_back(error.what());
             return;
         }
         reported.summary = read_object(folder / "summary.json");
@@ -120,8 +120,9 @@ class Reader {
                 add_run(results, results.filename().string());
             }
         }
-        if (content.runs.empty())
+        if (content.runs.empty()) {
             content.remarks.push_back(fmt::format("{}: no member has results; run `musim ensemble` again", folder.string()));
+        }
     }
 
     void add(const fs::path& folder) {
@@ -142,9 +143,10 @@ class Reader {
   private:
     void note_unfinished(const fs::path& folder) {
         const study::WatchedFolder watched = study::look_into(folder);
-        if (watched.state == study::FolderState::working)
+        if (watched.state == study::FolderState::working) {
             content.remarks.push_back(
                 fmt::format("{}: a musim works here now; what is shown is older (`musim watch {}`)", folder.string(), folder.string()));
+        }
         if (watched.state != study::FolderState::killed) return;
         std::string text = fmt::format("{}: a run was killed here before it had results", folder.string());
         for (const study::WatchedRun& run : watched.runs) text += fmt::format(", at {:.0f} %", 100.0 * run.state.fraction);
@@ -153,7 +155,7 @@ class Reader {
 };
 
 std::string make_title(const ReportContent& content) {
-    const std::string name = content.runs.empty() || content.runs.front().scene_name.empty() ? "a run" : content.runs.front().scene_name;
+    std::string name = content.runs.empty() || content.runs.front().scene_name.empty() ? "a run" : content.runs.front().scene_name;
     switch (content.kind) {
         case ReportKind::pair:
             return name + ": prototype and models";
@@ -180,8 +182,9 @@ ReportContent read_content(const std::vector<fs::path>& folders) {
         throw study::ResultError(content.remarks.empty() ? "there is nothing to report on; give the directory of `musim run -o`"
                                                          : content.remarks.front());
     }
-    if (content.kind == ReportKind::nothing && !content.runs.empty())
+    if (content.kind == ReportKind::nothing && !content.runs.empty()) {
         content.kind = content.runs.size() == 1 ? ReportKind::run : ReportKind::runs;
+    }
     content.title = make_title(content);
     return std::move(content);
 }

@@ -37,8 +37,9 @@ std::vector<HtmlCell> describe_series(const study::PlotSeries& series) {
 /// Names of a picture's parts are its own: on one page many pictures have the same.
 std::string name_apart(std::string svg, const std::string& name) {
     for (const std::string mark : {" id=\"", "url(#"}) {
-        for (std::size_t at = svg.find(mark); at != std::string::npos; at = svg.find(mark, at + mark.size()))
+        for (std::size_t at = svg.find(mark); at != std::string::npos; at = svg.find(mark, at + mark.size())) {
             svg.insert(at + mark.size(), name + "-");
+        }
     }
     return svg;
 }

@@ -91,8 +91,9 @@ std::optional<ReportFigure> make_spine_figure(const std::vector<ReportedRun>& ru
         study::PlotCurves curves{.label = run.label, .x = {}, .y = std::vector<std::vector<double>>(rows.size())};
         for (std::size_t k = 0; k < run.run.history.samples(); ++k) {
             curves.x.push_back(run.run.history.time[k] / run.time);
-            for (std::size_t r = 0; r < rows.size(); ++r)
+            for (std::size_t r = 0; r < rows.size(); ++r) {
                 curves.y[r].push_back(1e2 * run.run.history.spine_velocity[k * spine + rows[r]][axis] / run.velocity);
+            }
         }
         plot.runs.push_back(std::move(curves));
     }
@@ -123,8 +124,9 @@ std::optional<ReportFigure> make_difference_figure(const std::vector<ReportedRun
         const std::size_t samples = std::min(first.run.history.samples(), model.run.history.samples());
         for (std::size_t k = 0; k < samples; ++k) {
             double sum = 0.0;
-            for (std::size_t s = 0; s < spine; ++s)
+            for (std::size_t s = 0; s < spine; ++s) {
                 sum += (model.run.history.spine_velocity[k * spine + s] / model.velocity - of_first[k * spine + s]).squaredNorm();
+            }
             series.x.push_back(first.run.history.time[k]);
             series.y.push_back(std::sqrt(sum / largest));
         }

@@ -123,8 +123,9 @@ std::string list_start(const study::StoredRun& run) {
 std::string list_slips(const ReportedRun& reported) {
     std::vector<float> slip(reported.run.blocks.size.size(), 0.0F);
     if (reported.response) {
-        for (const study::Joint& joint : reported.response->damage.joints)
+        for (const study::Joint& joint : reported.response->damage.joints) {
             slip[joint.upper] = std::max(slip[joint.upper], static_cast<float>(joint.slip));
+        }
     }
     std::string bytes;
     for (const float value : slip) append(bytes, value);

@@ -21,8 +21,9 @@ bool has_three() { return fs::exists(three_script()) && fs::exists(controls_scri
 
 /// A script as the contents of an element, where "</script" would end it.
 std::string as_element(std::string script) {
-    for (std::size_t at = script.find("</script"); at != std::string::npos; at = script.find("</script", at + 1))
+    for (std::size_t at = script.find("</script"); at != std::string::npos; at = script.find("</script", at + 1)) {
         script.replace(at, 2, "<\\/");
+    }
     return "<script>\n" + script + "\n</script>\n";
 }
 

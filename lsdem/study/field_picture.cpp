@@ -72,7 +72,8 @@ struct PanelGrid {
     std::size_t rows() const { return (count + columns - 1) / columns; }
     double left(std::size_t panel) const { return kLeft + static_cast<double>(panel % columns) * (width + kColumnGap); }
     double top(std::size_t panel) const {
-        return kTop + (count > 1 ? kTimeRoom : 0.0) + static_cast<double>(panel / columns) * (height + kRowGap);
+        const std::size_t row = panel / columns;
+        return kTop + (count > 1 ? kTimeRoom : 0.0) + static_cast<double>(row) * (height + kRowGap);
     }
     double right() const { return left(columns - 1) + width; }
     double bottom() const { return top(count - 1) + height; }
@@ -106,8 +107,9 @@ class FieldPanel {
         const ColorRange colors = find_colors(picture_);
         for (const auto& [depth, block] : sort_seen(axes)) {
             std::string points;
-            for (const Eigen::Vector2d& corner : detail::find_outline(detail::look_at(run_, view_.frame, block, axes)))
+            for (const Eigen::Vector2d& corner : detail::find_outline(detail::look_at(run_, view_.frame, block, axes))) {
                 fmt::format_to(std::back_inserter(points), "{:.2f},{:.2f} ", to_x(corner.x()), to_y(corner.y()));
+            }
             const double value = find_velocity(run_, view_.frame, block, picture_.side, picture_.component);
             svg += fmt::format("<polygon points=\"{}\" fill=\"{}\"/>\n", points, colors(value));
         }
@@ -118,8 +120,9 @@ class FieldPanel {
     void draw_frame(std::string& svg, bool leftmost) const {
         const CameraImage& image = view_.image;
         const double bottom = top_ + grid_.height;
-        if (to_y(0.0) <= bottom && to_y(0.0) >= top_)
+        if (to_y(0.0) <= bottom && to_y(0.0) >= top_) {
             detail::draw_line(svg, left_, to_y(0.0), left_ + grid_.width, to_y(0.0), "stroke=\"#333\" stroke-width=\"1.5\"");
+        }
         svg += fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" fill=\"none\" stroke=\"#333\"/>\n", left_,
                            top_, grid_.width, grid_.height);
         const double first = image.left - grid_.offset / grid_.scale;

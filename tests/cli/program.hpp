@@ -81,8 +81,9 @@ rm -rf kept started kill.sh
     /// How many files and folders there are, but for what run() leaves; in a folder of it, all.
     long count(const std::string& folder = ".") const {
         long n = 0;
-        for (const auto& entry : std::filesystem::directory_iterator(folder_.path() / folder))
+        for (const auto& entry : std::filesystem::directory_iterator(folder_.path() / folder)) {
             n += entry.path().filename().string().starts_with(".std") ? 0 : 1;
+        }
         return n;
     }
 

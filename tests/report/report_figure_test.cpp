@@ -30,8 +30,9 @@ TEST_CASE("a figure says in numbers what it draws, and gives all of it as CSV") 
     const std::string html = to_html(figure);
     pugi::xml_document document;
     REQUIRE(document.load_string(html.c_str()));
-    for (const pugi::xpath_node& node : document.select_nodes("//svg//*[@id]"))
+    for (const pugi::xpath_node& node : document.select_nodes("//svg//*[@id]")) {
         CHECK(std::string(node.node().attribute("id").value()).starts_with("name-"));
+    }
 }
 
 TEST_CASE("stacked curves tell for each run and row the peak, when it is, and the last value") {

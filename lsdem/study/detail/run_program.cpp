@@ -10,8 +10,6 @@
 #include <filesystem>
 #include <sstream>
 
-extern char** environ;
-
 namespace musim::lsdem::study::detail {
 
 bool has_program(const std::string& name) {
@@ -26,6 +24,7 @@ bool has_program(const std::string& name) {
 std::optional<int> run_program(const std::vector<std::string>& command) {
     std::vector<std::string> words = command;
     std::vector<char*> arguments;
+    arguments.reserve(words.size() + 1);
     for (std::string& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);
     posix_spawn_file_actions_t actions;
