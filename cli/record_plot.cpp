@@ -1,5 +1,4 @@
 #include <CLI/CLI.hpp>
-#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -11,17 +10,18 @@
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/output_files.hpp"
-#include "cli/record_curves.hpp"
 #include "cli/record_curves_output.hpp"
-#include "cli/record_figure.hpp"
 #include "cli/record_source.hpp"
 #include "cli/report.hpp"
+#include "lsdem/report/record_figure.hpp"
 #include "lsdem/study/picture_file.hpp"
 #include "records/atomic_file.hpp"
 #include "records/scale_record.hpp"
 
 namespace musim::cli {
 namespace {
+
+namespace reports = lsdem::report;
 
 struct RecordPlotOptions {
     std::vector<std::string> files;
@@ -37,9 +37,9 @@ struct RecordPlotOptions {
     bool json = false;
 };
 
-CurveRequest make_request(const RecordPlotOptions& options) {
+records::CurveRequest make_request(const RecordPlotOptions& options) {
     require_damping_ratio(options.damping);
-    CurveRequest request{.damping = options.damping, .window = {}};
+    records::CurveRequest request{.damping = options.damping, .window = {}};
     if (!options.window.empty()) {
         request.window = {options.window.at(0).value * scaling::si::seconds, options.window.at(1).value * scaling::si::seconds};
     }
@@ -55,19 +55,13 @@ records::GroundMotion load_wanted(const RecordPlotOptions& options, const std::s
     return motion;
 }
 
-/// Event and station, as far as the record tells, or else its file.
-std::string make_title(const records::GroundMotion& motion) {
-    if (motion.event.empty() && motion.station.empty()) return std::filesystem::path(motion.source).filename().string();
-    return motion.event + (motion.event.empty() || motion.station.empty() ? "" : ", ") + motion.station;
-}
-
-void add_components(std::vector<ComponentCurves>& list, const records::GroundMotion& prototype, const CurveRequest& request,
-                    const std::optional<scaling::ModelScales>& scales) {
+void add_components(std::vector<records::ComponentCurves>& list, const records::GroundMotion& prototype,
+                    const records::CurveRequest& request, const std::optional<scaling::ModelScales>& scales) {
     const auto model = scales ? std::optional(records::rescale(prototype, *scales)) : std::nullopt;
     try {
         for (std::size_t i = 0; i < prototype.components.size(); ++i) {
-            list.push_back(compute_curves(prototype, prototype.components[i], request));
-            if (model) list.push_back(compute_curves(*model, model->components[i], request, scales));
+            list.push_back(records::compute_curves(prototype, prototype.components[i], request));
+            if (model) list.push_back(records::compute_curves(*model, model->components[i], request, scales));
         }
     } catch (const records::ProcessingError& error) {
         throw records::ProcessingError(prototype.source + ": " + error.what());
@@ -78,7 +72,7 @@ void add_components(std::vector<ComponentCurves>& list, const records::GroundMot
 void require_looks(const std::vector<records::GroundMotion>& motions, bool with_models) {
     std::size_t components = 0;
     for (const records::GroundMotion& motion : motions) components += motion.components.size();
-    const std::size_t most = lsdem::study::count_looks(find_looks(with_models)) / (with_models ? 2 : 1);
+    const std::size_t most = lsdem::study::count_looks(reports::find_looks(with_models)) / (with_models ? 2 : 1);
     if (components > most)
         throw records::ProcessingError(fmt::format(
             "record plot: {} components are too many for one figure (at most {}{} look different); draw fewer files, or one --component",
@@ -90,20 +84,21 @@ int run_record_plot(const RecordPlotOptions& options) {
     lsdem::study::require_picture_name(options.out);
     refuse_overwriting(options.source.find_files(options.files), {options.out, options.csv});
     options.scales.note_values_used();
-    const CurveRequest request = make_request(options);
-    RecordFigure figure{.components = {},
-                        .damping = request.damping,
-                        .windowed = request.window.has_value(),
-                        .title = {},
-                        .model_of = options.scaled ? std::optional(options.scales.model_scales()) : std::nullopt};
+    const records::CurveRequest request = make_request(options);
+    reports::RecordFigure figure{.components = {},
+                                 .damping = request.damping,
+                                 .windowed = request.window.has_value(),
+                                 .title = {},
+                                 .model_of = options.scaled ? std::optional(options.scales.model_scales()) : std::nullopt};
     std::vector<records::GroundMotion> motions;
     for (const std::string& file : options.files) motions.push_back(load_wanted(options, file));
     require_looks(motions, options.scaled);
     for (const records::GroundMotion& motion : motions) add_components(figure.components, motion, request, figure.model_of);
-    figure.title = motions.size() == 1 ? make_title(motions.front()) : fmt::format("{} records", motions.size());
+    figure.title = motions.size() == 1 ? reports::make_title(motions.front()) : fmt::format("{} records", motions.size());
 
-    lsdem::study::write_picture(options.out, make_svg(figure));
-    if (!options.csv.empty()) records::write_file_atomically(options.csv, make_csv(figure.components));
+    const reports::ReportFigure drawn = reports::make_figure("records", figure);
+    lsdem::study::write_picture(options.out, drawn.svg);
+    if (!options.csv.empty()) records::write_file_atomically(options.csv, drawn.csv);
     if (options.json) {
         nlohmann::json object{{"out", options.out}, {"components", to_json(figure.components)}};
         if (!options.csv.empty()) object["csv"] = options.csv;

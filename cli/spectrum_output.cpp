@@ -5,7 +5,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "cli/csv_cell.hpp"
+#include "records/csv_cell.hpp"
 #include "cli/output.hpp"
 #include "lsdem/study/line_plot.hpp"
 
@@ -67,7 +67,7 @@ std::string make_csv(const std::vector<SpectrumTable>& tables) {
     for (const std::string& key : keys) text += "," + key;
     text += "\n";
     for (const SpectrumTable& table : tables) {
-        const std::string start = fmt::format("{},{},{}", csv_cell(table.file), csv_cell(table.component), table.damping);
+        const std::string start = fmt::format("{},{},{}", records::csv_cell(table.file), records::csv_cell(table.component), table.damping);
         std::vector<const SpectrumColumn*> columns;
         columns.reserve(keys.size());
         for (const std::string& key : keys) columns.push_back(find_column(table, key));

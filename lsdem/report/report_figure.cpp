@@ -6,15 +6,10 @@
 #include <cmath>
 #include <iterator>
 
+#include "records/csv_cell.hpp"
+
 namespace musim::lsdem::report {
 namespace {
-
-/// A text as a cell of CSV [RFC 4180].
-std::string quote(const std::string& text) {
-    std::string quoted = "\"";
-    for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
-    return quoted + "\"";
-}
 
 std::vector<HtmlCell> describe_series(const study::PlotSeries& series) {
     std::vector<std::size_t> finite;
@@ -54,7 +49,7 @@ ReportFigure make_figure(const std::string& name, const study::LinePlot& plot) {
     figure.twin.heads = {"series", "points", "first x", "last x", "smallest", "at x", "largest", "at x"};
     for (const study::PlotSeries& series : plot.series) {
         for (std::size_t i = 0; i < series.x.size(); ++i) {
-            fmt::format_to(std::back_inserter(figure.csv), "{},{},{}\n", quote(series.label), series.x[i], series.y[i]);
+            fmt::format_to(std::back_inserter(figure.csv), "{},{},{}\n", records::csv_cell(series.label), series.x[i], series.y[i]);
         }
         figure.twin.rows.push_back(describe_series(series));
     }
@@ -69,7 +64,7 @@ ReportFigure make_figure(const std::string& name, const study::StackedPlot& plot
         for (std::size_t row = 0; row < run.y.size(); ++row) {
             const std::vector<double>& y = run.y[row];
             for (std::size_t k = 0; k < y.size(); ++k) {
-                fmt::format_to(std::back_inserter(figure.csv), "{},{},{},{}\n", quote(run.label), quote(name_row(plot, row)), run.x[k],
+                fmt::format_to(std::back_inserter(figure.csv), "{},{},{},{}\n", records::csv_cell(run.label), records::csv_cell(name_row(plot, row)), run.x[k],
                                y[k]);
             }
             if (y.empty()) continue;

@@ -44,7 +44,7 @@ static void exchange(Archive& archive, History& h) {
     archive(h.time, h.base, h.spine_position, h.spine_velocity, h.spine_rotation, h.energy);
 }
 
-static void exchange(Archive& archive, Frames& f) { archive(f.time, f.position, f.quaternion, f.velocity); }
+static void exchange(Archive& archive, Frames& f) { archive(f.time, f.position, f.quaternion, f.velocity, f.contact_force); }
 
 static void exchange(Archive& archive, Rest& r) { archive(r.at_rest, r.steps, r.kinetic, r.reaction_over_weight); }
 
@@ -71,7 +71,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr ArchiveKind kKind{{'m', 'u', 's', 'i', 'm', 'R', 'U', 'N'}, 4, "checkpoint"};
+constexpr ArchiveKind kKind{{'m', 'u', 's', 'i', 'm', 'R', 'U', 'N'}, 5, "checkpoint"};
 
 /// The fields of a checkpoint beside its run, which need not be copied to be written.
 struct Beside {

@@ -39,6 +39,9 @@ struct Frames {
     std::vector<Eigen::Vector3f> position;    ///< [m]
     std::vector<Eigen::Vector4f> quaternion;  ///< (w, x, y, z), body to world
     std::vector<Eigen::Vector3f> velocity;    ///< [m/s]
+    /// Sum of the magnitudes of all forces with which neighbours and ground press on the block [N]; of a block in a column, twice what it
+    /// bears and its weight. Empty in results of versions before it was kept.
+    std::vector<float> contact_force;
 };
 
 /// When blocks fell, and where they were then (has_fallen), seen at the samples; one entry per block. Displacements are from the start,

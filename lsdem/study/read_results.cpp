@@ -150,6 +150,10 @@ void read_frames(const Hdf5Reader& file, StoredRun& run) {
     run.frames.position = read_frame_vectors<Eigen::Vector3f>(file, "/frames/position", {nf, n, 3});
     run.frames.quaternion = read_frame_vectors<Eigen::Vector4f>(file, "/frames/quaternion", {nf, n, 4});
     run.frames.velocity = read_frame_vectors<Eigen::Vector3f>(file, "/frames/velocity", {nf, n, 3});
+    if (!file.has("/frames/contact_force")) return;
+    auto force = file.floats("/frames/contact_force", 2);
+    require_shape(file, "/frames/contact_force", force, {nf, n});
+    run.frames.contact_force = std::move(force.values);
 }
 
 /// Status and collapse from the summary beside the file.

@@ -68,12 +68,18 @@ void add_sample(RunResult& run, const Simulation& simulation) {
 
 void add_frame(RunResult& run, const Simulation& simulation) {
     const Kinematics now = simulation.kinematics();
+    std::vector<double> force(now.position.size(), 0.0);
+    for (const ContactForce& contact : simulation.contact_forces()) {
+        force[contact.leader] += contact.force.norm();
+        if (contact.follower) force[*contact.follower] += contact.force.norm();
+    }
     run.frames.time.push_back(now.time);
     for (std::size_t b = 0; b < now.position.size(); ++b) {
         const Quaternion& q = now.orientation[b];
         run.frames.position.emplace_back(now.position[b].cast<float>());
         run.frames.quaternion.emplace_back(Eigen::Vector4d(q.w(), q.x(), q.y(), q.z()).cast<float>());
         run.frames.velocity.emplace_back(now.velocity[b].cast<float>());
+        run.frames.contact_force.push_back(static_cast<float>(force[b]));
     }
 }
 
@@ -145,7 +151,7 @@ bool fits(const TimePlan& plan, std::uint64_t done, const RunResult& run) {
     return done <= plan.samples && all_of_size(samples, history.time, history.base, history.energy) &&
            all_of_size(of_spine, history.spine_position, history.spine_velocity, history.spine_rotation) &&
            all_of_size(frames, run.frames.time) &&
-           all_of_size(frames * blocks, run.frames.position, run.frames.quaternion, run.frames.velocity) &&
+           all_of_size(frames * blocks, run.frames.position, run.frames.quaternion, run.frames.velocity, run.frames.contact_force) &&
            all_of_size(blocks, run.falls.time, run.falls.displacement) &&
            all_of_size(run.collapse_time ? blocks : 0, run.falls.at_collapse) &&
            (!run.origin || all_of_size(blocks, run.origin->position, run.origin->orientation)) &&

@@ -131,6 +131,7 @@ void write_frames(Hdf5File& file, const RunResult& run) {
     file.write("/frames/position", {nf, n, 3}, frames.position.front().data(), "m");
     file.write("/frames/quaternion", {nf, n, 4}, frames.quaternion.front().data(), "1");
     file.write("/frames/velocity", {nf, n, 3}, frames.velocity.front().data(), "m/s");
+    if (!frames.contact_force.empty()) file.write("/frames/contact_force", {nf, n}, frames.contact_force.data(), "N");
 }
 
 std::vector<char> make_hdf5(const RunResult& run, const ResultHeader& header) {
@@ -175,16 +176,30 @@ std::string xdmf_frame(std::string_view path, std::size_t k, std::size_t frames,
         k, frames, n, width, path);
 }
 
+/// Likewise of one number per block.
+std::string xdmf_frame_of_numbers(std::string_view path, std::size_t k, std::size_t frames, std::size_t n) {
+    return fmt::format(
+        "<DataItem ItemType=\"HyperSlab\" Dimensions=\"1 {2}\"><DataItem Dimensions=\"3 2\" Format=\"XML\">{0} 0 1 1 1 {2}"
+        "</DataItem><DataItem Dimensions=\"{1} {2}\" NumberType=\"Float\" Precision=\"4\" "
+        "Format=\"HDF\">result.h5:{3}</DataItem></DataItem>",
+        k, frames, n, path);
+}
+
 /// Frames when the run kept any, else its first and last instant.
 std::string make_xdmf(const RunResult& run) {
     const std::size_t n = run.blocks.mass.size();
     const std::string size = xdmf_attribute("size [m]", "Vector", xdmf_data("/blocks/size", n, 3, 8));
     std::string grids;
     const std::size_t frames = run.frames.time.size();
+    const auto force = [&](std::size_t k) {
+        return run.frames.contact_force.empty()
+                   ? std::string()
+                   : xdmf_attribute("contact force [N]", "Scalar", xdmf_frame_of_numbers("/frames/contact_force", k, frames, n));
+    };
     for (std::size_t k = 0; k < frames; ++k) {
         grids += xdmf_grid(run.frames.time[k], n, xdmf_frame("/frames/position", k, frames, n, 3),
                            size + xdmf_attribute("velocity [m/s]", "Vector", xdmf_frame("/frames/velocity", k, frames, n, 3)) +
-                               xdmf_attribute("quaternion", "Matrix", xdmf_frame("/frames/quaternion", k, frames, n, 4)));
+                               xdmf_attribute("quaternion", "Matrix", xdmf_frame("/frames/quaternion", k, frames, n, 4)) + force(k));
     }
     if (frames == 0) {
         const auto turn = [&](const char* path) { return xdmf_attribute("quaternion", "Matrix", xdmf_data(path, n, 4, 8)); };

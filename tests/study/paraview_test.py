@@ -55,7 +55,7 @@ def main():
             samples = list(csv.DictReader(line for line in file if not line.startswith("#")))
         assert len(frames) == 11, len(frames)
         for frame in frames:
-            assert set(frame["fields"]) == {"size [m]", "velocity [m/s]", "quaternion"}, frame["fields"].keys()
+            assert set(frame["fields"]) == {"size [m]", "velocity [m/s]", "quaternion", "contact force [N]"}, frame["fields"].keys()
             assert len(frame["places"]) == 3
             for size in frame["fields"]["size [m]"]:
                 assert all(close(a, b, 1.0) for a, b in zip(size, (0.01271, 0.026355, 0.03978))), size

@@ -57,6 +57,21 @@ TEST_CASE("frames come at every n-th sample, the start included") {
     CHECK(run.frames.time[1] == run.history.time[4]);
     CHECK(run.frames.position.size() == 3 * 2);
     CHECK(run.frames.quaternion[5][0] == 1.0F);
+    CHECK(run.frames.contact_force.size() == 3 * 2);
+}
+
+TEST_CASE("a frame's contact forces of a standing column are what each block bears and passes on") {
+    Specimen column = make_column(3);
+    column.model.ground.motion[0].velocity.clear();
+    TimePlan plan = make_plan(column, 10);
+    plan.samples_per_frame = 10;
+    const RunResult run = simulate(column, plan);
+    REQUIRE(run.frames.contact_force.size() == 2 * 3);
+    const double weight = run.blocks.mass[0] * column.model.gravity.norm();
+    // single precision
+    for (std::size_t b = 0; b < 3; ++b)
+        CHECK(static_cast<double>(run.frames.contact_force[3 + b]) / weight ==
+              doctest::Approx(5.0 - 2.0 * static_cast<double>(b)).epsilon(1e-6));
 }
 
 TEST_CASE("progress rises to one") {

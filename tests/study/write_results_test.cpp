@@ -103,6 +103,7 @@ RunResult with_frames(RunResult run) {
             run.frames.position.emplace_back(1.0F, 2.0F, 3.0F);
             run.frames.quaternion.emplace_back(1.0F, 0.0F, 0.0F, 0.0F);
             run.frames.velocity.emplace_back(0.0F, 0.0F, 0.0F);
+            run.frames.contact_force.push_back(4.0F);
         }
     }
     return run;
@@ -153,7 +154,8 @@ TEST_CASE("result.h5 holds every dataset of the contract in its shape and unit")
                                                       {"frames/time", "3 [s]"},
                                                       {"frames/position", "3 2 3 [m]"},
                                                       {"frames/quaternion", "3 2 4 [1]"},
-                                                      {"frames/velocity", "3 2 3 [m/s]"}};
+                                                      {"frames/velocity", "3 2 3 [m/s]"},
+                                                      {"frames/contact_force", "3 2 [N]"}};
     CHECK(list_datasets(scratch.path() / "run/result.h5") == expected);
 }
 

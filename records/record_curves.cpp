@@ -1,4 +1,4 @@
-#include "cli/record_curves.hpp"
+#include "records/record_curves.hpp"
 
 #include <span>
 
@@ -7,10 +7,8 @@
 #include "records/own_spectrum.hpp"
 #include "records/scale_record.hpp"
 
-namespace musim::cli {
+namespace musim::records {
 namespace {
-
-using records::TimeSeries;
 
 /// What a curve's axes are divided by.
 struct CurveUnits {
@@ -52,11 +50,11 @@ class Units {
 /// Adds curves of one component to its result.
 class CurveMaker {
   public:
-    CurveMaker(ComponentCurves& result, const Units& units, const std::optional<records::TimeWindow>& window)
+    CurveMaker(ComponentCurves& result, const Units& units, const std::optional<TimeWindow>& window)
         : result_(result), units_(units), window_(window) {}
 
     void add_history(CurveKind kind, const TimeSeries& series) {
-        const TimeSeries shown = window_ ? records::cut(series, *window_) : series;
+        const TimeSeries shown = window_ ? cut(series, *window_) : series;
         std::vector<double> times(shown.size());
         for (std::size_t i = 0; i < times.size(); ++i) times[i] = shown.time(i).value();
         add(kind, times, shown.samples());
@@ -82,39 +80,39 @@ class CurveMaker {
   private:
     ComponentCurves& result_;
     const Units& units_;
-    std::optional<records::TimeWindow> window_;
+    std::optional<TimeWindow> window_;
 };
 
 /// Amplitudes above frequency zero, which a logarithmic axis does not show.
 void add_fourier(CurveMaker& maker, const TimeSeries& acceleration) {
-    const records::FourierAmplitudes spectrum = records::compute_fourier_amplitudes(acceleration);
+    const FourierAmplitudes spectrum = compute_fourier_amplitudes(acceleration);
     std::vector<double> frequencies(spectrum.amplitude.size());
     for (std::size_t i = 0; i < frequencies.size(); ++i) frequencies[i] = static_cast<double>(i) * spectrum.step.value();
     if (!frequencies.empty()) maker.add(CurveKind::fourier, std::span(frequencies).subspan(1), std::span(spectrum.amplitude).subspan(1));
 }
 
 void add_psa(CurveMaker& maker, const TimeSeries& acceleration, const std::optional<scaling::Frequency>& corner, double damping) {
-    const records::ResponseSpectrum spectrum = records::compute_own_spectrum(acceleration, corner, damping);
+    const ResponseSpectrum spectrum = compute_own_spectrum(acceleration, corner, damping);
     maker.add(CurveKind::psa, spectrum.period, spectrum.pseudo_acceleration());
 }
 
 }  // namespace
 
-ComponentCurves compute_curves(const records::GroundMotion& motion, const records::Component& component, const CurveRequest& request,
+ComponentCurves compute_curves(const GroundMotion& motion, const Component& component, const CurveRequest& request,
                                const std::optional<scaling::ModelScales>& model_of) {
     const std::optional<scaling::Frequency> corner = motion.integration_corner;
-    const records::MotionHistories histories = records::compute_histories(component.series, corner);
+    const MotionHistories histories = compute_histories(component.series, corner);
     ComponentCurves result{.file = motion.source,
                            .component = component.name,
                            .model = model_of.has_value(),
                            .corner = corner,
-                           .intensity = records::compute_intensity(component.series, corner),
+                           .intensity = compute_intensity(component.series, corner),
                            .curves = {},
                            .peaks = {},
                            .d5_95 = {}};
     const Units units(model_of, find_shaking(component));
     const double time = units.of(CurveKind::acceleration).x;
-    std::optional<records::TimeWindow> window = request.window;
+    std::optional<TimeWindow> window = request.window;
     if (window) *window = {time * window->start, time * window->end};
     CurveMaker maker(result, units, window);
 
@@ -122,9 +120,9 @@ ComponentCurves compute_curves(const records::GroundMotion& motion, const record
         const TimeSeries& acceleration = *histories.acceleration;
         maker.add_history(CurveKind::acceleration, acceleration, result.intensity.pga);
         // a share is drawn like a history, whatever its samples are called
-        maker.add_history(CurveKind::arias, acceleration.with_samples(records::compute_arias_share(acceleration)));
+        maker.add_history(CurveKind::arias, acceleration.with_samples(compute_arias_share(acceleration)));
         if (result.intensity.arias->value() > 0.0) {
-            const records::TimeWindow strong = records::find_energy_window(acceleration, 0.05, 0.95, 0.0);
+            const TimeWindow strong = find_energy_window(acceleration, 0.05, 0.95, 0.0);
             result.d5_95 = {strong.start / time, strong.end / time};
         }
         add_fourier(maker, acceleration);
@@ -135,4 +133,4 @@ ComponentCurves compute_curves(const records::GroundMotion& motion, const record
     return result;
 }
 
-}  // namespace musim::cli
+}  // namespace musim::records

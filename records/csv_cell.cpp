@@ -1,6 +1,6 @@
-#include "cli/csv_cell.hpp"
+#include "records/csv_cell.hpp"
 
-namespace musim::cli {
+namespace musim::records {
 
 std::string csv_cell(const std::string& text) {
     if (text.find_first_of(",\"\n") == std::string::npos) return text;
@@ -9,4 +9,4 @@ std::string csv_cell(const std::string& text) {
     return quoted + "\"";
 }
 
-}  // namespace musim::cli
+}  // namespace musim::records

@@ -2,9 +2,9 @@
 
 #include <string>
 
-namespace musim::cli {
+namespace musim::records {
 
 /// A cell of a CSV file; quoted where a comma, a quote or a line end would part it [RFC 4180].
 std::string csv_cell(const std::string& text);
 
-}  // namespace musim::cli
+}  // namespace musim::records

@@ -10,7 +10,7 @@
 #include "records/processing.hpp"
 #include "scaling/model_scales.hpp"
 
-namespace musim::cli {
+namespace musim::records {
 
 /// What a curve of a record shows.
 enum class CurveKind { acceleration, velocity, displacement, arias, fourier, psa };
@@ -36,21 +36,21 @@ struct ComponentCurves {
     std::string component;
     bool model = false;
     std::optional<scaling::Frequency> corner;  ///< of the high-pass before integration, the component's own
-    records::Intensity intensity;              ///< the component's own, a model's not divided
+    Intensity intensity;                       ///< the component's own, a model's not divided
     std::vector<Curve> curves;
-    std::vector<CurvePeak> peaks;              ///< on the curves, in the order of their kinds
-    std::optional<records::TimeWindow> d5_95;  ///< from 5 % to 95 % of the Arias intensity, on the curves' time
+    std::vector<CurvePeak> peaks;     ///< on the curves, in the order of their kinds
+    std::optional<TimeWindow> d5_95;  ///< from 5 % to 95 % of the Arias intensity, on the curves' time
 };
 
 /// What is drawn of every component.
 struct CurveRequest {
     double damping = 0.05;
-    std::optional<records::TimeWindow> window;  ///< of the histories, in the time of the prototype; peaks and spectra are of all samples
+    std::optional<TimeWindow> window;  ///< of the histories, in the time of the prototype; peaks and spectra are of all samples
 };
 
 /// Curves of a component of `motion`, which is integrated as `record info` does. With model scales, it is taken for the model's. Throws
-/// records::ProcessingError for a window beyond the record and a damping ratio that is none.
-ComponentCurves compute_curves(const records::GroundMotion& motion, const records::Component& component, const CurveRequest& request,
+/// ProcessingError for a window beyond the record and a damping ratio that is none.
+ComponentCurves compute_curves(const GroundMotion& motion, const Component& component, const CurveRequest& request,
                                const std::optional<scaling::ModelScales>& model_of = std::nullopt);
 
-}  // namespace musim::cli
+}  // namespace musim::records

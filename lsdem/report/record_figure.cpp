@@ -1,4 +1,4 @@
-#include "cli/record_figure.hpp"
+#include "lsdem/report/record_figure.hpp"
 
 #include <fmt/format.h>
 
@@ -8,14 +8,19 @@
 #include <utility>
 
 #include "lsdem/study/figure.hpp"
+#include "records/csv_cell.hpp"
 
-namespace musim::cli {
+namespace musim::lsdem::report {
 namespace {
 
-using lsdem::study::FigureColumn;
-using lsdem::study::KeyRow;
-using lsdem::study::LinePlot;
-using lsdem::study::PlotSeries;
+using records::ComponentCurves;
+using records::Curve;
+using records::CurveKind;
+using records::CurvePeak;
+using study::FigureColumn;
+using study::KeyRow;
+using study::LinePlot;
+using study::PlotSeries;
 
 /// Widths of the axes [px]: with the margins 7.2 inches at 120 px per inch.
 constexpr double kHistoryWidth = 424.0, kSpectrumWidth = 256.0;
@@ -24,6 +29,9 @@ constexpr double kAloneWidth = 768.0;
 
 /// Fourier amplitudes are rounding noise far below the largest.
 constexpr double kFourierDecades = 5.0;
+
+/// Over the rows of measures.
+const std::vector<std::string> kKeyHeadings{"component", "PGA [g]", "PGV [cm/s]", "PGD [cm]", "Arias [m/s]", "D5-95 [s]"};
 
 /// How a kind of curve is drawn.
 struct PanelTexts {
@@ -113,7 +121,7 @@ std::string name(const ComponentCurves& component, bool many_files, bool models)
     std::string text = component.component;
     if (models) text += component.model ? " model" : " prototype";
     // last, because it may be long
-    if (many_files) text += " " + std::filesystem::path(component.file).stem().string();
+    if (many_files) text += fmt::format(" {}", std::filesystem::path(component.file).stem().string());
     return text;
 }
 
@@ -195,13 +203,64 @@ std::vector<std::string> make_caption(const RecordFigure& figure) {
     return lines;
 }
 
-}  // namespace
+/// Names in files: of the value, and of what it is over.
+struct CurveKeys {
+    const char* value;
+    const char* over;
+};
 
-lsdem::study::CurveLooks find_looks(bool with_models) {
-    return with_models ? lsdem::study::CurveLooks::pairs : lsdem::study::CurveLooks::apart;
+CurveKeys keys_of(CurveKind kind) {
+    switch (kind) {
+        case CurveKind::acceleration:
+            return {"acceleration_g", "time_s"};
+        case CurveKind::velocity:
+            return {"velocity_cm_s", "time_s"};
+        case CurveKind::displacement:
+            return {"displacement_cm", "time_s"};
+        case CurveKind::arias:
+            return {"arias_percent", "time_s"};
+        case CurveKind::fourier:
+            return {"fourier_g_s", "frequency_hz"};
+        default:
+            return {"psa_g", "period_s"};
+    }
 }
 
-std::string make_svg(const RecordFigure& figure) {
+const char* scale_of(const ComponentCurves& component) { return component.model ? "model" : "prototype"; }
+
+std::string make_csv(const std::vector<ComponentCurves>& components) {
+    std::string text = "file,component,scale,quantity,over,x,value\n";
+    for (const ComponentCurves& component : components) {
+        for (const Curve& curve : component.curves) {
+            const CurveKeys keys = keys_of(curve.kind);
+            const std::string start = fmt::format("{},{},{},{},{}", records::csv_cell(component.file),
+                                                  records::csv_cell(component.component), scale_of(component), keys.value, keys.over);
+            for (std::size_t i = 0; i < curve.x.size(); ++i)
+                fmt::format_to(std::back_inserter(text), "{},{},{}\n", start, curve.x[i], curve.y[i]);
+        }
+    }
+    return text;
+}
+
+HtmlTable make_twin(const RecordFigure& figure, const std::vector<KeyRow>& key) {
+    HtmlTable table{.caption = fmt::format("{}: largest values of each component", figure.title), .heads = kKeyHeadings, .rows = {}};
+    for (const KeyRow& row : key) {
+        std::vector<HtmlCell>& cells = table.rows.emplace_back();
+        for (const std::string& text : row.cells) cells.push_back({.text = text, .is_number = !cells.empty()});
+    }
+    return table;
+}
+
+}  // namespace
+
+study::CurveLooks find_looks(bool with_models) { return with_models ? study::CurveLooks::pairs : study::CurveLooks::apart; }
+
+std::string make_title(const records::GroundMotion& motion) {
+    if (motion.event.empty() && motion.station.empty()) return std::filesystem::path(motion.source).filename().string();
+    return motion.event + (motion.event.empty() || motion.station.empty() ? "" : ", ") + motion.station;
+}
+
+ReportFigure make_figure(const std::string& name, const RecordFigure& figure) {
     FigureColumn spectra = make_column(figure, kSpectrumWidth, false, {CurveKind::fourier, CurveKind::psa});
     FigureColumn histories = make_column(figure, spectra.panels.empty() ? kAloneWidth : kHistoryWidth, true,
                                          {CurveKind::acceleration, CurveKind::velocity, CurveKind::displacement, CurveKind::arias});
@@ -212,13 +271,18 @@ std::string make_svg(const RecordFigure& figure) {
     }
     std::vector<FigureColumn> columns{std::move(histories)};
     if (!spectra.panels.empty()) columns.push_back(std::move(spectra));
-    return lsdem::study::make_svg(
-        lsdem::study::Figure{.title = figure.title,
-                             .key_headings = {"component", "PGA [g]", "PGV [cm/s]", "PGD [cm]", "Arias [m/s]", "D5-95 [s]"},
-                             .key = make_key(figure),
-                             .columns = std::move(columns),
-                             .caption = make_caption(figure),
-                             .looks = find_looks(figure.model_of.has_value())});
+    const std::vector<KeyRow> key = make_key(figure);
+    const study::Figure drawing{.title = figure.title,
+                                .key_headings = kKeyHeadings,
+                                .key = key,
+                                .columns = std::move(columns),
+                                .caption = make_caption(figure),
+                                .looks = find_looks(figure.model_of.has_value())};
+    return {.name = name,
+            .title = figure.title,
+            .svg = study::make_svg(drawing),
+            .csv = make_csv(figure.components),
+            .twin = make_twin(figure, key)};
 }
 
-}  // namespace musim::cli
+}  // namespace musim::lsdem::report

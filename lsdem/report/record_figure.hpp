@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lsdem/report/report_figure.hpp"
+#include "lsdem/study/figure.hpp"
+#include "records/ground_motion.hpp"
+#include "records/record_curves.hpp"
+#include "scaling/model_scales.hpp"
+
+namespace musim::lsdem::report {
+
+/// Components as a figure.
+struct RecordFigure {
+    std::vector<records::ComponentCurves> components;  ///< with a similitude: each prototype is followed by its model
+    double damping = 0.05;                             ///< of PSA
+    bool windowed = false;                             ///< the histories are parts of the records
+    std::string title;                                 ///< event, station
+    std::optional<scaling::ModelScales> model_of;      ///< of the models
+};
+
+/// How curves of components, or of prototypes and their models, are told apart.
+study::CurveLooks find_looks(bool with_models);
+
+/// Event and station, as far as the record tells, or else its file.
+std::string make_title(const records::GroundMotion& motion);
+
+/// Histories above each other on one time axis with peaks and D5-95 marked, Fourier amplitudes and PSA beside them, on top a table of the
+/// measures, each component's own, which is the twin too. CSV: all points of all curves, a row each: file, component, scale (prototype or
+/// model), the names of value and abscissa with their units, both.
+ReportFigure make_figure(const std::string& name, const RecordFigure& figure);
+
+}  // namespace musim::lsdem::report
