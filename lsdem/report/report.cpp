@@ -2,22 +2,35 @@
 
 #include <fmt/format.h>
 
+#include "lsdem/report/document_sections.hpp"
 #include "lsdem/report/pair_sections.hpp"
+#include "lsdem/report/record_sections.hpp"
 #include "lsdem/report/run_sections.hpp"
 #include "lsdem/report/several_sections.hpp"
+#include "lsdem/report/specimen_sections.hpp"
 #include "lsdem/report/tower_section.hpp"
 #include "lsdem/report/web_assets.hpp"
 
 namespace musim::lsdem::report {
 
+namespace {
+
+bool shows_blocks(const ReportContent& content) { return !content.runs.empty() || !content.specimens.empty(); }
+
+}  // namespace
+
 std::vector<ReportSection> make_sections(const ReportContent& content) {
     std::vector<ReportSection> sections{make_verdict_section(content)};
     if (content.kind == ReportKind::ensemble) sections.push_back(make_ensemble_section(content));
     if (content.kind == ReportKind::sequence) sections.push_back(make_sequence_section(content));
+    if (!content.runs.empty()) sections.push_back(make_overview_section(content));
+    if (!content.runs.empty() && content.kind == ReportKind::pair) sections.push_back(make_scale_section(content));
+    for (const ReportedDocument& document : content.documents) sections.push_back(make_document_section(document, sections.size()));
+    if (!content.records.empty()) sections.push_back(make_record_section(content));
+    if (std::optional<ReportSection> base = make_base_motion_section(content)) sections.push_back(std::move(*base));
+    if (!content.specimens.empty()) sections.push_back(make_specimen_section(content));
+    if (shows_blocks(content)) sections.push_back(make_tower_section(content));
     if (content.runs.empty()) return sections;
-    sections.push_back(make_overview_section(content));
-    if (content.kind == ReportKind::pair) sections.push_back(make_scale_section(content));
-    sections.push_back(make_tower_section(content));
     for (ReportSection& section : make_run_sections(content)) sections.push_back(std::move(section));
     return sections;
 }
@@ -41,7 +54,7 @@ std::string make_page(const ReportContent& content, const std::vector<ReportSect
         page += "</section>\n";
     }
     page += fmt::format("</main>\n<footer><p>made by musim {}</p></footer>\n", escape_html(version));
-    if (!content.runs.empty()) page += make_tower_scripts();
+    if (shows_blocks(content)) page += make_tower_scripts();
     return page + "<script>\n" + kReportScript + "\n</script>\n</body>\n</html>\n";
 }
 

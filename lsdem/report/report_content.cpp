@@ -7,10 +7,12 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "lsdem/report/record_figure.hpp"
 #include "lsdem/scene/scene_json.hpp"
 #include "lsdem/study/checkpoint.hpp"
 #include "lsdem/study/pair.hpp"
 #include "lsdem/study/watched_folder.hpp"
+#include "records/error.hpp"
 #include "scaling/quantity_text.hpp"
 
 namespace musim::lsdem::report {
@@ -59,14 +61,17 @@ class Reader {
   public:
     ReportContent content;
 
+    explicit Reader(const RecordReader& read_record) : read_record_(read_record) {}
+
     void add_run(const fs::path& folder, const std::string& label) {
         ReportedRun reported{.label = label, .folder = folder, .run = {}, .response = {}, .summary = {}, .scene_name = {}, .material = {}};
         try {
-            reported.run = study::read_run(folder);
+            reported.run = study::read_run(folder, study::Reading::what_there_is);
         } catch (const std::runtime_error& error) {
             content.remarks.emplace_back(error.what());
             return;
         }
+        content.remarks.insert(content.remarks.end(), reported.run.gaps.begin(), reported.run.gaps.end());
         reported.summary = read_object(folder / "summary.json");
         try {
             reported.response = study::measure_response(reported.run);
@@ -125,22 +130,82 @@ class Reader {
         }
     }
 
-    void add(const fs::path& folder) {
+    void add_specimen(const fs::path& file) {
+        try {
+            content.specimens.push_back({.label = file.stem().string(), .specimen = study::read_specimen(file)});
+        } catch (const study::ResultError& error) {
+            content.remarks.emplace_back(error.what());
+        }
+    }
+
+    void add_document(const fs::path& file) {
+        nlohmann::json json = nlohmann::json::parse(read_text(file), nullptr, false);
+        if (json.is_object()) {
+            content.documents.push_back({.label = file.filename().string(), .json = std::move(json)});
+        } else {
+            content.remarks.push_back(fmt::format(
+                "{}: holds no JSON object (it is damaged, or of another program); give what a musim command has printed with --json",
+                file.string()));
+        }
+    }
+
+    void add_record(const fs::path& file) {
+        try {
+            records::GroundMotion motion = read_record_(file);
+            motion.source = file.filename().string();
+            content.records.push_back({.label = motion.source, .motion = std::move(motion)});
+        } catch (const records::ReadError& error) {
+            content.remarks.emplace_back(error.what());
+        }
+    }
+
+    /// A file of a folder of results stands for the folder.
+    void add_file(const fs::path& file) {
+        const std::string name = file.filename().string();
+        for (const char* part : {"result.h5", "result.xdmf", "summary.json", "pair.json", "sequence.json", "ensemble.json"}) {
+            if (name == part) return add_folder(file.has_parent_path() ? file.parent_path() : fs::path("."));
+        }
+        if (file.extension() == ".h5") return add_specimen(file);
+        if (file.extension() == ".json") return add_document(file);
+        add_record(file);
+    }
+
+    void add(const fs::path& place) {
+        if (fs::is_regular_file(place)) return add_file(place);
+        add_folder(place);
+    }
+
+  private:
+    void add_folder(const fs::path& folder) {
         const std::string label = folder.filename().empty() ? folder.parent_path().filename().string() : folder.filename().string();
         note_unfinished(folder);
         if (fs::exists(folder / "pair.json")) return add_pair(folder);
         if (fs::exists(folder / "sequence.json")) return add_sequence(folder);
         if (fs::exists(folder / "ensemble.json")) return add_ensemble(folder);
         if (fs::exists(folder / "summary.json") || fs::exists(folder / "result.h5")) return add_run(folder, label);
-        if (fs::exists(folder)) {
+        if (!fs::exists(folder)) {
             content.remarks.push_back(
-                fmt::format("{}: there are no results of `musim run`, `pair`, `sequence` or `ensemble` here", folder.string()));
-        } else {
-            content.remarks.push_back(fmt::format("{}: there is no such folder; give the directory of `musim run -o`", folder.string()));
+                fmt::format("{}: there is no such folder or file; give the directory of `musim run -o`", folder.string()));
+            return;
+        }
+        const std::vector<fs::path> specimens = find_specimens(folder);
+        for (const fs::path& specimen : specimens) add_specimen(specimen);
+        if (specimens.empty()) {
+            content.remarks.push_back(
+                fmt::format("{}: there are no results of `musim run`, `pair`, `sequence`, `ensemble` or `specimen` here", folder.string()));
         }
     }
 
-  private:
+    static std::vector<fs::path> find_specimens(const fs::path& folder) {
+        std::vector<fs::path> found;
+        for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+            if (entry.path().extension() == ".h5" && entry.path().filename().string().starts_with("specimen-"))
+                found.push_back(entry.path());
+        }
+        std::sort(found.begin(), found.end());
+        return found;
+    }
+
     void note_unfinished(const fs::path& folder) {
         const study::WatchedFolder watched = study::look_into(folder);
         if (watched.state == study::FolderState::working) {
@@ -152,7 +217,19 @@ class Reader {
         for (const study::WatchedRun& run : watched.runs) text += fmt::format(", at {:.0f} %", 100.0 * run.state.fraction);
         content.remarks.push_back(text + "; continue it with --resume");
     }
+
+    const RecordReader& read_record_;
 };
+
+/// Of what was not run.
+std::string make_title_without_runs(const ReportContent& content) {
+    const std::size_t many = content.specimens.size() + content.records.size() + content.documents.size();
+    if (many == 0) return "nothing";
+    const std::string first = !content.specimens.empty() ? content.specimens.front().label
+                              : !content.records.empty() ? make_title(content.records.front().motion)
+                                                         : content.documents.front().label;
+    return many == 1 ? first : fmt::format("{} and {} more", first, many - 1);
+}
 
 std::string make_title(const ReportContent& content) {
     std::string name = content.runs.empty() || content.runs.front().scene_name.empty() ? "a run" : content.runs.front().scene_name;
@@ -165,8 +242,9 @@ std::string make_title(const ReportContent& content) {
             return name + ": ensemble";
         case ReportKind::runs:
             return fmt::format("{} and {} more", name, content.runs.size() - 1);
-        case ReportKind::run:
         case ReportKind::nothing:
+            return make_title_without_runs(content);
+        case ReportKind::run:
             break;
     }
     return name;
@@ -174,11 +252,12 @@ std::string make_title(const ReportContent& content) {
 
 }  // namespace
 
-ReportContent read_content(const std::vector<fs::path>& folders) {
-    Reader reader;
-    for (const fs::path& folder : folders) reader.add(folder);
+ReportContent read_content(const std::vector<fs::path>& places, const RecordReader& read_record) {
+    Reader reader(read_record);
+    for (const fs::path& place : places) reader.add(place);
     ReportContent& content = reader.content;
-    if (content.runs.empty() && content.summary.is_null()) {
+    if (content.runs.empty() && content.specimens.empty() && content.records.empty() && content.documents.empty() &&
+        content.summary.is_null()) {
         throw study::ResultError(content.remarks.empty() ? "there is nothing to report on; give the directory of `musim run -o`"
                                                          : content.remarks.front());
     }

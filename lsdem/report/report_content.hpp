@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -8,6 +9,8 @@
 
 #include "lsdem/study/ensemble_bands.hpp"
 #include "lsdem/study/response.hpp"
+#include "lsdem/study/specimen_file.hpp"
+#include "records/ground_motion.hpp"
 
 namespace musim::lsdem::report {
 
@@ -20,6 +23,25 @@ struct ReportedRun {
     nlohmann::json summary;                                         ///< summary.json
     std::string scene_name, material;                               ///< as its scene says; empty when it says nothing
     double length = 1.0, time = 1.0, velocity = 1.0, energy = 1.0;  ///< λ of it to its prototype; 1 for a run of its own
+    bool stands = false;                                            ///< a specimen, whose blocks are shown as those of a run
+};
+
+/// A record of a motion.
+struct ReportedRecord {
+    std::string label;  ///< its file
+    records::GroundMotion motion;
+};
+
+/// What another command has printed with --json, into a file.
+struct ReportedDocument {
+    std::string label;  ///< its file
+    nlohmann::json json;
+};
+
+/// A prepared structure.
+struct ReportedSpecimen {
+    std::string label;  ///< its file
+    study::StoredSpecimen specimen;
 };
 
 /// What the runs of a report have to do with each other.
@@ -29,7 +51,7 @@ enum class ReportKind {
     pair,      ///< a prototype and its models
     sequence,  ///< stages on the same structure
     ensemble,  ///< seeds of one scene; one of its members stands for them
-    nothing,   ///< no run at all, only remarks
+    nothing,   ///< no run at all
 };
 
 /// Everything that a report shows, read.
@@ -37,13 +59,20 @@ struct ReportContent {
     ReportKind kind = ReportKind::nothing;
     std::string title;
     std::vector<ReportedRun> runs;
-    nlohmann::json summary;            ///< pair.json, sequence.json or ensemble.json
-    std::string picture;               ///< of an ensemble: its bands as SVG
+    nlohmann::json summary;  ///< pair.json, sequence.json or ensemble.json
+    std::string picture;     ///< of an ensemble: its bands as SVG
+    std::vector<ReportedSpecimen> specimens;
+    std::vector<ReportedRecord> records;
+    std::vector<ReportedDocument> documents;
     std::vector<std::string> remarks;  ///< what is missing or cannot be read, each with what would help
 };
 
-/// Reads what lies in folders of `musim run`, `pair`, `sequence` and `ensemble`, or in several of runs. What cannot be read becomes a
-/// remark. Throws study::ResultError when nothing at all can be shown.
-ReportContent read_content(const std::vector<std::filesystem::path>& folders);
+/// Reads a record file; throws records::ReadError.
+using RecordReader = std::function<records::GroundMotion(const std::filesystem::path&)>;
+
+/// Reads what lies in folders of `musim run`, `pair`, `sequence`, `ensemble` and `specimen`, or in several of runs; specimens, records and
+/// what a command printed with --json as files of their own. What cannot be read becomes a remark. Throws study::ResultError when nothing
+/// at all can be shown.
+ReportContent read_content(const std::vector<std::filesystem::path>& places, const RecordReader& read_record);
 
 }  // namespace musim::lsdem::report

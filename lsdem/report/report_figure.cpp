@@ -64,8 +64,8 @@ ReportFigure make_figure(const std::string& name, const study::StackedPlot& plot
         for (std::size_t row = 0; row < run.y.size(); ++row) {
             const std::vector<double>& y = run.y[row];
             for (std::size_t k = 0; k < y.size(); ++k) {
-                fmt::format_to(std::back_inserter(figure.csv), "{},{},{},{}\n", records::csv_cell(run.label), records::csv_cell(name_row(plot, row)), run.x[k],
-                               y[k]);
+                fmt::format_to(std::back_inserter(figure.csv), "{},{},{},{}\n", records::csv_cell(run.label),
+                               records::csv_cell(name_row(plot, row)), run.x[k], y[k]);
             }
             if (y.empty()) continue;
             const auto peak = std::max_element(y.begin(), y.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 
+#include "lsdem/report/level_tilts.hpp"
 #include "lsdem/study/spine_plot.hpp"
 #include "scaling/angle.hpp"
 
@@ -59,6 +60,18 @@ ReportFigure make_residual_figure(const std::vector<ReportedRun>& runs) {
         }
     }
     return make_figure("residual_displacement", plot);
+}
+
+/// The tilts' distribution in one run, their means in several.
+ReportFigure make_initial_tilt_figure(const std::vector<ReportedRun>& runs) {
+    if (runs.size() > 1) {
+        return make_level_figure("initial_tilt", "Tilt of the blocks at the start, mean", "tilt [degrees]", runs,
+                                 [](const study::LevelDamage& level, const ReportedRun&) { return level.initial_tilt.mean / kDegree; });
+    }
+    const study::StoredRun& run = runs.front().run;
+    std::vector<double> tilt;
+    for (const Quaternion& orientation : run.initial.orientation) tilt.push_back(study::find_tilt(orientation));
+    return make_tilt_figure("initial_tilt", runs.front().label, run.blocks.layer, tilt);
 }
 
 /// Were two runs sampled at the same dimensionless times?
@@ -167,8 +180,7 @@ std::vector<ReportFigure> make_profile_figures(const std::vector<ReportedRun>& r
                               [](const study::LevelDamage& level, const ReportedRun& run) { return 1e3 * level.slip.mean / run.length; }),
             make_level_figure("rotation", "Rotation of the blocks since the start, mean", "rotation [degrees]", runs,
                               [](const study::LevelDamage& level, const ReportedRun&) { return level.rotation.mean / kDegree; }),
-            make_level_figure("initial_tilt", "Tilt of the blocks at the start, mean", "tilt [degrees]", runs,
-                              [](const study::LevelDamage& level, const ReportedRun&) { return level.initial_tilt.mean / kDegree; })};
+            make_initial_tilt_figure(runs)};
 }
 
 ReportFigure make_energy_figure(const ReportedRun& run) {

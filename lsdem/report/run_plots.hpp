@@ -20,7 +20,7 @@ std::optional<ReportFigure> make_difference_figure(const std::vector<ReportedRun
 std::optional<ReportFigure> make_lag_figure(const ReportedRun& run);
 
 /// Profiles over the levels, runs beside each other: residual displacement of the spine over λ_l, mean slip below a level over λ_l, mean
-/// rotation, mean tilt at the start [Harmon23, Figs. 6 and 10].
+/// rotation, tilts at the start [Harmon23, Figs. 6 and 10].
 std::vector<ReportFigure> make_profile_figures(const std::vector<ReportedRun>& runs);
 
 /// Energies of one run over time, gravitational energy from its start.

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lsdem/report/document_sections.hpp"
 #include "lsdem/report/run_plots.hpp"
+#include "scaling/angle.hpp"
 
 namespace musim::lsdem::report {
 namespace {
@@ -15,6 +17,7 @@ constexpr double kGoodClosure = 0.01;
 
 std::string describe_status(const ReportedRun& run) {
     if (run.run.status == study::RunStatus::diverged) return "diverged: " + run.run.divergence;
+    if (!run.run.is_status_known) return "how it ended is not known";
     if (run.run.collapse_time) return fmt::format("collapsed at {:.4g} s", *run.run.collapse_time);
     return "ran to its end";
 }
@@ -38,7 +41,7 @@ std::string make_run_verdict(const ReportedRun& run) {
         text += fmt::format("; {} of {} blocks fallen, damage index {:.3g}", damage.fallen, damage.blocks, damage.index);
         if (run.response->failure) text += "; " + study::describe(*run.response->failure);
     }
-    std::string html = make_statement(find_tone(run.run.status), text);
+    std::string html = make_statement(run.run.is_status_known ? find_tone(run.run.status) : Tone::note, text);
     const double closure = run.summary.value("energy_closure", std::nan(""));
     if (std::isfinite(closure)) {
         html += make_statement(closure < kGoodClosure ? Tone::good : Tone::warning,
@@ -66,6 +69,13 @@ std::string make_pair_verdict(const nlohmann::json& pair) {
         }
     }
     return html;
+}
+
+std::string make_specimen_verdict(const ReportedSpecimen& reported) {
+    const study::StoredSpecimen& specimen = reported.specimen;
+    const double largest = specimen.tilt.empty() ? 0.0 : *std::max_element(specimen.tilt.begin(), specimen.tilt.end());
+    return make_statement(Tone::good, fmt::format("{}: {} blocks prepared, at rest; the largest tilt is {:.3g}°", reported.label,
+                                                  specimen.layer.size(), largest / scaling::kDegree));
 }
 
 ReportSection make_spine_section(const std::vector<ReportedRun>& runs) {
@@ -132,6 +142,12 @@ ReportSection make_verdict_section(const ReportContent& content) {
     ReportSection section{.id = "verdict", .title = "Verdict", .html = {}};
     if (content.kind == ReportKind::pair) section.html += make_pair_verdict(content.summary);
     for (const ReportedRun& run : content.runs) section.html += make_run_verdict(run);
+    for (const ReportedSpecimen& specimen : content.specimens) section.html += make_specimen_verdict(specimen);
+    for (const ReportedRecord& record : content.records) {
+        section.html += make_statement(Tone::good, fmt::format("{}: read as {}, {} components ({})", record.label, record.motion.format,
+                                                               record.motion.components.size(), record.motion.component_names()));
+    }
+    for (const ReportedDocument& document : content.documents) section.html += make_document_verdict(document);
     for (const std::string& remark : content.remarks) section.html += make_statement(Tone::note, remark);
     return section;
 }

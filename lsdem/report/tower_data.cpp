@@ -132,6 +132,35 @@ std::string list_slips(const ReportedRun& reported) {
     return bytes;
 }
 
+/// Contact forces on all blocks, over their weights, frame by frame; nothing when the run has not kept them.
+std::vector<double> list_forces(const ReportedRun& reported) {
+    const study::StoredRun& run = reported.run;
+    if (!reported.response || !(reported.response->scales.gravity > 0.0)) return {};
+    std::vector<double> forces;
+    forces.reserve(run.frames.contact_force.size());
+    const std::size_t blocks = run.blocks.mass.size();
+    for (std::size_t i = 0; i < run.frames.contact_force.size(); ++i) {
+        const double weight = run.blocks.mass[i % blocks] * reported.response->scales.gravity;
+        forces.push_back(static_cast<double>(run.frames.contact_force[i]) / weight);
+    }
+    return forces;
+}
+
+/// Steps of the square root, from 0 to that of the largest.
+constexpr double kForceSteps = 255.0;
+
+std::string code_forces(const std::vector<double>& forces, std::size_t blocks, double largest) {
+    std::vector<std::uint8_t> before(blocks, 0);
+    std::string bytes;
+    bytes.reserve(forces.size());
+    for (std::size_t i = 0; i < forces.size(); ++i) {
+        const auto now = static_cast<std::uint8_t>(largest > 0.0 ? std::lround(kForceSteps * std::sqrt(forces[i] / largest)) : 0);
+        bytes += static_cast<char>(static_cast<std::uint8_t>(now - before[i % blocks]));
+        before[i % blocks] = now;
+    }
+    return bytes;
+}
+
 /// Displacement of the base at the sample nearest to a time.
 std::array<double, 3> find_base(const study::History& history, double time) {
     const auto after = std::lower_bound(history.time.begin(), history.time.end(), time);
@@ -172,6 +201,8 @@ TowerData make_tower_data(const ReportedRun& reported) {
         times.push_back(frame.time);
         base.push_back(find_base(run.history, frame.time));
     }
+    const std::vector<double> forces = list_forces(reported);
+    const double largest_force = forces.empty() ? 0.0 : *std::max_element(forces.begin(), forces.end());
     std::string layers;
     for (const int layer : run.blocks.layer) append(layers, static_cast<std::int16_t>(layer));
     return {.json = {{"label", reported.label},
@@ -179,15 +210,21 @@ TowerData make_tower_data(const ReportedRun& reported) {
                      {"length", reported.length},
                      {"time", reported.time},
                      {"velocity", reported.velocity},
+                     {"stands", reported.stands},
                      {"has_frames", !run.frames.time.empty()},
                      {"times", times},
                      {"base", base},
-                     {"scales", {{"displacement", far}, {"rotation", turned}, {"velocity", fast}}},
+                     {"scales", {{"displacement", far}, {"rotation", turned}, {"velocity", fast}, {"force", largest_force}}},
                      {"start", encode_base64(list_start(run))},
                      {"slip", encode_base64(list_slips(reported))},
                      {"layer", encode_base64(layers)},
+                     {"forces", forces.empty() ? "" : encode_base64(compress_bytes(code_forces(forces, blocks, largest_force)))},
                      {"frames", encode_base64(compress_bytes(bytes))}},
-            .rounding = {.displacement = displacement.rounding(), .rotation = rotation.rounding(), .velocity = velocity.rounding()}};
+            // half a step of the square root, at the largest force
+            .rounding = {.displacement = displacement.rounding(),
+                         .rotation = rotation.rounding(),
+                         .velocity = velocity.rounding(),
+                         .force = largest_force / kForceSteps}};
 }
 
 }  // namespace musim::lsdem::report

@@ -13,6 +13,7 @@ struct TowerRounding {
     double displacement = 0.0;  ///< of a centre along an axis, at most [m]
     double rotation = 0.0;      ///< of a component of the rotation vector, at most [rad]
     double velocity = 0.0;      ///< of a component, at most [m/s]
+    double force = 0.0;         ///< of the contact forces over a block's weight, at most; 0 when they are not kept [-]
 };
 
 /// Blocks and frames of a run, small enough for a page.
@@ -22,6 +23,8 @@ struct TowerRounding {
 /// in turn, 16-bit integers of displacement x y z since the start and of the rotation vector since the start, world frame, each component
 /// of all blocks one after another, low bytes before high ones; then 8-bit integers of the velocity's components. All integers are
 /// differences from the frame before, modulo their range. An integer over its greatest magnitude (32767, 127) times "scales" is the value.
+/// "forces": zlib, empty when they are not kept; for each frame in turn, 8-bit differences from the frame before of q, for each block: the
+/// contact forces on it over its weight are (q/255)² times scales.force, so that small ones are told more finely.
 /// "base": displacement of the base at each frame [m]. A run without frames has two: its start and its end, without velocities.
 struct TowerData {
     nlohmann::json json;

@@ -101,11 +101,6 @@ struct LevelSums {
     double squares = 0.0;  ///< Σ D²
 };
 
-double find_tilt(const Quaternion& orientation) {
-    const Vector3 up = orientation * Vector3::UnitZ();
-    return std::atan2(up.head<2>().norm(), up.z());
-}
-
 LevelDamage make_level(int level, const LevelSums& sums) {
     return {.level = level,
             .blocks = sums.blocks,
@@ -144,6 +139,11 @@ void add_losses(const StoredRun& run, Damage& damage) {
 
 double find_loss_share(const LevelDamage& level, const Damage& damage) {
     return damage.loss->total() > 0.0 ? level.loss->total() / damage.loss->total() : 0.0;
+}
+
+double find_tilt(const Quaternion& orientation) {
+    const Vector3 up = orientation * Vector3::UnitZ();
+    return std::atan2(up.head<2>().norm(), up.z());
 }
 
 Damage assess_damage(const StoredRun& run) {

@@ -57,6 +57,9 @@ struct Damage {
     double index = 0.0;
 };
 
+/// Angle of a block's own z axis with the vertical [rad].
+double find_tilt(const Quaternion& orientation);
+
 /// Compares the end of a run with its start. Blocks count as fallen as in Simulation::fallen_fraction: sunk by a quarter of their height,
 /// or tilted by 45°. Fixed blocks count like others.
 Damage assess_damage(const StoredRun& run);

@@ -51,9 +51,9 @@ std::vector<FloatVector> read_frame_vectors(const Hdf5Reader& file, const std::s
 }
 
 /// Energies as results hold them, where springs' energy is one number; none in results without them.
-void read_energies(const Hdf5Reader& file, std::size_t samples, std::vector<Energy>& energies) {
+void read_energies(const Hdf5Reader& file, std::size_t samples, std::vector<Energy>& read) {
     if (!file.has("/energy/kinetic")) return;
-    energies.resize(samples);
+    std::vector<Energy> energies(samples);
     const auto take = [&](const char* path, double Energy::*part) {
         const auto data = file.doubles(path, 1);
         require_shape(file, path, data, {samples});
@@ -66,6 +66,7 @@ void read_energies(const Hdf5Reader& file, std::size_t samples, std::vector<Ener
     take("/energy/damping", &Energy::damping_loss);
     take("/energy/preparation", &Energy::preparation_loss);
     take("/energy/base_work", &Energy::base_work);
+    read = std::move(energies);
 }
 
 void read_history(const Hdf5Reader& file, StoredRun& run) {
@@ -89,7 +90,6 @@ void read_history(const Hdf5Reader& file, StoredRun& run) {
     history.spine_position = read_vectors(file, "/spine/position", {nt, ns});
     history.spine_velocity = read_vectors(file, "/spine/velocity", {nt, ns});
     history.spine_rotation = read_vectors(file, "/spine/rotation_vector", {nt, ns});
-    read_energies(file, nt, history.energy);
 }
 
 void read_blocks(const Hdf5Reader& file, StoredRun& run) {
@@ -109,9 +109,9 @@ void read_falls(const Hdf5Reader& file, StoredRun& run) {
     const hsize_t n = run.blocks.mass.size();
     auto time = file.doubles("/blocks/fall_time", 1);
     require_shape(file, "/blocks/fall_time", time, {n});
-    run.falls.time = std::move(time.values);
-    run.falls.displacement = read_vectors(file, "/blocks/fall_displacement", {n});
-    if (file.has("/blocks/collapse_displacement")) run.falls.at_collapse = read_vectors(file, "/blocks/collapse_displacement", {n});
+    Falls falls{.time = std::move(time.values), .displacement = read_vectors(file, "/blocks/fall_displacement", {n}), .at_collapse = {}};
+    if (file.has("/blocks/collapse_displacement")) falls.at_collapse = read_vectors(file, "/blocks/collapse_displacement", {n});
+    run.falls = std::move(falls);
 }
 
 void read_origin(const Hdf5Reader& file, StoredRun& run) {
@@ -145,15 +145,18 @@ void read_losses(const Hdf5Reader& file, StoredRun& run) {
 
 void read_frames(const Hdf5Reader& file, StoredRun& run) {
     if (!file.has("/frames/time")) return;
-    run.frames.time = file.doubles("/frames/time", 1).values;
-    const hsize_t nf = run.frames.time.size(), n = run.blocks.mass.size();
-    run.frames.position = read_frame_vectors<Eigen::Vector3f>(file, "/frames/position", {nf, n, 3});
-    run.frames.quaternion = read_frame_vectors<Eigen::Vector4f>(file, "/frames/quaternion", {nf, n, 4});
-    run.frames.velocity = read_frame_vectors<Eigen::Vector3f>(file, "/frames/velocity", {nf, n, 3});
-    if (!file.has("/frames/contact_force")) return;
-    auto force = file.floats("/frames/contact_force", 2);
-    require_shape(file, "/frames/contact_force", force, {nf, n});
-    run.frames.contact_force = std::move(force.values);
+    Frames frames;
+    frames.time = file.doubles("/frames/time", 1).values;
+    const hsize_t nf = frames.time.size(), n = run.blocks.mass.size();
+    frames.position = read_frame_vectors<Eigen::Vector3f>(file, "/frames/position", {nf, n, 3});
+    frames.quaternion = read_frame_vectors<Eigen::Vector4f>(file, "/frames/quaternion", {nf, n, 4});
+    frames.velocity = read_frame_vectors<Eigen::Vector3f>(file, "/frames/velocity", {nf, n, 3});
+    if (file.has("/frames/contact_force")) {
+        auto force = file.floats("/frames/contact_force", 2);
+        require_shape(file, "/frames/contact_force", force, {nf, n});
+        frames.contact_force = std::move(force.values);
+    }
+    run.frames = std::move(frames);
 }
 
 /// Status and collapse from the summary beside the file.
@@ -171,15 +174,19 @@ void read_summary(const fs::path& path, StoredRun& run) {
         throw ResultError(fmt::format("{}: has no status of a run (it is missing or damaged); run the scene again", path.string()));
     }
     if (summary.contains("collapse_time_s") && summary["collapse_time_s"].is_number()) run.collapse_time = summary["collapse_time_s"];
-    const auto divergence = summary.value("divergence", nlohmann::json::object());
-    if (run.status == RunStatus::diverged) run.divergence = divergence.value("what", "diverged");
-    run.doubts = summary.value("doubts", std::vector<std::string>{});
-    run.at_rest = summary.value("rest", nlohmann::json::object()).value("at_rest", true);
+    try {
+        const auto divergence = summary.value("divergence", nlohmann::json::object());
+        if (run.status == RunStatus::diverged) run.divergence = divergence.value("what", "diverged");
+        run.doubts = summary.value("doubts", std::vector<std::string>{});
+        run.at_rest = summary.value("rest", nlohmann::json::object()).value("at_rest", true);
+    } catch (const nlohmann::json::exception& error) {
+        throw ResultError(fmt::format("{}: {} (it is damaged, or of another version); run the scene again", path.string(), error.what()));
+    }
 }
 
 }  // namespace
 
-StoredRun read_run(const fs::path& directory) {
+StoredRun read_run(const fs::path& directory, Reading reading) {
     if (!fs::is_directory(directory)) {
         throw ResultError(
             fmt::format("{}: is no directory of results (there is none of that name); name one that `musim run -o DIR` has written",
@@ -190,14 +197,28 @@ StoredRun read_run(const fs::path& directory) {
     const Hdf5Reader file(directory / "result.h5");
     read_blocks(file, run);
     read_history(file, run);
-    read_falls(file, run);
-    read_origin(file, run);
-    read_losses(file, run);
-    read_frames(file, run);
-    run.scene = file.attribute("scene");
-    run.state_hash = file.attribute("state_hash");
+    const auto take = [&](const auto& read_part) {
+        try {
+            read_part();
+        } catch (const ResultError& error) {
+            if (reading == Reading::whole) throw;
+            run.gaps.emplace_back(error.what());
+        }
+    };
+    take([&] { read_energies(file, run.history.samples(), run.history.energy); });
+    take([&] { read_falls(file, run); });
+    take([&] { read_origin(file, run); });
+    take([&] { read_losses(file, run); });
+    take([&] { read_frames(file, run); });
+    take([&] { run.scene = file.attribute("scene"); });
+    take([&] { run.state_hash = file.attribute("state_hash"); });
     run.final.time = run.history.time.back();
-    read_summary(directory / "summary.json", run);
+    run.is_status_known = false;
+    run.status = run.falls.at_collapse.empty() ? RunStatus::completed : RunStatus::collapsed;
+    take([&] {
+        read_summary(directory / "summary.json", run);
+        run.is_status_known = true;
+    });
     return run;
 }
 

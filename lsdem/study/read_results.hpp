@@ -33,6 +33,8 @@ struct StoredRun {
     Falls falls;                        ///< empty in results of versions before they were kept
     std::optional<StageOrigin> origin;  ///< of a later stage of a sequence
     std::optional<Losses> losses;       ///< nothing in results of versions before they were kept
+    std::vector<std::string> gaps;      ///< what could not be read of it, one sentence each; only with Reading::what_there_is
+    bool is_status_known = true;        ///< false: summary.json could not be read; `status` is then what the falls tell
     Kinematics initial;                 ///< poses only
     Kinematics final;                   ///< poses only, at the last sample
 
@@ -40,8 +42,14 @@ struct StoredRun {
     const std::vector<Vector3>& standing_position() const { return origin ? origin->position : initial.position; }
 };
 
+/// How much of a run must be there.
+enum class Reading {
+    whole,         ///< everything that is there must be readable
+    what_there_is  ///< blocks and histories; of the rest what can be read, the gaps told
+};
+
 /// Reads DIR/result.h5 and DIR/summary.json as ResultFolder::add_run writes them. Throws ResultError when one is missing, unreadable, of
-/// another layout, or holds no sample.
-StoredRun read_run(const std::filesystem::path& directory);
+/// another layout, or holds no sample; for Reading::what_there_is only when that keeps blocks or histories from being read.
+StoredRun read_run(const std::filesystem::path& directory, Reading reading = Reading::whole);
 
 }  // namespace musim::lsdem::study

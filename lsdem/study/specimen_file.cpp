@@ -191,6 +191,31 @@ std::string read_specimen_inputs(const std::filesystem::path& file) {
     return reader.attribute("inputs");
 }
 
+StoredSpecimen read_specimen(const std::filesystem::path& file) {
+    const detail::Hdf5Reader reader(file);
+    require_specimen(reader, file);
+    const auto size = reader.doubles("/blocks/size", 2), position = reader.doubles("/blocks/position", 2);
+    const auto quaternion = reader.doubles("/blocks/quaternion", 2), tilt = reader.doubles("/blocks/tilt", 1);
+    const auto layer = reader.integers("/blocks/layer", 1);
+    const std::size_t n = layer.values.size();
+    if (size.values.size() != 3 * n || position.values.size() != 3 * n || quaternion.values.size() != 4 * n || tilt.values.size() != n)
+        refuse(file, "the lists of its blocks differ in length (a damaged file); prepare it again");
+    StoredSpecimen specimen{.inputs = reader.attribute("inputs"),
+                            .program_version = reader.attribute("program_version"),
+                            .size = {},
+                            .layer = {layer.values.begin(), layer.values.end()},
+                            .places = {},
+                            .tilt = tilt.values,
+                            .force = reader.doubles("/contacts/normal_force_over_block_weight", 1).values};
+    for (std::size_t i = 0; i < n; ++i) {
+        const double* q = &quaternion.values[4 * i];
+        specimen.size.emplace_back(Eigen::Map<const Vector3>(&size.values[3 * i]));
+        specimen.places.position.emplace_back(Eigen::Map<const Vector3>(&position.values[3 * i]));
+        specimen.places.orientation.emplace_back(q[0], q[1], q[2], q[3]);
+    }
+    return specimen;
+}
+
 void take_places(const std::filesystem::path& file, Specimen& specimen) {
     const detail::Hdf5Reader reader(file);
     require_specimen(reader, file);

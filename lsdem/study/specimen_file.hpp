@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "lsdem/scene/scene.hpp"
 #include "lsdem/study/prepare.hpp"
@@ -18,6 +19,20 @@ std::string specimen_file_name(const std::string& inputs);
 /// Writes a specimen as HDF5, all or nothing; layout in README.md. Throws records::WriteError.
 void write_specimen(const std::filesystem::path& file, const PreparedSpecimen& prepared, const std::string& inputs,
                     const std::string& version);
+
+/// What a specimen file holds of its blocks and what they hold each other with.
+struct StoredSpecimen {
+    std::string inputs;           ///< see describe_inputs
+    std::string program_version;  ///< that made it
+    std::vector<Vector3> size;    ///< edge lengths in the body frame [m]
+    std::vector<int> layer;       ///< from 1 at the base; 0: in no layer
+    Kinematics places;            ///< poses only
+    std::vector<double> tilt;     ///< of each block's own z axis from the vertical [rad]
+    std::vector<double> force;    ///< vertical, of each contact of a layer with the one below or the ground, over a block's weight [-]
+};
+
+/// Throws ResultError for a file that is no specimen, or a damaged one.
+StoredSpecimen read_specimen(const std::filesystem::path& file);
 
 /// The inputs that a specimen file was made from. Throws ResultError when it is none.
 std::string read_specimen_inputs(const std::filesystem::path& file);

@@ -29,6 +29,9 @@ inline ReportedRun make_stored_run(std::size_t frames) {
         return Vector3((0.1 + 0.2 * static_cast<double>(b)) * std::sin(3.0 * t), -0.05 * t, 0.01 * std::cos(t) - 0.01);
     };
     const auto turn = [&](std::size_t b, double t) { return Vector3(0.0, 0.3 * t * static_cast<double>(b), -0.1 * t); };
+    const auto height_of = [](std::size_t b) { return static_cast<double>(b); };
+    reported.response.emplace();
+    reported.response->scales.gravity = 9.8;
     for (std::size_t k = 0; k < frames; ++k) {
         const double t = 0.02 * static_cast<double>(k);
         run.history.time.push_back(t);
@@ -44,6 +47,7 @@ inline ReportedRun make_stored_run(std::size_t frames) {
             run.frames.position.emplace_back((run.initial.position[b] + move(b, t)).cast<float>());
             run.frames.quaternion.emplace_back(Eigen::Vector4d(q.w(), q.x(), q.y(), q.z()).cast<float>());
             run.frames.velocity.emplace_back(velocity.cast<float>());
+            run.frames.contact_force.push_back(static_cast<float>(10.0 * (3.0 - height_of(b)) * (1.0 + 0.5 * std::sin(5.0 * t))));
             run.history.spine_position.push_back(run.initial.position[b] + move(b, t));
             run.history.spine_velocity.push_back(velocity);
             run.history.spine_rotation.push_back(angle);

@@ -3,13 +3,23 @@
 #include <doctest/doctest.h>
 
 #include <fmt/format.h>
+#include <hdf5.h>
 
+#include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <numbers>
+#include <string>
+#include <vector>
 
+#include "lsdem/report/record_sections.hpp"
+#include "lsdem/scene/scale_scene.hpp"
 #include "lsdem/scene/scene_json.hpp"
 #include "lsdem/study/run.hpp"
+#include "lsdem/study/specimen_batch.hpp"
 #include "lsdem/study/write_results.hpp"
+#include "records/read_record.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 using namespace musim::lsdem;
@@ -19,14 +29,19 @@ using musim::tests::TemporaryFolder;
 
 namespace {
 
+constexpr const char* kColumnWithFrames = R"({"schema": "musim-scene/1", "name": "<b>column</b> & co", "material": "wood",
+    "structure": {"kind": "column", "layers": 4, "block": ["12.710 mm", "26.355 mm", "39.720 mm"]},
+    "base_motion": {"signal": "ricker", "direction": "x", "amplitude": "0.2 g", "frequency": "200 Hz"},
+    "time": {"duration": "20 ms"}, "output": {"spine_rate": "20 kHz", "frame_rate": "1 kHz"}})";
+const std::string kColumn = [] {
+    std::string text = kColumnWithFrames;
+    const std::string frames = R"(, "frame_rate": "1 kHz")";
+    return text.erase(text.find(frames), frames.size());
+}();
+
 /// A column that is shaken, run into a folder; its name is hostile.
 study::RunResult run_column(const std::filesystem::path& folder, bool frames) {
-    const scene::Scene scene =
-        scene::parse_scene(std::string(R"({"schema": "musim-scene/1", "name": "<b>column</b> & co", "material": "wood",
-        "structure": {"kind": "column", "layers": 4, "block": ["12.710 mm", "26.355 mm", "39.720 mm"]},
-        "base_motion": {"signal": "ricker", "direction": "x", "amplitude": "0.2 g", "frequency": "200 Hz"},
-        "time": {"duration": "10 ms"}, "output": {"spine_rate": "20 kHz")") +
-                           (frames ? R"(, "frame_rate": "1 kHz")" : "") + "}}");
+    const scene::Scene scene = scene::parse_scene(frames ? std::string(kColumnWithFrames) : kColumn);
     study::ResultFolder results(folder);
     study::RunResult run = study::run_scene(scene);
     results.add_run("", run, {.scene = scene::write_scene(scene), .similitude = {}, .program_version = "test"});
@@ -34,8 +49,12 @@ study::RunResult run_column(const std::filesystem::path& folder, bool frames) {
     return run;
 }
 
+ReportContent read_places(const std::vector<std::filesystem::path>& places) {
+    return read_content(places, [](const std::filesystem::path& file) { return musim::records::read_record(file); });
+}
+
 std::string make_report(const std::vector<std::filesystem::path>& folders) {
-    const ReportContent content = read_content(folders);
+    const ReportContent content = read_places(folders);
     return make_page(content, make_sections(content), "test");
 }
 
@@ -63,7 +82,7 @@ TEST_CASE("several runs are reported beside each other") {
     const TemporaryFolder place;
     run_column(place.path() / "one", true);
     run_column(place.path() / "two", true);
-    const ReportContent content = read_content({place.path() / "one", place.path() / "two"});
+    const ReportContent content = read_places({place.path() / "one", place.path() / "two"});
     CHECK(content.kind == ReportKind::runs);
     CHECK(content.runs.size() == 2);
     CHECK(content.remarks.empty());
@@ -93,11 +112,16 @@ TEST_CASE("what is missing is told, and the rest shown") {
     std::filesystem::create_directories(place.path() / "pair");
     std::filesystem::copy(place.path() / "out", place.path() / "pair/prototype", std::filesystem::copy_options::recursive);
     std::ofstream(place.path() / "pair/pair.json") << R"({"pairs": [{"label": "1:25", "materials": "exact", "consistent": true}]})";
-    const ReportContent pair = read_content({place.path() / "pair"});
+    const ReportContent pair = read_places({place.path() / "pair"});
     CHECK(pair.runs.size() == 1);
     CHECK(std::any_of(pair.remarks.begin(), pair.remarks.end(), [](const std::string& remark) { return holds(remark, "pair/1-25"); }));
+
+    // how it ended is in summary.json, all else is not
     std::filesystem::remove(place.path() / "pair/prototype/summary.json");
-    CHECK(holds(message_of<study::ResultError>([&] { read_content({place.path() / "pair/prototype"}); }), "summary.json"));
+    const std::string unknown = make_report({place.path() / "pair/prototype"});
+    CHECK(holds(unknown, "prototype/summary.json: has no status of a run"));
+    CHECK(holds(unknown, "how it ended is not known"));
+    CHECK(holds(unknown, "id=\"figure-spine_velocity\""));
 
     // an ensemble without members
     std::filesystem::create_directories(place.path() / "empty");
@@ -108,10 +132,132 @@ TEST_CASE("what is missing is told, and the rest shown") {
     CHECK(holds(ensemble, "no disk"));
 }
 
+TEST_CASE("of a result of another version what can be read is shown, and the rest told with its version") {
+    const TemporaryFolder place;
+    run_column(place.path() / "out", true);
+    const hid_t file = H5Fopen((place.path() / "out/result.h5").c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+    REQUIRE(file >= 0);
+    // velocities of frames and frictional losses have gone elsewhere, energies are of another length
+    CHECK(H5Ldelete(file, "/frames/velocity", H5P_DEFAULT) >= 0);
+    CHECK(H5Lmove(file, "/losses/damping", file, "/losses/dashpots", H5P_DEFAULT, H5P_DEFAULT) >= 0);
+    CHECK(H5Ldelete(file, "/energy/elastic", H5P_DEFAULT) >= 0);
+    CHECK(H5Lcreate_hard(file, "/losses/ground", file, "/energy/elastic", H5P_DEFAULT, H5P_DEFAULT) >= 0);
+    H5Fclose(file);
+    const ReportContent content = read_places({place.path() / "out"});
+    REQUIRE(content.runs.size() == 1);
+    CHECK(content.runs[0].run.frames.time.empty());
+    CHECK(content.runs[0].run.history.energy.empty());
+    CHECK_FALSE(content.runs[0].run.losses.has_value());
+    for (const char* gap : {"has no /frames/velocity", "has no /losses/damping", "/energy/elastic has another size"}) {
+        CHECK_MESSAGE(std::any_of(content.remarks.begin(), content.remarks.end(),
+                                  [&](const std::string& remark) { return holds(remark, gap) && holds(remark, "musim test wrote it"); }),
+                      gap);
+    }
+    CHECK(holds(make_page(content, make_sections(content), "test"), "id=\"figure-spine_velocity\""));
+    // whoever needs all of it is told
+    CHECK_THROWS_AS(study::read_run(place.path() / "out"), study::ResultError);
+}
+
 TEST_CASE("a folder with nothing to show is refused with what would help") {
     const TemporaryFolder place;
     for (const std::filesystem::path& folder : {place.path(), place.path() / "nowhere"}) {
-        const std::string why = message_of<study::ResultError>([&] { read_content({folder}); });
+        const std::string why = message_of<study::ResultError>([&] { read_places({folder}); });
         CHECK_MESSAGE(why.starts_with(folder.string() + ": there"), why);
     }
+}
+
+TEST_CASE("a specimen's report shows its blocks, tilts and forces as they were prepared") {
+    const TemporaryFolder place;
+    const study::SpecimenBatch batch{.scene = scene::parse_scene(R"({"schema": "musim-scene/1", "name": "wall", "material": "wood",
+        "structure": {"kind": "wall", "layers": 3, "blocks_per_layer": 2, "block": ["12.710 mm", "26.355 mm", "39.780 mm"],
+                      "height_deviation": "0.155 mm"}, "time": {"duration": "1 s"}, "output": {"spine_rate": "100 Hz"}})"),
+                                     .seeds = {1},
+                                     .folder = place.path(),
+                                     .version = "test",
+                                     .threads = 1};
+    const study::SpecimenReport made = study::make_specimens(batch).front();
+    const std::vector<double>& tilt = made.prepared.tilt;
+    const ReportContent content = read_places({place.path()});
+    REQUIRE(content.specimens.size() == 1);
+    CHECK(content.specimens[0].specimen.tilt == tilt);
+    CHECK(content.specimens[0].specimen.force == made.prepared.force);
+    const std::string page = make_page(content, make_sections(content), "test");
+    CHECK(holds(page, fmt::format("{} blocks prepared, at rest; the largest tilt is {:.3g}°", made.blocks,
+                                  *std::max_element(tilt.begin(), tilt.end()) * 180.0 / std::numbers::pi)));
+    CHECK(holds(page, "id=\"figure-tilt_1\""));
+    CHECK(holds(page, "id=\"figure-contact_forces\""));
+    CHECK(holds(page, "class=\"tower-data\""));
+    CHECK_FALSE(holds(page, "id=\"spine\""));
+
+    std::ofstream(place.path() / "specimen-damaged.h5") << "no HDF5";
+    const ReportContent damaged = read_places({place.path()});
+    CHECK(damaged.specimens.size() == 1);
+    REQUIRE(damaged.remarks.size() == 1);
+    CHECK(holds(damaged.remarks[0], "specimen-damaged.h5"));
+}
+
+TEST_CASE("records are drawn with their peaks, and those that cannot be read are told") {
+    using namespace musim::records;
+    const TemporaryFolder place;
+    std::ofstream(place.path() / "made.at2") << "a record";
+    std::ofstream(place.path() / "broken.at2") << "no record";
+    const auto read = [](const std::filesystem::path& file) -> GroundMotion {
+        if (file.stem() == "broken") throw ReadError(file.string() + ": line 1: no samples");
+        std::vector<double> samples;
+        for (int i = 0; i < 400; ++i) samples.push_back(i == 100 ? 0.25 * 9.80665 : 0.1 * std::sin(0.1 * i));
+        return {.source = file.string(),
+                .format = "made",
+                .event = "Event",
+                .station = "Place",
+                .components = {{.name = "360",
+                                .azimuth_deg = 0.0,
+                                .series = {SampleQuantity::acceleration, 0.0 * musim::scaling::si::seconds,
+                                           0.01 * musim::scaling::si::seconds, samples}}}};
+    };
+    const ReportContent content = read_content({place.path() / "made.at2", place.path() / "broken.at2"}, read);
+    const std::string page = make_page(content, make_sections(content), "test");
+    CHECK(holds(page, "<h1>Event, Place</h1>"));
+    CHECK(holds(page, "0.25 at 1 s"));
+    CHECK(holds(page, "id=\"figure-record_1\""));
+    CHECK(holds(page, "line 1: no samples"));
+    CHECK_FALSE(holds(page, "id=\"tower\""));
+}
+
+TEST_CASE("what a command printed as JSON is told whole, its distortions first") {
+    const TemporaryFolder place;
+    std::ofstream(place.path() / "scale.json") << R"({"law": "mu", "factors": {"length": 0.25, "time": 0.5}, "groups": {},
+        "distortions": [{"effect": "<i>grip</i>", "factor": 1.125, "group": "mu", "severity": "warning"}],
+        "candidates": [{"law": "froude", "inside": {"cost": 12.5}}]})";
+    std::ofstream(place.path() / "damaged.json") << "{\"law\": ";
+    const std::string page = make_report({place.path() / "scale.json", place.path() / "damaged.json"});
+    CHECK(holds(page, "<strong>warning</strong> scale.json: 1 group is distorted: mu"));
+    CHECK(holds(page, "<th scope=\"row\">time</th><td class=\"number\">0.5</td>"));
+    CHECK(holds(page, "<td class=\"warning\">warning</td>"));
+    CHECK(holds(page, "<td class=\"number\">12.5</td>"));
+    CHECK_FALSE(holds(page, "<i>"));
+    CHECK(holds(page, "damaged.json: holds no JSON object"));
+}
+
+TEST_CASE("the base motion of a model is shown before and after it was rescaled") {
+    const TemporaryFolder place;
+    const scene::Scene prototype = scene::parse_scene(kColumn);
+    const scene::Scene model =
+        scene::scale_scene(prototype, musim::scaling::Similitude({.length = 1.0 / 16.0}, musim::scaling::Law::exact));
+    study::ResultFolder results(place.path() / "out");
+    results.add_run("", study::run_scene(model), {.scene = scene::write_scene(model), .similitude = {}, .program_version = "test"});
+    results.commit();
+    const ReportContent content = read_places({place.path() / "out"});
+    const std::optional<ReportSection> section = make_base_motion_section(content);
+    REQUIRE(section.has_value());
+    REQUIRE(section->figures.size() == 1);
+    const std::vector<std::vector<HtmlCell>>& rows = section->figures[0].twin.rows;
+    REQUIRE(rows.size() == 2);
+    const auto peak = [&](std::size_t row, std::size_t column) { return std::stod(rows[row][column].text); };
+    CHECK(rows[0][0].text == "x prototype");
+    CHECK(rows[1][0].text == "x model");
+    // exact: accelerations as they are, velocities to a quarter, displacements to a sixteenth; cells have four digits
+    CHECK(peak(1, 1) == doctest::Approx(peak(0, 1)).epsilon(1e-3));
+    CHECK(std::abs(peak(0, 1)) == doctest::Approx(0.2).epsilon(1e-2));
+    CHECK(peak(1, 2) == doctest::Approx(peak(0, 2) / 4.0).epsilon(1e-3));
+    CHECK(peak(1, 3) == doctest::Approx(peak(0, 3) / 16.0).epsilon(1e-3));
 }

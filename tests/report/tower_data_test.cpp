@@ -97,6 +97,27 @@ TEST_CASE("frames come back within the rounding that is told") {
     CHECK(decode_base64(data.json["start"]).size() == blocks * 40);
 }
 
+TEST_CASE("contact forces come back over the weights of their blocks within the rounding that is told") {
+    const ReportedRun reported = make_stored_run(30);
+    const TowerData data = make_tower_data(reported);
+    const std::size_t blocks = 3;
+    const std::string codes = unpack(decode_base64(data.json["forces"]), 30 * blocks);
+    const double largest = data.json["scales"]["force"];
+    std::vector<std::uint8_t> code(blocks, 0);
+    double worst = 0.0;
+    for (std::size_t i = 0; i < codes.size(); ++i) {
+        code[i % blocks] = static_cast<std::uint8_t>(code[i % blocks] + static_cast<unsigned char>(codes[i]));
+        const double share = code[i % blocks] / 255.0, force = static_cast<double>(reported.run.frames.contact_force[i]) / 9.8;
+        worst = std::max(worst, std::abs(largest * share * share - force));
+    }
+    CHECK(worst <= data.rounding.force);
+    CHECK(worst > 0.25 * data.rounding.force);
+
+    ReportedRun unmeasured = make_stored_run(30);
+    unmeasured.response.reset();
+    CHECK(make_tower_data(unmeasured).json["forces"] == "");
+}
+
 TEST_CASE("a run without frames shows its start and its end, and one that never moves does, too") {
     ReportedRun reported = make_stored_run(10);
     reported.run.frames = {};

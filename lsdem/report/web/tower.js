@@ -11,16 +11,20 @@
   const SEQUENTIAL = ["#440154", "#482475", "#414487", "#355f8d", "#2a788e", "#21918c", "#22a884", "#44bf70", "#7ad151", "#bddf26", "#fde725"];
   const DIVERGING = ["#053061", "#2166ac", "#4393c3", "#92c5de", "#d1e5f0", "#f7f7f7", "#fddbc7", "#f4a582", "#d6604d", "#b2182b", "#67001f"];
 
+  const isShaken = function (run) { return !run.stands; };
+
   // `unit` is what is told, `factor` of it in one of the values (m/s, m, degrees).
   const QUANTITIES = [
     { key: "vx", name: "velocity along x", unit: "cm/s", factor: 100, signed: true, moves: true },
     { key: "vy", name: "velocity along y", unit: "cm/s", factor: 100, signed: true, moves: true },
     { key: "vz", name: "velocity along z", unit: "cm/s", factor: 100, signed: true, moves: true },
     { key: "speed", name: "speed", unit: "cm/s", factor: 100, signed: false, moves: true },
-    { key: "moved", name: "displacement since the start, relative to the base", unit: "mm", factor: 1000, signed: false },
-    { key: "turned", name: "rotation since the start", unit: "°", factor: 1, signed: false },
-    { key: "slip", name: "slip below it at the end", unit: "mm", factor: 1000, signed: false },
-    { key: "layer", name: "layer", unit: "", factor: 1, signed: false },
+    { key: "moved", name: "displacement since the start, relative to the base", unit: "mm", factor: 1000, signed: false, kept: isShaken },
+    { key: "turned", name: "rotation since the start", unit: "°", factor: 1, signed: false, kept: isShaken },
+    { key: "force", name: "contact forces on it, over its weight", unit: "", factor: 1, signed: false, kept: function (run) { return run.forces !== null; } },
+    { key: "slip", name: "slip below it at the end", unit: "mm", factor: 1000, signed: false, still: true, kept: isShaken },
+    { key: "tilt", name: "tilt at the start", unit: "°", factor: 1, signed: false, still: true },
+    { key: "layer", name: "layer", unit: "", factor: 1, signed: false, still: true },
   ];
 
   function bytesOf(base64) {
@@ -33,6 +37,12 @@
   async function inflate(bytes) {
     const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"));
     return new Uint8Array(await new Response(stream).arrayBuffer());
+  }
+
+  // Sums up differences from frame to frame of 8-bit integers, one of each block.
+  function unpackForces(bytes, blocks) {
+    for (let i = blocks; i < bytes.length; ++i) bytes[i] += bytes[i - blocks];
+    return bytes;
   }
 
   // Sums up differences from frame to frame: integers of `width` bytes, three components of all blocks one after another.
@@ -63,18 +73,21 @@
 
   // A run: its blocks, its frames, and where they are at a time of the first run.
   class Run {
-    constructor(data, frames) {
+    constructor(data, frames, forces) {
       this.label = data.label;
       this.blocks = data.blocks;
       this.length = data.length;
       this.velocity = data.velocity;
       this.hasFrames = data.has_frames;
+      this.stands = data.stands;
       this.times = data.times.map(function (t) { return t / data.time; });
       this.base = data.base;
       this.start = new Float32Array(bytesOf(data.start).buffer);
       this.slip = new Float32Array(bytesOf(data.slip).buffer);
       this.layer = new Int16Array(bytesOf(data.layer).buffer);
       this.frames = frames;
+      this.forces = forces;
+      this.largestForce = data.scales.force;
       this.step = { moved: data.scales.displacement / 32767, turned: data.scales.rotation / 32767, fast: data.scales.velocity / 127 };
       this.displacement = new Float32Array(3 * this.blocks);
       this.rotation = new Float32Array(3 * this.blocks);
@@ -114,6 +127,18 @@
       return this.step.fast * ((1 - this.at.weight) * this.frames.fast[this.at.low * n + i] + this.at.weight * this.frames.fast[this.at.high * n + i]);
     }
 
+    forceOf(block) {
+      if (this.forces === null) return 0;
+      const of = function (run, frame) { const share = run.forces[frame * run.blocks + block] / 255; return run.largestForce * share * share; };
+      return (1 - this.at.weight) * of(this, this.at.low) + this.at.weight * of(this, this.at.high);
+    }
+
+    // Angle of the block's own z axis with the vertical at the start [degrees].
+    tiltOf(block) {
+      const x = this.start[10 * block + 4], y = this.start[10 * block + 5];
+      return 2 * Math.asin(Math.min(1, Math.hypot(x, y))) * 180 / Math.PI;
+    }
+
     // A quantity of a block now, in units of the first run.
     value(key, block) {
       const i = 3 * block;
@@ -125,17 +150,25 @@
         case "moved":
           return Math.hypot(this.displacement[i] - this.ground[0], this.displacement[i + 1] - this.ground[1], this.displacement[i + 2] - this.ground[2]) / this.length;
         case "turned": return Math.hypot(this.rotation[i], this.rotation[i + 1], this.rotation[i + 2]) * 180 / Math.PI;
+        case "force": return this.forceOf(block);
+        case "tilt": return this.tiltOf(block);
         case "slip": return this.slip[block] / this.length;
         default: return this.layer[block];
       }
     }
 
-    // Where colours end: the largest value of any frame.
+    // Where colours end: the largest value of any frame; of forces, which impacts drive high, what all but a hundredth stay below.
     limit(key) {
+      if (key === "force") {
+        if (this.forces === null) return 0;
+        const share = Uint8Array.from(this.forces).sort()[Math.floor(0.99 * (this.forces.length - 1))] / 255;
+        return this.largestForce * share * share;
+      }
+      const quantity = QUANTITIES.find(function (candidate) { return candidate.key === key; });
       let largest = 0;
       const kept = this.at;
       for (let f = 0; f < this.times.length; ++f) {
-        if (f > 0 && (key === "slip" || key === "layer")) break;
+        if (f > 0 && quantity.still) break;
         this.seek(this.times[f]);
         for (let b = 0; b < this.blocks; ++b) largest = Math.max(largest, Math.abs(this.value(key, b)));
       }
@@ -290,6 +323,7 @@
       this.controls = new THREE.OrbitControls(this.camera, this.canvas);
       this.controls.enableKeys = false;
       this.controls.addEventListener("change", this.draw.bind(this));
+      holder.classList.toggle("still", runs.every(function (run) { return run.stands; }));
       this.fillControls();
       this.listen();
       this.resize();
@@ -302,8 +336,9 @@
       const hasVelocity = this.runs.some(function (run) { return run.hasFrames; });
       QUANTITIES.forEach(function (quantity) {
         if (!hasVelocity && quantity.moves) return;
+        if (quantity.kept && !this.runs.some(quantity.kept)) return;
         part("colour").add(new Option(quantity.name, quantity.key));
-      });
+      }, this);
       this.runs.forEach(function (run, i) { part("run").add(new Option(run.label, String(i))); });
       part("time").max = String(this.duration);
       part("block").max = String(this.runs[0].blocks);
@@ -461,7 +496,7 @@
       caption.textContent = "block " + (b + 1) + " of " + run.label + ", layer " + run.layer[b];
       table.appendChild(caption);
       QUANTITIES.forEach(function (quantity) {
-        if (quantity.key === "layer" || (!run.hasFrames && quantity.moves)) return;
+        if (quantity.key === "layer" || (!run.hasFrames && quantity.moves) || (quantity.kept && !quantity.kept(run))) return;
         const row = table.insertRow(), head = document.createElement("th"), cell = document.createElement("td");
         head.scope = "row";
         head.textContent = quantity.name;
@@ -539,9 +574,9 @@
     for (const element of document.querySelectorAll("script.tower-data")) {
       const data = JSON.parse(element.textContent);
       element.remove();
-      const packed = bytesOf(data.frames);
-      data.frames = null;
-      runs.push(new Run(data, unpack(await inflate(packed), data.times.length, data.blocks)));
+      const packed = bytesOf(data.frames), forces = data.forces ? unpackForces(await inflate(bytesOf(data.forces)), data.blocks) : null;
+      data.frames = data.forces = null;
+      runs.push(new Run(data, unpack(await inflate(packed), data.times.length, data.blocks), forces));
     }
     try {
       window.musimTower = new Viewer(runs);
@@ -549,7 +584,7 @@
       tell("This browser shows no 3D pictures (" + error.message + ").");
       return;
     }
-    const still = runs.filter(function (run) { return !run.hasFrames; });
+    const still = runs.filter(function (run) { return !run.hasFrames && !run.stands; });
     const order = runs.length > 1 ? "from left to right: " + runs.map(function (run) { return run.label; }).join(", ") : "";
     const kept = still.length > 0 ? "start and end only: no frames were kept" : "";
     tell([order, kept].filter(Boolean).join("; "));

@@ -23,6 +23,13 @@ hid_t open_file(const std::filesystem::path& path) {
 Hdf5Reader::Hdf5Reader(const std::filesystem::path& path) : path_(path), file_(open_file(path), H5Fclose, "open " + path.string()) {}
 
 void Hdf5Reader::fail(const std::string& what) const {
+    const std::optional<std::string> version = find_text("program_version");
+    if (version) {
+        throw ResultError(
+            fmt::format("{}: {} (it is damaged, or of another version: musim {} wrote it); read it with that version, or run the "
+                        "scene again",
+                        path_.string(), what, *version));
+    }
     throw ResultError(fmt::format("{}: {} (it is no result of musim, or damaged); run the scene again", path_.string(), what));
 }
 
@@ -58,15 +65,21 @@ Hdf5Data<long long> Hdf5Reader::integers(const std::string& path, std::size_t ra
     return read<long long>(path, rank, H5T_NATIVE_LLONG);
 }
 
-std::string Hdf5Reader::attribute(const std::string& name) const {
+std::optional<std::string> Hdf5Reader::find_text(const std::string& name) const {
     const Hdf5Handle root(H5Gopen2(file_, "/", H5P_DEFAULT), H5Gclose, "open the root group");
-    if (H5Aexists(root, name.c_str()) <= 0) fail(fmt::format("has no attribute \"{}\"", name));
+    if (H5Aexists(root, name.c_str()) <= 0) return std::nullopt;
     const Hdf5Handle attribute(H5Aopen(root, name.c_str(), H5P_DEFAULT), H5Aclose, "open " + name);
     const Hdf5Handle type(H5Aget_type(attribute), H5Tclose, "describe " + name);
-    if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) > 0) fail(fmt::format("attribute \"{}\" is no text", name));
+    if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) > 0) return std::nullopt;
     std::string text(H5Tget_size(type), '\0');
-    if (H5Aread(attribute, type, text.data()) < 0) fail(fmt::format("attribute \"{}\" cannot be read", name));
+    if (H5Aread(attribute, type, text.data()) < 0) return std::nullopt;
     return text.substr(0, text.find('\0'));
+}
+
+std::string Hdf5Reader::attribute(const std::string& name) const {
+    const std::optional<std::string> text = find_text(name);
+    if (!text) fail(fmt::format("has no attribute \"{}\" that is text", name));
+    return *text;
 }
 
 }  // namespace musim::lsdem::study::detail

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,9 @@ class Hdf5Reader {
     [[noreturn]] void fail(const std::string& what) const;
 
   private:
+    /// Text attribute of the file itself, if it has one.
+    std::optional<std::string> find_text(const std::string& name) const;
+
     template <class Number>
     Hdf5Data<Number> read(const std::string& path, std::size_t rank, hid_t type) const;
 

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "lsdem/report/report_content.hpp"
+#include "lsdem/report/report_section.hpp"
+
+namespace musim::lsdem::report {
+
+/// What musim scale, pi, design, record and others printed with --json: everything in it, as tables.
+ReportSection make_document_section(const ReportedDocument& document, std::size_t number);
+
+/// How distorted the model is that the document tells of; that it is read, of one that tells of none.
+std::string make_document_verdict(const ReportedDocument& document);
+
+/// Any JSON as tables: an object's plain values under `caption`, lists of objects with a column per key, what is inside below under
+/// captions of its own.
+std::string to_html(const nlohmann::json& json, const std::string& caption);
+
+}  // namespace musim::lsdem::report
