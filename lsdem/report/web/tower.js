@@ -284,6 +284,9 @@
     return { low: low, high: high };
   }
 
+  const leastOf = function (corners) { return [0, 1, 2].map(function (axis) { return Math.min.apply(null, corners.map(function (c) { return c[axis]; })); }); };
+  const mostOf = function (corners) { return [0, 1, 2].map(function (axis) { return Math.max.apply(null, corners.map(function (c) { return c[axis]; })); }); };
+
   function polyline(points, width, height) {
     let least = Infinity, most = -Infinity;
     points.forEach(function (p) { least = Math.min(least, p[1]); most = Math.max(most, p[1]); });
@@ -312,11 +315,18 @@
       this.scene = new THREE.Scene();
       this.shared = { exaggeration: { value: 1 }, cutNormal: { value: new THREE.Vector3(0, 1, 0) }, cutAt: { value: 1e9 }, colours: { value: null } };
       this.textures = { true: colourTexture(DIVERGING), false: colourTexture(SEQUENTIAL) };
-      this.bounds = findBounds(runs[0]);
-      const width = this.bounds.high[0] - this.bounds.low[0];
+      const bounds = runs.map(findBounds);
+      // what cuts go through: all runs in one place
+      this.bounds = { low: leastOf(bounds.map(function (b) { return b.low; })), high: mostOf(bounds.map(function (b) { return b.high; })) };
+      const gap = 0.6 * Math.max.apply(null, bounds.map(function (b) { return b.high[0] - b.low[0]; }));
+      let edge = bounds[0].low[0];
       this.groups = runs.map(function (run, i) {
-        return new Blocks(run, new THREE.Vector3(1.6 * width * (i - 0.5 * (runs.length - 1)), 0, 0), this.shared);
+        const group = new Blocks(run, new THREE.Vector3(edge - bounds[i].low[0], 0, 0), this.shared);
+        edge += bounds[i].high[0] - bounds[i].low[0] + gap;
+        return group;
       }, this);
+      // what cameras look at: all runs side by side
+      this.extent = { low: [bounds[0].low[0], this.bounds.low[1], this.bounds.low[2]], high: [edge - gap, this.bounds.high[1], this.bounds.high[2]] };
       this.groups.forEach(function (group) { this.scene.add(group.mesh); }, this);
       this.camera = new THREE.PerspectiveCamera(35, 1, 0.01, 100);
       this.camera.up.set(0, 0, 1);
@@ -389,9 +399,8 @@
     }
 
     look(preset) {
-      const low = this.bounds.low, high = this.bounds.high, size = [0, 1, 2].map(function (i) { return high[i] - low[i]; });
-      const width = size[0] * (1 + 1.6 * (this.runs.length - 1));
-      const tall = Math.max(size[2], width / this.camera.aspect, preset === "top" ? size[1] : 0);
+      const low = this.extent.low, high = this.extent.high, size = [0, 1, 2].map(function (i) { return high[i] - low[i]; });
+      const tall = Math.max(size[2], size[0] / this.camera.aspect, preset === "top" ? size[1] : 0);
       const distance = 0.62 * tall / Math.tan(this.camera.fov * Math.PI / 360) + size[1];
       const target = new THREE.Vector3(0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1]), 0.5 * (low[2] + high[2]));
       const direction = { front: [0, -1, 0], side: [1, 0, 0], top: [0, -0.001, 1], corner: [0.6, -1, 0.45] }[preset];
