@@ -210,8 +210,7 @@ std::string make_svg(const StackedPlot& plot) {
     draw_text(svg, kLeft, 46.0, "start", "class=\"small\"", detail::shorten(plot.subtitle, detail::kSmallFont, kPlotWidth));
     draw_legend(svg, plot);
     draw_x_ticks(svg, x_axis, bottom);
-    svg += fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" fill=\"none\" stroke=\"#333\"/>\n", kLeft, kTop,
-                       kPlotWidth, bottom - kTop);
+    detail::draw_frame(svg, kLeft, kTop, kPlotWidth, bottom - kTop, {x_axis.data_min, x_axis.data_max, false, plot.x_label}, std::nullopt);
     draw_scale_bar(svg, row_scale);
     draw_text(svg, kLeft + 0.5 * kPlotWidth, height - 14.0, "middle", "", plot.x_label);
     detail::draw_upward_text(svg, 20.0, 0.5 * (kTop + bottom), plot.y_label);

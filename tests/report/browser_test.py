@@ -97,6 +97,18 @@ def check_plots(browser, figures):
             check(abs(told - expected) <= 5e-4 * abs(expected) + 1e-300, f"{name}, {cell}: told {told}, the data have {expected}")
 
 
+def check_pointer(browser, name):
+    """A pointer at the middle of a plot's frame reads off the middle of its axes."""
+    told = browser.execute_script("""
+        const figure = document.getElementById("figure-" + arguments[0]), svg = figure.querySelector("svg"), frame = svg.querySelector("rect.frame");
+        const box = frame.getBoundingClientRect();
+        svg.dispatchEvent(new PointerEvent("pointermove", {clientX: box.left + box.width / 2, clientY: box.top + box.height / 2}));
+        return [frame.dataset.x, frame.dataset.xName, figure.querySelector(".readout").textContent];""", name)
+    low, high = (float(number) for number in told[0].split()[:2])
+    read = float(told[2].split(",")[0].rpartition("= ")[2])
+    check(told[2].startswith(told[1]) and abs(read - (low + high) / 2) <= 0.01 * (high - low), f"{name}: the pointer reads {told}")
+
+
 def check_peaks(browser, name, rows):
     """Of a record's figure: the first peak in the table is that of the acceleration's curve."""
     cells = browser.execute_script(f"return [...document.querySelectorAll('#figure-{name} tbody tr')].map(r => [...r.children].map(c => c.textContent))")
@@ -242,6 +254,8 @@ def main():
         try:
             open_report(browser, place / "pair.html")
             check_plots(browser, place / "figures")
+            for name in ("spine_velocity", "slip", "base_motion_1"):
+                check_pointer(browser, name)
             check_blocks(browser, 6 * 14)
             check_views(browser, pictures, "pair")
             check_console(browser)

@@ -99,8 +99,10 @@ void draw_axes(std::string& svg, const LinePlot& plot, const PanelPlace& place, 
         draw_line(svg, frame.left, y, frame.right(), y, "stroke=\"#e4e4e4\"");
         draw_text(svg, frame.left - 7.0, y + 4.0, "end", "class=\"small\"", text);
     });
-    svg += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"none\" stroke=\"#333\"/>\n", frame.left, frame.top,
-                       frame.width, frame.height);
+    const auto describe = [](const Axis& axis, const std::string& name) {
+        return FrameAxis{axis.linear.data_min, axis.linear.data_max, axis.logarithmic, name};
+    };
+    draw_frame(svg, frame.left, frame.top, frame.width, frame.height, describe(x_axis, plot.x_label), describe(y_axis, plot.y_label));
     if (place.x_named) draw_text(svg, frame.left + 0.5 * frame.width, frame.bottom() + 42.0, "middle", "", plot.x_label);
     draw_upward_text(svg, frame.left - frame.y_label_gap, frame.top + 0.5 * frame.height, plot.y_label);
     if (place.second_x.factor != 0.0) draw_second_axis(svg, place.second_x, x_axis, frame);

@@ -57,6 +57,17 @@ void draw_line(std::string& svg, double x1, double y1, double x2, double y2, con
     svg += fmt::format("<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" {}/>\n", x1, y1, x2, y2, style);
 }
 
+void draw_frame(std::string& svg, double x, double y, double width, double height, const FrameAxis& x_axis,
+                const std::optional<FrameAxis>& y_axis) {
+    const auto describe = [](const char* direction, const FrameAxis& axis) {
+        return fmt::format(" data-{0}=\"{1} {2} {3}\" data-{0}-name=\"{4}\"", direction, axis.low, axis.high,
+                           axis.logarithmic ? "log" : "linear", escape(axis.name));
+    };
+    svg += fmt::format(
+        "<rect class=\"frame\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" fill=\"none\" stroke=\"#333\"{}{}/>\n", x, y,
+        width, height, describe("x", x_axis), y_axis ? describe("y", *y_axis) : "");
+}
+
 std::string stroke(const LineStyle& line) {
     const std::string dash = *line.dash != '\0' ? fmt::format(" stroke-dasharray=\"{}\"", line.dash) : "";
     return fmt::format("stroke=\"{}\" stroke-width=\"{}\"{} fill=\"none\" stroke-linejoin=\"round\"", line.color, line.width, dash);

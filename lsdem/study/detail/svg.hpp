@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 
 /// What all pictures of musim share: text, lines, colours, round numbers.
@@ -51,6 +52,18 @@ void draw_upward_text(std::string& svg, double x, double y, const std::string& t
 
 /// Line from (x1, y1) to (x2, y2) [px]; `style`: further attributes.
 void draw_line(std::string& svg, double x1, double y1, double x2, double y2, const char* style);
+
+/// What one direction of a frame means, for programs that read values off a picture.
+struct FrameAxis {
+    double low = 0.0, high = 1.0;  ///< at its left or lower end, and at the other; decimal logarithms when it is logarithmic
+    bool logarithmic = false;
+    std::string name;
+};
+
+/// The frame of a pair of axes at (x, y) [px]. Its attributes data-x and data-y hold "LOW HIGH linear" or "LOW HIGH log", data-x-name and
+/// data-y-name the axes' names; nothing for a direction without one scale.
+void draw_frame(std::string& svg, double x, double y, double width, double height, const FrameAxis& x_axis,
+                const std::optional<FrameAxis>& y_axis);
 
 /// Attributes of a curve.
 std::string stroke(const LineStyle& line);
