@@ -111,12 +111,15 @@ class Reader {
         }
     }
 
-    void add_ensemble(const fs::path& folder) {
+    void add_ensemble(const fs::path& folder, const std::string& label) {
         content.kind = ReportKind::ensemble;
-        content.summary = read_object(folder / "ensemble.json");
-        content.picture = read_text(folder / "ensemble.svg");
-        if (content.picture.empty()) content.remarks.push_back(fmt::format("{}: no bands: no member is a result", folder.string()));
-        for (const nlohmann::json& member : content.summary.value("members", nlohmann::json::array())) {
+        ReportedEnsemble ensemble{.label = label, .folder = folder, .summary = read_object(folder / "ensemble.json"), .bands = {}};
+        try {
+            ensemble.bands = study::read_bands(folder);
+        } catch (const study::ResultError& error) {
+            content.remarks.push_back(fmt::format("{}: no bands: {}", label, error.what()));
+        }
+        for (const nlohmann::json& member : ensemble.summary.value("members", nlohmann::json::array())) {
             const fs::path results = folder / "members" / member.value("name", "");
             if (member.value("status", "failed") == "failed") continue;
             if (!fs::exists(results / "summary.json")) {
@@ -128,6 +131,16 @@ class Reader {
         if (content.runs.empty()) {
             content.remarks.push_back(fmt::format("{}: no member has results; run `musim ensemble` again", folder.string()));
         }
+        content.ensembles.push_back(std::move(ensemble));
+    }
+
+    /// One pair or sequence has a report to itself; ensembles stand beside each other.
+    bool has_room(const fs::path& folder, ReportKind kind) {
+        if (content.runs.empty() && content.kind == ReportKind::nothing) return true;
+        if (kind == ReportKind::ensemble && content.kind == kind) return true;
+        content.remarks.push_back(fmt::format(
+            "{}: left out: a pair, a sequence or ensembles have a page to themselves; make another report of it", folder.string()));
+        return false;
     }
 
     void add_specimen(const fs::path& file) {
@@ -179,10 +192,13 @@ class Reader {
     void add_folder(const fs::path& folder) {
         const std::string label = folder.filename().empty() ? folder.parent_path().filename().string() : folder.filename().string();
         note_unfinished(folder);
-        if (fs::exists(folder / "pair.json")) return add_pair(folder);
-        if (fs::exists(folder / "sequence.json")) return add_sequence(folder);
-        if (fs::exists(folder / "ensemble.json")) return add_ensemble(folder);
-        if (fs::exists(folder / "summary.json") || fs::exists(folder / "result.h5")) return add_run(folder, label);
+        if (fs::exists(folder / "pair.json")) return has_room(folder, ReportKind::pair) ? add_pair(folder) : void();
+        if (fs::exists(folder / "sequence.json")) return has_room(folder, ReportKind::sequence) ? add_sequence(folder) : void();
+        if (fs::exists(folder / "ensemble.json")) return has_room(folder, ReportKind::ensemble) ? add_ensemble(folder, label) : void();
+        if (fs::exists(folder / "summary.json") || fs::exists(folder / "result.h5")) {
+            const bool alone = content.kind != ReportKind::nothing;
+            return alone && !has_room(folder, ReportKind::run) ? void() : add_run(folder, label);
+        }
         if (!fs::exists(folder)) {
             content.remarks.push_back(
                 fmt::format("{}: there is no such folder or file; give the directory of `musim run -o`", folder.string()));
@@ -239,7 +255,7 @@ std::string make_title(const ReportContent& content) {
         case ReportKind::sequence:
             return name + ": one motion after another";
         case ReportKind::ensemble:
-            return name + ": ensemble";
+            return content.ensembles.size() == 1 ? name + ": ensemble" : fmt::format("{} ensembles", content.ensembles.size());
         case ReportKind::runs:
             return fmt::format("{} and {} more", name, content.runs.size() - 1);
         case ReportKind::nothing:
@@ -257,7 +273,7 @@ ReportContent read_content(const std::vector<fs::path>& places, const RecordRead
     for (const fs::path& place : places) reader.add(place);
     ReportContent& content = reader.content;
     if (content.runs.empty() && content.specimens.empty() && content.records.empty() && content.documents.empty() &&
-        content.summary.is_null()) {
+        content.ensembles.empty() && content.summary.is_null()) {
         throw study::ResultError(content.remarks.empty() ? "there is nothing to report on; give the directory of `musim run -o`"
                                                          : content.remarks.front());
     }

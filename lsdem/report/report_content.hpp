@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "lsdem/study/ensemble_bands.hpp"
+#include "lsdem/study/compare_ensembles.hpp"
 #include "lsdem/study/response.hpp"
 #include "lsdem/study/specimen_file.hpp"
 #include "records/ground_motion.hpp"
@@ -44,13 +44,21 @@ struct ReportedSpecimen {
     study::StoredSpecimen specimen;
 };
 
+/// Seeds of one scene.
+struct ReportedEnsemble {
+    std::string label;  ///< its folder
+    std::filesystem::path folder;
+    nlohmann::json summary;                          ///< ensemble.json
+    std::optional<study::DimensionlessBands> bands;  ///< nothing when no member is a result, or nothing makes them dimensionless
+};
+
 /// What the runs of a report have to do with each other.
 enum class ReportKind {
     run,       ///< one
     runs,      ///< several that were named together
     pair,      ///< a prototype and its models
     sequence,  ///< stages on the same structure
-    ensemble,  ///< seeds of one scene; one of its members stands for them
+    ensemble,  ///< seeds of one scene, or of several; a member of the first one stands for them
     nothing,   ///< no run at all
 };
 
@@ -59,8 +67,8 @@ struct ReportContent {
     ReportKind kind = ReportKind::nothing;
     std::string title;
     std::vector<ReportedRun> runs;
-    nlohmann::json summary;  ///< pair.json, sequence.json or ensemble.json
-    std::string picture;     ///< of an ensemble: its bands as SVG
+    nlohmann::json summary;  ///< pair.json or sequence.json
+    std::vector<ReportedEnsemble> ensembles;
     std::vector<ReportedSpecimen> specimens;
     std::vector<ReportedRecord> records;
     std::vector<ReportedDocument> documents;

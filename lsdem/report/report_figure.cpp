@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <optional>
 
 #include "records/csv_cell.hpp"
 
@@ -27,6 +28,23 @@ std::vector<HtmlCell> describe_series(const study::PlotSeries& series) {
             number_cell(series.x[left]), number_cell(series.x[right]),
             number_cell(series.y[low]),  number_cell(series.x[low]),
             number_cell(series.y[high]), number_cell(series.x[high])};
+}
+
+/// Largest magnitude, when that is, last value, and the widest half of a band; nothing for a curve without a finite point.
+std::vector<HtmlCell> describe_curve(const study::PlotCurves& run, std::size_t row) {
+    std::optional<std::size_t> peak, last;
+    const std::vector<double>& y = run.y[row];
+    double widest = std::nan("");
+    for (std::size_t k = 0; k < y.size(); ++k) {
+        if (!std::isfinite(y[k])) continue;
+        last = k;
+        if (!peak || std::abs(y[k]) > std::abs(y[*peak])) peak = k;
+        if (!run.spread.empty()) widest = std::fmax(widest, run.spread[row][k]);
+    }
+    if (!peak) return {};
+    std::vector<HtmlCell> cells{number_cell(y[*peak]), number_cell(run.x[*peak]), number_cell(y[*last])};
+    if (!run.spread.empty()) cells.push_back(number_cell(widest));
+    return cells;
 }
 
 /// Names of a picture's parts are its own: on one page many pictures have the same.
@@ -57,23 +75,25 @@ ReportFigure make_figure(const std::string& name, const study::LinePlot& plot) {
 }
 
 ReportFigure make_figure(const std::string& name, const study::StackedPlot& plot) {
-    ReportFigure figure{.name = name, .title = plot.title, .svg = make_svg(plot), .csv = "run,row,x,y\n", .twin = {}};
+    ReportFigure figure{.name = name, .title = plot.title, .svg = make_svg(plot), .csv = "run,row,x,y,spread\n", .twin = {}};
     figure.twin.caption = fmt::format("{}: {} over {}", plot.title, plot.y_label, plot.x_label);
     figure.twin.heads = {"run", "row", "largest magnitude", "at", "last value"};
+    const bool has_bands =
+        std::any_of(plot.runs.begin(), plot.runs.end(), [](const study::PlotCurves& run) { return !run.spread.empty(); });
+    if (has_bands) figure.twin.heads.emplace_back("widest half of the band");
     for (const study::PlotCurves& run : plot.runs) {
         for (std::size_t row = 0; row < run.y.size(); ++row) {
             const std::vector<double>& y = run.y[row];
             for (std::size_t k = 0; k < y.size(); ++k) {
-                fmt::format_to(std::back_inserter(figure.csv), "{},{},{},{}\n", records::csv_cell(run.label),
-                               records::csv_cell(name_row(plot, row)), run.x[k], y[k]);
+                fmt::format_to(std::back_inserter(figure.csv), "{},{},{},{},{}\n", records::csv_cell(run.label),
+                               records::csv_cell(name_row(plot, row)), run.x[k], y[k],
+                               run.spread.empty() ? "" : fmt::format("{}", run.spread[row][k]));
             }
-            if (y.empty()) continue;
-            const auto peak = std::max_element(y.begin(), y.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
-            figure.twin.rows.push_back({{.text = run.label},
-                                        {.text = name_row(plot, row)},
-                                        number_cell(*peak),
-                                        number_cell(run.x[static_cast<std::size_t>(peak - y.begin())]),
-                                        number_cell(y.back())});
+            const std::vector<HtmlCell> told = describe_curve(run, row);
+            if (told.empty()) continue;
+            std::vector<HtmlCell>& cells =
+                figure.twin.rows.emplace_back(std::vector<HtmlCell>{{.text = run.label}, {.text = name_row(plot, row)}});
+            cells.insert(cells.end(), told.begin(), told.end());
         }
     }
     return figure;

@@ -20,7 +20,8 @@ struct ReportFigure {
 /// Curves over one pair of axes. CSV: series,x,y, one line per point. Twin: for each series its ends and its smallest and largest value.
 ReportFigure make_figure(const std::string& name, const study::LinePlot& plot);
 
-/// Stacked curves. CSV: run,row,x,y. Twin: for each run and row the value of largest magnitude, when that is, and the last one.
+/// Stacked curves. CSV: run,row,x,y,spread (half width of the band, or empty). Twin: for each run and row the value of largest magnitude,
+/// when that is, the last one, and the widest half of the band.
 ReportFigure make_figure(const std::string& name, const study::StackedPlot& plot);
 
 /// The figure with its twin folded below.

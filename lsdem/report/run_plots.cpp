@@ -19,7 +19,9 @@ using study::PlotSeries;
 
 /// What stands below the title of a plot: whose it is.
 std::string describe_runs(const std::vector<ReportedRun>& runs) {
-    return runs.size() == 1 ? runs.front().label : fmt::format("scaled back to {}", runs.front().label);
+    if (runs.size() == 1) return runs.front().label;
+    const bool scaled = std::any_of(runs.begin(), runs.end(), [&](const ReportedRun& run) { return run.length != runs.front().length; });
+    return scaled ? fmt::format("scaled back to {}", runs.front().label) : fmt::format("{} runs", runs.size());
 }
 
 /// A value of every level over the level, one series for each run that was measured.

@@ -130,9 +130,10 @@ ReportSection make_energy_section(const std::vector<ReportedRun>& runs) {
                               number_cell(last.base_work),
                               number_cell(study::compute_energy_closure(energy), 2)});
     }
-    section.html = to_html(table) +
-                   "<p class=\"small\">Kinetic energy is centred in time, ½ m v(t − Δt/2)·v(t + Δt/2), as the energy balance of the scheme asks: "
-                   "where blocks turn back it can be slightly negative.</p>\n";
+    section.html =
+        to_html(table) +
+        "<p class=\"small\">Kinetic energy is centred in time, ½ m v(t − Δt/2)·v(t + Δt/2), as the energy balance of the scheme asks: "
+        "where blocks turn back it can be slightly negative.</p>\n";
     if (!runs.front().run.history.energy.empty()) section.figures.push_back(make_energy_figure(runs.front()));
     if (std::optional<ReportFigure> figure = make_loss_figure(runs)) section.figures.push_back(std::move(*figure));
     return section;

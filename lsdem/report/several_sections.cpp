@@ -18,6 +18,43 @@ Tone find_status_tone(const std::string& status) {
     return status == "collapsed" ? Tone::warning : Tone::bad;
 }
 
+HtmlTable make_member_table(const ReportedEnsemble& ensemble) {
+    HtmlTable table{
+        .caption = "Members of " + ensemble.label,
+        .heads = {"member", "seed", "status", "damage index", "blocks fallen", "peak velocity of the top [m/s]", "why it is no result"},
+        .rows = {}};
+    for (const nlohmann::json& member : ensemble.summary.value("members", nlohmann::json::array())) {
+        const std::string status = member.value("status", "");
+        table.rows.push_back({{.text = member.value("name", "")},
+                              find_cell(member, "seed", 9),
+                              {.text = status, .tone = find_status_tone(status)},
+                              find_cell(member, "damage_index"),
+                              find_cell(member, "fallen_blocks", 9),
+                              find_cell(member, "top_peak_velocity_m_s"),
+                              {.text = member.value("reason", "")}});
+    }
+    return table;
+}
+
+/// How far the others' means lie in the first one's band.
+HtmlTable make_overlap_table(const std::vector<study::DimensionlessBands>& bands) {
+    HtmlTable table{.caption = fmt::format("Agreement with {}, dimensionless", bands.front().name),
+                    .heads = {"ensemble", "levels and times", "means within mean ± sd [%]", "within two standard errors [%]", "why not"},
+                    .rows = {}};
+    for (std::size_t i = 1; i < bands.size(); ++i) {
+        try {
+            const study::BandOverlap overlap = study::compare_bands(bands.front(), bands[i]);
+            table.rows.push_back({{.text = bands[i].name},
+                                  number_cell(static_cast<double>(overlap.points), 9),
+                                  number_cell(100.0 * overlap.within_sd),
+                                  number_cell(100.0 * overlap.within_error)});
+        } catch (const study::ResultError& error) {
+            table.rows.push_back({{.text = bands[i].name}, {.text = "-"}, {.text = "-"}, {.text = "-"}, {.text = error.what()}});
+        }
+    }
+    return table;
+}
+
 }  // namespace
 
 ReportSection make_sequence_section(const ReportContent& content) {
@@ -40,28 +77,17 @@ ReportSection make_sequence_section(const ReportContent& content) {
 }
 
 ReportSection make_ensemble_section(const ReportContent& content) {
-    HtmlTable table{
-        .caption = "Members",
-        .heads = {"member", "seed", "status", "damage index", "blocks fallen", "peak velocity of the top [m/s]", "why it is no result"},
-        .rows = {}};
-    for (const nlohmann::json& member : content.summary.value("members", nlohmann::json::array())) {
-        const std::string status = member.value("status", "");
-        table.rows.push_back({{.text = member.value("name", "")},
-                              find_cell(member, "seed", 9),
-                              {.text = status, .tone = find_status_tone(status)},
-                              find_cell(member, "damage_index"),
-                              find_cell(member, "fallen_blocks", 9),
-                              find_cell(member, "top_peak_velocity_m_s"),
-                              {.text = member.value("reason", "")}});
+    ReportSection section{.id = "members", .title = "Members", .html = {}};
+    std::vector<study::DimensionlessBands> bands;
+    for (const ReportedEnsemble& ensemble : content.ensembles) {
+        section.html += to_html(make_member_table(ensemble));
+        if (!ensemble.bands) continue;
+        bands.push_back(*ensemble.bands);
+        bands.back().name = ensemble.label;
     }
-    ReportSection section{.id = "members", .title = "Members", .html = to_html(table)};
-    if (!content.picture.empty()) {
-        section.figures.push_back({.name = "bands",
-                                   .title = "Spine velocities: mean and mean ± standard deviation over the members",
-                                   .svg = content.picture,
-                                   .csv = {},
-                                   .twin = {.caption = "Numbers of the bands are in ensemble.csv", .heads = {}, .rows = {}}});
-    }
+    if (bands.empty()) return section;
+    if (bands.size() > 1) section.html += to_html(make_overlap_table(bands));
+    section.figures.push_back(make_figure("bands", study::make_bands_plot(bands)));
     return section;
 }
 

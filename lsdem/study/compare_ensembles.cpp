@@ -6,6 +6,8 @@
 
 #include "lsdem/study/detail/hdf5_reader.hpp"
 #include "lsdem/study/read_results.hpp"
+#include "lsdem/study/response.hpp"
+#include "lsdem/study/spine_plot.hpp"
 
 namespace musim::lsdem::study {
 namespace {
@@ -86,6 +88,31 @@ BandOverlap compare_bands(const DimensionlessBands& first, const DimensionlessBa
     overlap.within_sd = static_cast<double>(in_sd) / static_cast<double>(overlap.points);
     overlap.within_error = static_cast<double>(in_error) / static_cast<double>(overlap.points);
     return overlap;
+}
+
+StackedPlot make_bands_plot(const std::vector<DimensionlessBands>& ensembles) {
+    const DimensionlessBands& first = ensembles.front();
+    const std::vector<std::size_t> rows = choose_rows(first.bands.levels());
+    StackedPlot plot{.title = "Spine velocities: mean and mean ± standard deviation",
+                     .subtitle = ensembles.size() == 1 ? first.name : fmt::format("{} ensembles", ensembles.size()),
+                     .x_label = "t √(μ g / l)",
+                     .y_label = fmt::format("v / √(μ g l) along {}, one row per level", axis_name(first.axis)),
+                     .row_labels = {},
+                     .runs = {}};
+    for (const std::size_t row : rows) plot.row_labels.push_back(fmt::format("level {}", first.bands.level[row]));
+    for (const DimensionlessBands& ensemble : ensembles) {
+        const Bands& bands = ensemble.bands;
+        if (bands.level != first.bands.level) continue;
+        PlotCurves& curves = plot.runs.emplace_back(PlotCurves{.label = ensemble.name, .x = bands.time, .y = {}, .spread = {}});
+        for (const std::size_t row : rows) {
+            std::vector<double>&mean = curves.y.emplace_back(), &sd = curves.spread.emplace_back();
+            for (std::size_t k = 0; k < bands.samples(); ++k) {
+                mean.push_back(bands.mean[k * bands.levels() + row][first.axis]);
+                sd.push_back(bands.sd[k * bands.levels() + row][first.axis]);
+            }
+        }
+    }
+    return plot;
 }
 
 nlohmann::json to_json(const BandOverlap& overlap) {

@@ -3,8 +3,10 @@
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <vector>
 
 #include "lsdem/study/ensemble_bands.hpp"
+#include "lsdem/study/plot.hpp"
 
 namespace musim::lsdem::study {
 
@@ -29,6 +31,10 @@ struct BandOverlap {
 /// normally distributed, within_error is 95 % on average, and less with few members. Throws ResultError when their levels differ or they
 /// have no time in common.
 BandOverlap compare_bands(const DimensionlessBands& first, const DimensionlessBands& second);
+
+/// Means and bands mean ± sd of ensembles on each other, one row per level of the first, at most ten, along the first's main motion, as
+/// Fig. 8 of [Harmon23]; those with other levels are left out.
+StackedPlot make_bands_plot(const std::vector<DimensionlessBands>& ensembles);
 
 /// points, within_sd, within_error.
 nlohmann::json to_json(const BandOverlap& overlap);

@@ -37,6 +37,26 @@ TEST_CASE("report makes one page of a pair, and its plots as files with their da
     CHECK(here.run("report out -o page.html").out.starts_with("page.html: 3 runs, "));
 }
 
+TEST_CASE("report shows files of records, specimens and printed results, and names what it cannot read") {
+    const Workplace here;
+    REQUIRE(here.run("record make ricker --frequency 2 --pga 0.3 -o made.at2").exit_code == 0);
+    here.write("scale.json", here.run("scale --length 1/107 --friction 0.63/0.59 --json").out);
+    here.write("columns.txt", "0.1\n0.2\n-0.1\n0.3\n");
+    const Outcome outcome = here.run("report made.at2 scale.json columns.txt -o page.html --json");
+    REQUIRE(outcome.exit_code == 0);
+    const nlohmann::json json = outcome.json();
+    CHECK(json["runs"] == 0);
+    CHECK(json["records"] == 1);
+    CHECK(json["documents"] == 1);
+    REQUIRE(json["remarks"].size() == 1);
+    CHECK(json["remarks"][0].get<std::string>().find("columns.txt") != std::string::npos);
+    CHECK(here.read("page.html").find("scale.json: 6 groups are distorted") != std::string::npos);
+    // what a text file does not say is told as for every command that reads records
+    CHECK(here.run("report columns.txt --dt 0.01 --unit g -o text.html").out.starts_with("text.html: 1 record, "));
+    CHECK(here.run("report columns.txt -o none.html").exit_code == 3);
+    CHECK_FALSE(here.has("none.html"));
+}
+
 TEST_CASE("report refuses what holds no results and leaves no page") {
     const Workplace here;
     for (const char* arguments : {"report nowhere -o page.html", "report . -o page.html"}) {

@@ -47,7 +47,7 @@ TEST_CASE("stacked curves tell for each run and row the peak, when it is, and th
     CHECK(figure.twin.rows[0][2].text == "-3");
     CHECK(figure.twin.rows[0][3].text == "1");
     CHECK(figure.twin.rows[1][4].text == "0.25");
-    CHECK(figure.csv.find("run,high,2,0.25\n") != std::string::npos);
+    CHECK(figure.csv.find("run,high,2,0.25,\n") != std::string::npos);
 }
 
 TEST_CASE("models are drawn scaled back to their prototype, so that a similar one lies on it") {

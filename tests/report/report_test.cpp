@@ -16,7 +16,9 @@
 #include "lsdem/report/record_sections.hpp"
 #include "lsdem/scene/scale_scene.hpp"
 #include "lsdem/scene/scene_json.hpp"
+#include "lsdem/study/ensemble_files.hpp"
 #include "lsdem/study/run.hpp"
+#include "lsdem/study/run_members.hpp"
 #include "lsdem/study/specimen_batch.hpp"
 #include "lsdem/study/write_results.hpp"
 #include "records/read_record.hpp"
@@ -260,4 +262,40 @@ TEST_CASE("the base motion of a model is shown before and after it was rescaled"
     CHECK(std::abs(peak(0, 1)) == doctest::Approx(0.2).epsilon(1e-2));
     CHECK(peak(1, 2) == doctest::Approx(peak(0, 2) / 4.0).epsilon(1e-3));
     CHECK(peak(1, 3) == doctest::Approx(peak(0, 3) / 16.0).epsilon(1e-3));
+}
+
+TEST_CASE("ensembles stand beside each other with their bands and how far they agree; pairs and sequences have a page each") {
+    const TemporaryFolder place;
+    const scene::Scene wall = scene::parse_scene(R"({"schema": "musim-scene/1", "name": "wall", "material": "wood",
+        "structure": {"kind": "wall", "layers": 2, "blocks_per_layer": 2, "block": ["12.710 mm", "26.355 mm", "39.780 mm"],
+                      "height_deviation": "0.1 mm"},
+        "base_motion": {"signal": "half_sine", "direction": "x", "amplitude": "0.3 g", "duration": "20 ms"},
+        "time": {"duration": "20 ms"}, "output": {"spine_rate": "1 kHz"}})");
+    for (const char* name : {"first", "second"}) {
+        const std::filesystem::path folder = place.path() / name;
+        study::ResultFolder results(folder);
+        const std::vector<study::EnsembleMember> members = study::plan_ensemble(wall, 2, "test");
+        const std::vector<study::MemberReport> reports =
+            study::run_members(members, {.directory = folder, .version = "test", .threads = 1});
+        study::add_ensemble(results, study::summarize_ensemble(folder, members, reports, std::nullopt), "test");
+        results.commit();
+    }
+    const ReportContent content = read_places({place.path() / "first", place.path() / "second"});
+    CHECK(content.ensembles.size() == 2);
+    CHECK(content.runs.size() == 1);
+    const std::string page = make_page(content, make_sections(content), "test");
+    CHECK(holds(page, "Members of first"));
+    CHECK(holds(page, "Members of second"));
+    CHECK(holds(page, "Agreement with first"));
+    // the same members: all means are the same
+    CHECK(holds(page, "<th scope=\"row\">second</th>"));
+    CHECK(holds(page, "<td class=\"number\">100</td><td class=\"number\">100</td>"));
+    CHECK(holds(page, "widest half of the band"));
+
+    std::ofstream(place.path() / "first/pair.json") << R"({"pairs": []})";
+    std::filesystem::copy(place.path() / "second/members", place.path() / "members", std::filesystem::copy_options::recursive);
+    const ReportContent second = read_places({place.path() / "second", place.path() / "first"});
+    CHECK(second.ensembles.size() == 1);
+    CHECK(std::any_of(second.remarks.begin(), second.remarks.end(),
+                      [](const std::string& remark) { return holds(remark, "first: left out"); }));
 }

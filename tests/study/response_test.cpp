@@ -249,10 +249,9 @@ TEST_CASE("what is no result is refused in one line") {
         ResultError);
     CHECK_THROWS_AS(read_run(folder.path()), ResultError);
     std::ofstream(folder.path() / "result.h5") << "not HDF5";
-    CHECK_THROWS_WITH_AS(
-        read_run(folder.path()),
-        ((folder.path() / "result.h5").string() +
-         ": cannot be read (it is no HDF5 file); name a directory that `musim run -o DIR` has written, or a file of `musim specimen`")
-            .c_str(),
-        ResultError);
+    CHECK_THROWS_WITH_AS(read_run(folder.path()),
+                         ((folder.path() / "result.h5").string() +
+                          ": cannot be read (it is no HDF5 file, or damaged); make it again with the command that made it")
+                             .c_str(),
+                         ResultError);
 }

@@ -11,9 +11,10 @@ hid_t open_file(const std::filesystem::path& path) {
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
     const hid_t file = std::filesystem::is_regular_file(path) ? H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT) : hid_t{-1};
     if (file < 0) {
-        throw ResultError(
-            fmt::format("{}: cannot be read ({}); name a directory that `musim run -o DIR` has written, or a file of `musim specimen`",
-                        path.string(), std::filesystem::exists(path) ? "it is no HDF5 file" : "there is no such file"));
+        const char* why = std::filesystem::exists(path)
+                              ? "it is no HDF5 file, or damaged); make it again with the command that made it"
+                              : "there is no such file); name what `musim run -o DIR` or `musim specimen` has written";
+        throw ResultError(fmt::format("{}: cannot be read ({}", path.string(), why));
     }
     return file;
 }
