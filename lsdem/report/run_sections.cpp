@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "lsdem/report/document_sections.hpp"
 #include "lsdem/report/run_plots.hpp"
@@ -69,6 +70,21 @@ std::string make_pair_verdict(const nlohmann::json& pair) {
         }
     }
     return html;
+}
+
+/// How many of the members ended how.
+std::string make_ensemble_verdict(const ReportedEnsemble& ensemble) {
+    std::map<std::string, int> count;
+    int members = 0;
+    for (const nlohmann::json& member : ensemble.summary.value("members", nlohmann::json::array())) {
+        ++count[member.value("status", "failed")];
+        ++members;
+    }
+    std::string text = fmt::format("{}: {} members", ensemble.label, members);
+    for (const auto& [status, number] : count) text += fmt::format(", {} {}", number, status);
+    const bool all_completed = count["completed"] == members && members > 0;
+    const bool all_ended = count["completed"] + count["collapsed"] == members && members > 0;
+    return make_statement(all_completed ? Tone::good : all_ended ? Tone::warning : Tone::bad, text);
 }
 
 std::string make_specimen_verdict(const ReportedSpecimen& reported) {
@@ -144,6 +160,7 @@ ReportSection make_energy_section(const std::vector<ReportedRun>& runs) {
 ReportSection make_verdict_section(const ReportContent& content) {
     ReportSection section{.id = "verdict", .title = "Verdict", .html = {}};
     if (content.kind == ReportKind::pair) section.html += make_pair_verdict(content.summary);
+    for (const ReportedEnsemble& ensemble : content.ensembles) section.html += make_ensemble_verdict(ensemble);
     for (const ReportedRun& run : content.runs) section.html += make_run_verdict(run);
     for (const ReportedSpecimen& specimen : content.specimens) section.html += make_specimen_verdict(specimen);
     for (const ReportedRecord& record : content.records) {

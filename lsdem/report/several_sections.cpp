@@ -47,7 +47,8 @@ HtmlTable make_overlap_table(const std::vector<study::DimensionlessBands>& bands
             table.rows.push_back({{.text = bands[i].name},
                                   number_cell(static_cast<double>(overlap.points), 9),
                                   number_cell(100.0 * overlap.within_sd),
-                                  number_cell(100.0 * overlap.within_error)});
+                                  number_cell(100.0 * overlap.within_error),
+                                  {}});
         } catch (const study::ResultError& error) {
             table.rows.push_back({{.text = bands[i].name}, {.text = "-"}, {.text = "-"}, {.text = "-"}, {.text = error.what()}});
         }

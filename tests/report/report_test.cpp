@@ -284,6 +284,7 @@ TEST_CASE("ensembles stand beside each other with their bands and how far they a
     CHECK(content.ensembles.size() == 2);
     CHECK(content.runs.size() == 1);
     const std::string page = make_page(content, make_sections(content), "test");
+    CHECK(holds(page, "first: 2 members, 2 completed"));
     CHECK(holds(page, "Members of first"));
     CHECK(holds(page, "Members of second"));
     CHECK(holds(page, "Agreement with first"));
