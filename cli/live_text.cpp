@@ -14,7 +14,7 @@ namespace musim::cli {
 std::string describe_live(const lsdem::study::LiveRun& live) {
     std::string text = live.stage > 1 ? fmt::format("motion {}, ", live.stage) : "";
     text += fmt::format("{:.3f} of {:.3f} s, kinetic energy {}, largest drift {:.2g} %", live.time, live.duration,
-                        scaling::format_quantity(live.kinetic_energy * scaling::si::joules, 2), 100.0 * live.drift);
+                        scaling::format_quantity(live.kinetic_energy * scaling::si::joules, 3), 100.0 * live.drift);
     if (live.fallen > 0) text += fmt::format(", {} of {} blocks fallen", live.fallen, live.blocks);
     if (live.collapsed) text += ", collapsed";
     return text;

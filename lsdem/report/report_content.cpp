@@ -191,7 +191,7 @@ class Reader {
   private:
     void add_folder(const fs::path& folder) {
         const std::string label = folder.filename().empty() ? folder.parent_path().filename().string() : folder.filename().string();
-        note_unfinished(folder);
+        const bool unfinished = note_unfinished(folder);
         if (fs::exists(folder / "pair.json")) return has_room(folder, ReportKind::pair) ? add_pair(folder) : void();
         if (fs::exists(folder / "sequence.json")) return has_room(folder, ReportKind::sequence) ? add_sequence(folder) : void();
         if (fs::exists(folder / "ensemble.json")) return has_room(folder, ReportKind::ensemble) ? add_ensemble(folder, label) : void();
@@ -206,7 +206,7 @@ class Reader {
         }
         const std::vector<fs::path> specimens = find_specimens(folder);
         for (const fs::path& specimen : specimens) add_specimen(specimen);
-        if (specimens.empty()) {
+        if (specimens.empty() && !unfinished) {
             content.remarks.push_back(
                 fmt::format("{}: there are no results of `musim run`, `pair`, `sequence`, `ensemble` or `specimen` here", folder.string()));
         }
@@ -222,16 +222,18 @@ class Reader {
         return found;
     }
 
-    void note_unfinished(const fs::path& folder) {
+    /// Is anybody at work there, or was?
+    bool note_unfinished(const fs::path& folder) {
         const study::WatchedFolder watched = study::look_into(folder);
         if (watched.state == study::FolderState::working) {
             content.remarks.push_back(
                 fmt::format("{}: a musim works here now; what is shown is older (`musim watch {}`)", folder.string(), folder.string()));
         }
-        if (watched.state != study::FolderState::killed) return;
+        if (watched.state != study::FolderState::killed) return watched.state == study::FolderState::working;
         std::string text = fmt::format("{}: a run was killed here before it had results", folder.string());
         for (const study::WatchedRun& run : watched.runs) text += fmt::format(", at {:.0f} %", 100.0 * run.state.fraction);
         content.remarks.push_back(text + "; continue it with --resume");
+        return true;
     }
 
     const RecordReader& read_record_;
@@ -266,6 +268,18 @@ std::string make_title(const ReportContent& content) {
     return name;
 }
 
+/// Runs of the same name in different folders are told by their whole paths.
+void tell_apart(std::vector<ReportedRun>& runs) {
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        const std::string label = runs[i].label;
+        for (std::size_t j = i + 1; j < runs.size(); ++j) {
+            if (runs[j].label != label) continue;
+            runs[i].label = runs[i].folder.string();
+            runs[j].label = runs[j].folder.string();
+        }
+    }
+}
+
 }  // namespace
 
 ReportContent read_content(const std::vector<fs::path>& places, const RecordReader& read_record) {
@@ -280,6 +294,7 @@ ReportContent read_content(const std::vector<fs::path>& places, const RecordRead
     if (content.kind == ReportKind::nothing && !content.runs.empty()) {
         content.kind = content.runs.size() == 1 ? ReportKind::run : ReportKind::runs;
     }
+    tell_apart(content.runs);
     content.title = make_title(content);
     return std::move(content);
 }

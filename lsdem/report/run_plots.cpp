@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <functional>
 
@@ -22,6 +23,14 @@ std::string describe_runs(const std::vector<ReportedRun>& runs) {
     if (runs.size() == 1) return runs.front().label;
     const bool scaled = std::any_of(runs.begin(), runs.end(), [&](const ReportedRun& run) { return run.length != runs.front().length; });
     return scaled ? fmt::format("scaled back to {}", runs.front().label) : fmt::format("{} runs", runs.size());
+}
+
+/// Name of a figure of one run: its label with all but letters and digits as underscores.
+std::string name_figure(const std::string& what, const std::string& label) {
+    std::string name = what + "_" + label;
+    std::replace_if(
+        name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
+    return name;
 }
 
 /// A value of every level over the level, one series for each run that was measured.
@@ -172,7 +181,7 @@ std::optional<ReportFigure> make_lag_figure(const ReportedRun& run) {
         for (double& lag : series.y) lag *= 1e3;
         plot.series.push_back(std::move(series));
     }
-    return make_figure("lag_" + run.label, plot);
+    return make_figure(name_figure("lag", run.label), plot);
 }
 
 std::vector<ReportFigure> make_profile_figures(const std::vector<ReportedRun>& runs) {
@@ -200,7 +209,7 @@ ReportFigure make_energy_figure(const ReportedRun& run) {
     add("lost by friction", [](const Energy& e) { return e.friction_loss; });
     add("lost in dashpots", [](const Energy& e) { return e.damping_loss; });
     add("work of the base", [](const Energy& e) { return e.base_work; });
-    return make_figure("energy_" + run.label, plot);
+    return make_figure(name_figure("energy", run.label), plot);
 }
 
 std::optional<ReportFigure> make_loss_figure(const std::vector<ReportedRun>& runs) {

@@ -52,6 +52,13 @@ void require_frames(const StoredRun& run) {
 
 std::size_t find_frame(const StoredRun& run, double time) {
     require_frames(run);
+    const double first = run.frames.time.front(), last = run.frames.time.back();
+    // half an interval beyond the ends is still nearest to a frame
+    const double reach = run.frames.time.size() > 1 ? 0.5 * (run.frames.time[1] - first) : 0.0;
+    if (!(first - reach <= time && time <= last + reach)) {
+        throw ResultError(fmt::format("{}: there is no frame at {:.6g} s (frames are from {:.6g} to {:.6g} s); name a time between them",
+                                      run.directory.string(), time, first, last));
+    }
     const auto nearest = std::min_element(run.frames.time.begin(), run.frames.time.end(),
                                           [&](double a, double b) { return std::abs(a - time) < std::abs(b - time); });
     return static_cast<std::size_t>(nearest - run.frames.time.begin());

@@ -35,7 +35,8 @@ struct CameraSettings {
 /// Throws ResultError when the run has kept no frames.
 void require_frames(const StoredRun& run);
 
-/// Number of the frame nearest to a time. Throws as require_frames() does.
+/// Number of the frame nearest to a time. Throws as require_frames() does, and ResultError for a time without a frame near: half an
+/// interval before the first one or behind the last.
 std::size_t find_frame(const StoredRun& run, double time);
 
 /// Looks at a frame: every pixel takes the nearest block that a ray through its middle meets. All blocks are looked at as boxes.

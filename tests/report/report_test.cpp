@@ -88,6 +88,18 @@ TEST_CASE("several runs are reported beside each other") {
     CHECK(content.kind == ReportKind::runs);
     CHECK(content.runs.size() == 2);
     CHECK(content.remarks.empty());
+
+    // of the same name
+    std::filesystem::create_directories(place.path() / "a");
+    std::filesystem::rename(place.path() / "two", place.path() / "a/one");
+    const ReportContent alike = read_places({place.path() / "one", place.path() / "a/one"});
+    REQUIRE(alike.runs.size() == 2);
+    CHECK(alike.runs[0].label == (place.path() / "one").string());
+    CHECK(alike.runs[1].label == (place.path() / "a/one").string());
+    for (const ReportSection& section : make_sections(alike)) {
+        for (const ReportFigure& figure : section.figures)
+            CHECK_MESSAGE(figure.name.find_first_of("/. ") == std::string::npos, figure.name);
+    }
 }
 
 TEST_CASE("what is missing is told, and the rest shown") {

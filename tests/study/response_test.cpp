@@ -182,6 +182,12 @@ TEST_CASE("the camera sees the block in front, in its colour and place") {
 
     CHECK(make_field_csv(run, 0, front, CameraSide::minus_y).find(",2,2,") == std::string::npos);
 
+    run.frames.time = {0.0, 0.1, 0.2};
+    CHECK(find_frame(run, -0.04) == 0);
+    CHECK(find_frame(run, 0.16) == 2);
+    CHECK(find_frame(run, 0.24) == 2);
+    CHECK_THROWS_WITH_AS(find_frame(run, 0.26), "made: there is no frame at 0.26 s (frames are from 0 to 0.2 s); name a time between them",
+                         ResultError);
     run.frames = {};
     CHECK_THROWS_WITH_AS(find_frame(run, 0.0),
                          "made/result.h5: the run has kept no frames (its scene has no output.frame_rate); give one, e.g. \"frame_rate\": "
