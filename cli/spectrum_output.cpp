@@ -5,9 +5,9 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "records/csv_cell.hpp"
 #include "cli/output.hpp"
 #include "lsdem/study/line_plot.hpp"
+#include "records/csv_cell.hpp"
 
 namespace musim::cli {
 namespace {

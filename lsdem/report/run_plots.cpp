@@ -18,11 +18,14 @@ using scaling::kDegree;
 using study::LinePlot;
 using study::PlotSeries;
 
+bool are_of_several_scales(const std::vector<ReportedRun>& runs) {
+    return std::any_of(runs.begin(), runs.end(), [&](const ReportedRun& run) { return run.length != runs.front().length; });
+}
+
 /// What stands below the title of a plot: whose it is.
 std::string describe_runs(const std::vector<ReportedRun>& runs) {
     if (runs.size() == 1) return runs.front().label;
-    const bool scaled = std::any_of(runs.begin(), runs.end(), [&](const ReportedRun& run) { return run.length != runs.front().length; });
-    return scaled ? fmt::format("scaled back to {}", runs.front().label) : fmt::format("{} runs", runs.size());
+    return are_of_several_scales(runs) ? fmt::format("scaled back to {}", runs.front().label) : fmt::format("{} runs", runs.size());
 }
 
 /// Name of a figure of one run: its label with all but letters and digits as underscores.
@@ -107,6 +110,14 @@ std::optional<ReportFigure> make_spine_figure(const std::vector<ReportedRun>& ru
                             .y_label = "v [cm/s], one row per level",
                             .row_labels = {},
                             .runs = {}};
+    double time = 1.0, velocity = 1e2;
+    const double sliding = first.response ? first.response->scales.sliding_speed() : 0.0;
+    if (are_of_several_scales(runs) && sliding > 0.0) {
+        plot.x_label = "t √(μ g / l)";
+        plot.y_label = "v / √(μ g l), one row per level";
+        time = sliding / first.response->scales.height;
+        velocity = 1.0 / sliding;
+    }
     const std::vector<std::size_t> rows = study::choose_rows(first.run.spine.size());
     for (const std::size_t row : rows) plot.row_labels.push_back(fmt::format("level {}", first.run.spine.level[row]));
     for (const ReportedRun& run : runs) {
@@ -114,9 +125,9 @@ std::optional<ReportFigure> make_spine_figure(const std::vector<ReportedRun>& ru
         if (spine != first.run.spine.size()) continue;
         study::PlotCurves curves{.label = run.label, .x = {}, .y = std::vector<std::vector<double>>(rows.size())};
         for (std::size_t k = 0; k < run.run.history.samples(); ++k) {
-            curves.x.push_back(run.run.history.time[k] / run.time);
+            curves.x.push_back(time * run.run.history.time[k] / run.time);
             for (std::size_t r = 0; r < rows.size(); ++r) {
-                curves.y[r].push_back(1e2 * run.run.history.spine_velocity[k * spine + rows[r]][axis] / run.velocity);
+                curves.y[r].push_back(velocity * run.run.history.spine_velocity[k * spine + rows[r]][axis] / run.velocity);
             }
         }
         plot.runs.push_back(std::move(curves));

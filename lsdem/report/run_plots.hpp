@@ -8,8 +8,8 @@
 
 namespace musim::lsdem::report {
 
-/// Velocities of the spine along the strongest axis of the first run, all runs scaled back to it: cm/s over s; at most ten levels, the
-/// lowest at the bottom, as Fig. 8 of [Harmon23]. Nothing without a spine.
+/// Velocities of the spine along the strongest axis of the first run, all runs scaled back to it: cm/s over s, or v/√(μ g l) over t √(μ
+/// g/l) when they are of several scales; at most ten levels, the lowest at the bottom, as Fig. 8 of [Harmon23]. Nothing without a spine.
 std::optional<ReportFigure> make_spine_figure(const std::vector<ReportedRun>& runs);
 
 /// Of each model against the first run: √(Σ_s |v/λ_v − v_P|²)/√(max_t Σ_s |v_P|²) over time, s the blocks of the spine. Models that
