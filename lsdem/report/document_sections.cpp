@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lsdem/report/html.hpp"
+#include "lsdem/report/json_parts.hpp"
 
 namespace musim::lsdem::report {
 namespace {
@@ -110,8 +111,8 @@ std::string make_document_verdict(const ReportedDocument& document) {
     Tone worst = Tone::plain;
     std::string names;
     for (const json& distortion : *found) {
-        worst = std::max(worst, find_severity_tone(distortion.value("severity", "")));
-        names += (names.empty() ? "" : ", ") + distortion.value("group", "");
+        worst = std::max(worst, find_severity_tone(find_text(distortion, "severity")));
+        names += (names.empty() ? "" : ", ") + find_text(distortion, "group");
     }
     return make_statement(worst, fmt::format("{}: {} {} distorted: {}", document.label, found->size(),
                                              found->size() == 1 ? "group is" : "groups are", names));

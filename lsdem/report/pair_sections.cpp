@@ -5,6 +5,8 @@
 #include <cmath>
 #include <set>
 
+#include "lsdem/report/json_parts.hpp"
+
 namespace musim::lsdem::report {
 namespace {
 
@@ -18,16 +20,17 @@ HtmlTable make_factor_table(const std::vector<ReportedRun>& runs) {
     std::set<std::string> names;
     std::vector<nlohmann::json> factors;
     for (const ReportedRun& run : runs) {
-        const nlohmann::json similitude = run.summary.value("similitude", nlohmann::json::object());
-        if (!similitude.contains("factors")) continue;
-        table.heads.push_back(fmt::format("{} ({})", run.label, similitude.value("law", "")));
-        factors.push_back(similitude["factors"]);
+        const nlohmann::json similitude = find_object(run.summary, "similitude");
+        nlohmann::json of_model = find_object(similitude, "factors");
+        if (of_model.empty()) continue;
+        table.heads.push_back(fmt::format("{} ({})", run.label, find_text(similitude, "law")));
+        factors.push_back(std::move(of_model));
         for (const auto& [name, value] : factors.back().items()) names.insert(name);
     }
     for (const std::string& name : names) {
         std::vector<HtmlCell>& row = table.rows.emplace_back();
         row.push_back({.text = name});
-        for (const nlohmann::json& of_model : factors) row.push_back(number_cell(of_model.value(name, std::nan("")), 6));
+        for (const nlohmann::json& of_model : factors) row.push_back(number_cell(find_number(of_model, name), 6));
     }
     return table;
 }
@@ -36,14 +39,14 @@ HtmlTable make_distortion_table(const nlohmann::json& pair) {
     HtmlTable table{.caption = "Groups that differ from the prototype's",
                     .heads = {"model", "group", "model over prototype", "how much it matters", "effect"},
                     .rows = {}};
-    for (const nlohmann::json& model : pair.value("pairs", nlohmann::json::array())) {
-        for (const nlohmann::json& distortion : model.value("distortions", nlohmann::json::array())) {
-            const std::string severity = distortion.value("severity", "");
-            table.rows.push_back({{.text = model.value("label", "")},
-                                  {.text = distortion.value("group", "")},
-                                  number_cell(distortion.value("factor", std::nan(""))),
+    for (const nlohmann::json& model : find_list(pair, "pairs")) {
+        for (const nlohmann::json& distortion : find_list(model, "distortions")) {
+            const std::string severity = find_text(distortion, "severity");
+            table.rows.push_back({{.text = find_text(model, "label")},
+                                  {.text = find_text(distortion, "group")},
+                                  number_cell(find_number(distortion, "factor")),
                                   {.text = severity, .tone = find_tone(severity)},
-                                  {.text = distortion.value("effect", "")}});
+                                  {.text = find_text(distortion, "effect")}});
         }
     }
     return table;
@@ -53,12 +56,12 @@ HtmlTable make_alone_table(const nlohmann::json& pair) {
     HtmlTable table{.caption = "What each property of a model's own material does alone",
                     .heads = {"model", "property", "model over what is asked", "difference (rms)"},
                     .rows = {}};
-    for (const nlohmann::json& model : pair.value("pairs", nlohmann::json::array())) {
-        for (const nlohmann::json& lone : model.value("alone", nlohmann::json::array())) {
-            table.rows.push_back({{.text = model.value("label", "")},
-                                  {.text = lone.value("property", "")},
-                                  number_cell(lone.value("factor", std::nan(""))),
-                                  number_cell(lone.value("rms_relative_velocity_difference", std::nan("")))});
+    for (const nlohmann::json& model : find_list(pair, "pairs")) {
+        for (const nlohmann::json& lone : find_list(model, "alone")) {
+            table.rows.push_back({{.text = find_text(model, "label")},
+                                  {.text = find_text(lone, "property")},
+                                  number_cell(find_number(lone, "factor")),
+                                  number_cell(find_number(lone, "rms_relative_velocity_difference"))});
         }
     }
     return table;

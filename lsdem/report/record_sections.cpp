@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "lsdem/report/json_parts.hpp"
 #include "lsdem/report/record_figure.hpp"
 #include "lsdem/scene/scene_json.hpp"
 #include "lsdem/study/figure.hpp"
@@ -19,15 +20,20 @@ using scaling::ModelScales;
 constexpr std::array<const char*, 3> kAxes{"x", "y", "z"};
 
 /// From the record to the base, by the scene that the run carries; nothing for a scene that cannot be read or scales nothing.
-std::optional<ModelScales> find_scales(const study::StoredRun& run) {
+std::optional<ModelScales> find_scales(const ReportedRun& reported) {
     try {
-        const scene::BaseMotion motion = scene::parse_scene(run.scene).base_motion;
+        const scene::BaseMotion motion = scene::parse_scene(reported.run.scene).base_motion;
         const auto* record = std::get_if<scene::RecordMotion>(&motion.source);
-        ModelScales scales;
-        scales.law = "none";
-        if (record != nullptr && record->scale) scales = ModelScales(scene::make_similitude(*record->scale));
+        const bool scales_record = record != nullptr && record->scale.has_value();
         const scene::MotionFactors& more = motion.factors;
-        if (!(record != nullptr && record->scale) && more == scene::MotionFactors{}) return std::nullopt;
+        const bool is_model = !(more == scene::MotionFactors{});
+        if (!scales_record && !is_model) return std::nullopt;
+        ModelScales scales;
+        if (scales_record) scales = ModelScales(scene::make_similitude(*record->scale));
+        if (is_model) {
+            const std::string law = find_text(find_object(reported.summary, "similitude"), "law", "its scene's own");
+            scales.law += (scales.law.empty() ? "" : ", then ") + law;
+        }
         scales.time *= more.time;
         scales.frequency /= more.time;
         scales.velocity *= more.velocity;
@@ -68,7 +74,7 @@ ReportFigure make_base_figure(const ReportedRun& reported, const std::optional<M
     RecordFigure figure{.components = {},
                         .damping = records::CurveRequest{}.damping,
                         .windowed = false,
-                        .title = scales ? fmt::format("Base motion of {}: the record, and rescaled", reported.label)
+                        .title = scales ? fmt::format("Base motion of {}, before and after it was rescaled", reported.label)
                                         : fmt::format("Base motion of {}", reported.label),
                         .model_of = scales};
     const GroundMotion prototype = make_motion(reported, scales.value_or(ModelScales{}));
@@ -123,7 +129,7 @@ std::optional<ReportSection> make_base_motion_section(const ReportContent& conte
     ReportSection section{.id = "base", .title = "Base motion", .html = {}};
     for (const ReportedRun& run : content.runs) {
         if (make_motion(run, ModelScales{}).components.empty()) continue;
-        section.figures.push_back(make_base_figure(run, find_scales(run.run), section.figures.size() + 1));
+        section.figures.push_back(make_base_figure(run, find_scales(run), section.figures.size() + 1));
     }
     if (section.figures.empty()) return std::nullopt;
     return section;

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "lsdem/report/json_parts.hpp"
 #include "lsdem/report/record_figure.hpp"
 #include "lsdem/scene/scene_json.hpp"
 #include "lsdem/study/checkpoint.hpp"
@@ -48,12 +49,11 @@ void take_scene(ReportedRun& reported) {
 }
 
 void take_factors(ReportedRun& reported) {
-    const nlohmann::json factors =
-        reported.summary.value("similitude", nlohmann::json::object()).value("factors", nlohmann::json::object());
-    reported.length = factors.value("length", 1.0);
-    reported.time = factors.value("time", 1.0);
-    reported.velocity = factors.value("velocity", 1.0);
-    reported.energy = factors.value("energy", 1.0);
+    const nlohmann::json factors = find_object(find_object(reported.summary, "similitude"), "factors");
+    reported.length = find_number(factors, "length", 1.0);
+    reported.time = find_number(factors, "time", 1.0);
+    reported.velocity = find_number(factors, "velocity", 1.0);
+    reported.energy = find_number(factors, "energy", 1.0);
 }
 
 /// A reading in progress.
@@ -93,8 +93,8 @@ class Reader {
         content.kind = ReportKind::pair;
         content.summary = read_object(folder / "pair.json");
         add_run(folder / "prototype", "prototype");
-        for (const nlohmann::json& model : content.summary.value("pairs", nlohmann::json::array())) {
-            const std::string name = study::name_folder(model.value("label", ""));
+        for (const nlohmann::json& model : find_list(content.summary, "pairs")) {
+            const std::string name = study::name_folder(find_text(model, "label"));
             if (!name.empty()) add_run(folder / name, name);
         }
         // the largest first: the prototype, then models as they get smaller
@@ -105,8 +105,8 @@ class Reader {
     void add_sequence(const fs::path& folder) {
         content.kind = ReportKind::sequence;
         content.summary = read_object(folder / "sequence.json");
-        for (const nlohmann::json& stage : content.summary.value("stages", nlohmann::json::array())) {
-            const std::string name = stage.value("folder", "");
+        for (const nlohmann::json& stage : find_list(content.summary, "stages")) {
+            const std::string name = find_text(stage, "folder");
             if (!name.empty()) add_run(folder / name, name);
         }
     }
@@ -119,9 +119,9 @@ class Reader {
         } catch (const study::ResultError& error) {
             content.remarks.push_back(fmt::format("{}: no bands: {}", label, error.what()));
         }
-        for (const nlohmann::json& member : ensemble.summary.value("members", nlohmann::json::array())) {
-            const fs::path results = folder / "members" / member.value("name", "");
-            if (member.value("status", "failed") == "failed") continue;
+        for (const nlohmann::json& member : find_list(ensemble.summary, "members")) {
+            const fs::path results = folder / "members" / find_text(member, "name");
+            if (find_text(member, "status", "failed") == "failed") continue;
             if (!fs::exists(results / "summary.json")) {
                 content.remarks.push_back(fmt::format("{}: the results are gone; `musim ensemble` makes them again", results.string()));
             } else if (content.runs.empty()) {

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "lsdem/report/document_sections.hpp"
+#include "lsdem/report/json_parts.hpp"
 #include "lsdem/report/run_plots.hpp"
 #include "scaling/angle.hpp"
 
@@ -43,7 +44,7 @@ std::string make_run_verdict(const ReportedRun& run) {
         if (run.response->failure) text += "; " + study::describe(*run.response->failure);
     }
     std::string html = make_statement(run.run.is_status_known ? find_tone(run.run.status) : Tone::note, text);
-    const double closure = run.summary.value("energy_closure", std::nan(""));
+    const double closure = find_number(run.summary, "energy_closure");
     if (std::isfinite(closure)) {
         html += make_statement(closure < kGoodClosure ? Tone::good : Tone::warning,
                                fmt::format("{}: energy balance closes to {:.2g} of the energy in play", run.label, closure));
@@ -54,16 +55,16 @@ std::string make_run_verdict(const ReportedRun& run) {
 
 std::string make_pair_verdict(const nlohmann::json& pair) {
     std::string html;
-    for (const nlohmann::json& model : pair.value("pairs", nlohmann::json::array())) {
-        const bool exact = model.value("materials", "") == "exact";
-        const std::string differs =
-            fmt::format("{}: velocities of the spine differ by {:.3g} (rms), rounding alone makes {:.3g}", model.value("label", "model"),
-                        model.value("rms_relative_velocity_difference", std::nan("")), model.value("shadow_rms", std::nan("")));
-        if (model.value("bitwise_identical", false)) {
-            html += make_statement(Tone::good, model.value("label", "model") + ": the same as the prototype, bit for bit");
+    for (const nlohmann::json& model : find_list(pair, "pairs")) {
+        const bool exact = find_text(model, "materials") == "exact";
+        const std::string differs = fmt::format("{}: velocities of the spine differ by {:.3g} (rms), rounding alone makes {:.3g}",
+                                                find_text(model, "label", "model"), find_number(model, "rms_relative_velocity_difference"),
+                                                find_number(model, "shadow_rms"));
+        if (find_flag(model, "bitwise_identical")) {
+            html += make_statement(Tone::good, find_text(model, "label", "model") + ": the same as the prototype, bit for bit");
         } else if (!exact) {
             html += make_statement(Tone::warning, differs + "; it is made of its own material and distorted");
-        } else if (model.value("consistent", false)) {
+        } else if (find_flag(model, "consistent")) {
             html += make_statement(Tone::good, differs + ": consistent");
         } else {
             html += make_statement(Tone::bad, differs + ": not consistent");
@@ -76,8 +77,8 @@ std::string make_pair_verdict(const nlohmann::json& pair) {
 std::string make_ensemble_verdict(const ReportedEnsemble& ensemble) {
     std::map<std::string, int> count;
     int members = 0;
-    for (const nlohmann::json& member : ensemble.summary.value("members", nlohmann::json::array())) {
-        ++count[member.value("status", "failed")];
+    for (const nlohmann::json& member : find_list(ensemble.summary, "members")) {
+        ++count[find_text(member, "status", "failed")];
         ++members;
     }
     std::string text = fmt::format("{}: {} members", ensemble.label, members);
@@ -178,7 +179,7 @@ ReportSection make_overview_section(const ReportContent& content) {
                               "musim", "state hash"},
                     .rows = {}};
     for (const ReportedRun& run : content.runs) {
-        const auto number = [&](const char* key, int digits) { return number_cell(run.summary.value(key, std::nan("")), digits); };
+        const auto number = [&](const char* key, int digits) { return number_cell(find_number(run.summary, key), digits); };
         table.rows.push_back({{.text = run.label},
                               {.text = run.scene_name},
                               {.text = run.material},
@@ -188,7 +189,7 @@ ReportSection make_overview_section(const ReportContent& content) {
                               number("steps", 12),
                               number("dt_s", 4),
                               number("wall_s", 4),
-                              {.text = run.summary.value("program_version", "-")},
+                              {.text = find_text(run.summary, "program_version", "-")},
                               {.text = run.run.state_hash}});
     }
     return {.id = "runs", .title = "What was run", .html = to_html(table)};

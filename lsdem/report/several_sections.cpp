@@ -4,14 +4,10 @@
 
 #include <cmath>
 
+#include "lsdem/report/json_parts.hpp"
+
 namespace musim::lsdem::report {
 namespace {
-
-/// A number of an object that may be null or missing.
-HtmlCell find_cell(const nlohmann::json& object, const char* key, int digits = 4) {
-    const auto found = object.find(key);
-    return number_cell(found != object.end() && found->is_number() ? found->get<double>() : std::nan(""), digits);
-}
 
 Tone find_status_tone(const std::string& status) {
     if (status == "completed") return Tone::good;
@@ -23,15 +19,15 @@ HtmlTable make_member_table(const ReportedEnsemble& ensemble) {
         .caption = "Members of " + ensemble.label,
         .heads = {"member", "seed", "status", "damage index", "blocks fallen", "peak velocity of the top [m/s]", "why it is no result"},
         .rows = {}};
-    for (const nlohmann::json& member : ensemble.summary.value("members", nlohmann::json::array())) {
-        const std::string status = member.value("status", "");
-        table.rows.push_back({{.text = member.value("name", "")},
-                              find_cell(member, "seed", 9),
+    for (const nlohmann::json& member : find_list(ensemble.summary, "members")) {
+        const std::string status = find_text(member, "status");
+        table.rows.push_back({{.text = find_text(member, "name")},
+                              number_cell(find_number(member, "seed"), 9),
                               {.text = status, .tone = find_status_tone(status)},
-                              find_cell(member, "damage_index"),
-                              find_cell(member, "fallen_blocks", 9),
-                              find_cell(member, "top_peak_velocity_m_s"),
-                              {.text = member.value("reason", "")}});
+                              number_cell(find_number(member, "damage_index")),
+                              number_cell(find_number(member, "fallen_blocks"), 9),
+                              number_cell(find_number(member, "top_peak_velocity_m_s")),
+                              {.text = find_text(member, "reason")}});
     }
     return table;
 }
@@ -63,16 +59,16 @@ ReportSection make_sequence_section(const ReportContent& content) {
                     .heads = {"stage", "status", "base v [m/s]", "base a [m/s²]", "damage of the stage", "since the first start",
                               "blocks fallen", "collapsed at [s]"},
                     .rows = {}};
-    for (const nlohmann::json& stage : content.summary.value("stages", nlohmann::json::array())) {
-        const std::string status = stage.value("status", "");
-        table.rows.push_back({{.text = stage.value("name", "")},
+    for (const nlohmann::json& stage : find_list(content.summary, "stages")) {
+        const std::string status = find_text(stage, "status");
+        table.rows.push_back({{.text = find_text(stage, "name")},
                               {.text = status, .tone = find_status_tone(status)},
-                              find_cell(stage, "peak_base_velocity_m_s"),
-                              find_cell(stage, "peak_base_acceleration_m_s2"),
-                              find_cell(stage.value("since_stage_start", nlohmann::json::object()), "damage_index"),
-                              find_cell(stage.value("since_first_start", nlohmann::json::object()), "damage_index"),
-                              find_cell(stage, "fallen_blocks", 9),
-                              find_cell(stage, "collapse_time_s")});
+                              number_cell(find_number(stage, "peak_base_velocity_m_s")),
+                              number_cell(find_number(stage, "peak_base_acceleration_m_s2")),
+                              number_cell(find_number(find_object(stage, "since_stage_start"), "damage_index")),
+                              number_cell(find_number(find_object(stage, "since_first_start"), "damage_index")),
+                              number_cell(find_number(stage, "fallen_blocks"), 9),
+                              number_cell(find_number(stage, "collapse_time_s"))});
     }
     return {.id = "stages", .title = "One motion after another", .html = to_html(table)};
 }

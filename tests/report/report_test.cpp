@@ -172,6 +172,28 @@ TEST_CASE("of a result of another version what can be read is shown, and the res
     CHECK_THROWS_AS(study::read_run(place.path() / "out"), study::ResultError);
 }
 
+TEST_CASE("numbers and texts that are of another kind than they should be are left out") {
+    const TemporaryFolder place;
+    run_column(place.path() / "pair/prototype", false);
+    run_column(place.path() / "pair/1-25", false);
+    std::ofstream(place.path() / "pair/1-25/summary.json")
+        << R"({"status": "completed", "energy_closure": null, "similitude": null, "steps": "many", "doubts": []})";
+    std::ofstream(place.path() / "pair/pair.json")
+        << R"({"pairs": [{"label": "1:25", "materials": 3, "consistent": "yes", "distortions": {},
+        "alone": [7], "shadow_rms": null}, null]})";
+    CHECK(holds(make_report({place.path() / "pair"}), "1-25: ran to its end"));
+    for (const char* pairs : {R"({"pairs": null})", R"({"pairs": {"label": 1}})", "[]"}) {
+        std::ofstream(place.path() / "pair/pair.json") << pairs;
+        CHECK(holds(make_report({place.path() / "pair"}), "prototype: ran to its end"));
+    }
+    std::filesystem::create_directories(place.path() / "several");
+    std::ofstream(place.path() / "several/ensemble.json") << R"({"members": [{"name": 1, "seed": "x"}, 2]})";
+    CHECK(holds(make_report({place.path() / "several"}), "no member has results"));
+    std::filesystem::remove(place.path() / "several/ensemble.json");
+    std::ofstream(place.path() / "several/sequence.json") << R"({"stages": [{"name": null, "since_stage_start": 3}, "x"]})";
+    CHECK(holds(make_report({place.path() / "several"}), "One motion after another"));
+}
+
 TEST_CASE("a folder with nothing to show is refused with what would help") {
     const TemporaryFolder place;
     for (const std::filesystem::path& folder : {place.path(), place.path() / "nowhere"}) {
