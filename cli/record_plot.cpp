@@ -73,10 +73,11 @@ void require_looks(const std::vector<records::GroundMotion>& motions, bool with_
     std::size_t components = 0;
     for (const records::GroundMotion& motion : motions) components += motion.components.size();
     const std::size_t most = lsdem::study::count_looks(reports::find_looks(with_models)) / (with_models ? 2 : 1);
-    if (components > most)
+    if (components > most) {
         throw records::ProcessingError(fmt::format(
             "record plot: {} components are too many for one figure (at most {}{} look different); draw fewer files, or one --component",
             components, most, with_models ? " with their models" : ""));
+    }
 }
 
 int run_record_plot(const RecordPlotOptions& options) {

@@ -80,7 +80,7 @@ bool holds_objects(const json& value) {
 std::string describe_inside(const json& object, const std::string& caption) {
     std::string html;
     for (const auto& [key, inner] : object.items()) {
-        if (!is_plain(inner)) html += to_html(inner, caption + ", " + key);
+        if (!is_plain(inner)) html += to_html(inner, fmt::format("{}, {}", caption, key));
     }
     return html;
 }

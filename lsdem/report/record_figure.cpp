@@ -98,8 +98,9 @@ LinePlot make_panel(const RecordFigure& figure, CurveKind kind) {
         if (curve == nullptr) continue;
         const int style = static_cast<int>(i);
         PlotSeries series{.label = "", .x = curve->x, .y = curve->y, .style = style, .y_error = {}};
-        if (kind == CurveKind::arias && component.d5_95)
+        if (kind == CurveKind::arias && component.d5_95) {
             series.bands.push_back({component.d5_95->start.value(), component.d5_95->end.value()});
+        }
         panel.series.push_back(std::move(series));
         marks.push_back(mark_peak(component, *curve, style));
     }
@@ -165,10 +166,11 @@ std::vector<Integration> find_integrations(const std::vector<ComponentCurves>& c
         const Integration own{
             component.corner ? fmt::format("high-pass {:.4g} Hz", component.corner->value()) : "as it stands", component.model, {record}};
         const auto same = std::find_if(ways.begin(), ways.end(), [&](const Integration& known) { return known.is_that_of(own); });
-        if (same == ways.end())
+        if (same == ways.end()) {
             ways.push_back(own);
-        else if (same->records.back() != record)
+        } else if (same->records.back() != record) {
             same->records.push_back(record);
+        }
     }
     return ways;
 }
@@ -235,8 +237,9 @@ std::string make_csv(const std::vector<ComponentCurves>& components) {
             const CurveKeys keys = keys_of(curve.kind);
             const std::string start = fmt::format("{},{},{},{},{}", records::csv_cell(component.file),
                                                   records::csv_cell(component.component), scale_of(component), keys.value, keys.over);
-            for (std::size_t i = 0; i < curve.x.size(); ++i)
+            for (std::size_t i = 0; i < curve.x.size(); ++i) {
                 fmt::format_to(std::back_inserter(text), "{},{},{}\n", start, curve.x[i], curve.y[i]);
+            }
         }
     }
     return text;

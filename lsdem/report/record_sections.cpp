@@ -116,8 +116,9 @@ ReportSection make_record_section(const ReportContent& content) {
                                 .title = fmt::format("{}: {}", record.label, make_title(motion)),
                                 .model_of = {}};
             const std::size_t last = std::min(first + most, motion.components.size());
-            for (std::size_t i = first; i < last; ++i)
+            for (std::size_t i = first; i < last; ++i) {
                 figure.components.push_back(records::compute_curves(motion, motion.components[i], {}));
+            }
             section.figures.push_back(make_figure(fmt::format("record_{}", section.figures.size() + 1), figure));
         }
     }

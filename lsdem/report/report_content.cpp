@@ -165,8 +165,9 @@ class Reader {
     void add_record(const fs::path& file) {
         try {
             records::GroundMotion motion = read_record_(file);
-            motion.source = file.filename().string();
-            content.records.push_back({.label = motion.source, .motion = std::move(motion)});
+            const std::string label = file.filename().string();
+            motion.source = label;
+            content.records.push_back({.label = label, .motion = std::move(motion)});
         } catch (const records::ReadError& error) {
             content.remarks.emplace_back(error.what());
         }
@@ -215,8 +216,9 @@ class Reader {
     static std::vector<fs::path> find_specimens(const fs::path& folder) {
         std::vector<fs::path> found;
         for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-            if (entry.path().extension() == ".h5" && entry.path().filename().string().starts_with("specimen-"))
+            if (entry.path().extension() == ".h5" && entry.path().filename().string().starts_with("specimen-")) {
                 found.push_back(entry.path());
+            }
         }
         std::sort(found.begin(), found.end());
         return found;

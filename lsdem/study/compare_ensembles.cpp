@@ -1,5 +1,7 @@
 #include "lsdem/study/compare_ensembles.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -46,11 +48,13 @@ std::vector<Vector3> to_vectors(const std::vector<double>& values, double unit) 
 DimensionlessBands read_bands(const std::filesystem::path& directory) {
     const detail::Hdf5Reader file(directory / "ensemble.h5");
     const auto summary = nlohmann::json::parse(file.attribute("summary"), nullptr, false);
-    if (!summary.is_object() || summary.value("format", "") != "musim-ensemble/1" || !summary["scales"].is_object())
+    if (!summary.is_object() || summary.value("format", "") != "musim-ensemble/1" || !summary["scales"].is_object()) {
         file.fail("is no ensemble that musim ensemble -o DIR has written; name another directory");
+    }
     const double speed = summary["scales"].value("sliding_speed_m_s", 0.0), height = summary["scales"].value("height_m", 0.0);
-    if (!(speed > 0.0 && height > 0.0))
+    if (!(speed > 0.0 && height > 0.0)) {
         file.fail("has no friction or gravity (velocities are compared over sqrt(mu g l)); name another one");
+    }
     DimensionlessBands ensemble;
     ensemble.name = directory.string();
     ensemble.axis = static_cast<int>(std::string("xyz").find(summary.value("axis", "x")));
@@ -61,14 +65,16 @@ DimensionlessBands read_bands(const std::filesystem::path& directory) {
     bands.mean = to_vectors(file.doubles("/spine/velocity_mean", 3).values, speed);
     bands.sd = to_vectors(file.doubles("/spine/velocity_sd", 3).values, speed);
     const std::size_t values = bands.samples() * bands.levels();
-    if (bands.count.size() != bands.samples() || bands.mean.size() != values || bands.sd.size() != values)
+    if (bands.count.size() != bands.samples() || bands.mean.size() != values || bands.sd.size() != values) {
         file.fail("its datasets differ in size (it is damaged); run the ensemble again");
+    }
     return ensemble;
 }
 
 BandOverlap compare_bands(const DimensionlessBands& first, const DimensionlessBands& second) {
-    if (first.bands.level != second.bands.level)
+    if (first.bands.level != second.bands.level) {
         throw ResultError(first.name + " and " + second.name + ": their spines have other levels; compare ensembles of one structure");
+    }
     BandOverlap overlap;
     std::size_t in_sd = 0, in_error = 0;
     for (std::size_t k = 0; k < first.bands.samples(); ++k) {
@@ -83,8 +89,9 @@ BandOverlap compare_bands(const DimensionlessBands& first, const DimensionlessBa
             in_error += apart <= 2.0 * std::sqrt(a.sd * a.sd / a.count + b.sd * b.sd / b.count) ? 1 : 0;
         }
     }
-    if (overlap.points == 0)
+    if (overlap.points == 0) {
         throw ResultError(first.name + " and " + second.name + ": at no time do both have two members; run more, or longer");
+    }
     overlap.within_sd = static_cast<double>(in_sd) / static_cast<double>(overlap.points);
     overlap.within_error = static_cast<double>(in_error) / static_cast<double>(overlap.points);
     return overlap;

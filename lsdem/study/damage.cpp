@@ -194,8 +194,9 @@ std::string make_damage_csv(const Damage& damage) {
     for (const LevelDamage& l : damage.levels) {
         fmt::format_to(std::back_inserter(csv), "{},{},{}", l.level, l.blocks, l.fallen);
         for (const Spread& s : {l.slip, l.displacement}) fmt::format_to(std::back_inserter(csv), ",{},{}", s.mean, s.max);
-        for (const Spread& s : {l.initial_tilt, l.final_tilt, l.rotation, l.turn})
+        for (const Spread& s : {l.initial_tilt, l.final_tilt, l.rotation, l.turn}) {
             fmt::format_to(std::back_inserter(csv), ",{},{}", s.mean / kDegree, s.max / kDegree);
+        }
         fmt::format_to(std::back_inserter(csv), ",{}", l.index);
         if (l.loss) {
             fmt::format_to(std::back_inserter(csv), ",{},{},{}\n", l.loss->friction, l.loss->damping, find_loss_share(l, damage));

@@ -85,8 +85,9 @@ void read_history(const Hdf5Reader& file, StoredRun& run) {
     for (const long long level : file.integers("/spine/level", 1).values) run.spine.level.push_back(static_cast<int>(level));
     const hsize_t ns = run.spine.block.size();
     if (run.spine.level.size() != ns) file.fail("/spine/level has another size than the rest");
-    for (const std::size_t block : run.spine.block)
+    for (const std::size_t block : run.spine.block) {
         if (block >= run.blocks.mass.size()) file.fail("/spine/block names a block that is not there");
+    }
     history.spine_position = read_vectors(file, "/spine/position", {nt, ns});
     history.spine_velocity = read_vectors(file, "/spine/velocity", {nt, ns});
     history.spine_rotation = read_vectors(file, "/spine/rotation_vector", {nt, ns});

@@ -231,8 +231,9 @@ RunResult resume(Simulation& simulation, const Specimen& specimen, Checkpoint ch
     describe(run, specimen, checkpoint.plan);
     const bool same_step = checkpoint.plan.time_step == simulation.time_step() &&
                            simulation.statistics().steps == checkpoint.samples_done * checkpoint.plan.steps_per_sample;
-    if (!same_step || !fits(checkpoint.plan, checkpoint.samples_done, run))
+    if (!same_step || !fits(checkpoint.plan, checkpoint.samples_done, run)) {
         throw std::runtime_error("checkpoint: its histories do not fit its state");
+    }
     reserve(run.history, checkpoint.plan, run.spine.size());
     carry_on(run, simulation, checkpoint.plan, checkpoint.samples_done, start, settings);
     return run;

@@ -58,8 +58,9 @@ std::vector<double> flatten(const std::vector<Vector3>& vectors) {
 void require_specimen(const detail::Hdf5Reader& reader, const std::filesystem::path& file) {
     const std::string format = reader.has("/blocks/tilt") ? reader.attribute("format") : "";
     if (format == kFormat) return;
-    if (format.starts_with("musim-specimen/"))
+    if (format.starts_with("musim-specimen/")) {
         refuse(file, fmt::format("it has format {}, this program reads {} (another version wrote it); prepare it again", format, kFormat));
+    }
     refuse(file, "not a specimen (musim specimen makes them); name another file");
 }
 
@@ -73,21 +74,24 @@ std::vector<Preload> read_preloads(const detail::Hdf5Reader& reader, const std::
     const auto known = [&](long long block) { return block >= 0 && block < static_cast<long long>(model.blocks.size()); };
     const std::size_t contacts = squared_load.values.size();
     if (leader.values.size() != contacts || follower.values.size() != contacts || nodes.values.size() != 2 * contacts ||
-        faces.values.size() != contacts || friction.values.size() != 3 * contacts)
+        faces.values.size() != contacts || friction.values.size() != 3 * contacts) {
         refuse(file, "the lists of its contacts differ in length (a damaged file); prepare it again");
+    }
     std::vector<Preload> preloads(contacts);
     std::size_t node = 0;
     for (std::size_t i = 0; i < contacts; ++i) {
         const long long below = leader.values[i], above = follower.values[i];
         const long long along_p = nodes.values[2 * i], along_q = nodes.values[2 * i + 1];
-        if (!known(below) || !(known(above) || above == kGround))
+        if (!known(below) || !(known(above) || above == kGround)) {
             refuse(file, fmt::format("contact {} names a block that is not there (a damaged file); prepare it again", i));
+        }
         if (!(std::isfinite(squared_load.values[i]) && squared_load.values[i] >= 0.0)) {
             refuse(file,
                    fmt::format("contact {} bears {:.6g} squared weights (a damaged file); prepare it again", i, squared_load.values[i]));
         }
-        if (faces.values[i] < 0 || faces.values[i] > TiltedFaces::kCodes)
+        if (faces.values[i] < 0 || faces.values[i] > TiltedFaces::kCodes) {
             refuse(file, fmt::format("contact {} names faces that no box has (a damaged file); prepare it again", i));
+        }
         const auto left = static_cast<long long>(node_friction.values.size() / 2 - node);
         if (along_p < 0 || along_q < 0 || (along_q > 0 && along_p > left / along_q)) {
             refuse(file, fmt::format("contact {} has {} x {} nodes where {} are left (a damaged file); prepare it again", i, along_p,
@@ -105,8 +109,9 @@ std::vector<Preload> read_preloads(const detail::Hdf5Reader& reader, const std::
             preload.traction_u.push_back(unit * node_friction.values[2 * node]);
             preload.traction_v.push_back(unit * node_friction.values[2 * node + 1]);
         }
-        if (!preload.is_sound())
+        if (!preload.is_sound()) {
             refuse(file, fmt::format("the friction of contact {} is damaged (a number is missing or not finite); prepare it again", i));
+        }
     }
     return preloads;
 }
@@ -160,8 +165,9 @@ void write_specimen(const std::filesystem::path& file, const PreparedSpecimen& p
         faces.push_back(contact.faces);
         nodes.insert(nodes.end(), {static_cast<long long>(contact.count_p), static_cast<long long>(contact.count_q)});
         const double unit = traction_of_weight(model, contact.leader);
-        for (std::size_t i = 0; i < contact.traction_u.size(); ++i)
+        for (std::size_t i = 0; i < contact.traction_u.size(); ++i) {
             node_friction.insert(node_friction.end(), {contact.traction_u[i] / unit, contact.traction_v[i] / unit});
+        }
     }
     detail::Hdf5File out;
     out.write("/blocks/size", {n, 3}, flatten(size).data(), "m");
@@ -198,8 +204,9 @@ StoredSpecimen read_specimen(const std::filesystem::path& file) {
     const auto quaternion = reader.doubles("/blocks/quaternion", 2), tilt = reader.doubles("/blocks/tilt", 1);
     const auto layer = reader.integers("/blocks/layer", 1);
     const std::size_t n = layer.values.size();
-    if (size.values.size() != 3 * n || position.values.size() != 3 * n || quaternion.values.size() != 4 * n || tilt.values.size() != n)
+    if (size.values.size() != 3 * n || position.values.size() != 3 * n || quaternion.values.size() != 4 * n || tilt.values.size() != n) {
         refuse(file, "the lists of its blocks differ in length (a damaged file); prepare it again");
+    }
     StoredSpecimen specimen{.inputs = reader.attribute("inputs"),
                             .program_version = reader.attribute("program_version"),
                             .size = {},

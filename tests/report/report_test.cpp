@@ -97,8 +97,9 @@ TEST_CASE("several runs are reported beside each other") {
     CHECK(alike.runs[0].label == (place.path() / "one").string());
     CHECK(alike.runs[1].label == (place.path() / "a/one").string());
     for (const ReportSection& section : make_sections(alike)) {
-        for (const ReportFigure& figure : section.figures)
+        for (const ReportFigure& figure : section.figures) {
             CHECK_MESSAGE(figure.name.find_first_of("/. ") == std::string::npos, figure.name);
+        }
     }
 }
 
@@ -239,8 +240,10 @@ TEST_CASE("records are drawn with their peaks, and those that cannot be read are
     std::ofstream(place.path() / "broken.at2") << "no record";
     const auto read = [](const std::filesystem::path& file) -> GroundMotion {
         if (file.stem() == "broken") throw ReadError(file.string() + ": line 1: no samples");
-        std::vector<double> samples;
-        for (int i = 0; i < 400; ++i) samples.push_back(i == 100 ? 0.25 * 9.80665 : 0.1 * std::sin(0.1 * i));
+        std::vector<double> samples(400);
+        for (std::size_t i = 0; i < samples.size(); ++i) {
+            samples[i] = i == 100 ? 0.25 * 9.80665 : 0.1 * std::sin(0.1 * static_cast<double>(i));
+        }
         return {.source = file.string(),
                 .format = "made",
                 .event = "Event",

@@ -125,7 +125,7 @@ TEST_CASE("a run without frames shows its start and its end, and one that never 
     CHECK(data.json["has_frames"] == false);
     REQUIRE(data.json["times"].size() == 2);
     CHECK(data.json["times"][1].get<double>() == reported.run.history.time.back());
-    const std::string frames = unpack(decode_base64(data.json["frames"]), std::size_t{2 * 3 * 15});
+    const std::string frames = unpack(decode_base64(data.json["frames"]), 2 * std::size_t{3} * 15);
     CHECK(sum_up(frames, 3, 0, 0, 0, 1, 2) == 0);
     CHECK(sum_up(frames, 3, 1, 0, 0, 1, 2) != 0);
 

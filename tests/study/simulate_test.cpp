@@ -69,9 +69,10 @@ TEST_CASE("a frame's contact forces of a standing column are what each block bea
     REQUIRE(run.frames.contact_force.size() == 2 * 3);
     const double weight = run.blocks.mass[0] * column.model.gravity.norm();
     // single precision
-    for (std::size_t b = 0; b < 3; ++b)
+    for (std::size_t b = 0; b < 3; ++b) {
         CHECK(static_cast<double>(run.frames.contact_force[3 + b]) / weight ==
               doctest::Approx(5.0 - 2.0 * static_cast<double>(b)).epsilon(1e-6));
+    }
 }
 
 TEST_CASE("progress rises to one") {

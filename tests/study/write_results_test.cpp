@@ -93,7 +93,7 @@ std::string read_attribute(const fs::path& path, const std::string& name) {
     H5Tclose(type);
     H5Aclose(attribute);
     H5Fclose(file);
-    return text.c_str();
+    return text.substr(0, text.find('\0'));
 }
 
 RunResult with_frames(RunResult run) {

@@ -36,8 +36,9 @@ void Hdf5Reader::fail(const std::string& what) const {
 
 bool Hdf5Reader::has(const std::string& path) const {
     // every group on the way must be there
-    for (std::size_t at = path.find('/', 1); at != std::string::npos; at = path.find('/', at + 1))
+    for (std::size_t at = path.find('/', 1); at != std::string::npos; at = path.find('/', at + 1)) {
         if (H5Lexists(file_, path.substr(0, at).c_str(), H5P_DEFAULT) <= 0) return false;
+    }
     return H5Lexists(file_, path.c_str(), H5P_DEFAULT) > 0;
 }
 
@@ -53,8 +54,9 @@ Hdf5Data<Number> Hdf5Reader::read(const std::string& path, std::size_t rank, hid
     std::size_t count = 1;
     for (const hsize_t n : data.shape) count *= n;
     data.values.resize(count);
-    if (count > 0 && H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data.values.data()) < 0)
+    if (count > 0 && H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data.values.data()) < 0) {
         fail(fmt::format("{} cannot be read", path));
+    }
     return data;
 }
 
