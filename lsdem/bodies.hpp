@@ -22,10 +22,11 @@ struct Bodies {
     std::vector<Vector3> start_position;               ///< where energy of position and falls are counted from [m]
     std::vector<Quaternion> start_orientation;         ///< body to world
     std::vector<std::uint8_t> fixed;
-    std::vector<double> free;  ///< one, or zero for a fixed block: factor of all accelerations
+    /// Factor of all accelerations: one, zero for a fixed block; in between, a block has inertia added, see detail::AddedInertia.
+    std::vector<double> free;
     /// Length of the way that no point of the block has exceeded, seen from the base, up to step n: grows and never falls [m].
     std::vector<double> travel;
-    std::vector<double> preparation_loss;  ///< work of Model::velocity_damping up to step n − 1/2 [J]
+    std::vector<double> preparation_loss;  ///< work of Model::velocity_damping and of added inertia up to step n − 1/2 [J]
 
     explicit Bodies(const Model& model);
     std::size_t size() const { return mass.size(); }

@@ -359,6 +359,19 @@ void prefetch_pair(const Bodies& bodies, const ContactList& list, std::size_t in
 
 }  // namespace
 
+namespace {
+
+/// Area over which a pair that is no patch touches, or more [m²]: which nodes do is not asked, any may be all of a face.
+double find_touching_area(const Model& model, const ContactList& list, std::size_t index) {
+    const ContactPair& pair = list.pairs[index];
+    if (list.tallies[index].touching == 0) return 0.0;
+    if (pair.is_tilted()) return list.tilted[pair.tilted].area;
+    const auto face_of = [&](std::size_t block) { return model.shapes[model.blocks[block].shape].face_area; };
+    return pair.follower == kGround ? face_of(pair.leader) : std::max(face_of(pair.leader), face_of(pair.follower));
+}
+
+}  // namespace
+
 double compute_node_pairs(const Model& model, const Bodies& bodies, const BasePose& base, double dt, std::size_t first, std::size_t last,
                           ContactList& list) {
     // what may touch, first of all, so that the memory of each can be asked for ahead of its turn
@@ -377,6 +390,7 @@ double compute_node_pairs(const Model& model, const Bodies& bodies, const BasePo
         } else {
             compute_block_contact(model, bodies, base, dt, index, list);
         }
+        if (list.demand.wanted) list.demand.ask(index, find_touching_area(model, list, index));
         const double overlap = list.tallies[index].overlap;
         if (!(overlap > 0.0)) continue;
         const double height = 2.0 * model.shapes[model.blocks[pair.leader].shape].half_extents.z();

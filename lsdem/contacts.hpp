@@ -78,6 +78,15 @@ struct PairTally {
     std::uint32_t touching = 0;                        ///< nodes in contact; of two tilted boxes, one
 };
 
+/// What inertia contacts ask their blocks to have while a specimen is prepared, see detail::AddedInertia.
+struct InertiaDemand {
+    bool wanted = false;
+    std::vector<double> per_area;  ///< one per pair [kg/m²]
+    std::vector<double> asked;     ///< one per pair: the same times the area over which it touches now [kg]
+
+    void ask(std::size_t pair, double area) { asked[pair] = area * per_area[pair]; }
+};
+
 /// A pair that is found apart is passed over until its two blocks have together travelled this part of the gap [-]. The depth of a face
 /// changes by less than twice what the blocks move, as the patch that it is taken over wanders too: a factor of two is left. Affects speed
 /// only, never results.
@@ -101,6 +110,7 @@ struct ContactList {
     std::vector<std::uint8_t> faces;   ///< one per pair: the faces that met in the last step, see detail::FlatFollower::code
     /// Contacts found in the very first step are taken as they are, initial overlap included.
     bool first_step = true;
+    InertiaDemand demand;
     std::vector<PairWork> work;  ///< one per pair, since the list was built; of a patch, without what its state holds
 };
 

@@ -283,6 +283,8 @@ void NeighborSearch::rebuild(const Bodies& bodies, const BasePose& base, Contact
     list.faces.assign(list.pairs.size(), 0);
     list.first_step = previous_.first_step;
     list.work.assign(list.pairs.size(), PairWork{});
+    list.demand.wanted = previous_.demand.wanted;
+    list.demand.asked.assign(list.demand.wanted ? list.pairs.size() : 0, 0.0);
     std::vector<std::uint32_t> old_pair(list.pairs.size(), ContactPair::kNoPatch);
     auto old = previous_.pairs.begin();
     for (std::size_t p = 0; p < list.pairs.size(); ++p) {
@@ -292,6 +294,7 @@ void NeighborSearch::rebuild(const Bodies& bodies, const BasePose& base, Contact
         const auto o = static_cast<std::size_t>(old - previous_.pairs.begin());
         old_pair[p] = static_cast<std::uint32_t>(o);
         list.forces[p] = previous_.forces[o];
+        if (list.demand.wanted) list.demand.asked[p] = previous_.demand.asked[o];
         if (old->is_patch() || list.pairs[p].is_patch() || old->is_tilted() != list.pairs[p].is_tilted()) continue;
         if (old->is_tilted()) {
             list.tilted[list.pairs[p].tilted] = previous_.tilted[old->tilted];

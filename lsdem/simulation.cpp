@@ -57,10 +57,11 @@ void Simulation::release(const std::vector<Release>& blocks) {
     s.quiet_looks = 0;
 }
 
-void Simulation::begin_preparation(double damping_rate) {
+void Simulation::begin_preparation(double damping_rate, Inertia inertia) {
     Implementation& s = *implementation_;
     set_velocity_damping(damping_rate);
     s.preparing = true;
+    if (inertia == Inertia::as_stable) s.added_inertia.begin(s.model, s.dt, s.list);
     s.quiet_end = s.step;
 }
 
@@ -70,6 +71,7 @@ void Simulation::end_preparation() {
     Implementation& s = *implementation_;
     set_velocity_damping(0.0);
     s.preparing = false;
+    s.added_inertia.end(s.bodies, s.list);
     s.base_origin = s.base.displacement - s.motion.displacement(0.0);
     s.restart_ledger();
     s.step = s.quiet_end = s.skipped = s.rebuilds = 0;
@@ -106,9 +108,8 @@ Vector3 Simulation::velocity(std::size_t block) const {
 
 Vector3 Simulation::angular_velocity(std::size_t block) const {
     const Implementation& s = *implementation_;
-    const Vector3& momentum = s.bodies.momentum.at(block);
-    const detail::VelocityDecay half = s.decay_over(0.5 * s.dt);
-    return s.bodies.spin(block, half.keep * momentum + half.push * s.touches.sum(block, s.list.forces).torque);
+    const Vector3 torque = s.touches.sum(block, s.list.forces).torque;
+    return s.bodies.spin(block, s.momentum_after(s.decay_over(0.5 * s.dt), block, torque));
 }
 
 std::vector<ContactForce> Simulation::contact_forces() const {

@@ -95,6 +95,12 @@ struct ContactForce {
     double energy = 0.0;                  ///< of its normal springs [J]
 };
 
+/// What inertia blocks have while a specimen is prepared.
+enum class Inertia {
+    own,       ///< that of their mass
+    as_stable  ///< so much more, as long as their contacts ask for it, that they are stable at whatever time step; see lsdem/README.md
+};
+
 /// Explicit LS-DEM simulation with a fixed time step. Results are the same bits for any number of threads.
 class Simulation {
   public:
@@ -128,7 +134,7 @@ class Simulation {
 
     /// From now on the base stands where it is at t = 0 and velocities decay at `damping_rate` [1/s], as when blocks are laid by hand.
     /// Throws std::invalid_argument for a rate that is negative or not finite.
-    void begin_preparation(double damping_rate);
+    void begin_preparation(double damping_rate, Inertia inertia = Inertia::own);
 
     /// Makes the neighbor list anew, as it would be by itself after some motion: what is now to meet in another way, a patch or two boxes
     /// at an angle, begins to. A simulation that begins from these poses and `preloads()` has the same list.

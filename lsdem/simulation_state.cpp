@@ -30,6 +30,7 @@ void Simulation::Implementation::exchange(Archive& archive) {
     if (!archive.loads()) return;
     overlap.front() = deepest;
     check_restored(model, bodies, search.reference(), list, finished);
+    if (list.demand.wanted) added_inertia.begin(model, dt, list);
     share_work();
 }
 

@@ -63,9 +63,11 @@ void Simulation::Implementation::move(double h) {
                             .base_step = base.displacement - base.previous,
                             .gravity = model.gravity,
                             .h = h,
-                            .decay = decay_over(h)};
+                            .decay = decay_over(h),
+                            .prepares = velocity_damping > 0.0 || added_inertia.is_active()};
     const auto task = [&](int thread) {
         const detail::Share share = share_of(bodies.size(), thread, team.size());
+        if (added_inertia.is_active()) added_inertia.give(touches, list.demand, share.first, share.last, bodies);
         drift[static_cast<std::size_t>(thread)] =
             detail::move_blocks(touches, list.forces, search.reference(), leap, share.first, share.last, bodies);
     };
@@ -75,6 +77,7 @@ void Simulation::Implementation::move(double h) {
 void Simulation::Implementation::rebuild() {
     ++rebuilds;
     search.rebuild(bodies, base, list, finished);
+    if (added_inertia.is_active()) added_inertia.price(list);
     share_work();
 }
 

@@ -6,7 +6,7 @@ namespace musim::lsdem {
 
 void exchange(Archive& archive, Bodies& b) {
     archive(b.position, b.previous_position, b.rotation, b.previous_rotation, b.orientation, b.velocity, b.momentum, b.travel,
-            b.preparation_loss, b.start_position, b.start_orientation);
+            b.preparation_loss, b.free, b.start_position, b.start_orientation);
 }
 
 void exchange(Archive& archive, BasePose& base) { archive(base.displacement, base.previous); }
@@ -69,7 +69,7 @@ static void exchange(Archive& archive, PatchList& p) {
 
 void exchange(Archive& archive, ContactList& l) {
     archive(l.pairs, l.nodes, l.history, l.forces, l.patches, l.tilted, l.node_pairs, l.ground_pairs, l.tallies, l.trusted_gap, l.next_look,
-            l.faces, l.first_step, l.work);
+            l.faces, l.first_step, l.demand.wanted, l.demand.asked, l.work);
     l.due.resize(l.node_pairs.size());
 }
 
@@ -122,8 +122,9 @@ void check_restored(const Model& model, const Bodies& bodies, const NeighborSear
                     const Losses& losses) {
     const std::size_t blocks = model.blocks.size(), pairs = list.pairs.size(), entries = list.nodes.size();
     expect_size(blocks, bodies.position, bodies.previous_position, bodies.rotation, bodies.previous_rotation, bodies.orientation,
-                bodies.velocity, bodies.momentum, bodies.travel, bodies.preparation_loss, bodies.start_position, bodies.start_orientation,
-                reference.position, reference.orientation, losses.block);
+                bodies.velocity, bodies.momentum, bodies.travel, bodies.preparation_loss, bodies.free, bodies.start_position,
+                bodies.start_orientation, reference.position, reference.orientation, losses.block);
+    expect_size(list.demand.wanted ? pairs : 0, list.demand.asked);
     expect_size(pairs, list.forces, list.tallies, list.next_look, list.faces, list.work);
     const ContactHistory& history = list.history;
     expect_size(entries, history.damping_pressure, history.late, history.slip[0], history.slip[1], history.slip[2]);

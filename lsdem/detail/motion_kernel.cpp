@@ -78,7 +78,7 @@ constexpr double kUpward = 1.0 + 2.0 * std::numeric_limits<double>::epsilon();
 /// So many blocks before its turn the forces on a block are asked for. Affects speed only.
 constexpr std::size_t kAhead = 2 * kLanes;
 
-template <bool damped>
+template <bool prepares>
 [[gnu::always_inline]] inline double move_range(const TouchList& touches, const std::vector<PairForce>& forces,
                                                 const NeighborSearch::Reference& reference, const Leap& leap, std::size_t first,
                                                 std::size_t last, Bodies& bodies) {
@@ -104,7 +104,7 @@ template <bool damped>
         const Triple<Lanes> v_before = v, l_before = l;
         const Triple<Lanes> acceleration{force.x * per_mass + gravity.x(), force.y * per_mass + gravity.y(),
                                          force.z * per_mass + gravity.z()};
-        if (damped) v = {keep * v.x, keep * v.y, keep * v.z};
+        if (prepares) v = {keep * v.x, keep * v.y, keep * v.z};
         v.x += kick * acceleration.x;
         v.y += kick * acceleration.y;
         v.z += kick * acceleration.z;
@@ -115,7 +115,7 @@ template <bool damped>
         const Triple<Lanes> inverse_inertia = pick(bodies.inverse_inertia, i);
         const LaneMask turns = inverse_inertia.x > zero;
         const Lanes twist = select(turns, kick, zero);
-        if (damped) l = {keep * l.x, keep * l.y, keep * l.z};
+        if (prepares) l = {keep * l.x, keep * l.y, keep * l.z};
         l.x += twist * torque.x;
         l.y += twist * torque.y;
         l.z += twist * torque.z;
@@ -125,9 +125,9 @@ template <bool damped>
         const auto root_of = [](const Lanes& value) MUSIM_INLINE_LAMBDA { return root(value); };
         const Orientation<Lanes> turned = turn_freely(before, l_body, inverse_inertia, h, root_of);
         Lanes loss = zero;
-        if (damped) {
-            // the impulse of the damping times the mean of the velocities before and after it
-            const Lanes whole = h * free, whole_turn = select(turns, whole, zero);
+        if (prepares) {
+            // the impulse of the damping, and of added inertia, times the mean of the velocities before and after it
+            const Lanes whole = select(free > zero, all(h), zero), whole_turn = select(turns, whole, zero);
             const Triple<Lanes> impulse = beside({whole * acceleration.x, whole * acceleration.y, whole * acceleration.z}, v_before, v);
             const Triple<Lanes> twist_impulse =
                 rows_before.to_body(beside({whole_turn * torque.x, whole_turn * torque.y, whole_turn * torque.z}, l_before, l));
@@ -158,7 +158,7 @@ template <bool damped>
             put(x, lane, bodies.position[block].data());
             put(l, lane, bodies.momentum[block].data());
             bodies.travel[block] = travel[lane];
-            if (damped) bodies.preparation_loss[block] = loss[lane];
+            if (prepares) bodies.preparation_loss[block] = loss[lane];
             double* const coefficients = bodies.orientation[block].coeffs().data();
             coefficients[0] = q.x[lane], coefficients[1] = q.y[lane], coefficients[2] = q.z[lane], coefficients[3] = q.w[lane];
             double* const r = bodies.rotation[block].data();
@@ -171,12 +171,12 @@ template <bool damped>
     return std::max(std::max(farthest[0], farthest[1]), std::max(farthest[2], farthest[3]));
 }
 
-/// With or without damping, so that a run without pays nothing for it.
+/// With or without what prepares, so that a run without pays nothing for it.
 [[gnu::always_inline]] inline double move_either(const TouchList& touches, const std::vector<PairForce>& forces,
                                                  const NeighborSearch::Reference& reference, const Leap& leap, std::size_t first,
                                                  std::size_t last, Bodies& bodies) {
-    return leap.decay.keep == 1.0 ? move_range<false>(touches, forces, reference, leap, first, last, bodies)
-                                  : move_range<true>(touches, forces, reference, leap, first, last, bodies);
+    return leap.prepares ? move_range<true>(touches, forces, reference, leap, first, last, bodies)
+                         : move_range<false>(touches, forces, reference, leap, first, last, bodies);
 }
 
 MUSIM_AVX2 double move_wide(const TouchList& touches, const std::vector<PairForce>& forces, const NeighborSearch::Reference& reference,

@@ -36,6 +36,13 @@ class TouchList {
         return load;
     }
 
+    /// Sum of a number of each pair over the pairs of block i.
+    double sum(std::size_t i, const std::vector<double>& of_pairs) const {
+        double total = 0.0;
+        for (std::size_t t = begin_[i]; t < begin_[i + 1]; ++t) total += of_pairs[touches_[t].pair];
+        return total;
+    }
+
     /// Asks for the forces that `sum` of block i will add up.
     void prefetch(std::size_t i, const std::vector<PairForce>& forces) const {
         for (std::size_t t = begin_[i]; t < begin_[i + 1]; ++t) detail::prefetch(&forces[touches_[t].pair]);
@@ -58,6 +65,7 @@ struct Leap {
     Vector3 gravity = Vector3::Zero();            ///< [m/s²]
     double h = 0.0;                               ///< time step [s]
     VelocityDecay decay{0.0, 0.0};                ///< over h
+    bool prepares = false;                        ///< there is damping or added inertia, whose work is booked
 };
 
 /// One leapfrog step of blocks [first, last), four side by side; compiled for AVX2 and for plain x86-64, same bits. Bodies hold the poses

@@ -238,6 +238,22 @@ struct Resultant {
     return sum;
 }
 
+/// Σ w of the nodes of a patch that touch [-].
+[[gnu::always_inline]] inline double find_touching_weight(const PatchLattice& lattice, const State& state, std::size_t lane) {
+    const double touching = state.get(patch_field::touching)[lane];
+    if (!(touching > 0.0)) return 0.0;
+    if (touching == static_cast<double>(lattice.size())) return 1.0;
+    // a patch in which nothing slides or changes has noted it
+    if (state.get(patch_field::slack)[lane] > 0.0) return state.get(patch_field::touching_w)[lane];
+    const NodeAffine seen(state.get_affine(patch_field::seen), lane);
+    Lanes weight = all(0.0);
+    for (std::size_t i = 0; i < lattice.w.size(); i += kLanes) {
+        const LaneMask touches = seen(load(&lattice.s[i]), load(&lattice.t[i])) > all(0.0);
+        weight += select(touches, load(&lattice.w[i]), all(0.0));
+    }
+    return sum(weight);
+}
+
 [[gnu::always_inline]] inline double compute_group(const Bodies& bodies, const BasePose& base, double dt, std::size_t index,
                                                    ContactList& list) {
     PatchList& patches = list.patches;
@@ -272,6 +288,8 @@ struct Resultant {
 
     if (!any((touched > zero) | (highest(motion.overlap) > zero))) {
         for (std::size_t lane = 0; lane < group.count; ++lane) list.forces[group.pair[lane]] = PairForce{};
+        if (list.demand.wanted)
+            for (std::size_t lane = 0; lane < group.count; ++lane) list.demand.ask(group.pair[lane], 0.0);
         if (kind.bounded && !list.first_step) {
             const Lanes trusted = list.trusted_gap * find_gap(cover, highest(motion.overlap) + late);
             store(select(trusted > zero, find_travel(group, bodies) + trusted, zero), next_look);
@@ -347,6 +365,7 @@ struct Resultant {
         result.leader_torque = {leader_torque.x[lane], leader_torque.y[lane], leader_torque.z[lane]};
         result.follower_torque = {-moment.x[lane], -moment.y[lane], -moment.z[lane]};
         deepest = std::max(deepest, overlap[lane]);
+        if (list.demand.wanted) list.demand.ask(group.pair[lane], area[lane] * find_touching_weight(lattice, state, lane));
     }
     return deepest / kind.height;
 }

@@ -9,6 +9,7 @@
 #include "lsdem/base_motion.hpp"
 #include "lsdem/bodies.hpp"
 #include "lsdem/contacts.hpp"
+#include "lsdem/detail/added_inertia.hpp"
 #include "lsdem/detail/motion_kernel.hpp"
 #include "lsdem/detail/shared_work.hpp"
 #include "lsdem/detail/velocity_decay.hpp"
@@ -38,6 +39,7 @@ struct Simulation::Implementation {
     Losses finished;          ///< up to the last rebuild of the list
     double velocity_damping;  ///< [1/s]
     detail::TouchList touches;
+    detail::AddedInertia added_inertia;    ///< of blocks in preparation
     detail::SharedWork node_work;          ///< list.node_pairs
     detail::SharedWork patch_work;         ///< the groups of patches
     Vector3 base_force = Vector3::Zero();  ///< on the blocks, at step n [N]
@@ -74,12 +76,16 @@ struct Simulation::Implementation {
     detail::VelocityDecay decay_over(double h) const { return {velocity_damping, h}; }
     /// Velocity after a time of decay [m/s].
     Vector3 velocity_after(const detail::VelocityDecay& decay, std::size_t i, const Vector3& force) const {
-        return decay.keep * bodies.velocity[i] + decay.push * (force * bodies.inverse_mass[i] + model.gravity);
+        return decay.keep * bodies.velocity[i] + decay.push * bodies.free[i] * (force * bodies.inverse_mass[i] + model.gravity);
     }
     void check_health();
     double kinetic() const;
     Energy find_energy() const;
-    /// Of the damping's impulse on block i at this step, the work on the velocity before it [J].
+    /// Angular momentum after a time of decay [kg·m²/s].
+    Vector3 momentum_after(const detail::VelocityDecay& decay, std::size_t i, const Vector3& torque) const {
+        return decay.keep * bodies.momentum[i] + decay.push * bodies.free[i] * torque;
+    }
+    /// Of the impulse of the damping and of added inertia on block i at this step, the work on the velocity before it [J].
     double half_preparation_loss(std::size_t i) const;
     std::uint64_t find_quiet_steps();
     double stored_and_kinetic() const;

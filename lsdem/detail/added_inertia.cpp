@@ -1,0 +1,86 @@
+#include "lsdem/detail/added_inertia.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Eigenvalues>
+
+#include "lsdem/block_height.hpp"
+
+namespace musim::lsdem::detail {
+namespace {
+
+/// Blocks get this much more than the bound asks for, which takes all of a contact to be at a corner.
+constexpr double kMargin = 1.25;
+
+/// Added inertia falls by no more than this part in a step. Whenever nodes touch or part, what contacts ask for jumps; forces divided by an
+/// inertia that follows at once have no energy, and a block that rocks without load rattles on (seen with 1/1000 and more).
+constexpr double kRecovery = 2e-4;
+
+/// A corner that stands in a face at the cosine c is stiffer by 1/c², so much at most; see lsdem/README.md, "Tilted boxes".
+constexpr double kTiltedStiffness = 3.0;
+
+}  // namespace
+
+AddedInertia::Mobility AddedInertia::find_mobility(const Model& model, const Block& block) {
+    Mobility mobility;
+    if (block.rotation_locked) return mobility;
+    const Vector3 corner = half_extents(model, block);
+    Matrix3 arm;
+    arm << 0.0, -corner.z(), corner.y(), corner.z(), 0.0, -corner.x(), -corner.y(), corner.x(), 0.0;
+    const Vector3 per_inertia = inertia_over_mass(model, block).cwiseInverse();
+    const Matrix3 at_corner = Matrix3::Identity() + arm * per_inertia.asDiagonal() * arm.transpose();
+    mobility.any = Eigen::SelfAdjointEigenSolver<Matrix3>(at_corner, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff();
+    mobility.along = at_corner.diagonal();
+    return mobility;
+}
+
+void AddedInertia::begin(const Model& model, double dt, ContactList& list) {
+    dt_ = dt;
+    mobilities_.clear();
+    for (const Block& block : model.blocks) mobilities_.push_back(find_mobility(model, block));
+    list.demand.wanted = true;
+    list.demand.asked.resize(list.pairs.size());
+    price(list);
+}
+
+void AddedInertia::end(Bodies& bodies, ContactList& list) {
+    if (!is_active()) return;
+    mobilities_.clear();
+    list.demand = {};
+    for (std::size_t i = 0; i < bodies.size(); ++i) bodies.free[i] = bodies.fixed[i] != 0 ? 0.0 : 1.0;
+}
+
+double AddedInertia::price_of(const ContactList& list, const ContactPair& pair) const {
+    const Mobility& a = mobilities_[pair.leader];
+    const bool is_bounded = pair.follower != kGround;
+    const Mobility& b = is_bounded ? mobilities_[pair.follower] : a;
+    const double any = std::max(a.any, b.any);
+    double along = any, harder = 1.0;
+    if (pair.is_patch()) {
+        const PatchKind& kind = list.patches.kinds[list.patches.groups[pair.patch_group].kind];
+        along = is_bounded ? std::max(a.along[kind.n], b.along[kind.k]) : a.along[kind.n];
+    } else if (pair.is_tilted()) {
+        harder = kTiltedStiffness;
+    }
+    const double sides = is_bounded ? 2.0 : 1.0;
+    const double stiffness = any * std::max(pair.law.normal_stiffness, pair.law.shear_stiffness);
+    const double damping = std::max(along * pair.law.normal_damping, any * pair.law.shear_damping);
+    return kMargin * harder * sides * (stiffness * (0.25 * dt_ * dt_) + damping * (0.5 * dt_));
+}
+
+void AddedInertia::price(ContactList& list) const {
+    list.demand.per_area.resize(list.pairs.size());
+    for (std::size_t p = 0; p < list.pairs.size(); ++p) list.demand.per_area[p] = price_of(list, list.pairs[p]);
+}
+
+void AddedInertia::give(const TouchList& touches, const InertiaDemand& demand, std::size_t first, std::size_t last, Bodies& bodies) const {
+    for (std::size_t i = first; i < last; ++i) {
+        if (bodies.fixed[i] != 0) continue;
+        const double needed = touches.sum(i, demand.asked), mass = bodies.mass[i];
+        const double most = needed > mass ? mass / needed : 1.0;
+        bodies.free[i] = std::min(most, (1.0 + kRecovery) * bodies.free[i]);
+    }
+}
+
+}  // namespace musim::lsdem::detail
