@@ -54,7 +54,7 @@ class Preparation {
           settings_(settings),
           state_(from.value_or(PreparationState{})),
           resumes_(from.has_value()),
-          simulation_(begin(upright, time_step, threads)) {}
+          simulation_(begin(upright, (resting() ? settings.stride : 1.0) * time_step, threads)) {}
 
     void run(const RunSettings& settings, PreparedSpecimen& prepared) {
         CheckpointWriter checkpoints(settings.checkpoint.value_or(CheckpointSettings{}));
@@ -101,7 +101,7 @@ class Preparation {
             return Simulation::restore(std::move(model), saved, threads);
         }
         Simulation simulation(std::move(model), time_step, threads);
-        simulation.begin_preparation(settings_.settling.damping_rate);
+        simulation.begin_preparation(settings_.settling.damping_rate, resting() ? Inertia::as_stable : Inertia::own);
         return simulation;
     }
 
@@ -128,7 +128,8 @@ class Preparation {
     void begin_round() {
         if (in_layers() && state_.round > 0) add_layer(state_.round);
         if (state_.round > layer_rounds()) simulation_.renew_neighbors();
-        if (is_last()) simulation_.set_velocity_damping(settings_.last_damping * settings_.settling.damping_rate);
+        const double last_damping = resting() ? settings_.resting_last_damping : settings_.last_damping;
+        if (is_last()) simulation_.set_velocity_damping(last_damping * settings_.settling.damping_rate);
     }
 
     Settling rule() const {

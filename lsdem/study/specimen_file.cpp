@@ -127,12 +127,14 @@ std::string describe_inputs(const scene::Scene& scene, const PreparationSettings
                              {"rest", preparation.settling.rest},
                              {"reaction", preparation.settling.reaction},
                              {"patience", preparation.settling.patience},
+                             {"stride", preparation.stride},
                              {"lowering", preparation.lowering},
                              {"layer_rest", preparation.layer_rest},
                              {"layer_patience", preparation.layer_patience},
                              {"resting_patience", preparation.resting_patience},
                              {"early_rest", preparation.early_rest},
-                             {"last_damping", preparation.last_damping}};
+                             {"last_damping", preparation.last_damping},
+                             {"resting_last_damping", preparation.resting_last_damping}};
     return inputs.dump();
 }
 
