@@ -23,8 +23,8 @@ constexpr double kRate = 20.0;
 
 constexpr double kStride = 4.0;
 
-/// A pyramid of three layers whose blocks differ in height by up to a hundredth and hang that far above each other: they fall, meet on edges
-/// and corners, tip and lean.
+/// A pyramid of three layers whose blocks differ in height by up to a hundredth and hang that far above each other: they fall, meet on
+/// edges and corners, tip and lean.
 Model make_dropped_pyramid(const Stone& stone = wood()) {
     Model model = make_model(stone);
     const double height = stone.size.z();
@@ -84,7 +84,8 @@ TEST_CASE("blocks with added inertia come to rest in steps in which with their o
     CHECK((own.divergence().has_value() || liveliest(own) > 1e-3 * std::sqrt(kGravity * wood().size.z())));
 }
 
-// Of n blocks the contact below block i, from 0, carries n − i weights: an overlap of (n − i) m g/k_n, whatever inertia they had on their way.
+// Of n blocks the contact below block i, from 0, carries n − i weights: an overlap of (n − i) m g/k_n, whatever inertia they had on their
+// way.
 TEST_CASE("a column with added inertia stands as deep as its springs say") {
     const Stone stone = wood();
     constexpr std::size_t kBlocks = 6;
