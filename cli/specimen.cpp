@@ -129,7 +129,7 @@ void add_specimen_command(CLI::App& app, Action& action) {
         ->type_name("DIR")
         ->capture_default_str();
     command->add_option("--placing", options->placing, "How blocks come to their places, instead of the scene's own way")
-        ->type_name("resting|layers|as_drawn")
+        ->type_name("quick_layers|layers|resting|as_drawn")
         ->check(CLI::IsMember(scene::placing_names()));
     command->add_option("--seeds", options->seeds, "Specimens with as many seeds, from the scene's on")
         ->type_name("N")

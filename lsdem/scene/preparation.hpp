@@ -11,14 +11,15 @@ namespace musim::lsdem::scene {
 
 /// How blocks come to their places before the motion begins.
 enum class Placing {
-    as_drawn,  ///< where the structure has them
-    resting,   ///< each on the plane it rests on, see put_to_rest
-    layers     ///< layer by layer, each lowered onto those that have settled [Harmon23, section 5]
+    as_drawn,     ///< where the structure has them
+    resting,      ///< each on the plane it rests on, see put_to_rest, with inertia added while they settle
+    layers,       ///< layer by layer, each lowered onto those that have settled [Harmon23, section 5]
+    quick_layers  ///< the same, with inertia added so that steps are longer, see lsdem/README.md
 };
 
 /// What happens before the motion: blocks are placed, or taken from a specimen prepared before, and come to rest under damped velocities.
 struct Preparation {
-    std::optional<Placing> placing;  ///< default: resting when blocks differ in height, else as drawn
+    std::optional<Placing> placing;  ///< default: quick_layers when blocks differ in height, else as drawn
     std::optional<scaling::Frequency>
         damping_rate;  ///< α of v' = −α v; default: half of the blocks' frequency parameter, see lsdem/study/settle.hpp
     std::optional<std::filesystem::path> specimen;  ///< absolute path of a prepared specimen, instead of placing
@@ -26,7 +27,7 @@ struct Preparation {
     bool operator==(const Preparation&) const = default;
 };
 
-/// "as_drawn", "resting", "layers", in this order.
+/// "as_drawn", "resting", "layers", "quick_layers", in this order.
 const std::vector<std::string>& placing_names();
 std::string to_string(Placing placing);
 

@@ -54,7 +54,7 @@ class Preparation {
           settings_(settings),
           state_(from.value_or(PreparationState{})),
           resumes_(from.has_value()),
-          simulation_(begin(upright, (resting() ? settings.stride : 1.0) * time_step, threads)) {}
+          simulation_(begin(upright, (adds_inertia() ? settings.stride : 1.0) * time_step, threads)) {}
 
     void run(const RunSettings& settings, PreparedSpecimen& prepared) {
         CheckpointWriter checkpoints(settings.checkpoint.value_or(CheckpointSettings{}));
@@ -88,6 +88,11 @@ class Preparation {
 
     bool by_layers() const { return placing_ != scene::Placing::as_drawn; }
     bool resting() const { return placing_ == scene::Placing::resting; }
+    bool adds_inertia() const { return resting() || placing_ == scene::Placing::quick_layers; }
+    double layer_patience() const {
+        if (resting()) return settings_.resting_patience;
+        return adds_inertia() ? settings_.quick_patience : settings_.layer_patience;
+    }
     std::size_t layer_rounds() const { return layers_.size(); }
     bool in_layers() const { return state_.round < layer_rounds(); }
     bool is_last() const { return state_.round + 1 == layer_rounds() + settings_.whole_rounds; }
@@ -101,7 +106,7 @@ class Preparation {
             return Simulation::restore(std::move(model), saved, threads);
         }
         Simulation simulation(std::move(model), time_step, threads);
-        simulation.begin_preparation(settings_.settling.damping_rate, resting() ? Inertia::as_stable : Inertia::own);
+        simulation.begin_preparation(settings_.settling.damping_rate, adds_inertia() ? Inertia::as_stable : Inertia::own);
         return simulation;
     }
 
@@ -128,7 +133,7 @@ class Preparation {
     void begin_round() {
         if (in_layers() && state_.round > 0) add_layer(state_.round);
         if (state_.round > layer_rounds()) simulation_.renew_neighbors();
-        const double last_damping = resting() ? settings_.resting_last_damping : settings_.last_damping;
+        const double last_damping = adds_inertia() ? settings_.last_damping_with_added_inertia : settings_.last_damping;
         if (is_last()) simulation_.set_velocity_damping(last_damping * settings_.settling.damping_rate);
     }
 
@@ -141,7 +146,7 @@ class Preparation {
             return rule;
         }
         rule.rest = std::max(rule.rest, settings_.layer_rest);
-        rule.patience = std::min(rule.patience, resting() ? settings_.resting_patience : settings_.layer_patience);
+        rule.patience = std::min(rule.patience, layer_patience());
         return rule;
     }
 

@@ -12,25 +12,26 @@ namespace musim::lsdem::study {
 
 /// How a specimen is prepared.
 struct PreparationSettings {
-    scene::Placing placing = scene::Placing::resting;
+    scene::Placing placing = scene::Placing::quick_layers;
     Settling settling;
-    /// Time step of the fast way over that of a run: blocks that stand on a few nodes are stable in it, the others get inertia that makes
-    /// them so (Inertia::as_stable) [-].
+    /// Time step over that of a run, of Placing::quick_layers and resting: blocks that stand on a few nodes are stable in it, the others
+    /// get inertia that makes them so (Inertia::as_stable) [-].
     double stride = 4.0;
     double lowering = 0.02;  ///< speed at which a layer is let down, over √(gH) [-]
     /// The next layer comes when every block below has less kinetic energy than this part of its weight times its height, a drop from as
     /// much of it [-]; or after its patience over α, since a block that is nearly balanced tips slowly and goes on doing so under the next
-    /// layer. Blocks that come upright have farther to tip than those that come as they will rest.
+    /// layer. Blocks that come upright have farther to tip than those that come as they will rest. See lsdem/study/README.md.
     double layer_rest = 1e-8;
     double layer_patience = 2.5;    ///< of Placing::layers [-]
+    double quick_patience = 1.5;    ///< of Placing::quick_layers [-]
     double resting_patience = 0.5;  ///< of Placing::resting [-]
     /// How often the whole comes to rest, each time with a new neighbor list. Whoever uses the specimen begins with one, and where a
     /// contact then meets in another way, it is to do so here. One that has been prepared, and comes from its file, need not again.
     std::size_t whole_rounds = 2;
     double early_rest = 1e-6;  ///< all of these rounds but the last end at this: what moves on is moved anew by the new list [-]
-    /// α of the last round over that of the others: no block tips any more, sway decays. It is slower where inertia is added [-].
+    /// α of the last round over that of the others: no block tips any more, sway decays. It is slower with added inertia [-].
     double last_damping = 1.5;
-    double resting_last_damping = 0.75;  ///< the same of Placing::resting [-]
+    double last_damping_with_added_inertia = 0.75;
 };
 
 /// What prepared blocks bear and how they stand; one entry per layer.

@@ -32,7 +32,7 @@ PreparationSettings find_preparation(const scene::Scene& scene, const Specimen& 
     const std::vector<Block>& blocks = upright.model.blocks;
     const scene::Preparation wanted = scene.preparation.value_or(scene::Preparation{});
     PreparationSettings preparation;
-    preparation.placing = wanted.placing.value_or(differ_in_height(upright) ? scene::Placing::resting : scene::Placing::as_drawn);
+    preparation.placing = wanted.placing.value_or(differ_in_height(upright) ? scene::Placing::quick_layers : scene::Placing::as_drawn);
     preparation.settling.damping_rate =
         wanted.damping_rate
             ? wanted.damping_rate->value()

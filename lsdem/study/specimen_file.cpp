@@ -131,10 +131,11 @@ std::string describe_inputs(const scene::Scene& scene, const PreparationSettings
                              {"lowering", preparation.lowering},
                              {"layer_rest", preparation.layer_rest},
                              {"layer_patience", preparation.layer_patience},
+                             {"quick_patience", preparation.quick_patience},
                              {"resting_patience", preparation.resting_patience},
                              {"early_rest", preparation.early_rest},
                              {"last_damping", preparation.last_damping},
-                             {"resting_last_damping", preparation.resting_last_damping}};
+                             {"last_damping_with_added_inertia", preparation.last_damping_with_added_inertia}};
     return inputs.dump();
 }
 

@@ -64,7 +64,7 @@ TEST_CASE("a preparation resumed from any of its checkpoints ends in the bits of
     const Specimen upright = make_upright_specimen(scene);
     const double step = scene::compute_time_step(scene, upright.model).value();
     PreparationSettings settings = find_preparation(scene, upright);
-    for (const scene::Placing placing : {scene::Placing::resting, scene::Placing::layers}) {
+    for (const scene::Placing placing : {scene::Placing::quick_layers, scene::Placing::resting, scene::Placing::layers}) {
         settings.placing = placing;
         int looks = 0;
         const PreparedSpecimen whole = prepare(upright, step, settings, {.on_progress = [&](double) { ++looks; }});
