@@ -40,11 +40,8 @@ double largest_tilt(const study::PreparedSpecimen& prepared) {
 }
 
 nlohmann::json describe(const study::SpecimenReport& report) {
-    nlohmann::json object{{"file", report.file.string()},
-                          {"seed", report.seed},
-                          {"reused", report.reused},
-                          {"resumed", report.resumed},
-                          {"blocks", report.blocks}};
+    nlohmann::json object{{"file", report.file.string()}, {"seed", report.seed},     {"reused", report.reused},
+                          {"resumed", report.resumed},    {"blocks", report.blocks}, {"fallen", report.fallen}};
     if (report.reused) return object;
     const study::PreparedSpecimen& prepared = report.prepared;
     nlohmann::json layers = nlohmann::json::array();
@@ -63,6 +60,12 @@ nlohmann::json describe(const study::SpecimenReport& report) {
                    {"wall_s", report.wall_time},
                    {"layers", layers}});
     return object;
+}
+
+void warn_of_fallen(const study::SpecimenReport& report) {
+    if (report.fallen == 0) return;
+    note("musim: warning: {}: {} of {} blocks fell from their layers while it was prepared; take another seed, or another --placing\n",
+         report.file.string(), report.fallen, report.blocks);
 }
 
 void print_report(const study::SpecimenReport& report) {
@@ -103,6 +106,7 @@ int run_specimen(const SpecimenOptions& options) {
     nlohmann::json list = nlohmann::json::array();
     bool all_at_rest = true;
     for (const study::SpecimenReport& report : reports) {
+        warn_of_fallen(report);
         all_at_rest = all_at_rest && (report.reused || report.prepared.rest.at_rest);
         if (options.json) {
             list.push_back(describe(report));

@@ -9,6 +9,7 @@
 #include "lsdem/report/document_sections.hpp"
 #include "lsdem/report/json_parts.hpp"
 #include "lsdem/report/run_plots.hpp"
+#include "lsdem/study/fallen_blocks.hpp"
 #include "scaling/angle.hpp"
 
 namespace musim::lsdem::report {
@@ -91,8 +92,10 @@ std::string make_ensemble_verdict(const ReportedEnsemble& ensemble) {
 std::string make_specimen_verdict(const ReportedSpecimen& reported) {
     const study::StoredSpecimen& specimen = reported.specimen;
     const double largest = specimen.tilt.empty() ? 0.0 : *std::max_element(specimen.tilt.begin(), specimen.tilt.end());
-    return make_statement(Tone::good, fmt::format("{}: {} blocks prepared, at rest; the largest tilt is {:.3g}°", reported.label,
-                                                  specimen.layer.size(), largest / scaling::kDegree));
+    const std::size_t fallen = study::count_fallen(specimen.size, specimen.layer, specimen.places);
+    const std::string what = fmt::format("{}: {} blocks prepared, at rest", reported.label, specimen.layer.size());
+    if (fallen > 0) return make_statement(Tone::warning, fmt::format("{}, but {} of them fell from their layers", what, fallen));
+    return make_statement(Tone::good, fmt::format("{}; the largest tilt is {:.3g}°", what, largest / scaling::kDegree));
 }
 
 ReportSection make_spine_section(const std::vector<ReportedRun>& runs) {

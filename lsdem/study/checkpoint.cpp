@@ -46,7 +46,7 @@ static void exchange(Archive& archive, History& h) {
 
 static void exchange(Archive& archive, Frames& f) { archive(f.time, f.position, f.quaternion, f.velocity, f.contact_force); }
 
-static void exchange(Archive& archive, Rest& r) { archive(r.at_rest, r.steps, r.kinetic, r.reaction_over_weight); }
+static void exchange(Archive& archive, Rest& r) { archive(r.at_rest, r.steps, r.kinetic, r.reaction_over_weight, r.fallen); }
 
 static void exchange(Archive& archive, Falls& f) { archive(f.time, f.displacement, f.at_collapse); }
 

@@ -9,6 +9,7 @@
 #include "lsdem/block_height.hpp"
 #include "lsdem/patches.hpp"
 #include "lsdem/scene/resting_pose.hpp"
+#include "lsdem/study/fallen_blocks.hpp"
 
 namespace musim::lsdem::study {
 namespace {
@@ -238,6 +239,7 @@ PreparedSpecimen prepare(const Specimen& upright, double time_step, const Prepar
         model.blocks[i].orientation = simulation.orientation(i);
     }
     model.preload = simulation.preloads();
+    prepared.rest.fallen = count_fallen(simulation, upright.layer);
     prepared.max_overlap = simulation.statistics().max_overlap_over_height;
     describe(simulation, prepared);
     return prepared;

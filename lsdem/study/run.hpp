@@ -15,7 +15,7 @@ Specimen make_upright_specimen(const scene::Scene& scene);
 /// Is the specimen of a scene prepared before it runs? When the scene says how, or when its blocks differ in height.
 bool wants_preparation(const scene::Scene& scene, const Specimen& upright);
 
-/// How the specimen of a scene is prepared: as the scene says, else on resting planes when blocks differ in height, else as drawn.
+/// How the specimen of a scene is prepared: as the scene says, else layer by layer when blocks differ in height, else as drawn.
 /// Velocities decay at the scene's rate, else at that of choose_damping_rate for the first block.
 PreparationSettings find_preparation(const scene::Scene& scene, const Specimen& upright);
 

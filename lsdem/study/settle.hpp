@@ -32,6 +32,7 @@ struct Rest {
     std::uint64_t steps = 0;            ///< taken
     double kinetic = 0.0;               ///< of the liveliest block, over its weight times its height [-]
     double reaction_over_weight = 0.0;  ///< at the end
+    std::size_t fallen = 0;             ///< blocks that stand in their layer no more, see count_fallen; where layers are known
 };
 
 /// How far a settling has come; with the state of its simulation, all it needs to go on to the same bits.

@@ -11,6 +11,7 @@
 #include "lsdem/block_height.hpp"
 #include "lsdem/fallen.hpp"
 #include "lsdem/rotation.hpp"
+#include "lsdem/study/fallen_blocks.hpp"
 #include "lsdem/time_step.hpp"
 
 namespace musim::lsdem::study {
@@ -190,7 +191,8 @@ void update_status(RunResult& run, const Simulation& simulation) {
 std::optional<Rest> settle_specimen(Simulation& simulation, const Specimen& specimen) {
     if (!specimen.settling) return std::nullopt;
     simulation.begin_preparation(specimen.settling->damping_rate);
-    const Rest rest = settle(simulation, *specimen.settling);
+    Rest rest = settle(simulation, *specimen.settling);
+    rest.fallen = count_fallen(simulation, specimen.layer);
     simulation.end_preparation();
     return rest;
 }

@@ -11,6 +11,7 @@
 
 #include "lsdem/scene/build_model.hpp"
 #include "lsdem/scene/scene_error.hpp"
+#include "lsdem/study/fallen_blocks.hpp"
 #include "lsdem/study/read_results.hpp"
 #include "lsdem/study/run.hpp"
 #include "lsdem/study/specimen_file.hpp"
@@ -74,6 +75,8 @@ SpecimenReport make_specimen_file(const SpecimenBatch& batch, std::size_t index,
         const std::lock_guard lock(files);
         if (read_specimen_inputs(report.file) != inputs)
             throw ResultError(report.file.string() + ": made from other inputs (a damaged file, or a rare accident of names); move it");
+        const StoredSpecimen stored = read_specimen(report.file);
+        report.fallen = count_fallen(stored.size, stored.layer, stored.places);
         report.reused = true;
         return report;
     }
@@ -88,6 +91,7 @@ SpecimenReport make_specimen_file(const SpecimenBatch& batch, std::size_t index,
     const std::optional<PreparationState> from = find_unfinished(batch, *settings.checkpoint);
     report.resumed = from.has_value();
     report.prepared = prepare(upright, scene::compute_time_step(scene, upright.model).value(), preparation, settings, from);
+    report.fallen = report.prepared.rest.fallen;
     if (report.prepared.rest.at_rest) {
         const std::lock_guard lock(files);
         write_specimen(report.file, report.prepared, inputs, batch.version);

@@ -27,14 +27,15 @@ struct SpecimenBatch {
 struct SpecimenReport {
     std::uint64_t seed = 0;
     std::filesystem::path file;
-    bool reused = false;   ///< made from the same inputs before; what follows is then not known but `blocks`
+    bool reused = false;   ///< made from the same inputs before; of what follows, `blocks` and `fallen` are then known
     bool resumed = false;  ///< gone on with from a checkpoint that was left in the folder
     std::size_t blocks = 0;
+    std::size_t fallen = 0;  ///< of them, from their layers while they were prepared, see count_fallen
     PreparedSpecimen prepared;
     double wall_time = 0.0;  ///< [s]
 };
 
-/// Prepares the specimens of a batch, as the scene's `preparation` says (default: on resting planes), side by side. A file that is there is
+/// Prepares the specimens of a batch, as the scene's `preparation` says (default: layer by layer), side by side. A file that is there is
 /// not made again. A preparation that is killed leaves its checkpoint beside where the file would be, and the next call goes on from there,
 /// to the same file. Throws scene::SceneError for a scene without layers or seeds to vary, records::WriteError, and ResultError for a file
 /// in the way.

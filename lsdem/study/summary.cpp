@@ -38,7 +38,8 @@ nlohmann::json make_summary(const RunResult& run) {
         summary["rest"] = {{"at_rest", run.rest->at_rest},
                            {"steps", run.rest->steps},
                            {"kinetic_over_weight_height", run.rest->kinetic},
-                           {"base_reaction_over_weight", run.rest->reaction_over_weight}};
+                           {"base_reaction_over_weight", run.rest->reaction_over_weight},
+                           {"fallen", run.rest->fallen}};
     }
     summary["doubts"] = find_doubts(run);
     if (run.divergence) {

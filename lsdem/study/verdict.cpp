@@ -56,6 +56,12 @@ std::vector<std::string> find_doubts(const RunResult& run) {
                         "preparation's \"damping_rate\"",
                         run.rest->steps, run.rest->kinetic, run.rest->reaction_over_weight));
     }
+    if (run.rest && run.rest->fallen > 0) {
+        doubts.push_back(
+            fmt::format("{} of {} blocks had fallen from their layers before the motion began; take another seed, or another "
+                        "\"placing\" of the preparation",
+                        run.rest->fallen, run.blocks.mass.size()));
+    }
     if (above_critical(run)) {
         doubts.push_back(
             fmt::format("the time step {:.4g} s is above the critical {:.4g} s (an unstable motion can stay bounded and go "

@@ -25,7 +25,7 @@ std::string describe_divergence(const RunResult& run);
 /// What is doubtful about a run that reached its end, one sentence each, with numbers and what to do. A specimen that did not come to rest
 /// before the motion (Settling::patience ran out); a time step above the critical one
 /// (losses in contacts can hold an instability down, so that neither the run nor its energy balance shows it); blocks that passed deep into
-/// each other (kDeepOverlap); an open energy balance (kOpenBalance); a specimen that did not come to rest. Empty for a sound run, and for
+/// each other (kDeepOverlap); an open energy balance (kOpenBalance); blocks that fell before the motion. Empty for a sound run, and for
 /// one that diverged.
 std::vector<std::string> find_doubts(const RunResult& run);
 

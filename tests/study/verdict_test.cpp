@@ -54,6 +54,9 @@ TEST_CASE("a sound run raises no doubt, a doubtful one says each number") {
     CHECK(says(find_doubts(run)[0], "bore 0.750000 of the weight"));
     run.rest->at_rest = true;
     CHECK(find_doubts(run).size() == 3);
+    run.rest->fallen = 2;
+    REQUIRE(find_doubts(run).size() == 4);
+    CHECK(says(find_doubts(run)[0], "blocks had fallen from their layers before"));
     // a run that diverged has its own sentence
     run.divergence = Divergence{};
     CHECK(find_doubts(run).empty());
