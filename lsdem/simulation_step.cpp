@@ -67,7 +67,7 @@ void Simulation::Implementation::move(double h) {
                             .prepares = velocity_damping > 0.0 || added_inertia.is_active()};
     const auto task = [&](int thread) {
         const detail::Share share = share_of(bodies.size(), thread, team.size());
-        if (added_inertia.is_active()) added_inertia.give(touches, list.demand, share.first, share.last, bodies);
+        if (added_inertia.is_active()) added_inertia.give(touches, list, share.first, share.last, bodies);
         drift[static_cast<std::size_t>(thread)] =
             detail::move_blocks(touches, list.forces, search.reference(), leap, share.first, share.last, bodies);
     };

@@ -90,10 +90,6 @@ class Preparation {
     bool by_layers() const { return placing_ != scene::Placing::as_drawn; }
     bool resting() const { return placing_ == scene::Placing::resting; }
     bool adds_inertia() const { return resting() || placing_ == scene::Placing::quick_layers; }
-    double layer_patience() const {
-        if (resting()) return settings_.resting_patience;
-        return adds_inertia() ? settings_.quick_patience : settings_.layer_patience;
-    }
     std::size_t layer_rounds() const { return layers_.size(); }
     bool in_layers() const { return state_.round < layer_rounds(); }
     bool is_last() const { return state_.round + 1 == layer_rounds() + settings_.whole_rounds; }
@@ -147,7 +143,7 @@ class Preparation {
             return rule;
         }
         rule.rest = std::max(rule.rest, settings_.layer_rest);
-        rule.patience = std::min(rule.patience, layer_patience());
+        rule.patience = std::min(rule.patience, resting() ? settings_.resting_patience : settings_.layer_patience);
         return rule;
     }
 

@@ -22,8 +22,7 @@ struct PreparationSettings {
     /// much of it [-]; or after its patience over α, since a block that is nearly balanced tips slowly and goes on doing so under the next
     /// layer. Blocks that come upright have farther to tip than those that come as they will rest. See lsdem/study/README.md.
     double layer_rest = 1e-8;
-    double layer_patience = 2.5;    ///< of Placing::layers [-]
-    double quick_patience = 1.5;    ///< of Placing::quick_layers [-]
+    double layer_patience = 2.5;    ///< of Placing::layers and quick_layers [-]
     double resting_patience = 0.5;  ///< of Placing::resting [-]
     /// How often the whole comes to rest, each time with a new neighbor list. Whoever uses the specimen begins with one, and where a
     /// contact then meets in another way, it is to do so here. One that has been prepared, and comes from its file, need not again.

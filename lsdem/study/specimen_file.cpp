@@ -131,7 +131,6 @@ std::string describe_inputs(const scene::Scene& scene, const PreparationSettings
                              {"lowering", preparation.lowering},
                              {"layer_rest", preparation.layer_rest},
                              {"layer_patience", preparation.layer_patience},
-                             {"quick_patience", preparation.quick_patience},
                              {"resting_patience", preparation.resting_patience},
                              {"early_rest", preparation.early_rest},
                              {"last_damping", preparation.last_damping},

@@ -103,6 +103,33 @@ TEST_CASE("a column with added inertia stands as deep as its springs say") {
     }
 }
 
+// Far from the ground and without weight, two blocks that touch drift along: nothing pushes them but what they are given, which was at
+// rest.
+TEST_CASE("inertia is added at rest: momenta stay, velocities fall, and the ledger knows") {
+    const Stone stone = wood();
+    Model model = make_model(stone);
+    model.gravity.setZero();
+    const double speed = 0.1 * std::sqrt(kGravity * stone.size.z());
+    for (const double side : {-1.0, 1.0}) {
+        Block block = make_block(stone, {0.0, 0.0, (10.0 + 0.5000001 * side) * stone.size.z()});
+        block.velocity = {speed, 0.0, -0.01 * side * speed};
+        block.angular_velocity.z() = speed / stone.size.x();
+        model.blocks.push_back(block);
+    }
+    Simulation s = begin(model, Inertia::as_stable);
+    const double start = s.energy().mechanical();
+    s.advance(20);
+    const auto sum_of_speeds = [&] { return s.velocity(0).x() + s.velocity(1).x(); };
+    const double slowed = sum_of_speeds();
+    CHECK(slowed > 0.0);
+    CHECK(slowed < 1.2 * speed);
+    CHECK(s.angular_velocity(0).z() * stone.size.x() == relative(0.5 * slowed, 1e-3));
+    s.advance(100);
+    CHECK(sum_of_speeds() == relative(slowed * std::exp(-100.0 * kRate * s.time_step()), 1e-3));
+    CHECK(s.energy().mechanical() < 0.5 * start);
+    CHECK(std::abs(s.energy().balance() - start) < 0.01 * start);
+}
+
 // While contacts last, what dampers, damping and added inertia take is all that is lost.
 TEST_CASE("the ledger closes with added inertia, and when it ends") {
     Stone stone = wood();
