@@ -459,8 +459,9 @@ std::size_t count_apart(const Bodies& bodies, const ContactList& list) {
 void clear_losses(ContactList& list) {
     std::fill(list.work.begin(), list.work.end(), PairWork{});
     for (std::size_t g = 0; g < list.patches.groups.size(); ++g) {
-        for (const std::size_t field : {patch_field::friction_loss, patch_field::damping_loss})
+        for (const std::size_t field : {patch_field::friction_loss, patch_field::damping_loss}) {
             std::fill_n(list.patches.field(g, field), PatchGroup::kSize, 0.0);
+        }
     }
 }
 

@@ -115,11 +115,13 @@ void NeighborSearch::find_block_pairs(const Bodies& bodies, std::vector<BlockPai
 
     const auto consider = [&](std::uint32_t i, std::uint32_t j) {
         if (model_->blocks[i].fixed && model_->blocks[j].fixed) return;
-        for (int a = 0; a < 3; ++a)
+        for (int a = 0; a < 3; ++a) {
             if (!overlap_along(bodies.position[i][a], half[i][a], bodies.position[j][a], half[j][a], skin_)) return;
+        }
         if (separated(bodies.rotation[i], bodies.half[i], bodies.rotation[j], bodies.half[j], bodies.position[j] - bodies.position[i],
-                      skin_))
+                      skin_)) {
             return;
+        }
         pairs.push_back({std::min(i, j), std::max(i, j)});
     };
     // each row of three cells along the last axis is contiguous in the sorted list

@@ -53,8 +53,9 @@ void Simulation::Implementation::restart_ledger() {
 
 double Simulation::Implementation::gravitational() const {
     double sum = 0.0;
-    for (std::size_t i = 0; i < bodies.size(); ++i)
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
         sum -= bodies.mass[i] * model.gravity.dot(bodies.position[i] - bodies.start_position[i]);
+    }
     return sum;
 }
 
@@ -127,8 +128,9 @@ void Simulation::Implementation::check_health() {
     const double ledger_bound = added_inertia.is_active() ? kAddedInertiaLedgerBound : kLedgerBound;
     const bool unbalanced = std::abs(find_energy().balance() - start_balance) > ledger_bound * put_in + energy_floor;
     if (stored > allowed || unbalanced) divergence = Divergence{Divergence::Kind::energy_out_of_bounds, fastest_block(), time};
-    for (std::size_t i = 0; i < bodies.size() && !divergence; ++i)
+    for (std::size_t i = 0; i < bodies.size() && !divergence; ++i) {
         if (bodies.velocity[i].norm() * dt > kMaxStride * smallest_edge) divergence = Divergence{Divergence::Kind::too_fast, i, time};
+    }
 }
 
 }  // namespace musim::lsdem

@@ -49,8 +49,9 @@ Simulation Simulation::restore(Model model, std::istream& in, int threads) {
     std::uint64_t wanted = 0;
     double dt = 0.0;
     archive(wanted, dt);
-    if (!(dt > 0.0 && std::isfinite(dt)) || hash_model(model, dt) != wanted)
+    if (!(dt > 0.0 && std::isfinite(dt)) || hash_model(model, dt) != wanted) {
         throw std::runtime_error("saved state: it belongs to another model or time step");
+    }
     auto restored = std::make_unique<Implementation>(std::move(model), dt, threads);
     restored->exchange(archive);
     archive.finish();

@@ -288,8 +288,9 @@ struct Resultant {
 
     if (!any((touched > zero) | (highest(motion.overlap) > zero))) {
         for (std::size_t lane = 0; lane < group.count; ++lane) list.forces[group.pair[lane]] = PairForce{};
-        if (list.demand.wanted)
+        if (list.demand.wanted) {
             for (std::size_t lane = 0; lane < group.count; ++lane) list.demand.ask(group.pair[lane], 0.0);
+        }
         if (kind.bounded && !list.first_step) {
             const Lanes trusted = list.trusted_gap * find_gap(cover, highest(motion.overlap) + late);
             store(select(trusted > zero, find_travel(group, bodies) + trusted, zero), next_look);
@@ -343,8 +344,9 @@ struct Resultant {
     }
     if (any(sliding)) {
         PressedSums nodes;
-        for (std::size_t lane = 0; lane < group.count; ++lane)
+        for (std::size_t lane = 0; lane < group.count; ++lane) {
             if (sliding[lane] != 0) pass_of(lane).run_pressed(pressure, nodes);
+        }
         take_up_slips(sliding, nodes, motion, lattice, law.ks * area, before, sums, state);
     }
     if (any(stuck)) {

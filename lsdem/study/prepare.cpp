@@ -31,8 +31,9 @@ std::vector<std::pair<std::size_t, std::size_t>> find_layers(const Specimen& spe
     for (std::size_t i = 0; i < specimen.layer.size(); ++i) {
         const int layer = specimen.layer[i];
         const int last = static_cast<int>(layers.size());
-        if (layer < std::max(last, 1) || layer > last + 1)
+        if (layer < std::max(last, 1) || layer > last + 1) {
             throw std::invalid_argument("prepare: the blocks must be in layers, numbered from 1 upwards, in ascending order");
+        }
         if (layer > last) layers.emplace_back(i, i);
         layers.back().second = i + 1;
     }
@@ -161,8 +162,9 @@ class Preparation {
         const auto [first_below, first] = layers_[k - 1];
         const std::size_t last = layers_[k].second;
         std::vector<scene::BoxPose> below, boxes;
-        for (std::size_t i = first_below; i < first; ++i)
+        for (std::size_t i = first_below; i < first; ++i) {
             below.push_back({2.0 * half_extents(model, model.blocks[i]), simulation_.position(i), simulation_.orientation(i)});
+        }
         for (std::size_t i = first; i < last; ++i) boxes.push_back(box_of(model, model.blocks[i]));
         const double clearance = find_clearance(boxes.front().size);
         if (resting()) scene::put_to_rest(below, boxes, clearance);
@@ -253,8 +255,9 @@ PreparedPlaces places_of(const Specimen& specimen) {
 
 void put_in_place(const PreparedPlaces& places, Specimen& specimen) {
     std::vector<Block>& blocks = specimen.model.blocks;
-    if (places.position.size() != blocks.size() || places.orientation.size() != blocks.size())
+    if (places.position.size() != blocks.size() || places.orientation.size() != blocks.size()) {
         throw std::runtime_error("checkpoint: it is of other blocks");
+    }
     for (std::size_t i = 0; i < blocks.size(); ++i) {
         blocks[i].position = places.position[i];
         blocks[i].orientation = places.orientation[i];

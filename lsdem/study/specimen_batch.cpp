@@ -73,8 +73,9 @@ SpecimenReport make_specimen_file(const SpecimenBatch& batch, std::size_t index,
     report.file = batch.folder / specimen_file_name(inputs);
     if (std::filesystem::exists(report.file)) {
         const std::lock_guard lock(files);
-        if (read_specimen_inputs(report.file) != inputs)
+        if (read_specimen_inputs(report.file) != inputs) {
             throw ResultError(report.file.string() + ": made from other inputs (a damaged file, or a rare accident of names); move it");
+        }
         const StoredSpecimen stored = read_specimen(report.file);
         report.fallen = count_fallen(stored.size, stored.layer, stored.places);
         report.reused = true;
@@ -128,8 +129,9 @@ std::uint64_t seed_of(const scene::Scene& scene) {
 std::vector<SpecimenReport> make_specimens(const SpecimenBatch& batch) {
     std::error_code error;
     std::filesystem::create_directories(batch.folder, error);
-    if (error)
+    if (error) {
         throw records::WriteError(fmt::format("{}: cannot be made ({}); choose another folder", batch.folder.string(), error.message()));
+    }
     std::mutex files;
     BatchProgress progress(batch);
     std::vector<SpecimenReport> reports(batch.seeds.size());

@@ -63,8 +63,9 @@ TEST_CASE("blocks of unequal height come to rest before the motion, the base bea
     CHECK(std::abs(run.rest->reaction_over_weight - 1.0) < 1e-5);
     CHECK(std::abs(*run.base_reaction_over_weight - 1.0) < 1e-4);
     CHECK(run.history.time.front() == 0.0);
-    for (std::size_t i = 0; i < run.initial.position.size(); ++i)
+    for (std::size_t i = 0; i < run.initial.position.size(); ++i) {
         CHECK((run.final.position[i] - run.initial.position[i]).norm() < 1e-6 * run.blocks.size[i].z());
+    }
     // and they do lean
     const double lean = (run.initial.orientation.back() * Vector3::UnitZ()).head<2>().norm();
     CHECK(lean > 1e-4);
@@ -252,8 +253,9 @@ TEST_CASE("a specimen serves other materials and scales") {
     other.material.friction = 0.4;
     const RunResult run = run_scene(other);
     CHECK(run.rest->at_rest);
-    for (std::size_t i = 0; i < run.initial.position.size(); ++i)
+    for (std::size_t i = 0; i < run.initial.position.size(); ++i) {
         CHECK((run.initial.position[i] - taken.model.blocks[i].position).norm() < 2e-3 * run.blocks.size[i].z());
+    }
 
     // a power of four: the same bits
     const scene::Scene small = scene::scale_scene(scene, scaling::Similitude({.length = 1.0 / 16.0}, scaling::Law::exact));
