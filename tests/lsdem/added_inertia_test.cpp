@@ -162,7 +162,7 @@ TEST_CASE("in the steps of a run hardly anything is added, and motion is that of
 TEST_CASE("a preparation with added inertia goes on from a saved state to the same bits, with any number of threads") {
     const Model pyramid = make_dropped_pyramid();
     Simulation whole = begin(pyramid, Inertia::as_stable), relay = begin(pyramid, Inertia::as_stable);
-    for (const std::uint64_t steps : {1, 50, 333, 64, 1000, 700}) {
+    for (const std::uint64_t steps : {1U, 50U, 333U, 64U, 1000U, 700U}) {
         std::istringstream in(save(relay));
         relay = Simulation::restore(pyramid, in);
         whole.advance(steps);
