@@ -107,7 +107,9 @@ void Simulation::Implementation::start() {
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         bodies.previous_position[i] = bodies.position[i] - dt * bodies.velocity[i];
         bodies.previous_rotation[i] =
-            rotate_freely(bodies.orientation[i], bodies.momentum[i], bodies.inverse_inertia[i], -dt).toRotationMatrix();
+            bodies.fixed[i] != 0
+                ? bodies.rotation[i]
+                : rotate_freely(bodies.orientation[i], bodies.momentum[i], bodies.inverse_inertia[i], -dt).toRotationMatrix();
     }
     rebuild();
     if (!model.preload.empty()) preload_contacts(model.preload, bodies, list);

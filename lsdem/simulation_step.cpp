@@ -65,8 +65,10 @@ void Simulation::Implementation::move(double h) {
                             .h = h,
                             .decay = decay_over(h),
                             .prepares = velocity_damping > 0.0 || added_inertia.is_active()};
+    // while the base stands, what is held stays where it is
+    const std::size_t movers = preparing ? end_of_loose : bodies.size();
     const auto task = [&](int thread) {
-        const detail::Share share = share_of(bodies.size(), thread, team.size());
+        const detail::Share share = share_of(movers, thread, team.size());
         if (added_inertia.is_active()) added_inertia.give(touches, list, share.first, share.last, bodies);
         drift[static_cast<std::size_t>(thread)] =
             detail::move_blocks(touches, list.forces, search.reference(), leap, share.first, share.last, bodies);
@@ -83,6 +85,8 @@ void Simulation::Implementation::rebuild() {
 
 void Simulation::Implementation::share_work() {
     touches.rebuild(bodies.size(), list.pairs);
+    end_of_loose = bodies.size();
+    while (end_of_loose > 0 && bodies.fixed[end_of_loose - 1] != 0) --end_of_loose;
 
     const auto work_of_pair = [&](std::size_t i) -> std::size_t {
         const ContactPair& pair = list.pairs[list.node_pairs[i]];

@@ -36,8 +36,9 @@ struct Simulation::Implementation {
     Vector3 base_origin = Vector3::Zero();  ///< where the base would be without the present motion [m]
     NeighborSearch search;
     ContactList list;
-    Losses finished;          ///< up to the last rebuild of the list
-    double velocity_damping;  ///< [1/s]
+    Losses finished;               ///< up to the last rebuild of the list
+    double velocity_damping;       ///< [1/s]
+    std::size_t end_of_loose = 0;  ///< from this block on all are held
     detail::TouchList touches;
     detail::AddedInertia added_inertia;    ///< of blocks in preparation
     detail::SharedWork node_work;          ///< list.node_pairs
