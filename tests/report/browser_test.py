@@ -67,7 +67,9 @@ def open_report(browser, page):
 
 
 def check_console(browser):
-    errors = [entry for entry in browser.get_log("browser") if entry["level"] in ("SEVERE", "WARNING")]
+    """Empty but for what count_colours brings about, on a busy machine: no page reads pixels back."""
+    own = "GPU stall due to ReadPixels"
+    errors = [entry for entry in browser.get_log("browser") if entry["level"] in ("SEVERE", "WARNING") and own not in entry["message"]]
     check(not errors, f"the console is not empty: {errors}")
 
 
