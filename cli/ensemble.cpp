@@ -8,16 +8,19 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/progress_line.hpp"
+#include "cli/specimen_batch.hpp"
 #include "cli/version.hpp"
 #include "lsdem/scene/scene_json.hpp"
 #include "lsdem/study/compare_ensembles.hpp"
 #include "lsdem/study/ensemble_files.hpp"
+#include "lsdem/study/ensemble_specimens.hpp"
 #include "lsdem/study/run.hpp"
 
 namespace musim::cli {
@@ -34,6 +37,7 @@ struct EnsembleOptions {
     int members = 10;
     int only = 0;  ///< from 1; 0: all
     bool list = false;
+    std::string specimens;
     std::string axis;
     Number checkpoint_interval{60.0};
     int threads = 0;
@@ -117,6 +121,14 @@ std::vector<study::MemberReport> carry_out(const EnsembleOptions& options, const
     return study::run_members(members, settings);
 }
 
+/// Has the members use what is in the folder of specimens, and prepares there what is missing.
+void take_specimens(const EnsembleOptions& options, std::vector<study::EnsembleMember>& members) {
+    study::SpecimenBatch batch = begin_batch(options.specimens, options.threads, options.checkpoint_interval);
+    ProgressLine progress(members.front().scene.name + ", specimens");
+    batch.on_progress = [&](double fraction) { progress.update(fraction); };
+    for (const study::SpecimenReport& report : study::use_specimens(members, std::move(batch))) warn_of_fallen(report);
+}
+
 /// One member alone; the summary of the ensemble is for whoever runs them all.
 int run_one(const EnsembleOptions& options, const study::EnsembleMember& member) {
     const std::vector<study::MemberReport> reports = carry_out(options, {member});
@@ -151,12 +163,17 @@ int compare_ensembles(const EnsembleOptions& options) {
 int run_ensemble(const EnsembleOptions& options) {
     if (!options.compare.empty()) return compare_ensembles(options);
     const scene::Scene scene = scene::read_scene(options.scene);
-    const std::vector<study::EnsembleMember> members = study::plan_ensemble(scene, options.members, kVersion);
-    if (options.list) return list_members(options, members);
+    std::vector<study::EnsembleMember> members = study::plan_ensemble(scene, options.members, kVersion);
+    if (options.list) {
+        if (!options.specimens.empty()) study::use_prepared_specimens(members, options.specimens, kVersion);
+        return list_members(options, members);
+    }
 
     // what would be wrong with every member is one error, and found before any runs
     study::make_upright_specimen(members.front().scene);
-    if (options.only > 0) return run_one(options, members[static_cast<std::size_t>(options.only - 1)]);
+    if (options.only > 0) members = {members[static_cast<std::size_t>(options.only - 1)]};
+    if (!options.specimens.empty()) take_specimens(options, members);
+    if (options.only > 0) return run_one(options, members.front());
 
     study::ResultFolder folder(options.out);
     const std::vector<study::MemberReport> reports = carry_out(options, members);
@@ -190,6 +207,10 @@ void add_ensemble_command(CLI::App& app, Action& action) {
         ->type_name("N")
         ->check(CLI::Range(1, 100000))
         ->capture_default_str();
+    command
+        ->add_option("--specimens", options->specimens,
+                     "Folder of specimens as musim specimen makes them: members use what is there, what is missing is prepared there")
+        ->type_name("DIR");
     CLI::Option* list = command->add_flag("--list", options->list, "Name the members and how far they are; run nothing");
     command->add_option("--only", options->only, "Run this member alone (1 to N), without a summary: a job of a cluster")
         ->type_name("INDEX")
@@ -204,11 +225,13 @@ void add_ensemble_command(CLI::App& app, Action& action) {
         "Examples:\n"
         "  musim ensemble examples/uneven_wall.json -o out/walls --members 10\n"
         "  musim ensemble examples/uneven_wall.json -o out/walls --list\n"
+        "  musim ensemble examples/uneven_wall.json -o out/harder --specimens out/specimens\n"
         "  musim ensemble examples/uneven_wall.json -o out/walls --only 3 --threads 1 --json\n"
         "  musim ensemble --compare out/walls out/walls_107\n"
         "Members run side by side, one thread each, into DIR/members/NAME, as `musim run` writes there. The same command again runs what "
         "is\n"
-        "missing, continues what was killed, and sums up: to the same bytes. Names follow from content (scene, record, program version).\n"
+        "missing, continues what was killed, and sums up: to the same bytes. Names follow from content (scene, record, specimen, program\n"
+        "version).\n"
         "Diverged and unsettled members, and those without results, are reported and left out of all means; collapsed ones count until\n"
         "they collapse. Exit code 4: a member diverged or did not come to rest; 3: a member could not be run.");
     command->callback([&action, options] {

@@ -12,9 +12,8 @@
 #include "cli/output.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/report.hpp"
-#include "cli/version.hpp"
+#include "cli/specimen_batch.hpp"
 #include "lsdem/scene/scene_json.hpp"
-#include "lsdem/study/specimen_batch.hpp"
 
 namespace musim::cli {
 namespace {
@@ -62,12 +61,6 @@ nlohmann::json describe(const study::SpecimenReport& report) {
     return object;
 }
 
-void warn_of_fallen(const study::SpecimenReport& report) {
-    if (report.fallen == 0) return;
-    note("musim: warning: {}: {} of {} blocks fell from their layers while it was prepared; take another seed, or another --placing\n",
-         report.file.string(), report.fallen, report.blocks);
-}
-
 void print_report(const study::SpecimenReport& report) {
     if (report.reused) {
         print("{}: seed {}, {} blocks, made before from the same inputs\n", report.file.string(), report.seed, report.blocks);
@@ -82,7 +75,7 @@ void print_report(const study::SpecimenReport& report) {
 }
 
 int run_specimen(const SpecimenOptions& options) {
-    study::SpecimenBatch batch;
+    study::SpecimenBatch batch = begin_batch(options.out, options.threads, options.checkpoint_interval);
     batch.scene = scene::read_scene(options.scene);
     if (!options.placing.empty()) {
         const auto& names = scene::placing_names();
@@ -92,11 +85,6 @@ int run_specimen(const SpecimenOptions& options) {
         scene::check_scene(batch.scene, options.scene);
     }
     for (int i = 0; i < options.seeds; ++i) batch.seeds.push_back(static_cast<std::uint64_t>(i) + study::seed_of(batch.scene));
-    batch.folder = options.out;
-    batch.version = kVersion;
-    batch.threads = options.threads;
-    batch.checkpoint_interval = options.checkpoint_interval;
-    batch.on_warning = [](const std::string& what) { note("musim: warning: {}\n", what); };
     std::vector<study::SpecimenReport> reports;
     {
         ProgressLine progress(batch.scene.name);

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <utility>
 #include <variant>
 
 #include "lsdem/scene/motions.hpp"
@@ -39,10 +40,10 @@ void require_ensemble(const scene::Scene& scene) {
                         scene.name));
     }
     if (scene.preparation && scene.preparation->specimen) {
-        throw scene::SceneError(
-            fmt::format("{}: names one specimen, {} (members have blocks of other heights); leave \"preparation.specimen\" out, each then "
-                        "settles itself",
-                        scene.name, scene.preparation->specimen->string()));
+        throw scene::SceneError(fmt::format(
+            "{}: names one specimen, {} (members have blocks of other heights); leave \"preparation.specimen\" out, each is then "
+            "laid by itself, or comes from the folder of --specimens",
+            scene.name, scene.preparation->specimen->string()));
     }
     if (!scene.time.step && !(scene.output.spine_rate.value() > 0.0)) {
         throw scene::SceneError(fmt::format(
@@ -64,22 +65,27 @@ scene::Scene rename_files(scene::Scene scene, const Name& name) {
     if (auto* record = std::get_if<scene::RecordMotion>(&scene.base_motion.source)) record->file = name(record->file);
     if (auto* tower = std::get_if<scene::Tower>(&scene.structure); tower != nullptr && tower->tiling_file)
         tower->tiling_file = name(*tower->tiling_file);
+    if (scene.preparation && scene.preparation->specimen) scene.preparation->specimen = name(*scene.preparation->specimen);
     return scene;
 }
 
 }  // namespace
 
+EnsembleMember make_member(scene::Scene scene, const std::string& version) {
+    EnsembleMember member;
+    member.seed = seed_of(scene);
+    member.scene = std::move(scene);
+    member.scene_text = scene::write_scene(member.scene);
+    const std::string content = scene::write_scene(rename_files(member.scene, name_file_content));
+    member.name = "member-" + detail::name_content(nlohmann::json{content, version}.dump());
+    return member;
+}
+
 std::vector<EnsembleMember> plan_ensemble(const scene::Scene& scene, int members, const std::string& version) {
     require_ensemble(scene);
     std::vector<EnsembleMember> plan;
     for (int i = 0; i < members; ++i) {
-        EnsembleMember member;
-        member.seed = seed_of(scene) + static_cast<std::uint64_t>(i);
-        member.scene = with_seed(scene, member.seed);
-        member.scene_text = scene::write_scene(member.scene);
-        const std::string content = scene::write_scene(rename_files(member.scene, name_file_content));
-        member.name = "member-" + detail::name_content(nlohmann::json{content, version}.dump());
-        plan.push_back(std::move(member));
+        plan.push_back(make_member(with_seed(scene, seed_of(scene) + static_cast<std::uint64_t>(i)), version));
     }
     return plan;
 }

@@ -20,11 +20,14 @@ struct EnsembleMember {
 
 /// The members of a scene with the seeds s, s + 1, ... from the scene's own on.
 ///
-/// A name is the hash of the complete scene as JSON, the program's version, and the contents (not the paths) of the record and tiling that
-/// the scene names: equal names mean equal results, to the last bit, wherever a member runs.
+/// A name is the hash of the complete scene as JSON, the program's version, and the contents (not the paths) of the record, tiling and
+/// specimen that the scene names: equal names mean equal results, to the last bit, wherever a member runs.
 /// Throws scene::SceneError for a scene whose members would be equal (no height deviation, or one specimen file for all) or would have no
 /// common sampling times ("step": "auto" without a spine rate); records::ReadError when a file it names cannot be read.
 std::vector<EnsembleMember> plan_ensemble(const scene::Scene& scene, int members, const std::string& version);
+
+/// The member that a scene is.
+EnsembleMember make_member(scene::Scene scene, const std::string& version);
 
 /// Where a member's results go: DIR/members/NAME.
 std::filesystem::path member_folder(const std::filesystem::path& directory, const EnsembleMember& member);

@@ -104,6 +104,10 @@ SpecimenReport make_specimen_file(const SpecimenBatch& batch, std::size_t index,
 
 }  // namespace
 
+std::string specimen_file_of(const scene::Scene& scene) {
+    return specimen_file_name(describe_inputs(scene, find_preparation(scene, make_upright_specimen(scene))));
+}
+
 scene::Scene with_seed(scene::Scene scene, std::uint64_t seed) {
     std::visit(
         [&](auto& structure) {

@@ -41,6 +41,9 @@ struct SpecimenReport {
 /// in the way.
 std::vector<SpecimenReport> make_specimens(const SpecimenBatch& batch);
 
+/// Name of the file that holds the specimen of a scene, once it has been made.
+std::string specimen_file_of(const scene::Scene& scene);
+
 /// The scene with another seed of its blocks' heights. Throws scene::SceneError for an explicit list of blocks.
 scene::Scene with_seed(scene::Scene scene, std::uint64_t seed);
 

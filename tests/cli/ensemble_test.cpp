@@ -92,6 +92,41 @@ TEST_CASE("an ensemble has a summary and members that musim response reads; the 
         CHECK_MESSAGE(here.read("jobs" + file) == here.read("out" + file), file);
 }
 
+TEST_CASE("members use the specimens of a folder, and what is missing there is prepared once") {
+    const Workplace here;
+    here.write("wall.json", make_scene());
+    REQUIRE(here.run("specimen wall.json -o specimens").exit_code == 0);
+    here.shell("ls specimens > before; cp -a specimens kept");
+    const Outcome first = here.run("ensemble wall.json -o out --members 2 --specimens specimens --json");
+    REQUIRE_MESSAGE(first.exit_code == 0, first.err);
+    here.shell("ls specimens > after; diff before after > added; for f in kept/*; do cmp $f specimens/${f#kept/} || touch differs; done");
+    CHECK_FALSE(here.has("differs"));
+    CHECK(here.read("added").find("> specimen-") != std::string::npos);
+
+    // what musim run makes of the same file, in every bit
+    std::string file = here.read("before");
+    file.erase(file.find('\n'));
+    nlohmann::json scene = nlohmann::json::parse(make_scene());
+    scene["preparation"] = {{"specimen", "specimens/" + file}};
+    here.write("one.json", scene.dump());
+    REQUIRE(here.run("run one.json -o one").exit_code == 0);
+    const auto summary = nlohmann::json::parse(here.read("one/summary.json"));
+    CHECK(first.json()["members"][0]["state_hash"] == summary["state_hash"]);
+
+    // another job than one that lays its own; the same wherever the folder is
+    here.shell("mv specimens elsewhere");
+    const auto own = here.run("ensemble wall.json -o out --members 2 --list --json").json()["members"];
+    const auto with = here.run("ensemble wall.json -o out --members 2 --specimens elsewhere --list --json").json()["members"];
+    for (std::size_t i = 0; i < 2; ++i) {
+        CHECK(own[i]["state"] == "waiting");
+        CHECK(with[i]["state"] == "finished");
+        CHECK(with[i]["name"] == name_of(first.json(), i));
+    }
+    const Outcome missing = here.run("ensemble wall.json -o out --members 3 --specimens elsewhere --list");
+    CHECK(missing.exit_code == 3);
+    CHECK_MESSAGE(missing.has_one_error_line(), missing.err);
+}
+
 TEST_CASE("an ensemble that is killed goes on from its checkpoints to the same bytes") {
     const Workplace here;
     // 50 samples with a checkpoint each: the kill comes long before the first member's end

@@ -1,0 +1,46 @@
+#include "lsdem/study/ensemble_specimens.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "lsdem/study/read_results.hpp"
+
+namespace musim::lsdem::study {
+namespace {
+
+/// The member whose blocks stand where `file` has them.
+EnsembleMember with_specimen(const EnsembleMember& member, const std::filesystem::path& file, const std::string& version) {
+    scene::Scene scene = member.scene;
+    scene::Preparation preparation = scene.preparation.value_or(scene::Preparation{});
+    preparation.placing.reset();
+    preparation.specimen = std::filesystem::absolute(file);
+    scene.preparation = preparation;
+    return make_member(std::move(scene), version);
+}
+
+}  // namespace
+
+std::vector<SpecimenReport> use_specimens(std::vector<EnsembleMember>& members, SpecimenBatch batch) {
+    batch.scene = members.front().scene;
+    batch.seeds.clear();
+    for (const EnsembleMember& member : members) batch.seeds.push_back(member.seed);
+    std::vector<SpecimenReport> reports = make_specimens(batch);
+    for (std::size_t i = 0; i < members.size(); ++i) {
+        if (reports[i].reused || reports[i].prepared.rest.at_rest) members[i] = with_specimen(members[i], reports[i].file, batch.version);
+    }
+    return reports;
+}
+
+void use_prepared_specimens(std::vector<EnsembleMember>& members, const std::filesystem::path& folder, const std::string& version) {
+    for (EnsembleMember& member : members) {
+        const std::filesystem::path file = folder / specimen_file_of(member.scene);
+        if (!std::filesystem::exists(file)) {
+            throw ResultError(fmt::format("{}: does not exist, so member {} has no name yet; prepare it with musim specimen -o {}",
+                                          file.string(), member.seed, folder.string()));
+        }
+        member = with_specimen(member, file, version);
+    }
+}
+
+}  // namespace musim::lsdem::study
