@@ -63,8 +63,9 @@ std::string name_file_content(const fs::path& path) {
 template <class Name>
 scene::Scene rename_files(scene::Scene scene, const Name& name) {
     if (auto* record = std::get_if<scene::RecordMotion>(&scene.base_motion.source)) record->file = name(record->file);
-    if (auto* tower = std::get_if<scene::Tower>(&scene.structure); tower != nullptr && tower->tiling_file)
+    if (auto* tower = std::get_if<scene::Tower>(&scene.structure); tower != nullptr && tower->tiling_file) {
         tower->tiling_file = name(*tower->tiling_file);
+    }
     if (scene.preparation && scene.preparation->specimen) scene.preparation->specimen = name(*scene.preparation->specimen);
     return scene;
 }
@@ -84,6 +85,7 @@ EnsembleMember make_member(scene::Scene scene, const std::string& version) {
 std::vector<EnsembleMember> plan_ensemble(const scene::Scene& scene, int members, const std::string& version) {
     require_ensemble(scene);
     std::vector<EnsembleMember> plan;
+    plan.reserve(static_cast<std::size_t>(members));
     for (int i = 0; i < members; ++i) {
         plan.push_back(make_member(with_seed(scene, seed_of(scene) + static_cast<std::uint64_t>(i)), version));
     }
