@@ -59,11 +59,11 @@ static void exchange(Archive& archive, RunResult& r) {
 
 static void exchange(Archive& archive, SettlingState& s) { archive(s.steps, s.quiet_looks, s.liveliest); }
 
-static void exchange(Archive& archive, PreparationState& p) {
-    archive(p.round, p.steps, p.block_steps, p.settling, p.releases, p.simulation);
-}
-
 static void exchange(Archive& archive, PreparedPlaces& p) { archive(p.position, p.orientation, p.preload); }
+
+static void exchange(Archive& archive, PreparationState& p) {
+    archive(p.round, p.steps, p.block_steps, p.settling, p.releases, p.simulation, p.max_overlap, p.start);
+}
 
 static void exchange(Archive& archive, QuietState& q) { archive(q.clock, q.moved, q.stop, q.wall_time, q.settling); }
 
@@ -71,7 +71,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr ArchiveKind kKind{{'m', 'u', 's', 'i', 'm', 'R', 'U', 'N'}, 5, "checkpoint"};
+constexpr ArchiveKind kKind{{'m', 'u', 's', 'i', 'm', 'R', 'U', 'N'}, 6, "checkpoint"};
 
 /// The fields of a checkpoint beside its run, which need not be copied to be written.
 struct Beside {

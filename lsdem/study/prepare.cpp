@@ -45,6 +45,17 @@ std::vector<std::pair<std::size_t, std::size_t>> find_layers(const Specimen& spe
 /// corners may lie deeper than those of the true overlap by half a diagonal times kMaxPatchTwist.
 double find_clearance(const Vector3& size) { return 0.5 * std::hypot(size.x(), size.y()) * kMaxPatchTwist; }
 
+/// Where the blocks of a simulation are, and what they hold.
+PreparedPlaces find_places(const Simulation& simulation) {
+    PreparedPlaces places;
+    for (std::size_t i = 0; i < simulation.model().blocks.size(); ++i) {
+        places.position.push_back(simulation.position(i));
+        places.orientation.push_back(simulation.orientation(i));
+    }
+    places.preload = simulation.preloads();
+    return places;
+}
+
 /// One preparation on its way: layer after layer comes to rest, each put onto those that have, upright and let down, or as it will rest;
 /// then the whole.
 class Preparation {
@@ -55,7 +66,7 @@ class Preparation {
           layers_(by_layers() ? find_layers(upright) : Layers{}),
           settings_(settings),
           state_(from.value_or(PreparationState{})),
-          resumes_(from.has_value()),
+          resumes_(from && !from->simulation.empty()),
           simulation_(begin(upright, (adds_inertia() ? settings.stride : 1.0) * time_step, threads)) {}
 
     void run(const RunSettings& settings, PreparedSpecimen& prepared) {
@@ -84,6 +95,19 @@ class Preparation {
     }
 
     const Simulation& simulation() const { return simulation_; }
+
+    /// Did the whole fail to come to rest with inertia added?
+    bool wants_own_inertia(const Rest& rest) const { return adds_inertia() && !rest.at_rest && !in_layers() && !simulation_.divergence(); }
+
+    /// From where it goes on with its own.
+    PreparationState begin_again() const {
+        PreparationState state;
+        state.steps = state_.steps;
+        state.block_steps = state_.block_steps;
+        state.max_overlap = simulation_.statistics().max_overlap_over_height;
+        state.start = find_places(simulation_);
+        return state;
+    }
 
   private:
     using Layers = std::vector<std::pair<std::size_t, std::size_t>>;
@@ -137,6 +161,7 @@ class Preparation {
 
     Settling rule() const {
         Settling rule = settings_.settling;
+        if (adds_inertia()) rule.patience = std::min(rule.patience, settings_.added_patience);
         if (is_last()) return rule;
         rule.reaction = kEarlyReaction;
         if (!in_layers()) {
@@ -228,19 +253,27 @@ PreparedSpecimen prepare(const Specimen& upright, double time_step, const Prepar
                          const std::optional<PreparationState>& from) {
     PreparedSpecimen prepared;
     prepared.specimen = upright;
-    Preparation work(upright, time_step, preparation, settings.threads, from);
-    work.run(settings, prepared);
-    const Simulation& simulation = work.simulation();
-    Model& model = prepared.specimen.model;
-    for (std::size_t i = 0; i < model.blocks.size(); ++i) {
-        model.blocks[i].position = simulation.position(i);
-        model.blocks[i].orientation = simulation.orientation(i);
+    const auto finish = [&](const Simulation& simulation, double overlap_before) {
+        put_in_place(find_places(simulation), prepared.specimen);
+        prepared.rest.fallen = count_fallen(simulation, upright.layer);
+        prepared.max_overlap = std::max(overlap_before, simulation.statistics().max_overlap_over_height);
+        describe(simulation, prepared);
+        return prepared;
+    };
+    std::optional<PreparationState> own = from && from->start ? from : std::nullopt;
+    if (!own) {
+        Preparation work(upright, time_step, preparation, settings.threads, from);
+        work.run(settings, prepared);
+        if (!work.wants_own_inertia(prepared.rest)) return finish(work.simulation(), 0.0);
+        own = work.begin_again();
     }
-    model.preload = simulation.preloads();
-    prepared.rest.fallen = count_fallen(simulation, upright.layer);
-    prepared.max_overlap = simulation.statistics().max_overlap_over_height;
-    describe(simulation, prepared);
-    return prepared;
+    put_in_place(*own->start, prepared.specimen);
+    PreparationSettings standing = preparation;
+    standing.placing = scene::Placing::as_drawn;
+    standing.whole_rounds = 1;
+    Preparation work(prepared.specimen, time_step, standing, settings.threads, own);
+    work.run(settings, prepared);
+    return finish(work.simulation(), own->max_overlap);
 }
 
 PreparedPlaces places_of(const Specimen& specimen) {

@@ -131,6 +131,7 @@ std::string describe_inputs(const scene::Scene& scene, const PreparationSettings
                              {"lowering", preparation.lowering},
                              {"layer_rest", preparation.layer_rest},
                              {"layer_patience", preparation.layer_patience},
+                             {"added_patience", preparation.added_patience},
                              {"resting_patience", preparation.resting_patience},
                              {"early_rest", preparation.early_rest},
                              {"last_damping", preparation.last_damping},

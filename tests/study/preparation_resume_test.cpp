@@ -64,8 +64,16 @@ TEST_CASE("a preparation resumed from any of its checkpoints ends in the bits of
     const Specimen upright = make_upright_specimen(scene);
     const double step = scene::compute_time_step(scene, upright.model).value();
     PreparationSettings settings = find_preparation(scene, upright);
-    for (const scene::Placing placing : {scene::Placing::quick_layers, scene::Placing::resting, scene::Placing::layers}) {
-        settings.placing = placing;
+    struct Way {
+        scene::Placing placing;
+        double added_patience;
+    };
+    // the last one gets its own inertia back before it is at rest
+    const double patient = settings.added_patience;
+    for (const Way& way : {Way{scene::Placing::quick_layers, patient}, Way{scene::Placing::resting, patient},
+                           Way{scene::Placing::layers, patient}, Way{scene::Placing::quick_layers, 1e-2}}) {
+        settings.placing = way.placing;
+        settings.added_patience = way.added_patience;
         int looks = 0;
         const PreparedSpecimen whole = prepare(upright, step, settings, {.on_progress = [&](double) { ++looks; }});
         REQUIRE(whole.rest.at_rest);

@@ -122,6 +122,23 @@ TEST_CASE("layer by layer, quickly and by resting planes the same blocks come to
     }
 }
 
+TEST_CASE("what has no time to come to rest with inertia added does so with its own, where it stands") {
+    const scene::Scene scene = make_wall_scene();
+    const Specimen upright = make_upright_specimen(scene);
+    const double step = scene::compute_time_step(scene, upright.model).value();
+    PreparationSettings settings = find_preparation(scene, upright);
+    const PreparedSpecimen patient = prepare(upright, step, settings);
+    // the layers have theirs, all of the whole is left to the blocks' own inertia
+    settings.added_patience = settings.layer_patience;
+    const PreparedSpecimen hasty = prepare(upright, step, settings);
+    CHECK(hasty.rest.at_rest);
+    CHECK(hasty.rest.kinetic <= settings.settling.rest);
+    CHECK(std::abs(hasty.rest.reaction_over_weight - 1.0) <= settings.settling.reaction);
+    CHECK(hasty.steps > patient.steps);
+    // both rest where the layers left them but for a last sway: a hundredth of the tilts
+    for (std::size_t i = 0; i < patient.tilt.size(); ++i) CHECK(std::abs(hasty.tilt[i] - patient.tilt[i]) < 2e-4);
+}
+
 // The same blocks in the same places, so that differences block by block tell more than two means. Forces have no such partners: a contact
 // of the one may be open in the other.
 TEST_CASE("specimens of quick layers are those of layer by layer in the mean and cost less" * doctest::test_suite("slow")) {
