@@ -198,11 +198,9 @@ void add_ensemble_command(CLI::App& app, Action& action) {
     scene_file->type_name("SCENE.json");
     CLI::Option* out = command->add_option("-o,--out", options->out, "Directory for the members and ensemble.json, .h5, .csv, .svg");
     out->type_name("DIR");
-    command->add_option("--compare", options->compare, "Compare ensembles with the first of them, of any scales; run nothing")
-        ->type_name("DIR DIR...")
-        ->expected(2, 1000)
-        ->excludes(scene_file)
-        ->excludes(out);
+    CLI::Option* compare =
+        command->add_option("--compare", options->compare, "Compare ensembles with the first of them, of any scales; run nothing");
+    compare->type_name("DIR DIR...")->expected(2, 1000)->excludes(scene_file)->excludes(out);
     command->add_option("--members", options->members, "How many seeds, from the scene's on")
         ->type_name("N")
         ->check(CLI::Range(1, 100000))
@@ -210,7 +208,8 @@ void add_ensemble_command(CLI::App& app, Action& action) {
     command
         ->add_option("--specimens", options->specimens,
                      "Folder of specimens as musim specimen makes them: members use what is there, what is missing is prepared there")
-        ->type_name("DIR");
+        ->type_name("DIR")
+        ->excludes(compare);
     CLI::Option* list = command->add_flag("--list", options->list, "Name the members and how far they are; run nothing");
     command->add_option("--only", options->only, "Run this member alone (1 to N), without a summary: a job of a cluster")
         ->type_name("INDEX")

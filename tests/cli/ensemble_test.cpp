@@ -214,8 +214,9 @@ TEST_CASE("a member that cannot be run does not stop the others") {
 TEST_CASE("what makes no ensemble is refused in one line, before anything runs") {
     const Workplace here;
     here.write("wall.json", make_scene());
-    for (const std::string wrong : {"ensemble", "ensemble wall.json", "ensemble wall.json -o out --members 0",
-                                    "ensemble wall.json -o out --members 2 --only 3", "ensemble wall.json -o out --only 1 --list"}) {
+    for (const std::string wrong :
+         {"ensemble", "ensemble wall.json", "ensemble wall.json -o out --members 0", "ensemble wall.json -o out --members 2 --only 3",
+          "ensemble wall.json -o out --only 1 --list", "ensemble --compare out out --specimens specimens"}) {
         const Outcome outcome = here.run(wrong);
         CHECK_MESSAGE(outcome.exit_code == 2, wrong);
         CHECK_MESSAGE(outcome.has_one_error_line(), outcome.err);
