@@ -28,7 +28,7 @@ struct PreparationSettings {
     /// contact then meets in another way, it is to do so here. One that has been prepared, and comes from its file, need not again.
     std::size_t whole_rounds = 2;
     /// What is not at rest so long after its layers, over α, while inertia is added gets its own back, and comes to rest in steps of a run.
-    double added_patience = 30.0;
+    double added_patience = 15.0;
     double early_rest = 1e-6;  ///< all of these rounds but the last end at this: what moves on is moved anew by the new list [-]
     /// α of the last round over that of the others: no block tips any more, sway decays. It is slower with added inertia [-].
     double last_damping = 1.5;
