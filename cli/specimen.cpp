@@ -14,6 +14,7 @@
 #include "cli/report.hpp"
 #include "cli/specimen_batch.hpp"
 #include "lsdem/scene/scene_json.hpp"
+#include "lsdem/study/compare_specimens.hpp"
 
 namespace musim::cli {
 namespace {
@@ -24,6 +25,7 @@ constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 struct SpecimenOptions {
     std::string scene;
+    std::vector<std::string> compare;
     std::string out = ".";
     std::string placing;
     int seeds = 1;
@@ -74,7 +76,48 @@ void print_report(const study::SpecimenReport& report) {
           largest_tilt(prepared) * kDegrees, prepared.max_overlap);
 }
 
+void print_quantity(const char* name, const std::vector<study::LayerComparison>& layers,
+                    study::QuantityComparison study::LayerComparison::*quantity, double unit) {
+    print("\n  {:<24} {:>18} {:>18} {:>20} {:>8} {:>8}\n", name, "first (sd)", "second (sd)", "same seeds differ by", "p mean", "p sd");
+    for (const study::LayerComparison& layer : layers) {
+        const study::QuantityComparison& compared = layer.*quantity;
+        const study::TwoSamples& samples = compared.samples;
+        const std::string pairs =
+            compared.pairs > 1 ? fmt::format("{:+.3f} +- {:.3f}", compared.pair_difference * unit, compared.pair_error * unit) : "-";
+        print("  {:<24} {:>18} {:>18} {:>20} {:>8.2f} {:>8.2f}\n", fmt::format("layers {}-{}", layer.first, layer.last),
+              fmt::format("{:.3f} ({:.3f})", samples.first_mean * unit, samples.first_sd * unit),
+              fmt::format("{:.3f} ({:.3f})", samples.second_mean * unit, samples.second_sd * unit), pairs, samples.mean_probability,
+              samples.scatter_probability);
+    }
+}
+
+nlohmann::json describe(const study::SpecimenSet& set) {
+    return {{"file", set.name}, {"specimens", set.specimens.size()}, {"fallen", set.fallen()}, {"block_steps", set.block_steps()}};
+}
+
+/// What was printed of two ways of preparing, beside each other.
+int compare_specimens(const SpecimenOptions& options) {
+    const study::SpecimenSet first = study::read_specimen_set(options.compare[0]), second = study::read_specimen_set(options.compare[1]);
+    const std::vector<study::LayerComparison> layers = study::compare_specimens(first, second);
+    if (options.json) {
+        nlohmann::json list = nlohmann::json::array();
+        for (const study::LayerComparison& layer : layers) list.push_back(study::to_json(layer));
+        print_json({{"first", describe(first)}, {"second", describe(second)}, {"compared", list}});
+        return kDone;
+    }
+    for (const study::SpecimenSet* set : {&first, &second}) {
+        print("{}: {} specimens, {:.3g} block steps each, {} blocks fell\n", set->name, set->specimens.size(), set->block_steps(),
+              set->fallen());
+    }
+    print_quantity("mean tilt [deg]", layers, &study::LayerComparison::tilt, kDegrees);
+    print_quantity("largest of a layer [deg]", layers, &study::LayerComparison::largest_tilt, kDegrees);
+    print_quantity("scatter of forces [N]", layers, &study::LayerComparison::force_scatter, 1.0);
+    print("\n  p: how probable so large a difference is between samples of one population; of twenty, one is below 0.05 by chance\n");
+    return kDone;
+}
+
 int run_specimen(const SpecimenOptions& options) {
+    if (!options.compare.empty()) return compare_specimens(options);
     study::SpecimenBatch batch = begin_batch(options.out, options.threads, options.checkpoint_interval);
     batch.scene = scene::read_scene(options.scene);
     if (!options.placing.empty()) {
@@ -116,10 +159,15 @@ int run_specimen(const SpecimenOptions& options) {
 void add_specimen_command(CLI::App& app, Action& action) {
     auto options = std::make_shared<SpecimenOptions>();
     CLI::App* command = app.add_subcommand("specimen", "Prepare structures of blocks of unequal height, at rest, as files");
-    command->add_option("scene", options->scene, "Scene file (JSON, schema musim-scene/1)")->required()->type_name("SCENE.json");
-    command->add_option("-o,--out", options->out, "Directory for the files, which are named by content")
-        ->type_name("DIR")
-        ->capture_default_str();
+    CLI::Option* scene_file = command->add_option("scene", options->scene, "Scene file (JSON, schema musim-scene/1)");
+    scene_file->type_name("SCENE.json");
+    CLI::Option* out = command->add_option("-o,--out", options->out, "Directory for the files, which are named by content");
+    out->type_name("DIR")->capture_default_str();
+    command->add_option("--compare", options->compare, "Compare what --json printed of two ways of preparing; prepare nothing")
+        ->type_name("FIRST.json SECOND.json")
+        ->expected(2)
+        ->excludes(scene_file)
+        ->excludes(out);
     command->add_option("--placing", options->placing, "How blocks come to their places, instead of the scene's own way")
         ->type_name("quick_layers|layers|resting|as_drawn")
         ->check(CLI::IsMember(scene::placing_names()));
@@ -133,11 +181,15 @@ void add_specimen_command(CLI::App& app, Action& action) {
     command->footer(
         "Examples:\n"
         "  musim specimen examples/uneven_wall.json -o specimens --seeds 10\n"
-        "  musim specimen examples/uneven_wall.json -o specimens --placing layers --json\n"
+        "  musim specimen examples/uneven_wall.json -o laid --seeds 10 --placing layers --json > layers.json\n"
+        "  musim specimen --compare layers.json quick.json\n"
         "A scene uses one with \"preparation\": {\"specimen\": \"specimens/specimen-0123456789abcdef.h5\"}, at any scale.\n"
         "A preparation that was killed goes on from its last checkpoint when the same command is given again.\n"
         "Exit code 4: a specimen did not come to rest.");
-    command->callback([&action, options] { action = [options] { return run_specimen(*options); }; });
+    command->callback([&action, options] {
+        if (options->compare.empty() && options->scene.empty()) throw CLI::RequiredError("scene (or --compare)");
+        action = [options] { return run_specimen(*options); };
+    });
 }
 
 }  // namespace musim::cli

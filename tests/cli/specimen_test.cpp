@@ -54,6 +54,54 @@ TEST_CASE("specimens are made for several seeds, found again, and used by a scen
     CHECK(refused.err.find("prepare a specimen of this scene") != std::string::npos);
 }
 
+TEST_CASE("specimens laid in two ways are compared by what was printed of them") {
+    const Workplace place;
+    place.write("wall.json", make_scene(kWall));
+    const Outcome layers = place.run("specimen wall.json -o layers --seeds 3 --placing layers --json");
+    const Outcome quick = place.run("specimen wall.json -o quick --seeds 2 --json");
+    REQUIRE(layers.exit_code == 0);
+    REQUIRE(quick.exit_code == 0);
+    place.write("layers.json", layers.out);
+    place.write("quick.json", quick.out);
+    const Outcome compared = place.run("specimen --compare layers.json quick.json --json");
+    REQUIRE(compared.exit_code == 0);
+    const auto told = compared.json();
+    CHECK(told["first"]["specimens"] == 3);
+    CHECK(told["second"]["specimens"] == 2);
+    REQUIRE(told["compared"].size() == 1);
+    const auto& tilt = told["compared"][0]["mean_tilt_deg"];
+    CHECK(told["compared"][0]["layers"][1] == 3);
+    CHECK(tilt["pairs"] == 2);
+    const auto mean_of = [](const nlohmann::json& specimens) {
+        double sum = 0.0;
+        for (const auto& specimen : specimens) {
+            sum += 0.5 * (specimen["layers"][1]["mean_tilt_deg"].get<double>() + specimen["layers"][2]["mean_tilt_deg"].get<double>());
+        }
+        return sum / static_cast<double>(specimens.size());
+    };
+    CHECK(tilt["first_mean"].get<double>() == doctest::Approx(mean_of(layers.json()["specimens"])));
+    CHECK(tilt["second_mean"].get<double>() == doctest::Approx(mean_of(quick.json()["specimens"])));
+    const Outcome text = place.run("specimen --compare layers.json quick.json");
+    CHECK(text.out.find("layers 2-3") != std::string::npos);
+
+    const auto refuses = [&](const std::string& arguments, int exit_code, const std::string& why) {
+        const Outcome refused = place.run(arguments);
+        CHECK(refused.exit_code == exit_code);
+        CHECK(refused.has_one_error_line());
+        CAPTURE(refused.err);
+        CHECK(refused.err.find(why) != std::string::npos);
+    };
+    place.write("again.json", place.run("specimen wall.json -o quick --seeds 2 --json").out);
+    refuses("specimen --compare layers.json again.json", 3, "was there before");
+    refuses("specimen --compare layers.json wall.json", 3, "not what `musim specimen --json` prints");
+    refuses("specimen --compare layers.json none.json", 3, "cannot be opened");
+    place.write("none.json", R"({"specimens": []})");
+    refuses("specimen --compare none.json layers.json", 3, "tells of no specimen");
+    refuses("specimen --compare layers.json", 2, "2 required");
+    refuses("specimen wall.json --compare layers.json quick.json", 2, "excludes");
+    refuses("specimen", 2, "is required");
+}
+
 TEST_CASE("what cannot be a specimen is refused in one line") {
     const Workplace place;
     place.write("wall.json", make_scene(kWall));

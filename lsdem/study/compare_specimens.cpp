@@ -1,0 +1,155 @@
+#include "lsdem/study/compare_specimens.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <set>
+
+#include "lsdem/study/read_results.hpp"
+#include "lsdem/study/sample_moments.hpp"
+
+namespace musim::lsdem::study {
+namespace {
+
+constexpr double kDegrees = 180.0 / std::numbers::pi;
+
+[[noreturn]] void refuse(const std::filesystem::path& file, const std::string& what) {
+    throw ResultError(fmt::format("{}: {}", file.string(), what));
+}
+
+ToldSpecimen read_specimen_entry(const nlohmann::json& entry, const std::filesystem::path& file) {
+    ToldSpecimen specimen;
+    specimen.seed = entry.at("seed").get<std::uint64_t>();
+    if (entry.at("reused").get<bool>()) {
+        refuse(file,
+               fmt::format("the specimen of seed {} was there before, so nothing was told of its layers; prepare it into an empty folder",
+                           specimen.seed));
+    }
+    specimen.fallen = entry.at("fallen").get<std::size_t>();
+    specimen.block_steps = entry.at("block_steps").get<double>();
+    for (const nlohmann::json& layer : entry.at("layers")) {
+        specimen.layers.push_back({.mean_tilt = layer.at("mean_tilt_deg").get<double>() / kDegrees,
+                                   .max_tilt = layer.at("max_tilt_deg").get<double>() / kDegrees,
+                                   .mean_force = layer.at("mean_force_N").get<double>(),
+                                   .sd_force = layer.at("sd_force_N").get<double>()});
+    }
+    return specimen;
+}
+
+/// Of one quantity of a layer, its mean over a group of them, for every specimen.
+class GroupMeans {
+  public:
+    GroupMeans(int first, int last, double LayerState::*quantity) : first_(first), last_(last), quantity_(quantity) {}
+
+    double of(const ToldSpecimen& specimen) const {
+        double sum = 0.0;
+        for (int layer = first_; layer <= last_; ++layer) sum += specimen.layers[static_cast<std::size_t>(layer - 1)].*quantity_;
+        return sum / (last_ - first_ + 1);
+    }
+    std::vector<double> of(const SpecimenSet& set) const {
+        std::vector<double> means;
+        for (const ToldSpecimen& specimen : set.specimens) means.push_back(of(specimen));
+        return means;
+    }
+
+  private:
+    int first_, last_;
+    double LayerState::*quantity_;
+};
+
+QuantityComparison compare(const GroupMeans& means, const SpecimenSet& first, const SpecimenSet& second) {
+    SampleMoments differences(1);
+    for (const ToldSpecimen& one : first.specimens) {
+        for (const ToldSpecimen& other : second.specimens) {
+            if (one.seed == other.seed) differences.add(Eigen::ArrayXd::Constant(1, means.of(other) - means.of(one)));
+        }
+    }
+    return {.samples = compare_samples(means.of(first), means.of(second)),
+            .pairs = static_cast<std::size_t>(differences.count()),
+            .pair_difference = differences.mean()[0],
+            .pair_error = differences.sd()[0] / std::sqrt(static_cast<double>(differences.count()))};
+}
+
+nlohmann::json describe_quantity(const QuantityComparison& quantity, double unit) {
+    const TwoSamples& samples = quantity.samples;
+    return {{"first_mean", samples.first_mean * unit},
+            {"first_sd", samples.first_sd * unit},
+            {"second_mean", samples.second_mean * unit},
+            {"second_sd", samples.second_sd * unit},
+            {"mean_probability", samples.mean_probability},
+            {"scatter_probability", samples.scatter_probability},
+            {"pairs", quantity.pairs},
+            {"pair_difference", quantity.pair_difference * unit},
+            {"pair_error", quantity.pair_error * unit}};
+}
+
+}  // namespace
+
+std::size_t SpecimenSet::fallen() const {
+    std::size_t sum = 0;
+    for (const ToldSpecimen& specimen : specimens) sum += specimen.fallen;
+    return sum;
+}
+
+double SpecimenSet::block_steps() const {
+    SampleMoments moments(1);
+    for (const ToldSpecimen& specimen : specimens) moments.add(Eigen::ArrayXd::Constant(1, specimen.block_steps));
+    return moments.mean()[0];
+}
+
+SpecimenSet read_specimen_set(const std::filesystem::path& file) {
+    SpecimenSet set{.name = file.string(), .specimens = {}};
+    std::ifstream in(file);
+    if (!in) refuse(file, "cannot be opened; name what `musim specimen --json` printed");
+    try {
+        const nlohmann::json told = nlohmann::json::parse(in);
+        for (const nlohmann::json& entry : told.at("specimens")) set.specimens.push_back(read_specimen_entry(entry, file));
+    } catch (const nlohmann::json::exception&) {
+        refuse(file, "not what `musim specimen --json` prints (another file, or one cut off); name such a file");
+    }
+    if (set.specimens.empty()) refuse(file, "tells of no specimen; prepare some");
+    std::set<std::uint64_t> seeds;
+    for (const ToldSpecimen& specimen : set.specimens) {
+        if (specimen.layers.size() != set.specimens.front().layers.size() || specimen.layers.empty()) {
+            refuse(file,
+                   fmt::format("the specimen of seed {} has {} layers, that of seed {} {} (of different structures, or without layers); "
+                               "compare specimens of one scene",
+                               specimen.seed, specimen.layers.size(), set.specimens.front().seed, set.specimens.front().layers.size()));
+        }
+        if (!seeds.insert(specimen.seed).second) refuse(file, fmt::format("tells of seed {} twice; name every seed once", specimen.seed));
+    }
+    return set;
+}
+
+std::vector<LayerComparison> compare_specimens(const SpecimenSet& first, const SpecimenSet& second) {
+    const auto layers = static_cast<int>(first.specimens.front().layers.size());
+    const auto others = static_cast<int>(second.specimens.front().layers.size());
+    if (layers != others) {
+        refuse(second.name,
+               fmt::format("{} layers where {} has {} (another structure); compare specimens of one scene", others, first.name, layers));
+    }
+    std::vector<LayerComparison> comparisons;
+    for (int from = std::min(2, layers); from <= layers; from = from / 5 * 5 + 5) {
+        const int to = std::min(from / 5 * 5 + 4, layers);
+        const auto of = [&](double LayerState::*quantity) { return compare(GroupMeans(from, to, quantity), first, second); };
+        comparisons.push_back({.first = from,
+                               .last = to,
+                               .tilt = of(&LayerState::mean_tilt),
+                               .largest_tilt = of(&LayerState::max_tilt),
+                               .force_scatter = of(&LayerState::sd_force)});
+    }
+    return comparisons;
+}
+
+nlohmann::json to_json(const LayerComparison& comparison) {
+    return {{"layers", {comparison.first, comparison.last}},
+            {"mean_tilt_deg", describe_quantity(comparison.tilt, kDegrees)},
+            {"max_tilt_deg", describe_quantity(comparison.largest_tilt, kDegrees)},
+            {"sd_force_N", describe_quantity(comparison.force_scatter, 1.0)}};
+}
+
+}  // namespace musim::lsdem::study
