@@ -82,6 +82,7 @@ struct Preload {
     /// Friction node by node, K_s ξ along the follower's two axes in the face [Pa].
     std::vector<double> traction_u = {}, traction_v = {};
     std::uint8_t faces = 0;  ///< TiltedFaces::code of the faces by which boxes at an angle meet; 0: those with the least depth
+    double couple = 0.0;  ///< friction of boxes at an angle against turning about the normal force, on the leader, along that on it [N·m]
 
     /// All its numbers are finite, as many tractions as nodes, and faces that a box has?
     bool is_sound() const;

@@ -45,7 +45,7 @@ static void exchange(Archive& archive, BaseComponent& c) { archive(c.start, c.dt
 static void exchange(Archive& archive, Ground& g) { archive(g.present, g.material, g.motion); }
 
 static void exchange(Archive& archive, Preload& p) {
-    archive(p.leader, p.follower, p.energy, p.friction, p.count_p, p.count_q, p.traction_u, p.traction_v, p.faces);
+    archive(p.leader, p.follower, p.energy, p.friction, p.count_p, p.count_q, p.traction_u, p.traction_v, p.faces, p.couple);
 }
 
 static void exchange(Archive& archive, Model& m) {

@@ -26,7 +26,7 @@ bool start(const Bodies& bodies, const ContactPair& pair, const Preload& preload
     const Vector3 position = bodies.rotation[f].transpose() * (bodies.position[l] - bodies.position[f]);
     return detail::start_tilted_contact({detail::row_of(bodies.half[l]), detail::row_of(bodies.half[f])}, detail::rows_of(rotation),
                                         detail::row_of(position), pair.law, TiltedFaces::of_code(preload.faces), preload.energy,
-                                        detail::row_of(friction), contact, tally);
+                                        {detail::row_of(friction), preload.couple}, contact, tally);
 }
 
 }  // namespace
@@ -37,8 +37,8 @@ bool Preload::is_sound() const {
     };
     const std::size_t nodes = traction_u.size();
     const bool as_many = traction_v.size() == nodes && count_p <= nodes && count_q <= nodes && count_p * count_q == nodes;
-    return as_many && faces <= TiltedFaces::kCodes && std::isfinite(energy) && friction.allFinite() && all_finite(traction_u) &&
-           all_finite(traction_v);
+    return as_many && faces <= TiltedFaces::kCodes && std::isfinite(energy) && friction.allFinite() && std::isfinite(couple) &&
+           all_finite(traction_u) && all_finite(traction_v);
 }
 
 PreloadMap::PreloadMap(const std::vector<Preload>& preloads) {
@@ -72,7 +72,9 @@ std::vector<Preload> find_preloads(const Bodies& bodies, const ContactList& list
             preload.traction_u = std::move(load.traction_u);
             preload.traction_v = std::move(load.traction_v);
         } else if (pair.is_tilted()) {
-            preload.friction = frame * Eigen::Map<const Vector3>(list.tilted[pair.tilted].shear.data());
+            const detail::TiltedFriction friction = detail::find_friction(list.tilted[pair.tilted]);
+            preload.friction = frame * Eigen::Map<const Vector3>(friction.force.data());
+            preload.couple = friction.couple;
             preload.faces = list.tilted[pair.tilted].faces.code();
         }
         preloads.push_back(std::move(preload));
@@ -95,8 +97,9 @@ void preload_contacts(const std::vector<Preload>& preloads, const Bodies& bodies
                                  {preload.energy, friction[kind.u], friction[kind.v], preload.traction_u, preload.traction_v});
         } else if (pair.is_tilted()) {
             TiltedContact& contact = list.tilted[pair.tilted];
-            if (preload.faces == 0 || !start(bodies, pair, preload, friction, contact, list.tallies[p]))
+            if (preload.faces == 0 || !start(bodies, pair, preload, friction, contact, list.tallies[p])) {
                 contact.inherited = list.tallies[p].elastic_normal = preload.energy;
+            }
         }
     }
 }

@@ -38,7 +38,8 @@ static void exchange(Archive& archive, TiltedFaces& f) { archive(f.k, f.n, f.sid
 static void exchange(Archive& archive, PlacedForce& f) { archive(f.force, f.by_place); }
 
 static void exchange(Archive& archive, TiltedContact& c) {
-    archive(c.touches, c.faces, c.inherited, c.late, c.area, c.slip, c.place, c.shear, c.drag, c.elastic, c.damping);
+    archive(c.touches, c.faces, c.inherited, c.late, c.area, c.polar, c.slip, c.twist, c.place);
+    archive(c.shear, c.drag, c.couple, c.couple_drag, c.elastic, c.damping);
 }
 
 static void exchange(Archive& archive, PatchLattice& lattice) {

@@ -46,15 +46,19 @@ struct PlacedForce {
 struct TiltedContact {
     bool touches = false;
     TiltedFaces faces;
-    double inherited = 0.0;         ///< elastic energy of the patch that this contact follows, before it has met [J]
-    double late = 0.0;              ///< overlap that carries no force [m]
-    double area = 0.0;              ///< of the leader's face inside the follower [m²]
-    std::array<double, 3> slip{};   ///< ξ, follower's frame [m]
-    std::array<double, 3> place{};  ///< where friction acts, leader's frame [m]
-    std::array<double, 3> shear{};  ///< friction and tangential dashpot at the last step, follower's frame [N]
-    std::array<double, 3> drag{};   ///< the tangential dashpot alone [N]
-    PlacedForce elastic;            ///< gradient of the energy, at the last step
-    double damping = 0.0;           ///< the dashpot as a part of it [-]
+    double inherited = 0.0;               ///< elastic energy of the patch that this contact follows, before it has met [J]
+    double late = 0.0;                    ///< overlap that carries no force [m]
+    double area = 0.0;                    ///< of the leader's face inside the follower [m²]
+    double polar = 0.0;                   ///< J, second moment of that area about its middle [m⁴]
+    std::array<double, 3> slip{};         ///< ξ, follower's frame [m]
+    double twist = 0.0;                   ///< θ, elastic turn about the direction of `elastic` [rad]
+    std::array<double, 3> place{};        ///< where friction acts, leader's frame [m]
+    std::array<double, 3> shear{};        ///< friction and tangential dashpot at the last step, follower's frame [N]
+    std::array<double, 3> drag{};         ///< the tangential dashpot alone [N]
+    std::array<double, 3> couple{};       ///< friction and dashpot against turning, on the leader, follower's frame [N·m]
+    std::array<double, 3> couple_drag{};  ///< the dashpot against turning alone [N·m]
+    PlacedForce elastic;                  ///< gradient of the energy, at the last step
+    double damping = 0.0;                 ///< the dashpot as a part of it [-]
 };
 
 }  // namespace musim::lsdem

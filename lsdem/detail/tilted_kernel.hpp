@@ -33,10 +33,20 @@ double find_gap(const BoxPair& boxes, const std::array<Row, 3>& rotation, const 
 Row compute_moment(const PlacedForce& forces, const RelativePose& pose);
 double compute_work(const PlacedForce& forces, const RelativePose& pose);
 
+/// What friction of a contact bears, on the leader.
+struct TiltedFriction {
+    Row force{};          ///< follower's frame [N]
+    double couple = 0.0;  ///< about the direction in which the leader is pushed [N·m]
+};
+
+/// That of a contact at its last step.
+TiltedFriction find_friction(const TiltedContact& contact);
+
 /// Starts a contact of two boxes at an angle as one that has met by `faces` before: it stores `energy` [J], or all it can, by an overlap
-/// that carries no force, and bears `friction` [N, follower's frame]. False, and nothing is changed, when the faces do not meet.
+/// that carries no force, and bears `friction`. False, and nothing is changed, when the faces do not meet.
 bool start_tilted_contact(const BoxPair& boxes, const std::array<Row, 3>& rotation, const Row& position, const Interface& law,
-                          const TiltedFaces& faces, double energy, const Row& friction, TiltedContact& contact, PairTally& tally);
+                          const TiltedFaces& faces, double energy, const TiltedFriction& friction, TiltedContact& contact,
+                          PairTally& tally);
 
 /// Contact of two boxes at an angle that touched at the last step, or are not apart; `before`: what it stored at the last step.
 /// `first_step`: initial overlap carries force.

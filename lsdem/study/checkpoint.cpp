@@ -29,7 +29,7 @@ static void exchange(Archive& archive, Statistics& s) {
 static void exchange(Archive& archive, Release& r) { archive(r.block, r.position, r.orientation, r.velocity); }
 
 static void exchange(Archive& archive, Preload& p) {
-    archive(p.leader, p.follower, p.energy, p.friction, p.count_p, p.count_q, p.traction_u, p.traction_v, p.faces);
+    archive(p.leader, p.follower, p.energy, p.friction, p.count_p, p.count_q, p.traction_u, p.traction_v, p.faces, p.couple);
 }
 
 static void exchange(Archive& archive, BaseState& b) { archive(b.displacement, b.velocity, b.acceleration); }
@@ -71,7 +71,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr ArchiveKind kKind{{'m', 'u', 's', 'i', 'm', 'R', 'U', 'N'}, 6, "checkpoint"};
+constexpr ArchiveKind kKind{{'m', 'u', 's', 'i', 'm', 'R', 'U', 'N'}, 7, "checkpoint"};
 
 /// The fields of a checkpoint beside its run, which need not be copied to be written.
 struct Beside {

@@ -18,7 +18,7 @@
 namespace musim::lsdem::study {
 namespace {
 
-constexpr std::string_view kFormat = "musim-specimen/3";
+constexpr std::string_view kFormat = "musim-specimen/4";
 
 /// Edge lengths that differ by less than this part are the same, written at another scale.
 constexpr double kSameLength = 1e-9;
@@ -34,6 +34,11 @@ double weight_of(const Model& model, std::size_t index) { return model.blocks[in
 /// The traction of a face that bears the weight of this block along itself [Pa].
 double traction_of_weight(const Model& model, std::size_t index) {
     return weight_of(model, index) / model.shapes[model.blocks[index].shape].face_area;
+}
+
+/// The couple of the weight of this block at the end of its height [N·m].
+double couple_of_weight(const Model& model, std::size_t index) {
+    return weight_of(model, index) * 2.0 * half_extents(model, model.blocks[index]).z();
 }
 
 /// What a whole face holds that bears the weight of this block [J]: (m g)²/(2 K_n A).
@@ -70,11 +75,12 @@ std::vector<Preload> read_preloads(const detail::Hdf5Reader& reader, const std::
     const auto nodes = reader.integers("/contacts/nodes", 2), faces = reader.integers("/contacts/faces", 1);
     const auto squared_load = reader.doubles("/contacts/squared_load", 1);
     const auto friction = reader.doubles("/contacts/friction_over_block_weight", 2);
+    const auto couple = reader.doubles("/contacts/couple_over_block_weight_and_height", 1);
     const auto node_friction = reader.doubles("/contacts/node_friction", 2);
     const auto known = [&](long long block) { return block >= 0 && block < static_cast<long long>(model.blocks.size()); };
     const std::size_t contacts = squared_load.values.size();
     if (leader.values.size() != contacts || follower.values.size() != contacts || nodes.values.size() != 2 * contacts ||
-        faces.values.size() != contacts || friction.values.size() != 3 * contacts) {
+        faces.values.size() != contacts || friction.values.size() != 3 * contacts || couple.values.size() != contacts) {
         refuse(file, "the lists of its contacts differ in length (a damaged file); prepare it again");
     }
     std::vector<Preload> preloads(contacts);
@@ -104,6 +110,7 @@ std::vector<Preload> read_preloads(const detail::Hdf5Reader& reader, const std::
         preload.friction = weight_of(model, preload.leader) * Eigen::Map<const Vector3>(&friction.values[3 * i]);
         preload.count_p = static_cast<std::size_t>(along_p), preload.count_q = static_cast<std::size_t>(along_q);
         preload.faces = static_cast<std::uint8_t>(faces.values[i]);
+        preload.couple = couple.values[i] * couple_of_weight(model, preload.leader);
         const double unit = traction_of_weight(model, preload.leader);
         for (long long k = 0; k < along_p * along_q; ++k, ++node) {
             preload.traction_u.push_back(unit * node_friction.values[2 * node]);
@@ -159,12 +166,13 @@ void write_specimen(const std::filesystem::path& file, const PreparedSpecimen& p
     std::vector<double> squared_load;
     std::vector<Vector3> friction;
     std::vector<long long> nodes, faces;
-    std::vector<double> node_friction;
+    std::vector<double> couple, node_friction;
     for (const Preload& contact : model.preload) {
         leader.push_back(static_cast<long long>(contact.leader));
         follower.push_back(contact.follower ? static_cast<long long>(*contact.follower) : kGround);
         squared_load.push_back(contact.energy / energy_of_weight(model, contact.leader));
         friction.emplace_back(contact.friction / weight_of(model, contact.leader));
+        couple.push_back(contact.couple / couple_of_weight(model, contact.leader));
         faces.push_back(contact.faces);
         nodes.insert(nodes.end(), {static_cast<long long>(contact.count_p), static_cast<long long>(contact.count_q)});
         const double unit = traction_of_weight(model, contact.leader);
@@ -184,6 +192,7 @@ void write_specimen(const std::filesystem::path& file, const PreparedSpecimen& p
     out.write("/contacts/follower", {follower.size()}, follower.data(), "1");
     out.write("/contacts/squared_load", {squared_load.size()}, squared_load.data(), "1");
     out.write("/contacts/friction_over_block_weight", {friction.size(), 3}, flatten(friction).data(), "1");
+    out.write("/contacts/couple_over_block_weight_and_height", {couple.size()}, couple.data(), "1");
     out.write("/contacts/faces", {faces.size()}, faces.data(), "1");
     out.write("/contacts/nodes", {nodes.size() / 2, 2}, nodes.data(), "1");
     out.write("/contacts/node_friction", {node_friction.size() / 2, 2}, node_friction.data(), "1");

@@ -125,12 +125,13 @@ TEST_CASE("a preload of a block that is not there, or of less than nothing, is r
         return true;
     };
     CHECK(accepts(known));
-    Preload fewer = known, endless = known, other_faces = known, unknown_friction = known;
+    Preload fewer = known, endless = known, other_faces = known, unknown_friction = known, unknown_couple = known;
     fewer.traction_v.pop_back();
     endless.count_p = std::size_t{1} << 40U;
     other_faces.faces = TiltedFaces::kCodes + 1;
     unknown_friction.traction_u.back() = unknown;
-    for (const Preload& bad : {fewer, endless, other_faces, unknown_friction}) CHECK_FALSE(accepts(bad));
+    unknown_couple.couple = unknown;
+    for (const Preload& bad : {fewer, endless, other_faces, unknown_friction, unknown_couple}) CHECK_FALSE(accepts(bad));
 }
 
 TEST_CASE("a block that slides onto another is carried without a break when the strip they share becomes a patch") {

@@ -323,11 +323,12 @@ TEST_CASE("a file that is no specimen, or one of another wall, is refused with w
     damaged.tilt.assign(upright.model.blocks.size(), 0.0);
     damaged.force = {1.0};
     const std::filesystem::path damaged_file = folder.path() / "damaged.h5";
-    Preload nodes{0, 1, 1e-6}, faces{0, 1, 1e-6}, friction{0, 1, 1e-6};
+    Preload nodes{0, 1, 1e-6}, faces{0, 1, 1e-6}, friction{0, 1, 1e-6}, couple{0, 1, 1e-6};
     nodes.count_p = 3, nodes.count_q = 4;
     faces.faces = TiltedFaces::kCodes + 1;
     friction.friction.x() = std::numeric_limits<double>::infinity();
-    for (const Preload& bad : {Preload{0, upright.model.blocks.size(), 1e-6}, Preload{0, 1, -1e-6}, nodes, faces, friction}) {
+    couple.couple = std::numeric_limits<double>::infinity();
+    for (const Preload& bad : {Preload{0, upright.model.blocks.size(), 1e-6}, Preload{0, 1, -1e-6}, nodes, faces, friction, couple}) {
         damaged.specimen.model.preload = {bad};
         write_specimen(damaged_file, damaged, "{}", "test");
         CHECK(message(with_file(scene, damaged_file)).find("contact 0") != std::string::npos);
