@@ -43,9 +43,9 @@ void check_model(const Model& model, double time_step) {
     for (const Preload& preload : model.preload) {
         require(preload.leader < model.blocks.size() && preload.follower.value_or(0) < model.blocks.size(),
                 "Simulation: a preload names a block that does not exist");
-        require(
-            preload.is_sound() && preload.energy >= 0.0,
-            "Simulation: the energy of a preload must be finite and not negative, its friction finite, with one traction for every node");
+        require(preload.is_sound() && preload.energy >= 0.0,
+                "Simulation: the energy of a preload must be finite and not negative, its friction and couple finite, with one traction "
+                "for every node");
     }
 }
 

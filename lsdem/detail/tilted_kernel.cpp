@@ -311,11 +311,12 @@ double find_damping(const StepLaw& law, const TiltedLoad& load, std::size_t k, d
 /// How far a contact reaches about its middles: what it resists turning with.
 struct Reach {
     double polar = 0.0;     ///< second moment of the area about its middle [m⁴]
-    double distance = 0.0;  ///< mean distance of the pressure from its own middle [m]
+    double distance = 0.0;  ///< r̄, for the mean distance of the pressure from its own middle [m]
 };
 
+/// Sums area and load again, from a corner of the polygon: from the middle of the face those of a thin strip would cancel.
 Reach find_reach(const FacePolygon& polygon, const FaceAffine& depth) {
-    // exact integrals of products of affine functions over the triangles of a fan, places taken from its first corner
+    // exact integrals of products of affine functions over the triangles of a fan
     double area = 0.0, area_a = 0.0, area_b = 0.0, area_squared = 0.0;
     double load = 0.0, load_a = 0.0, load_b = 0.0, load_squared = 0.0;
     const double first = std::max(0.0, depth(polygon[0].a, polygon[0].b));
@@ -350,9 +351,9 @@ Row find_turn(const RelativePose& pose) {
 }
 
 /// Friction: one spring at the centre of pressure, across the direction in which the boxes push each other, and one against turning about
-/// that direction, with one limit for both. `part`: of the step.
-void slide(const RelativePose& pose, const StepLaw& law, const TiltedLoad& load, const Reach& reach, std::size_t k, double part,
-           const TiltedContact& before, TiltedContact& now) {
+/// that direction, with one limit for both. `turned`: over the step, of which the contact has lasted `part`.
+void slide(const RelativePose& pose, const Row& turned, const StepLaw& law, const TiltedLoad& load, const Reach& reach, std::size_t k,
+           double part, const TiltedContact& before, TiltedContact& now) {
     const double size = std::sqrt(dot(load.force.force, load.force.force));
     Row normal;
     for (std::size_t r = 0; r < 3; ++r) {
@@ -362,7 +363,7 @@ void slide(const RelativePose& pose, const StepLaw& law, const TiltedLoad& load,
     // a smaller area keeps the slip, a larger one the force: neither adds energy
     const double keep = now.area > before.area ? before.area / now.area : 1.0;
     const double keep_twist = reach.polar > before.polar ? before.polar / reach.polar : 1.0;
-    const double turn = part * dot(find_turn(pose), normal);
+    const double turn = part * dot(turned, normal);
     double twist = keep_twist * before.twist + turn, couple_drag = -reach.polar * law.cs * turn;
     double couple = couple_drag - reach.polar * law.ks * twist;
     const Row step = change_at(pose, now.place);
@@ -378,13 +379,14 @@ void slide(const RelativePose& pose, const StepLaw& law, const TiltedLoad& load,
     const double turning = reach.distance > 0.0 ? couple / reach.distance : 0.0, squared = dot(shear, shear) + turning * turning;
     if (squared > limit * limit) {
         const double scale = limit / std::sqrt(squared);
+        // springs and dashpots alike: what a dashpot bore is no spring's now, which would store what no work has given it
         couple *= scale;
-        twist = reach.polar > 0.0 ? -law.ks_inverse * couple / reach.polar : 0.0;
-        couple_drag = 0.0;
+        couple_drag *= scale;
+        twist = reach.polar > 0.0 ? -law.ks_inverse * (couple - couple_drag) / reach.polar : 0.0;
         for (std::size_t r = 0; r < 3; ++r) {
             shear[r] *= scale;
-            slip[r] = -law.ks_inverse * shear[r] / now.area;
-            drag[r] = 0.0;
+            drag[r] *= scale;
+            slip[r] = -law.ks_inverse * (shear[r] - drag[r]) / now.area;
         }
     }
     now.slip = slip, now.drag = drag, now.shear = shear;
@@ -500,6 +502,7 @@ void compute_tilted_contact(const BoxPair& boxes, const RelativePose& pose, cons
     const bool lasts = before.touches && meeting.exists && meeting.faces == before.faces;
     const bool changes = before.touches && meeting.exists && !lasts;
     const bool inherits = !before.touches && before.inherited > 0.0;
+    const Row turn = find_turn(pose);
 
     contact.touches = meeting.exists;
     contact.faces = meeting.faces;
@@ -534,7 +537,7 @@ void compute_tilted_contact(const BoxPair& boxes, const RelativePose& pose, cons
             contact.damping = find_damping(law, load, view.k, compute_work(load.force, pose));
             total.add(contact.elastic, contact.damping);
             const double part = lasts ? 1.0 : find_part_since_touch(meeting.polygon, depth, find_opening(pose, view));
-            slide(pose, law, load, find_reach(meeting.polygon, depth), view.k, part, lasts ? before : TiltedContact{}, contact);
+            slide(pose, turn, law, load, find_reach(meeting.polygon, depth), view.k, part, lasts ? before : TiltedContact{}, contact);
             total.add(contact.shear, contact.place);
         }
     }
@@ -543,7 +546,6 @@ void compute_tilted_contact(const BoxPair& boxes, const RelativePose& pose, cons
     const double stored_shear =
         contact.area > 0.0 ? 0.5 * law.ks * (contact.area * dot(contact.slip, contact.slip) + contact.polar * contact.twist * contact.twist)
                            : 0.0;
-    const Row turn = find_turn(pose);
     const Row step_before = change_at(pose, before.place), step = change_at(pose, contact.place);
     const double dragged =
         -0.5 * (dot(before.drag, step_before) + dot(contact.drag, step) + dot(before.couple_drag, turn) + dot(contact.couple_drag, turn));

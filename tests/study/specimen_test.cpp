@@ -281,6 +281,23 @@ TEST_CASE("a specimen serves other materials and scales") {
         CHECK(scaled.model.blocks[i].position * 16.0 == taken.model.blocks[i].position);
         CHECK(scaled.model.blocks[i].orientation.coeffs() == taken.model.blocks[i].orientation.coeffs());
     }
+
+    // what friction bears goes with weights, a couple with weight times height
+    PreparedSpecimen twisted;
+    twisted.specimen = taken;
+    twisted.tilt.assign(taken.model.blocks.size(), 0.0);
+    twisted.force = {1.0};
+    REQUIRE(twisted.specimen.model.preload.size() > 1);
+    twisted.specimen.model.preload[1].couple = 3e-5;
+    const std::filesystem::path twisted_file = folder.path() / "twisted.h5";
+    write_specimen(twisted_file, twisted, "{}", "test");
+    Specimen here = make_upright_specimen(scene), there = make_upright_specimen(small);
+    take_places(twisted_file, here);
+    take_places(twisted_file, there);
+    const Preload &large = here.model.preload[1], &little = there.model.preload[1];
+    CHECK(large.couple == doctest::Approx(3e-5).epsilon(1e-12));
+    CHECK(little.couple * std::pow(16.0, 4) == large.couple);
+    CHECK(little.friction * std::pow(16.0, 3) == large.friction);
 }
 
 TEST_CASE("a scene with blocks of unequal height and its twin at 1:16 settle and run to the same bits") {

@@ -54,7 +54,7 @@ double normal_impulse(const Simulation& simulation, const Stone& stone, std::siz
 }  // namespace
 
 // Pressure is even and the reach of the couple √(3/4) times the root of J/A, of the diagonal e of a rectangle e/4: it loses μ e/4 of the
-// impulse of the normal force. Its springs take it up within sqrt(I/(K_s J)) = sqrt(m/k_s), here 1/200 of the time.
+// impulse of the normal force. Its springs take it up within sqrt(I/(K_s J)) = sqrt(m/k_s), here 1/100 of the time.
 TEST_CASE("a block that spins across a plate is slowed by mu N times a quarter of the diagonal of its face") {
     const Stone stone = wood();
     const double rate = 2.0, diagonal = stone.size.head<2>().norm(), inertia = stone.mass() * diagonal * diagonal / 12.0;
@@ -80,6 +80,29 @@ TEST_CASE("a beam that turns on an edge is slowed by mu N times a quarter of the
     MESSAGE("spin on an edge: " << lost / expected << " of the closed form, rate " << s.angular_velocity(1).z());
     // its springs load in 0.16 ms, at first and after every bounce
     CHECK(lost == relative(expected, 5e-3));
+}
+
+// A thin tile, so that friction at its base does not move the pressure: what it loses of its momentum and of its spin together is μ times
+// the impulse of the normal force.
+TEST_CASE("a tile that slides and spins across a plate loses force and couple by one limit") {
+    Stone stone = wood();
+    stone.size.z() = 0.02 * stone.size.x();
+    const double rate = 20.0, diagonal = stone.size.head<2>().norm(), inertia = stone.mass() * diagonal * diagonal / 12.0;
+    for (const double speed : {0.05, 0.15, 0.45}) {
+        Model model = make_block_across(stone, rate);
+        model.blocks[1].velocity.x() = speed;
+        Simulation s(model, 0.1 * compute_critical_time_step(model));
+        advance(s, 100);
+        const double fell = normal_impulse(s, stone, 1), slower = s.velocity(1).x(), turns = s.angular_velocity(1).z();
+        advance(s, 100);
+        const double impulse = stone.friction * (normal_impulse(s, stone, 1) - fell);
+        const double force = stone.mass() * (slower - s.velocity(1).x()) / impulse;
+        const double couple = inertia * (turns - s.angular_velocity(1).z()) / (0.25 * diagonal * impulse);
+        MESSAGE("tile at " << speed << " m/s and " << rate << " rad/s: force " << force << ", couple " << couple
+                           << " of the limits of each");
+        CHECK(std::hypot(force, couple) == relative(1.0, 2e-3));
+        CHECK(std::min(force, couple) > 0.1);
+    }
 }
 
 // I = m e²/12 and J = A e²/12: the frequency is that of shear, sqrt(k_s/m).
