@@ -39,7 +39,8 @@ TEST_SUITE("stability-slow") {
     }
 
     TEST_CASE("a heap of 512 blocks is poured and comes to rest") {
+        // blocks that were thrown out tumble over the ground until 1.4 s, and one rocks until 1.8 s
         const Model heap = make_poured_heap(8, 8, ContactNodes::leader);
-        check_sound("heap of 512", observe(heap, default_time_step(heap), 1.2, 200), kPouredFromHigh);
+        check_sound("heap of 512", observe(heap, default_time_step(heap), 1.8, 300), kPouredFromHigh);
     }
 }
