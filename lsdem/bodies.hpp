@@ -1,12 +1,16 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "lsdem/model.hpp"
 #include "lsdem/types.hpp"
 
 namespace musim::lsdem {
+
+/// Stands for the ground in place of a block.
+inline constexpr std::uint32_t kGround = std::numeric_limits<std::uint32_t>::max();
 
 /// State of all blocks, one array per quantity, world frame. Positions belong to the current step n, momenta to n − 1/2 (leapfrog).
 struct Bodies {
@@ -30,6 +34,9 @@ struct Bodies {
 
     explicit Bodies(const Model& model);
     std::size_t size() const { return mass.size(); }
+
+    /// How far two blocks have travelled together, or one against the ground [m].
+    double travel_of(std::uint32_t a, std::uint32_t b) const { return b == kGround ? travel[a] : travel[a] + travel[b]; }
 
     /// Lets go of fixed block i: it takes pose, velocity and inertia from its entry in `model`, without spin.
     void release(std::size_t i, const Model& model);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lsdem/bodies.hpp"
+#include "lsdem/contact/overlap_contact.hpp"
 #include "lsdem/contact_law.hpp"
 #include "lsdem/losses.hpp"
 #include "lsdem/model.hpp"
@@ -15,9 +16,6 @@
 #include "lsdem/types.hpp"
 
 namespace musim::lsdem {
-
-/// Stands for the ground in place of a follower.
-inline constexpr std::uint32_t kGround = std::numeric_limits<std::uint32_t>::max();
 
 /// What the nodes of all pairs remember of their contacts, in the follower's frame; structure of arrays, one entry per entry of
 /// ContactList::nodes. The history is the largest stream of a step.
@@ -58,10 +56,12 @@ struct ContactPair {
     std::uint32_t patch_group = kNoPatch;  ///< into ContactList::patches, when the pair is a patch
     std::uint32_t patch_lane = 0;
     std::uint32_t tilted = kNoPatch;  ///< into ContactList::tilted, when the pair is two boxes at an angle
-    Interface law;                    ///< of a patch, that of its kind
+    std::uint32_t overlap = kNoPatch;  ///< into ContactList::overlaps, when the pair meets by its overlap
+    Interface law;                     ///< of a patch, that of its kind
 
     bool is_patch() const { return patch_group != kNoPatch; }
     bool is_tilted() const { return tilted != kNoPatch; }
+    bool is_overlap() const { return overlap != kNoPatch; }
 };
 
 /// What one pair did in the current step, world frame.
@@ -101,6 +101,7 @@ struct ContactList {
     std::vector<PairForce> forces;  ///< one per pair
     PatchList patches;
     std::vector<TiltedContact> tilted;
+    std::vector<OverlapContact> overlaps;
     std::vector<std::uint32_t> node_pairs;  ///< the pairs that are no patches
     std::vector<std::uint32_t> ground_pairs;
     std::vector<PairTally> tallies;    ///< one per pair; of a patch, unused
@@ -125,7 +126,7 @@ struct ContactTotals {
     PairWork work;
     std::size_t touching = 0;
 };
-ContactTotals sum_contacts(const ContactList& list);
+ContactTotals sum_contacts(const Bodies& bodies, const BasePose& base, const ContactList& list);
 
 /// Number of pairs that are known to be apart, see kTrustedGap.
 std::size_t count_apart(const Bodies& bodies, const ContactList& list);
@@ -139,11 +140,12 @@ void add_losses(const ContactList& list, Losses& losses);
 /// Forgets the losses of all pairs.
 void clear_losses(ContactList& list);
 
-/// Elastic energy of pair `index` [J].
+/// Elastic energy of a pair [J].
 struct PairElastic {
     double normal = 0.0, shear = 0.0;
 };
-PairElastic find_elastic(const ContactList& list, std::size_t index);
+/// Of pair `index` at step n; of boxes that meet by their overlap, computed from their poses.
+PairElastic find_elastic(const Bodies& bodies, const BasePose& base, const ContactList& list, std::size_t index);
 
 /// Books what a pair gives up when its contact starts anew, at other faces or in another way: of the stored energy, what its last force
 /// does not return over the second half of the step from n − 1 to n.

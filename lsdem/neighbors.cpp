@@ -47,7 +47,14 @@ std::int64_t find_cell(double place) {
 
 bool same_pair(const ContactPair& a, const ContactPair& b) { return a.leader == b.leader && a.follower == b.follower; }
 
-bool before(const ContactPair& a, const ContactPair& b) { return std::tie(a.leader, a.follower) < std::tie(b.leader, b.follower); }
+/// The order of pairs in the list: by their blocks, whichever leads.
+auto place_in_list(std::uint32_t leader, std::uint32_t follower) {
+    return std::tuple{std::min(leader, follower), std::max(leader, follower), leader};
+}
+
+bool before(const ContactPair& a, const ContactPair& b) {
+    return place_in_list(a.leader, a.follower) < place_in_list(b.leader, b.follower);
+}
 
 /// Copies the history of nodes that stay, both lists ascending; ends nothing: a node that leaves the list is at least a skin away.
 void carry_history(const ContactPair& from, const ContactList& old_list, const ContactPair& to, ContactList& list) {
@@ -202,11 +209,27 @@ bool NeighborSearch::by_faces() const {
     return model_->face_contact == FaceContact::patch && model_->stiffness_sharing == StiffnessSharing::per_area;
 }
 
+bool NeighborSearch::is_box(std::uint32_t block) const {
+    const Shape& shape = model_->shapes[model_->blocks[block].shape];
+    return shape.faceted && std::holds_alternative<BoxLevelSet>(shape.level_set);
+}
+
+bool NeighborSearch::add_overlap(BlockPair blocks, ContactList& list) const {
+    if (model_->face_contact != FaceContact::overlap || model_->stiffness_sharing != StiffnessSharing::per_area) return false;
+    if (!is_box(blocks.leader) || (blocks.follower != kGround && !is_box(blocks.follower))) return false;
+    ContactPair pair;
+    pair.leader = blocks.leader;
+    pair.follower = blocks.follower;
+    pair.first_node = static_cast<std::uint32_t>(list.nodes.size());
+    pair.overlap = static_cast<std::uint32_t>(list.overlaps.size());
+    pair.law = make_pair_interface(blocks, effective_mass(blocks, mass_));
+    list.overlaps.emplace_back();
+    list.node_pairs.push_back(static_cast<std::uint32_t>(list.pairs.size()));
+    list.pairs.push_back(pair);
+    return true;
+}
+
 bool NeighborSearch::add_tilted(BlockPair blocks, ContactList& list) const {
-    const auto is_box = [&](std::uint32_t block) {
-        const Shape& shape = model_->shapes[model_->blocks[block].shape];
-        return shape.faceted && std::holds_alternative<BoxLevelSet>(shape.level_set);
-    };
     if (!by_faces() || blocks.follower == kGround || !is_box(blocks.leader) || !is_box(blocks.follower)) return false;
     ContactPair pair;
     pair.leader = blocks.leader;
@@ -230,6 +253,7 @@ void NeighborSearch::rebuild(const Bodies& bodies, const BasePose& base, Contact
     list.node_pairs.clear();
     list.nodes.clear();
     list.tilted.clear();
+    list.overlaps.clear();
     // what stands already meets as it met before, even where it could meet in another way too
     const bool first = previous_.first_step && previous_.pairs.empty();
     static const std::vector<Preload> kNone;
@@ -258,10 +282,12 @@ void NeighborSearch::rebuild(const Bodies& bodies, const BasePose& base, Contact
             if (near && bodies.fixed[i] == 0) directed.push_back({i, kGround});
         }
     }
-    std::sort(directed.begin(), directed.end(),
-              [](const BlockPair& a, const BlockPair& b) { return std::tie(a.leader, a.follower) < std::tie(b.leader, b.follower); });
+    std::sort(directed.begin(), directed.end(), [](const BlockPair& a, const BlockPair& b) {
+        return place_in_list(a.leader, a.follower) < place_in_list(b.leader, b.follower);
+    });
     std::vector<PatchPlan> plans;
     for (const BlockPair& p : directed) {
+        if (add_overlap(p, list)) continue;
         const Preload* held = standing.find(p.leader, p.follower);
         const bool at_an_angle = held != nullptr && held->faces != 0;
         if (!at_an_angle && plan_patch(p, bodies, base, list, plans)) {
@@ -297,6 +323,12 @@ void NeighborSearch::rebuild(const Bodies& bodies, const BasePose& base, Contact
         old_pair[p] = static_cast<std::uint32_t>(o);
         list.forces[p] = previous_.forces[o];
         if (list.demand.wanted) list.demand.asked[p] = previous_.demand.asked[o];
+        if (list.pairs[p].is_overlap()) {
+            list.overlaps[list.pairs[p].overlap] = previous_.overlaps[old->overlap];
+            list.tallies[p] = previous_.tallies[o];
+            list.next_look[p] = previous_.next_look[o];
+            continue;
+        }
         if (old->is_patch() || list.pairs[p].is_patch() || old->is_tilted() != list.pairs[p].is_tilted()) continue;
         if (old->is_tilted()) {
             list.tilted[list.pairs[p].tilted] = previous_.tilted[old->tilted];
@@ -312,11 +344,12 @@ void NeighborSearch::rebuild(const Bodies& bodies, const BasePose& base, Contact
     for (std::size_t p = 0; p < list.pairs.size(); ++p) {
         if (old_pair[p] == ContactPair::kNoPatch) continue;
         const ContactPair& pair = list.pairs[p];
-        const PairElastic before = find_elastic(previous_, old_pair[p]);
-        const PairElastic carried = find_elastic(list, p);
+        if (pair.is_overlap()) continue;
+        const PairElastic before = find_elastic(bodies, base, previous_, old_pair[p]);
+        const PairElastic carried = find_elastic(bodies, base, list, p);
         if (before.normal == carried.normal && before.shear == carried.shear) continue;
         if (pair.is_patch()) detail::inherit_load(list.patches, pair.patch_group, pair.patch_lane, {.energy = before.normal});
-        const double kept = find_elastic(list, p).normal;
+        const double kept = find_elastic(bodies, base, list, p).normal;
         PairWork& work = loss_of(pair, finished);
         if (kept > 0.0) {
             work.damping += before.normal - kept;

@@ -46,6 +46,9 @@ class NeighborSearch {
     void add_pair(BlockPair blocks, const Bodies& bodies, const BasePose& base, ContactList& list) const;
     /// Plans the pair as a patch, if its faces meet nearly parallel.
     bool plan_patch(BlockPair blocks, const Bodies& bodies, const BasePose& base, ContactList& list, std::vector<PatchPlan>& plans) const;
+    bool is_box(std::uint32_t block) const;
+    /// Lists the pair as boxes that meet by their overlap, if that is how the model has them meet.
+    bool add_overlap(BlockPair blocks, ContactList& list) const;
     /// Lists the pair as two boxes at an angle, if that is how the model has them meet.
     bool add_tilted(BlockPair blocks, ContactList& list) const;
     /// Do boxes meet by their faces, not node by node?

@@ -53,7 +53,7 @@ const Preload* PreloadMap::find(std::uint32_t leader, std::uint32_t follower) co
     return found == by_pair_.end() ? nullptr : found->second;
 }
 
-std::vector<Preload> find_preloads(const Bodies& bodies, const ContactList& list) {
+std::vector<Preload> find_preloads(const Bodies& bodies, const BasePose& base, const ContactList& list) {
     std::vector<Preload> preloads;
     for (std::size_t p = 0; p < list.pairs.size(); ++p) {
         const ContactPair& pair = list.pairs[p];
@@ -61,7 +61,7 @@ std::vector<Preload> find_preloads(const Bodies& bodies, const ContactList& list
         Preload preload;
         preload.leader = pair.leader;
         if (pair.follower != kGround) preload.follower = pair.follower;
-        preload.energy = find_elastic(list, p).normal;
+        preload.energy = find_elastic(bodies, base, list, p).normal;
         if (!(preload.energy > 0.0)) continue;
         if (pair.is_patch()) {
             detail::PatchLoad load = detail::find_load(list.patches, pair.patch_group, pair.patch_lane);
@@ -71,6 +71,10 @@ std::vector<Preload> find_preloads(const Bodies& bodies, const ContactList& list
             preload.count_q = static_cast<std::size_t>(list.patches.lattices[kind.lattice].count_q);
             preload.traction_u = std::move(load.traction_u);
             preload.traction_v = std::move(load.traction_v);
+        } else if (pair.is_overlap()) {
+            const OverlapContact& contact = list.overlaps[pair.overlap];
+            preload.friction = -contact.shear;
+            preload.couple = contact.couple;
         } else if (pair.is_tilted()) {
             const detail::TiltedFriction friction = detail::find_friction(list.tilted[pair.tilted]);
             preload.friction = frame * Eigen::Map<const Vector3>(friction.force.data());
@@ -95,6 +99,12 @@ void preload_contacts(const std::vector<Preload>& preloads, const Bodies& bodies
             const PatchKind& kind = kind_of(list, pair);
             detail::inherit_load(list.patches, pair.patch_group, pair.patch_lane,
                                  {preload.energy, friction[kind.u], friction[kind.v], preload.traction_u, preload.traction_v});
+        } else if (pair.is_overlap()) {
+            // with no area before, springs keep their force
+            OverlapContact& contact = list.overlaps[pair.overlap];
+            contact.touches = true;
+            contact.shear = -preload.friction;
+            contact.couple = preload.couple;
         } else if (pair.is_tilted()) {
             TiltedContact& contact = list.tilted[pair.tilted];
             if (preload.faces == 0 || !start(bodies, pair, preload, friction, contact, list.tallies[p])) {

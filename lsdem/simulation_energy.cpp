@@ -35,7 +35,7 @@ double Simulation::Implementation::kinetic() const {
 }
 
 double Simulation::Implementation::stored_and_kinetic() const {
-    const ContactTotals contacts = sum_contacts(list);
+    const ContactTotals contacts = sum_contacts(bodies, base, list);
     return kinetic() + contacts.elastic_normal + contacts.elastic_shear;
 }
 
@@ -98,7 +98,7 @@ Energy Simulation::Implementation::find_energy() const {
         energy.preparation_loss += half_preparation_loss(i);
     }
     for (const double loss : bodies.preparation_loss) energy.preparation_loss += loss;
-    const ContactTotals contacts = sum_contacts(list);
+    const ContactTotals contacts = sum_contacts(bodies, base, list);
     energy.elastic_normal = contacts.elastic_normal;
     energy.elastic_shear = contacts.elastic_shear;
     energy.gravitational = gravitational();

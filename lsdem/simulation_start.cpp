@@ -116,6 +116,7 @@ void Simulation::Implementation::start() {
     update_contacts();
     share_work();  // now that it is known what touches
     list.first_step = false;
+    clear_losses(list);  // what the step before the start would have dissipated
     start_energy = stored_and_kinetic();
 
     // momenta of step −1/2, so that every step is the same

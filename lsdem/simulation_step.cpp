@@ -90,6 +90,7 @@ void Simulation::Implementation::share_work() {
 
     const auto work_of_pair = [&](std::size_t i) -> std::size_t {
         const ContactPair& pair = list.pairs[list.node_pairs[i]];
+        if (pair.is_overlap()) return list.overlaps[pair.overlap].touches ? kNodesPerTiltedPair : 1;
         if (pair.is_tilted()) return list.tilted[pair.tilted].touches ? kNodesPerTiltedPair : 1;
         return pair.node_count;
     };

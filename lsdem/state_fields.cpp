@@ -24,7 +24,7 @@ static void exchange(Archive& archive, Interface& law) {
 }
 
 static void exchange(Archive& archive, ContactPair& p) {
-    archive(p.leader, p.follower, p.first_node, p.node_count, p.patch_group, p.patch_lane, p.tilted, p.law);
+    archive(p.leader, p.follower, p.first_node, p.node_count, p.patch_group, p.patch_lane, p.tilted, p.overlap, p.law);
 }
 
 static void exchange(Archive& archive, ContactHistory& h) { archive(h.slip, h.damping_pressure, h.late, h.viscous); }
@@ -40,6 +40,12 @@ static void exchange(Archive& archive, PlacedForce& f) { archive(f.force, f.by_p
 static void exchange(Archive& archive, TiltedContact& c) {
     archive(c.touches, c.faces, c.inherited, c.late, c.area, c.polar, c.slip, c.twist, c.place);
     archive(c.shear, c.drag, c.couple, c.couple_drag, c.elastic, c.damping);
+}
+
+static void exchange(Archive& archive, PlacedWrench& w) { archive(w.force, w.couple); }
+
+static void exchange(Archive& archive, OverlapContact& c) {
+    archive(c.touches, c.area, c.polar, c.shear, c.couple, c.normal, c.place, c.friction, c.drag, c.damping);
 }
 
 static void exchange(Archive& archive, PatchLattice& lattice) {
@@ -69,7 +75,7 @@ static void exchange(Archive& archive, PatchList& p) {
 }
 
 void exchange(Archive& archive, ContactList& l) {
-    archive(l.pairs, l.nodes, l.history, l.forces, l.patches, l.tilted, l.node_pairs, l.ground_pairs, l.tallies, l.trusted_gap, l.next_look,
+    archive(l.pairs, l.nodes, l.history, l.forces, l.patches, l.tilted, l.overlaps, l.node_pairs, l.ground_pairs, l.tallies, l.trusted_gap, l.next_look,
             l.faces, l.first_step, l.demand.wanted, l.demand.asked, l.work);
     l.due.resize(l.node_pairs.size());
 }
@@ -95,6 +101,7 @@ void check_pair(const Model& model, const ContactList& list, const ContactPair& 
     for (std::size_t n = first; n < end; ++n) expect(list.nodes[n] < of_shape);
     if (pair.is_patch()) expect(pair.patch_group < list.patches.groups.size() && pair.patch_lane < PatchGroup::kSize);
     if (pair.is_tilted()) expect(pair.tilted < list.tilted.size() && pair.follower != kGround && !pair.is_patch());
+    if (pair.is_overlap()) expect(pair.overlap < list.overlaps.size() && !pair.is_patch() && !pair.is_tilted());
 }
 
 void check_patches(const Model& model, const ContactList& list) {

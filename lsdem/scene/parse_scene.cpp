@@ -389,8 +389,7 @@ void read_contact(const JsonObject& object, Scene& scene) {
         const bool per_contact = contact.choice("stiffness", {"per_area", "per_contact"}) == 1;
         scene.stiffness_sharing = per_contact ? StiffnessSharing::per_contact : StiffnessSharing::per_area;
     }
-    if (contact.has("faces"))
-        scene.face_contact = contact.choice("faces", {"patch", "nodes"}) == 1 ? FaceContact::nodes : FaceContact::patch;
+    if (contact.has("faces")) scene.face_contact = static_cast<FaceContact>(contact.choice("faces", face_contact_names()));
     if (contact.has("spacing")) {
         scene.patch_spacing = contact.choice("spacing", {"even", "lobatto"}) == 1 ? PatchSpacing::lobatto : PatchSpacing::even;
     }

@@ -242,6 +242,9 @@ struct OutputSettings {
     bool operator==(const OutputSettings&) const = default;
 };
 
+/// How a scene names the ways in which boxes meet, in the order of FaceContact.
+const std::vector<std::string>& face_contact_names();
+
 /// Everything a simulation needs. Complete and consistent when it comes from read_scene, parse_scene or scale_scene.
 struct Scene {
     std::string name;

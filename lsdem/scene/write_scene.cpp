@@ -5,6 +5,11 @@
 
 namespace musim::lsdem::scene {
 
+const std::vector<std::string>& face_contact_names() {
+    static const std::vector<std::string> kNames{"patch", "nodes", "overlap"};
+    return kNames;
+}
+
 namespace {
 
 using nlohmann::ordered_json;
@@ -206,7 +211,7 @@ std::string write_scene(const Scene& scene) {
                       {"contact",
                        {{"nodes", scene.contact_nodes == ContactNodes::leader ? "leader" : "both"},
                         {"stiffness", scene.stiffness_sharing == StiffnessSharing::per_area ? "per_area" : "per_contact"},
-                        {"faces", scene.face_contact == FaceContact::patch ? "patch" : "nodes"},
+                        {"faces", face_contact_names().at(static_cast<std::size_t>(scene.face_contact))},
                         {"spacing", scene.patch_spacing == PatchSpacing::even ? "even" : "lobatto"}}},
                       {"time", to_json(scene.time, !scene.motions.empty())},
                       {"output", output}};

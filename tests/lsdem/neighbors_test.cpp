@@ -88,7 +88,10 @@ TEST_CASE("the neighbor list of a random heap holds every touching node that bru
             REQUIRE(touching.size() > 100);
             CHECK(std::includes(near.begin(), near.end(), touching.begin(), touching.end()));
             CHECK(std::is_sorted(list.pairs.begin(), list.pairs.end(), [](const ContactPair& a, const ContactPair& b) {
-                return std::tie(a.leader, a.follower) < std::tie(b.leader, b.follower);
+                const auto place = [](const ContactPair& p) {
+                    return std::tuple{std::min(p.leader, p.follower), std::max(p.leader, p.follower), p.leader};
+                };
+                return place(a) < place(b);
             }));
         }
     }

@@ -1,0 +1,244 @@
+#include "lsdem/contact/overlap.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace musim::lsdem {
+namespace {
+
+/// A convex polygon that is being cut. A cut adds one corner at most.
+struct Polygon {
+    static constexpr std::size_t kMost = OverlapPieces::kMostCorners;
+    std::size_t count = 0;
+    std::array<Vector3, kMost> place;
+
+    Polygon() {}
+    Polygon(const Polygon& other) : count(other.count) { std::copy_n(other.place.begin(), count, place.begin()); }
+    Polygon& operator=(const Polygon&) = delete;
+    ~Polygon() = default;
+};
+
+/// An affine function: at + slope·x.
+struct Affine {
+    double at;
+    Vector3 slope;
+    double operator()(const Vector3& x) const { return at + slope.dot(x); }
+};
+
+Affine depth_below(const PlacedSolid& solid, std::size_t k) { return {solid.offset[k], -solid.normal[k]}; }
+
+Affine difference(const Affine& a, const Affine& b) { return {a.at - b.at, a.slope - b.slope}; }
+
+/// Keeps what lies where `inside` is positive; the border counts as inside where `with_border` says so [SutherlandHodgman74].
+void clip(const Affine& inside, bool with_border, Polygon& polygon) {
+    std::array<double, Polygon::kMost> at;
+    std::size_t within = 0;
+    const auto holds = [&](double value) { return with_border ? value >= 0.0 : value > 0.0; };
+    for (std::size_t i = 0; i < polygon.count; ++i) {
+        at[i] = inside(polygon.place[i]);
+        within += holds(at[i]) ? 1 : 0;
+    }
+    if (within == polygon.count) return;
+    if (within == 0) {
+        polygon.count = 0;
+        return;
+    }
+    const std::size_t before = polygon.count;
+    std::array<Vector3, Polygon::kMost> from;
+    std::copy_n(polygon.place.begin(), before, from.begin());
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < before && count + 2 <= Polygon::kMost; ++i) {
+        const std::size_t next = i + 1 == before ? 0 : i + 1;
+        if (holds(at[i])) polygon.place[count++] = from[i];
+        if (holds(at[i]) == holds(at[next])) continue;
+        polygon.place[count++] = from[i] + at[i] / (at[i] - at[next]) * (from[next] - from[i]);
+    }
+    polygon.count = count;
+}
+
+}  // namespace
+
+void OverlapPieces::add(const Piece& piece, const Vertex* vertices, std::size_t count) {
+    if (piece_count_ == kMostPieces || vertex_count_ + count > kMostVertices) return;
+    Piece& added = pieces_[piece_count_++];
+    added = piece;
+    added.first = static_cast<std::uint16_t>(vertex_count_);
+    added.count = static_cast<std::uint16_t>(count);
+    std::copy_n(vertices, count, vertices_.begin() + static_cast<std::ptrdiff_t>(vertex_count_));
+    vertex_count_ += count;
+    nearest_[piece.of_first ? 1 : 0] |= 1U << piece.nearest;
+}
+
+void OverlapPieces::cut_faces(const PlacedSolid& x, const PlacedSolid& y, bool of_first) {
+    std::array<std::array<double, PlacedSolid::kMostFaces>, PlacedSolid::kMostCorners> depth;
+    for (std::size_t c = 0; c < x.corner_count; ++c) {
+        for (std::size_t k = 0; k < y.face_count; ++k) depth[c][k] = y.depth(k, x.corner[c]);
+    }
+    for (std::size_t f = 0; f < x.face_count; ++f) {
+        const PlacedSolid::Loop& loop = x.loop[f];
+        // planes of y that all of the face is outside of, or that cut it; the least of the largest depths bounds the depth everywhere
+        bool apart = false;
+        std::uint32_t cuts = 0;
+        for (std::size_t k = 0; k < y.face_count && !apart; ++k) {
+            double least = depth[loop.first[0]][k], most = least;
+            for (std::size_t i = 1; i < loop.count; ++i) {
+                least = std::min(least, depth[loop.first[i]][k]);
+                most = std::max(most, depth[loop.first[i]][k]);
+            }
+            apart = !(most > 0.0);
+            if (!(least > 0.0)) cuts |= 1U << k;
+        }
+        if (apart) continue;
+        Polygon polygon;
+        polygon.count = loop.count;
+        for (std::size_t i = 0; i < loop.count; ++i) polygon.place[i] = x.corner[loop.first[i]];
+        for (std::size_t k = 0; k < y.face_count && polygon.count > 0; ++k) {
+            if ((cuts >> k & 1U) != 0) clip(depth_below(y, k), false, polygon);
+        }
+        if (polygon.count < 3) continue;
+
+        // what is left lies inside y; planes that are nowhere nearest are left out
+        std::array<double, PlacedSolid::kMostFaces> least;
+        double bound = std::numeric_limits<double>::infinity();
+        for (std::size_t k = 0; k < y.face_count; ++k) {
+            double most = 0.0;
+            least[k] = std::numeric_limits<double>::infinity();
+            for (std::size_t i = 0; i < polygon.count; ++i) {
+                const double d = y.depth(k, polygon.place[i]);
+                least[k] = std::min(least[k], d);
+                most = std::max(most, d);
+            }
+            bound = std::min(bound, most);
+        }
+        const auto can_be_nearest = [&](std::size_t k) { return least[k] <= bound; };
+        for (std::size_t k = 0; k < y.face_count; ++k) {
+            if (!can_be_nearest(k)) continue;
+            Polygon cell = polygon;
+            const Affine own = depth_below(y, k);
+            for (std::size_t other = 0; other < y.face_count && cell.count > 0; ++other) {
+                if (other != k && can_be_nearest(other)) clip(difference(depth_below(y, other), own), other > k, cell);
+            }
+            if (cell.count < 3) continue;
+            std::array<Vertex, Polygon::kMost> vertices;
+            for (std::size_t i = 0; i < cell.count; ++i) vertices[i] = {cell.place[i], std::max(0.0, own(cell.place[i]))};
+            Piece piece;
+            piece.normal = x.normal[f];
+            piece.facing = -x.normal[f].dot(y.normal[k]);
+            piece.of_first = of_first;
+            piece.nearest = static_cast<std::uint8_t>(k);
+            piece.nearest_normal = y.normal[k];
+            add(piece, vertices.data(), cell.count);
+        }
+    }
+}
+
+void OverlapPieces::cut(const PlacedSolid& a, const PlacedSolid& b) {
+    piece_count_ = vertex_count_ = 0;
+    nearest_ = {};
+    cut_faces(a, b, true);
+    cut_faces(b, a, false);
+}
+
+OverlapLoad sum_load(const OverlapPieces& pieces) {
+    // of each body by itself, so that the bodies may change places without changing a bit
+    std::array<Vector3, 2> force{Vector3::Zero(), Vector3::Zero()}, moment = force;
+    std::array<double, 2> area{};
+    OverlapLoad load;
+    for (std::size_t p = 0; p < pieces.size(); ++p) {
+        const OverlapPieces::Piece& piece = pieces[p];
+        const OverlapPieces::Vertex* const v = pieces.vertices(piece);
+        const std::size_t body = piece.of_first ? 0 : 1;
+        double sum = 0.0;
+        Vector3 at = Vector3::Zero();
+        load.deepest = std::max(load.deepest, v[0].depth);
+        for (std::size_t i = 1; i + 1 < piece.count; ++i) {
+            const Vector3 one = v[i].place - v[0].place, two = v[i + 1].place - v[0].place;
+            const double twice = piece.normal.dot(one.cross(two)), depth = (v[0].depth + v[i].depth) + v[i + 1].depth;
+            area[body] += 0.5 * twice;
+            sum += twice / 6.0 * depth;
+            at += twice / 24.0 * ((depth + v[i].depth) * one + (depth + v[i + 1].depth) * two);
+            load.deepest = std::max(load.deepest, v[i].depth);
+        }
+        load.deepest = std::max(load.deepest, v[piece.count - 1].depth);
+        force[body] += sum * piece.normal;
+        moment[body] += (at + sum * v[0].place).cross(piece.normal);
+    }
+    load.force = 0.5 * (force[0] - force[1]);
+    load.moment = 0.5 * (moment[0] - moment[1]);
+    load.area = 0.5 * (area[0] + area[1]);
+    return load;
+}
+
+namespace {
+
+/// ∫ d² over a polygon in a plane of normal n [m⁴].
+template <class Place, class Depth>
+double integrate_square(std::size_t count, const Vector3& normal, const Place& place, const Depth& depth) {
+    double sum = 0.0;
+    for (std::size_t i = 1; i + 1 < count; ++i) {
+        const double twice = normal.dot((place(i) - place(0)).cross(place(i + 1) - place(0)));
+        const double a = depth(0), b = depth(i), c = depth(i + 1);
+        sum += twice / 12.0 * ((a * a + b * b) + (c * c + (a * b + (b * c + a * c))));
+    }
+    return sum;
+}
+
+/// ∫ d² over the part of the sheet half way between planes i and k of `y` where both are nearest, inside `x`, times |n_i − n_k| [m⁴].
+double integrate_sheet(const PlacedSolid& x, const PlacedSolid& y, std::size_t i, std::size_t k) {
+    const Affine own = depth_below(y, i), gap = difference(depth_below(y, k), own);
+    const double slope = gap.slope.norm();
+    if (!(slope > 0.0)) return 0.0;
+    const Vector3 normal = gap.slope / slope;
+
+    // a square in the sheet that holds all of x
+    Vector3 middle = Vector3::Zero();
+    for (std::size_t c = 0; c < x.corner_count; ++c) middle += x.corner[c] / static_cast<double>(x.corner_count);
+    double reach = 0.0;
+    for (std::size_t c = 0; c < x.corner_count; ++c) reach = std::max(reach, (x.corner[c] - middle).norm());
+    middle -= gap(middle) / slope * normal;
+    Eigen::Index least = 0;
+    normal.cwiseAbs().minCoeff(&least);
+    const Vector3 e = normal.cross(Vector3::Unit(least)).normalized() * (2.0 * reach), f = normal.cross(e);
+    Polygon sheet;
+    sheet.count = 4;
+    sheet.place[0] = middle - e - f, sheet.place[1] = middle + e - f, sheet.place[2] = middle + e + f, sheet.place[3] = middle - e + f;
+
+    clip(own, false, sheet);
+    for (std::size_t j = 0; j < x.face_count && sheet.count > 0; ++j) clip(depth_below(x, j), false, sheet);
+    for (std::size_t j = 0; j < y.face_count && sheet.count > 0; ++j) {
+        if (j != i && j != k) clip(difference(depth_below(y, j), own), j > i, sheet);
+    }
+    return slope *
+           integrate_square(
+               sheet.count, normal, [&](std::size_t v) { return sheet.place[v]; }, [&](std::size_t v) { return own(sheet.place[v]); });
+}
+
+/// Sum over all sheets of `y` inside `x`; `nearest`: planes of y that are nearest to some of x, the only ones that have sheets there.
+double integrate_sheets(const PlacedSolid& x, const PlacedSolid& y, std::uint32_t nearest) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < y.face_count; ++i) {
+        for (std::size_t k = i + 1; k < y.face_count; ++k) {
+            if ((nearest >> i & 1U) != 0 && (nearest >> k & 1U) != 0) sum += integrate_sheet(x, y, i, k);
+        }
+    }
+    return sum;
+}
+
+}  // namespace
+
+double compute_overlap_energy(const PlacedSolid& a, const PlacedSolid& b, const OverlapPieces& pieces) {
+    // d = ∇·(−n d²/2) in every cell, so its integral is one over the cell's border: pieces of faces, and the sheets between cells
+    std::array<double, 2> faces{};
+    for (std::size_t p = 0; p < pieces.size(); ++p) {
+        const OverlapPieces::Piece& piece = pieces[p];
+        const OverlapPieces::Vertex* const v = pieces.vertices(piece);
+        faces[piece.of_first ? 0 : 1] += piece.facing * integrate_square(
+                                                            piece.count, piece.normal, [&](std::size_t i) { return v[i].place; },
+                                                            [&](std::size_t i) { return v[i].depth; });
+    }
+    const double sheets = integrate_sheets(b, a, pieces.nearest_of_first()) + integrate_sheets(a, b, pieces.nearest_of_second());
+    return 0.25 * ((faces[0] + faces[1]) + sheets);
+}
+
+}  // namespace musim::lsdem

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "lsdem/contact/solid.hpp"
+#include "lsdem/types.hpp"
+
+/// How two convex bodies push each other where they overlap, see lsdem/contact/README.md.
+namespace musim::lsdem {
+
+/// The faces of two bodies inside each other, cut into pieces over which the depth below the nearest face of the other body is affine.
+class OverlapPieces {
+  public:
+    struct Piece {
+        Vector3 normal;            ///< outward, of the body whose face it is part of
+        double facing = 0.0;       ///< cosine by which it faces the nearest face of the other body: 1 where they meet flat [-]
+        std::uint16_t first = 0;   ///< into the vertices
+        std::uint16_t count = 0;   ///< of its vertices, counter-clockwise about the normal
+        bool of_first = false;     ///< a face of the first body
+        std::uint8_t nearest = 0;  ///< that face of the other body
+        Vector3 nearest_normal;    ///< its outward normal
+    };
+    struct Vertex {
+        Vector3 place;  ///< world axes, about the origin of the pair [m]
+        double depth;   ///< below the nearest face of the other body [m]
+    };
+
+    /// Corners of a piece at most.
+    static constexpr std::size_t kMostCorners = PlacedSolid::kMostCorners + 2 * PlacedSolid::kMostFaces;
+
+    OverlapPieces() {}  // room that is not used is not cleared
+
+    /// Cuts the faces of `a` and `b` anew.
+    void cut(const PlacedSolid& a, const PlacedSolid& b);
+
+    std::size_t size() const { return piece_count_; }
+    const Piece& operator[](std::size_t i) const { return pieces_[i]; }
+    const Vertex* vertices(const Piece& piece) const { return &vertices_[piece.first]; }
+    /// The faces of the first and second body that are nearest to some piece, one bit each.
+    std::uint32_t nearest_of_first() const { return nearest_[0]; }
+    std::uint32_t nearest_of_second() const { return nearest_[1]; }
+
+  private:
+    static constexpr std::size_t kMostPieces = 128, kMostVertices = 1024;
+    void cut_faces(const PlacedSolid& x, const PlacedSolid& y, bool of_first);
+    void add(const Piece& piece, const Vertex* vertices, std::size_t count);
+
+    std::size_t piece_count_ = 0, vertex_count_ = 0;
+    std::array<std::uint32_t, 2> nearest_{};
+    std::array<Piece, kMostPieces> pieces_;
+    std::array<Vertex, kMostVertices> vertices_;
+};
+
+/// What the springs of an overlap do, for a stiffness per area of one.
+struct OverlapLoad {
+    Vector3 force = Vector3::Zero();   ///< on the second body [m³]
+    Vector3 moment = Vector3::Zero();  ///< of that force about the origin of the pair [m⁴]
+    double deepest = 0.0;              ///< largest depth of a point of one body in the other [m]
+    double area = 0.0;                 ///< of the faces of one body inside the other, the mean of both: its stiffness is no larger [m²]
+};
+OverlapLoad sum_load(const OverlapPieces& pieces);
+
+/// ½ ∫ (d_a + d_b) dV over the overlap, of which the force is minus the gradient [m⁴]: the energy for a stiffness per area of one.
+double compute_overlap_energy(const PlacedSolid& a, const PlacedSolid& b, const OverlapPieces& pieces);
+
+}  // namespace musim::lsdem

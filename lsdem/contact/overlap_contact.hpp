@@ -1,0 +1,73 @@
+#pragma once
+
+#include "lsdem/contact/overlap.hpp"
+#include "lsdem/contact_law.hpp"
+#include "lsdem/losses.hpp"
+#include "lsdem/types.hpp"
+
+/// The contact of two convex bodies: springs of their overlap, dashpots and friction; see lsdem/contact/README.md.
+namespace musim::lsdem {
+
+/// Where two bodies are and were, about the origin of the pair. World axes.
+struct PairMotion {
+    std::array<Vector3, 2> center{};           ///< centres of mass now [m]
+    std::array<Vector3, 2> previous_center{};  ///< and one step ago, about the origin of that time [m]
+    Vector3 shift = Vector3::Zero();           ///< of the second centre against the first over the step [m]
+    std::array<Matrix3, 2> turn{};             ///< of each body over the step: rotation now times the inverse of that before
+
+    /// Displacement over the step of the second body against the first at the point of both that is now at x [m].
+    Vector3 displacement(const Vector3& x) const { return shift + (displaced(1, x - center[1]) - displaced(0, x - center[0])); }
+    /// The same at the point of both that was at x one step ago, about the origin of that time.
+    Vector3 displacement_of_previous(const Vector3& x) const {
+        const auto moved = [&](std::size_t body) {
+            const Vector3 arm = x - previous_center[body];
+            return Vector3(turn[body] * arm - arm);
+        };
+        return shift + (moved(1) - moved(0));
+    }
+    /// Turn of a body over the step as a vector; sin of the angle for the angle [rad].
+    Vector3 turned(std::size_t body) const {
+        const Matrix3& t = turn[body];
+        return {0.5 * (t(2, 1) - t(1, 2)), 0.5 * (t(0, 2) - t(2, 0)), 0.5 * (t(1, 0) - t(0, 1))};
+    }
+
+  private:
+    Vector3 displaced(std::size_t body, const Vector3& arm) const { return arm - turn[body].transpose() * arm; }
+};
+
+/// A force on the second body at a point, with a couple.
+struct PlacedWrench {
+    Vector3 force = Vector3::Zero(), couple = Vector3::Zero();  ///< [N], [N·m]
+};
+
+/// What a contact remembers from one step to the next. World axes; friction acts on the second body.
+struct OverlapContact {
+    bool touches = false;
+    double area = 0.0;                 ///< S over which the springs of friction act [m²]
+    double polar = 0.0;                ///< J, its second moment about its middle [m⁴]
+    Vector3 shear = Vector3::Zero();   ///< of the springs of friction [N]
+    double couple = 0.0;               ///< of the springs against turning, along `normal` [N·m]
+    Vector3 normal = Vector3::Zero();  ///< in which the second body is pushed
+    // what acted at the last step, for its work over the next
+    Vector3 place = Vector3::Zero();  ///< middle of the area, about the origin of that time [m]
+    PlacedWrench friction;            ///< springs and tangential dashpot
+    PlacedWrench drag;                ///< the tangential dashpot alone
+    PlacedWrench damping;             ///< the normal dashpot
+};
+
+/// What a contact does in a step.
+struct OverlapForces {
+    Vector3 force = Vector3::Zero();   ///< on the second body [N]
+    Vector3 moment = Vector3::Zero();  ///< on the second body about the origin of the pair [N·m]
+    double elastic_shear = 0.0;        ///< stored now [J]
+    double overlap = 0.0;              ///< largest depth [m]
+    double area = 0.0;                 ///< of faces inside the other body: stiffness over K is no larger [m²]
+    PairWork work;                     ///< dissipated over the step [J]
+};
+
+/// Contact of two bodies at step n from their overlap; updates what it remembers. `stored_shear`: energy of its springs of friction at step
+/// n − 1 [J]. `first_step`: the step before is none, so nothing has slipped.
+OverlapForces compute_overlap_contact(const OverlapPieces& pieces, const PairMotion& motion, const Interface& law, double dt,
+                                      bool first_step, double stored_shear, OverlapContact& contact);
+
+}  // namespace musim::lsdem
