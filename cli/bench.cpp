@@ -96,6 +96,7 @@ void add_bench_command(CLI::App& app, Action& action) {
     CLI::App* bench = app.add_subcommand("bench", "Measurements of musim itself");
     bench->require_subcommand(1);
     add_bench_similitude_command(*bench, action);
+    add_bench_twins_command(*bench, action);
     CLI::App* command = bench->add_subcommand("accuracy", "Error against run time, over time steps, node densities and contact layouts");
     command->add_option("-o,--out", options->out, "Directory for accuracy.csv and accuracy.svg")->type_name("DIR");
     CLI::Option* record =

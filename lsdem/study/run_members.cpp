@@ -2,8 +2,8 @@
 
 #include <exception>
 #include <mutex>
-#include <numeric>
 
+#include "lsdem/study/detail/shared_progress.hpp"
 #include "lsdem/study/live_file.hpp"
 #include "lsdem/study/run.hpp"
 #include "lsdem/study/write_results.hpp"
@@ -17,23 +17,6 @@ namespace fs = std::filesystem;
 /// What preparing a specimen counts in the progress of its member. A guess: a tall tower of unequal blocks takes about as long to prepare
 /// as to shake.
 constexpr double kPreparationWorth = 0.5;
-
-/// Mean of what the running members have done.
-class SharedProgress {
-  public:
-    SharedProgress(std::size_t members, const std::function<void(double)>& tell) : done_(members, 0.0), tell_(tell) {}
-
-    void update(std::size_t member, double fraction) {
-        const std::lock_guard lock(mutex_);
-        done_[member] = fraction;
-        if (tell_) tell_(std::accumulate(done_.begin(), done_.end(), 0.0) / static_cast<double>(done_.size()));
-    }
-
-  private:
-    std::vector<double> done_;
-    const std::function<void(double)>& tell_;
-    std::mutex mutex_;
-};
 
 /// The HDF5 library need not be one for several threads.
 std::mutex& result_file_mutex() {
@@ -80,7 +63,7 @@ std::vector<MemberReport> run_members(const std::vector<EnsembleMember>& members
         reports[i].reused = find_state(settings.directory, members[i]) == MemberState::finished;
         if (!reports[i].reused) pending.push_back(i);
     }
-    SharedProgress progress(pending.size(), settings.on_progress);
+    detail::SharedProgress progress(pending.size(), settings.on_progress);
     std::vector<std::function<void()>> jobs;
     for (std::size_t job = 0; job < pending.size(); ++job) {
         jobs.emplace_back([&, job] {

@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <map>
 #include <sstream>
 #include <string>
@@ -77,17 +78,45 @@ TEST_CASE("bench similitude writes a table and a figure of a law whose cases hol
     CHECK(here.read("out/similitude_cauchy.svg").starts_with("<svg"));
 }
 
+TEST_CASE("bench twins measures how models and moved copies part, goes on where it was, and prints JSON") {
+    const Workplace here;
+    here.write("wall.json", R"({"schema": "musim-scene/1", "name": "wall", "material": "wood",
+        "structure": {"kind": "wall", "layers": 2, "blocks_per_layer": 2, "block": ["12.71 mm", "26.355 mm", "39.78 mm"]},
+        "base_motion": {"signal": "half_sine", "direction": "y", "amplitude": "1.2 g", "duration": "0.05 s"},
+        "time": {"duration": "1 s"}, "output": {"spine_rate": "1 kHz"}})");
+    const std::string command = "bench twins wall.json --duration 1/20 --models 2 -o out";
+    const Outcome outcome = here.run(command + " --json");
+    REQUIRE_MESSAGE(outcome.exit_code == 0, outcome.err);
+    const auto scene = outcome.json()["scenes"][0];
+    CHECK(scene["samples"] == 51);
+    CHECK(scene["twins"].size() == 2);
+    CHECK(scene["largest_growth"]["factor"] >= 1.0);
+    CHECK(scene["log10_difference"]["count"] == 2);
+    CHECK(parse_csv(here.read("out/twins.csv")).size() == 102);
+    const std::string spread = here.read("out/spread.csv");
+    CHECK(std::count(spread.begin(), spread.end(), '\n') == 52);
+    CHECK(here.read("out/summary.json").find("horizon_s") != std::string::npos);
+
+    // the same again is read, and of three models two are there
+    CHECK(here.run(command + " --json").json() == outcome.json());
+    const Outcome three = here.run("bench twins wall.json --duration 1/20 --models 3 -o out --json");
+    CHECK(three.json()["scenes"][0]["twins"][1] == scene["twins"][1]);
+    const Outcome text = here.run("bench twins wall.json --duration 1/20 --models 1 --perturb 1e-12,1e-10");
+    CHECK_MESSAGE(text.out.find("Directions 1: difference over shift differs") != std::string::npos, text.out);
+}
+
 TEST_CASE("bench refuses what it cannot do with one line") {
     const Workplace here;
     here.write("file", "");
-    for (const char* arguments : {"bench", "bench nonsense", "bench accuracy --component 360", "bench accuracy --threads -1",
-                                  "bench similitude --law newton", "bench similitude --threads -1"}) {
+    for (const char* arguments :
+         {"bench", "bench nonsense", "bench accuracy --component 360", "bench accuracy --threads -1", "bench similitude --law newton",
+          "bench similitude --threads -1", "bench twins", "bench twins file --models 0", "bench twins file --perturb 1e-12,0"}) {
         const Outcome outcome = here.run(arguments);
         CHECK_MESSAGE(outcome.exit_code == 2, arguments);
         CHECK_MESSAGE(outcome.has_one_error_line(), outcome.err);
     }
-    for (const char* arguments :
-         {"bench accuracy --quick --record missing.v1", "bench accuracy --quick -o file/out", "bench similitude -o file/out"}) {
+    for (const char* arguments : {"bench accuracy --quick --record missing.v1", "bench accuracy --quick -o file/out",
+                                  "bench similitude -o file/out", "bench twins missing.json"}) {
         const Outcome outcome = here.run(arguments);
         CHECK_MESSAGE(outcome.exit_code == 3, arguments);
         CHECK_MESSAGE(outcome.has_one_error_line(), outcome.err);

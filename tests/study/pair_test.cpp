@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "lsdem/study/scale_specimen.hpp"
 #include "tests/study/made_specimen.hpp"
 
 using namespace musim::lsdem;
@@ -13,26 +14,6 @@ using musim::scaling::Law;
 using musim::scaling::Similitude;
 
 namespace {
-
-/// The exactly similar twin of a specimen made of one box shape: every number times its factor.
-Specimen scale_specimen(Specimen specimen, const Similitude& s) {
-    Model& model = specimen.model;
-    const Vector3 size = 2.0 * model.shapes[0].half_extents * s.length();
-    model.shapes = {make_box_shape(size, {3, 3, 3})};
-    const double stiffness_per_area = s.stiffness() / (s.length() * s.length());
-    for (Material* material : {&model.materials[0], &model.ground.material}) {
-        material->normal_stiffness *= stiffness_per_area;
-        material->shear_stiffness *= stiffness_per_area;
-    }
-    for (Block& block : model.blocks) {
-        block.mass *= s.mass();
-        block.position *= s.length();
-    }
-    model.gravity *= s.gravity();
-    model.ground.motion[0].dt *= s.time();
-    for (double& v : model.ground.motion[0].velocity) v *= s.velocity();
-    return specimen;
-}
 
 PairMember make_prototype(std::size_t cubes, double friction) {
     const Specimen column = make_column(cubes, friction);

@@ -1,0 +1,250 @@
+#include "lsdem/study/twin_runs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "lsdem/block_height.hpp"
+#include "lsdem/scene/motions.hpp"
+#include "lsdem/scene/scene_error.hpp"
+#include "lsdem/scene/scene_json.hpp"
+#include "lsdem/study/detail/content_name.hpp"
+#include "lsdem/study/detail/shared_progress.hpp"
+#include "lsdem/study/detail/velocity_tape.hpp"
+#include "lsdem/study/ensemble_members.hpp"
+#include "lsdem/study/run.hpp"
+#include "lsdem/study/scale_specimen.hpp"
+#include "lsdem/study/twin_files.hpp"
+#include "scaling/random_bits.hpp"
+#include "scaling/side_by_side.hpp"
+
+namespace musim::lsdem::study {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Blocks that are no faster than this part of √(gH) stand: they are laid to 1.4e-5 (Settling::rest), and the difference of two that stand
+/// is rounding [-].
+constexpr double kLeastMotion = 1e-4;
+
+/// Below this length a random vector has no direction to speak of [-].
+constexpr double kLeastLength = 0.1;
+
+scene::Scene with_rate(scene::Scene scene) {
+    if (!(scene.output.spine_rate.value() > 0.0)) scene.output.spine_rate = scaling::Frequency::from_value(kTwinRate);
+    return scene;
+}
+
+std::vector<std::size_t> find_moving(const Model& model) {
+    std::vector<std::size_t> moving;
+    for (std::size_t b = 0; b < model.blocks.size(); ++b) {
+        if (!model.blocks[b].fixed) moving.push_back(b);
+    }
+    return moving;
+}
+
+/// The largest coordinate of a block [m].
+double find_reach(const Model& model) {
+    double reach = 0.0;
+    for (const Block& block : model.blocks) reach = std::max(reach, block.position.cwiseAbs().maxCoeff());
+    return reach;
+}
+
+/// Evenly spread directions of unit length, one after another.
+class Directions {
+  public:
+    explicit Directions(std::uint64_t seed) : seed_(seed) {}
+
+    /// What lies in the unit ball of a cube's points: sums, products and a root only, the same on every machine.
+    Vector3 next() {
+        for (;;) {
+            const double x = draw(), y = draw(), z = draw();
+            const double length = std::sqrt(x * x + y * y + z * z);
+            if (length > kLeastLength && length <= 1.0) return Vector3(x, y, z) / length;
+        }
+    }
+
+  private:
+    double draw() { return 2.0 * scaling::to_probability(scaling::random_bits(seed_, drawn_++)) - 1.0; }
+
+    std::uint64_t seed_;
+    std::uint64_t drawn_ = 0;
+};
+
+Specimen make_twin(const Specimen& prototype, const TwinChoice& choice, const scaling::Similitude& similitude) {
+    Specimen twin = prototype;
+    Directions directions(choice.directions);
+    for (Block& block : twin.model.blocks) {
+        if (choice.shift == 0.0 || block.fixed) continue;
+        block.position += choice.shift * 2.0 * half_extents(twin.model, block).z() * directions.next();
+    }
+    return scale_specimen(twin, similitude);
+}
+
+/// Ends a tape whatever happens to the run that fills it.
+struct TapeGuard {
+    detail::VelocityTape& tape;
+    bool complete = false;
+    ~TapeGuard() { tape.end(complete); }
+};
+
+/// The specimen of a scene as it stands before it runs, laid now or taken from the folder, where it is left.
+Specimen lay_specimen(const scene::Scene& scene, const fs::path& folder, const TwinSettings& settings) {
+    RunSettings run_settings{.threads = settings.threads, .on_preparation = settings.on_preparation};
+    std::optional<Checkpoint> from;
+    if (!folder.empty()) {
+        const fs::path file = folder / kTwinSpecimenName;
+        run_settings.checkpoint = CheckpointSettings{.file = file,
+                                                     .scene = scene::write_scene(scene),
+                                                     .program_version = settings.version,
+                                                     .interval = settings.checkpoint_interval,
+                                                     .on_failure = settings.on_warning};
+        if (fs::exists(file)) from = read_checkpoint(file, settings.version);
+    }
+    Specimen specimen = make_specimen(scene, run_settings, from ? &*from : nullptr);
+    if (run_settings.checkpoint && specimen.settling && !(from && from->places)) {
+        const TimePlan plan = make_time_plan(scene, specimen.model);
+        RunResult none;
+        write_checkpoint(*keep_places(run_settings, specimen).checkpoint, 0, plan, none, Simulation(specimen.model, plan.time_step));
+    }
+    specimen.settling.reset();
+    return specimen;
+}
+
+/// One scene's prototype and twins on their way.
+class TwinWork {
+  public:
+    TwinWork(const scene::Scene& scene, const std::vector<TwinChoice>& choices, const TwinSettings& settings)
+        : scene_(scene), settings_(settings) {
+        if (!settings.directory.empty()) folder_ = twin_folder(settings.directory, scene, settings.version);
+        for (const TwinChoice& choice : choices) study_.twins.push_back({.choice = choice, .difference = {}});
+        if (folder_.empty()) return;
+        make_folder(folder_);
+        if (auto tape = read_prototype(folder_, study_.prototype)) tape_ = std::make_unique<detail::VelocityTape>(std::move(*tape));
+    }
+
+    TwinStudy run() {
+        const bool wants_prototype = tape_ == nullptr;
+        std::vector<std::size_t> pending;
+        for (std::size_t i = 0; i < study_.twins.size(); ++i) {
+            if (wants_prototype || folder_.empty() || !read_twin(folder_, study_.twins[i])) pending.push_back(i);
+        }
+        if (wants_prototype || !pending.empty()) run_missing(wants_prototype, pending);
+        study_.name = scene_.name;
+        return std::move(study_);
+    }
+
+  private:
+    void run_missing(bool wants_prototype, const std::vector<std::size_t>& pending) {
+        specimen_ = lay_specimen(scene_, folder_, settings_);
+        plan_ = make_time_plan(scene_, specimen_.model);
+        moving_ = find_moving(specimen_.model);
+        if (wants_prototype) tape_ = std::make_unique<detail::VelocityTape>();
+        detail::SharedProgress progress(pending.size() + (wants_prototype ? 1 : 0), settings_.on_progress);
+        std::vector<std::function<void()>> jobs;
+        const auto add = [&](const auto& job) {
+            jobs.emplace_back([&progress, job, number = jobs.size()] {
+                job([&progress, number](double fraction) { progress.update(number, fraction); });
+            });
+        };
+        // the prototype begins first: the others wait for it
+        if (wants_prototype) add([this](const auto& tell) { run_prototype(tell); });
+        for (const std::size_t i : pending) add([this, i](const auto& tell) { run_twin(study_.twins[i], tell); });
+        scaling::run_side_by_side(jobs, settings_.threads);
+    }
+
+    /// Calls `at_sample` at t = 0 and after every sample until it returns false; did the run get there without diverging?
+    template <class AtSample>
+    bool run_samples(const Specimen& specimen, double time_step, const AtSample& at_sample) const {
+        Simulation simulation(specimen.model, time_step, 1);
+        for (std::uint64_t k = 0; k <= plan_.samples; ++k) {
+            if (k > 0) simulation.advance(plan_.steps_per_sample);
+            if (simulation.divergence()) return false;
+            if (!at_sample(simulation, k)) break;
+        }
+        return true;
+    }
+
+    double part(std::uint64_t sample) const { return static_cast<double>(sample) / static_cast<double>(plan_.samples); }
+
+    template <class Tell>
+    void run_prototype(const Tell& tell) {
+        TapeGuard guard{*tape_};
+        TwinPrototype& prototype = study_.prototype;
+        const Block& first = specimen_.model.blocks[moving_.empty() ? 0 : moving_.front()];
+        prototype.moving_blocks = moving_.size();
+        prototype.height = 2.0 * specimen_.model.shapes[first.shape].half_extents.z();
+        prototype.gravity = specimen_.model.gravity.norm();
+        prototype.interval = plan_.time_step * static_cast<double>(plan_.steps_per_sample);
+        prototype.rounding = std::numeric_limits<double>::epsilon() * find_reach(specimen_.model) / plan_.time_step;
+        prototype.diverged = !run_samples(specimen_, plan_.time_step, [&](const Simulation& simulation, std::uint64_t k) {
+            const Vector3 base = simulation.base().velocity;
+            std::vector<Vector3> velocities;
+            for (const std::size_t b : moving_) {
+                velocities.push_back(simulation.velocity(b));
+                prototype.peak = std::max(prototype.peak, (velocities.back() - base).norm());
+            }
+            tape_->add(std::move(velocities));
+            prototype.samples = k + 1;
+            tell(part(k));
+            return true;
+        });
+        if (!folder_.empty()) write_prototype(folder_, prototype, tape_->samples());
+        guard.complete = true;
+    }
+
+    template <class Tell>
+    void run_twin(TwinRun& twin, const Tell& tell) {
+        const scaling::Similitude similitude({.length = twin.choice.length}, scaling::Law::exact);
+        const double velocity = similitude.velocity();
+        const double time_step = plan_.scaled(similitude.time()).time_step;
+        twin.diverged = !run_samples(make_twin(specimen_, twin.choice, similitude), time_step, [&](const Simulation& simulation, auto k) {
+            const std::vector<Vector3>* prototype = tape_->wait_for(k);
+            if (prototype == nullptr) return false;
+            double largest = 0.0;
+            for (std::size_t i = 0; i < moving_.size(); ++i) {
+                largest = std::max(largest, (simulation.velocity(moving_[i]) / velocity - (*prototype)[i]).norm());
+            }
+            twin.difference.push_back(largest);
+            tell(part(k));
+            return true;
+        });
+        if (tape_->wait_for_end() && !folder_.empty()) write_twin(folder_, twin);
+        tell(1.0);
+    }
+
+    const scene::Scene& scene_;
+    const TwinSettings& settings_;
+    fs::path folder_;  ///< empty: nothing is kept
+    TwinStudy study_;
+    std::unique_ptr<detail::VelocityTape> tape_;
+    Specimen specimen_;
+    TimePlan plan_;
+    std::vector<std::size_t> moving_;
+};
+
+}  // namespace
+
+fs::path twin_folder(const fs::path& directory, const scene::Scene& scene, const std::string& version) {
+    return directory / ("twins-" + detail::name_content(make_member(with_rate(scene), version).name));
+}
+
+TwinStudy run_twins(const scene::Scene& scene, const std::vector<TwinChoice>& choices, const TwinSettings& settings) {
+    scene::require_single_motion(scene, "a comparison of twins");
+    const scene::Scene sampled = with_rate(scene);
+    TwinStudy study = TwinWork(sampled, choices, settings).run();
+    const TwinPrototype& prototype = study.prototype;
+    if (prototype.peak > kLeastMotion * std::sqrt(prototype.gravity * prototype.height)) return study;
+    throw scene::SceneError(fmt::format(
+        "scene \"{}\": no block moves relative to the base (differences are measured by how fast one does); give a base motion, or a "
+        "longer duration",
+        scene.name));
+}
+
+}  // namespace musim::lsdem::study
