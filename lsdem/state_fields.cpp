@@ -45,7 +45,7 @@ static void exchange(Archive& archive, TiltedContact& c) {
 static void exchange(Archive& archive, PlacedWrench& w) { archive(w.force, w.couple); }
 
 static void exchange(Archive& archive, OverlapContact& c) {
-    archive(c.touches, c.area, c.polar, c.shear, c.couple, c.normal, c.place, c.friction, c.drag, c.damping);
+    archive(c.touches, c.area, c.polar, c.shear, c.couple, c.place, c.friction, c.drag, c.damping);
 }
 
 static void exchange(Archive& archive, PatchLattice& lattice) {

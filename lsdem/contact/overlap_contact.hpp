@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+
+#include "lsdem/contact/contact_area.hpp"
 #include "lsdem/contact/overlap.hpp"
 #include "lsdem/contact_law.hpp"
 #include "lsdem/losses.hpp"
@@ -43,11 +46,10 @@ struct PlacedWrench {
 /// What a contact remembers from one step to the next. World axes; friction acts on the second body.
 struct OverlapContact {
     bool touches = false;
-    double area = 0.0;                 ///< S over which the springs of friction act [m²]
-    double polar = 0.0;                ///< J, its second moment about its middle [m⁴]
-    Vector3 shear = Vector3::Zero();   ///< of the springs of friction [N]
-    double couple = 0.0;               ///< of the springs against turning, along `normal` [N·m]
-    Vector3 normal = Vector3::Zero();  ///< in which the second body is pushed
+    double area = 0.0;                ///< S over which the springs of friction act [m²]
+    double polar = 0.0;               ///< J, its second moment about its middle [m⁴]
+    Vector3 shear = Vector3::Zero();  ///< of the springs of friction [N]
+    double couple = 0.0;              ///< of the springs against turning, along the direction in which the second body is pushed [N·m]
     // what acted at the last step, for its work over the next
     Vector3 place = Vector3::Zero();  ///< middle of the area, about the origin of that time [m]
     PlacedWrench friction;            ///< springs and tangential dashpot
@@ -65,9 +67,47 @@ struct OverlapForces {
     PairWork work;                     ///< dissipated over the step [J]
 };
 
+/// The springs of a pair and the area over which its faces face each other.
+struct OverlapGeometry {
+    OverlapLoad load;
+    ContactArea area;  ///< about `pressed()`
+
+    bool touches() const { return load.force.squaredNorm() > 0.0; }
+    /// Where the pressure acts: the point of the force's line nearest to the origin [m].
+    Vector3 pressed() const { return load.force.cross(load.moment) / load.force.squaredNorm(); }
+};
+OverlapGeometry find_overlap_geometry(const OverlapPieces& pieces);
+
+/// Both bodies of a pair, cut into pieces when these are first asked for. Refers to what it is made from.
+class OverlapBodies {
+  public:
+    struct Box {
+        const Vector3& half;      ///< extents [m]
+        const Matrix3& rotation;  ///< body to world
+        Vector3 center;           ///< about the origin of the pair [m]
+    };
+    OverlapBodies(const Box& a, const Box& b) : half_{&a.half, &b.half}, rotation_{&a.rotation, &b.rotation}, center_{a.center, b.center} {}
+    /// A box and the ground at a height about the origin of the pair [m].
+    OverlapBodies(const Box& a, double ground)
+        : half_{&a.half, nullptr}, rotation_{&a.rotation, nullptr}, center_{a.center}, ground_(ground) {}
+
+    const OverlapPieces& pieces();
+    double energy();  ///< see compute_overlap_energy [m⁴]
+
+  private:
+    void place(PlacedSolid& a, PlacedSolid& b) const;
+
+    std::array<const Vector3*, 2> half_;
+    std::array<const Matrix3*, 2> rotation_;
+    std::array<Vector3, 2> center_;
+    double ground_ = 0.0;
+    bool is_cut_ = false;
+    OverlapPieces pieces_;
+};
+
 /// Contact of two bodies at step n from their overlap; updates what it remembers. `stored_shear`: energy of its springs of friction at step
 /// n − 1 [J]. `first_step`: the step before is none, so nothing has slipped.
-OverlapForces compute_overlap_contact(const OverlapPieces& pieces, const PairMotion& motion, const Interface& law, double dt,
-                                      bool first_step, double stored_shear, OverlapContact& contact);
+OverlapForces compute_overlap_contact(const OverlapGeometry& geometry, const PairMotion& motion, const Interface& law, double dt,
+                                      bool first_step, double stored_shear, OverlapBodies& bodies, OverlapContact& contact);
 
 }  // namespace musim::lsdem

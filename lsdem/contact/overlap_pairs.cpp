@@ -10,20 +10,12 @@ namespace musim::lsdem {
 namespace {
 
 /// Both bodies of a pair about its origin: half way between two blocks, the centre of a block on the ground. The leader comes first.
-struct PlacedPair {
-    PlacedSolid leader, follower;
-};
-
-void place_pair(const Bodies& bodies, const BasePose& base, const ContactPair& pair, PlacedPair& placed) {
+OverlapBodies find_bodies(const Bodies& bodies, const BasePose& base, const ContactPair& pair) {
     const std::size_t l = pair.leader, f = pair.follower;
-    if (pair.follower == kGround) {
-        place_box(bodies.half[l], bodies.rotation[l], Vector3::Zero(), placed.leader);
-        place_half_space(base.displacement.z() - bodies.position[l].z(), Vector3::Zero(), bodies.half[l].norm(), placed.follower);
-        return;
-    }
+    if (pair.follower == kGround)
+        return {{bodies.half[l], bodies.rotation[l], Vector3::Zero()}, base.displacement.z() - bodies.position[l].z()};
     const Vector3 half_way = 0.5 * (bodies.position[f] - bodies.position[l]);
-    place_box(bodies.half[l], bodies.rotation[l], -half_way, placed.leader);
-    place_box(bodies.half[f], bodies.rotation[f], half_way, placed.follower);
+    return {{bodies.half[l], bodies.rotation[l], -half_way}, {bodies.half[f], bodies.rotation[f], half_way}};
 }
 
 PairMotion find_motion(const Bodies& bodies, const BasePose& base, const ContactPair& pair) {
@@ -74,12 +66,10 @@ void compute_overlap_pair(const Bodies& bodies, const BasePose& base, double dt,
             return;
         }
     }
-    PlacedPair placed;
-    place_pair(bodies, base, pair, placed);
-    OverlapPieces pieces;
-    pieces.cut(placed.leader, placed.follower);
+    OverlapBodies both = find_bodies(bodies, base, pair);
     const PairMotion motion = find_motion(bodies, base, pair);
-    const OverlapForces found = compute_overlap_contact(pieces, motion, pair.law, dt, list.first_step, tally.elastic_shear, contact);
+    const OverlapForces found = compute_overlap_contact(find_overlap_geometry(both.pieces()), motion, pair.law, dt, list.first_step,
+                                                        tally.elastic_shear, both, contact);
     force.force = -found.force;
     force.leader_torque = motion.center[0].cross(found.force) - found.moment;
     force.follower_torque = found.moment - motion.center[1].cross(found.force);
@@ -93,11 +83,7 @@ void compute_overlap_pair(const Bodies& bodies, const BasePose& base, double dt,
 double compute_overlap_energy(const Bodies& bodies, const BasePose& base, const ContactList& list, std::size_t index) {
     const ContactPair& pair = list.pairs[index];
     if (!list.overlaps[pair.overlap].touches) return 0.0;
-    PlacedPair placed;
-    place_pair(bodies, base, pair, placed);
-    OverlapPieces pieces;
-    pieces.cut(placed.leader, placed.follower);
-    return pair.law.normal_stiffness * compute_overlap_energy(placed.leader, placed.follower, pieces);
+    return pair.law.normal_stiffness * find_bodies(bodies, base, pair).energy();
 }
 
 }  // namespace musim::lsdem

@@ -37,18 +37,17 @@ class MovedBox {
         position_ += shift;
         rotation_ = turned * rotation_;
         const Vector3 apart = Vector3(0.0, 0.0, 0.5 * kTable + half_.z() - depth_) + position_;
-        PlacedSolid table, box;
-        place_box({2.0, 2.0, 0.5 * kTable}, Matrix3::Identity(), -0.5 * apart, table);
-        place_box(half_, rotation_, 0.5 * apart, box);
-        OverlapPieces pieces;
-        pieces.cut(table, box);
+        const Vector3 table(2.0, 2.0, 0.5 * kTable);
+        const Matrix3 upright = Matrix3::Identity();
+        OverlapBodies bodies({table, upright, -0.5 * apart}, {half_, rotation_, 0.5 * apart});
         PairMotion motion;
         motion.center = {Vector3(-0.5 * apart), Vector3(0.5 * apart)};
         const Vector3 apart_before = apart - shift;
         motion.previous_center = {Vector3(-0.5 * apart_before), Vector3(0.5 * apart_before)};
         motion.shift = position_ - before;
         motion.turn = {Matrix3::Identity(), turned};
-        const OverlapForces forces = compute_overlap_contact(pieces, motion, law_, kStep, false, stored_, contact_);
+        const OverlapForces forces =
+            compute_overlap_contact(find_overlap_geometry(bodies.pieces()), motion, law_, kStep, false, stored_, bodies, contact_);
         stored_ = forces.elastic_shear;
         lost_ += forces.work.friction;
         return forces;

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <algorithm>
+
+#include "lsdem/contact/overlap.hpp"
+#include "lsdem/types.hpp"
+
+/// Where friction and dashpots of two bodies act: the area over which their faces face each other, see lsdem/contact/README.md.
+namespace musim::lsdem {
+
+/// Area, half of each body's, with its moments.
+struct ContactArea {
+    double area = 0.0;                 ///< S [m²]
+    Vector3 arm = Vector3::Zero();     ///< of its middle from a given point [m]
+    Matrix3 second = Matrix3::Zero();  ///< of (x − middle)(x − middle)ᵀ [m⁴]
+
+    /// J, across a direction [m⁴].
+    double polar(const Vector3& normal) const { return std::max(0.0, second.trace() - normal.dot(second * normal)); }
+};
+/// `about`: a point near to all of it, from which `arm` counts.
+ContactArea find_contact_area(const OverlapPieces& pieces, const Vector3& about);
+
+/// A pressure that is affine where one body's face lies: at + slope·(x − about) [Pa].
+struct AffinePressure {
+    double at = 0.0;
+    Vector3 slope = Vector3::Zero();
+    Vector3 about = Vector3::Zero();
+};
+
+/// Integral of a pressure over an area, and of its product with place [N, N·m].
+struct PressureMoments {
+    double sum = 0.0;
+    Vector3 at = Vector3::Zero();
+};
+
+/// What dashpots of the pressure `dashpot` would pull beyond what springs of `stiffness` per area push, ∫ max(0, −(K d + dashpot)) dS, with
+/// places from `dashpot.about`.
+PressureMoments find_pull(const OverlapPieces& pieces, const AffinePressure& dashpot, double stiffness);
+
+/// r̄, the mean distance of the pressure from `about`, across the normal [m].
+double find_reach(const OverlapPieces& pieces, const Vector3& normal, const Vector3& about);
+
+}  // namespace musim::lsdem
