@@ -269,7 +269,7 @@ void start_new_faces(const Bodies& bodies, const BasePose& base, const FlatFollo
     if (list.faces[index] == face.code()) return;
     list.faces[index] = face.code();
     const ContactPair& pair = list.pairs[index];
-    drop_elastic(bodies, base, pair, list.forces[index], find_elastic(bodies, base, list, index), list.work[index]);
+    drop_elastic(bodies, base, pair, list.forces[index], find_elastic(list, index), list.work[index]);
     for (std::size_t entry = pair.first_node; entry < pair.first_node + pair.node_count; ++entry) list.history.end(entry);
 }
 
@@ -382,29 +382,32 @@ double compute_node_pairs(const Model& model, const Bodies& bodies, const BasePo
         if (!known_apart(list.pairs[index], list.next_look[index], bodies)) list.due[end++] = index;
     }
     double deepest = 0.0;
+    OverlapBatch overlaps(bodies, base, dt, list);
     for (std::size_t i = first; i < end; ++i) {
         if (i + kAhead < end) prefetch_pair(bodies, list, list.due[i + kAhead]);
         const std::size_t index = list.due[i];
         const ContactPair& pair = list.pairs[index];
         if (pair.is_overlap()) {
-            compute_overlap_pair(bodies, base, dt, index, list);
-        } else if (pair.follower == kGround) {
+            overlaps.add(index);
+            continue;
+        }
+        if (pair.follower == kGround) {
             compute_ground_contact(model, bodies, base, dt, index, list);
         } else {
             compute_block_contact(model, bodies, base, dt, index, list);
         }
-        if (list.demand.wanted && !pair.is_overlap()) list.demand.ask(index, find_touching_area(model, list, index));
+        if (list.demand.wanted) list.demand.ask(index, find_touching_area(model, list, index));
         const double overlap = list.tallies[index].overlap;
         if (!(overlap > 0.0)) continue;
         const double height = 2.0 * model.shapes[model.blocks[pair.leader].shape].half_extents.z();
         deepest = std::max(deepest, overlap / height);
     }
-    return deepest;
+    overlaps.compute();
+    return std::max(deepest, overlaps.deepest());
 }
 
-PairElastic find_elastic(const Bodies& bodies, const BasePose& base, const ContactList& list, std::size_t index) {
+PairElastic find_elastic(const ContactList& list, std::size_t index) {
     const ContactPair& pair = list.pairs[index];
-    if (pair.is_overlap()) return {compute_overlap_energy(bodies, base, list, index), list.tallies[index].elastic_shear};
     if (!pair.is_patch()) return {list.tallies[index].elastic_normal, list.tallies[index].elastic_shear};
     const auto of = [&](std::size_t field) { return list.patches.field(pair.patch_group, field)[pair.patch_lane]; };
     return {of(patch_field::elastic_normal), of(patch_field::elastic_shear)};
@@ -428,11 +431,10 @@ void drop_elastic(const Bodies& bodies, const BasePose& base, const ContactPair&
     work.friction += stored.shear;
 }
 
-ContactTotals sum_contacts(const Bodies& bodies, const BasePose& base, const ContactList& list) {
+ContactTotals sum_contacts(const ContactList& list) {
     ContactTotals totals;
-    for (std::size_t p = 0; p < list.pairs.size(); ++p) {
-        const PairTally& tally = list.tallies[p];
-        totals.elastic_normal += list.pairs[p].is_overlap() ? compute_overlap_energy(bodies, base, list, p) : tally.elastic_normal;
+    for (const PairTally& tally : list.tallies) {
+        totals.elastic_normal += tally.elastic_normal;
         totals.elastic_shear += tally.elastic_shear;
         totals.touching += tally.touching;
     }

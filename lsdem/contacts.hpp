@@ -55,7 +55,7 @@ struct ContactPair {
     std::uint32_t node_count = 0;
     std::uint32_t patch_group = kNoPatch;  ///< into ContactList::patches, when the pair is a patch
     std::uint32_t patch_lane = 0;
-    std::uint32_t tilted = kNoPatch;  ///< into ContactList::tilted, when the pair is two boxes at an angle
+    std::uint32_t tilted = kNoPatch;   ///< into ContactList::tilted, when the pair is two boxes at an angle
     std::uint32_t overlap = kNoPatch;  ///< into ContactList::overlaps, when the pair meets by its overlap
     Interface law;                     ///< of a patch, that of its kind
 
@@ -126,7 +126,7 @@ struct ContactTotals {
     PairWork work;
     std::size_t touching = 0;
 };
-ContactTotals sum_contacts(const Bodies& bodies, const BasePose& base, const ContactList& list);
+ContactTotals sum_contacts(const ContactList& list);
 
 /// Number of pairs that are known to be apart, see kTrustedGap.
 std::size_t count_apart(const Bodies& bodies, const ContactList& list);
@@ -144,8 +144,8 @@ void clear_losses(ContactList& list);
 struct PairElastic {
     double normal = 0.0, shear = 0.0;
 };
-/// Of pair `index` at step n; of boxes that meet by their overlap, computed from their poses.
-PairElastic find_elastic(const Bodies& bodies, const BasePose& base, const ContactList& list, std::size_t index);
+/// Of pair `index` at step n.
+PairElastic find_elastic(const ContactList& list, std::size_t index);
 
 /// Books what a pair gives up when its contact starts anew, at other faces or in another way: of the stored energy, what its last force
 /// does not return over the second half of the step from n − 1 to n.

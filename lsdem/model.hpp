@@ -67,8 +67,8 @@ enum class StiffnessSharing {
 
 /// How nearly parallel faces of boxes meet.
 enum class FaceContact {
-    patch,  ///< nodes on the rectangle in which the faces cover each other, so that the edges of both blocks carry nodes
-    nodes,  ///< the leader's own nodes, their cells clipped at the follower's edges
+    patch,   ///< nodes on the rectangle in which the faces cover each other, so that the edges of both blocks carry nodes
+    nodes,   ///< the leader's own nodes, their cells clipped at the follower's edges
     overlap  ///< springs that store half of K_n times the integral of both depths over the overlap: see lsdem/contact/README.md
 };
 

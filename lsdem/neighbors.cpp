@@ -345,11 +345,11 @@ void NeighborSearch::rebuild(const Bodies& bodies, const BasePose& base, Contact
         if (old_pair[p] == ContactPair::kNoPatch) continue;
         const ContactPair& pair = list.pairs[p];
         if (pair.is_overlap()) continue;
-        const PairElastic before = find_elastic(bodies, base, previous_, old_pair[p]);
-        const PairElastic carried = find_elastic(bodies, base, list, p);
+        const PairElastic before = find_elastic(previous_, old_pair[p]);
+        const PairElastic carried = find_elastic(list, p);
         if (before.normal == carried.normal && before.shear == carried.shear) continue;
         if (pair.is_patch()) detail::inherit_load(list.patches, pair.patch_group, pair.patch_lane, {.energy = before.normal});
-        const double kept = find_elastic(bodies, base, list, p).normal;
+        const double kept = find_elastic(list, p).normal;
         PairWork& work = loss_of(pair, finished);
         if (kept > 0.0) {
             work.damping += before.normal - kept;

@@ -53,7 +53,7 @@ const Preload* PreloadMap::find(std::uint32_t leader, std::uint32_t follower) co
     return found == by_pair_.end() ? nullptr : found->second;
 }
 
-std::vector<Preload> find_preloads(const Bodies& bodies, const BasePose& base, const ContactList& list) {
+std::vector<Preload> find_preloads(const Bodies& bodies, const ContactList& list) {
     std::vector<Preload> preloads;
     for (std::size_t p = 0; p < list.pairs.size(); ++p) {
         const ContactPair& pair = list.pairs[p];
@@ -61,7 +61,7 @@ std::vector<Preload> find_preloads(const Bodies& bodies, const BasePose& base, c
         Preload preload;
         preload.leader = pair.leader;
         if (pair.follower != kGround) preload.follower = pair.follower;
-        preload.energy = find_elastic(bodies, base, list, p).normal;
+        preload.energy = find_elastic(list, p).normal;
         if (!(preload.energy > 0.0)) continue;
         if (pair.is_patch()) {
             detail::PatchLoad load = detail::find_load(list.patches, pair.patch_group, pair.patch_lane);

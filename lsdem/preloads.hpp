@@ -12,7 +12,7 @@
 namespace musim::lsdem {
 
 /// What all contacts that touch hold, in the order of the list; of nodes outside patches nothing.
-std::vector<Preload> find_preloads(const Bodies& bodies, const BasePose& base, const ContactList& list);
+std::vector<Preload> find_preloads(const Bodies& bodies, const ContactList& list);
 
 /// Preloads by the pair they belong to; refers to them.
 class PreloadMap {

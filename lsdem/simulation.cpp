@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "lsdem/contact/overlap_pairs.hpp"
 #include "lsdem/detail/simulation_core.hpp"
 #include "lsdem/fallen.hpp"
 #include "lsdem/preloads.hpp"
@@ -49,10 +50,10 @@ void Simulation::release(const std::vector<Release>& blocks) {
         require(given.position.allFinite() && given.velocity.allFinite() && std::abs(given.orientation.norm() - 1.0) < 1e-9,
                 "Simulation: a released block's state is not finite, or its quaternion not of unit length");
     }
-    const double before = s.find_energy().balance();
+    const double before = s.find_exact_energy().balance();
     for (const Release& given : blocks) s.release(given);
     s.rebuild();
-    s.start_balance += s.find_energy().balance() - before;
+    s.start_balance += s.find_exact_energy().balance() - before;
     s.quiet_end = s.step;
     s.quiet_looks = 0;
 }
@@ -113,18 +114,22 @@ Vector3 Simulation::angular_velocity(std::size_t block) const {
 }
 
 std::vector<ContactForce> Simulation::contact_forces() const {
+    refine_overlap_energies(implementation_->bodies, implementation_->base, implementation_->list);
     const ContactList& list = implementation_->list;
     std::vector<ContactForce> forces;
     for (std::size_t p = 0; p < list.pairs.size(); ++p) {
         if (list.forces[p].force.isZero(0.0)) continue;
         const ContactPair& pair = list.pairs[p];
         const auto follower = pair.follower == kGround ? std::nullopt : std::optional<std::size_t>(pair.follower);
-        forces.push_back({pair.leader, follower, list.forces[p].force, find_elastic(implementation_->bodies, implementation_->base, list, p).normal});
+        forces.push_back({pair.leader, follower, list.forces[p].force, find_elastic(list, p).normal});
     }
     return forces;
 }
 
-std::vector<Preload> Simulation::preloads() const { return find_preloads(implementation_->bodies, implementation_->base, implementation_->list); }
+std::vector<Preload> Simulation::preloads() const {
+    refine_overlap_energies(implementation_->bodies, implementation_->base, implementation_->list);
+    return find_preloads(implementation_->bodies, implementation_->list);
+}
 
 Kinematics Simulation::kinematics() const {
     Kinematics all;
@@ -147,7 +152,7 @@ BaseState Simulation::base() const {
 
 Vector3 Simulation::base_reaction() const { return implementation_->base_force; }
 
-Energy Simulation::energy() const { return implementation_->find_energy(); }
+Energy Simulation::energy() const { return implementation_->find_exact_energy(); }
 
 Losses Simulation::losses() const {
     Losses losses = implementation_->finished;
@@ -170,7 +175,7 @@ Statistics Simulation::statistics() const {
     statistics.skipped = s.skipped;
     statistics.pairs = s.list.pairs.size();
     statistics.apart = count_apart(s.bodies, s.list);
-    statistics.contact_nodes = sum_contacts(s.bodies, s.base, s.list).touching;
+    statistics.contact_nodes = sum_contacts(s.list).touching;
     statistics.rebuilds = s.rebuilds;
     statistics.max_overlap_over_height = *std::max_element(s.overlap.begin(), s.overlap.end());
     return statistics;

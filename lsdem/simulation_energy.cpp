@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lsdem/contact/overlap_pairs.hpp"
 #include "lsdem/detail/simulation_core.hpp"
 
 /// The ledger of a simulation, and when it counts as diverged.
@@ -35,7 +36,7 @@ double Simulation::Implementation::kinetic() const {
 }
 
 double Simulation::Implementation::stored_and_kinetic() const {
-    const ContactTotals contacts = sum_contacts(bodies, base, list);
+    const ContactTotals contacts = sum_contacts(list);
     return kinetic() + contacts.elastic_normal + contacts.elastic_shear;
 }
 
@@ -48,7 +49,7 @@ void Simulation::Implementation::restart_ledger() {
     std::fill(bodies.preparation_loss.begin(), bodies.preparation_loss.end(), 0.0);
     base_work = 0.0;
     start_energy = stored_and_kinetic();
-    start_balance = find_energy().balance();
+    start_balance = find_exact_energy().balance();
 }
 
 double Simulation::Implementation::gravitational() const {
@@ -98,7 +99,7 @@ Energy Simulation::Implementation::find_energy() const {
         energy.preparation_loss += half_preparation_loss(i);
     }
     for (const double loss : bodies.preparation_loss) energy.preparation_loss += loss;
-    const ContactTotals contacts = sum_contacts(bodies, base, list);
+    const ContactTotals contacts = sum_contacts(list);
     energy.elastic_normal = contacts.elastic_normal;
     energy.elastic_shear = contacts.elastic_shear;
     energy.gravitational = gravitational();
@@ -107,6 +108,11 @@ Energy Simulation::Implementation::find_energy() const {
     energy.damping_loss = before.damping + contacts.work.damping;
     energy.base_work = base_work;
     return energy;
+}
+
+Energy Simulation::Implementation::find_exact_energy() {
+    refine_overlap_energies(bodies, base, list);
+    return find_energy();
 }
 
 void Simulation::Implementation::find_non_finite() {

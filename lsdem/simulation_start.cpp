@@ -132,7 +132,7 @@ void Simulation::Implementation::start() {
         // that half lies before the start
         bodies.preparation_loss[i] = -half_preparation_loss(i);
     }
-    start_balance = find_energy().balance();
+    start_balance = find_exact_energy().balance();
 }
 
 }  // namespace musim::lsdem

@@ -75,8 +75,8 @@ static void exchange(Archive& archive, PatchList& p) {
 }
 
 void exchange(Archive& archive, ContactList& l) {
-    archive(l.pairs, l.nodes, l.history, l.forces, l.patches, l.tilted, l.overlaps, l.node_pairs, l.ground_pairs, l.tallies, l.trusted_gap, l.next_look,
-            l.faces, l.first_step, l.demand.wanted, l.demand.asked, l.work);
+    archive(l.pairs, l.nodes, l.history, l.forces, l.patches, l.tilted, l.overlaps, l.node_pairs, l.ground_pairs, l.tallies, l.trusted_gap,
+            l.next_look, l.faces, l.first_step, l.demand.wanted, l.demand.asked, l.work);
     l.due.resize(l.node_pairs.size());
 }
 

@@ -11,7 +11,7 @@ namespace {
 /// strips along the edges of a flat contact, which lie at right angles to what they are nearest to, have no part in it.
 constexpr double kLeastFacing = 0.3;
 
-double share_of(const OverlapPieces::Piece& piece) { return std::max(0.0, (piece.facing - kLeastFacing) / (1.0 - kLeastFacing)); }
+double share_of(const OverlapPieces::Piece& piece) { return share_of_facing(piece.facing); }
 
 /// A triangle of a piece, about a point.
 struct Triangle {
@@ -78,6 +78,8 @@ struct AreaMoments {
 };
 
 }  // namespace
+
+double share_of_facing(double cosine) { return std::max(0.0, (cosine - kLeastFacing) / (1.0 - kLeastFacing)); }
 
 ContactArea find_contact_area(const OverlapPieces& pieces, const Vector3& about) {
     // each body's by itself, so that they may change places without changing a bit

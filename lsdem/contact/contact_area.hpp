@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 
 #include "lsdem/contact/overlap.hpp"
 #include "lsdem/types.hpp"
@@ -13,10 +14,19 @@ struct ContactArea {
     double area = 0.0;                 ///< S [m²]
     Vector3 arm = Vector3::Zero();     ///< of its middle from a given point [m]
     Matrix3 second = Matrix3::Zero();  ///< of (x − middle)(x − middle)ᵀ [m⁴]
+    /// Depth over it, where that is affine: at the middle, and its slope.
+    struct Depth {
+        double middle = 0.0;  ///< [m]
+        Vector3 slope = Vector3::Zero();
+    };
+    std::optional<Depth> depth = {};
 
     /// J, across a direction [m⁴].
     double polar(const Vector3& normal) const { return std::max(0.0, second.trace() - normal.dot(second * normal)); }
 };
+/// Part that a face has in friction and dashpots which faces another under a cosine [-].
+double share_of_facing(double cosine);
+
 /// `about`: a point near to all of it, from which `arm` counts.
 ContactArea find_contact_area(const OverlapPieces& pieces, const Vector3& about);
 

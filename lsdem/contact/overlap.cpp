@@ -140,10 +140,34 @@ void OverlapPieces::cut(const PlacedSolid& a, const PlacedSolid& b) {
     cut_faces(b, a, false);
 }
 
+namespace {
+
+/// ∫ d² over a polygon in a plane of normal n [m⁴].
+template <class Place, class Depth>
+double integrate_square(std::size_t count, const Vector3& normal, const Place& place, const Depth& depth) {
+    double sum = 0.0;
+    for (std::size_t i = 1; i + 1 < count; ++i) {
+        const double twice = normal.dot((place(i) - place(0)).cross(place(i + 1) - place(0)));
+        const double a = depth(0), b = depth(i), c = depth(i + 1);
+        sum += twice / 12.0 * ((a * a + b * b) + (c * c + (a * b + (b * c + a * c))));
+    }
+    return sum;
+}
+
+/// ∫ d² over a piece, times the cosine by which it faces what it is nearest to [m⁴].
+double integrate_square(const OverlapPieces& pieces, const OverlapPieces::Piece& piece) {
+    const OverlapPieces::Vertex* const v = pieces.vertices(piece);
+    return piece.facing *
+           integrate_square(
+               piece.count, piece.normal, [&](std::size_t i) { return v[i].place; }, [&](std::size_t i) { return v[i].depth; });
+}
+
+}  // namespace
+
 OverlapLoad sum_load(const OverlapPieces& pieces) {
     // of each body by itself, so that the bodies may change places without changing a bit
     std::array<Vector3, 2> force{Vector3::Zero(), Vector3::Zero()}, moment = force;
-    std::array<double, 2> area{};
+    std::array<double, 2> area{}, squares{};
     OverlapLoad load;
     for (std::size_t p = 0; p < pieces.size(); ++p) {
         const OverlapPieces::Piece& piece = pieces[p];
@@ -161,28 +185,18 @@ OverlapLoad sum_load(const OverlapPieces& pieces) {
             load.deepest = std::max(load.deepest, v[i].depth);
         }
         load.deepest = std::max(load.deepest, v[piece.count - 1].depth);
+        squares[body] += integrate_square(pieces, piece);
         force[body] += sum * piece.normal;
         moment[body] += (at + sum * v[0].place).cross(piece.normal);
     }
     load.force = 0.5 * (force[0] - force[1]);
     load.moment = 0.5 * (moment[0] - moment[1]);
     load.area = 0.5 * (area[0] + area[1]);
+    load.energy = 0.25 * (squares[0] + squares[1]);
     return load;
 }
 
 namespace {
-
-/// ∫ d² over a polygon in a plane of normal n [m⁴].
-template <class Place, class Depth>
-double integrate_square(std::size_t count, const Vector3& normal, const Place& place, const Depth& depth) {
-    double sum = 0.0;
-    for (std::size_t i = 1; i + 1 < count; ++i) {
-        const double twice = normal.dot((place(i) - place(0)).cross(place(i + 1) - place(0)));
-        const double a = depth(0), b = depth(i), c = depth(i + 1);
-        sum += twice / 12.0 * ((a * a + b * b) + (c * c + (a * b + (b * c + a * c))));
-    }
-    return sum;
-}
 
 /// ∫ d² over the part of the sheet half way between planes i and k of `y` where both are nearest, inside `x`, times |n_i − n_k| [m⁴].
 double integrate_sheet(const PlacedSolid& x, const PlacedSolid& y, std::size_t i, std::size_t k) {
@@ -230,13 +244,7 @@ double integrate_sheets(const PlacedSolid& x, const PlacedSolid& y, std::uint32_
 double compute_overlap_energy(const PlacedSolid& a, const PlacedSolid& b, const OverlapPieces& pieces) {
     // d = ∇·(−n d²/2) in every cell, so its integral is one over the cell's border: pieces of faces, and the sheets between cells
     std::array<double, 2> faces{};
-    for (std::size_t p = 0; p < pieces.size(); ++p) {
-        const OverlapPieces::Piece& piece = pieces[p];
-        const OverlapPieces::Vertex* const v = pieces.vertices(piece);
-        faces[piece.of_first ? 0 : 1] += piece.facing * integrate_square(
-                                                            piece.count, piece.normal, [&](std::size_t i) { return v[i].place; },
-                                                            [&](std::size_t i) { return v[i].depth; });
-    }
+    for (std::size_t p = 0; p < pieces.size(); ++p) faces[pieces[p].of_first ? 0 : 1] += integrate_square(pieces, pieces[p]);
     const double sheets = integrate_sheets(b, a, pieces.nearest_of_first()) + integrate_sheets(a, b, pieces.nearest_of_second());
     return 0.25 * ((faces[0] + faces[1]) + sheets);
 }

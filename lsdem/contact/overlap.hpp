@@ -14,13 +14,13 @@ namespace musim::lsdem {
 class OverlapPieces {
   public:
     struct Piece {
-        Vector3 normal;            ///< outward, of the body whose face it is part of
-        double facing = 0.0;       ///< cosine by which it faces the nearest face of the other body: 1 where they meet flat [-]
-        std::uint16_t first = 0;   ///< into the vertices
-        std::uint16_t count = 0;   ///< of its vertices, counter-clockwise about the normal
-        bool of_first = false;     ///< a face of the first body
-        std::uint8_t nearest = 0;  ///< that face of the other body
-        Vector3 nearest_normal;    ///< its outward normal
+        Vector3 normal;          ///< outward, of the body whose face it is part of
+        double facing;           ///< cosine by which it faces the nearest face of the other body: 1 where they meet flat [-]
+        std::uint16_t first;     ///< into the vertices
+        std::uint16_t count;     ///< of its vertices, counter-clockwise about the normal
+        bool of_first;           ///< a face of the first body
+        std::uint8_t nearest;    ///< that face of the other body
+        Vector3 nearest_normal;  ///< its outward normal
     };
     struct Vertex {
         Vector3 place;  ///< world axes, about the origin of the pair [m]
@@ -57,6 +57,7 @@ class OverlapPieces {
 struct OverlapLoad {
     Vector3 force = Vector3::Zero();   ///< on the second body [m³]
     Vector3 moment = Vector3::Zero();  ///< of that force about the origin of the pair [m⁴]
+    double energy = 0.0;               ///< but for a part overlap/size of it, see compute_overlap_energy [m⁴]
     double deepest = 0.0;              ///< largest depth of a point of one body in the other [m]
     double area = 0.0;                 ///< of the faces of one body inside the other, the mean of both: its stiffness is no larger [m²]
 };

@@ -59,6 +59,18 @@ struct Limit {
     }
 };
 
+/// A convex region reaches no farther from its middle in any direction than this times the root of its second moment over its area: 2√2 for
+/// a triangle [-].
+constexpr double kReachOfConvex = 2.9;
+
+/// May springs and dashpots together pull anywhere? False only where they surely do not.
+bool may_pull(const ContactArea& area, const AffinePressure& dashpot, double stiffness) {
+    if (!area.depth || !(area.area > 0.0)) return true;
+    const Vector3 slope = stiffness * area.depth->slope + dashpot.slope;
+    const double lowest = kReachOfConvex * std::sqrt(std::max(0.0, slope.dot(area.second * slope)) / area.area);
+    return stiffness * area.depth->middle + dashpot.at < lowest;
+}
+
 }  // namespace
 
 void OverlapBodies::place(PlacedSolid& a, PlacedSolid& b) const {
@@ -71,12 +83,12 @@ void OverlapBodies::place(PlacedSolid& a, PlacedSolid& b) const {
 }
 
 const OverlapPieces& OverlapBodies::pieces() {
-    if (is_cut_) return pieces_;
+    if (is_cut_) return *pieces_;
     is_cut_ = true;
     PlacedSolid a, b;
     place(a, b);
-    pieces_.cut(a, b);
-    return pieces_;
+    pieces_->cut(a, b);
+    return *pieces_;
 }
 
 double OverlapBodies::energy() {
@@ -114,7 +126,8 @@ OverlapForces compute_overlap_contact(const OverlapGeometry& geometry, const Pai
         const double rate = part * law.normal_damping / dt;
         const AffinePressure dashpot{-rate * normal.dot(motion.displacement(contact.place)),
                                      -rate * (motion.turn[0] * normal - motion.turn[1] * normal), contact.place};
-        const PressureMoments held = find_pull(bodies.pieces(), dashpot, law.normal_stiffness);
+        PressureMoments held;
+        if (may_pull(geometry.area, dashpot, law.normal_stiffness)) held = find_pull(bodies.pieces(), dashpot, law.normal_stiffness);
         const double damping = dashpot.at * area + held.sum;
         contact.damping.force = damping * normal;
         contact.damping.couple = (geometry.area.second * dashpot.slope + held.at).cross(normal);
@@ -160,6 +173,7 @@ OverlapForces compute_overlap_contact(const OverlapGeometry& geometry, const Pai
         result.force = law.normal_stiffness * load.force + at_middle;
         result.moment =
             law.normal_stiffness * load.moment + contact.place.cross(at_middle) + contact.damping.couple + contact.friction.couple;
+        result.elastic_normal = law.normal_stiffness * load.energy;
         result.overlap = load.deepest;
         result.area = load.area;
     }

@@ -61,6 +61,7 @@ struct OverlapContact {
 struct OverlapForces {
     Vector3 force = Vector3::Zero();   ///< on the second body [N]
     Vector3 moment = Vector3::Zero();  ///< on the second body about the origin of the pair [N·m]
+    double elastic_normal = 0.0;       ///< stored now, but for a part overlap/size of it [J]
     double elastic_shear = 0.0;        ///< stored now [J]
     double overlap = 0.0;              ///< largest depth [m]
     double area = 0.0;                 ///< of faces inside the other body: stiffness over K is no larger [m²]
@@ -78,7 +79,7 @@ struct OverlapGeometry {
 };
 OverlapGeometry find_overlap_geometry(const OverlapPieces& pieces);
 
-/// Both bodies of a pair, cut into pieces when these are first asked for. Refers to what it is made from.
+/// Both bodies of a pair, cut into pieces when these are first asked for. Refers to what it is made from, and to room for the pieces.
 class OverlapBodies {
   public:
     struct Box {
@@ -86,10 +87,11 @@ class OverlapBodies {
         const Matrix3& rotation;  ///< body to world
         Vector3 center;           ///< about the origin of the pair [m]
     };
-    OverlapBodies(const Box& a, const Box& b) : half_{&a.half, &b.half}, rotation_{&a.rotation, &b.rotation}, center_{a.center, b.center} {}
+    OverlapBodies(const Box& a, const Box& b, OverlapPieces& room)
+        : half_{&a.half, &b.half}, rotation_{&a.rotation, &b.rotation}, center_{a.center, b.center}, pieces_(&room) {}
     /// A box and the ground at a height about the origin of the pair [m].
-    OverlapBodies(const Box& a, double ground)
-        : half_{&a.half, nullptr}, rotation_{&a.rotation, nullptr}, center_{a.center}, ground_(ground) {}
+    OverlapBodies(const Box& a, double ground, OverlapPieces& room)
+        : half_{&a.half, nullptr}, rotation_{&a.rotation, nullptr}, center_{a.center}, ground_(ground), pieces_(&room) {}
 
     const OverlapPieces& pieces();
     double energy();  ///< see compute_overlap_energy [m⁴]
@@ -102,7 +104,7 @@ class OverlapBodies {
     std::array<Vector3, 2> center_;
     double ground_ = 0.0;
     bool is_cut_ = false;
-    OverlapPieces pieces_;
+    OverlapPieces* pieces_;
 };
 
 /// Contact of two bodies at step n from their overlap; updates what it remembers. `stored_shear`: energy of its springs of friction at step

@@ -1,18 +1,50 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 
 #include "lsdem/bodies.hpp"
+#include "lsdem/contact/box_meeting.hpp"
+#include "lsdem/contact/overlap_contact.hpp"
 #include "lsdem/contacts.hpp"
-#include "lsdem/model.hpp"
 
 /// Pairs of boxes, and of a box and the ground, that meet by their overlap.
 namespace musim::lsdem {
 
-/// Forces of pair `index` at step n, from the poses at n and n − 1; updates what it remembers, tally and work.
-void compute_overlap_pair(const Bodies& bodies, const BasePose& base, double dt, std::size_t index, ContactList& list);
+/// Computes pairs at step n from the poses at n and n − 1, four side by side: forces, what they remember, tallies and work. Which pairs
+/// share a batch changes no bit.
+class OverlapBatch {
+  public:
+    OverlapBatch(const Bodies& bodies, const BasePose& base, double dt, ContactList& list);
+    OverlapBatch(const OverlapBatch&) = delete;
+    OverlapBatch& operator=(const OverlapBatch&) = delete;
+    ~OverlapBatch() = default;
 
-/// Energy of the normal springs of pair `index` at step n [J].
-double compute_overlap_energy(const Bodies& bodies, const BasePose& base, const ContactList& list, std::size_t index);
+    /// A pair of ContactList::overlaps; computed now or with others.
+    void add(std::size_t index);
+    /// Those that still wait.
+    void compute();
+    /// Largest overlap over the height of the leader [-].
+    double deepest() const { return deepest_; }
+
+  private:
+    static constexpr std::size_t kSize = 4;
+    void finish(std::size_t index, const OverlapGeometry& geometry, OverlapBodies& both);
+
+    const Bodies& bodies_;
+    const BasePose& base_;
+    double dt_;
+    ContactList& list_;
+    std::size_t count_ = 0;
+    double deepest_ = 0.0;
+    std::array<std::size_t, kSize> index_{};
+    std::array<detail::BoxMeeting, kSize> meetings_{};
+    std::array<Vector3, kSize> ground_half_, ground_place_;
+    OverlapPieces room_;  ///< of the pair that is being cut
+};
+
+/// Puts the exact energies of the normal springs at step n in the place of those in the tallies, which lack a part overlap/size and cost
+/// nothing.
+void refine_overlap_energies(const Bodies& bodies, const BasePose& base, ContactList& list);
 
 }  // namespace musim::lsdem

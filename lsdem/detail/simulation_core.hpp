@@ -81,7 +81,9 @@ struct Simulation::Implementation {
     }
     void check_health();
     double kinetic() const;
+    /// The ledger from what steps leave; find_exact_energy computes first what they leave out.
     Energy find_energy() const;
+    Energy find_exact_energy();
     /// Angular momentum after a time of decay [kg·m²/s].
     Vector3 momentum_after(const detail::VelocityDecay& decay, std::size_t i, const Vector3& torque) const {
         return decay.keep * bodies.momentum[i] + decay.push * bodies.free[i] * torque;

@@ -39,7 +39,8 @@ class MovedBox {
         const Vector3 apart = Vector3(0.0, 0.0, 0.5 * kTable + half_.z() - depth_) + position_;
         const Vector3 table(2.0, 2.0, 0.5 * kTable);
         const Matrix3 upright = Matrix3::Identity();
-        OverlapBodies bodies({table, upright, -0.5 * apart}, {half_, rotation_, 0.5 * apart});
+        OverlapPieces room;
+        OverlapBodies bodies({table, upright, -0.5 * apart}, {half_, rotation_, 0.5 * apart}, room);
         PairMotion motion;
         motion.center = {Vector3(-0.5 * apart), Vector3(0.5 * apart)};
         const Vector3 apart_before = apart - shift;

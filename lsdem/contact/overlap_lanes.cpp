@@ -1,0 +1,567 @@
+#include "lsdem/contact/overlap_lanes.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include "lsdem/detail/instructions.hpp"
+
+/// Overlap of two boxes that meet face to face, four pairs side by side; the same function as OverlapPieces::cut and sum_load.
+///
+/// Face a of body X lies against face b of body Y. In the frame of a: x and y in its plane, s the depth below it. Of Y, D is the depth
+/// below plane b and d_m that below side plane m; all are affine. Y's own field is min(D, d_m). Each role (X in Y, then Y in X) sums
+///     I_g = ∫_{g in Y} min(D, d_m) dS       over X's face a and its four sides,
+/// and the force on the second body is half of what the first role gives, less half of the second.
+///
+/// *Main cell* of a: D below all d_m, a convex polygon of four edges of X ("rim") and four lines D = d_m ("crease"); summed as a fan.
+/// *Everything else* is a line integral by the divergence theorem: where φ falls at the rate κ along e, ∫ φ dA = ∮ φ²/(2κ) (ν·e) dl.
+/// Lines that cross under a small angle take the place of their crossing from one number, so that no gap opens between them.
+namespace musim::lsdem::detail {
+namespace {
+
+constexpr double kTiny = 1e-30;          ///< slopes below this are that
+constexpr double kLeastCosine = 0.9613;  ///< of the tilt: 16°
+constexpr double kMostDepth = 0.05;      ///< of the least half extent
+/// A touching area of fewer squares of the depth sums up the rounding of its edges to more than that of the depth [-].
+constexpr double kLeastArea = 1e5;
+constexpr double kLeastWidth = 8.0;  ///< of the touching area, in depths
+/// Terms of the third order in the depth d are left out where d³ is below this part of size · area.
+constexpr double kCorner = 2.5e-17;
+
+#define MUSIM_LANE_FUNCTION [[gnu::always_inline]] inline
+
+MUSIM_LANE_FUNCTION Lanes dot(const Lanes3& a, const Lanes3& b) { return (a.x * b.x + a.y * b.y) + a.z * b.z; }
+MUSIM_LANE_FUNCTION Lanes3 scaled(const Lanes3& a, const Lanes& by) { return {a.x * by, a.y * by, a.z * by}; }
+MUSIM_LANE_FUNCTION Lanes3 choose(const LaneMask& m, const Lanes3& a, const Lanes3& b) {
+    return {select(m, a.x, b.x), select(m, a.y, b.y), select(m, a.z, b.z)};
+}
+MUSIM_LANE_FUNCTION Lanes3 combine(const Lanes3& p, const Lanes3& q, const Lanes3& n, const Lanes& x, const Lanes& y, const Lanes& z) {
+    return {(p.x * x + q.x * y) + n.x * z, (p.y * x + q.y * y) + n.y * z, (p.z * x + q.z * y) + n.z * z};
+}
+MUSIM_LANE_FUNCTION Lanes size_of(const Lanes& a) { return larger(a, -a); }
+/// Away from zero, so that a reciprocal and its cube stay finite.
+MUSIM_LANE_FUNCTION Lanes guarded(const Lanes& a) {
+    return select(size_of(a) < all(kTiny), select(a < all(0.0), all(-kTiny), all(kTiny)), a);
+}
+/// Two reciprocals for one division.
+MUSIM_LANE_FUNCTION void invert(const Lanes& a, const Lanes& b, Lanes& inverse_a, Lanes& inverse_b) {
+    const Lanes both = all(1.0) / (a * b);
+    inverse_a = b * both, inverse_b = a * both;
+}
+
+/// A part of a line.
+struct Interval {
+    Lanes low, high;
+    /// Keeps what lies beyond `at`: above where `up` is positive, else below.
+    MUSIM_LANE_FUNCTION void keep(const Lanes& at, const LaneMask& above) {
+        low = larger(low, select(above, at, all(-std::numeric_limits<double>::max())));
+        high = smaller(high, select(above, all(std::numeric_limits<double>::max()), at));
+    }
+    /// Keeps where c0 + c1 t > 0.
+    MUSIM_LANE_FUNCTION void clip(const Lanes& c0, const Lanes& c1) {
+        const Lanes slope = guarded(c1);
+        keep(-c0 / slope, slope > all(0.0));
+    }
+    MUSIM_LANE_FUNCTION Lanes length() const { return larger(high - low, all(0.0)); }
+};
+
+/// ∫ f², ∫ y f² and ∫ f³ of an affine f between two places on a line.
+struct Powers {
+    Lanes square, along, cube;
+    MUSIM_LANE_FUNCTION Powers(const Lanes& y0, const Lanes& y1, const Lanes& length, const Lanes& f0, const Lanes& f1) {
+        const Lanes s0 = f0 * f0, s1 = f1 * f1, mixed = f0 * f1, third = length * all(1.0 / 3.0), quarter = length * all(0.25);
+        const Lanes both = (s0 + s1) + mixed;
+        square = third * both;
+        // (3 s0 + 2 m + s1) = (s0 + m + s1) + (2 s0 + m)
+        along = (quarter * all(1.0 / 3.0)) * (both * (y0 + y1) + ((s0 + s0 + mixed) * y0 + (s1 + s1 + mixed) * y1));
+        cube = quarter * ((f0 + f1) * (s0 + s1));
+    }
+};
+
+/// X's rim and Y's side planes across one direction in the plane of a: x runs across, y along.
+struct Across {
+    Lanes half;  ///< of X
+    Lanes side;  ///< half extent of Y between the two side planes
+    Lanes at;    ///< d_± = side ∓ (at + by_x x + by_y y − by_s s)
+    Lanes by_x, by_y, by_s;
+    Lanes depth_by_x;  ///< of D
+    // creases D = d_±: x = at + slope y, lower one first; where the rims x = ∓half cross them: y
+    std::array<Lanes, 2> crease_at, crease_slope, crease_inverse;
+    std::array<std::array<Lanes, 2>, 2> crossing;  ///< [crease][rim]
+};
+
+/// One body's faces in the other, and what they sum to.
+struct Role {
+    std::array<Across, 2> across;
+    Lanes depth_at;  ///< D = depth_at + ... − cosine s
+    Lanes cosine, half_normal;
+    LaneMask corner;
+    Lanes deepest{};
+    // sums over face a, first moments along both directions
+    Lanes load{};
+    std::array<Lanes, 2> load_place{};
+    // sums over the sides, upper less lower of each direction: load, its moment along the rim and below it
+    std::array<Lanes, 2> side{}, side_along{}, side_below{};
+    // main cell about `fan`
+    std::array<Lanes, 2> fan;
+    Lanes area{}, area_depth{}, area_mixed{};
+    std::array<Lanes, 2> area_place{}, area_square{};
+};
+
+constexpr double sign_of(std::size_t side) { return side == 0 ? -1.0 : 1.0; }
+
+/// Creases and where they cross the rims of their own direction.
+MUSIM_LANE_FUNCTION void find_creases(Role& role, std::size_t k) {
+    Across& u = role.across[k];
+    const Lanes depth_by_y = role.across[1 - k].depth_by_x;
+    Lanes plus, minus;
+    invert(u.by_x + u.depth_by_x, u.by_x - u.depth_by_x, plus, minus);
+    u.crease_at[1] = ((u.side - u.at) - role.depth_at) * plus;
+    u.crease_slope[1] = -(u.by_y + depth_by_y) * plus;
+    u.crease_at[0] = -((u.side + u.at) - role.depth_at) * minus;
+    u.crease_slope[0] = -(u.by_y - depth_by_y) * minus;
+    invert(guarded(u.crease_slope[0]), guarded(u.crease_slope[1]), u.crease_inverse[0], u.crease_inverse[1]);
+    for (std::size_t c = 0; c < 2; ++c) {
+        u.crossing[c][0] = (-u.half - u.crease_at[c]) * u.crease_inverse[c];
+        u.crossing[c][1] = (u.half - u.crease_at[c]) * u.crease_inverse[c];
+    }
+}
+
+/// One edge of the main cell, upper or lower in its direction: x = x_at + x_by y. Adds it to the fan; returns its ends and depths.
+struct Edge {
+    Lanes y0, y1, length, d0, d1;
+};
+MUSIM_LANE_FUNCTION Edge add_main_edge(Role& role, std::size_t k, double outward, const Lanes& x_at, const Lanes& x_by, const Lanes& d_at,
+                                       const Lanes& d_by, const Lanes& d_inverse, const Lanes& fan_depth, Interval part) {
+    part.keep(-d_at * d_inverse, d_inverse > all(0.0));
+    Edge e{part.low, part.high, part.length(), {}, {}};
+    e.d0 = d_at + d_by * e.y0, e.d1 = d_at + d_by * e.y1;
+    role.deepest = larger(role.deepest, select(e.length > all(0.0), larger(e.d0, e.d1), all(0.0)));
+    const Lanes y0 = e.y0 - role.fan[1 - k], y1 = e.y1 - role.fan[1 - k];
+    const Lanes x_fan = (x_at + x_by * role.fan[1 - k]) - role.fan[k], x0 = x_fan + x_by * y0, x1 = x_fan + x_by * y1;
+    const Lanes twice = (all(outward) * x_fan) * e.length;  // area of the triangle
+    const Lanes depth = (fan_depth + e.d0) + e.d1, x = x0 + x1, y = y0 + y1;
+    role.area += twice;
+    role.area_depth += twice * depth;
+    const Lanes tx = twice * x, ty = twice * y;
+    role.area_place[k] += tx, role.area_place[1 - k] += ty;
+    role.area_square[k] += tx * x - twice * (x0 * x1);
+    role.area_square[1 - k] += ty * y - twice * (y0 * y1);
+    role.area_mixed += tx * y + twice * (x0 * y0 + x1 * y1);
+    role.load_place[k] += twice * (depth * x + (e.d0 * x0 + e.d1 * x1));
+    role.load_place[1 - k] += twice * (depth * y + (e.d0 * y0 + e.d1 * y1));
+    return e;
+}
+
+/// Main cell of a (not yet divided by the fan's factors), and what belongs to it alone: the sides' loads below its rims (∫ D²/(2ζ)), the
+/// strips beyond its creases (∫ D²/(2 by_x)).
+struct Strips {
+    Lanes load{};
+    std::array<Lanes, 2> place{};
+};
+MUSIM_LANE_FUNCTION void add_main_cell(Role& role, Strips& strips) {
+    const Lanes zero{};
+    Across &p = role.across[0], &q = role.across[1];
+    find_creases(role, 0);
+    find_creases(role, 1);
+    // the fan's middle: on D = 0 if that line comes near, so that the line itself adds nothing
+    const Lanes slope2 = p.depth_by_x * p.depth_by_x + q.depth_by_x * q.depth_by_x;
+    const LaneMask open = role.depth_at * role.depth_at <= slope2 * (p.half * p.half + q.half * q.half);
+    const Lanes back = select(open, -role.depth_at / larger(slope2, all(1e-300)), zero);
+    role.fan = {back * p.depth_by_x, back * q.depth_by_x};
+    const Lanes fan_depth = select(open, zero, role.depth_at);
+    // corners: creases of both directions cross
+    std::array<std::array<Lanes, 2>, 2> determinant;
+    for (std::size_t i = 0; i < 2; ++i) {
+        const Lanes one = all(1.0) - p.crease_slope[i] * q.crease_slope[0], two = all(1.0) - p.crease_slope[i] * q.crease_slope[1];
+        invert(one, two, determinant[i][0], determinant[i][1]);
+    }
+    for (std::size_t k = 0; k < 2; ++k) {
+        const Across &u = role.across[k], &v = role.across[1 - k];
+        const Lanes depth_by_y = v.depth_by_x;
+        // rims
+        const Lanes rim_inverse = all(1.0) / guarded(depth_by_y), below = all(0.5) / role.cosine;
+        for (std::size_t r = 0; r < 2; ++r) {
+            const Lanes x = r == 0 ? -u.half : u.half;
+            Interval part{larger(-v.half, v.crease_at[0] + v.crease_slope[0] * x), smaller(v.half, v.crease_at[1] + v.crease_slope[1] * x)};
+            part.keep(u.crossing[0][r], u.crease_slope[0] < zero);
+            part.keep(u.crossing[1][r], u.crease_inverse[1] > zero);
+            const Edge e =
+                add_main_edge(role, k, sign_of(r), x, zero, role.depth_at + u.depth_by_x * x, depth_by_y, rim_inverse, fan_depth, part);
+            const Powers d(e.y0, e.y1, e.length, e.d0, e.d1);
+            const Lanes factor = r == 0 ? -below : below;
+            role.side[k] += factor * d.square;
+            role.side_along[k] += factor * d.along;
+            role.side_below[k] += (factor * below) * (all(2.0 / 3.0) * d.cube);
+        }
+        // creases
+        std::array<Lanes, 2> d_by, d_inverse;
+        for (std::size_t c = 0; c < 2; ++c) d_by[c] = depth_by_y + u.depth_by_x * u.crease_slope[c];
+        invert(guarded(d_by[0]), guarded(d_by[1]), d_inverse[0], d_inverse[1]);
+        const Lanes beside = all(0.5) / u.by_x;
+        for (std::size_t c = 0; c < 2; ++c) {
+            const Lanes y_low = (v.crease_at[0] + v.crease_slope[0] * u.crease_at[c]) * (k == 0 ? determinant[c][0] : determinant[0][c]);
+            const Lanes y_high = (v.crease_at[1] + v.crease_slope[1] * u.crease_at[c]) * (k == 0 ? determinant[c][1] : determinant[1][c]);
+            Interval part{larger(larger(-v.half, y_low), smaller(u.crossing[c][0], u.crossing[c][1])),
+                          smaller(smaller(v.half, y_high), larger(u.crossing[c][0], u.crossing[c][1]))};
+            const Edge e = add_main_edge(role, k, sign_of(c), u.crease_at[c], u.crease_slope[c],
+                                         role.depth_at + u.depth_by_x * u.crease_at[c], d_by[c], d_inverse[c], fan_depth, part);
+            const Powers d(e.y0, e.y1, e.length, e.d0, e.d1);
+            strips.load += beside * d.square;
+            strips.place[1 - k] += beside * d.along;
+            strips.place[k] +=
+                beside * ((u.crease_at[c] * d.square + u.crease_slope[c] * d.along) + (all(sign_of(c) * 2.0 / 3.0) * beside) * d.cube);
+        }
+    }
+}
+
+/// Divides the fan's sums by their factors and moves them from its middle to that of a; adds the strips.
+MUSIM_LANE_FUNCTION void finish_main_cell(Role& role, const Strips& strips) {
+    role.load = role.area_depth * all(1.0 / 6.0);
+    role.area_depth = role.load;
+    const Lanes safe = larger(role.area, all(1e-300));  // twice the area
+    role.area_mixed *= all(1.0 / 24.0);
+    const std::array<Lanes, 2> middle{role.area_place[0] / (all(3.0) * safe), role.area_place[1] / (all(3.0) * safe)};
+    role.area *= all(0.5);
+    role.area_mixed -= role.area * (middle[0] * middle[1]);
+    for (std::size_t k = 0; k < 2; ++k) {
+        role.load_place[k] = (role.load_place[k] * all(1.0 / 24.0) + role.fan[k] * role.load) + strips.place[k];
+        role.area_square[k] = role.area_square[k] * all(1.0 / 12.0) - role.area * (middle[k] * middle[k]);
+        role.area_place[k] = role.area * (middle[k] + role.fan[k]);
+    }
+    role.load += strips.load;
+}
+
+/// A side plane m of Y along a rim: d = at + by y + by_s s.
+struct SidePlane {
+    Lanes at, by, by_s;
+    MUSIM_LANE_FUNCTION Lanes operator()(const Lanes& y) const { return at + by * y; }
+};
+MUSIM_LANE_FUNCTION SidePlane own_plane(const Across& u, const Lanes& x, std::size_t side) {
+    const Lanes at = u.at + u.by_x * x;
+    return side == 0 ? SidePlane{u.side + at, u.by_y, -u.by_s} : SidePlane{u.side - at, -u.by_y, u.by_s};
+}
+MUSIM_LANE_FUNCTION SidePlane end_plane(const Across& v, const Lanes& x, std::size_t side) {
+    const Lanes at = v.at + v.by_y * x;
+    return side == 0 ? SidePlane{v.side + at, v.by_x, -v.by_s} : SidePlane{v.side - at, -v.by_x, v.by_s};
+}
+
+/// The part of rim `r` of direction k on which plane m is the nearest, `part`: its share in the side's load (D²/(2ζ) − (D − d)²/(2(ζ + g)))
+/// and in the strip of face a that ends there (d²/(2 by_x)), if m runs along the rim: m = 0, 1, else 2.
+MUSIM_LANE_FUNCTION void add_rim_part(Role& role, std::size_t k, std::size_t r, std::size_t m, const SidePlane& plane, const Lanes& x,
+                                      const Lanes& d_at, const Lanes& d_by, const Interval& part, const LaneMask& where) {
+    const Lanes zero{};
+    const Lanes f0 = plane(part.low), f1 = plane(part.high), length = part.length();
+    const LaneMask crosses = (f0 > zero) ^ (f1 > zero);
+    const Lanes zero_at = part.low + length * (f0 / select(crosses, f0 - f1, all(1.0)));
+    const LaneMask holds = where & ((f0 > zero) | (f1 > zero));
+    const Lanes y0 = select(f0 > zero, part.low, zero_at), y1 = select(f1 > zero, part.high, zero_at);
+    const Lanes rest = select(holds, larger(y1 - y0, zero), zero);
+    const Lanes p0 = larger(f0, zero), p1 = larger(f1, zero), e0 = d_at + d_by * y0, e1 = d_at + d_by * y1;
+    const Powers full(y0, y1, rest, e0, e1), gap(y0, y1, rest, e0 - p0, e1 - p1);
+    Lanes one, two;
+    invert(role.cosine, role.cosine + plane.by_s, one, two);
+    one *= all(0.5), two *= all(0.5);
+    const Lanes sign = all(sign_of(r));
+    role.side[k] += sign * (one * full.square - two * gap.square);
+    role.side_along[k] += sign * (one * full.along - two * gap.along);
+    role.side_below[k] += sign * (all(2.0 / 3.0) * (one * one * full.cube - two * two * gap.cube));
+    if (m == 2) return;
+    const Powers d(y0, y1, rest, p0, p1);
+    const Lanes beside = all(-sign_of(r) * sign_of(m) * 0.5) / role.across[k].by_x;
+    role.load += beside * d.square;
+    role.load_place[1 - k] += beside * d.along;
+    role.load_place[k] += beside * (x * d.square + (all(sign_of(m) / 3.0) / role.across[k].by_x) * d.cube);
+}
+
+/// Where plane m ends on the side below the rim: the line d_m = 0 at s = −d_m(y)/g. There D² g/(2ζ(ζ + g)) dy.
+MUSIM_LANE_FUNCTION void add_side_line(Role& role, std::size_t k, std::size_t r, const SidePlane& plane, const SidePlane& other_low,
+                                       const SidePlane& other_high, const Lanes& d_at, const Lanes& d_by, Interval part,
+                                       const LaneMask& where) {
+    const Lanes zero{};
+    const LaneMask up = plane.by_s > zero;
+    const Lanes g = larger(size_of(plane.by_s), all(1e-18));
+    const Lanes a0 = select(up, -plane.at, plane.at), a1 = select(up, -plane.by, plane.by);  // g s
+    const Lanes w0 = g * d_at - role.cosine * a0, w1 = g * d_by - role.cosine * a1;          // g D
+    part.clip(a0, a1);
+    part.clip(w0, w1);
+    part.clip(g * other_low.at + other_low.by_s * a0, g * other_low.by + other_low.by_s * a1);
+    part.clip(g * other_high.at + other_high.by_s * a0, g * other_high.by + other_high.by_s * a1);
+    const Lanes length = select(where, part.length(), zero);
+    const Lanes over = all(1.0) / g;
+    const Lanes s0 = over * larger(a0 + a1 * part.low, zero), s1 = over * larger(a0 + a1 * part.high, zero);
+    const Lanes d0 = over * larger(w0 + w1 * part.low, zero), d1 = over * larger(w0 + w1 * part.high, zero);
+    const Powers along_y(part.low, part.high, length, d0, d1), along_s(s0, s1, length, d0, d1);
+    const Lanes wedge = role.cosine + plane.by_s, both = all(0.5) / (role.cosine * wedge);
+    const Lanes factor = (all(sign_of(r)) * g) * both;
+    role.side[k] += factor * along_y.square;
+    role.side_along[k] += factor * along_y.along;
+    role.side_below[k] += factor * (along_s.along + (role.cosine + wedge) * (all(2.0 / 3.0) * both) * along_y.cube);
+}
+
+/// On the side below the rim, the line on which planes m and n are equally near: D − d falls at different rates on its two sides.
+MUSIM_LANE_FUNCTION void add_side_bisector(Role& role, std::size_t k, std::size_t r, const SidePlane& m, const SidePlane& n, const Lanes& y,
+                                           const Lanes& inverse, const Lanes& half, const Lanes& d_at, const Lanes& d_by,
+                                           const LaneMask& where) {
+    const Lanes zero{}, differ = n.by_s - m.by_s, lean = -differ * inverse;  // y + lean s
+    const Lanes gap_at = (d_at + d_by * y) - m(y), gap_by = (d_by - m.by) * lean - (role.cosine + m.by_s);
+    Interval part{zero, -gap_at / gap_by};
+    part.clip(m(y), m.by * lean + m.by_s);
+    part.clip(half - y, -lean);
+    part.clip(half + y, lean);
+    const Lanes length = select(where, part.length(), zero);
+    const Powers gap(part.low, part.high, length, gap_at + gap_by * part.low, gap_at + gap_by * part.high);
+    const Lanes factor =
+        all(-0.5 * sign_of(r)) * ((differ * differ) * size_of(inverse)) / ((role.cosine + m.by_s) * (role.cosine + n.by_s));
+    role.side[k] += factor * gap.square;
+    role.side_along[k] += factor * (y * gap.square + lean * gap.along);
+    role.side_below[k] +=
+        factor * (gap.along + all(1.0 / 3.0) * ((all(1.0) / (role.cosine + m.by_s)) + all(1.0) / (role.cosine + n.by_s)) * gap.cube);
+}
+
+/// Rims close to a side plane of Y: flush edges, and where edges cross.
+MUSIM_LANE_FUNCTION void add_rims(Role& role, std::size_t k) {
+    const Lanes zero{};
+    const Across &u = role.across[k], &v = role.across[1 - k];
+    const Lanes d_by = v.depth_by_x;
+    std::array<Lanes, 2> bisector_inverse;  // of by_x ∓ by_y
+    invert(guarded(v.by_x - u.by_y), guarded(v.by_x + u.by_y), bisector_inverse[0], bisector_inverse[1]);
+    for (std::size_t r = 0; r < 2; ++r) {
+        const Lanes x = r == 0 ? -u.half : u.half, d_at = role.depth_at + u.depth_by_x * x;
+        const SidePlane end_low = end_plane(v, x, 0), end_high = end_plane(v, x, 1);
+        const std::array<Lanes, 2> crease{v.crease_at[0] + v.crease_slope[0] * x, v.crease_at[1] + v.crease_slope[1] * x};
+        for (std::size_t m = 0; m < 2; ++m) {
+            // both side planes along the rim; that of the other side comes near at crossings only
+            const SidePlane plane = own_plane(u, x, m);
+            const LaneMask take = m == r ? role.corner | ~role.corner : role.corner;
+            Interval part{-v.half, v.half};
+            // d < D: the other side of the crease
+            part.keep(u.crossing[m][r], m == 0 ? u.crease_inverse[0] > zero : u.crease_inverse[1] < zero);
+            const LaneMask touches = take & (part.low < part.high) & (larger(plane(part.low), plane(part.high)) > zero);
+            // d_end − d = c0 + c1 y, c1 = ∓by_x ± by_y
+            const Lanes inverse_low = m == 0 ? bisector_inverse[0] : bisector_inverse[1];
+            const Lanes inverse_high = m == 0 ? -bisector_inverse[1] : -bisector_inverse[0];
+            const Lanes y_low = -(end_low.at - plane.at) * inverse_low, y_high = -(end_high.at - plane.at) * inverse_high;
+            if (any(touches)) {
+                Interval own = part;
+                own.keep(y_low, inverse_low > zero);
+                own.keep(y_high, inverse_high > zero);
+                add_rim_part(role, k, r, m, plane, x, d_at, d_by, own, touches);
+            }
+            const Lanes middle = size_of(plane.at), reach = size_of(plane.by) * v.half + size_of(plane.by_s) * role.deepest * all(1.1);
+            const LaneMask ends = take & (size_of(plane.by_s) > all(1e-18)) & (middle < reach);
+            if (any(ends)) add_side_line(role, k, r, plane, end_low, end_high, d_at, d_by, Interval{-v.half, v.half}, ends);
+            if (!any(role.corner)) continue;
+            const std::array<LaneMask, 2> both{
+                role.corner & (size_of(y_low) < v.half * all(1.1)) & (d_at + d_by * y_low > plane(y_low)) & (plane(y_low) > -role.deepest),
+                role.corner & (size_of(y_high) < v.half * all(1.1)) & (d_at + d_by * y_high > plane(y_high)) &
+                    (plane(y_high) > -role.deepest)};
+            if (any(both[0])) add_side_bisector(role, k, r, plane, end_low, y_low, inverse_low, v.half, d_at, d_by, both[0]);
+            if (any(both[1])) add_side_bisector(role, k, r, plane, end_high, y_high, inverse_high, v.half, d_at, d_by, both[1]);
+        }
+        if (!any(role.corner)) continue;
+        const SidePlane own_low = own_plane(u, x, 0), own_high = own_plane(u, x, 1);
+        for (std::size_t m = 0; m < 2; ++m) {
+            const SidePlane& plane = m == 0 ? end_low : end_high;
+            Interval part{m == 0 ? -v.half : larger(-v.half, crease[1]), m == 0 ? smaller(v.half, crease[0]) : v.half};
+            // d_own − d = c0 + c1 y, c1 = ±by_x ± by_y
+            const Lanes inverse_low = m == 0 ? -bisector_inverse[0] : bisector_inverse[1];
+            const Lanes inverse_high = m == 0 ? -bisector_inverse[1] : bisector_inverse[0];
+            part.keep(-(own_low.at - plane.at) * inverse_low, inverse_low > zero);
+            part.keep(-(own_high.at - plane.at) * inverse_high, inverse_high > zero);
+            const LaneMask touches = role.corner & (part.low < part.high) & (larger(plane(part.low), plane(part.high)) > zero);
+            if (any(touches)) add_rim_part(role, k, r, 2, plane, x, d_at, d_by, part, touches);
+            const LaneMask ends = role.corner & (size_of(plane.by_s) > all(1e-18)) &
+                                  (own_low.at > -role.deepest - size_of(u.by_y) * v.half) &
+                                  (own_high.at > -role.deepest - size_of(u.by_y) * v.half);
+            if (any(ends)) add_side_line(role, k, r, plane, own_low, own_high, d_at, d_by, Interval{-v.half, v.half}, ends);
+        }
+    }
+}
+
+/// Corners of Y seen in X: from the corner, at d = 0, the strips of two side planes share a bisector.
+MUSIM_LANE_FUNCTION void add_bisectors(Role& role) {
+    const Lanes zero{};
+    const Across &p = role.across[0], &q = role.across[1];
+    const Lanes inverse = all(1.0) / (p.by_x * q.by_x - p.by_y * q.by_y);
+    for (std::size_t i = 0; i < 2; ++i) {
+        for (std::size_t j = 0; j < 2; ++j) {
+            // p.by_x x + p.by_y y = a, q.by_y x + q.by_x y = b at the corner; both less by ±d along the bisector
+            const Lanes si = all(sign_of(i)), sj = all(sign_of(j)), a = si * p.side - p.at, b = sj * q.side - q.at;
+            const Lanes x0 = (a * q.by_x - b * p.by_y) * inverse, y0 = (b * p.by_x - a * q.by_y) * inverse;
+            const Lanes x1 = (sj * p.by_y - si * q.by_x) * inverse, y1 = (si * q.by_y - sj * p.by_x) * inverse;
+            const Lanes d0 = (role.depth_at + p.depth_by_x * x0) + q.depth_by_x * y0, d1 = p.depth_by_x * x1 + q.depth_by_x * y1;
+            const Lanes top = d0 / (all(1.0) - d1);
+            const LaneMask near =
+                role.corner & (top > zero) & (size_of(x0) < p.half + all(4.0) * top) & (size_of(y0) < q.half + all(4.0) * top);
+            if (!any(near)) continue;
+            Interval part{zero, top};
+            part.clip(p.half - x0, -x1);
+            part.clip(p.half + x0, x1);
+            part.clip(q.half - y0, -y1);
+            part.clip(q.half + y0, y1);
+            const Lanes length = select(near, part.length(), zero);
+            const Powers d(part.low, part.high, length, part.low, part.high);  // ∫ d², ∫ d³, ∫ d³
+            const Lanes of_p = -sj * y1 * (all(0.5) / p.by_x), of_q = -si * x1 * (all(0.5) / q.by_x);
+            const Lanes along_x = x0 * d.square + x1 * d.cube, along_y = y0 * d.square + y1 * d.cube;
+            role.load += (of_p + of_q) * d.square;
+            role.load_place[0] += (of_p + of_q) * along_x + of_p * (si / (all(3.0) * p.by_x)) * d.cube;
+            role.load_place[1] += (of_p + of_q) * along_y + of_q * (sj / (all(3.0) * q.by_x)) * d.cube;
+        }
+    }
+}
+
+MUSIM_LANE_FUNCTION Lanes3 gather3(const std::array<const double*, kLanes>& from) {
+    Lanes3 v;
+    v.x = Lanes{from[0][0], from[1][0], from[2][0], from[3][0]};
+    v.y = Lanes{from[0][1], from[1][1], from[2][1], from[3][1]};
+    v.z = Lanes{from[0][2], from[1][2], from[2][2], from[3][2]};
+    return v;
+}
+
+/// A box with its axes named: two in the plane of the face, and the face's outward normal.
+struct FaceAxes {
+    Lanes3 p, q, n, position;
+    Lanes half_p, half_q, half_n;
+};
+MUSIM_LANE_FUNCTION FaceAxes gather_box(const BoxMeeting* pairs, BoxMeeting::Box BoxMeeting::*which) {
+    FaceAxes box;
+    std::array<const double*, kLanes> p, q, n, at;
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        const BoxMeeting::Box& one = pairs[i].*which;
+        const std::size_t a = one.axis, b = a == 2 ? 0 : a + 1, c = a == 0 ? 2 : a - 1;
+        p[i] = one.rotation + 3 * b, q[i] = one.rotation + 3 * c, n[i] = one.rotation + 3 * a, at[i] = one.position;
+        box.half_p[i] = one.half[b], box.half_q[i] = one.half[c], box.half_n[i] = one.half[a];
+    }
+    box.p = gather3(p), box.q = gather3(q), box.position = gather3(at);
+    box.n = scaled(gather3(n), Lanes{(pairs[0].*which).sign, (pairs[1].*which).sign, (pairs[2].*which).sign, (pairs[3].*which).sign});
+    return box;
+}
+
+/// World axes: force on and moment about the middle of X by what pushes X's faces, and the main cell.
+struct RoleLoad {
+    Lanes3 force, moment;
+};
+MUSIM_LANE_FUNCTION RoleLoad turn_to_world(const Role& role, const FaceAxes& x, const Lanes& handed) {
+    RoleLoad load;
+    load.force = combine(x.p, x.q, x.n, role.side[0], role.side[1], role.load);
+    const Lanes z0 = role.half_normal * role.side[0] - role.side_below[0], z1 = role.half_normal * role.side[1] - role.side_below[1];
+    load.moment =
+        scaled(combine(x.p, x.q, x.n, role.load_place[1] - z1, z0 - role.load_place[0], role.side_along[1] - role.side_along[0]), handed);
+    return load;
+}
+
+/// Four pairs; the lanes do not depend on each other.
+MUSIM_LANE_FUNCTION void compute_any(const BoxMeeting* pairs, LaneOverlap& result) {
+    const Lanes zero{};
+    const FaceAxes a = gather_box(pairs, &BoxMeeting::a);
+    FaceAxes b = gather_box(pairs, &BoxMeeting::b);
+    // b's axes in its face take names and signs from those of a that they are closest to
+    {
+        const Lanes pp = dot(b.p, a.p), pq = dot(b.p, a.q), qp = dot(b.q, a.p), qq = dot(b.q, a.q);
+        const LaneMask swap = size_of(pp) + size_of(qq) < size_of(pq) + size_of(qp);
+        const Lanes sign_p = select(select(swap, qp, pp) < zero, all(-1.0), all(1.0)),
+                    sign_q = select(select(swap, pq, qq) < zero, all(-1.0), all(1.0));
+        const Lanes3 p = b.p;
+        const Lanes half_p = b.half_p;
+        b.p = scaled(choose(swap, b.q, p), sign_p);
+        b.q = scaled(choose(swap, p, b.q), sign_q);
+        b.half_p = select(swap, b.half_q, half_p);
+        b.half_q = select(swap, half_p, b.half_q);
+    }
+    // a's p, q, n are right-handed for sign 1, b's then left-handed
+    const Lanes handed_a = Lanes{pairs[0].a.sign, pairs[1].a.sign, pairs[2].a.sign, pairs[3].a.sign}, handed_b = -handed_a;
+
+    const Lanes3 c{b.position.x - a.position.x, b.position.y - a.position.y, b.position.z - a.position.z};
+    const Lanes pp = dot(a.p, b.p), pq = dot(a.p, b.q), pn = dot(a.p, b.n), qp = dot(a.q, b.p), qq = dot(a.q, b.q), qn = dot(a.q, b.n),
+                np = dot(a.n, b.p), nq = dot(a.n, b.q), cosine = -dot(a.n, b.n);
+    std::array<Role, 2> roles;
+    {
+        Role& x = roles[0];
+        x.cosine = cosine, x.half_normal = a.half_n;
+        x.depth_at = (b.half_n + dot(c, b.n)) + a.half_n * cosine;
+        Across &u = x.across[0], &v = x.across[1];
+        u.half = a.half_p, u.side = b.half_p, u.by_x = pp, u.by_y = qp, u.by_s = np, u.at = np * a.half_n - dot(c, b.p), u.depth_by_x = -pn;
+        v.half = a.half_q, v.side = b.half_q, v.by_x = qq, v.by_y = pq, v.by_s = nq, v.at = nq * a.half_n - dot(c, b.q), v.depth_by_x = -qn;
+    }
+    {
+        Role& x = roles[1];
+        x.cosine = cosine, x.half_normal = b.half_n;
+        x.depth_at = (a.half_n - dot(c, a.n)) + b.half_n * cosine;
+        Across &u = x.across[0], &v = x.across[1];
+        u.half = b.half_p, u.side = a.half_p, u.by_x = pp, u.by_y = pq, u.by_s = pn, u.at = pn * b.half_n + dot(c, a.p), u.depth_by_x = -np;
+        v.half = b.half_q, v.side = a.half_q, v.by_x = qq, v.by_y = qp, v.by_s = qn, v.at = qn * b.half_n + dot(c, a.q), v.depth_by_x = -nq;
+    }
+    for (Role& role : roles) {
+        Strips strips;
+        add_main_cell(role, strips);
+        finish_main_cell(role, strips);
+    }
+    // a sheet of no thickness, as the ground is given, has no far face
+    const Lanes thick_a = select(a.half_n > zero, a.half_n, a.half_p), thick_b = select(b.half_n > zero, b.half_n, b.half_p);
+    const Lanes deepest = larger(roles[0].deepest, roles[1].deepest), area = all(0.5) * (roles[0].area + roles[1].area);
+    const Lanes least = smaller(smaller(smaller(a.half_p, a.half_q), thick_a), smaller(smaller(b.half_p, b.half_q), thick_b));
+    const Lanes size = smaller(larger(a.half_p, a.half_q), larger(b.half_p, b.half_q));
+    const LaneMask corner = (deepest * deepest) * deepest > all(kCorner) * (size * area);
+    for (Role& role : roles) {
+        role.deepest = deepest, role.corner = corner;
+        for (std::size_t k = 0; k < 2; ++k) add_rims(role, k);
+        if (any(corner)) add_bisectors(role);
+    }
+
+    // how far the faces reach over each other, and how much of that touches
+    LaneMask narrow = area < all(kLeastArea) * (deepest * deepest);
+    for (const Role& role : roles) {
+        for (std::size_t k = 0; k < 2; ++k) {
+            const Across &u = role.across[k], &v = role.across[1 - k];
+            const Lanes width = ((u.half * size_of(u.by_x) + v.half * size_of(u.by_y)) + u.side) - size_of(u.at);
+            narrow |= width < all(kLeastWidth) * deepest;
+        }
+    }
+    const LaneMask fits =
+        (cosine > all(kLeastCosine)) & (deepest < all(kMostDepth) * least) & ~narrow & (roles[0].area > zero) & (roles[1].area > zero);
+    result.irregular = ~fits;
+
+    const RoleLoad of_a = turn_to_world(roles[0], a, handed_a), of_b = turn_to_world(roles[1], b, handed_b);
+    const Lanes half = all(0.5);
+    const Lanes3 fa = of_a.force, fb = of_b.force;
+    result.force = {half * (fa.x - fb.x), half * (fa.y - fb.y), half * (fa.z - fb.z)};
+    const Lanes3 f{half * (fa.x + fb.x), half * (fa.y + fb.y), half * (fa.z + fb.z)};
+    result.moment = {half * ((of_a.moment.x - of_b.moment.x) - (c.y * f.z - c.z * f.y)),
+                     half * ((of_a.moment.y - of_b.moment.y) - (c.z * f.x - c.x * f.z)),
+                     half * ((of_a.moment.z - of_b.moment.z) - (c.x * f.y - c.y * f.x))};
+    result.deepest = deepest;
+    result.area = area;
+    result.area_depth = half * (roles[0].area_depth + roles[1].area_depth);
+    const auto place = [&](const Role& role, const FaceAxes& x) __attribute__((always_inline)) {
+        return combine(x.p, x.q, x.n, role.area_place[0], role.area_place[1], role.half_normal * role.area);
+    };
+    const Lanes3 place_a = place(roles[0], a), place_b = place(roles[1], b);
+    const Lanes shift = all(0.25) * (roles[1].area - roles[0].area);
+    result.area_place = {half * (place_a.x + place_b.x) + shift * c.x, half * (place_a.y + place_b.y) + shift * c.y,
+                         half * (place_a.z + place_b.z) + shift * c.z};
+    const auto square = [&](const Role& role, const FaceAxes& x, const Lanes Lanes3::*i, const Lanes Lanes3::*j)
+        __attribute__((always_inline)) {
+        return half * ((role.area_square[0] * (x.p.*i * x.p.*j) + role.area_square[1] * (x.q.*i * x.q.*j)) +
+                       role.area_mixed * (x.p.*i * x.q.*j + x.q.*i * x.p.*j));
+    };
+    constexpr auto X = &Lanes3::x, Y = &Lanes3::y, Z = &Lanes3::z;
+    const auto sum = [&](const Lanes Lanes3::*i, const Lanes Lanes3::*j) __attribute__((always_inline)) {
+        return square(roles[0], a, i, j) + square(roles[1], b, i, j);
+    };
+    result.area_square = {sum(X, X), sum(Y, Y), sum(Z, Z)};
+    result.area_cross = {sum(Y, Z), sum(Z, X), sum(X, Y)};
+}
+
+MUSIM_AVX2 void compute_wide(const BoxMeeting* pairs, LaneOverlap& result) { compute_any(pairs, result); }
+void compute_plain(const BoxMeeting* pairs, LaneOverlap& result) { compute_any(pairs, result); }
+
+}  // namespace
+
+void compute_overlaps(const BoxMeeting* pairs, LaneOverlap& result) {
+    const auto compute = active_instructions() == Instructions::avx2 ? compute_wide : compute_plain;
+    compute(pairs, result);
+}
+
+}  // namespace musim::lsdem::detail
