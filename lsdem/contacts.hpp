@@ -57,7 +57,9 @@ struct ContactPair {
     std::uint32_t patch_lane = 0;
     std::uint32_t tilted = kNoPatch;   ///< into ContactList::tilted, when the pair is two boxes at an angle
     std::uint32_t overlap = kNoPatch;  ///< into ContactList::overlaps, when the pair meets by its overlap
-    Interface law;                     ///< of a patch, that of its kind
+    /// Body axes of both along which faces met, or were to meet, when the pair was listed; 3 for no face on a face. Of the ground none.
+    std::uint8_t leader_axis = 3, follower_axis = 3;
+    Interface law;  ///< of a patch, that of its kind
 
     bool is_patch() const { return patch_group != kNoPatch; }
     bool is_tilted() const { return tilted != kNoPatch; }

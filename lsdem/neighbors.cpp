@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "lsdem/block_height.hpp"
+#include "lsdem/contact/box_meeting.hpp"
 #include "lsdem/detail/patch_state.hpp"
 #include "lsdem/preloads.hpp"
 
@@ -43,6 +44,26 @@ constexpr std::array<std::pair<int, int>, 4> kForwardRows{{{0, 1}, {1, -1}, {1, 
 std::int64_t find_cell(double place) {
     constexpr double kFarthest = 1099511627776.0;
     return static_cast<std::int64_t>(std::floor(std::clamp(place, -kFarthest, kFarthest)));
+}
+
+/// A block stands on the ground by a face whose normal is within 15° of the vertical [-].
+constexpr double kFaceOnGround = 0.966;
+
+/// Notes the axes along which the boxes of a pair meet face to face.
+void name_axes(const Bodies& bodies, ContactPair& pair) {
+    const auto box = [&](std::uint32_t i) -> detail::BoxMeeting::Box {
+        return {bodies.rotation[i].data(), bodies.position[i].data(), bodies.half[i].data(), 0, 1.0};
+    };
+    if (pair.follower == kGround) {
+        Eigen::Index upright = 0;
+        if (bodies.rotation[pair.leader].row(2).cwiseAbs().maxCoeff(&upright) > kFaceOnGround)
+            pair.leader_axis = static_cast<std::uint8_t>(upright);
+        return;
+    }
+    detail::BoxMeeting meeting{box(pair.leader), box(pair.follower)};
+    if (!detail::choose_faces(meeting)) return;
+    pair.leader_axis = meeting.a.axis;
+    pair.follower_axis = meeting.b.axis;
 }
 
 bool same_pair(const ContactPair& a, const ContactPair& b) { return a.leader == b.leader && a.follower == b.follower; }
@@ -214,7 +235,7 @@ bool NeighborSearch::is_box(std::uint32_t block) const {
     return shape.faceted && std::holds_alternative<BoxLevelSet>(shape.level_set);
 }
 
-bool NeighborSearch::add_overlap(BlockPair blocks, ContactList& list) const {
+bool NeighborSearch::add_overlap(BlockPair blocks, const Bodies& bodies, ContactList& list) const {
     if (model_->face_contact != FaceContact::overlap || model_->stiffness_sharing != StiffnessSharing::per_area) return false;
     if (!is_box(blocks.leader) || (blocks.follower != kGround && !is_box(blocks.follower))) return false;
     ContactPair pair;
@@ -222,6 +243,7 @@ bool NeighborSearch::add_overlap(BlockPair blocks, ContactList& list) const {
     pair.follower = blocks.follower;
     pair.first_node = static_cast<std::uint32_t>(list.nodes.size());
     pair.overlap = static_cast<std::uint32_t>(list.overlaps.size());
+    name_axes(bodies, pair);
     pair.law = make_pair_interface(blocks, effective_mass(blocks, mass_));
     list.overlaps.emplace_back();
     list.node_pairs.push_back(static_cast<std::uint32_t>(list.pairs.size()));
@@ -287,7 +309,7 @@ void NeighborSearch::rebuild(const Bodies& bodies, const BasePose& base, Contact
     });
     std::vector<PatchPlan> plans;
     for (const BlockPair& p : directed) {
-        if (add_overlap(p, list)) continue;
+        if (add_overlap(p, bodies, list)) continue;
         const Preload* held = standing.find(p.leader, p.follower);
         const bool at_an_angle = held != nullptr && held->faces != 0;
         if (!at_an_angle && plan_patch(p, bodies, base, list, plans)) {

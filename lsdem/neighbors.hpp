@@ -48,7 +48,7 @@ class NeighborSearch {
     bool plan_patch(BlockPair blocks, const Bodies& bodies, const BasePose& base, ContactList& list, std::vector<PatchPlan>& plans) const;
     bool is_box(std::uint32_t block) const;
     /// Lists the pair as boxes that meet by their overlap, if that is how the model has them meet.
-    bool add_overlap(BlockPair blocks, ContactList& list) const;
+    bool add_overlap(BlockPair blocks, const Bodies& bodies, ContactList& list) const;
     /// Lists the pair as two boxes at an angle, if that is how the model has them meet.
     bool add_tilted(BlockPair blocks, ContactList& list) const;
     /// Do boxes meet by their faces, not node by node?

@@ -24,7 +24,8 @@ static void exchange(Archive& archive, Interface& law) {
 }
 
 static void exchange(Archive& archive, ContactPair& p) {
-    archive(p.leader, p.follower, p.first_node, p.node_count, p.patch_group, p.patch_lane, p.tilted, p.overlap, p.law);
+    archive(p.leader, p.follower, p.first_node, p.node_count, p.patch_group, p.patch_lane, p.tilted, p.overlap, p.leader_axis,
+            p.follower_axis, p.law);
 }
 
 static void exchange(Archive& archive, ContactHistory& h) { archive(h.slip, h.damping_pressure, h.late, h.viscous); }
@@ -102,6 +103,7 @@ void check_pair(const Model& model, const ContactList& list, const ContactPair& 
     if (pair.is_patch()) expect(pair.patch_group < list.patches.groups.size() && pair.patch_lane < PatchGroup::kSize);
     if (pair.is_tilted()) expect(pair.tilted < list.tilted.size() && pair.follower != kGround && !pair.is_patch());
     if (pair.is_overlap()) expect(pair.overlap < list.overlaps.size() && !pair.is_patch() && !pair.is_tilted());
+    expect(pair.leader_axis <= 3 && pair.follower_axis <= 3);
 }
 
 void check_patches(const Model& model, const ContactList& list) {

@@ -61,6 +61,9 @@ double AddedInertia::price_of(const ContactList& list, const ContactPair& pair) 
     if (pair.is_patch()) {
         const PatchKind& kind = list.patches.kinds[list.patches.groups[pair.patch_group].kind];
         along = is_bounded ? std::max(a.along[kind.n], b.along[kind.k]) : a.along[kind.n];
+    } else if (pair.is_overlap()) {
+        if (pair.leader_axis < 3) along = a.along[pair.leader_axis];
+        if (pair.follower_axis < 3) along = std::max(along, b.along[pair.follower_axis]);
     } else if (pair.is_tilted()) {
         harder = kTiltedStiffness;
     }

@@ -69,6 +69,9 @@ TEST_CASE("the choice of faces and spacing reaches the model") {
     const Model nodes = make_model(parse(R"(, "contact": {"faces": "nodes", "spacing": "even"})"));
     CHECK(nodes.face_contact == FaceContact::nodes);
     CHECK(nodes.shapes.front().patch_spacing == PatchSpacing::even);
+    const Scene by_overlap = parse(R"(, "contact": {"faces": "overlap"})");
+    CHECK(make_model(by_overlap).face_contact == FaceContact::overlap);
+    CHECK(parse_scene(write_scene(by_overlap)) == by_overlap);
 }
 
 TEST_CASE("a bad accuracy or face is refused with its place and what is known") {
