@@ -11,12 +11,14 @@ bool choose_faces(BoxMeeting& pair) {
     const BoxMeeting::Box &a = pair.a, &b = pair.b;
     const std::array<double, 3> c{b.position[0] - a.position[0], b.position[1] - a.position[1], b.position[2] - a.position[2]};
     double best = std::numeric_limits<double>::infinity();
+#pragma GCC unroll 3
     for (std::size_t i = 0; i < 3; ++i) {
         const double* const n = a.rotation + 3 * i;
         const double along = n[0] * c[0] + n[1] * c[1] + n[2] * c[2];
         double reach = a.half[i];
         std::size_t facing = 0;
         double most = 0.0;
+#pragma GCC unroll 3
         for (std::size_t j = 0; j < 3; ++j) {
             const double* const m = b.rotation + 3 * j;
             const double cosine = n[0] * m[0] + n[1] * m[1] + n[2] * m[2];

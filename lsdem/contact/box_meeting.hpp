@@ -4,7 +4,8 @@
 
 namespace musim::lsdem::detail {
 
-/// Two boxes and the faces by which they meet.
+/// Two boxes and the faces by which they meet. The half space z ≤ h is box b without rotation, axis 2, sign 1, place (x, y, h) below the
+/// middle of a, half extents (r, r, 0), r four times the diagonal of a: a sheet, whose sides a does not reach.
 struct BoxMeeting {
     struct Box {
         const double* rotation;  ///< body to world, column by column

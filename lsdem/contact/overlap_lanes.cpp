@@ -21,13 +21,13 @@ namespace musim::lsdem::detail {
 namespace {
 
 constexpr double kTiny = 1e-30;          ///< slopes below this are that
+constexpr double kFar = 1e300;           ///< no bound
 constexpr double kLeastCosine = 0.9613;  ///< of the tilt: 16°
 constexpr double kMostDepth = 0.05;      ///< of the least half extent
-/// A touching area of fewer squares of the depth sums up the rounding of its edges to more than that of the depth [-].
-constexpr double kLeastArea = 1e5;
-constexpr double kLeastWidth = 8.0;  ///< of the touching area, in depths
-/// Terms of the third order in the depth d are left out where d³ is below this part of size · area.
-constexpr double kCorner = 2.5e-17;
+constexpr double kLeastWidth = 8.0;      ///< of the touching area, in depths
+constexpr double kLeastMain = 0.3;       ///< part of the load that the main cells bear
+/// Terms below this part of size · area are left out [-]: a fraction of what rounding of the positions makes of the load.
+constexpr double kNegligible = 4e-17;
 
 #define MUSIM_LANE_FUNCTION [[gnu::always_inline]] inline
 
@@ -50,13 +50,20 @@ MUSIM_LANE_FUNCTION void invert(const Lanes& a, const Lanes& b, Lanes& inverse_a
     inverse_a = b * both, inverse_b = a * both;
 }
 
+/// `any` of lanes.hpp in fewer steps.
+MUSIM_LANE_FUNCTION bool some(const LaneMask& mask) {
+    using Pair = std::int64_t __attribute__((vector_size(16)));
+    const Pair both = __builtin_shufflevector(mask, mask, 0, 1) | __builtin_shufflevector(mask, mask, 2, 3);
+    return (both[0] | both[1]) != 0;
+}
+
 /// A part of a line.
 struct Interval {
     Lanes low, high;
     /// Keeps what lies beyond `at`: above where `up` is positive, else below.
     MUSIM_LANE_FUNCTION void keep(const Lanes& at, const LaneMask& above) {
-        low = larger(low, select(above, at, all(-std::numeric_limits<double>::max())));
-        high = smaller(high, select(above, all(std::numeric_limits<double>::max()), at));
+        low = larger(low, select(above, at, all(-kFar)));
+        high = smaller(high, select(above, all(kFar), at));
     }
     /// Keeps where c0 + c1 t > 0.
     MUSIM_LANE_FUNCTION void clip(const Lanes& c0, const Lanes& c1) {
@@ -85,7 +92,10 @@ struct Across {
     Lanes side;  ///< half extent of Y between the two side planes
     Lanes at;    ///< d_± = side ∓ (at + by_x x + by_y y − by_s s)
     Lanes by_x, by_y, by_s;
-    Lanes depth_by_x;  ///< of D
+    Lanes depth_by_x;               ///< of D
+    Lanes inverse_x, inverse_y;     ///< of by_x; of by_y, guarded
+    std::array<Lanes, 2> bisector;  ///< 1/(by_x ∓ by_y of the other direction), guarded
+    std::array<Lanes, 2> wedge;     ///< 1/(2 (ζ + g)) of the side planes
     // creases D = d_±: x = at + slope y, lower one first; where the rims x = ∓half cross them: y
     std::array<Lanes, 2> crease_at, crease_slope, crease_inverse;
     std::array<std::array<Lanes, 2>, 2> crossing;  ///< [crease][rim]
@@ -96,8 +106,10 @@ struct Role {
     std::array<Across, 2> across;
     Lanes depth_at;  ///< D = depth_at + ... − cosine s
     Lanes cosine, half_normal;
+    Lanes below;       ///< 1/(2ζ)
+    Lanes negligible;  ///< terms in the sums below this are left out [m³]
     LaneMask corner;
-    Lanes deepest{};
+    Lanes deepest{}, shallowest = all(1e300);
     // sums over face a, first moments along both directions
     Lanes load{};
     std::array<Lanes, 2> load_place{};
@@ -105,6 +117,7 @@ struct Role {
     std::array<Lanes, 2> side{}, side_along{}, side_below{};
     // main cell about `fan`
     std::array<Lanes, 2> fan;
+    Lanes fan_depth;
     Lanes area{}, area_depth{}, area_mixed{};
     std::array<Lanes, 2> area_place{}, area_square{};
 };
@@ -115,6 +128,10 @@ constexpr double sign_of(std::size_t side) { return side == 0 ? -1.0 : 1.0; }
 MUSIM_LANE_FUNCTION void find_creases(Role& role, std::size_t k) {
     Across& u = role.across[k];
     const Lanes depth_by_y = role.across[1 - k].depth_by_x;
+    invert(u.by_x, guarded(u.by_y), u.inverse_x, u.inverse_y);
+    invert(guarded(u.by_x - role.across[1 - k].by_y), guarded(u.by_x + role.across[1 - k].by_y), u.bisector[0], u.bisector[1]);
+    invert(role.cosine - u.by_s, role.cosine + u.by_s, u.wedge[0], u.wedge[1]);
+    u.wedge[0] *= all(0.5), u.wedge[1] *= all(0.5);
     Lanes plus, minus;
     invert(u.by_x + u.depth_by_x, u.by_x - u.depth_by_x, plus, minus);
     u.crease_at[1] = ((u.side - u.at) - role.depth_at) * plus;
@@ -122,36 +139,51 @@ MUSIM_LANE_FUNCTION void find_creases(Role& role, std::size_t k) {
     u.crease_at[0] = -((u.side + u.at) - role.depth_at) * minus;
     u.crease_slope[0] = -(u.by_y - depth_by_y) * minus;
     invert(guarded(u.crease_slope[0]), guarded(u.crease_slope[1]), u.crease_inverse[0], u.crease_inverse[1]);
+#pragma GCC unroll 2
     for (std::size_t c = 0; c < 2; ++c) {
         u.crossing[c][0] = (-u.half - u.crease_at[c]) * u.crease_inverse[c];
         u.crossing[c][1] = (u.half - u.crease_at[c]) * u.crease_inverse[c];
     }
 }
 
-/// One edge of the main cell, upper or lower in its direction: x = x_at + x_by y. Adds it to the fan; returns its ends and depths.
+/// An edge of the main cell, upper or lower in its direction: x = x_at + x_by y between y0 and y1, with D there.
 struct Edge {
-    Lanes y0, y1, length, d0, d1;
+    Lanes x_at, x_by, y0, y1, length, d0, d1;
 };
-MUSIM_LANE_FUNCTION Edge add_main_edge(Role& role, std::size_t k, double outward, const Lanes& x_at, const Lanes& x_by, const Lanes& d_at,
-                                       const Lanes& d_by, const Lanes& d_inverse, const Lanes& fan_depth, Interval part) {
+MUSIM_LANE_FUNCTION Edge cut_main_edge(Role& role, const Lanes& x_at, const Lanes& x_by, const Lanes& d_at, const Lanes& d_by,
+                                       const Lanes& d_inverse, Interval part) {
     part.keep(-d_at * d_inverse, d_inverse > all(0.0));
-    Edge e{part.low, part.high, part.length(), {}, {}};
+    Edge e{x_at, x_by, part.low, part.high, part.length(), {}, {}};
+    const LaneMask there = e.length > all(0.0);
     e.d0 = d_at + d_by * e.y0, e.d1 = d_at + d_by * e.y1;
-    role.deepest = larger(role.deepest, select(e.length > all(0.0), larger(e.d0, e.d1), all(0.0)));
-    const Lanes y0 = e.y0 - role.fan[1 - k], y1 = e.y1 - role.fan[1 - k];
-    const Lanes x_fan = (x_at + x_by * role.fan[1 - k]) - role.fan[k], x0 = x_fan + x_by * y0, x1 = x_fan + x_by * y1;
-    const Lanes twice = (all(outward) * x_fan) * e.length;  // area of the triangle
-    const Lanes depth = (fan_depth + e.d0) + e.d1, x = x0 + x1, y = y0 + y1;
-    role.area += twice;
-    role.area_depth += twice * depth;
-    const Lanes tx = twice * x, ty = twice * y;
-    role.area_place[k] += tx, role.area_place[1 - k] += ty;
-    role.area_square[k] += tx * x - twice * (x0 * x1);
-    role.area_square[1 - k] += ty * y - twice * (y0 * y1);
-    role.area_mixed += tx * y + twice * (x0 * y0 + x1 * y1);
-    role.load_place[k] += twice * (depth * x + (e.d0 * x0 + e.d1 * x1));
-    role.load_place[1 - k] += twice * (depth * y + (e.d0 * y0 + e.d1 * y1));
+    role.deepest = larger(role.deepest, select(there, larger(e.d0, e.d1), all(0.0)));
+    role.shallowest = smaller(role.shallowest, select(there, smaller(e.d0, e.d1), all(1e300)));
     return e;
+}
+/// Adds the triangles between the fan's middle and the edges of one direction.
+MUSIM_LANE_FUNCTION void add_main_edges(Role& role, std::size_t k, const std::array<Edge, 4>& edges, std::size_t count) {
+    Lanes area{}, area_depth{}, mixed{}, place_x{}, place_y{}, square_x{}, square_y{}, load_x{}, load_y{};
+    const Lanes fan_x = role.fan[k], fan_y = role.fan[1 - k], fan_depth = role.fan_depth;
+    for (std::size_t i = 0; i < count; ++i) {
+        const Edge& e = edges[i];
+        const Lanes y0 = e.y0 - fan_y, y1 = e.y1 - fan_y;
+        const Lanes x_fan = (e.x_at + e.x_by * fan_y) - fan_x, x0 = x_fan + e.x_by * y0, x1 = x_fan + e.x_by * y1;
+        const Lanes twice = (i & 1U) == 0 ? -(x_fan * e.length) : x_fan * e.length;  // area of the triangle
+        const Lanes depth = (fan_depth + e.d0) + e.d1, x = x0 + x1, y = y0 + y1, td = twice * depth, tx = twice * x, ty = twice * y;
+        const Lanes t0 = twice * e.d0, t1 = twice * e.d1;
+        area += twice;
+        area_depth += td;
+        place_x += tx, place_y += ty;
+        square_x += tx * x - twice * (x0 * x1);
+        square_y += ty * y - twice * (y0 * y1);
+        mixed += tx * y + twice * (x0 * y0 + x1 * y1);
+        load_x += td * x + (t0 * x0 + t1 * x1);
+        load_y += td * y + (t0 * y0 + t1 * y1);
+    }
+    role.area += area, role.area_depth += area_depth, role.area_mixed += mixed;
+    role.area_place[k] += place_x, role.area_place[1 - k] += place_y;
+    role.area_square[k] += square_x, role.area_square[1 - k] += square_y;
+    role.load_place[k] += load_x, role.load_place[1 - k] += load_y;
 }
 
 /// Main cell of a (not yet divided by the fan's factors), and what belongs to it alone: the sides' loads below its rims (∫ D²/(2ζ)), the
@@ -163,16 +195,14 @@ struct Strips {
 MUSIM_LANE_FUNCTION void add_main_cell(Role& role, Strips& strips) {
     const Lanes zero{};
     Across &p = role.across[0], &q = role.across[1];
+    role.below = all(0.5) / role.cosine;
     find_creases(role, 0);
     find_creases(role, 1);
-    // the fan's middle: on D = 0 if that line comes near, so that the line itself adds nothing
-    const Lanes slope2 = p.depth_by_x * p.depth_by_x + q.depth_by_x * q.depth_by_x;
-    const LaneMask open = role.depth_at * role.depth_at <= slope2 * (p.half * p.half + q.half * q.half);
-    const Lanes back = select(open, -role.depth_at / larger(slope2, all(1e-300)), zero);
-    role.fan = {back * p.depth_by_x, back * q.depth_by_x};
-    const Lanes fan_depth = select(open, zero, role.depth_at);
+    std::array<std::array<Edge, 4>, 2> edges;  // rims, then creases
+    std::array<bool, 2> creased;               // some lane has creases
     // corners: creases of both directions cross
     std::array<std::array<Lanes, 2>, 2> determinant;
+#pragma GCC unroll 2
     for (std::size_t i = 0; i < 2; ++i) {
         const Lanes one = all(1.0) - p.crease_slope[i] * q.crease_slope[0], two = all(1.0) - p.crease_slope[i] * q.crease_slope[1];
         invert(one, two, determinant[i][0], determinant[i][1]);
@@ -181,14 +211,14 @@ MUSIM_LANE_FUNCTION void add_main_cell(Role& role, Strips& strips) {
         const Across &u = role.across[k], &v = role.across[1 - k];
         const Lanes depth_by_y = v.depth_by_x;
         // rims
-        const Lanes rim_inverse = all(1.0) / guarded(depth_by_y), below = all(0.5) / role.cosine;
+        const Lanes rim_inverse = all(1.0) / guarded(depth_by_y), below = role.below;
+#pragma GCC unroll 2
         for (std::size_t r = 0; r < 2; ++r) {
             const Lanes x = r == 0 ? -u.half : u.half;
             Interval part{larger(-v.half, v.crease_at[0] + v.crease_slope[0] * x), smaller(v.half, v.crease_at[1] + v.crease_slope[1] * x)};
-            part.keep(u.crossing[0][r], u.crease_slope[0] < zero);
+            part.keep(u.crossing[0][r], u.crease_inverse[0] < zero);
             part.keep(u.crossing[1][r], u.crease_inverse[1] > zero);
-            const Edge e =
-                add_main_edge(role, k, sign_of(r), x, zero, role.depth_at + u.depth_by_x * x, depth_by_y, rim_inverse, fan_depth, part);
+            const Edge& e = edges[k][r] = cut_main_edge(role, x, zero, role.depth_at + u.depth_by_x * x, depth_by_y, rim_inverse, part);
             const Powers d(e.y0, e.y1, e.length, e.d0, e.d1);
             const Lanes factor = r == 0 ? -below : below;
             role.side[k] += factor * d.square;
@@ -197,16 +227,24 @@ MUSIM_LANE_FUNCTION void add_main_cell(Role& role, Strips& strips) {
         }
         // creases
         std::array<Lanes, 2> d_by, d_inverse;
+#pragma GCC unroll 2
         for (std::size_t c = 0; c < 2; ++c) d_by[c] = depth_by_y + u.depth_by_x * u.crease_slope[c];
         invert(guarded(d_by[0]), guarded(d_by[1]), d_inverse[0], d_inverse[1]);
-        const Lanes beside = all(0.5) / u.by_x;
+        const Lanes beside = all(0.5) * u.inverse_x;
+        creased[k] = some((size_of(u.at) + size_of(u.by_x) * u.half + size_of(u.by_y) * v.half + size_of(u.by_s) * role.half_normal >=
+                           u.side * all(0.9)));
+        if (!creased[k]) {
+            edges[k][2] = edges[k][3] = Edge{zero, zero, zero, zero, zero, zero, zero};
+            continue;
+        }
+#pragma GCC unroll 2
         for (std::size_t c = 0; c < 2; ++c) {
             const Lanes y_low = (v.crease_at[0] + v.crease_slope[0] * u.crease_at[c]) * (k == 0 ? determinant[c][0] : determinant[0][c]);
             const Lanes y_high = (v.crease_at[1] + v.crease_slope[1] * u.crease_at[c]) * (k == 0 ? determinant[c][1] : determinant[1][c]);
             Interval part{larger(larger(-v.half, y_low), smaller(u.crossing[c][0], u.crossing[c][1])),
                           smaller(smaller(v.half, y_high), larger(u.crossing[c][0], u.crossing[c][1]))};
-            const Edge e = add_main_edge(role, k, sign_of(c), u.crease_at[c], u.crease_slope[c],
-                                         role.depth_at + u.depth_by_x * u.crease_at[c], d_by[c], d_inverse[c], fan_depth, part);
+            const Edge& e = edges[k][2 + c] = cut_main_edge(role, u.crease_at[c], u.crease_slope[c],
+                                                            role.depth_at + u.depth_by_x * u.crease_at[c], d_by[c], d_inverse[c], part);
             const Powers d(e.y0, e.y1, e.length, e.d0, e.d1);
             strips.load += beside * d.square;
             strips.place[1 - k] += beside * d.along;
@@ -214,6 +252,23 @@ MUSIM_LANE_FUNCTION void add_main_cell(Role& role, Strips& strips) {
                 beside * ((u.crease_at[c] * d.square + u.crease_slope[c] * d.along) + (all(sign_of(c) * 2.0 / 3.0) * beside) * d.cube);
         }
     }
+    // the fan's middle: amid the edges, or on D = 0 next to that if the cell ends there, so that this edge adds nothing
+    Lanes rim{}, rim_x{}, rim_y{};
+#pragma GCC unroll 4
+    for (std::size_t i = 0; i < 4; ++i) {
+        const Edge &e = edges[0][i], &f = edges[1][i];
+        rim += e.length + f.length;
+        const Lanes e_y = e.length * (e.y0 + e.y1), f_x = f.length * (f.y0 + f.y1);
+        rim_y += e_y + f.length * (f.x_at + f.x_at) + f.x_by * f_x;
+        rim_x += f_x + e.length * (e.x_at + e.x_at) + e.x_by * e_y;
+    }
+    const Lanes over = all(0.5) / larger(rim, all(1e-100));
+    const Lanes x = rim_x * over, y = rim_y * over, depth = (role.depth_at + p.depth_by_x * x) + q.depth_by_x * y;
+    const LaneMask open = role.shallowest < all(1e-3) * role.deepest;
+    const Lanes back = select(open, -depth / larger(p.depth_by_x * p.depth_by_x + q.depth_by_x * q.depth_by_x, all(1e-300)), zero);
+    role.fan = {x + back * p.depth_by_x, y + back * q.depth_by_x};
+    role.fan_depth = select(open, zero, depth);
+    for (std::size_t k = 0; k < 2; ++k) add_main_edges(role, k, edges[k], creased[k] ? 4 : 2);
 }
 
 /// Divides the fan's sums by their factors and moves them from its middle to that of a; adds the strips.
@@ -236,43 +291,40 @@ MUSIM_LANE_FUNCTION void finish_main_cell(Role& role, const Strips& strips) {
 /// A side plane m of Y along a rim: d = at + by y + by_s s.
 struct SidePlane {
     Lanes at, by, by_s;
+    Lanes inverse, wedge;  ///< 1/by, 1/(2(ζ + by_s))
     MUSIM_LANE_FUNCTION Lanes operator()(const Lanes& y) const { return at + by * y; }
 };
 MUSIM_LANE_FUNCTION SidePlane own_plane(const Across& u, const Lanes& x, std::size_t side) {
     const Lanes at = u.at + u.by_x * x;
-    return side == 0 ? SidePlane{u.side + at, u.by_y, -u.by_s} : SidePlane{u.side - at, -u.by_y, u.by_s};
+    return side == 0 ? SidePlane{u.side + at, u.by_y, -u.by_s, u.inverse_y, u.wedge[0]}
+                     : SidePlane{u.side - at, -u.by_y, u.by_s, -u.inverse_y, u.wedge[1]};
 }
 MUSIM_LANE_FUNCTION SidePlane end_plane(const Across& v, const Lanes& x, std::size_t side) {
     const Lanes at = v.at + v.by_y * x;
-    return side == 0 ? SidePlane{v.side + at, v.by_x, -v.by_s} : SidePlane{v.side - at, -v.by_x, v.by_s};
+    return side == 0 ? SidePlane{v.side + at, v.by_x, -v.by_s, v.inverse_x, v.wedge[0]}
+                     : SidePlane{v.side - at, -v.by_x, v.by_s, -v.inverse_x, v.wedge[1]};
 }
 
 /// The part of rim `r` of direction k on which plane m is the nearest, `part`: its share in the side's load (D²/(2ζ) − (D − d)²/(2(ζ + g)))
 /// and in the strip of face a that ends there (d²/(2 by_x)), if m runs along the rim: m = 0, 1, else 2.
 MUSIM_LANE_FUNCTION void add_rim_part(Role& role, std::size_t k, std::size_t r, std::size_t m, const SidePlane& plane, const Lanes& x,
-                                      const Lanes& d_at, const Lanes& d_by, const Interval& part, const LaneMask& where) {
+                                      const Lanes& d_at, const Lanes& d_by, Interval part, const LaneMask& where) {
     const Lanes zero{};
-    const Lanes f0 = plane(part.low), f1 = plane(part.high), length = part.length();
-    const LaneMask crosses = (f0 > zero) ^ (f1 > zero);
-    const Lanes zero_at = part.low + length * (f0 / select(crosses, f0 - f1, all(1.0)));
-    const LaneMask holds = where & ((f0 > zero) | (f1 > zero));
-    const Lanes y0 = select(f0 > zero, part.low, zero_at), y1 = select(f1 > zero, part.high, zero_at);
-    const Lanes rest = select(holds, larger(y1 - y0, zero), zero);
-    const Lanes p0 = larger(f0, zero), p1 = larger(f1, zero), e0 = d_at + d_by * y0, e1 = d_at + d_by * y1;
+    part.keep(-plane.at * plane.inverse, plane.inverse > zero);
+    const Lanes y0 = part.low, y1 = part.high, rest = select(where, part.length(), zero);
+    const Lanes p0 = larger(plane(y0), zero), p1 = larger(plane(y1), zero), e0 = d_at + d_by * y0, e1 = d_at + d_by * y1;
     const Powers full(y0, y1, rest, e0, e1), gap(y0, y1, rest, e0 - p0, e1 - p1);
-    Lanes one, two;
-    invert(role.cosine, role.cosine + plane.by_s, one, two);
-    one *= all(0.5), two *= all(0.5);
+    const Lanes one = role.below, two = plane.wedge;
     const Lanes sign = all(sign_of(r));
     role.side[k] += sign * (one * full.square - two * gap.square);
     role.side_along[k] += sign * (one * full.along - two * gap.along);
     role.side_below[k] += sign * (all(2.0 / 3.0) * (one * one * full.cube - two * two * gap.cube));
     if (m == 2) return;
     const Powers d(y0, y1, rest, p0, p1);
-    const Lanes beside = all(-sign_of(r) * sign_of(m) * 0.5) / role.across[k].by_x;
+    const Lanes beside = all(-sign_of(r) * sign_of(m) * 0.5) * role.across[k].inverse_x;
     role.load += beside * d.square;
     role.load_place[1 - k] += beside * d.along;
-    role.load_place[k] += beside * (x * d.square + (all(sign_of(m) / 3.0) / role.across[k].by_x) * d.cube);
+    role.load_place[k] += beside * (x * d.square + (all(sign_of(m) / 3.0) * role.across[k].inverse_x) * d.cube);
 }
 
 /// Where plane m ends on the side below the rim: the line d_m = 0 at s = −d_m(y)/g. There D² g/(2ζ(ζ + g)) dy.
@@ -284,16 +336,22 @@ MUSIM_LANE_FUNCTION void add_side_line(Role& role, std::size_t k, std::size_t r,
     const Lanes g = larger(size_of(plane.by_s), all(1e-18));
     const Lanes a0 = select(up, -plane.at, plane.at), a1 = select(up, -plane.by, plane.by);  // g s
     const Lanes w0 = g * d_at - role.cosine * a0, w1 = g * d_by - role.cosine * a1;          // g D
-    part.clip(a0, a1);
+    part.keep(-plane.at * plane.inverse, (plane.inverse > zero) ^ up);
     part.clip(w0, w1);
-    part.clip(g * other_low.at + other_low.by_s * a0, g * other_low.by + other_low.by_s * a1);
-    part.clip(g * other_high.at + other_high.by_s * a0, g * other_high.by + other_high.by_s * a1);
+    if (some(role.corner)) {
+        const auto clip_end = [&](const SidePlane& end) __attribute__((always_inline)) {
+            const Lanes slope = guarded(g * end.by + end.by_s * a1), at = -(g * end.at + end.by_s * a0) / slope;
+            const LaneMask above = slope > zero;
+            part.keep(select(role.corner, at, select(above, all(-kFar), all(kFar))), above);
+        };
+        clip_end(other_low), clip_end(other_high);
+    }
     const Lanes length = select(where, part.length(), zero);
     const Lanes over = all(1.0) / g;
     const Lanes s0 = over * larger(a0 + a1 * part.low, zero), s1 = over * larger(a0 + a1 * part.high, zero);
     const Lanes d0 = over * larger(w0 + w1 * part.low, zero), d1 = over * larger(w0 + w1 * part.high, zero);
     const Powers along_y(part.low, part.high, length, d0, d1), along_s(s0, s1, length, d0, d1);
-    const Lanes wedge = role.cosine + plane.by_s, both = all(0.5) / (role.cosine * wedge);
+    const Lanes wedge = role.cosine + plane.by_s, both = all(2.0) * (role.below * plane.wedge);
     const Lanes factor = (all(sign_of(r)) * g) * both;
     role.side[k] += factor * along_y.square;
     role.side_along[k] += factor * along_y.along;
@@ -320,62 +378,91 @@ MUSIM_LANE_FUNCTION void add_side_bisector(Role& role, std::size_t k, std::size_
         factor * (gap.along + all(1.0 / 3.0) * ((all(1.0) / (role.cosine + m.by_s)) + all(1.0) / (role.cosine + n.by_s)) * gap.cube);
 }
 
-/// Rims close to a side plane of Y: flush edges, and where edges cross.
-MUSIM_LANE_FUNCTION void add_rims(Role& role, std::size_t k) {
-    const Lanes zero{};
-    const Across &u = role.across[k], &v = role.across[1 - k];
-    const Lanes d_by = v.depth_by_x;
-    std::array<Lanes, 2> bisector_inverse;  // of by_x ∓ by_y
-    invert(guarded(v.by_x - u.by_y), guarded(v.by_x + u.by_y), bisector_inverse[0], bisector_inverse[1]);
-    for (std::size_t r = 0; r < 2; ++r) {
-        const Lanes x = r == 0 ? -u.half : u.half, d_at = role.depth_at + u.depth_by_x * x;
-        const SidePlane end_low = end_plane(v, x, 0), end_high = end_plane(v, x, 1);
-        const std::array<Lanes, 2> crease{v.crease_at[0] + v.crease_slope[0] * x, v.crease_at[1] + v.crease_slope[1] * x};
-        for (std::size_t m = 0; m < 2; ++m) {
-            // both side planes along the rim; that of the other side comes near at crossings only
-            const SidePlane plane = own_plane(u, x, m);
-            const LaneMask take = m == r ? role.corner | ~role.corner : role.corner;
-            Interval part{-v.half, v.half};
-            // d < D: the other side of the crease
-            part.keep(u.crossing[m][r], m == 0 ? u.crease_inverse[0] > zero : u.crease_inverse[1] < zero);
-            const LaneMask touches = take & (part.low < part.high) & (larger(plane(part.low), plane(part.high)) > zero);
-            // d_end − d = c0 + c1 y, c1 = ∓by_x ± by_y
-            const Lanes inverse_low = m == 0 ? bisector_inverse[0] : bisector_inverse[1];
-            const Lanes inverse_high = m == 0 ? -bisector_inverse[1] : -bisector_inverse[0];
-            const Lanes y_low = -(end_low.at - plane.at) * inverse_low, y_high = -(end_high.at - plane.at) * inverse_high;
-            if (any(touches)) {
-                Interval own = part;
-                own.keep(y_low, inverse_low > zero);
-                own.keep(y_high, inverse_high > zero);
-                add_rim_part(role, k, r, m, plane, x, d_at, d_by, own, touches);
+/// What rim `r` of direction k sees.
+struct Rim {
+    Lanes x, d_at, d_by, half;
+    std::array<SidePlane, 2> own, end;                       ///< along it, and across its ends; lower, upper
+    std::array<std::array<Lanes, 2>, 2> meet, meet_inverse;  ///< [own][end]: where both are equally near; 1 / (slope of end − own)
+    MUSIM_LANE_FUNCTION Rim(const Role& role, std::size_t k, std::size_t r) {
+        const Across &u = role.across[k], &v = role.across[1 - k];
+        x = r == 0 ? -u.half : u.half, half = v.half;
+        d_at = role.depth_at + u.depth_by_x * x, d_by = v.depth_by_x;
+        // of by_x ∓ by_y
+#pragma GCC unroll 2
+        for (std::size_t i = 0; i < 2; ++i) own[i] = own_plane(u, x, i), end[i] = end_plane(v, x, i);
+#pragma GCC unroll 2
+        for (std::size_t i = 0; i < 2; ++i) {
+#pragma GCC unroll 2
+            for (std::size_t j = 0; j < 2; ++j) {
+                // slopes: end ∓by_x, own ∓by_y
+                meet_inverse[i][j] = j == 0 ? v.bisector[i] : -v.bisector[1 - i];
+                meet[i][j] = (own[i].at - end[j].at) * meet_inverse[i][j];
             }
-            const Lanes middle = size_of(plane.at), reach = size_of(plane.by) * v.half + size_of(plane.by_s) * role.deepest * all(1.1);
-            const LaneMask ends = take & (size_of(plane.by_s) > all(1e-18)) & (middle < reach);
-            if (any(ends)) add_side_line(role, k, r, plane, end_low, end_high, d_at, d_by, Interval{-v.half, v.half}, ends);
-            if (!any(role.corner)) continue;
-            const std::array<LaneMask, 2> both{
-                role.corner & (size_of(y_low) < v.half * all(1.1)) & (d_at + d_by * y_low > plane(y_low)) & (plane(y_low) > -role.deepest),
-                role.corner & (size_of(y_high) < v.half * all(1.1)) & (d_at + d_by * y_high > plane(y_high)) &
-                    (plane(y_high) > -role.deepest)};
-            if (any(both[0])) add_side_bisector(role, k, r, plane, end_low, y_low, inverse_low, v.half, d_at, d_by, both[0]);
-            if (any(both[1])) add_side_bisector(role, k, r, plane, end_high, y_high, inverse_high, v.half, d_at, d_by, both[1]);
         }
-        if (!any(role.corner)) continue;
-        const SidePlane own_low = own_plane(u, x, 0), own_high = own_plane(u, x, 1);
-        for (std::size_t m = 0; m < 2; ++m) {
-            const SidePlane& plane = m == 0 ? end_low : end_high;
-            Interval part{m == 0 ? -v.half : larger(-v.half, crease[1]), m == 0 ? smaller(v.half, crease[0]) : v.half};
-            // d_own − d = c0 + c1 y, c1 = ±by_x ± by_y
-            const Lanes inverse_low = m == 0 ? -bisector_inverse[0] : bisector_inverse[1];
-            const Lanes inverse_high = m == 0 ? -bisector_inverse[1] : bisector_inverse[0];
-            part.keep(-(own_low.at - plane.at) * inverse_low, inverse_low > zero);
-            part.keep(-(own_high.at - plane.at) * inverse_high, inverse_high > zero);
-            const LaneMask touches = role.corner & (part.low < part.high) & (larger(plane(part.low), plane(part.high)) > zero);
-            if (any(touches)) add_rim_part(role, k, r, 2, plane, x, d_at, d_by, part, touches);
-            const LaneMask ends = role.corner & (size_of(plane.by_s) > all(1e-18)) &
-                                  (own_low.at > -role.deepest - size_of(u.by_y) * v.half) &
-                                  (own_high.at > -role.deepest - size_of(u.by_y) * v.half);
-            if (any(ends)) add_side_line(role, k, r, plane, own_low, own_high, d_at, d_by, Interval{-v.half, v.half}, ends);
+    }
+    /// Of `part`, where own plane i is nearer than those of the ends.
+    MUSIM_LANE_FUNCTION Interval nearer_own(std::size_t i, Interval part) const {
+        part.keep(meet[i][0], meet_inverse[i][0] > all(0.0));
+        part.keep(meet[i][1], meet_inverse[i][1] > all(0.0));
+        return part;
+    }
+    MUSIM_LANE_FUNCTION Interval nearer_end(std::size_t j, Interval part) const {
+        part.keep(meet[0][j], meet_inverse[0][j] < all(0.0));
+        part.keep(meet[1][j], meet_inverse[1][j] < all(0.0));
+        return part;
+    }
+};
+
+/// Where side plane m along rim r is nearer than b: the other side of the crease.
+MUSIM_LANE_FUNCTION Interval beyond_crease(const Across& u, const Lanes& along, std::size_t r, std::size_t m) {
+    Interval part{-along, along};
+    part.keep(u.crossing[m][r], m == 0 ? u.crease_inverse[0] > all(0.0) : u.crease_inverse[1] < all(0.0));
+    return part;
+}
+MUSIM_LANE_FUNCTION LaneMask touches(const SidePlane& plane, const Interval& part) {
+    return (part.low < part.high) & (larger(plane(part.low), plane(part.high)) > all(0.0));
+}
+
+/// Flush edges: rims that run along side plane m of Y at less than the depth.
+MUSIM_LANE_FUNCTION void add_flush_rim(Role& role, std::size_t k, std::size_t r, std::size_t m, const LaneMask& where) {
+    const Across &u = role.across[k], &v = role.across[1 - k];
+    const SidePlane plane = own_plane(u, r == 0 ? -u.half : u.half, m);
+    const Interval part = beyond_crease(u, v.half, r, m);
+    LaneMask touching = touches(plane, part);
+    const Lanes g = size_of(plane.by_s), reach = size_of(plane.by) * v.half + (all(1.1) * g) * role.deepest;
+    LaneMask ends = (size_of(plane.at) < reach) & ((g * v.half) * (role.deepest * role.deepest) > role.negligible);
+    touching &= where, ends &= where;
+    if (!some(touching | ends)) return;
+    const Rim rim(role, k, r);
+    if (some(touching)) add_rim_part(role, k, r, m, plane, rim.x, rim.d_at, rim.d_by, rim.nearer_own(m, part), touching);
+    if (some(ends)) add_side_line(role, k, r, plane, rim.end[0], rim.end[1], rim.d_at, rim.d_by, Interval{-v.half, v.half}, ends);
+}
+
+/// Terms of the third order along a rim: at its ends, where it crosses Y's side planes, and about Y's corners.
+MUSIM_LANE_FUNCTION void add_rim_ends(Role& role, std::size_t k, std::size_t r, bool leaning) {
+    const Across& v = role.across[1 - k];
+    const Rim rim(role, k, r);
+    const Lanes slack = -role.deepest, third = (role.deepest * role.deepest) * role.deepest;
+#pragma GCC unroll 2
+    for (std::size_t j = 0; j < 2; ++j) {
+        const SidePlane& plane = rim.end[j];
+        const Lanes crease = v.crease_at[j] + v.crease_slope[j] * rim.x;
+        const Interval part = rim.nearer_end(j, {j == 0 ? -v.half : larger(-v.half, crease), j == 0 ? smaller(v.half, crease) : v.half});
+        const LaneMask touching = role.corner & touches(plane, part);
+        if (some(touching)) add_rim_part(role, k, r, 2, plane, rim.x, rim.d_at, rim.d_by, part, touching);
+        if (!leaning) continue;
+        const Lanes y = -plane.at * plane.inverse;
+        const LaneMask near = role.corner & (size_of(y) < v.half - slack) & (rim.d_at + rim.d_by * y > slack) & (rim.own[0](y) > slack) &
+                              (rim.own[1](y) > slack);
+        const LaneMask leans = near & ((plane.by_s * plane.by_s) * third > role.negligible);
+        if (some(leans)) add_side_line(role, k, r, plane, rim.own[0], rim.own[1], rim.d_at, rim.d_by, Interval{-v.half, v.half}, leans);
+#pragma GCC unroll 2
+        for (std::size_t i = 0; i < 2; ++i) {
+            const SidePlane& own = rim.own[i];
+            const Lanes at = rim.meet[i][j], differ = plane.by_s - own.by_s;
+            const LaneMask meets = role.corner & ((differ * differ) * third > role.negligible) & (size_of(at) < v.half - slack) &
+                                   (rim.d_at + rim.d_by * at > own(at)) & (own(at) > slack);
+            if (some(meets)) add_side_bisector(role, k, r, own, plane, at, rim.meet_inverse[i][j], v.half, rim.d_at, rim.d_by, meets);
         }
     }
 }
@@ -384,8 +471,10 @@ MUSIM_LANE_FUNCTION void add_rims(Role& role, std::size_t k) {
 MUSIM_LANE_FUNCTION void add_bisectors(Role& role) {
     const Lanes zero{};
     const Across &p = role.across[0], &q = role.across[1];
-    const Lanes inverse = all(1.0) / (p.by_x * q.by_x - p.by_y * q.by_y);
+    const Lanes determinant = p.by_x * q.by_x - p.by_y * q.by_y, inverse = all(1.0) / determinant;
+#pragma GCC unroll 2
     for (std::size_t i = 0; i < 2; ++i) {
+#pragma GCC unroll 2
         for (std::size_t j = 0; j < 2; ++j) {
             // p.by_x x + p.by_y y = a, q.by_y x + q.by_x y = b at the corner; both less by ±d along the bisector
             const Lanes si = all(sign_of(i)), sj = all(sign_of(j)), a = si * p.side - p.at, b = sj * q.side - q.at;
@@ -395,12 +484,15 @@ MUSIM_LANE_FUNCTION void add_bisectors(Role& role) {
             const Lanes top = d0 / (all(1.0) - d1);
             const LaneMask near =
                 role.corner & (top > zero) & (size_of(x0) < p.half + all(4.0) * top) & (size_of(y0) < q.half + all(4.0) * top);
-            if (!any(near)) continue;
-            Interval part{zero, top};
-            part.clip(p.half - x0, -x1);
-            part.clip(p.half + x0, x1);
-            part.clip(q.half - y0, -y1);
-            part.clip(q.half + y0, y1);
+            if (!some(near)) continue;
+            // inside the rims
+            const std::size_t same = i == j ? 0 : 1;
+            const Lanes inverse_x = determinant * q.bisector[same],
+                        inverse_y = determinant * p.bisector[same];  // 1/x1, 1/y1 but for the sign
+            const Lanes middle_x = (si * x0) * inverse_x, middle_y = (sj * y0) * inverse_y;
+            const Lanes room_x = size_of(p.half * inverse_x), room_y = size_of(q.half * inverse_y);
+            const Interval part{larger(zero, larger(middle_x - room_x, middle_y - room_y)),
+                                smaller(top, smaller(middle_x + room_x, middle_y + room_y))};
             const Lanes length = select(near, part.length(), zero);
             const Powers d(part.low, part.high, length, part.low, part.high);  // ∫ d², ∫ d³, ∫ d³
             const Lanes of_p = -sj * y1 * (all(0.5) / p.by_x), of_q = -si * x1 * (all(0.5) / q.by_x);
@@ -412,31 +504,31 @@ MUSIM_LANE_FUNCTION void add_bisectors(Role& role) {
     }
 }
 
-MUSIM_LANE_FUNCTION Lanes3 gather3(const std::array<const double*, kLanes>& from) {
-    Lanes3 v;
-    v.x = Lanes{from[0][0], from[1][0], from[2][0], from[3][0]};
-    v.y = Lanes{from[0][1], from[1][1], from[2][1], from[3][1]};
-    v.z = Lanes{from[0][2], from[1][2], from[2][2], from[3][2]};
-    return v;
-}
-
 /// A box with its axes named: two in the plane of the face, and the face's outward normal.
 struct FaceAxes {
     Lanes3 p, q, n, position;
     Lanes half_p, half_q, half_n;
 };
-MUSIM_LANE_FUNCTION FaceAxes gather_box(const BoxMeeting* pairs, BoxMeeting::Box BoxMeeting::*which) {
-    FaceAxes box;
-    std::array<const double*, kLanes> p, q, n, at;
-    for (std::size_t i = 0; i < kLanes; ++i) {
-        const BoxMeeting::Box& one = pairs[i].*which;
-        const std::size_t a = one.axis, b = a == 2 ? 0 : a + 1, c = a == 0 ? 2 : a - 1;
-        p[i] = one.rotation + 3 * b, q[i] = one.rotation + 3 * c, n[i] = one.rotation + 3 * a, at[i] = one.position;
-        box.half_p[i] = one.half[b], box.half_q[i] = one.half[c], box.half_n[i] = one.half[a];
-    }
-    box.p = gather3(p), box.q = gather3(q), box.position = gather3(at);
-    box.n = scaled(gather3(n), Lanes{(pairs[0].*which).sign, (pairs[1].*which).sign, (pairs[2].*which).sign, (pairs[3].*which).sign});
-    return box;
+inline constexpr std::array<std::uint8_t, 5> kNext{0, 1, 2, 0, 1};  ///< axes in turn
+MUSIM_LANE_FUNCTION Lanes gather_one(const double* a, const double* b, const double* c, const double* d) { return Lanes{*a, *b, *c, *d}; }
+MUSIM_LANE_FUNCTION Lanes3 gather_vector(const double* a, const double* b, const double* c, const double* d) {
+    return {Lanes{a[0], b[0], c[0], d[0]}, Lanes{a[1], b[1], c[1], d[1]}, Lanes{a[2], b[2], c[2], d[2]}};
+}
+MUSIM_LANE_FUNCTION FaceAxes gather_box(const BoxMeeting::Box& a, const BoxMeeting::Box& b, const BoxMeeting::Box& c,
+                                        const BoxMeeting::Box& d) {
+    const auto axis = [](const BoxMeeting::Box& box, std::size_t i) __attribute__((always_inline)) {
+        return std::size_t{kNext[box.axis + i]};
+    };
+    const auto vector = [&](std::size_t i) __attribute__((always_inline)) {
+        return gather_vector(a.rotation + 3 * axis(a, i), b.rotation + 3 * axis(b, i), c.rotation + 3 * axis(c, i),
+                             d.rotation + 3 * axis(d, i));
+    };
+    const auto half = [&](std::size_t i) __attribute__((always_inline)) {
+        return gather_one(a.half + axis(a, i), b.half + axis(b, i), c.half + axis(c, i), d.half + axis(d, i));
+    };
+    const Lanes sign{a.sign, b.sign, c.sign, d.sign};
+    return {vector(1), vector(2), scaled(vector(0), sign), gather_vector(a.position, b.position, c.position, d.position), half(1),
+            half(2),   half(0)};
 }
 
 /// World axes: force on and moment about the middle of X by what pushes X's faces, and the main cell.
@@ -455,8 +547,8 @@ MUSIM_LANE_FUNCTION RoleLoad turn_to_world(const Role& role, const FaceAxes& x, 
 /// Four pairs; the lanes do not depend on each other.
 MUSIM_LANE_FUNCTION void compute_any(const BoxMeeting* pairs, LaneOverlap& result) {
     const Lanes zero{};
-    const FaceAxes a = gather_box(pairs, &BoxMeeting::a);
-    FaceAxes b = gather_box(pairs, &BoxMeeting::b);
+    const FaceAxes a = gather_box(pairs[0].a, pairs[1].a, pairs[2].a, pairs[3].a);
+    FaceAxes b = gather_box(pairs[0].b, pairs[1].b, pairs[2].b, pairs[3].b);
     // b's axes in its face take names and signs from those of a that they are closest to
     {
         const Lanes pp = dot(b.p, a.p), pq = dot(b.p, a.q), qp = dot(b.q, a.p), qq = dot(b.q, a.q);
@@ -503,36 +595,60 @@ MUSIM_LANE_FUNCTION void compute_any(const BoxMeeting* pairs, LaneOverlap& resul
     const Lanes deepest = larger(roles[0].deepest, roles[1].deepest), area = all(0.5) * (roles[0].area + roles[1].area);
     const Lanes least = smaller(smaller(smaller(a.half_p, a.half_q), thick_a), smaller(smaller(b.half_p, b.half_q), thick_b));
     const Lanes size = smaller(larger(a.half_p, a.half_q), larger(b.half_p, b.half_q));
-    const LaneMask corner = (deepest * deepest) * deepest > all(kCorner) * (size * area);
+    const Lanes negligible = all(kNegligible) * (size * area);
+    const LaneMask corner = (deepest * deepest) * deepest > negligible;
     for (Role& role : roles) {
-        role.deepest = deepest, role.corner = corner;
-        for (std::size_t k = 0; k < 2; ++k) add_rims(role, k);
-        if (any(corner)) add_bisectors(role);
+        role.deepest = deepest, role.corner = corner, role.negligible = negligible;
+        for (std::size_t k = 0; k < 2; ++k) {
+#pragma GCC unroll 2
+            for (std::size_t r = 0; r < 2; ++r) add_flush_rim(role, k, r, r, ~LaneMask{});
+            // a rim crosses the side plane of the other side where the touching area ends in a tip
+            const Across &u = role.across[k], &v = role.across[1 - k];
+            const LaneMask opposite = (u.side + u.by_x * u.half) - size_of(u.at) < size_of(u.by_y) * v.half + all(1.1) * deepest;
+            if (!some(opposite)) continue;
+#pragma GCC unroll 2
+            for (std::size_t r = 0; r < 2; ++r) add_flush_rim(role, k, r, 1 - r, opposite);
+        }
+        if (!some(corner)) continue;
+        // the lines in which two planes of Y meet X's sides lean with the tilt; what that makes is of the second order in it
+        const Lanes lean = size_of(role.across[0].by_s) + size_of(role.across[1].by_s);
+        const bool leaning = some(corner & ((lean * lean) * ((deepest * deepest) * deepest) > negligible));
+        for (std::size_t k = 0; k < 2; ++k) {
+#pragma GCC unroll 2
+            for (std::size_t r = 0; r < 2; ++r) add_rim_ends(role, k, r, leaning);
+        }
+        add_bisectors(role);
     }
 
-    // how far the faces reach over each other, and how much of that touches
-    LaneMask narrow = area < all(kLeastArea) * (deepest * deepest);
+    // how far the touching area reaches across
+    LaneMask apart = LaneMask{}, narrow = LaneMask{}, minor = LaneMask{};
     for (const Role& role : roles) {
         for (std::size_t k = 0; k < 2; ++k) {
             const Across &u = role.across[k], &v = role.across[1 - k];
-            const Lanes width = ((u.half * size_of(u.by_x) + v.half * size_of(u.by_y)) + u.side) - size_of(u.at);
+            const Lanes reach = (u.half * size_of(u.by_x) + v.half * size_of(u.by_y)) + u.side, width = reach - size_of(u.at);
+            apart |= reach + role.half_normal * size_of(u.by_s) < size_of(u.at - role.half_normal * u.by_s);
             narrow |= width < all(kLeastWidth) * deepest;
         }
+        const Lanes most = (role.depth_at + size_of(role.across[0].depth_by_x) * role.across[0].half) +
+                           size_of(role.across[1].depth_by_x) * role.across[1].half;
+        apart |= most <= zero;
+        minor |= ~(role.area_depth >= all(kLeastMain) * ((role.load + size_of(role.side[0])) + size_of(role.side[1])));
     }
-    const LaneMask fits =
-        (cosine > all(kLeastCosine)) & (deepest < all(kMostDepth) * least) & ~narrow & (roles[0].area > zero) & (roles[1].area > zero);
-    result.irregular = ~fits;
+    const LaneMask fits = (cosine > all(kLeastCosine)) & (deepest < all(kMostDepth) * least) & ~narrow & ~minor & (roles[0].area > zero) &
+                          (roles[1].area > zero);
+    result.irregular = ~fits & ~(apart & (cosine > all(kLeastCosine)));
 
     const RoleLoad of_a = turn_to_world(roles[0], a, handed_a), of_b = turn_to_world(roles[1], b, handed_b);
-    const Lanes half = all(0.5);
+    // pairs that are apart give nothing, whatever was summed up
+    const Lanes half = select(fits, all(0.5), zero);
     const Lanes3 fa = of_a.force, fb = of_b.force;
     result.force = {half * (fa.x - fb.x), half * (fa.y - fb.y), half * (fa.z - fb.z)};
     const Lanes3 f{half * (fa.x + fb.x), half * (fa.y + fb.y), half * (fa.z + fb.z)};
     result.moment = {half * ((of_a.moment.x - of_b.moment.x) - (c.y * f.z - c.z * f.y)),
                      half * ((of_a.moment.y - of_b.moment.y) - (c.z * f.x - c.x * f.z)),
                      half * ((of_a.moment.z - of_b.moment.z) - (c.x * f.y - c.y * f.x))};
-    result.deepest = deepest;
-    result.area = area;
+    result.deepest = select(fits, deepest, zero);
+    result.area = select(fits, area, zero);
     result.area_depth = half * (roles[0].area_depth + roles[1].area_depth);
     const auto place = [&](const Role& role, const FaceAxes& x) __attribute__((always_inline)) {
         return combine(x.p, x.q, x.n, role.area_place[0], role.area_place[1], role.half_normal * role.area);

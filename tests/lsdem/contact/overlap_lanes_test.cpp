@@ -120,6 +120,7 @@ TEST_CASE("four pairs side by side give the load of the exact function wherever 
             ++held;
             const OverlapPieces pieces = boxes[i].cut();
             const OverlapLoad load = sum_load(pieces);
+            if (!(load.deepest > 0.0)) continue;
             const double size = boxes[i].size(), tolerance = 6.0 * std::numeric_limits<double>::epsilon() * size / load.deepest;
             const double force = load.force.norm();
             CHECK((lane_of(found.force, i) - load.force).norm() <= tolerance * force);
@@ -127,8 +128,30 @@ TEST_CASE("four pairs side by side give the load of the exact function wherever 
             CHECK(lane_of(found.deepest, i) == doctest::Approx(load.deepest).epsilon(1e-6).scale(0.0));
         }
     }
-    // any pose: every third is no face on a face; masonry: nearly all
-    CHECK(held > asked / 2);
+    // of all these poses some corners and edges do not hold
+    CHECK(held > asked * 9 / 10);
+}
+
+TEST_CASE("boxes that lie beside each other at one height give nothing, or say that they do not hold") {
+    Poses poses;
+    for (int group = 0; group < 200; ++group) {
+        std::array<Boxes, 4> boxes;
+        std::array<BoxMeeting, 4> meetings;
+        for (std::size_t i = 0; i < 4; ++i) {
+            boxes[i] = poses.next();
+            boxes[i].place_b += boxes[i].rotation_a * Vector3(1.1, 0.1 * static_cast<double>(i), 0.0);
+            meetings[i] = boxes[i].meeting();
+            choose_faces(meetings[i]);
+        }
+        LaneOverlap found;
+        compute_overlaps(meetings.data(), found);
+        for (std::size_t i = 0; i < 4; ++i) {
+            if (boxes[i].cut().size() > 0 || reinterpret_cast<const std::int64_t*>(&found.irregular)[i] != 0) continue;
+            CHECK(lane_of(found.force, i).isZero(0.0));
+            CHECK(lane_of(found.moment, i).isZero(0.0));
+            CHECK(lane_of(found.area, i) == 0.0);
+        }
+    }
 }
 
 TEST_CASE("the lane, the company and the instructions change no bit of a pair") {
@@ -180,6 +203,7 @@ TEST_CASE("four pairs side by side give the area of the exact function") {
             if (!faces[i] || reinterpret_cast<const std::int64_t*>(&found.irregular)[i] != 0) continue;
             const OverlapPieces pieces = boxes[i].cut();
             const OverlapLoad load = sum_load(pieces);
+            if (!(load.deepest > 0.0)) continue;
             const ContactArea exact = find_contact_area(pieces, Vector3::Zero());
             const auto normal_of = [](const BoxMeeting::Box& box) -> Vector3 {
                 return box.sign * Eigen::Map<const Matrix3>(box.rotation).col(box.axis);
