@@ -179,7 +179,7 @@ void add_bench_twins_command(CLI::App& bench, Action& action) {
         "  musim bench twins examples/uneven_wall.json examples/wall.json --models 40 --json\n"
         "  musim bench twins examples/uneven_wall.json --perturb 1e-13,1e-12,1e-11 --models 3\n"
         "Difference: the largest |v_M/lambda_v - v_P| of a block over the largest velocity that one has relative to the base; its running\n"
-        "maximum is looked at. A twin parts where that exceeds 1e-3; growth below is told over 0.015 sqrt(H/g). Specimens are laid once.\n"
+        "maximum counts. A twin parts where that exceeds 1e-3; growth below is over 0.015 sqrt(H/g). Specimens are laid once.\n"
         "Runs go side by side, one thread each. The same command again, killed or not, runs what is missing in DIR; another build should\n"
         "have another DIR. Exit code 4: a run diverged.");
     command->callback([&action, options] { action = [options] { return run_bench_twins(*options); }; });

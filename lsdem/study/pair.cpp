@@ -4,9 +4,9 @@
 #include <atomic>
 #include <cstddef>
 #include <exception>
-#include <mutex>
-#include <numeric>
 #include <thread>
+
+#include "lsdem/study/detail/shared_progress.hpp"
 
 namespace musim::lsdem::study {
 namespace {
@@ -18,28 +18,11 @@ struct Job {
     RunResult result = {};
 };
 
-/// Progress of several runs as one fraction.
-class SharedProgress {
-  public:
-    SharedProgress(std::size_t runs, const std::function<void(double)>& report) : fractions_(runs, 0.0), report_(report) {}
-
-    void update(std::size_t run, double fraction) {
-        const std::lock_guard lock(mutex_);
-        fractions_[run] = fraction;
-        report_(std::accumulate(fractions_.begin(), fractions_.end(), 0.0) / static_cast<double>(fractions_.size()));
-    }
-
-  private:
-    std::mutex mutex_;
-    std::vector<double> fractions_;
-    const std::function<void(double)>& report_;
-};
-
 /// Runs all jobs, as many side by side as there are threads: separate runs need no barriers, so this beats sharing one run's blocks.
 void run_all(std::vector<Job>& jobs, const RunSettings& settings) {
     const int available = settings.threads > 0 ? settings.threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
     const int workers = std::min(available, static_cast<int>(jobs.size()));
-    SharedProgress progress(jobs.size(), settings.on_progress);
+    detail::SharedProgress progress(jobs.size(), settings.on_progress);
     std::atomic<std::size_t> next{0};
     std::vector<std::exception_ptr> failures(jobs.size());
 

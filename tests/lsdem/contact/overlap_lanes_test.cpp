@@ -97,6 +97,27 @@ Vector3 lane_of(const Lanes3& v, std::size_t lane) {
 }
 double lane_of(const Lanes& v, std::size_t lane) { return reinterpret_cast<const double*>(&v)[lane]; }
 
+/// Four pairs side by side, and whether each holds.
+struct FourPairs {
+    std::array<Boxes, 4> boxes;
+    std::array<BoxMeeting, 4> meetings;
+    std::array<bool, 4> holds{};
+    LaneOverlap found;
+
+    explicit FourPairs(Poses& poses) {
+        for (std::size_t i = 0; i < 4; ++i) {
+            boxes[i] = poses.next();
+            meetings[i] = boxes[i].meeting();
+            holds[i] = choose_faces(meetings[i]);
+        }
+        compute_overlaps(meetings.data(), found);
+        for (std::size_t i = 0; i < 4; ++i) holds[i] = holds[i] && reinterpret_cast<const std::int64_t*>(&found.irregular)[i] == 0;
+    }
+    FourPairs(const FourPairs&) = delete;
+    FourPairs& operator=(const FourPairs&) = delete;
+    ~FourPairs() = default;
+};
+
 }  // namespace
 
 // 6 eps size/d: the depth is a difference of coordinates; lanes say by themselves where they do not hold
@@ -104,19 +125,11 @@ TEST_CASE("four pairs side by side give the load of the exact function wherever 
     Poses poses;
     std::size_t held = 0, asked = 0;
     for (int group = 0; group < 1500; ++group) {
-        std::array<Boxes, 4> boxes;
-        std::array<BoxMeeting, 4> meetings;
-        std::array<bool, 4> faces{};
-        for (std::size_t i = 0; i < 4; ++i) {
-            boxes[i] = poses.next();
-            meetings[i] = boxes[i].meeting();
-            faces[i] = choose_faces(meetings[i]);
-        }
-        LaneOverlap found;
-        compute_overlaps(meetings.data(), found);
+        const FourPairs four(poses);
+        const auto& [boxes, meetings, holds, found] = four;
         for (std::size_t i = 0; i < 4; ++i) {
             ++asked;
-            if (!faces[i] || reinterpret_cast<const std::int64_t*>(&found.irregular)[i] != 0) continue;
+            if (!holds[i]) continue;
             ++held;
             const OverlapPieces pieces = boxes[i].cut();
             const OverlapLoad load = sum_load(pieces);
@@ -189,18 +202,10 @@ TEST_CASE("the lane, the company and the instructions change no bit of a pair") 
 TEST_CASE("four pairs side by side give the area of the exact function") {
     Poses poses;
     for (int group = 0; group < 300; ++group) {
-        std::array<Boxes, 4> boxes;
-        std::array<BoxMeeting, 4> meetings;
-        std::array<bool, 4> faces{};
+        const FourPairs four(poses);
+        const auto& [boxes, meetings, holds, found] = four;
         for (std::size_t i = 0; i < 4; ++i) {
-            boxes[i] = poses.next();
-            meetings[i] = boxes[i].meeting();
-            faces[i] = choose_faces(meetings[i]);
-        }
-        LaneOverlap found;
-        compute_overlaps(meetings.data(), found);
-        for (std::size_t i = 0; i < 4; ++i) {
-            if (!faces[i] || reinterpret_cast<const std::int64_t*>(&found.irregular)[i] != 0) continue;
+            if (!holds[i]) continue;
             const OverlapPieces pieces = boxes[i].cut();
             const OverlapLoad load = sum_load(pieces);
             if (!(load.deepest > 0.0)) continue;
