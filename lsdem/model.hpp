@@ -107,7 +107,8 @@ struct Model {
     double velocity_damping = 0.0;
     /// How blocks that stand already bear on each other, whatever their springs: of each contact as much overlap is left without force as
     /// makes it hold this energy, or all it can hold; contacts that are not named bear nothing at first. The two blocks may be given in
-    /// either order. Empty: blocks bear by how much they overlap at the start. Contacts computed node by node don't take it.
+    /// either order. Empty: blocks bear by how much they overlap at the start. Contacts computed node by node don't take it; those of
+    /// FaceContact::overlap take friction only, since what they press with follows from the poses alone.
     std::vector<Preload> preload;
 };
 

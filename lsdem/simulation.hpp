@@ -164,7 +164,7 @@ class Simulation {
     BaseState base() const;
     Vector3 base_reaction() const;                     ///< force of the ground on the blocks now [N]
     Vector3 contact_force(std::size_t block) const;    ///< sum of all contact forces on a block now [N]
-    std::vector<ContactForce> contact_forces() const;  ///< of all pairs that touch now, by leader, then by follower
+    std::vector<ContactForce> contact_forces() const;  ///< of all pairs that touch now, in the order of their blocks' numbers
 
     /// What all contacts that touch hold now, as Model::preload of a structure that is to begin where this one is.
     std::vector<Preload> preloads() const;

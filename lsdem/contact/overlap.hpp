@@ -43,6 +43,8 @@ class OverlapPieces {
     std::uint32_t nearest_of_second() const { return nearest_[1]; }
 
   private:
+    /// Enough for two boxes: twelve faces, each with a cell for every face of the other box and 14 corners at most. Shapes with more faces
+    /// will need more.
     static constexpr std::size_t kMostPieces = 128, kMostVertices = 1024;
     void cut_faces(const PlacedSolid& x, const PlacedSolid& y, bool of_first);
     void add(const Piece& piece, const Vertex* vertices, std::size_t count);

@@ -1,10 +1,9 @@
 #include "lsdem/contact/overlap_pairs.hpp"
 
-#include <cmath>
+#include <algorithm>
 
 #include "lsdem/contact/overlap_contact.hpp"
 #include "lsdem/contact/overlap_lanes.hpp"
-#include "lsdem/detail/prefetch.hpp"
 #include "lsdem/detail/tilted_kernel.hpp"
 
 namespace musim::lsdem {

@@ -13,7 +13,7 @@
 namespace musim::lsdem::study {
 namespace {
 
-/// The spread of differences is told at this part of the horizon: before the earliest twin parts, where all are still on their way.
+/// The spread of differences is reported at this part of the horizon: before the earliest twin parts, where all are still on their way.
 constexpr double kBeforeHorizon = 0.9;
 
 /// Of a study that says nothing of rounding: a velocity itself has so many digits [-].

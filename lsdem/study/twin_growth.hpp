@@ -9,11 +9,11 @@
 /// How exact models, or copies that begin a little elsewhere, part from their prototype. Everything here is in the prototype's units.
 namespace musim::lsdem::study {
 
-/// Growth is looked at over this time, in √(H/g) of a block's height H: 10 ms of a tower of blocks 4.25 m high. Blocks rock and hit each
+/// Growth is measured over this time, in √(H/g) of a block's height H: 10 ms of a tower of blocks 4.25 m high. Blocks rock and hit each
 /// other in about √(H/g): within a hundredth of that nothing that is continuous multiplies a difference much.
 inline constexpr double kGrowthWindow = 0.015;
 
-/// Copies whose blocks begin elsewhere part in proportion to how far, as long as the difference is small: looked at up to this part of the
+/// Copies whose blocks begin elsewhere part in proportion to how far, as long as the difference is small: compared up to this part of the
 /// peak [-].
 inline constexpr double kProportionalLevel = 1e-4;
 

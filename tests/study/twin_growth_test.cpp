@@ -73,7 +73,7 @@ TEST_CASE("a jump is found where it is, as large as it is below the parting leve
     CHECK(find_growth(study.prototype, silent).growth.factor == 1.0);
 }
 
-TEST_CASE("growth is looked at over 0.015 of the root of height over gravity, whatever the samples") {
+TEST_CASE("growth is measured over 0.015 of the root of height over gravity, whatever the samples") {
     TwinStudy study = make_study();
     study.prototype.interval = 0.002;
     CHECK(study.prototype.window() == 5);
@@ -115,7 +115,7 @@ TEST_CASE("the earliest twin gives the horizon, and logarithms their mean and de
     CHECK_THROWS_AS(summarize(study), std::invalid_argument);
 }
 
-TEST_CASE("copies moved by more part in proportion, and the largest departure from that is told") {
+TEST_CASE("copies moved by more part in proportion, and the largest departure from that is found") {
     TwinStudy study = make_study();
     for (const double shift : {1e-13, 1e-12, 1e-11}) {
         study.twins.push_back(make_twin(8.0, {.shift = shift, .directions = 7}, 0.3 * shift));
