@@ -11,6 +11,7 @@
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/progress_line.hpp"
+#include "cli/report.hpp"
 #include "cli/version.hpp"
 #include "lsdem/scene/scene_json.hpp"
 #include "lsdem/study/compare_runs.hpp"
@@ -49,7 +50,7 @@ std::vector<study::TwinChoice> choose_twins(const BenchTwinsOptions& options) {
 }
 
 scene::Scene read_prototype(const std::string& file, const BenchTwinsOptions& options) {
-    scene::Scene prototype = scene::read_scene(file);
+    scene::Scene prototype = read_scene(file);
     if (options.duration) prototype.time.duration = options.duration->value * scaling::si::seconds;
     scene::check_scene(prototype, file);
     return prototype;

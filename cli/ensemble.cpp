@@ -15,6 +15,7 @@
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/progress_line.hpp"
+#include "cli/report.hpp"
 #include "cli/specimen_batch.hpp"
 #include "cli/version.hpp"
 #include "lsdem/scene/scene_json.hpp"
@@ -162,7 +163,7 @@ int compare_ensembles(const EnsembleOptions& options) {
 
 int run_ensemble(const EnsembleOptions& options) {
     if (!options.compare.empty()) return compare_ensembles(options);
-    const scene::Scene scene = scene::read_scene(options.scene);
+    const scene::Scene scene = read_scene(options.scene);
     std::vector<study::EnsembleMember> members = study::plan_ensemble(scene, options.members, kVersion);
     if (options.list) {
         if (!options.specimens.empty()) study::use_prepared_specimens(members, options.specimens, kVersion);

@@ -74,7 +74,7 @@ std::vector<study::ModelChoice> make_choices(const PairOptions& options) {
 }
 
 scene::Scene make_prototype(const PairOptions& options) {
-    scene::Scene prototype = scene::read_scene(options.scene);
+    scene::Scene prototype = read_scene(options.scene);
     if (!options.record.empty()) {
         const std::vector<std::string> steps = study::use_record(prototype, options.record, parse_components(options.components));
         for (const std::string& step : steps) note("{}: {}\n", options.record, step);

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/output.hpp"
+#include "lsdem/scene/scene_json.hpp"
 #include "lsdem/study/verdict.hpp"
 
 namespace musim::cli {
@@ -64,6 +65,12 @@ bool report_divergence(const std::string& where, const study::RunResult& run) {
 
 void report_doubts(const std::string& where, const study::RunResult& run) {
     for (const std::string& doubt : study::find_doubts(run)) note("musim: warning: {}: {}\n", where, doubt);
+}
+
+lsdem::scene::Scene read_scene(const std::filesystem::path& file) {
+    lsdem::scene::Scene scene = lsdem::scene::read_scene(file);
+    for (const std::string& remark : scene.remarks.lines) note("musim: warning: {}\n", remark);
+    return scene;
 }
 
 }  // namespace musim::cli

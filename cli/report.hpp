@@ -1,9 +1,11 @@
 #pragma once
 
+#include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
+#include "lsdem/scene/scene.hpp"
 #include "lsdem/study/summary.hpp"
 #include "scaling/distortion.hpp"
 #include "scaling/model_scales.hpp"
@@ -38,5 +40,8 @@ bool report_divergence(const std::string& where, const lsdem::study::RunResult& 
 
 /// One line on stderr, `musim: warning: ...`, for everything doubtful about a run that reached its end.
 void report_doubts(const std::string& where, const lsdem::study::RunResult& run);
+
+/// The scene of a file; what is to be said about its text, on stderr, `musim: warning: ...`.
+lsdem::scene::Scene read_scene(const std::filesystem::path& file);
 
 }  // namespace musim::cli

@@ -41,8 +41,7 @@ void print_run(const scene::Scene& scene, const study::RunResult& run) {
     print("{}: {}\n", scene.name, study::to_string(run.status));
     print("  {} blocks, {} steps of {:.6g} s, {:.6g} s simulated in {:.2f} s\n", run.blocks.mass.size(), run.steps, run.time_step,
           run.final.time, run.wall_time);
-    print("  {} contact nodes, largest overlap {:.3g} of a block height\n", run.statistics.contact_nodes,
-          run.statistics.max_overlap_over_height);
+    print("  {} contacts, largest overlap {:.3g} of a block height\n", run.statistics.contacts, run.statistics.max_overlap_over_height);
     print("  energy balance closes to {:.3g}", run.energy_closure);
     if (run.base_reaction_over_weight) print(", base reaction {:.6f} of the weight at the end", *run.base_reaction_over_weight);
     print("\n  state hash {}\n", run.state_hash);
@@ -60,7 +59,7 @@ struct Begin {
 };
 
 Begin begin_anew(const RunOptions& options) {
-    Begin begin{.scene = scene::read_scene(options.scene), .scene_text = {}, .checkpoint = {}};
+    Begin begin{.scene = read_scene(options.scene), .scene_text = {}, .checkpoint = {}};
     if (options.duration) begin.scene.time.duration = options.duration->value * scaling::si::seconds;
     scene::check_scene(begin.scene, options.scene);
     scene::require_single_motion(begin.scene, "a run");

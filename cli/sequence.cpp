@@ -11,6 +11,7 @@
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/progress_line.hpp"
+#include "cli/report.hpp"
 #include "cli/version.hpp"
 #include "lsdem/scene/scene_json.hpp"
 #include "lsdem/study/live_file.hpp"
@@ -45,7 +46,7 @@ study::SequenceSummary carry_out(const SequenceOptions& options) {
                                      .on_sample = progress.of_samples(),
                                      .on_no_checkpoint = [](const std::string& why) { note("musim: warning: no checkpoint: {}\n", why); }};
     std::optional<scene::Scene> scene;
-    if (!resumes) scene = scene::read_scene(options.scene);
+    if (!resumes) scene = read_scene(options.scene);
     study::LiveFile live(options.directory(), scene ? scene->name : options.resume);
     live.listen_to(settings);
     return scene ? study::run_sequence(*scene, settings) : study::resume_sequence(settings);

@@ -119,7 +119,7 @@ int compare_specimens(const SpecimenOptions& options) {
 int run_specimen(const SpecimenOptions& options) {
     if (!options.compare.empty()) return compare_specimens(options);
     study::SpecimenBatch batch = begin_batch(options.out, options.threads, options.checkpoint_interval);
-    batch.scene = scene::read_scene(options.scene);
+    batch.scene = read_scene(options.scene);
     if (!options.placing.empty()) {
         const auto& names = scene::placing_names();
         if (!batch.scene.preparation) batch.scene.preparation.emplace();

@@ -7,7 +7,6 @@
 #include "lsdem/contact/overlap_pairs.hpp"
 #include "lsdem/detail/contact_kernel.hpp"
 #include "lsdem/detail/prefetch.hpp"
-#include "lsdem/detail/tilted_kernel.hpp"
 
 namespace musim::lsdem {
 
@@ -43,7 +42,6 @@ using detail::PairSums;
 using detail::RelativePose;
 using detail::Row;
 using detail::row_of;
-using detail::rows_of;
 using detail::StepLaw;
 
 /// Share of a node's faces that looks along −normal, `normal` in the leader's frame: of a faceted shape the face that looks most that way.
@@ -252,16 +250,30 @@ void store(const PairSums& sums, const Matrix3& frame, const Vector3& leader_in_
     work.damping += sums.damping;
 }
 
-/// Of a pair that does not touch.
-void clear(PairForce& result, PairTally& tally) {
-    result = PairForce{};
-    tally = PairTally{};
-}
-
 /// Area of every node in contact when a pair shares its stiffness per contact, from the number that touched a step ago; zero otherwise.
 double find_equal_area(const Model& model, const Shape& leader, const PairTally& before) {
     if (model.stiffness_sharing == StiffnessSharing::per_area) return 0.0;
     return leader.face_area / std::max(1U, before.touching);
+}
+
+/// Books what a pair gives up when its contact starts anew, at other faces: of the stored energy, what its last force does not return over
+/// the second half of the step from n − 1 to n.
+void drop_elastic(const Bodies& bodies, const BasePose& base, const ContactPair& pair, const PairForce& last, const PairTally& stored,
+                  PairWork& work) {
+    // the turn of a block over the step, as a vector: sin θ is close enough to θ
+    const auto turn = [&](std::size_t i) {
+        const Matrix3 step = bodies.rotation[i] * bodies.previous_rotation[i].transpose();
+        return Vector3(0.5 * Vector3(step(2, 1) - step(1, 2), step(0, 2) - step(2, 0), step(1, 0) - step(0, 1)));
+    };
+    const std::size_t l = pair.leader, f = pair.follower;
+    double done = last.force.dot(bodies.position[l] - bodies.previous_position[l]) + last.leader_torque.dot(turn(l));
+    if (pair.follower == kGround) {
+        done -= last.force.dot(base.displacement - base.previous);
+    } else {
+        done += last.follower_torque.dot(turn(f)) - last.force.dot(bodies.position[f] - bodies.previous_position[f]);
+    }
+    work.damping += stored.elastic_normal - 0.5 * done;
+    work.friction += stored.elastic_shear;
 }
 
 /// Notes the faces that meet. When they are others than a step ago, all contacts of the pair give up what they held.
@@ -269,7 +281,7 @@ void start_new_faces(const Bodies& bodies, const BasePose& base, const FlatFollo
     if (list.faces[index] == face.code()) return;
     list.faces[index] = face.code();
     const ContactPair& pair = list.pairs[index];
-    drop_elastic(bodies, base, pair, list.forces[index], find_elastic(list, index), list.work[index]);
+    drop_elastic(bodies, base, pair, list.forces[index], list.tallies[index], list.work[index]);
     for (std::size_t entry = pair.first_node; entry < pair.first_node + pair.node_count; ++entry) list.history.end(entry);
 }
 
@@ -277,42 +289,25 @@ void compute_block_contact(const Model& model, const Bodies& bodies, const BaseP
                            ContactList& list) {
     const ContactPair& pair = list.pairs[index];
     const std::size_t l = pair.leader, f = pair.follower;
-    const Vector3 &leader_half = bodies.half[l], &follower_half = bodies.half[f];
-    const Matrix3 to_follower = bodies.rotation[f].transpose(), rotation = to_follower * bodies.rotation[l];
+    const Matrix3 to_follower = bodies.rotation[f].transpose(), to_old_follower = bodies.previous_rotation[f].transpose();
     const Vector3 position = to_follower * (bodies.position[l] - bodies.position[f]);
-    FlatFollower face;
-    face.half = row_of(follower_half);
-    const detail::BoxPair boxes{row_of(leader_half), face.half};
-    if (pair.is_tilted() && !list.tilted[pair.tilted].touches) {
-        const double gap = detail::find_gap(boxes, rows_of(rotation), row_of(position));
-        const double trusted = list.first_step ? 0.0 : list.trusted_gap * gap;
-        list.next_look[index] = trusted > 0.0 ? find_travel(pair, bodies) + trusted : 0.0;
-        if (gap > 0.0) {
-            list.tilted[pair.tilted] = TiltedContact{};
-            clear(list.forces[index], list.tallies[index]);
-            return;
-        }
-    }
-    const Matrix3 to_old_follower = bodies.previous_rotation[f].transpose();
-    const RelativePose pose(rotation, position, to_old_follower * bodies.previous_rotation[l],
+    const RelativePose pose(to_follower * bodies.rotation[l], position, to_old_follower * bodies.previous_rotation[l],
                             to_old_follower * (bodies.previous_position[l] - bodies.previous_position[f]));
-    const StepLaw law(pair.law, dt);
-    PairSums sums;
-    if (pair.is_tilted()) {
-        detail::compute_tilted_contact(boxes, pose, law, list.first_step, list.tallies[index], list.tilted[pair.tilted], sums);
-        store(sums, bodies.rotation[f], position, list.forces[index], list.tallies[index], list.work[index]);
-        return;
-    }
     const Shape& leader = model.shapes[model.blocks[l].shape];
     const Shape& follower = model.shapes[model.blocks[f].shape];
-    const BlockNodes nodes = nodes_of(model, model.blocks[l]);
-    const double equal_area = find_equal_area(model, leader, list.tallies[index]);
-    const bool apart = !find_contact_faces(pose, leader_half, face);
+    FlatFollower face;
+    face.half = row_of(bodies.half[f]);
+    const bool apart = !find_contact_faces(pose, bodies.half[l], face);
     face.leader_axis = leader.faceted ? face.leader_axis : 0;
     if (apart && list.tallies[index].touching == 0) {
-        clear(list.forces[index], list.tallies[index]);
+        list.forces[index] = PairForce{};
+        list.tallies[index] = PairTally{};
         return;
     }
+    const BlockNodes nodes = nodes_of(model, model.blocks[l]);
+    const double equal_area = find_equal_area(model, leader, list.tallies[index]);
+    const StepLaw law(pair.law, dt);
+    PairSums sums;
     if (const auto* grid = std::get_if<GridLevelSet>(&follower.level_set)) {
         sum_grid_nodes(nodes, pose, BlockGrid(*grid, bodies.height_offset[f]), law, equal_area, pair, list, sums);
     } else {
@@ -344,42 +339,37 @@ constexpr std::size_t kAhead = 4;
 
 void prefetch_pair(const Bodies& bodies, const ContactList& list, std::size_t index) {
     const ContactPair& pair = list.pairs[index];
-    if (!pair.is_tilted()) return;
+    if (!pair.is_overlap()) return;
     for (const std::uint32_t block : {pair.leader, pair.follower}) {
+        if (block == kGround) continue;
         detail::prefetch(&bodies.rotation[block]);
         detail::prefetch(&bodies.previous_rotation[block]);
         detail::prefetch(&bodies.position[block]);
         detail::prefetch(&bodies.previous_position[block]);
         detail::prefetch(&bodies.half[block]);
     }
-    detail::prefetch(&list.tilted[pair.tilted]);
+    detail::prefetch(&list.overlaps[pair.overlap]);
     detail::prefetch(&list.tallies[index]);
     detail::prefetch(&list.work[index]);
     detail::prefetch(&list.forces[index]);
 }
 
-}  // namespace
-
-namespace {
-
-/// Area over which a pair that is no patch touches, or more [m²]: which nodes do is not asked, any may be all of a face.
+/// Area over which a pair that meets by nodes touches, or more [m²]: which nodes do is not asked, any may be all of a face.
 double find_touching_area(const Model& model, const ContactList& list, std::size_t index) {
     const ContactPair& pair = list.pairs[index];
     if (list.tallies[index].touching == 0) return 0.0;
-    if (pair.is_tilted()) return list.tilted[pair.tilted].area;
     const auto face_of = [&](std::size_t block) { return model.shapes[model.blocks[block].shape].face_area; };
     return pair.follower == kGround ? face_of(pair.leader) : std::max(face_of(pair.leader), face_of(pair.follower));
 }
 
 }  // namespace
 
-double compute_node_pairs(const Model& model, const Bodies& bodies, const BasePose& base, double dt, std::size_t first, std::size_t last,
-                          ContactList& list) {
+double compute_pairs(const Model& model, const Bodies& bodies, const BasePose& base, double dt, std::size_t first, std::size_t last,
+                     ContactList& list) {
     // what may touch, first of all, so that the memory of each can be asked for ahead of its turn
     std::size_t end = first;
-    for (std::size_t i = first; i < last; ++i) {
-        const std::uint32_t index = list.node_pairs[i];
-        if (!known_apart(list.pairs[index], list.next_look[index], bodies)) list.due[end++] = index;
+    for (std::size_t index = first; index < last; ++index) {
+        if (!known_apart(list.pairs[index], list.next_look[index], bodies)) list.due[end++] = static_cast<std::uint32_t>(index);
     }
     double deepest = 0.0;
     OverlapBatch overlaps(bodies, base, dt, list);
@@ -406,83 +396,31 @@ double compute_node_pairs(const Model& model, const Bodies& bodies, const BasePo
     return std::max(deepest, overlaps.deepest());
 }
 
-PairElastic find_elastic(const ContactList& list, std::size_t index) {
-    const ContactPair& pair = list.pairs[index];
-    if (!pair.is_patch()) return {list.tallies[index].elastic_normal, list.tallies[index].elastic_shear};
-    const auto of = [&](std::size_t field) { return list.patches.field(pair.patch_group, field)[pair.patch_lane]; };
-    return {of(patch_field::elastic_normal), of(patch_field::elastic_shear)};
-}
-
-void drop_elastic(const Bodies& bodies, const BasePose& base, const ContactPair& pair, const PairForce& last, const PairElastic& stored,
-                  PairWork& work) {
-    // the turn of a block over the step, as a vector: sin θ is close enough to θ
-    const auto turn = [&](std::size_t i) {
-        const Matrix3 step = bodies.rotation[i] * bodies.previous_rotation[i].transpose();
-        return Vector3(0.5 * Vector3(step(2, 1) - step(1, 2), step(0, 2) - step(2, 0), step(1, 0) - step(0, 1)));
-    };
-    const std::size_t l = pair.leader, f = pair.follower;
-    double done = last.force.dot(bodies.position[l] - bodies.previous_position[l]) + last.leader_torque.dot(turn(l));
-    if (pair.follower == kGround) {
-        done -= last.force.dot(base.displacement - base.previous);
-    } else {
-        done += last.follower_torque.dot(turn(f)) - last.force.dot(bodies.position[f] - bodies.previous_position[f]);
-    }
-    work.damping += stored.normal - 0.5 * done;
-    work.friction += stored.shear;
-}
-
 ContactTotals sum_contacts(const ContactList& list) {
     ContactTotals totals;
-    for (const PairTally& tally : list.tallies) {
+    for (std::size_t p = 0; p < list.pairs.size(); ++p) {
+        const PairTally& tally = list.tallies[p];
         totals.elastic_normal += tally.elastic_normal;
         totals.elastic_shear += tally.elastic_shear;
-        totals.touching += tally.touching;
-    }
-    for (const PairWork& work : list.work) totals.work += work;
-    for (std::size_t g = 0; g < list.patches.groups.size(); ++g) {
-        for (std::size_t lane = 0; lane < list.patches.groups[g].count; ++lane) {
-            const auto of = [&](std::size_t field) { return list.patches.field(g, field)[lane]; };
-            totals.elastic_normal += of(patch_field::elastic_normal);
-            totals.elastic_shear += of(patch_field::elastic_shear);
-            totals.touching += static_cast<std::size_t>(of(patch_field::touching));
-            totals.work.friction += of(patch_field::friction_loss);
-            totals.work.damping += of(patch_field::damping_loss);
-        }
+        if (tally.touching > 0) ++totals.contacts;
+        if (!list.pairs[p].is_overlap()) totals.nodes += tally.touching;
+        totals.work += list.work[p];
     }
     return totals;
 }
 
 std::size_t count_apart(const Bodies& bodies, const ContactList& list) {
-    const auto is_apart = [&](std::size_t p) {
-        const ContactPair& pair = list.pairs[p];
-        const std::size_t patch = pair.patch_group * PatchGroup::kSize + pair.patch_lane;
-        return known_apart(pair, pair.is_patch() ? list.patches.next_look[patch] : list.next_look[p], bodies);
-    };
     std::size_t count = 0;
-    for (std::size_t p = 0; p < list.pairs.size(); ++p) count += is_apart(p) ? 1 : 0;
+    for (std::size_t p = 0; p < list.pairs.size(); ++p) count += known_apart(list.pairs[p], list.next_look[p], bodies) ? 1 : 0;
     return count;
 }
 
-void clear_losses(ContactList& list) {
-    std::fill(list.work.begin(), list.work.end(), PairWork{});
-    for (std::size_t g = 0; g < list.patches.groups.size(); ++g) {
-        for (const std::size_t field : {patch_field::friction_loss, patch_field::damping_loss}) {
-            std::fill_n(list.patches.field(g, field), PatchGroup::kSize, 0.0);
-        }
-    }
-}
+void clear_losses(ContactList& list) { std::fill(list.work.begin(), list.work.end(), PairWork{}); }
 
 PairWork& loss_of(const ContactPair& pair, Losses& losses) { return pair.follower == kGround ? losses.ground : losses.block[pair.leader]; }
 
 void add_losses(const ContactList& list, Losses& losses) {
-    for (std::size_t p = 0; p < list.pairs.size(); ++p) {
-        const ContactPair& pair = list.pairs[p];
-        PairWork& sum = loss_of(pair, losses);
-        sum += list.work[p];
-        if (!pair.is_patch()) continue;
-        const auto of = [&](std::size_t field) { return list.patches.field(pair.patch_group, field)[pair.patch_lane]; };
-        sum += PairWork{of(patch_field::friction_loss), of(patch_field::damping_loss)};
-    }
+    for (std::size_t p = 0; p < list.pairs.size(); ++p) loss_of(list.pairs[p], losses) += list.work[p];
 }
 
 }  // namespace musim::lsdem

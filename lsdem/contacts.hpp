@@ -11,8 +11,6 @@
 #include "lsdem/contact_law.hpp"
 #include "lsdem/losses.hpp"
 #include "lsdem/model.hpp"
-#include "lsdem/patches.hpp"
-#include "lsdem/tilted.hpp"
 #include "lsdem/types.hpp"
 
 namespace musim::lsdem {
@@ -44,26 +42,21 @@ struct ContactHistory {
 /// scales). Blocks that share an edge keep their full area; elsewhere the area of a boundary row is off by half of this.
 inline constexpr double kEdgeBlend = 0.1;
 
-/// Two blocks, or a block and the ground, that may touch before the next rebuild of the list: a patch, two boxes at an angle, or those
+/// Two blocks, or a block and the ground, that may touch before the next rebuild of the list: boxes that meet by their overlap, or those
 /// nodes of the one (the leader) that may touch the other (the follower).
 struct ContactPair {
-    static constexpr std::uint32_t kNoPatch = std::numeric_limits<std::uint32_t>::max();
+    static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
     std::uint32_t leader = 0;
     std::uint32_t follower = kGround;
     std::uint32_t first_node = 0;  ///< into ContactList::nodes and history
     std::uint32_t node_count = 0;
-    std::uint32_t patch_group = kNoPatch;  ///< into ContactList::patches, when the pair is a patch
-    std::uint32_t patch_lane = 0;
-    std::uint32_t tilted = kNoPatch;   ///< into ContactList::tilted, when the pair is two boxes at an angle
-    std::uint32_t overlap = kNoPatch;  ///< into ContactList::overlaps, when the pair meets by its overlap
+    std::uint32_t overlap = kNone;  ///< into ContactList::overlaps, when the pair meets by its overlap
     /// Body axes of both along which faces met, or were to meet, when the pair was listed; 3 for no face on a face. Of the ground none.
     std::uint8_t leader_axis = 3, follower_axis = 3;
-    Interface law;  ///< of a patch, that of its kind
+    Interface law;
 
-    bool is_patch() const { return patch_group != kNoPatch; }
-    bool is_tilted() const { return tilted != kNoPatch; }
-    bool is_overlap() const { return overlap != kNoPatch; }
+    bool is_overlap() const { return overlap != kNone; }
 };
 
 /// What one pair did in the current step, world frame.
@@ -73,11 +66,11 @@ struct PairForce {
     Vector3 follower_torque = Vector3::Zero();  ///< about the follower's centre of mass [N·m]
 };
 
-/// State of one pair that is no patch.
+/// What one pair holds now.
 struct PairTally {
-    double elastic_normal = 0.0, elastic_shear = 0.0;  ///< stored now [J]
-    double overlap = 0.0;                              ///< largest, with what carries no force [m]
-    std::uint32_t touching = 0;                        ///< nodes in contact; of two tilted boxes, one
+    double elastic_normal = 0.0, elastic_shear = 0.0;  ///< stored [J]
+    double overlap = 0.0;                              ///< largest [m]
+    std::uint32_t touching = 0;                        ///< nodes in contact; of boxes that overlap, one
 };
 
 /// What inertia contacts ask their blocks to have while a specimen is prepared, see detail::AddedInertia.
@@ -89,32 +82,28 @@ struct InertiaDemand {
     void ask(std::size_t pair, double area) { asked[pair] = area * per_area[pair]; }
 };
 
-/// A pair that is found apart is passed over until its two blocks have together travelled this part of the gap [-]. The depth of a face
-/// changes by less than twice what the blocks move, as the patch that it is taken over wanders too: a factor of two is left. Affects speed
-/// only, never results.
+/// A pair that is found apart is passed over until its two blocks have together travelled this part of the gap [-]: a quarter of what they
+/// would have to. Affects speed only, never results.
 inline constexpr double kTrustedGap = 0.25;
 
-/// All pairs that may touch before the next rebuild, sorted by (leader, follower), and their nodes.
+/// All pairs that may touch before the next rebuild, sorted by their blocks' numbers, and their nodes.
 struct ContactList {
     std::vector<ContactPair> pairs;
     /// Indices into the leader shape's nodes, ascending within a pair; the last one is repeated to fill a group of four.
     std::vector<std::uint32_t> nodes;
     ContactHistory history;
     std::vector<PairForce> forces;  ///< one per pair
-    PatchList patches;
-    std::vector<TiltedContact> tilted;
     std::vector<OverlapContact> overlaps;
-    std::vector<std::uint32_t> node_pairs;  ///< the pairs that are no patches
     std::vector<std::uint32_t> ground_pairs;
-    std::vector<PairTally> tallies;    ///< one per pair; of a patch, unused
+    std::vector<PairTally> tallies;    ///< one per pair
     double trusted_gap = kTrustedGap;  ///< zero: every pair is looked at in every step [-]
-    std::vector<std::uint32_t> due;    ///< room for one entry per node pair: those that a step has to look at, per thread
-    std::vector<double> next_look;     ///< one per pair: Bodies::travel of both blocks below which they cannot meet; of a patch, unused [m]
+    std::vector<std::uint32_t> due;    ///< room for one entry per pair: those that a step has to look at, per thread
+    std::vector<double> next_look;     ///< one per pair: Bodies::travel of both blocks below which they cannot meet [m]
     std::vector<std::uint8_t> faces;   ///< one per pair: the faces that met in the last step, see detail::FlatFollower::code
     /// Contacts found in the very first step are taken as they are, initial overlap included.
     bool first_step = true;
     InertiaDemand demand;
-    std::vector<PairWork> work;  ///< one per pair, since the list was built; of a patch, without what its state holds
+    std::vector<PairWork> work;  ///< one per pair, since the list was built
 };
 
 /// Where the base was and is.
@@ -122,11 +111,12 @@ struct BasePose {
     Vector3 displacement = Vector3::Zero(), previous = Vector3::Zero();  ///< at steps n and n − 1 [m]
 };
 
-/// Elastic energy of all pairs, their losses since the list was built [J], and the number of nodes in contact.
+/// Elastic energy of all pairs, their losses since the list was built [J], and how much touches.
 struct ContactTotals {
     double elastic_normal = 0.0, elastic_shear = 0.0;
     PairWork work;
-    std::size_t touching = 0;
+    std::size_t contacts = 0;  ///< pairs
+    std::size_t nodes = 0;     ///< of pairs that meet by nodes
 };
 ContactTotals sum_contacts(const ContactList& list);
 
@@ -142,21 +132,9 @@ void add_losses(const ContactList& list, Losses& losses);
 /// Forgets the losses of all pairs.
 void clear_losses(ContactList& list);
 
-/// Elastic energy of a pair [J].
-struct PairElastic {
-    double normal = 0.0, shear = 0.0;
-};
-/// Of pair `index` at step n.
-PairElastic find_elastic(const ContactList& list, std::size_t index);
-
-/// Books what a pair gives up when its contact starts anew, at other faces or in another way: of the stored energy, what its last force
-/// does not return over the second half of the step from n − 1 to n.
-void drop_elastic(const Bodies& bodies, const BasePose& base, const ContactPair& pair, const PairForce& last, const PairElastic& stored,
-                  PairWork& work);
-
-/// Forces of list.node_pairs [first, last) at step n, from the poses at n and n − 1; updates history and work. Pairs are independent of
-/// each other. Returns the largest overlap over the height of the leader's shape [-].
-double compute_node_pairs(const Model& model, const Bodies& bodies, const BasePose& base, double dt, std::size_t first, std::size_t last,
-                          ContactList& list);
+/// Forces of pairs [first, last) at step n, from the poses at n and n − 1; updates history and work. Pairs are independent of each other.
+/// Returns the largest overlap over the height of the leader's shape [-].
+double compute_pairs(const Model& model, const Bodies& bodies, const BasePose& base, double dt, std::size_t first, std::size_t last,
+                     ContactList& list);
 
 }  // namespace musim::lsdem

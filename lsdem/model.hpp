@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -65,28 +66,20 @@ enum class StiffnessSharing {
     per_contact  ///< each pair of blocks gets the whole face's stiffness, divided by its nodes in contact, as [Harmon23] can be read
 };
 
-/// How nearly parallel faces of boxes meet.
+/// How boxes meet each other and the ground.
 enum class FaceContact {
-    patch,   ///< nodes on the rectangle in which the faces cover each other, so that the edges of both blocks carry nodes
-    nodes,   ///< the leader's own nodes, their cells clipped at the follower's edges
-    overlap  ///< springs that store half of K_n times the integral of both depths over the overlap: see lsdem/contact/README.md
+    overlap,  ///< springs that store half of K_n times the integral of both depths over the overlap: see lsdem/contact/README.md
+    nodes     ///< the leader's surface nodes against the follower, as spheres and grids; a reference
 };
 
-/// What the springs of a contact hold at the start: the normal ones some energy, those of friction some force.
+/// What the friction of a contact holds at the start; what it presses with follows from the poses alone.
 struct Preload {
     std::size_t leader = 0;               ///< leads the contact, whichever block is lower
     std::optional<std::size_t> follower;  ///< nothing: the ground
-    double energy = 0.0;                  ///< of the normal springs [J]
     Vector3 friction = Vector3::Zero();   ///< on the leader, world frame [N]; beyond the Coulomb limit the contact slides at once
-    /// The nodes of a patch along the leader's two axes in the face, 0 of any other contact; the patch begins with as many.
-    std::size_t count_p = 0, count_q = 0;
-    /// Friction node by node, K_s ξ along the follower's two axes in the face [Pa].
-    std::vector<double> traction_u = {}, traction_v = {};
-    std::uint8_t faces = 0;  ///< TiltedFaces::code of the faces by which boxes at an angle meet; 0: those with the least depth
-    double couple = 0.0;  ///< friction of boxes at an angle against turning about the normal force, on the leader, along that on it [N·m]
+    double couple = 0.0;                  ///< against turning about the normal force, on the leader, along that on it [N·m]
 
-    /// All its numbers are finite, as many tractions as nodes, and faces that a box has?
-    bool is_sound() const;
+    bool is_finite() const { return friction.allFinite() && std::isfinite(couple); }
     bool operator==(const Preload&) const = default;
 };
 
@@ -99,17 +92,21 @@ struct Model {
     Vector3 gravity = Vector3::Zero();  ///< world frame [m/s²]
     ContactNodes contact_nodes = ContactNodes::leader;
     StiffnessSharing stiffness_sharing = StiffnessSharing::per_area;
-    bool skip_quiet = true;                         ///< pass over time in which the base stands and nothing moves
-    bool skip_apart = true;                         ///< pass over pairs that cannot have met since they were found apart; same results
-    FaceContact face_contact = FaceContact::patch;  ///< of StiffnessSharing::per_area; per_contact counts the leader's nodes
+    bool skip_quiet = true;                           ///< pass over time in which the base stands and nothing moves
+    bool skip_apart = true;                           ///< pass over pairs that cannot have met since they were found apart; same results
+    FaceContact face_contact = FaceContact::overlap;  ///< of StiffnessSharing::per_area; per_contact counts the leader's nodes
     /// Rate α at which velocities and spins decay towards rest, dv/dt = F/m − α·v [1/s]; only for preparing a specimen while the base
     /// stands. The velocity damping of [Harmon23, eq. 12], v ← (1 − c_v)·v in each step, is α = −ln(1 − c_v)/dt. See lsdem/README.md.
     double velocity_damping = 0.0;
-    /// How blocks that stand already bear on each other, whatever their springs: of each contact as much overlap is left without force as
-    /// makes it hold this energy, or all it can hold; contacts that are not named bear nothing at first. The two blocks may be given in
-    /// either order. Empty: blocks bear by how much they overlap at the start. Contacts computed node by node don't take it; those of
-    /// FaceContact::overlap take friction only, since what they press with follows from the poses alone.
+    /// What friction of blocks that stand already holds; of contacts that are not named nothing. Contacts by nodes don't take it.
     std::vector<Preload> preload;
 };
+
+/// Does a block meet the ground, and others of its kind, by their overlap?
+inline bool meets_by_overlap(const Model& model, const Block& block) {
+    const Shape& shape = model.shapes[block.shape];
+    return model.face_contact == FaceContact::overlap && model.stiffness_sharing == StiffnessSharing::per_area && shape.faceted &&
+           std::holds_alternative<BoxLevelSet>(shape.level_set);
+}
 
 }  // namespace musim::lsdem

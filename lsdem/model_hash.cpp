@@ -28,7 +28,7 @@ static void exchange(Archive& archive, SurfaceNodes& n) {
 
 static void exchange(Archive& archive, Shape& s) {
     exchange(archive, s.level_set);
-    archive(s.nodes, s.faceted, s.node_spacing, s.patch_spacing, s.half_extents, s.volume, s.inertia_over_mass, s.face_area);
+    archive(s.nodes, s.faceted, s.node_spacing, s.half_extents, s.volume, s.inertia_over_mass, s.face_area);
 }
 
 static void exchange(Archive& archive, Material& m) {
@@ -44,9 +44,7 @@ static void exchange(Archive& archive, BaseComponent& c) { archive(c.start, c.dt
 
 static void exchange(Archive& archive, Ground& g) { archive(g.present, g.material, g.motion); }
 
-static void exchange(Archive& archive, Preload& p) {
-    archive(p.leader, p.follower, p.energy, p.friction, p.count_p, p.count_q, p.traction_u, p.traction_v, p.faces, p.couple);
-}
+static void exchange(Archive& archive, Preload& p) { archive(p.leader, p.follower, p.friction, p.couple); }
 
 static void exchange(Archive& archive, Model& m) {
     archive(m.shapes, m.materials, m.blocks, m.ground, m.gravity, m.contact_nodes, m.stiffness_sharing, m.skip_quiet, m.skip_apart,

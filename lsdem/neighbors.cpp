@@ -9,8 +9,6 @@
 
 #include "lsdem/block_height.hpp"
 #include "lsdem/contact/box_meeting.hpp"
-#include "lsdem/detail/patch_state.hpp"
-#include "lsdem/preloads.hpp"
 
 namespace musim::lsdem {
 namespace {
@@ -100,26 +98,25 @@ NeighborSearch::NeighborSearch(const Model& model) : model_(&model) {
         const Vector3 half = half_extents(model, block);
         smallest = std::min(smallest, 2.0 * half.minCoeff());
         reference_.diameter.push_back(2.0 * half.norm());
-        mass_.push_back(block.mass);
     }
     skin_ = model.blocks.empty() ? 0.0 : kNeighborSkin * smallest;
-    nominal_mass_ = compute_nominal_masses(model);
 }
 
-double NeighborSearch::effective_mass(BlockPair blocks, const std::vector<double>& masses) const {
-    const double a = masses[blocks.leader];
-    if (blocks.follower == kGround) return a;
-    const double b = masses[blocks.follower];
-    return model_->blocks[blocks.leader].fixed ? b : model_->blocks[blocks.follower].fixed ? a : a * b / (a + b);
-}
-
-Interface NeighborSearch::make_pair_interface(BlockPair blocks, double effective_mass) const {
+double NeighborSearch::effective_mass(BlockPair blocks) const {
     const Block& a = model_->blocks[blocks.leader];
+    if (blocks.follower == kGround) return a.mass;
+    const Block& b = model_->blocks[blocks.follower];
+    return a.fixed ? b.mass : b.fixed ? a.mass : a.mass * b.mass / (a.mass + b.mass);
+}
+
+Interface NeighborSearch::make_pair_interface(BlockPair blocks) const {
+    const Block& a = model_->blocks[blocks.leader];
+    const double mass = effective_mass(blocks);
     const double area_a = model_->shapes[a.shape].face_area;
-    if (blocks.follower == kGround) return make_interface(model_->materials[a.material], model_->ground.material, effective_mass, area_a);
+    if (blocks.follower == kGround) return make_interface(model_->materials[a.material], model_->ground.material, mass, area_a);
     const Block& b = model_->blocks[blocks.follower];
     const double area = std::min(area_a, model_->shapes[b.shape].face_area);
-    const Interface whole = make_interface(model_->materials[a.material], model_->materials[b.material], effective_mass, area);
+    const Interface whole = make_interface(model_->materials[a.material], model_->materials[b.material], mass, area);
     return model_->contact_nodes == ContactNodes::both ? scaled(whole, 0.5) : whole;
 }
 
@@ -201,66 +198,21 @@ void NeighborSearch::add_pair(BlockPair blocks, const Bodies& bodies, const Base
     pair.follower = blocks.follower;
     pair.first_node = first;
     pair.node_count = count;
-    pair.law = make_pair_interface(blocks, effective_mass(blocks, mass_));
-    list.node_pairs.push_back(static_cast<std::uint32_t>(list.pairs.size()));
+    pair.law = make_pair_interface(blocks);
     list.pairs.push_back(pair);
-}
-
-bool NeighborSearch::plan_patch(BlockPair blocks, const Bodies& bodies, const BasePose& base, ContactList& list,
-                                std::vector<PatchPlan>& plans) const {
-    if (!by_faces()) return false;
-    auto kind = find_patch_kind(*model_, bodies, base, blocks.leader, blocks.follower, skin_);
-    if (!kind) return false;
-    // pairs whose blocks differ in height only share their kind; what their own masses change is a factor of each
-    const double nominal_mass = effective_mass(blocks, nominal_mass_);
-    kind->law = make_pair_interface(blocks, nominal_mass);
-    if (kind->law.friction == 0.0) kind->law.shear_stiffness = kind->law.shear_damping = 0.0;
-    kind->viscous = kind->law.shear_damping > 0.0;
-    const double damping = std::sqrt(effective_mass(blocks, mass_) / nominal_mass);
-    plans.push_back({static_cast<std::uint32_t>(list.pairs.size()), *kind, damping, 0, 0});
-    ContactPair pair;
-    pair.leader = blocks.leader;
-    pair.follower = blocks.follower;
-    pair.law = kind->law;
-    list.pairs.push_back(pair);
-    return true;
-}
-
-bool NeighborSearch::by_faces() const {
-    return model_->face_contact == FaceContact::patch && model_->stiffness_sharing == StiffnessSharing::per_area;
-}
-
-bool NeighborSearch::is_box(std::uint32_t block) const {
-    const Shape& shape = model_->shapes[model_->blocks[block].shape];
-    return shape.faceted && std::holds_alternative<BoxLevelSet>(shape.level_set);
 }
 
 bool NeighborSearch::add_overlap(BlockPair blocks, const Bodies& bodies, ContactList& list) const {
-    if (model_->face_contact != FaceContact::overlap || model_->stiffness_sharing != StiffnessSharing::per_area) return false;
-    if (!is_box(blocks.leader) || (blocks.follower != kGround && !is_box(blocks.follower))) return false;
+    const auto can = [&](std::uint32_t block) { return block == kGround || meets_by_overlap(*model_, model_->blocks[block]); };
+    if (!can(blocks.leader) || !can(blocks.follower)) return false;
     ContactPair pair;
     pair.leader = blocks.leader;
     pair.follower = blocks.follower;
     pair.first_node = static_cast<std::uint32_t>(list.nodes.size());
     pair.overlap = static_cast<std::uint32_t>(list.overlaps.size());
     name_axes(bodies, pair);
-    pair.law = make_pair_interface(blocks, effective_mass(blocks, mass_));
+    pair.law = make_pair_interface(blocks);
     list.overlaps.emplace_back();
-    list.node_pairs.push_back(static_cast<std::uint32_t>(list.pairs.size()));
-    list.pairs.push_back(pair);
-    return true;
-}
-
-bool NeighborSearch::add_tilted(BlockPair blocks, ContactList& list) const {
-    if (!by_faces() || blocks.follower == kGround || !is_box(blocks.leader) || !is_box(blocks.follower)) return false;
-    ContactPair pair;
-    pair.leader = blocks.leader;
-    pair.follower = blocks.follower;
-    pair.first_node = static_cast<std::uint32_t>(list.nodes.size());
-    pair.tilted = static_cast<std::uint32_t>(list.tilted.size());
-    pair.law = make_pair_interface(blocks, effective_mass(blocks, mass_));
-    list.tilted.emplace_back();
-    list.node_pairs.push_back(static_cast<std::uint32_t>(list.pairs.size()));
     list.pairs.push_back(pair);
     return true;
 }
@@ -272,16 +224,9 @@ void NeighborSearch::rebuild(const Bodies& bodies, const BasePose& base, Contact
 
     std::swap(list, previous_);
     list.pairs.clear();
-    list.node_pairs.clear();
     list.nodes.clear();
-    list.tilted.clear();
     list.overlaps.clear();
-    // what stands already meets as it met before, even where it could meet in another way too
-    const bool first = previous_.first_step && previous_.pairs.empty();
-    static const std::vector<Preload> kNone;
-    const PreloadMap standing(first ? model_->preload : kNone);
     const auto had = [&](std::uint32_t leader, std::uint32_t follower) {
-        if (standing.find(leader, follower) != nullptr) return true;
         ContactPair wanted;
         wanted.leader = leader;
         wanted.follower = follower;
@@ -307,27 +252,16 @@ void NeighborSearch::rebuild(const Bodies& bodies, const BasePose& base, Contact
     std::sort(directed.begin(), directed.end(), [](const BlockPair& a, const BlockPair& b) {
         return place_in_list(a.leader, a.follower) < place_in_list(b.leader, b.follower);
     });
-    std::vector<PatchPlan> plans;
     for (const BlockPair& p : directed) {
-        if (add_overlap(p, bodies, list)) continue;
-        const Preload* held = standing.find(p.leader, p.follower);
-        const bool at_an_angle = held != nullptr && held->faces != 0;
-        if (!at_an_angle && plan_patch(p, bodies, base, list, plans)) {
-            if (held == nullptr) continue;
-            plans.back().count_p = static_cast<int>(held->count_p);
-            plans.back().count_q = static_cast<int>(held->count_q);
-        } else if (!add_tilted(p, list)) {
-            add_pair(p, bodies, base, list);
-        }
+        if (!add_overlap(p, bodies, list)) add_pair(p, bodies, base, list);
     }
 
-    list.history.reset(list.nodes.size(), std::any_of(list.pairs.begin(), list.pairs.end(), [](const ContactPair& pair) {
-                           return !pair.is_patch() && pair.law.shear_damping > 0.0;
-                       }));
+    list.history.reset(list.nodes.size(), std::any_of(list.pairs.begin(), list.pairs.end(),
+                                                      [](const ContactPair& pair) { return pair.law.shear_damping > 0.0; }));
     list.ground_pairs.clear();
     list.forces.assign(list.pairs.size(), PairForce{});
     list.tallies.assign(list.pairs.size(), PairTally{});
-    list.due.resize(list.node_pairs.size());
+    list.due.resize(list.pairs.size());
     list.trusted_gap = model_->skip_apart ? kTrustedGap : 0.0;
     list.next_look.assign(list.pairs.size(), 0.0);
     list.faces.assign(list.pairs.size(), 0);
@@ -335,51 +269,23 @@ void NeighborSearch::rebuild(const Bodies& bodies, const BasePose& base, Contact
     list.work.assign(list.pairs.size(), PairWork{});
     list.demand.wanted = previous_.demand.wanted;
     list.demand.asked.assign(list.demand.wanted ? list.pairs.size() : 0, 0.0);
-    std::vector<std::uint32_t> old_pair(list.pairs.size(), ContactPair::kNoPatch);
     auto old = previous_.pairs.begin();
     for (std::size_t p = 0; p < list.pairs.size(); ++p) {
-        if (list.pairs[p].follower == kGround) list.ground_pairs.push_back(static_cast<std::uint32_t>(p));
-        while (old != previous_.pairs.end() && before(*old, list.pairs[p])) ++old;
-        if (old == previous_.pairs.end() || !same_pair(*old, list.pairs[p])) continue;
+        const ContactPair& pair = list.pairs[p];
+        if (pair.follower == kGround) list.ground_pairs.push_back(static_cast<std::uint32_t>(p));
+        while (old != previous_.pairs.end() && before(*old, pair)) ++old;
+        if (old == previous_.pairs.end() || !same_pair(*old, pair)) continue;
         const auto o = static_cast<std::size_t>(old - previous_.pairs.begin());
-        old_pair[p] = static_cast<std::uint32_t>(o);
         list.forces[p] = previous_.forces[o];
         if (list.demand.wanted) list.demand.asked[p] = previous_.demand.asked[o];
-        if (list.pairs[p].is_overlap()) {
-            list.overlaps[list.pairs[p].overlap] = previous_.overlaps[old->overlap];
-            list.tallies[p] = previous_.tallies[o];
-            list.next_look[p] = previous_.next_look[o];
-            continue;
-        }
-        if (old->is_patch() || list.pairs[p].is_patch() || old->is_tilted() != list.pairs[p].is_tilted()) continue;
-        if (old->is_tilted()) {
-            list.tilted[list.pairs[p].tilted] = previous_.tilted[old->tilted];
-        } else {
-            carry_history(*old, previous_, list.pairs[p], list);
-        }
         list.tallies[p] = previous_.tallies[o];
         list.next_look[p] = previous_.next_look[o];
         list.faces[p] = previous_.faces[o];
-    }
-    place_patches(plans, bodies, base, previous_, old_pair, list);
-    // a pair that meets in another way from now on bears on what it bore, but slips anew
-    for (std::size_t p = 0; p < list.pairs.size(); ++p) {
-        if (old_pair[p] == ContactPair::kNoPatch) continue;
-        const ContactPair& pair = list.pairs[p];
-        if (pair.is_overlap()) continue;
-        const PairElastic before = find_elastic(previous_, old_pair[p]);
-        const PairElastic carried = find_elastic(list, p);
-        if (before.normal == carried.normal && before.shear == carried.shear) continue;
-        if (pair.is_patch()) detail::inherit_load(list.patches, pair.patch_group, pair.patch_lane, {.energy = before.normal});
-        const double kept = find_elastic(list, p).normal;
-        PairWork& work = loss_of(pair, finished);
-        if (kept > 0.0) {
-            work.damping += before.normal - kept;
-            work.friction += before.shear;
+        if (pair.is_overlap()) {
+            list.overlaps[pair.overlap] = previous_.overlaps[old->overlap];
         } else {
-            drop_elastic(bodies, base, pair, list.forces[p], before, work);
+            carry_history(*old, previous_, pair, list);
         }
-        if (pair.is_tilted()) list.tilted[pair.tilted].inherited = before.normal;
     }
     add_losses(previous_, finished);
 }

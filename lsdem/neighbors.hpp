@@ -6,7 +6,6 @@
 #include "lsdem/bodies.hpp"
 #include "lsdem/contacts.hpp"
 #include "lsdem/model.hpp"
-#include "lsdem/patch_pairs.hpp"
 
 namespace musim::lsdem {
 
@@ -44,22 +43,13 @@ class NeighborSearch {
     };
     void find_block_pairs(const Bodies& bodies, std::vector<BlockPair>& pairs) const;
     void add_pair(BlockPair blocks, const Bodies& bodies, const BasePose& base, ContactList& list) const;
-    /// Plans the pair as a patch, if its faces meet nearly parallel.
-    bool plan_patch(BlockPair blocks, const Bodies& bodies, const BasePose& base, ContactList& list, std::vector<PatchPlan>& plans) const;
-    bool is_box(std::uint32_t block) const;
     /// Lists the pair as boxes that meet by their overlap, if that is how the model has them meet.
     bool add_overlap(BlockPair blocks, const Bodies& bodies, ContactList& list) const;
-    /// Lists the pair as two boxes at an angle, if that is how the model has them meet.
-    bool add_tilted(BlockPair blocks, ContactList& list) const;
-    /// Do boxes meet by their faces, not node by node?
-    bool by_faces() const;
-    /// m_i·m_j/(m_i + m_j), or the mass of the one that moves [kg]; `masses`: one per block.
-    double effective_mass(BlockPair blocks, const std::vector<double>& masses) const;
-    Interface make_pair_interface(BlockPair blocks, double effective_mass) const;
+    /// m_i·m_j/(m_i + m_j), or the mass of the one that moves [kg].
+    double effective_mass(BlockPair blocks) const;
+    Interface make_pair_interface(BlockPair blocks) const;
 
     const Model* model_;
-    std::vector<double> mass_;          ///< of every block [kg]
-    std::vector<double> nominal_mass_;  ///< the same at the height of its shape [kg]
     double skin_ = 0.0;
     Reference reference_;
     ContactList previous_;  ///< the list before, kept to reuse its memory

@@ -26,23 +26,16 @@ struct SurfaceNodes {
     Vector3 area(std::size_t i) const { return {area_x[i], area_y[i], area_z[i]}; }
 };
 
-/// Where the nodes of a contact patch stand along its two axes, ends included.
-enum class PatchSpacing {
-    even,    ///< at equal distances
-    lobatto  ///< closer towards the edges: the places of Gauss-Lobatto quadrature [AbramowitzStegun64, 25.4.32]
-};
-
 /// Geometry of a block, shared by all blocks that are equal: level set, surface nodes, mass properties of the homogeneous solid.
 struct Shape {
     std::variant<BoxLevelSet, GridLevelSet> level_set;
     SurfaceNodes nodes;
-    bool faceted = true;                              ///< flat faces across the body axes, as of a box
-    Vector3 node_spacing = Vector3::Zero();           ///< of the lattice of a box, along the body axes [m]
-    PatchSpacing patch_spacing = PatchSpacing::even;  ///< of the patches this shape leads
-    Vector3 half_extents = Vector3::Zero();           ///< of the bounding box in the body frame [m]
-    double volume = 0.0;                              ///< [m³]
-    Vector3 inertia_over_mass = Vector3::Zero();      ///< principal moments per unit mass [m²]
-    double face_area = 0.0;                           ///< A_face, the face k_n and k_s refer to: the one across the body z axis [m²]
+    bool faceted = true;                          ///< flat faces across the body axes, as of a box
+    Vector3 node_spacing = Vector3::Zero();       ///< of the lattice of a box, along the body axes [m]
+    Vector3 half_extents = Vector3::Zero();       ///< of the bounding box in the body frame [m]
+    double volume = 0.0;                          ///< [m³]
+    Vector3 inertia_over_mass = Vector3::Zero();  ///< principal moments per unit mass [m²]
+    double face_area = 0.0;                       ///< A_face, the face k_n and k_s refer to: the one across the body z axis [m²]
 };
 
 /// How many nodes stand along each edge of a box, ends included.

@@ -121,15 +121,12 @@ std::vector<ContactForce> Simulation::contact_forces() const {
         if (list.forces[p].force.isZero(0.0)) continue;
         const ContactPair& pair = list.pairs[p];
         const auto follower = pair.follower == kGround ? std::nullopt : std::optional<std::size_t>(pair.follower);
-        forces.push_back({pair.leader, follower, list.forces[p].force, find_elastic(list, p).normal});
+        forces.push_back({pair.leader, follower, list.forces[p].force, list.tallies[p].elastic_normal});
     }
     return forces;
 }
 
-std::vector<Preload> Simulation::preloads() const {
-    refine_overlap_energies(implementation_->bodies, implementation_->base, implementation_->list);
-    return find_preloads(implementation_->bodies, implementation_->list);
-}
+std::vector<Preload> Simulation::preloads() const { return find_preloads(implementation_->list); }
 
 Kinematics Simulation::kinematics() const {
     Kinematics all;
@@ -175,7 +172,9 @@ Statistics Simulation::statistics() const {
     statistics.skipped = s.skipped;
     statistics.pairs = s.list.pairs.size();
     statistics.apart = count_apart(s.bodies, s.list);
-    statistics.contact_nodes = sum_contacts(s.list).touching;
+    const ContactTotals contacts = sum_contacts(s.list);
+    statistics.contacts = contacts.contacts;
+    statistics.contact_nodes = contacts.nodes;
     statistics.rebuilds = s.rebuilds;
     statistics.max_overlap_over_height = *std::max_element(s.overlap.begin(), s.overlap.end());
     return statistics;

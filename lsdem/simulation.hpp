@@ -66,9 +66,10 @@ struct Statistics {
     std::uint64_t skipped = 0;             ///< of these, passed over because nothing moved
     std::size_t pairs = 0;                 ///< in the neighbor list now
     std::size_t apart = 0;                 ///< of these, known to be apart: a step passes over them
-    std::size_t contact_nodes = 0;         ///< touching now
+    std::size_t contacts = 0;              ///< pairs that touch now
+    std::size_t contact_nodes = 0;         ///< touching now, of pairs that meet by nodes
     std::uint64_t rebuilds = 0;            ///< of the neighbor list
-    double max_overlap_over_height = 0.0;  ///< largest node overlap ever, over the height of the shape of the block that owns the node
+    double max_overlap_over_height = 0.0;  ///< largest depth ever, over the height of the leader's shape
 };
 
 /// Seconds of wall time spent per phase.
@@ -128,7 +129,7 @@ class Simulation {
     /// it) or written by another version; std::invalid_argument as the constructor does.
     static Simulation restore(Model model, std::istream& in, int threads = 1);
     /// Puts held blocks in their places and lets them go, each at its velocity. What they bring in gravitational and kinetic energy counts
-    /// as there from the start. Overlaps with other blocks carry no force. Throws std::invalid_argument for a block that is not held, or is
+    /// as there from the start. Throws std::invalid_argument for a block that is not held, or is
     /// named twice, and for a state that is not finite.
     void release(const std::vector<Release>& blocks);
 

@@ -43,9 +43,7 @@ void check_model(const Model& model, double time_step) {
     for (const Preload& preload : model.preload) {
         require(preload.leader < model.blocks.size() && preload.follower.value_or(0) < model.blocks.size(),
                 "Simulation: a preload names a block that does not exist");
-        require(preload.is_sound() && preload.energy >= 0.0,
-                "Simulation: the energy of a preload must be finite and not negative, its friction and couple finite, with one traction "
-                "for every node");
+        require(preload.is_finite(), "Simulation: friction and couple of a preload must be finite");
     }
 }
 
@@ -112,7 +110,7 @@ void Simulation::Implementation::start() {
                 : rotate_freely(bodies.orientation[i], bodies.momentum[i], bodies.inverse_inertia[i], -dt).toRotationMatrix();
     }
     rebuild();
-    if (!model.preload.empty()) preload_contacts(model.preload, bodies, list);
+    preload_contacts(model.preload, list);
     update_contacts();
     share_work();  // now that it is known what touches
     list.first_step = false;

@@ -3,7 +3,6 @@
 #include <limits>
 #include <utility>
 
-#include "lsdem/detail/patch_kernel.hpp"
 #include "lsdem/detail/simulation_core.hpp"
 
 /// How a simulation goes on: a step, and who does what in it.
@@ -20,10 +19,8 @@ constexpr std::uint64_t kHealthInterval = 64;
 constexpr double kQuietEnergy = 1e-20;
 constexpr int kQuietLooks = 16;
 
-/// What pairs cost, in nodes: two boxes at an angle that touch, four patches of which one touches. What does not touch is mostly passed
-/// over. Affects speed only.
-constexpr std::size_t kNodesPerTiltedPair = 32;
-constexpr std::size_t kNodesPerPatchGroup = 16;
+/// What boxes that touch cost, in nodes; what does not touch is mostly passed over. Affects speed only.
+constexpr std::size_t kNodesPerOverlap = 32;
 
 using Clock = std::chrono::steady_clock;
 
@@ -88,34 +85,22 @@ void Simulation::Implementation::share_work() {
     end_of_loose = bodies.size();
     while (end_of_loose > 0 && bodies.fixed[end_of_loose - 1] != 0) --end_of_loose;
 
-    const auto work_of_pair = [&](std::size_t i) -> std::size_t {
-        const ContactPair& pair = list.pairs[list.node_pairs[i]];
-        if (pair.is_overlap()) return list.overlaps[pair.overlap].touches ? kNodesPerTiltedPair : 1;
-        if (pair.is_tilted()) return list.tilted[pair.tilted].touches ? kNodesPerTiltedPair : 1;
+    const auto work_of_pair = [&](std::size_t index) -> std::size_t {
+        const ContactPair& pair = list.pairs[index];
+        if (pair.is_overlap()) return list.overlaps[pair.overlap].touches ? kNodesPerOverlap : 1;
         return pair.node_count;
     };
-    const auto work_of_group = [&](std::size_t group) -> std::size_t {
-        const double* const touching = list.patches.field(group, patch_field::touching);
-        const bool any = std::any_of(touching, touching + PatchGroup::kSize, [](double nodes) { return nodes > 0.0; });
-        return any ? kNodesPerPatchGroup : 1;
-    };
-    node_work.set(share_equally(list.node_pairs.size(), team.size(), work_of_pair));
-    patch_work.set(share_equally(list.patches.groups.size(), team.size(), work_of_group));
+    pair_work.set(share_equally(list.pairs.size(), team.size(), work_of_pair));
 }
 
 void Simulation::Implementation::update_contacts() {
-    patch_work.begin();
-    node_work.begin();
+    pair_work.begin();
     const auto task = [&](int thread) {
         const auto i = static_cast<std::size_t>(thread);
         detail::Share piece;
-        while (patch_work.take(i, piece)) {
-            const double in_patches = detail::compute_patches(bodies, base, dt, piece.first, piece.last, list);
-            overlap[i] = std::max(overlap[i], in_patches);
-        }
-        while (node_work.take(i, piece)) {
-            const double at_nodes = compute_node_pairs(model, bodies, base, dt, piece.first, piece.last, list);
-            overlap[i] = std::max(overlap[i], at_nodes);
+        while (pair_work.take(i, piece)) {
+            const double deepest = compute_pairs(model, bodies, base, dt, piece.first, piece.last, list);
+            overlap[i] = std::max(overlap[i], deepest);
         }
     };
     team.run(task);

@@ -18,7 +18,7 @@ namespace {
 
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
-/// Stiffness and damping of the nodes on one side, mass-normalised: the matrices of M^(-1/2) K M^(-1/2) and M^(-1/2) C M^(-1/2).
+/// Stiffness and damping of one side, mass-normalised: the matrices of M^(-1/2) K M^(-1/2) and M^(-1/2) C M^(-1/2).
 struct ModeMatrices {
     Matrix6 stiffness = Matrix6::Zero();  ///< [1/s²]
     Matrix6 damping = Matrix6::Zero();    ///< [1/s]
@@ -36,47 +36,56 @@ Eigen::Index find_upright_axis(const Block& block) {
     return axis;
 }
 
-/// Area that node i has on the face across `axis` on the side of `sign` [m²].
-double face_share(const BlockNodes& nodes, std::size_t i, Eigen::Index axis, double sign) {
-    return std::max(0.0, sign * nodes.area(i)[axis]);
+/// How the stiffness of a face is spread: evenly, over its nodes by area, or all of it at the node farthest from the middle, which is the
+/// stiffest that StiffnessSharing::per_contact can make of it.
+enum class Spread { even, by_nodes, at_corner };
+
+/// Points that stand for a face, with their areas.
+struct FacePoint {
+    Vector3 place;  ///< [m]
+    double area;    ///< [m²]
+};
+
+/// Four points with the area and the second moments of a rectangle.
+std::vector<FacePoint> spread_evenly(const Vector3& half, Eigen::Index axis, double sign) {
+    const Eigen::Index u = (axis + 1) % 3, v = (axis + 2) % 3;
+    const double to_point = 1.0 / std::sqrt(3.0);
+    std::vector<FacePoint> points;
+    for (const double along_u : {-to_point, to_point}) {
+        for (const double along_v : {-to_point, to_point}) {
+            Vector3 place;
+            place[axis] = sign * half[axis], place[u] = along_u * half[u], place[v] = along_v * half[v];
+            points.push_back({place, half[u] * half[v]});
+        }
+    }
+    return points;
 }
 
-/// How the stiffness of a face is spread: over its nodes by area, or all of it at the node farthest from the middle, which is the stiffest
-/// that StiffnessSharing::per_contact can make of it.
-enum class Spread { by_area, at_corner };
-
-/// Area of the nodes of a face [m²], one number per node of the block.
-std::vector<double> spread_area(const BlockNodes& nodes, Eigen::Index axis, double sign, Spread spread) {
-    std::vector<double> areas(nodes.size());
-    double whole = 0.0, farthest = -1.0;
-    std::size_t corner = 0;
-    for (std::size_t i = 0; i < areas.size(); ++i) {
-        areas[i] = face_share(nodes, i, axis, sign);
-        whole += areas[i];
-        const double distance = areas[i] > 0.0 ? nodes.position(i).norm() : -1.0;
-        if (distance > farthest) farthest = distance, corner = i;
+/// Points of a face of a block.
+std::vector<FacePoint> find_face_points(const Model& model, const Block& block, Eigen::Index axis, double sign, Spread spread) {
+    if (spread == Spread::even) return spread_evenly(half_extents(model, block), axis, sign);
+    const BlockNodes nodes = nodes_of(model, block);
+    std::vector<FacePoint> points;
+    FacePoint corner{Vector3::Zero(), 0.0};
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        const FacePoint point{nodes.position(i), std::max(0.0, sign * nodes.area(i)[axis])};
+        if (point.area == 0.0) continue;
+        points.push_back(point);
+        if (point.place.norm() > corner.place.norm()) corner.place = point.place;
+        corner.area += point.area;
     }
-    if (spread == Spread::at_corner) {
-        std::fill(areas.begin(), areas.end(), 0.0);
-        areas[corner] = whole;
-    }
-    return areas;
+    return spread == Spread::by_nodes ? points : std::vector<FacePoint>{corner};
 }
 
 /// Face of a block across `axis`, on the side of `sign`, pressed on a rigid plane through an interface.
 ModeMatrices face_matrices(const Model& model, const Block& block, const Interface& law, Eigen::Index axis, double sign, Spread spread) {
-    const BlockNodes nodes = nodes_of(model, block);
-    const std::vector<double> areas = spread_area(nodes, axis, sign, spread);
     const double per_root_mass = 1.0 / std::sqrt(block.mass);
     const Vector3 per_root_inertia = block.rotation_locked
                                          ? Vector3(Vector3::Zero())
                                          : Vector3((block.mass * inertia_over_mass(model, block)).cwiseSqrt().cwiseInverse());
     ModeMatrices sum;
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-        const double area = areas[i];
-        if (area == 0.0) continue;
-        // displacement of the node by unit translations and rotations
-        const Vector3 p = nodes.position(i);
+    for (const auto& [p, area] : find_face_points(model, block, axis, sign, spread)) {
+        // displacement of the point by unit translations and rotations
         Eigen::Matrix<double, 3, 6> b;
         b.leftCols<3>() = per_root_mass * Matrix3::Identity();
         b.rightCols<3>() << 0.0, p.z(), -p.y(), -p.z(), 0.0, p.x(), p.y(), -p.x(), 0.0;
@@ -159,7 +168,8 @@ double block_limit(const Model& model, const Partners& partners, const Block& bl
 }
 
 double block_limit(const Model& model, const Partners& partners, const Block& block) {
-    const double spread = block_limit(model, partners, block, Spread::by_area);
+    if (meets_by_overlap(model, block)) return block_limit(model, partners, block, Spread::even);
+    const double spread = block_limit(model, partners, block, Spread::by_nodes);
     if (model.stiffness_sharing == StiffnessSharing::per_area) return spread;
     return std::min(spread, block_limit(model, partners, block, Spread::at_corner));
 }

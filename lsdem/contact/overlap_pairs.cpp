@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "lsdem/contact/box_gap.hpp"
 #include "lsdem/contact/overlap_contact.hpp"
 #include "lsdem/contact/overlap_lanes.hpp"
-#include "lsdem/detail/tilted_kernel.hpp"
 
 namespace musim::lsdem {
 namespace {
@@ -49,8 +49,7 @@ double find_gap(const Bodies& bodies, const BasePose& base, const ContactPair& p
     }
     const Matrix3 to_follower = bodies.rotation[f].transpose();
     const Vector3 position = to_follower * (bodies.position[l] - bodies.position[f]);
-    return detail::find_gap({detail::row_of(bodies.half[l]), detail::row_of(bodies.half[f])},
-                            detail::rows_of(Matrix3(to_follower * bodies.rotation[l])), detail::row_of(position));
+    return detail::find_gap(bodies.half[l], bodies.half[f], to_follower * bodies.rotation[l], position);
 }
 
 Vector3 pick(const detail::Lanes3& v, std::size_t lane) { return {v.x[lane], v.y[lane], v.z[lane]}; }

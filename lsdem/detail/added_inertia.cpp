@@ -17,9 +17,6 @@ constexpr double kMargin = 1.25;
 /// that tips is slowed down at every node it meets, and layers of six lean more by a twentieth, at 1/5000 by nothing that is seen.
 constexpr double kRecovery = 2e-4;
 
-/// A corner that stands in a face at the cosine c is stiffer by 1/c², so much at most; see lsdem/README.md, "Tilted boxes".
-constexpr double kTiltedStiffness = 3.0;
-
 }  // namespace
 
 AddedInertia::Mobility AddedInertia::find_mobility(const Model& model, const Block& block) {
@@ -52,30 +49,23 @@ void AddedInertia::end(Bodies& bodies, ContactList& list) {
     for (std::size_t i = 0; i < bodies.size(); ++i) bodies.free[i] = bodies.fixed[i] != 0 ? 0.0 : 1.0;
 }
 
-double AddedInertia::price_of(const ContactList& list, const ContactPair& pair) const {
+double AddedInertia::price_of(const ContactPair& pair) const {
     const Mobility& a = mobilities_[pair.leader];
     const bool is_bounded = pair.follower != kGround;
     const Mobility& b = is_bounded ? mobilities_[pair.follower] : a;
     const double any = std::max(a.any, b.any);
-    double along = any, harder = 1.0;
-    if (pair.is_patch()) {
-        const PatchKind& kind = list.patches.kinds[list.patches.groups[pair.patch_group].kind];
-        along = is_bounded ? std::max(a.along[kind.n], b.along[kind.k]) : a.along[kind.n];
-    } else if (pair.is_overlap()) {
-        if (pair.leader_axis < 3) along = a.along[pair.leader_axis];
-        if (pair.follower_axis < 3) along = std::max(along, b.along[pair.follower_axis]);
-    } else if (pair.is_tilted()) {
-        harder = kTiltedStiffness;
-    }
+    double along = any;
+    if (pair.leader_axis < 3) along = a.along[pair.leader_axis];
+    if (pair.follower_axis < 3) along = std::max(along, b.along[pair.follower_axis]);
     const double sides = is_bounded ? 2.0 : 1.0;
     const double stiffness = any * std::max(pair.law.normal_stiffness, pair.law.shear_stiffness);
     const double damping = std::max(along * pair.law.normal_damping, any * pair.law.shear_damping);
-    return kMargin * harder * sides * (stiffness * (0.25 * dt_ * dt_) + damping * (0.5 * dt_));
+    return kMargin * sides * (stiffness * (0.25 * dt_ * dt_) + damping * (0.5 * dt_));
 }
 
 void AddedInertia::price(ContactList& list) const {
     list.demand.per_area.resize(list.pairs.size());
-    for (std::size_t p = 0; p < list.pairs.size(); ++p) list.demand.per_area[p] = price_of(list, list.pairs[p]);
+    for (std::size_t p = 0; p < list.pairs.size(); ++p) list.demand.per_area[p] = price_of(list.pairs[p]);
 }
 
 void AddedInertia::slow_down(std::size_t i, double factor, const TouchList::Load& load, Bodies& bodies) const {

@@ -38,7 +38,7 @@ class AddedInertia {
         Vector3 along = Vector3::Ones();  ///< Λ_n of forces along each body axis
     };
     static Mobility find_mobility(const Model& model, const Block& block);
-    double price_of(const ContactList& list, const ContactPair& pair) const;
+    double price_of(const ContactPair& pair) const;
     /// A block takes up inertia and keeps its momentum: its velocity falls by `factor`. What its energy ½ m v_{n−1/2}·(v_{n−1/2} + dt·a) at
     /// step n loses by that is booked. At its old velocity it would hit what it touches with several times the momentum it came with.
     void slow_down(std::size_t i, double factor, const TouchList::Load& load, Bodies& bodies) const;

@@ -63,8 +63,8 @@ struct FlatFollower {
     bool bounded = true;          ///< a face with edges; the ground has none
     Row half{};                   ///< half extents of the follower [m]
 
-    /// The two faces as one number.
-    std::uint8_t code() const { return TiltedFaces{static_cast<std::uint8_t>(axis), static_cast<std::uint8_t>(leader_axis), side}.code(); }
+    /// The two faces as one number above zero.
+    std::uint8_t code() const { return static_cast<std::uint8_t>(1 + 2 * (3 * axis + leader_axis) + (side < 0.0 ? 1 : 0)); }
 };
 
 /// A contact that has just ended gives up what its springs and dashpots held; `share` is the area it could act on [m²].

@@ -41,8 +41,7 @@ struct Simulation::Implementation {
     std::size_t end_of_loose = 0;  ///< from this block on all are held
     detail::TouchList touches;
     detail::AddedInertia added_inertia;    ///< of blocks in preparation
-    detail::SharedWork node_work;          ///< list.node_pairs
-    detail::SharedWork patch_work;         ///< the groups of patches
+    detail::SharedWork pair_work;          ///< list.pairs
     Vector3 base_force = Vector3::Zero();  ///< on the blocks, at step n [N]
     double base_work = 0.0;                ///< [J]
     std::uint64_t step = 0;

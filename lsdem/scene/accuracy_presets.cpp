@@ -6,8 +6,7 @@
 namespace musim::lsdem::scene {
 
 const AccuracyPreset& find_accuracy_preset(Accuracy accuracy) {
-    static constexpr std::array<AccuracyPreset, 3> kPresets{
-        {{.nodes_per_face = 20}, {.nodes_per_face = 40}, {.nodes_per_face = 440, .spacing = PatchSpacing::lobatto, .safety = 0.2}}};
+    static constexpr std::array<AccuracyPreset, 3> kPresets{{{.safety = 0.8}, {.safety = 0.4}, {.safety = 0.1}}};
     return kPresets[static_cast<std::size_t>(accuracy)];
 }
 

@@ -3,8 +3,6 @@
 #include <string>
 #include <vector>
 
-#include "lsdem/model.hpp"
-
 namespace musim::lsdem::scene {
 
 /// How exact a run should be, for scenes that do not want to choose every number.
@@ -12,9 +10,6 @@ enum class Accuracy { fast, standard, reference };
 
 /// What an accuracy stands for. Chosen from `musim bench accuracy`; docs/accuracy.md has the sweep and the errors.
 struct AccuracyPreset {
-    int nodes_per_face = 0;  ///< with an even lattice on faces from square to 1:5
-    FaceContact faces = FaceContact::patch;
-    PatchSpacing spacing = PatchSpacing::even;
     double safety = 0.8;  ///< time step over the critical one
 };
 

@@ -39,15 +39,16 @@ NodeLattice make_lattice(const Placement& block, int nodes_per_face) {
     return lattice;
 }
 
-Shape make_shape(const BoxShape& settings, const Placement& block) {
-    return make_box_shape(block.size, make_lattice(block, settings.nodes_per_face));
+/// Boxes that meet without nodes have them at their corners only.
+Shape make_shape(const BoxShape& settings, const Placement& block, bool has_contact_nodes) {
+    return make_box_shape(block.size, has_contact_nodes ? make_lattice(block, settings.nodes_per_face) : NodeLattice{2, 2, 2});
 }
 
-Shape make_shape(const GridShape& settings, const Placement& block) {
+Shape make_shape(const GridShape& settings, const Placement& block, bool /*has_contact_nodes*/) {
     return make_grid_box_shape(block.size, make_lattice(block, settings.nodes_per_face), settings.voxel.value());
 }
 
-Shape make_shape(const SphereShape& settings, const Placement& /*block*/) {
+Shape make_shape(const SphereShape& settings, const Placement& /*block*/, bool /*has_contact_nodes*/) {
     return make_sphere_shape(settings.radius.value(), static_cast<std::size_t>(settings.nodes), settings.voxel.value());
 }
 
@@ -95,8 +96,9 @@ class ModelBuilder {
         const std::array key{placement.size.x(), placement.size.y(), placement.size.z()};
         const auto [entry, is_new] = shapes_.try_emplace(key, model_.shapes.size());
         if (is_new) {
-            model_.shapes.push_back(std::visit([&](const auto& settings) { return make_shape(settings, placement); }, scene_.shape));
-            model_.shapes.back().patch_spacing = scene_.patch_spacing;
+            const bool has_nodes = scene_.has_contact_nodes();
+            model_.shapes.push_back(
+                std::visit([&](const auto& settings) { return make_shape(settings, placement, has_nodes); }, scene_.shape));
         }
         return entry->second;
     }

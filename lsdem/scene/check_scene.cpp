@@ -266,6 +266,11 @@ scaling::Length default_pitch(const Triple<scaling::Length>& block) {
     return block[1] * kPitchOverWidth;
 }
 
+bool Scene::has_contact_nodes() const {
+    const bool meet_by_overlap = face_contact == FaceContact::overlap && stiffness_sharing == StiffnessSharing::per_area;
+    return !meet_by_overlap || !std::holds_alternative<BoxShape>(shape);
+}
+
 bool RecordScale::operator==(const RecordScale& other) const {
     return law == other.law && set == other.set && factors.length == other.factors.length && factors.friction == other.factors.friction &&
            factors.gravity == other.factors.gravity && factors.density == other.factors.density;

@@ -61,8 +61,7 @@ BlockMaterial parse_material(const json& value, const JsonPlace& place) {
     return material;
 }
 
-/// `nodes_per_face` of boxes that do not give it.
-ShapeSettings parse_shape(const json& value, const JsonPlace& place, int nodes_per_face) {
+ShapeSettings parse_shape(const json& value, const JsonPlace& place) {
     const JsonObject object(value, place, "shape");
     const bool sphere = object.choice("kind", {"box", "sphere"}) == 1;
     if (sphere) {
@@ -72,7 +71,7 @@ ShapeSettings parse_shape(const json& value, const JsonPlace& place, int nodes_p
         object.read("nodes", shape.nodes);
         return shape;
     }
-    BoxShape box{nodes_per_face};
+    BoxShape box;
     object.read("nodes_per_face", box.nodes_per_face);
     const bool grid = object.has("level_set") && object.choice("level_set", {"box", "grid"}) == 1;
     if (!grid) return box;
@@ -373,10 +372,7 @@ void read_accuracy(const JsonObject& object, Scene& scene) {
     if (!object.has("accuracy")) return;
     scene.accuracy = static_cast<Accuracy>(object.choice("accuracy", accuracy_names()));
     const AccuracyPreset& preset = find_accuracy_preset(*scene.accuracy);
-    scene.face_contact = preset.faces;
-    scene.patch_spacing = preset.spacing;
     scene.time.safety = preset.safety;
-    scene.shape = BoxShape{preset.nodes_per_face};
 }
 
 void read_contact(const JsonObject& object, Scene& scene) {
@@ -389,9 +385,31 @@ void read_contact(const JsonObject& object, Scene& scene) {
         const bool per_contact = contact.choice("stiffness", {"per_area", "per_contact"}) == 1;
         scene.stiffness_sharing = per_contact ? StiffnessSharing::per_contact : StiffnessSharing::per_area;
     }
-    if (contact.has("faces")) scene.face_contact = static_cast<FaceContact>(contact.choice("faces", face_contact_names()));
-    if (contact.has("spacing")) {
-        scene.patch_spacing = contact.choice("spacing", {"even", "lobatto"}) == 1 ? PatchSpacing::lobatto : PatchSpacing::even;
+    // "patch" is what scenes of older versions say
+    if (contact.has("faces")) {
+        scene.face_contact = contact.choice("faces", {"overlap", "nodes", "patch"}) == 1 ? FaceContact::nodes : FaceContact::overlap;
+    }
+    if (contact.has("spacing")) contact.choice("spacing", {"even", "lobatto"});
+}
+
+/// Says which settings of contact nodes a scene gives without having any.
+void remark_idle_settings(const JsonObject& object, const JsonPlace& place, Scene& scene) {
+    const auto remark = [&](const JsonPlace& at, const char* why) {
+        scene.remarks.lines.push_back(fmt::format("{}: {}: {}", at.origin, at.path, why));
+    };
+    const bool has_nodes = scene.has_contact_nodes();
+    if (object.has("shape") && object.get("shape").contains("nodes_per_face") && !has_nodes) {
+        remark(place.at("shape").at("nodes_per_face"),
+               "boxes meet without nodes, so it changes nothing (it counts with \"contact\": {\"faces\": \"nodes\"})");
+    }
+    if (!object.has("contact")) return;
+    const json& contact = object.get("contact");
+    if (contact.contains("nodes") && scene.contact_nodes == ContactNodes::both && !has_nodes) {
+        remark(place.at("contact").at("nodes"),
+               "boxes meet without nodes, so \"both\" changes nothing (it counts with \"contact\": {\"faces\": \"nodes\"})");
+    }
+    if (contact.contains("spacing")) {
+        remark(place.at("contact").at("spacing"), "there are no patches with nodes any more, so it changes nothing; leave it out");
     }
 }
 
@@ -431,8 +449,7 @@ Scene parse_scene(std::string_view json_text, const std::filesystem::path& origi
         }
     }
     if (object.has("shape")) {
-        const int nodes = std::get<BoxShape>(scene.shape).nodes_per_face;
-        scene.shape = parse_shape(object.get("shape"), object.place("shape"), nodes);
+        scene.shape = parse_shape(object.get("shape"), object.place("shape"));
     }
     const bool needs_size = !std::holds_alternative<SphereShape>(scene.shape);
     scene.structure = parse_structure(object.get("structure"), object.place("structure"), origin, needs_size);
@@ -445,6 +462,7 @@ Scene parse_scene(std::string_view json_text, const std::filesystem::path& origi
         if (ground.has("friction")) scene.ground.friction = ground.number("friction");
     }
     read_contact(object, scene);
+    remark_idle_settings(object, place, scene);
     if (object.has("preparation")) {
         scene.preparation = parse_preparation(JsonObject(object.get("preparation"), object.place("preparation"), "preparation"), origin);
     }

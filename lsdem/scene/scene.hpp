@@ -245,6 +245,12 @@ struct OutputSettings {
 /// How a scene names the ways in which boxes meet, in the order of FaceContact.
 const std::vector<std::string>& face_contact_names();
 
+/// What a reader should know about the text of a scene, a line each; no part of what the scene is.
+struct Remarks {
+    std::vector<std::string> lines;
+    bool operator==(const Remarks& /*other*/) const { return true; }
+};
+
 /// Everything a simulation needs. Complete and consistent when it comes from read_scene, parse_scene or scale_scene.
 struct Scene {
     std::string name;
@@ -259,12 +265,14 @@ struct Scene {
     std::optional<Preparation> preparation;  ///< default: none, unless blocks differ in height
     ContactNodes contact_nodes = ContactNodes::leader;
     StiffnessSharing stiffness_sharing = StiffnessSharing::per_area;
-    FaceContact face_contact = FaceContact::patch;
-    PatchSpacing patch_spacing = PatchSpacing::even;  ///< of FaceContact::patch
-    std::optional<Accuracy> accuracy;                 ///< what the scene asked for; its consequences stand in the other settings
+    FaceContact face_contact = FaceContact::overlap;
+    std::optional<Accuracy> accuracy;  ///< what the scene asked for; its consequences stand in the other settings
     TimeSettings time;
     OutputSettings output;
+    Remarks remarks;
 
+    /// Is there a contact by surface nodes: of spheres, grids, or boxes that ask for it?
+    bool has_contact_nodes() const;
     bool operator==(const Scene&) const = default;
 };
 

@@ -6,7 +6,7 @@
 namespace musim::lsdem::scene {
 
 const std::vector<std::string>& face_contact_names() {
-    static const std::vector<std::string> kNames{"patch", "nodes", "overlap"};
+    static const std::vector<std::string> kNames{"overlap", "nodes"};
     return kNames;
 }
 
@@ -36,10 +36,12 @@ ordered_json to_json(const BlockMaterial& material) {
             {"shear_damping_ratio", material.shear_damping_ratio}};
 }
 
-ordered_json to_json(const ShapeSettings& shape) {
+ordered_json to_json(const ShapeSettings& shape, bool has_contact_nodes) {
     return std::visit(
-        Overloaded{[](const BoxShape& s) -> ordered_json {
-                       return {{"kind", "box"}, {"level_set", "box"}, {"nodes_per_face", s.nodes_per_face}};
+        Overloaded{[&](const BoxShape& s) -> ordered_json {
+                       ordered_json box{{"kind", "box"}, {"level_set", "box"}};
+                       if (has_contact_nodes) box["nodes_per_face"] = s.nodes_per_face;
+                       return box;
                    },
                    [](const GridShape& s) -> ordered_json {
                        return {{"kind", "box"}, {"level_set", "grid"}, {"nodes_per_face", s.nodes_per_face}, {"voxel", s.voxel.value()}};
@@ -204,15 +206,14 @@ std::string write_scene(const Scene& scene) {
                       {"gravity", to_json(scene.gravity)},
                       {"material", to_json(scene.material)},
                       {"materials", materials},
-                      {"shape", to_json(scene.shape)},
+                      {"shape", to_json(scene.shape, scene.has_contact_nodes())},
                       {"structure", to_json(scene.structure, with_size)},
                       {scene.motions.empty() ? "base_motion" : "motions", scene.motions.empty() ? to_json(scene.base_motion) : motions},
                       {"ground", ground},
                       {"contact",
                        {{"nodes", scene.contact_nodes == ContactNodes::leader ? "leader" : "both"},
                         {"stiffness", scene.stiffness_sharing == StiffnessSharing::per_area ? "per_area" : "per_contact"},
-                        {"faces", face_contact_names().at(static_cast<std::size_t>(scene.face_contact))},
-                        {"spacing", scene.patch_spacing == PatchSpacing::even ? "even" : "lobatto"}}},
+                        {"faces", face_contact_names().at(static_cast<std::size_t>(scene.face_contact))}}},
                       {"time", to_json(scene.time, !scene.motions.empty())},
                       {"output", output}};
     if (scene.preparation) {

@@ -22,7 +22,7 @@ constexpr double kMark = 4.2;
 /// Least error that is told apart [-].
 constexpr double kFloor = 1e-10;
 
-enum class Mark { circle, ring, square, diamond, triangle, cross, star };
+enum class Mark { square, diamond, triangle, cross, star };
 
 /// How a family looks: Okabe and Ito's colours, and marks that stay apart without colour.
 struct Style {
@@ -30,9 +30,7 @@ struct Style {
     const char* color;
     Mark mark;
 };
-constexpr std::array<Style, 8> kStyles{{{"step", "time step", "#0072B2", Mark::triangle},
-                                        {"patch", "patch, even nodes", "#56B4E9", Mark::ring},
-                                        {"refined", "patch, edge-refined", "#009E73", Mark::circle},
+constexpr std::array<Style, 6> kStyles{{{"step", "time step", "#0072B2", Mark::triangle},
                                         {"nodes", "leader's nodes", "#D55E00", Mark::square},
                                         {"two-sided", "nodes of both", "#E69F00", Mark::diamond},
                                         {"grid", "grid level set", "#999999", Mark::cross},
@@ -78,12 +76,6 @@ void draw_mark(std::string& svg, double x, double y, const Style& style) {
                        filled ? style.color : "none");
     };
     switch (style.mark) {
-        case Mark::circle:
-        case Mark::ring:
-            fmt::format_to(std::back_inserter(svg),
-                           "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\" stroke=\"{}\" fill=\"{}\" stroke-width=\"1.6\"/>\n", x, y,
-                           r - 0.4, style.color, style.mark == Mark::circle ? style.color : "none");
-            break;
         case Mark::square:
             path(fmt::format("M{:.1f} {:.1f}h{:.1f}v{:.1f}h{:.1f}z", x - r + 0.6, y - r + 0.6, 2 * r - 1.2, 2 * r - 1.2, 1.2 - 2 * r),
                  false);

@@ -16,10 +16,7 @@ Shape make_shape(const AccuracySetting& setting, const Vector3& size, const Vect
     };
     const NodeLattice lattice{count(base.nx, size.x(), whole.x()), count(base.ny, size.y(), whole.y()),
                               count(base.nz, size.z(), whole.z())};
-    Shape shape =
-        setting.voxel > 0.0 ? make_grid_box_shape(size, lattice, setting.voxel * whole.minCoeff()) : make_box_shape(size, lattice);
-    shape.patch_spacing = setting.spacing;
-    return shape;
+    return setting.voxel > 0.0 ? make_grid_box_shape(size, lattice, setting.voxel * whole.minCoeff()) : make_box_shape(size, lattice);
 }
 
 void apply(const AccuracySetting& setting, Model& model) {

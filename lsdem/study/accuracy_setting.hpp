@@ -11,11 +11,10 @@ namespace musim::lsdem::study {
 /// What a user can trade for run time.
 struct AccuracySetting {
     double safety = 0.8;  ///< time step over the critical one
-    int nodes_per_face = 44;
-    FaceContact faces = FaceContact::patch;
-    PatchSpacing spacing = PatchSpacing::even;
-    ContactNodes sides = ContactNodes::leader;
-    double voxel = 0.0;  ///< spacing of a grid level set over the thin side of the block; 0: box in closed form [-]
+    FaceContact faces = FaceContact::overlap;
+    int nodes_per_face = 44;                    ///< of FaceContact::nodes and grids
+    ContactNodes sides = ContactNodes::leader;  ///< likewise
+    double voxel = 0.0;                         ///< spacing of a grid level set over the thin side of the block; 0: box in closed form [-]
 
     bool operator==(const AccuracySetting&) const = default;
 };

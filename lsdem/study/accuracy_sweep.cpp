@@ -35,13 +35,11 @@ std::vector<AccuracyRow> make_rows(bool quick) {
         setting.safety = safety;
         rows.push_back(make_row("step", fmt::format("{}", safety), setting));
     };
-    const auto add_nodes = [&](const std::string& family, const Counts& counts, FaceContact faces, PatchSpacing spacing,
-                               ContactNodes sides) {
+    const auto add_nodes = [&](const std::string& family, const Counts& counts, ContactNodes sides) {
         for (const int nodes : counts) {
             AccuracySetting setting = standard;
+            setting.faces = FaceContact::nodes;
             setting.nodes_per_face = nodes;
-            setting.faces = faces;
-            setting.spacing = spacing;
             setting.sides = sides;
             rows.push_back(make_row(family, fmt::format("{}", nodes), setting));
         }
@@ -52,12 +50,8 @@ std::vector<AccuracyRow> make_rows(bool quick) {
         rows.push_back(make_row("grid", fmt::format("b/{:g}", 1.0 / voxel), setting));
     };
     for (const double safety : quick ? std::vector{0.8, 0.4} : std::vector{0.8, 0.4, 0.2, 0.1}) add_step(safety);
-    const Counts all = quick ? Counts{12, 44} : Counts{4, 12, 24, 44, 176, 440, 1760};
-    const Counts few = quick ? Counts{12, 44} : Counts{4, 12, 24, 44, 176, 440};
-    add_nodes("patch", all, FaceContact::patch, PatchSpacing::even, ContactNodes::leader);
-    add_nodes("refined", all, FaceContact::patch, PatchSpacing::lobatto, ContactNodes::leader);
-    add_nodes("nodes", few, FaceContact::nodes, PatchSpacing::even, ContactNodes::leader);
-    add_nodes("two-sided", quick ? Counts{44} : Counts{12, 44, 176}, FaceContact::nodes, PatchSpacing::even, ContactNodes::both);
+    add_nodes("nodes", quick ? Counts{12, 44} : Counts{4, 12, 24, 44, 176, 440}, ContactNodes::leader);
+    add_nodes("two-sided", quick ? Counts{44} : Counts{12, 44, 176}, ContactNodes::both);
     for (const double voxel : quick ? std::vector{0.05} : std::vector{0.1, 0.05, 0.025}) add_grid(voxel);
     for (const auto accuracy : {scene::Accuracy::fast, scene::Accuracy::standard, scene::Accuracy::reference}) {
         const scene::AccuracyPreset& preset = scene::find_accuracy_preset(accuracy);
@@ -83,10 +77,8 @@ std::size_t find_first(const std::vector<AccuracyRow>& rows, std::size_t row) {
     return static_cast<std::size_t>(std::find_if(rows.begin(), rows.end(), same) - rows.begin());
 }
 
-/// The converged run of the tower: nodes and steps far beyond the finest preset.
-AccuracySetting make_tower_reference(bool quick) {
-    return {.safety = quick ? 0.8 : 0.4, .nodes_per_face = quick ? 176 : 1760, .spacing = PatchSpacing::lobatto};
-}
+/// The converged run of the tower: steps far shorter than those of the finest preset.
+AccuracySetting make_tower_reference(bool quick) { return {.safety = quick ? 0.2 : 0.025}; }
 
 /// The two panels of the tower: its motion before chaos sets in, and its peak velocity over the whole window.
 class TowerPanels {
@@ -133,9 +125,7 @@ class TowerPanels {
 
 }  // namespace
 
-AccuracySetting to_setting(const scene::AccuracyPreset& preset) {
-    return {.safety = preset.safety, .nodes_per_face = preset.nodes_per_face, .faces = preset.faces, .spacing = preset.spacing};
-}
+AccuracySetting to_setting(const scene::AccuracyPreset& preset) { return {.safety = preset.safety}; }
 
 void mark_pareto(AccuracyPanel& panel) {
     const auto counts = [](const AccuracyRow& row) { return std::isfinite(row.outcome.error) && row.family != "shadow"; };
@@ -180,15 +170,15 @@ AccuracySweep sweep_accuracy(const SweepOptions& options) {
 }
 
 std::string make_accuracy_csv(const AccuracySweep& sweep) {
-    std::string csv = "case,family,label,step,nodes,spacing,faces,sides,voxel,error,us_per_block_step,steps,block_steps,seconds,pareto\n";
+    std::string csv = "case,family,label,step,nodes,faces,sides,voxel,error,us_per_block_step,steps,block_steps,seconds,pareto\n";
     for (const AccuracyPanel& panel : sweep.panels) {
         for (const AccuracyRow& row : panel.rows) {
             const AccuracySetting& s = row.setting;
             const AccuracyOutcome& o = row.outcome;
-            const bool patch = s.faces == FaceContact::patch && s.voxel == 0.0;
-            fmt::format_to(std::back_inserter(csv), "{},{},{},{},{},{},{},{},{},{},{:.4g},{},{},{:.4g},{}\n", row.name, row.family,
-                           row.label, s.safety, s.nodes_per_face, patch && s.spacing == PatchSpacing::lobatto ? "lobatto" : "even",
-                           patch ? "patch" : "nodes", s.sides == ContactNodes::leader ? "leader" : "both", s.voxel, o.error,
+            const bool by_nodes = s.faces == FaceContact::nodes || s.voxel > 0.0;
+            fmt::format_to(std::back_inserter(csv), "{},{},{},{},{},{},{},{},{},{:.4g},{},{},{:.4g},{}\n", row.name, row.family, row.label,
+                           s.safety, by_nodes ? s.nodes_per_face : 0, by_nodes ? "nodes" : "overlap",
+                           s.sides == ContactNodes::leader ? "leader" : "both", s.voxel, o.error,
                            o.block_steps > 0 ? 1e6 * o.seconds / static_cast<double>(o.block_steps) : 0.0, o.steps, o.block_steps,
                            o.seconds, row.pareto ? 1 : 0);
         }

@@ -14,7 +14,7 @@ namespace musim::lsdem::study {
 /// One setting tried on one problem.
 struct AccuracyRow {
     std::string name;    ///< of the problem
-    std::string family;  ///< which knob was turned: step, patch, refined, nodes, two-sided, grid, preset, or shadow
+    std::string family;  ///< which knob was turned: step, nodes, two-sided, grid, preset, or shadow
     std::string label;   ///< of the setting within its family, "0.4", "44", "fast"
     AccuracySetting setting;
     AccuracyOutcome outcome;
@@ -42,8 +42,8 @@ struct AccuracySweep {
     std::vector<AccuracyPanel> panels;
 };
 
-/// Runs every closed-form case and the mini-tower with every setting: time step, node density (even and edge-refined patches, nodes of the
-/// leader, of both blocks), grid level sets, and the presets. Run times are processor time of the stepping thread; runs shorter than 20 ms
+/// Runs every closed-form case and the mini-tower with every setting: time step, contact by nodes (of the leader, of both blocks), grid
+/// level sets, and the presets. Run times are processor time of the stepping thread; runs shorter than 20 ms
 /// are repeated twice and the shortest time is kept. Throws what MiniTower does.
 AccuracySweep sweep_accuracy(const SweepOptions& options = {});
 
@@ -54,7 +54,7 @@ void mark_pareto(AccuracyPanel& panel);
 /// The settings a preset stands for.
 AccuracySetting to_setting(const scene::AccuracyPreset& preset);
 
-/// One line per row: case, family, label, step, nodes, spacing, faces, sides, voxel, error, us_per_block_step, steps, block_steps, seconds,
+/// One line per row: case, family, label, step, nodes, faces, sides, voxel, error, us_per_block_step, steps, block_steps, seconds,
 /// pareto. Numbers are the shortest text that reads back the same; `inf` is a run that did not get there.
 std::string make_accuracy_csv(const AccuracySweep& sweep);
 

@@ -117,7 +117,6 @@ Specimen make_specimen(int courses, const AccuracySetting& setting) {
         wall.shape = scene::GridShape{setting.nodes_per_face, setting.voxel * thin};
     }
     scene::BuiltModel built = scene::build_model(wall);
-    for (Shape& shape : built.model.shapes) shape.patch_spacing = setting.spacing;
     apply(setting, built.model);
     let_settle(built.model, built.structure.layer);
     return {std::move(built.model), {}, std::move(built.structure.layer), {}};

@@ -23,14 +23,12 @@ static void exchange(Archive& archive, Energy& e) {
 static void exchange(Archive& archive, Kinematics& k) { archive(k.time, k.position, k.orientation, k.velocity, k.angular_velocity); }
 
 static void exchange(Archive& archive, Statistics& s) {
-    archive(s.steps, s.skipped, s.pairs, s.apart, s.contact_nodes, s.rebuilds, s.max_overlap_over_height);
+    archive(s.steps, s.skipped, s.pairs, s.apart, s.contacts, s.contact_nodes, s.rebuilds, s.max_overlap_over_height);
 }
 
 static void exchange(Archive& archive, Release& r) { archive(r.block, r.position, r.orientation, r.velocity); }
 
-static void exchange(Archive& archive, Preload& p) {
-    archive(p.leader, p.follower, p.energy, p.friction, p.count_p, p.count_q, p.traction_u, p.traction_v, p.faces, p.couple);
-}
+static void exchange(Archive& archive, Preload& p) { archive(p.leader, p.follower, p.friction, p.couple); }
 
 static void exchange(Archive& archive, BaseState& b) { archive(b.displacement, b.velocity, b.acceleration); }
 

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "lsdem/block_height.hpp"
-#include "lsdem/patches.hpp"
 #include "lsdem/scene/resting_pose.hpp"
 #include "lsdem/study/fallen_blocks.hpp"
 
@@ -41,9 +40,10 @@ std::vector<std::pair<std::size_t, std::size_t>> find_layers(const Specimen& spe
     return layers;
 }
 
-/// Room that a block is given where it is put, so that no contact begins before it is met: the faces of boxes meet in a rectangle whose
-/// corners may lie deeper than those of the true overlap by half a diagonal times kMaxPatchTwist.
-double find_clearance(const Vector3& size) { return 0.5 * std::hypot(size.x(), size.y()) * kMaxPatchTwist; }
+/// Room that a block is given where it is put, as a part of half its diagonal [-].
+constexpr double kClearance = 1e-3;
+
+double find_clearance(const Vector3& size) { return 0.5 * std::hypot(size.x(), size.y()) * kClearance; }
 
 /// Where the blocks of a simulation are, and what they hold.
 PreparedPlaces find_places(const Simulation& simulation) {
@@ -154,7 +154,6 @@ class Preparation {
 
     void begin_round() {
         if (in_layers() && state_.round > 0) add_layer(state_.round);
-        if (state_.round > layer_rounds()) simulation_.renew_neighbors();
         const double last_damping = adds_inertia() ? settings_.last_damping_with_added_inertia : settings_.last_damping;
         if (is_last()) simulation_.set_velocity_damping(last_damping * settings_.settling.damping_rate);
     }

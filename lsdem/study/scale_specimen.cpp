@@ -65,9 +65,7 @@ class Scaler {
     }
 
     void scale_parts(Preload& preload) const {
-        scale<scaling::Energy>(preload.energy);
         scale<scaling::Force>(preload.friction);
-        scale<scaling::Stress>(preload.traction_u, preload.traction_v);
         scale<scaling::Moment>(preload.couple);
     }
 

@@ -12,13 +12,12 @@
 #include "lsdem/study/detail/hdf5_file.hpp"
 #include "lsdem/study/detail/hdf5_reader.hpp"
 #include "lsdem/study/read_results.hpp"
-#include "lsdem/tilted.hpp"
 #include "records/atomic_file.hpp"
 
 namespace musim::lsdem::study {
 namespace {
 
-constexpr std::string_view kFormat = "musim-specimen/4";
+constexpr std::string_view kFormat = "musim-specimen/5";
 
 /// Edge lengths that differ by less than this part are the same, written at another scale.
 constexpr double kSameLength = 1e-9;
@@ -31,23 +30,9 @@ constexpr long long kGround = -1;
 
 double weight_of(const Model& model, std::size_t index) { return model.blocks[index].mass * model.gravity.norm(); }
 
-/// The traction of a face that bears the weight of this block along itself [Pa].
-double traction_of_weight(const Model& model, std::size_t index) {
-    return weight_of(model, index) / model.shapes[model.blocks[index].shape].face_area;
-}
-
 /// The couple of the weight of this block at the end of its height [N·m].
 double couple_of_weight(const Model& model, std::size_t index) {
     return weight_of(model, index) * 2.0 * half_extents(model, model.blocks[index]).z();
-}
-
-/// What a whole face holds that bears the weight of this block [J]: (m g)²/(2 K_n A).
-double energy_of_weight(const Model& model, std::size_t index) {
-    const Block& block = model.blocks[index];
-    const Shape& shape = model.shapes[block.shape];
-    const Material& material = model.materials[block.material];
-    const double weight = weight_of(model, index);
-    return weight * weight / (2.0 * material.normal_stiffness * shape.face_area);
 }
 
 std::vector<double> flatten(const std::vector<Vector3>& vectors) {
@@ -69,54 +54,28 @@ void require_specimen(const detail::Hdf5Reader& reader, const std::filesystem::p
     refuse(file, "not a specimen (musim specimen makes them); name another file");
 }
 
-/// What the contacts of a specimen hold, at the weights and stiffnesses of `model`.
+/// What friction of the contacts of a specimen holds, at the weights of `model`.
 std::vector<Preload> read_preloads(const detail::Hdf5Reader& reader, const std::filesystem::path& file, const Model& model) {
     const auto leader = reader.integers("/contacts/leader", 1), follower = reader.integers("/contacts/follower", 1);
-    const auto nodes = reader.integers("/contacts/nodes", 2), faces = reader.integers("/contacts/faces", 1);
-    const auto squared_load = reader.doubles("/contacts/squared_load", 1);
     const auto friction = reader.doubles("/contacts/friction_over_block_weight", 2);
     const auto couple = reader.doubles("/contacts/couple_over_block_weight_and_height", 1);
-    const auto node_friction = reader.doubles("/contacts/node_friction", 2);
     const auto known = [&](long long block) { return block >= 0 && block < static_cast<long long>(model.blocks.size()); };
-    const std::size_t contacts = squared_load.values.size();
-    if (leader.values.size() != contacts || follower.values.size() != contacts || nodes.values.size() != 2 * contacts ||
-        faces.values.size() != contacts || friction.values.size() != 3 * contacts || couple.values.size() != contacts) {
+    const std::size_t contacts = leader.values.size();
+    if (follower.values.size() != contacts || friction.values.size() != 3 * contacts || couple.values.size() != contacts) {
         refuse(file, "the lists of its contacts differ in length (a damaged file); prepare it again");
     }
     std::vector<Preload> preloads(contacts);
-    std::size_t node = 0;
     for (std::size_t i = 0; i < contacts; ++i) {
         const long long below = leader.values[i], above = follower.values[i];
-        const long long along_p = nodes.values[2 * i], along_q = nodes.values[2 * i + 1];
         if (!known(below) || !(known(above) || above == kGround)) {
             refuse(file, fmt::format("contact {} names a block that is not there (a damaged file); prepare it again", i));
-        }
-        if (!(std::isfinite(squared_load.values[i]) && squared_load.values[i] >= 0.0)) {
-            refuse(file,
-                   fmt::format("contact {} bears {:.6g} squared weights (a damaged file); prepare it again", i, squared_load.values[i]));
-        }
-        if (faces.values[i] < 0 || faces.values[i] > TiltedFaces::kCodes) {
-            refuse(file, fmt::format("contact {} names faces that no box has (a damaged file); prepare it again", i));
-        }
-        const auto left = static_cast<long long>(node_friction.values.size() / 2 - node);
-        if (along_p < 0 || along_q < 0 || (along_q > 0 && along_p > left / along_q)) {
-            refuse(file, fmt::format("contact {} has {} x {} nodes where {} are left (a damaged file); prepare it again", i, along_p,
-                                     along_q, left));
         }
         Preload& preload = preloads[i];
         preload.leader = static_cast<std::size_t>(below);
         if (above != kGround) preload.follower = static_cast<std::size_t>(above);
-        preload.energy = squared_load.values[i] * energy_of_weight(model, preload.leader);
         preload.friction = weight_of(model, preload.leader) * Eigen::Map<const Vector3>(&friction.values[3 * i]);
-        preload.count_p = static_cast<std::size_t>(along_p), preload.count_q = static_cast<std::size_t>(along_q);
-        preload.faces = static_cast<std::uint8_t>(faces.values[i]);
         preload.couple = couple.values[i] * couple_of_weight(model, preload.leader);
-        const double unit = traction_of_weight(model, preload.leader);
-        for (long long k = 0; k < along_p * along_q; ++k, ++node) {
-            preload.traction_u.push_back(unit * node_friction.values[2 * node]);
-            preload.traction_v.push_back(unit * node_friction.values[2 * node + 1]);
-        }
-        if (!preload.is_sound()) {
+        if (!preload.is_finite()) {
             refuse(file, fmt::format("the friction of contact {} is damaged (a number is missing or not finite); prepare it again", i));
         }
     }
@@ -163,22 +122,13 @@ void write_specimen(const std::filesystem::path& file, const PreparedSpecimen& p
     const hsize_t n = model.blocks.size();
     const std::vector<long long> layer(prepared.specimen.layer.begin(), prepared.specimen.layer.end());
     std::vector<long long> leader, follower;
-    std::vector<double> squared_load;
     std::vector<Vector3> friction;
-    std::vector<long long> nodes, faces;
-    std::vector<double> couple, node_friction;
+    std::vector<double> couple;
     for (const Preload& contact : model.preload) {
         leader.push_back(static_cast<long long>(contact.leader));
         follower.push_back(contact.follower ? static_cast<long long>(*contact.follower) : kGround);
-        squared_load.push_back(contact.energy / energy_of_weight(model, contact.leader));
         friction.emplace_back(contact.friction / weight_of(model, contact.leader));
         couple.push_back(contact.couple / couple_of_weight(model, contact.leader));
-        faces.push_back(contact.faces);
-        nodes.insert(nodes.end(), {static_cast<long long>(contact.count_p), static_cast<long long>(contact.count_q)});
-        const double unit = traction_of_weight(model, contact.leader);
-        for (std::size_t i = 0; i < contact.traction_u.size(); ++i) {
-            node_friction.insert(node_friction.end(), {contact.traction_u[i] / unit, contact.traction_v[i] / unit});
-        }
     }
     detail::Hdf5File out;
     out.write("/blocks/size", {n, 3}, flatten(size).data(), "m");
@@ -190,12 +140,8 @@ void write_specimen(const std::filesystem::path& file, const PreparedSpecimen& p
     out.write("/contacts/normal_force_over_block_weight", {prepared.force.size()}, prepared.force.data(), "1");
     out.write("/contacts/leader", {leader.size()}, leader.data(), "1");
     out.write("/contacts/follower", {follower.size()}, follower.data(), "1");
-    out.write("/contacts/squared_load", {squared_load.size()}, squared_load.data(), "1");
     out.write("/contacts/friction_over_block_weight", {friction.size(), 3}, flatten(friction).data(), "1");
     out.write("/contacts/couple_over_block_weight_and_height", {couple.size()}, couple.data(), "1");
-    out.write("/contacts/faces", {faces.size()}, faces.data(), "1");
-    out.write("/contacts/nodes", {nodes.size() / 2, 2}, nodes.data(), "1");
-    out.write("/contacts/node_friction", {node_friction.size() / 2, 2}, node_friction.data(), "1");
     out.write_attribute("format", std::string(kFormat));
     out.write_attribute("inputs", inputs);
     out.write_attribute("program_version", version);

@@ -24,6 +24,7 @@ nlohmann::json make_summary(const RunResult& run) {
                            {"critical_dt_s", nullptr},
                            {"duration_s", run.final.time},
                            {"wall_s", run.wall_time},
+                           {"contacts", run.statistics.contacts},
                            {"contact_nodes", run.statistics.contact_nodes},
                            {"state_hash", run.state_hash},
                            {"energy_closure", run.energy_closure},
