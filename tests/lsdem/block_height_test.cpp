@@ -127,7 +127,7 @@ void check_same(const Twins& twins, std::uint64_t steps, double least_motion) {
     CHECK(result.losses < 1e-8);
 }
 
-/// Faces that meet in patches, and by the nodes of one or of both blocks.
+/// Boxes that meet by their overlap, and by the nodes of one or of both blocks.
 template <class Check>
 void for_all_contacts(Twins twins, const Check& check) {
     check(twins);
@@ -176,7 +176,7 @@ TEST_CASE("a shaken column of offset blocks moves as one of blocks with shapes o
 }
 
 TEST_CASE("an offset block strikes the side of its neighbor as one with a shape of its own") {
-    // side faces meet: their heights bound the patch, and cells of nodes stretch along them
+    // side faces meet: their heights bound the contact, and cells of nodes stretch along them
     for_all_contacts(make_twins(wood(), collide(wood(), 0.03, -0.02)), [](const Twins& t) { check_same(t, 3000, 1e-2); });
 }
 
@@ -226,42 +226,20 @@ TEST_CASE("one grid level set serves blocks of all heights") {
     check_same(make_twins(stone, collide(stone, -part, 2.0 * part), voxel), 3000, 1e-2);
 }
 
-TEST_CASE("patches of blocks that differ in height only are of one kind and fill their groups") {
+TEST_CASE("the dashpots of a contact go with the root of the masses that meet in it") {
     const Stone stone = wood();
-    // four pairs of blocks, each with heights of its own
-    std::vector<Place> uneven, even;
-    for (int i = 0; i < 4; ++i) {
-        const double x = 2.0 * i * stone.size.x();
-        for (const Place& place : stack(stone, {0.01 * i - 0.015, 0.02 - 0.007 * i}, x)) uneven.push_back(place);
-        for (const Place& place : stack(stone, {0.0, 0.0}, x)) even.push_back(place);
-    }
-    const Twins twins = make_twins(stone, uneven);
-    const PatchList same = find_contacts(make_twins(stone, even).offset).patches, offset = find_contacts(twins.offset).patches,
-                    own = find_contacts(twins.own).patches;
-    // on the ground and on each other
-    CHECK(same.kinds.size() == 2);
-    CHECK(offset.kinds.size() == 2);
-    REQUIRE(offset.groups.size() == 2);
-    for (const PatchGroup& group : offset.groups) CHECK(group.count == PatchGroup::kSize);
-    CHECK(own.kinds.size() == 8);
-    // what the heights change is told lane by lane; nothing where there are none
-    for (const PatchGroup& group : offset.groups)
-        for (std::size_t lane = 0; lane < group.count; ++lane)
-            CHECK(group.leader_offset[lane] == twins.offset.blocks[group.leader[lane]].height_offset);
-    for (const PatchGroup& group : same.groups)
-        for (std::size_t lane = 0; lane < group.count; ++lane) CHECK(group.damping[lane] == 1.0);
-}
-
-TEST_CASE("the dashpots of a patch go with the root of the masses that meet in it") {
-    const Stone stone = wood();
-    const ContactList list = find_contacts(make_twins(stone, stack(stone, {0.03, -0.02})).offset);
-    for (const PatchGroup& group : list.patches.groups) {
-        const bool on_ground = group.follower[0] == kGround;
-        // 1.03 m on the ground; 1.03·0.98/(1.03 + 0.98) m against m/2
-        const double expected = on_ground ? std::sqrt(1.03) : std::sqrt(2.0 * 1.03 * 0.98 / 2.01);
-        CHECK(group.damping[0] == relative(expected, 1e-14));
-    }
-    CHECK(list.patches.groups.size() == 2);
+    const auto find_damping = [&](double below, double above) {
+        std::vector<double> dampings;
+        for (const ContactPair& pair : find_contacts(make_twins(stone, stack(stone, {below, above})).offset).pairs)
+            dampings.push_back(pair.law.normal_damping);
+        return dampings;
+    };
+    const std::vector<double> uneven = find_damping(0.03, -0.02), even = find_damping(0.0, 0.0);
+    REQUIRE(uneven.size() == 2);
+    REQUIRE(even.size() == 2);
+    // 1.03·0.98/(1.03 + 0.98) m against m/2; on the ground 1.03 m
+    CHECK(uneven[0] == relative(even[0] * std::sqrt(2.0 * 1.03 * 0.98 / 2.01), 1e-14));
+    CHECK(uneven[1] == relative(even[1] * std::sqrt(1.03), 1e-14));
 }
 
 TEST_CASE("masses at the height of the shape are one number for blocks that differ in height only") {

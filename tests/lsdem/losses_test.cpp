@@ -48,9 +48,10 @@ TEST_CASE("losses sum up to the ledger's, keep what has left the list and are th
         for (int look = 0; look < 3; ++look) {
             s.advance(30);
             const Losses now = s.losses();
-            // friction only ever dissipates, so no entry falls when the list is made anew
-            for (std::size_t i = 0; i < now.block.size(); ++i) REQUIRE(now.block[i].friction >= before.block[i].friction);
-            REQUIRE(now.ground.friction >= before.ground.friction);
+            // friction dissipates, so no entry falls when the list is made anew, but for what turning in a step is off by
+            const double off = 1e-9 * now.total().friction;
+            for (std::size_t i = 0; i < now.block.size(); ++i) REQUIRE(now.block[i].friction > before.block[i].friction - off);
+            REQUIRE(now.ground.friction > before.ground.friction - off);
             before = now;
         }
         REQUIRE(s.statistics().rebuilds > 1);

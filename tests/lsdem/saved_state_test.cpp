@@ -218,7 +218,7 @@ TEST_CASE("a state of another model is refused, down to the last bit of any numb
         [&](Model& m) { m.skip_apart = !m.skip_apart; },
         [&](Model& m) { m.velocity_damping = 1e-300; },
         [&](Model& m) { up(m.shapes[1].nodes.half_z.back()); },
-        [&](Model& m) { m.shapes[0].patch_spacing = PatchSpacing::lobatto; },
+        [&](Model& m) { up(m.shapes[0].node_spacing.x()); },
         [&](Model& m) { m.shapes[0] = make_grid_box_shape(wood().size, make_node_lattice(wood().size, 44), 0.002); },
     };
     for (std::size_t i = 0; i < std::size(changes); ++i) {
@@ -249,7 +249,7 @@ TEST_CASE("a state that is cut off or has one byte changed is refused in words")
 // sanitizer this also shows that none is believed.
 TEST_CASE("contents that contradict themselves are refused, whatever their checksum says") {
     Model model = make_running_bond(wood(), 1, 2, 2);
-    for (const FaceContact faces : {FaceContact::patch, FaceContact::nodes}) {
+    for (const FaceContact faces : {FaceContact::overlap, FaceContact::nodes}) {
         model.face_contact = faces;
         Simulation s(model, 0.5 * compute_critical_time_step(model));
         s.advance(50);

@@ -69,11 +69,18 @@ TEST_CASE("a column at rest carries its weight and stays where it is") {
     s.advance(5000);
     // rounding of heights of 0.4 m against an overlap of 3e-8 m
     CHECK(s.base_reaction().z() == relative(10.0 * wood().weight(), 1e-6));
+    // along the edges of a face points are nearer to the sides, which leaves K (S d − P d²/2), P its perimeter, for K S d; on the ground
+    // half of that is missing. Let go at d, an interface swings to twice what it is short of.
+    const double edges = (wood().size.x() + wood().size.y()) / wood().face_area();
+    double short_of = 0.0;
     for (std::size_t i = 0; i < 10; ++i) {
-        CHECK((s.position(i) - model.blocks[i].position).norm() < 1e-13);
+        const double depth = static_cast<double>(10 - i) * wood().weight() / wood().normal_stiffness;
+        short_of += (i == 0 ? 0.5 : 1.0) * edges * depth * depth;
+        CHECK((s.position(i) - model.blocks[i].position).norm() < 1e-13 + 2.0 * short_of);
         CHECK(s.contact_force(i).z() == relative(wood().weight(), 1e-4));
     }
-    CHECK(s.statistics().contact_nodes == 440);
+    CHECK(s.statistics().contacts == 10);
+    CHECK(s.statistics().contact_nodes == 0);
     CHECK(s.statistics().pairs == 10);
     CHECK(s.statistics().steps == 5000);
     CHECK(s.time() == relative(5000 * s.time_step(), 1e-9));

@@ -34,9 +34,9 @@ void check_same_bits(Model model, int looks, std::uint64_t steps_between) {
         CHECK(a.elastic_normal == b.elastic_normal);
         const Statistics statistics = skipping.statistics();
         most_apart = std::max(most_apart, statistics.apart);
-        most_touching = std::max(most_touching, statistics.contact_nodes);
+        most_touching = std::max(most_touching, statistics.contacts);
         CHECK(looking.statistics().apart == 0);
-        CHECK(statistics.contact_nodes == looking.statistics().contact_nodes);
+        CHECK(statistics.contacts == looking.statistics().contacts);
         CHECK(statistics.max_overlap_over_height == looking.statistics().max_overlap_over_height);
     }
     // both have happened

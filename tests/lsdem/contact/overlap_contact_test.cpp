@@ -77,13 +77,8 @@ double mean_distance(double a, double b) {
     return (d + a * a / (2.0 * b) * std::log((b + d) / a) + b * b / (2.0 * a) * std::log((a + d) / b)) / 6.0;
 }
 
-Model meeting_by_overlap(Model model) {
-    model.face_contact = FaceContact::overlap;
-    return model;
-}
-
 Model make_shaken_bond() {
-    Model model = meeting_by_overlap(shortened(make_running_bond(wood(), 2, 3, 5), 0.01));
+    Model model = shortened(make_running_bond(wood(), 2, 3, 5), 0.01);
     model.ground.motion[0] = velocity_step(1.0);
     return model;
 }
@@ -173,7 +168,7 @@ TEST_CASE("friction of a box that slides and spins lies within 14 % of the exact
 TEST_CASE("a block that falls flat on another or the ground bounces with its coefficient of restitution") {
     const Stone stone = wood();
     for (const bool on_block : {false, true}) {
-        Model model = meeting_by_overlap(make_model(stone));
+        Model model = make_model(stone);
         const double floor = on_block ? stone.size.z() : 0.0, fall = 0.05 * stone.size.z();
         if (on_block) {
             model.ground.present = false;
@@ -197,7 +192,7 @@ TEST_CASE("a block that falls flat on another or the ground bounces with its coe
 }
 
 TEST_CASE("a list that is made anew after any number of steps gives the same bits") {
-    for (const Model& model : {make_shaken_bond(), meeting_by_overlap(make_loose_pile(wood(), 2, 2))}) {
+    for (const Model& model : {make_shaken_bond(), make_loose_pile(wood(), 2, 2)}) {
         const double step = 0.8 * compute_critical_time_step(model);
         std::string expected;
         for (const int every : {0, 1, 7, 64}) {
@@ -235,7 +230,7 @@ TEST_CASE("threads, restarts and passing over pairs that are apart change no bit
 
 TEST_CASE("blocks of unequal height come to rest in long steps, and go on in another simulation with the friction that they hold") {
     const Stone stone = wood();
-    Model model = meeting_by_overlap(shortened(make_running_bond(stone, 1, 3, 4), 0.01));
+    Model model = shortened(make_running_bond(stone, 1, 3, 4), 0.01);
     const double height = stone.size.z(), speed = std::sqrt(kGravity * height), step = 0.8 * compute_critical_time_step(model);
     Simulation settled(model, 4.0 * step);
     settled.begin_preparation(4.0 * speed / height, Inertia::as_stable);
@@ -252,8 +247,9 @@ TEST_CASE("blocks of unequal height come to rest in long steps, and go on in ano
     REQUIRE(after.size() == before.size());
     double friction = 0.0;
     for (std::size_t i = 0; i < before.size(); ++i) {
-        CHECK(after[i].leader == before[i].leader);
-        CHECK((after[i].force - before[i].force).norm() < 1e-5 * stone.weight());
+        // who leads is the lower block when the list is made
+        const double side = after[i].leader == before[i].leader ? 1.0 : -1.0;
+        CHECK((after[i].force - side * before[i].force).norm() < 1e-5 * stone.weight());
         friction = std::max(friction, model.preload[i].friction.norm());
     }
     CHECK(friction > 1e-3 * stone.weight());
@@ -309,7 +305,7 @@ TEST_CASE("frictionless blocks that collide at all angles without dashpots keep 
     Stone stone = wood();
     stone.friction = 0.0;
     stone.restitution = 1.0;
-    const Model model = meeting_by_overlap(make_tumbling_cloud(stone, 2));
+    const Model model = make_tumbling_cloud(stone, 2);
     Simulation s(model, 0.1 * compute_critical_time_step(model));
     const double before = s.energy().mechanical();
     double touched = 0.0;
