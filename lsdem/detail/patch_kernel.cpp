@@ -442,7 +442,7 @@ double compute_plain(const Bodies& bodies, const BasePose& base, double dt, std:
 }  // namespace
 
 double compute_patches(const Bodies& bodies, const BasePose& base, double dt, std::size_t first, std::size_t last, ContactList& list) {
-    const auto compute = active_instructions() == Instructions::avx2 ? compute_wide : compute_plain;
+    const auto compute = active_instructions() >= Instructions::avx2 ? compute_wide : compute_plain;
     return compute(bodies, base, dt, first, last, list);
 }
 
