@@ -2,14 +2,11 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
+
+#include "lsdem/contact/wide.hpp"
 
 namespace musim::lsdem {
 namespace {
-
-/// Faces that face each other under a smaller cosine than this bear no friction and no dashpot [-]; above, in proportion. So the narrow
-/// strips along the edges of a flat contact, which lie at right angles to what they are nearest to, have no part in it.
-constexpr double kLeastFacing = 0.3;
 
 double share_of(const OverlapPieces::Piece& piece) { return share_of_facing(piece.facing); }
 
@@ -126,17 +123,6 @@ PressureMoments find_pull(const OverlapPieces& pieces, const AffinePressure& das
 
 namespace {
 
-/// ln x of a normal number x > 0, in sums, products and quotients only, so that it has the same bits everywhere.
-double natural_log(double x) {
-    int exponent = 0;
-    double mantissa = std::frexp(x, &exponent);
-    if (mantissa < std::numbers::sqrt2 / 2.0) mantissa *= 2.0, --exponent;
-    const double t = (mantissa - 1.0) / (mantissa + 1.0), t2 = t * t;
-    double series = 0.0;
-    for (int n = 21; n >= 1; n -= 2) series = series * t2 + 1.0 / n;  // |t| < 0.172: below 1e-17 beyond
-    return 2.0 * t * series + exponent * std::numbers::ln2;
-}
-
 /// ∫ d r over a polygon in a plane, r the distance from the origin: the triangles between the origin and its sides, in closed form.
 /// `depth_at_origin`: d there, as it goes on from the polygon.
 double integrate_distance(std::size_t count, const Vector3* place, const double* depth, double depth_at_origin, const Vector3& normal) {
@@ -152,7 +138,7 @@ double integrate_distance(std::size_t count, const Vector3* place, const double*
         const double r0 = std::sqrt(away * away + s0 * s0), r1 = std::sqrt(away * away + s1 * s1);
         // s + r without cancellation
         const double e0 = s0 > 0.0 ? s0 + r0 : away * away / (r0 - s0), e1 = s1 > 0.0 ? s1 + r1 : away * away / (r1 - s1);
-        const double of_r = 0.5 * ((s1 * r1 - s0 * r0) + away * away * (e0 > 0.0 ? natural_log(e1 / e0) : 0.0));
+        const double of_r = 0.5 * ((s1 * r1 - s0 * r0) + away * away * (e0 > 0.0 ? detail::natural_log<detail::Wide<1>>(e1 / e0) : 0.0));
         const double slope = (depth[next] - depth[i]) / length;
         const double of_depth_r = (depth[i] - slope * s0) * of_r + slope * ((r1 * r1 * r1 - r0 * r0 * r0) / 3.0);
         sum += away * (depth_at_origin / 12.0 * of_r + 0.25 * of_depth_r);

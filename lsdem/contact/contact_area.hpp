@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <optional>
 
 #include "lsdem/contact/overlap.hpp"
 #include "lsdem/types.hpp"
@@ -14,16 +13,13 @@ struct ContactArea {
     double area = 0.0;                 ///< S [m²]
     Vector3 arm = Vector3::Zero();     ///< of its middle from a given point [m]
     Matrix3 second = Matrix3::Zero();  ///< of (x − middle)(x − middle)ᵀ [m⁴]
-    /// Depth over it, where that is affine: at the middle, and its slope.
-    struct Depth {
-        double middle = 0.0;  ///< [m]
-        Vector3 slope = Vector3::Zero();
-    };
-    std::optional<Depth> depth = {};
 
     /// J, across a direction [m⁴].
     double polar(const Vector3& normal) const { return std::max(0.0, second.trace() - normal.dot(second * normal)); }
 };
+/// Faces that face each other under a smaller cosine than this bear no friction and no dashpot [-]; above, in proportion. So the narrow
+/// strips along the edges of a flat contact, which lie at right angles to what they are nearest to, have no part in it.
+inline constexpr double kLeastFacing = 0.3;
 /// Part that a face has in friction and dashpots which faces another under a cosine [-].
 double share_of_facing(double cosine);
 

@@ -1,74 +1,74 @@
 #include "lsdem/contact/overlap_contact.hpp"
 
-#include <algorithm>
-#include <cmath>
+#include <cstddef>
+
+#include "lsdem/contact/contact_step.hpp"
 
 namespace musim::lsdem {
 namespace {
 
-/// The mean distance r̄ of the pressure from its middle is no less than this part of √(J/S) [-]: 0.87 for a strip pressed evenly, 0.66 for
-/// one pressed like a wedge, less for a part of it. Only decides whether r̄ has to be computed.
-constexpr double kLeastReach = 0.3;
+using Step = detail::ContactStep<detail::Wide<1>>;
+using Vector = Step::Vector;
 
-/// Turns a vector with the mean turn of both bodies over the step, without changing its length.
-Vector3 carried(const Vector3& v, const PairMotion& motion) {
-    const Vector3 half = 0.25 * (motion.turned(0) + motion.turned(1));
-    const Vector3 across = half.cross(v);
-    return v + 2.0 / (1.0 + half.squaredNorm()) * (across + half.cross(across));
+Vector to_lane(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
+Vector3 from_lane(const Vector& v) { return {v.x, v.y, v.z}; }
+Step::Wrench to_lane(const PlacedWrench& w) { return {to_lane(w.force), to_lane(w.couple)}; }
+PlacedWrench from_lane(const Step::Wrench& w) { return {from_lane(w.force), from_lane(w.couple)}; }
+
+Step::Motion to_lane(const PairMotion& motion) {
+    Step::Motion one;
+    one.shift = to_lane(motion.shift);
+    for (std::size_t body = 0; body < 2; ++body) {
+        one.center[body] = to_lane(motion.center[body]);
+        one.previous_center[body] = to_lane(motion.previous_center[body]);
+        for (std::size_t k = 0; k < 3; ++k) one.turn[body][k] = to_lane(Vector3(motion.turn[body].col(static_cast<Eigen::Index>(k))));
+    }
+    return one;
+}
+Step::Geometry to_lane(const OverlapGeometry& geometry) {
+    const Matrix3& second = geometry.area.second;
+    return {to_lane(geometry.load.force),
+            to_lane(geometry.load.moment),
+            geometry.load.deepest,
+            geometry.load.energy,
+            geometry.area.area,
+            to_lane(geometry.area.arm),
+            {second(0, 0), second(1, 1), second(2, 2)},
+            {second(1, 2), second(2, 0), second(0, 1)}};
+}
+Step::Memory to_lane(const OverlapContact& contact) {
+    return {contact.touches,           contact.area,          contact.polar,
+            to_lane(contact.shear),    contact.couple,        to_lane(contact.place),
+            to_lane(contact.friction), to_lane(contact.drag), to_lane(contact.damping)};
+}
+OverlapContact from_lane(const Step::Memory& memory) {
+    return {memory.touches,
+            memory.area,
+            memory.polar,
+            from_lane(memory.shear),
+            memory.couple,
+            from_lane(memory.place),
+            from_lane(memory.friction),
+            from_lane(memory.drag),
+            from_lane(memory.damping)};
 }
 
-/// Friction of a contact: a force across the normal at `arm` from where the pressure acts, and a couple about the normal.
-struct Friction {
-    Vector3 force;
-    double couple;
-};
+/// The area of a contact as pieces of both bodies, cut when first asked for.
+struct PieceCells {
+    OverlapBodies& bodies;
 
-/// The limit of friction as a whole: |f|² + (m/r̄)² ≤ (μN)², m about where the pressure acts [GoyalRuinaPapadopoulos91].
-struct Limit {
-    double force, reach;
-    Vector3 arm;  ///< of the friction's force from where the pressure acts [m]
-    Vector3 normal;
-
-    double about_pressure(const Friction& friction) const { return friction.couple + normal.dot(arm.cross(friction.force)); }
-    /// How far beyond the limit, 0 on it, in squares of it.
-    double excess(const Friction& friction) const {
-        const double turning = about_pressure(friction) / reach;
-        return (friction.force.squaredNorm() + turning * turning) / (force * force) - 1.0;
+    static bool may_pull(bool touches, const Step::Geometry& /*geometry*/, const Step::Pressure& /*dashpot*/, double /*stiffness*/) {
+        return touches;
     }
-    /// Back to the limit: first along the slip that it goes with, which is normal to the limit, then in proportion. The first makes the
-    /// slip of a steady slide what the bodies do, the second makes the limit hold.
-    void hold(double stiffness, double turning_stiffness, Friction& friction) const {
-        const double beyond = excess(friction);
-        if (!(beyond > 0.0)) return;
-        const Vector3 slip = friction.force / (force * force);
-        const double turn = about_pressure(friction) / (force * force * reach * reach);
-        const Vector3 change = -stiffness * (slip + turn * normal.cross(arm));
-        const double couple_change = -turning_stiffness * turn;
-        const double slope = 2.0 * (slip.dot(change) + turn * (couple_change + normal.dot(arm.cross(change))));
-        if (slope < 0.0) {
-            const double part = beyond / -slope;
-            friction.force += part * change;
-            friction.couple += part * couple_change;
-        }
-        const double left = excess(friction);
-        if (!(left > 0.0)) return;
-        const double scale = 1.0 / std::sqrt(1.0 + left);
-        friction.force *= scale;
-        friction.couple *= scale;
+    Step::PressureSum find_pull(const Step::Pressure& dashpot, double stiffness) const {
+        const PressureMoments pull =
+            musim::lsdem::find_pull(bodies.pieces(), {dashpot.at, from_lane(dashpot.slope), from_lane(dashpot.about)}, stiffness);
+        return {pull.sum, to_lane(pull.at)};
+    }
+    double find_reach(const Vector& normal, const Vector& about) const {
+        return musim::lsdem::find_reach(bodies.pieces(), from_lane(normal), from_lane(about));
     }
 };
-
-/// A convex region reaches no farther from its middle in any direction than this times the root of its second moment over its area: 2√2 for
-/// a triangle [-].
-constexpr double kReachOfConvex = 2.9;
-
-/// May springs and dashpots together pull anywhere? False only where they surely do not.
-bool may_pull(const ContactArea& area, const AffinePressure& dashpot, double stiffness) {
-    if (!area.depth || !(area.area > 0.0)) return true;
-    const Vector3 slope = stiffness * area.depth->slope + dashpot.slope;
-    const double lowest = kReachOfConvex * std::sqrt(std::max(0.0, slope.dot(area.second * slope)) / area.area);
-    return stiffness * area.depth->middle + dashpot.at < lowest;
-}
 
 }  // namespace
 
@@ -104,88 +104,18 @@ OverlapGeometry find_overlap_geometry(const OverlapPieces& pieces) {
 
 OverlapForces compute_overlap_contact(const OverlapGeometry& geometry, const PairMotion& motion, const Interface& law, double dt,
                                       bool first_step, double stored_shear, OverlapBodies& bodies, OverlapContact& contact) {
-    const OverlapContact before = contact;
-    contact = OverlapContact{};
+    Step::Memory memory = to_lane(contact);
+    PieceCells cells{bodies};
+    const Step::Result found =
+        Step::compute(to_lane(geometry), to_lane(motion),
+                      {law.normal_stiffness, law.shear_stiffness, law.friction, law.normal_damping, law.shear_damping}, dt, first_step,
+                      stored_shear, cells, memory);
+    contact = from_lane(memory);
     OverlapForces result;
-    if (geometry.touches()) {
-        const OverlapLoad& load = geometry.load;
-        const double push = law.normal_stiffness * load.force.norm();
-        const Vector3 normal = load.force.normalized(), pressed = geometry.pressed(), &arm = geometry.area.arm;
-        const double area = geometry.area.area, polar = geometry.area.polar(normal);
-        contact.touches = true;
-        contact.area = area;
-        contact.polar = polar;
-        contact.place = pressed + arm;
-
-        // of a first touch, the part of the step that came after it
-        const double sunk = -normal.dot(motion.displacement(pressed));
-        const double part = !before.touches && sunk > load.deepest ? load.deepest / sunk : 1.0;
-
-        // dashpots: C ḋ everywhere, less where that would pull more than the springs push
-        const double rate = part * law.normal_damping / dt;
-        const AffinePressure dashpot{-rate * normal.dot(motion.displacement(contact.place)),
-                                     -rate * (motion.turn[0] * normal - motion.turn[1] * normal), contact.place};
-        PressureMoments held;
-        if (may_pull(geometry.area, dashpot, law.normal_stiffness)) held = find_pull(bodies.pieces(), dashpot, law.normal_stiffness);
-        const double damping = dashpot.at * area + held.sum;
-        contact.damping.force = damping * normal;
-        contact.damping.couple = (geometry.area.second * dashpot.slope + held.at).cross(normal);
-
-        // springs of friction: a smaller area keeps its slip, a larger one its force, so that neither gives energy
-        const double stiffness = law.shear_stiffness * area, turning_stiffness = law.shear_stiffness * polar;
-        const double kept = area < before.area ? area / before.area : 1.0;
-        const double kept_turn = polar < before.polar ? polar / before.polar : 1.0;
-        const Vector3 shear = carried(before.shear, motion), slipped = motion.displacement(contact.place);
-        const double slip_part = first_step ? 0.0 : part;
-        const Vector3 slip = slip_part * (slipped - normal.dot(slipped) * normal);
-        const double turn = slip_part * normal.dot(motion.turned(1) - motion.turned(0));
-        const double viscous = law.shear_stiffness > 0.0 ? law.shear_damping / (law.shear_stiffness * dt) : 0.0;
-        Friction springs{kept * (shear - normal.dot(shear) * normal) - stiffness * slip,
-                         kept_turn * before.couple - turning_stiffness * turn};
-        Friction drag{-viscous * stiffness * slip, -viscous * turning_stiffness * turn};
-        Friction friction{springs.force + drag.force, springs.couple + drag.couple};
-
-        Limit limit{law.friction * std::max(0.0, push + damping), 0.0, arm - normal.dot(arm) * normal, normal};
-        if (limit.force > 0.0 && polar > 0.0) {
-            limit.reach = kLeastReach * std::sqrt(polar / area);
-            if (limit.excess(friction) > 0.0) {
-                limit.reach = find_reach(bodies.pieces(), normal, pressed);
-                const double beyond = limit.reach > 0.0 ? limit.excess(friction) : 0.0;
-                if (beyond > 0.0) {
-                    // dashpots give up their share, in proportion
-                    limit.hold(stiffness, turning_stiffness, friction);
-                    const double left = 1.0 / std::sqrt(1.0 + beyond);
-                    drag = {left * drag.force, left * drag.couple};
-                    springs = {friction.force - drag.force, friction.couple - drag.couple};
-                }
-            }
-        }
-        if (!(limit.force > 0.0 && limit.reach > 0.0)) springs = friction = drag = {Vector3::Zero(), 0.0};
-        contact.shear = springs.force;
-        contact.couple = springs.couple;
-        contact.friction = {friction.force, friction.couple * normal};
-        contact.drag = {drag.force, drag.couple * normal};
-        if (stiffness > 0.0) result.elastic_shear += 0.5 * springs.force.squaredNorm() / stiffness;
-        if (turning_stiffness > 0.0) result.elastic_shear += 0.5 * springs.couple * springs.couple / turning_stiffness;
-
-        const Vector3 at_middle = contact.damping.force + friction.force;
-        result.force = law.normal_stiffness * load.force + at_middle;
-        result.moment =
-            law.normal_stiffness * load.moment + contact.place.cross(at_middle) + contact.damping.couple + contact.friction.couple;
-        result.elastic_normal = law.normal_stiffness * load.energy;
-        result.overlap = load.deepest;
-        result.area = load.area;
-    }
-
-    // losses: what acts works over a step with the mean of its values at both ends
-    const Vector3 turned = motion.turned(1) - motion.turned(0);
-    const Vector3 moved = motion.displacement(contact.place), moved_before = motion.displacement_of_previous(before.place);
-    const auto loss = [&](const PlacedWrench& last, const PlacedWrench& now) {
-        return -0.5 * (last.force.dot(moved_before) + now.force.dot(moved) + (last.couple + now.couple).dot(turned));
-    };
-    const double dragged = loss(before.drag, contact.drag);
-    result.work.damping = loss(before.damping, contact.damping) + dragged;
-    result.work.friction = (loss(before.friction, contact.friction) - dragged) - (result.elastic_shear - stored_shear);
+    result.force = from_lane(found.force), result.moment = from_lane(found.moment);
+    result.elastic_normal = found.elastic_normal, result.elastic_shear = found.elastic_shear;
+    result.work = {found.friction_work, found.damping_work};
+    if (contact.touches) result.overlap = geometry.load.deepest, result.area = geometry.load.area;
     return result;
 }
 

@@ -17,25 +17,6 @@ struct PairMotion {
     std::array<Vector3, 2> previous_center{};  ///< and one step ago, about the origin of that time [m]
     Vector3 shift = Vector3::Zero();           ///< of the second centre against the first over the step [m]
     std::array<Matrix3, 2> turn{};             ///< of each body over the step: rotation now times the inverse of that before
-
-    /// Displacement over the step of the second body against the first at the point of both that is now at x [m].
-    Vector3 displacement(const Vector3& x) const { return shift + (displaced(1, x - center[1]) - displaced(0, x - center[0])); }
-    /// The same at the point of both that was at x one step ago, about the origin of that time.
-    Vector3 displacement_of_previous(const Vector3& x) const {
-        const auto moved = [&](std::size_t body) {
-            const Vector3 arm = x - previous_center[body];
-            return Vector3(turn[body] * arm - arm);
-        };
-        return shift + (moved(1) - moved(0));
-    }
-    /// Turn of a body over the step as a vector; sin of the angle for the angle [rad].
-    Vector3 turned(std::size_t body) const {
-        const Matrix3& t = turn[body];
-        return {0.5 * (t(2, 1) - t(1, 2)), 0.5 * (t(0, 2) - t(2, 0)), 0.5 * (t(1, 0) - t(0, 1))};
-    }
-
-  private:
-    Vector3 displaced(std::size_t body, const Vector3& arm) const { return arm - turn[body].transpose() * arm; }
 };
 
 /// A force on the second body at a point, with a couple.

@@ -1,29 +1,64 @@
 #pragma once
 
-#include "lsdem/contact/box_meeting.hpp"
-#include "lsdem/detail/lanes.hpp"
+#include <array>
+#include <cstddef>
 
-/// Overlaps of boxes that meet face to face, four pairs side by side: the function of OverlapPieces and sum_load, to rounding.
+#include "lsdem/contact/box_meeting.hpp"
+#include "lsdem/contact/contact_area.hpp"
+#include "lsdem/contact/overlap_contact.hpp"
+#include "lsdem/contacts.hpp"
+
+/// Boxes that meet face to face, several pairs side by side: overlap, dashpots and friction, the functions of overlap.hpp, contact_area.hpp
+/// and overlap_contact.hpp, to rounding. Compiled for AVX-512, for AVX2 and for plain x86-64, same bits; pairs do not depend on each other.
 namespace musim::lsdem::detail {
 
-struct Lanes3 {
-    Lanes x{}, y{}, z{};
+/// Pairs that one call computes.
+inline constexpr std::size_t kLanePairs = 8;
+
+/// Two boxes, the first the leader, and where to find and put what their contact is made from.
+struct LanePair {
+    BoxMeeting meeting;
+    std::array<const double*, 2> previous_rotation;  ///< one step ago
+    const double* follower_position;                 ///< of the follower; of the ground the base's displacement [m]
+    std::array<const double*, 2> previous_position;  ///< of both, one step ago [m]
+    /// From the first centre to the origin of the pair, in parts of the way between the centres: 1/2; 0 where the ground follows.
+    double origin;
+    const Interface* law;
+    OverlapContact* contact;
+    PairForce* force;
+    PairTally* tally;
+    PairWork* work;
+    double area = 0.0;       ///< found: of faces inside the other body [m²]
+    bool irregular = false;  ///< found: nothing is computed, take the exact function
 };
 
-/// For a stiffness per area of one; vectors in world axes, about the point half way between the middles of the boxes.
-struct LaneOverlap {
-    Lanes3 force;     ///< on the second body [m³]
-    Lanes3 moment;    ///< of it [m⁴]
-    Lanes deepest{};  ///< largest depth of a point of one body in the other [m]
-    // main cells, half of each body's
-    Lanes area{};                    ///< [m²]
-    Lanes area_depth{};              ///< ∫ depth [m³]
-    Lanes3 area_place;               ///< ∫ place [m³]
-    Lanes3 area_square, area_cross;  ///< ∫ of (xx, yy, zz) and (yz, zx, xy) about the cell's own middle [m⁴]
-    LaneMask irregular{};            ///< nothing of the above holds: take the exact function
-};
+/// Forces of kLanePairs pairs at step n, what they remember, tallies and work. `first_step`: see compute_overlap_contact.
+void compute_lane_pairs(LanePair* pairs, double dt, bool first_step);
 
-/// Four pairs; the lanes do not depend on each other. Compiled for AVX2 and for plain x86-64, same bits.
-void compute_overlaps(const BoxMeeting* pairs, LaneOverlap& result);
+/// What the overlap alone is, for a stiffness per area of one; about the point half way between the middles of the boxes.
+struct LaneFinding {
+    Vector3 force;                    ///< on the second body [m³]
+    Vector3 moment;                   ///< of it [m⁴]
+    double deepest;                   ///< largest depth of a point of one body in the other [m]
+    double area;                      ///< of the main cells, half of each body's [m²]
+    Vector3 area_place;               ///< ∫ place [m³]
+    Vector3 area_square, area_cross;  ///< ∫ of (xx, yy, zz) and (yz, zx, xy) about the cell's own middle [m⁴]
+    bool irregular;                   ///< nothing of the above holds
+};
+/// Of kLanePairs pairs; for tests.
+void compute_overlaps(const BoxMeeting* pairs, LaneFinding* found);
+
+/// find_pull and find_reach of main cells, for tests.
+struct MainCellQuestion {
+    AffinePressure dashpot;
+    double stiffness;
+    Vector3 normal, about;
+};
+struct MainCellAnswer {
+    PressureMoments pull;
+    double reach;
+    bool may_pull;
+};
+void ask_main_cells(const BoxMeeting* pairs, const MainCellQuestion* questions, MainCellAnswer* answers);
 
 }  // namespace musim::lsdem::detail

@@ -52,34 +52,6 @@ double find_gap(const Bodies& bodies, const BasePose& base, const ContactPair& p
     return detail::find_gap(bodies.half[l], bodies.half[f], to_follower * bodies.rotation[l], position);
 }
 
-Vector3 pick(const detail::Lanes3& v, std::size_t lane) { return {v.x[lane], v.y[lane], v.z[lane]}; }
-
-Vector3 outward(const detail::BoxMeeting::Box& box) { return box.sign * Eigen::Map<const Matrix3>(box.rotation).col(box.axis); }
-
-/// What one lane found, about the origin of the pair, which lies at `shift` from the point half way between the bodies.
-OverlapGeometry geometry_of_lane(const detail::LaneOverlap& found, std::size_t lane, const detail::BoxMeeting& meeting,
-                                 const Vector3& shift) {
-    OverlapGeometry geometry;
-    geometry.load.force = pick(found.force, lane);
-    geometry.load.moment = pick(found.moment, lane) - shift.cross(geometry.load.force);
-    geometry.load.deepest = found.deepest[lane];
-    geometry.load.area = found.area[lane];
-    if (!geometry.touches() || !(found.area[lane] > 0.0)) return geometry;
-    const Vector3 a = outward(meeting.a), b = outward(meeting.b);
-    const double share = share_of_facing(-a.dot(b));
-    ContactArea& area = geometry.area;
-    area.area = share * found.area[lane];
-    area.arm = pick(found.area_place, lane) / found.area[lane] - shift - geometry.pressed();
-    const Vector3 square = pick(found.area_square, lane), cross = pick(found.area_cross, lane);
-    area.second << square.x(), cross.z(), cross.y(), cross.z(), square.y(), cross.x(), cross.y(), cross.x(), square.z();
-    const Vector3 slope = -(a + b);
-    const double depth = found.area_depth[lane] / found.area[lane];
-    geometry.load.energy = 0.5 * (found.area[lane] * depth * depth + slope.dot(area.second * slope));
-    area.second *= share;
-    area.depth = {depth, slope};
-    return geometry;
-}
-
 }  // namespace
 
 OverlapBatch::OverlapBatch(const Bodies& bodies, const BasePose& base, double dt, ContactList& list)
@@ -97,67 +69,87 @@ void OverlapBatch::add(std::size_t index) {
             return;
         }
     }
-    const std::size_t l = pair.leader, f = pair.follower;
-    detail::BoxMeeting& meeting = meetings_[count_];
-    meeting.a = {bodies_.rotation[l].data(), bodies_.position[l].data(), bodies_.half[l].data(), 0, 1.0};
-    if (pair.follower == kGround) {
-        const double reach = kGroundReach * bodies_.half[l].norm();
-        ground_half_[count_] = {reach, reach, 0.0};
-        ground_place_[count_] = {bodies_.position[l].x(), bodies_.position[l].y(), base_.displacement.z()};
-        meeting.b = {kUpright, ground_place_[count_].data(), ground_half_[count_].data(), 2, 1.0};
-    } else {
-        meeting.b = {bodies_.rotation[f].data(), bodies_.position[f].data(), bodies_.half[f].data(), 0, 1.0};
-    }
-    if (!detail::choose_faces(meeting)) {
-        OverlapBodies both = find_bodies(bodies_, base_, pair, room_);
-        finish(index, find_overlap_geometry(both.pieces()), both);
+    place(index, pairs_[count_]);
+    if (!detail::choose_faces(pairs_[count_].meeting)) {
+        compute_exactly(index);
         return;
     }
     index_[count_++] = index;
     if (count_ == kSize) compute();
 }
 
-void OverlapBatch::compute() {
-    static_assert(kSize == detail::kLanes);
-    if (count_ == 0) return;
-    // a lane that is left over repeats the first
-    for (std::size_t lane = count_; lane < kSize; ++lane) meetings_[lane] = meetings_[0];
-    detail::LaneOverlap found;
-    detail::compute_overlaps(meetings_.data(), found);
-    const std::size_t count = count_;
-    count_ = 0;
-    for (std::size_t lane = 0; lane < count; ++lane) {
-        const ContactPair& pair = list_.pairs[index_[lane]];
-        OverlapBodies both = find_bodies(bodies_, base_, pair, room_);
-        if (found.irregular[lane] != 0) {
-            finish(index_[lane], find_overlap_geometry(both.pieces()), both);
-            continue;
-        }
-        const Vector3 shift =
-            pair.follower == kGround ? Vector3(0.5 * (bodies_.position[pair.leader] - ground_place_[lane])) : Vector3(Vector3::Zero());
-        finish(index_[lane], geometry_of_lane(found, lane, meetings_[lane], shift), both);
+void OverlapBatch::place(std::size_t index, detail::LanePair& lane) {
+    const ContactPair& pair = list_.pairs[index];
+    const std::size_t l = pair.leader, f = pair.follower;
+    const Vector3& half = bodies_.half[l];
+    lane.meeting.a = {bodies_.rotation[l].data(), bodies_.position[l].data(), half.data(), 0, 1.0};
+    lane.previous_rotation[0] = bodies_.previous_rotation[l].data();
+    lane.previous_position[0] = bodies_.previous_position[l].data();
+    if (pair.follower == kGround) {
+        const double reach = kGroundReach * half.norm();
+        ground_half_[count_] = {reach, reach, 0.0};
+        ground_place_[count_] = {bodies_.position[l].x(), bodies_.position[l].y(), base_.displacement.z()};
+        lane.meeting.b = {kUpright, ground_place_[count_].data(), ground_half_[count_].data(), 2, 1.0};
+        lane.previous_rotation[1] = kUpright;
+        lane.follower_position = base_.displacement.data();
+        lane.previous_position[1] = base_.previous.data();
+        lane.origin = 0.0;
+    } else {
+        lane.meeting.b = {bodies_.rotation[f].data(), bodies_.position[f].data(), bodies_.half[f].data(), 0, 1.0};
+        lane.previous_rotation[1] = bodies_.previous_rotation[f].data();
+        lane.follower_position = bodies_.position[f].data();
+        lane.previous_position[1] = bodies_.previous_position[f].data();
+        lane.origin = 0.5;
     }
+    lane.law = &pair.law;
+    lane.contact = &list_.overlaps[pair.overlap];
+    lane.force = &list_.forces[index];
+    lane.tally = &list_.tallies[index];
+    lane.work = &list_.work[index];
 }
 
-void OverlapBatch::finish(std::size_t index, const OverlapGeometry& geometry, OverlapBodies& both) {
+void OverlapBatch::compute() {
+    if (count_ == 0) return;
+    // lanes that are left over repeat the first, and put what they find where nobody looks
+    OverlapContact contact;
+    PairForce force;
+    PairTally tally;
+    PairWork work;
+    for (std::size_t i = count_; i < kSize; ++i) {
+        pairs_[i] = pairs_[0];
+        pairs_[i].contact = &contact, pairs_[i].force = &force, pairs_[i].tally = &tally, pairs_[i].work = &work;
+    }
+    detail::compute_lane_pairs(pairs_.data(), dt_, list_.first_step);
+    for (std::size_t i = 0; i < count_; ++i) {
+        if (pairs_[i].irregular) {
+            compute_exactly(index_[i]);
+        } else {
+            note(index_[i], pairs_[i].area);
+        }
+    }
+    count_ = 0;
+}
+
+void OverlapBatch::compute_exactly(std::size_t index) {
     const ContactPair& pair = list_.pairs[index];
     OverlapContact& contact = list_.overlaps[pair.overlap];
     PairForce& force = list_.forces[index];
     PairTally& tally = list_.tallies[index];
     const PairMotion motion = find_motion(bodies_, base_, pair);
-    const OverlapForces found =
-        compute_overlap_contact(geometry, motion, pair.law, dt_, list_.first_step, tally.elastic_shear, both, contact);
+    OverlapBodies both = find_bodies(bodies_, base_, pair, room_);
+    const OverlapForces found = compute_overlap_contact(find_overlap_geometry(both.pieces()), motion, pair.law, dt_, list_.first_step,
+                                                        tally.elastic_shear, both, contact);
     force.force = -found.force;
     force.leader_torque = motion.center[0].cross(found.force) - found.moment;
     force.follower_torque = found.moment - motion.center[1].cross(found.force);
-    tally.elastic_normal = found.elastic_normal;
-    tally.elastic_shear = found.elastic_shear;
-    tally.overlap = found.overlap;
-    tally.touching = contact.touches ? 1 : 0;
+    tally = {found.elastic_normal, found.elastic_shear, found.overlap, contact.touches ? 1U : 0U};
     list_.work[index] += found.work;
-    if (list_.demand.wanted) list_.demand.ask(index, found.area);
-    if (!(found.overlap > 0.0)) return;
-    deepest_ = std::max(deepest_, found.overlap / (2.0 * bodies_.half[pair.leader].z()));
+    note(index, found.area);
+}
+
+void OverlapBatch::note(std::size_t index, double area) {
+    if (list_.demand.wanted) list_.demand.ask(index, area);
+    deepest_ = std::max(deepest_, list_.tallies[index].overlap / (2.0 * bodies_.half[list_.pairs[index].leader].z()));
 }
 
 void refine_overlap_energies(const Bodies& bodies, const BasePose& base, ContactList& list) {

@@ -4,14 +4,14 @@
 #include <cstddef>
 
 #include "lsdem/bodies.hpp"
-#include "lsdem/contact/box_meeting.hpp"
 #include "lsdem/contact/overlap_contact.hpp"
+#include "lsdem/contact/overlap_lanes.hpp"
 #include "lsdem/contacts.hpp"
 
 /// Pairs of boxes, and of a box and the ground, that meet by their overlap.
 namespace musim::lsdem {
 
-/// Computes pairs at step n from the poses at n and n − 1, four side by side: forces, what they remember, tallies and work. Which pairs
+/// Computes pairs at step n from the poses at n and n − 1, several side by side: forces, what they remember, tallies and work. Which pairs
 /// share a batch changes no bit.
 class OverlapBatch {
   public:
@@ -28,8 +28,10 @@ class OverlapBatch {
     double deepest() const { return deepest_; }
 
   private:
-    static constexpr std::size_t kSize = 4;
-    void finish(std::size_t index, const OverlapGeometry& geometry, OverlapBodies& both);
+    static constexpr std::size_t kSize = detail::kLanePairs;
+    void place(std::size_t index, detail::LanePair& lane);
+    void compute_exactly(std::size_t index);
+    void note(std::size_t index, double area);
 
     const Bodies& bodies_;
     const BasePose& base_;
@@ -38,7 +40,7 @@ class OverlapBatch {
     std::size_t count_ = 0;
     double deepest_ = 0.0;
     std::array<std::size_t, kSize> index_{};
-    std::array<detail::BoxMeeting, kSize> meetings_{};
+    std::array<detail::LanePair, kSize> pairs_{};
     std::array<Vector3, kSize> ground_half_, ground_place_;
     OverlapPieces room_;  ///< of the pair that is being cut
 };

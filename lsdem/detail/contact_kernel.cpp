@@ -385,7 +385,7 @@ void sum_plain(const BlockNodes& leader, const RelativePose& pose, const FlatFol
 
 void sum_flat_nodes(const BlockNodes& leader, const RelativePose& pose, const FlatFollower& face, const StepLaw& law, double equal_area,
                     const ContactPair& pair, ContactList& list, PairSums& sums) {
-    const auto sum_nodes = active_instructions() == Instructions::avx2 ? sum_wide : sum_plain;
+    const auto sum_nodes = active_instructions() >= Instructions::avx2 ? sum_wide : sum_plain;
     sum_nodes(leader, pose, face, law, equal_area, pair, list, sums);
 }
 

@@ -8,6 +8,8 @@ namespace {
 
 Instructions widest() {
 #if defined(__x86_64__)
+    const bool wide = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
+    if (wide) return Instructions::avx512;
     return __builtin_cpu_supports("avx2") ? Instructions::avx2 : Instructions::plain;
 #else
     return Instructions::plain;

@@ -1,12 +1,13 @@
 #pragma once
 
-/// One binary picks the widest instructions at run time. A kernel is written once, for four lanes, and compiled twice; IEEE arithmetic in a
-/// fixed order gives both the same bits.
+/// One binary picks the widest instructions at run time. A kernel is written once and compiled for each; IEEE arithmetic in a fixed order
+/// gives all the same bits.
 namespace musim::lsdem::detail {
 
 enum class Instructions {
     plain,  ///< what every x86-64 has, or another processor
-    avx2    ///< four doubles in one register
+    avx2,   ///< four doubles in one register
+    avx512  ///< eight
 };
 
 /// The widest that this machine has, or that it is limited to.
@@ -19,8 +20,10 @@ void limit_instructions(Instructions most);
 
 #if defined(__x86_64__)
 #define MUSIM_AVX2 [[gnu::target("avx2")]]
+#define MUSIM_AVX512 [[gnu::target("avx512f,avx512dq,avx512vl,prefer-vector-width=512")]]
 #else
 #define MUSIM_AVX2
+#define MUSIM_AVX512
 #endif
 
 /// How four lanes travel into and out of a function depends on the instructions that it is compiled for, and what both paths call is

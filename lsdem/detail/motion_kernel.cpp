@@ -193,7 +193,7 @@ double move_plain(const TouchList& touches, const std::vector<PairForce>& forces
 
 double move_blocks(const TouchList& touches, const std::vector<PairForce>& forces, const NeighborSearch::Reference& reference,
                    const Leap& leap, std::size_t first, std::size_t last, Bodies& bodies) {
-    const auto move = active_instructions() == Instructions::avx2 ? move_wide : move_plain;
+    const auto move = active_instructions() >= Instructions::avx2 ? move_wide : move_plain;
     return move(touches, forces, reference, leap, first, last, bodies);
 }
 

@@ -91,54 +91,49 @@ class Poses {
     std::size_t count_ = 0;
 };
 
-Vector3 lane_of(const Lanes3& v, std::size_t lane) {
-    return {reinterpret_cast<const double*>(&v.x)[lane], reinterpret_cast<const double*>(&v.y)[lane],
-            reinterpret_cast<const double*>(&v.z)[lane]};
-}
-double lane_of(const Lanes& v, std::size_t lane) { return reinterpret_cast<const double*>(&v)[lane]; }
+/// Pairs side by side, and whether each holds.
+struct LanePairs {
+    std::array<Boxes, kLanePairs> boxes;
+    std::array<BoxMeeting, kLanePairs> meetings;
+    std::array<bool, kLanePairs> holds{};
+    std::array<LaneFinding, kLanePairs> found;
 
-/// Four pairs side by side, and whether each holds.
-struct FourPairs {
-    std::array<Boxes, 4> boxes;
-    std::array<BoxMeeting, 4> meetings;
-    std::array<bool, 4> holds{};
-    LaneOverlap found;
-
-    explicit FourPairs(Poses& poses) {
-        for (std::size_t i = 0; i < 4; ++i) {
+    explicit LanePairs(Poses& poses) {
+        for (std::size_t i = 0; i < kLanePairs; ++i) {
             boxes[i] = poses.next();
             meetings[i] = boxes[i].meeting();
             holds[i] = choose_faces(meetings[i]);
         }
-        compute_overlaps(meetings.data(), found);
-        for (std::size_t i = 0; i < 4; ++i) holds[i] = holds[i] && reinterpret_cast<const std::int64_t*>(&found.irregular)[i] == 0;
+        compute_overlaps(meetings.data(), found.data());
+        for (std::size_t i = 0; i < kLanePairs; ++i) holds[i] = holds[i] && !found[i].irregular;
     }
-    FourPairs(const FourPairs&) = delete;
-    FourPairs& operator=(const FourPairs&) = delete;
-    ~FourPairs() = default;
+    LanePairs(const LanePairs&) = delete;
+    LanePairs& operator=(const LanePairs&) = delete;
+    ~LanePairs() = default;
 };
+
+Vector3 normal_of(const BoxMeeting::Box& box) { return box.sign * Eigen::Map<const Matrix3>(box.rotation).col(box.axis); }
 
 }  // namespace
 
 // 6 eps size/d: the depth is a difference of coordinates; lanes say by themselves where they do not hold
-TEST_CASE("four pairs side by side give the load of the exact function wherever they say that they hold") {
+TEST_CASE("pairs side by side give the load of the exact function wherever they say that they hold") {
     Poses poses;
     std::size_t held = 0, asked = 0;
-    for (int group = 0; group < 1500; ++group) {
-        const FourPairs four(poses);
-        const auto& [boxes, meetings, holds, found] = four;
-        for (std::size_t i = 0; i < 4; ++i) {
+    for (int group = 0; group < 750; ++group) {
+        const LanePairs pairs(poses);
+        for (std::size_t i = 0; i < kLanePairs; ++i) {
             ++asked;
-            if (!holds[i]) continue;
+            if (!pairs.holds[i]) continue;
             ++held;
-            const OverlapPieces pieces = boxes[i].cut();
-            const OverlapLoad load = sum_load(pieces);
+            const OverlapLoad load = sum_load(pairs.boxes[i].cut());
             if (!(load.deepest > 0.0)) continue;
-            const double size = boxes[i].size(), tolerance = 6.0 * std::numeric_limits<double>::epsilon() * size / load.deepest;
+            const LaneFinding& found = pairs.found[i];
+            const double size = pairs.boxes[i].size(), tolerance = 6.0 * std::numeric_limits<double>::epsilon() * size / load.deepest;
             const double force = load.force.norm();
-            CHECK((lane_of(found.force, i) - load.force).norm() <= tolerance * force);
-            CHECK((lane_of(found.moment, i) - load.moment).norm() <= tolerance * force * size);
-            CHECK(lane_of(found.deepest, i) == doctest::Approx(load.deepest).epsilon(1e-6).scale(0.0));
+            CHECK((found.force - load.force).norm() <= tolerance * force);
+            CHECK((found.moment - load.moment).norm() <= tolerance * force * size);
+            CHECK(found.deepest == doctest::Approx(load.deepest).epsilon(1e-6).scale(0.0));
         }
     }
     // of all these poses some corners and edges do not hold
@@ -147,83 +142,187 @@ TEST_CASE("four pairs side by side give the load of the exact function wherever 
 
 TEST_CASE("boxes that lie beside each other at one height give nothing, or say that they do not hold") {
     Poses poses;
-    for (int group = 0; group < 200; ++group) {
-        std::array<Boxes, 4> boxes;
-        std::array<BoxMeeting, 4> meetings;
-        for (std::size_t i = 0; i < 4; ++i) {
+    for (int group = 0; group < 100; ++group) {
+        std::array<Boxes, kLanePairs> boxes;
+        std::array<BoxMeeting, kLanePairs> meetings;
+        for (std::size_t i = 0; i < kLanePairs; ++i) {
             boxes[i] = poses.next();
             boxes[i].place_b += boxes[i].rotation_a * Vector3(1.1, 0.1 * static_cast<double>(i), 0.0);
             meetings[i] = boxes[i].meeting();
             choose_faces(meetings[i]);
         }
-        LaneOverlap found;
-        compute_overlaps(meetings.data(), found);
-        for (std::size_t i = 0; i < 4; ++i) {
-            if (boxes[i].cut().size() > 0 || reinterpret_cast<const std::int64_t*>(&found.irregular)[i] != 0) continue;
-            CHECK(lane_of(found.force, i).isZero(0.0));
-            CHECK(lane_of(found.moment, i).isZero(0.0));
-            CHECK(lane_of(found.area, i) == 0.0);
+        std::array<LaneFinding, kLanePairs> found;
+        compute_overlaps(meetings.data(), found.data());
+        for (std::size_t i = 0; i < kLanePairs; ++i) {
+            if (boxes[i].cut().size() > 0 || found[i].irregular) continue;
+            CHECK(found[i].force.isZero(0.0));
+            CHECK(found[i].moment.isZero(0.0));
+            CHECK(found[i].area == 0.0);
         }
-    }
-}
-
-TEST_CASE("the lane, the company and the instructions change no bit of a pair") {
-    Poses poses;
-    for (int group = 0; group < 100; ++group) {
-        std::array<Boxes, 4> boxes;
-        std::array<BoxMeeting, 4> meetings, turned;
-        for (std::size_t i = 0; i < 4; ++i) boxes[i] = poses.next();
-        for (std::size_t i = 0; i < 4; ++i) {
-            meetings[i] = boxes[i].meeting();
-            turned[3 - i] = boxes[i].meeting();
-            choose_faces(meetings[i]);
-            choose_faces(turned[3 - i]);
-        }
-        const std::array<BoxMeeting, 4> alone{meetings[0], meetings[0], meetings[0], meetings[0]};
-        LaneOverlap all, back, one, plain;
-        compute_overlaps(meetings.data(), all);
-        compute_overlaps(turned.data(), back);
-        compute_overlaps(alone.data(), one);
-        limit_instructions(Instructions::plain);
-        compute_overlaps(meetings.data(), plain);
-        limit_instructions(Instructions::avx2);
-        for (std::size_t i = 0; i < 4; ++i) {
-            CHECK(lane_of(all.force, i) == lane_of(back.force, 3 - i));
-            CHECK(lane_of(all.moment, i) == lane_of(back.moment, 3 - i));
-            CHECK(lane_of(all.force, i) == lane_of(plain.force, i));
-            CHECK(lane_of(all.area_square, i) == lane_of(plain.area_square, i));
-        }
-        CHECK(lane_of(all.force, 0) == lane_of(one.force, 0));
-        CHECK(lane_of(all.moment, 0) == lane_of(one.moment, 0));
     }
 }
 
 // strips along the edges of a flat contact, as wide as its depth, are no part of it
-TEST_CASE("four pairs side by side give the area of the exact function") {
+TEST_CASE("pairs side by side give the area of the exact function") {
     Poses poses;
-    for (int group = 0; group < 300; ++group) {
-        const FourPairs four(poses);
-        const auto& [boxes, meetings, holds, found] = four;
-        for (std::size_t i = 0; i < 4; ++i) {
-            if (!holds[i]) continue;
-            const OverlapPieces pieces = boxes[i].cut();
+    for (int group = 0; group < 150; ++group) {
+        const LanePairs pairs(poses);
+        for (std::size_t i = 0; i < kLanePairs; ++i) {
+            if (!pairs.holds[i]) continue;
+            const OverlapPieces pieces = pairs.boxes[i].cut();
             const OverlapLoad load = sum_load(pieces);
             if (!(load.deepest > 0.0)) continue;
+            const LaneFinding& found = pairs.found[i];
             const ContactArea exact = find_contact_area(pieces, Vector3::Zero());
-            const auto normal_of = [](const BoxMeeting::Box& box) -> Vector3 {
-                return box.sign * Eigen::Map<const Matrix3>(box.rotation).col(box.axis);
-            };
-            const double share = share_of_facing(-normal_of(meetings[i].a).dot(normal_of(meetings[i].b)));
-            const double area = share * lane_of(found.area, i), width = std::sqrt(area);
+            const double share = share_of_facing(-normal_of(pairs.meetings[i].a).dot(normal_of(pairs.meetings[i].b)));
+            const double area = share * found.area, width = std::sqrt(area), size = pairs.boxes[i].size();
             // where twisted boxes meet by a corner, bits of their sides, as large as the depth, face each other too; rounding moves edges
             const double tolerance = 1e-9 + 20.0 * load.deepest * load.deepest / area +
-                                     50.0 * std::numeric_limits<double>::epsilon() * boxes[i].size() / load.deepest * (1.0 + 1.0 / width);
+                                     50.0 * std::numeric_limits<double>::epsilon() * size / load.deepest * (1.0 + 1.0 / width);
             CHECK(area == doctest::Approx(exact.area).epsilon(tolerance).scale(0.0));
-            CHECK((lane_of(found.area_place, i) / lane_of(found.area, i) - exact.arm).norm() < tolerance * boxes[i].size());
-            const Vector3 square = share * lane_of(found.area_square, i);
+            CHECK((found.area_place / found.area - exact.arm).norm() < tolerance * size);
+            const Vector3 square = share * found.area_square;
             // the faces of both bodies are as far apart as they overlap
-            const double allowed = area * (tolerance * boxes[i].size() * width + load.deepest * load.deepest);
+            const double allowed = area * (tolerance * size * width + load.deepest * load.deepest);
             CHECK((square - exact.second.diagonal()).norm() < allowed);
+        }
+    }
+}
+
+namespace {
+
+/// Dashpots that pull on none, some or all of a contact, about its middle, and where it is pressed.
+MainCellQuestion make_question(const OverlapPieces& pieces, std::mt19937_64& random) {
+    const auto even = [&] { return std::uniform_real_distribution<double>(-1.0, 1.0)(random); };
+    const OverlapLoad load = sum_load(pieces);
+    MainCellQuestion question{.dashpot = {}, .stiffness = 1e9, .normal = load.force.normalized(), .about = Vector3::Zero()};
+    question.about = load.force.cross(load.moment) / load.force.squaredNorm();
+    const double pressure = question.stiffness * load.deepest;
+    question.dashpot = {even() * pressure, pressure * std::pow(10.0, 3.0 * even() - 2.0) * Vector3(even(), even(), even()),
+                        find_contact_area(pieces, Vector3::Zero()).arm};
+    return question;
+}
+
+}  // namespace
+
+// as for the area: bits of twisted sides as large as the depth, and rounding of the positions over the depth
+TEST_CASE("main cells give the reach of friction and what dashpots would pull as all pieces do") {
+    Poses poses;
+    std::mt19937_64 random(7);
+    for (int group = 0; group < 400; ++group) {
+        const LanePairs pairs(poses);
+        std::array<MainCellQuestion, kLanePairs> questions{};
+        for (std::size_t i = 0; i < kLanePairs; ++i) {
+            const OverlapPieces pieces = pairs.boxes[i].cut();
+            if (pairs.holds[i] && pieces.size() > 0) questions[i] = make_question(pieces, random);
+        }
+        std::array<MainCellAnswer, kLanePairs> answers;
+        ask_main_cells(pairs.meetings.data(), questions.data(), answers.data());
+        for (std::size_t i = 0; i < kLanePairs; ++i) {
+            const OverlapPieces pieces = pairs.boxes[i].cut();
+            if (!pairs.holds[i] || !(pairs.found[i].area > 0.0)) continue;
+            const double depth = sum_load(pieces).deepest, area = pairs.found[i].area, size = pairs.boxes[i].size();
+            const double tolerance = 1e-9 + 20.0 * depth * depth / area +
+                                     50.0 * std::numeric_limits<double>::epsilon() * size / depth * (1.0 + 1.0 / std::sqrt(area));
+            const MainCellQuestion& question = questions[i];
+            CHECK(answers[i].reach == doctest::Approx(find_reach(pieces, question.normal, question.about)).epsilon(tolerance).scale(0.0));
+            const PressureMoments pull = find_pull(pieces, question.dashpot, question.stiffness);
+            const double most = (question.stiffness * depth + std::abs(question.dashpot.at) + question.dashpot.slope.norm() * size) * area;
+            CHECK(std::abs(answers[i].pull.sum - pull.sum) <= tolerance * most);
+            CHECK((answers[i].pull.at - pull.at).norm() <= tolerance * most * size);
+            // the bound never misses a pull
+            if (!answers[i].may_pull) CHECK(answers[i].pull.sum == 0.0);
+        }
+    }
+}
+
+namespace {
+
+bool same(const LaneFinding& a, const LaneFinding& b) {
+    return a.irregular == b.irregular && a.force == b.force && a.moment == b.moment && a.deepest == b.deepest && a.area == b.area &&
+           a.area_place == b.area_place && a.area_square == b.area_square && a.area_cross == b.area_cross;
+}
+bool same(const MainCellAnswer& a, const MainCellAnswer& b) {
+    return a.reach == b.reach && a.pull.sum == b.pull.sum && a.pull.at == b.pull.at && a.may_pull == b.may_pull;
+}
+
+}  // namespace
+
+TEST_CASE("the lane, the company and the instructions change no bit of a pair") {
+    Poses poses;
+    std::mt19937_64 random(8);
+    for (int group = 0; group < 100; ++group) {
+        const LanePairs pairs(poses);
+        std::array<BoxMeeting, kLanePairs> back, alone;
+        std::array<MainCellQuestion, kLanePairs> questions, questions_back, questions_alone;
+        for (std::size_t i = 0; i < kLanePairs; ++i) questions[i] = make_question(pairs.boxes[i].cut(), random);
+        for (std::size_t i = 0; i < kLanePairs; ++i) {
+            back[i] = pairs.meetings[kLanePairs - 1 - i], questions_back[i] = questions[kLanePairs - 1 - i];
+            alone[i] = pairs.meetings[0], questions_alone[i] = questions[0];
+        }
+        const auto find = [](const auto& meetings) {
+            std::array<LaneFinding, kLanePairs> found;
+            compute_overlaps(meetings.data(), found.data());
+            return found;
+        };
+        const auto ask = [](const auto& meetings, const auto& of) {
+            std::array<MainCellAnswer, kLanePairs> answers;
+            ask_main_cells(meetings.data(), of.data(), answers.data());
+            return answers;
+        };
+        const auto found_back = find(back), found_alone = find(alone);
+        const auto answers = ask(pairs.meetings, questions), answers_back = ask(back, questions_back),
+                   answers_alone = ask(alone, questions_alone);
+        for (std::size_t i = 0; i < kLanePairs; ++i) {
+            if (!pairs.holds[i]) continue;
+            CHECK(same(pairs.found[i], found_back[kLanePairs - 1 - i]));
+            CHECK(same(answers[i], answers_back[kLanePairs - 1 - i]));
+        }
+        if (pairs.holds[0]) CHECK((same(pairs.found[0], found_alone[5]) && same(answers[0], answers_alone[5])));
+        for (const Instructions most : {Instructions::plain, Instructions::avx2}) {
+            limit_instructions(most);
+            const auto narrow = find(pairs.meetings);
+            const auto narrow_answers = ask(pairs.meetings, questions);
+            limit_instructions(Instructions::avx512);
+            for (std::size_t i = 0; i < kLanePairs; ++i) {
+                CHECK(pairs.found[i].irregular == narrow[i].irregular);
+                if (pairs.holds[i]) CHECK((same(pairs.found[i], narrow[i]) && same(answers[i], narrow_answers[i])));
+            }
+        }
+    }
+}
+
+// lengths times four: areas times 16, forces per stiffness times 64
+TEST_CASE("pairs four times as large give the same bits") {
+    Poses poses;
+    std::mt19937_64 random(9);
+    for (int group = 0; group < 100; ++group) {
+        const LanePairs pairs(poses);
+        std::array<Boxes, kLanePairs> boxes = pairs.boxes;
+        std::array<BoxMeeting, kLanePairs> large;
+        std::array<MainCellQuestion, kLanePairs> questions, large_questions;
+        for (std::size_t i = 0; i < kLanePairs; ++i) {
+            for (Vector3* const v : {&boxes[i].half_a, &boxes[i].half_b, &boxes[i].place_a, &boxes[i].place_b}) *v *= 4.0;
+            large[i] = boxes[i].meeting();
+            choose_faces(large[i]);
+            questions[i] = make_question(pairs.boxes[i].cut(), random);
+            large_questions[i] = questions[i];
+            large_questions[i].about *= 4.0, large_questions[i].dashpot.about *= 4.0, large_questions[i].dashpot.at *= 4.0;
+        }
+        std::array<LaneFinding, kLanePairs> found;
+        std::array<MainCellAnswer, kLanePairs> answers, large_answers;
+        compute_overlaps(large.data(), found.data());
+        ask_main_cells(pairs.meetings.data(), questions.data(), answers.data());
+        ask_main_cells(large.data(), large_questions.data(), large_answers.data());
+        for (std::size_t i = 0; i < kLanePairs; ++i) {
+            CHECK(found[i].irregular == pairs.found[i].irregular);
+            if (!pairs.holds[i]) continue;
+            CHECK(found[i].force == 64.0 * pairs.found[i].force);
+            CHECK(found[i].moment == 256.0 * pairs.found[i].moment);
+            CHECK(found[i].area == 16.0 * pairs.found[i].area);
+            CHECK(large_answers[i].reach == 4.0 * answers[i].reach);
+            CHECK(large_answers[i].pull.sum == 64.0 * answers[i].pull.sum);
+            CHECK(large_answers[i].pull.at == 256.0 * answers[i].pull.at);
         }
     }
 }

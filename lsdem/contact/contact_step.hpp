@@ -1,0 +1,260 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "lsdem/contact/wide.hpp"
+
+/// The mathematics of a contact of two bodies that overlap, for one pair or several side by side; see lsdem/contact/README.md, "Area and
+/// dashpots" and "Friction". World axes; what acts acts on the second body.
+namespace musim::lsdem::detail {
+
+template <class W>
+struct ContactStep {
+    using Real = typename W::Real;
+    using Mask = typename W::Mask;
+    using Vector = Triple<Real>;
+
+    /// A force at a point, with a couple [N, N·m].
+    struct Wrench {
+        Vector force, couple;
+    };
+    /// See OverlapContact.
+    struct Memory {
+        Mask touches{};
+        Real area{}, polar{};
+        Vector shear;
+        Real couple{};
+        Vector place;
+        Wrench friction, drag, damping;
+    };
+    /// See Interface.
+    struct Law {
+        Real normal_stiffness, shear_stiffness, friction, normal_damping, shear_damping;
+    };
+    /// See OverlapGeometry.
+    struct Geometry {
+        Vector force, moment;         ///< for a stiffness per area of one [m³, m⁴]
+        Real deepest{};               ///< [m]
+        Real energy{};                ///< [m⁴]
+        Real area{};                  ///< [m²]
+        Vector arm;                   ///< of its middle from `pressed` [m]
+        Vector square, cross_square;  ///< its second moments (xx, yy, zz) and (yz, zx, xy) about its middle [m⁴]
+
+        MUSIM_WIDE Vector second_times(const Vector& v) const {
+            return {(square.x * v.x + cross_square.z * v.y) + cross_square.y * v.z,
+                    (cross_square.z * v.x + square.y * v.y) + cross_square.x * v.z,
+                    (cross_square.y * v.x + cross_square.x * v.y) + square.z * v.z};
+        }
+    };
+    /// See PairMotion.
+    struct Motion {
+        std::array<Vector, 2> center, previous_center;
+        Vector shift;
+        std::array<std::array<Vector, 3>, 2> turn;  ///< columns
+
+        MUSIM_WIDE Vector turned_by(std::size_t body, const Vector& v) const {
+            return (v.x * turn[body][0] + v.y * turn[body][1]) + v.z * turn[body][2];
+        }
+        MUSIM_WIDE Vector displaced(std::size_t body, const Vector& arm) const {
+            return arm - Vector{dot(turn[body][0], arm), dot(turn[body][1], arm), dot(turn[body][2], arm)};
+        }
+        MUSIM_WIDE Vector displacement(const Vector& x) const {
+            return shift + (displaced(1, x - center[1]) - displaced(0, x - center[0]));
+        }
+        MUSIM_WIDE Vector displacement_of_previous(const Vector& x) const {
+            const Vector first = x - previous_center[0], second = x - previous_center[1];
+            return shift + ((turned_by(1, second) - second) - (turned_by(0, first) - first));
+        }
+        MUSIM_WIDE Vector turned(std::size_t body) const {
+            const auto& t = turn[body];
+            return {0.5 * (t[1].z - t[2].y), 0.5 * (t[2].x - t[0].z), 0.5 * (t[0].y - t[1].x)};
+        }
+    };
+    /// A pressure that is affine over the area: at + slope·(x − about) [Pa], and what it comes to.
+    struct Pressure {
+        Real at;
+        Vector slope, about;
+    };
+    struct PressureSum {
+        Real sum{};
+        Vector at;
+    };
+    /// See OverlapForces.
+    struct Result {
+        Vector force, moment;
+        Real elastic_normal{}, elastic_shear{}, friction_work{}, damping_work{};
+    };
+
+    /// Friction of a contact: a force across the normal, and a couple about the normal.
+    struct Friction {
+        Vector force;
+        Real couple;
+    };
+    /// The limit of friction as a whole: |f|² + (m/r̄)² ≤ (μN)², m about where the pressure acts [GoyalRuinaPapadopoulos91].
+    struct Limit {
+        Real force, reach;
+        Vector arm;  ///< of the friction's force from where the pressure acts [m]
+        Vector normal;
+
+        MUSIM_WIDE Real about_pressure(const Friction& friction) const { return friction.couple + dot(normal, cross(arm, friction.force)); }
+        /// How far beyond the limit, 0 on it, in squares of it.
+        MUSIM_WIDE Real excess(const Friction& friction) const {
+            const Real turning = about_pressure(friction) / reach;
+            return (dot(friction.force, friction.force) + turning * turning) / (force * force) - 1.0;
+        }
+        /// Back to the limit: first along the slip that it goes with, which is normal to the limit, then in proportion. The first makes the
+        /// slip of a steady slide what the bodies do, the second makes the limit hold. For what lies beyond.
+        MUSIM_WIDE void hold(const Real& beyond, const Real& stiffness, const Real& turning_stiffness, Friction& friction) const {
+            const Real over = 1.0 / (force * force), turn = about_pressure(friction) * (over / (reach * reach));
+            const Vector slip = over * friction.force, change = -stiffness * (slip + turn * cross(normal, arm));
+            const Real couple_change = -turning_stiffness * turn;
+            const Real slope = 2.0 * (dot(slip, change) + turn * (couple_change + dot(normal, cross(arm, change))));
+            const Real part = choose(slope < Real{}, beyond / -slope, Real{});
+            friction.force = friction.force + part * change;
+            friction.couple += part * couple_change;
+            const Real scale = 1.0 / square_root(1.0 + larger_of<Real>(excess(friction), Real{}));
+            friction.force = scale * friction.force;
+            friction.couple *= scale;
+        }
+    };
+
+    /// The mean distance r̄ of the pressure from its middle is no less than this part of √(J/S) [-]: 0.87 for a strip pressed evenly, 0.66
+    /// for one pressed like a wedge, less for a part of it. Only decides whether r̄ has to be computed.
+    static constexpr double kLeastReach = 0.3;
+
+    /// Turns a vector with the mean turn of both bodies over the step, without changing its length.
+    MUSIM_WIDE static Vector carried(const Vector& v, const Motion& motion) {
+        const Vector half = broadcast<Real>(0.25) * (motion.turned(0) + motion.turned(1)), across = cross(half, v);
+        return v + (2.0 / (1.0 + dot(half, half))) * (across + cross(half, across));
+    }
+    MUSIM_WIDE static Vector across(const Vector& normal, const Vector& v) { return v - dot(normal, v) * normal; }
+
+    /// `Cells`: what is known of the area beyond its moments.
+    ///   Mask may_pull(geometry, pressure, stiffness): false only where springs and dashpots together surely pull nowhere
+    ///   PressureSum find_pull(pressure, stiffness), Real find_reach(normal, pressed): see contact_area.hpp
+    template <class Cells>
+    MUSIM_WIDE static Result compute(const Geometry& geometry, const Motion& motion, const Law& law, double dt, bool first_step,
+                                     const Real& stored_shear, Cells& cells, Memory& contact) {
+        const Real zero{}, one = broadcast<Real>(1.0);
+        const Memory before = contact;
+        Result result;
+        const Real squared = dot(geometry.force, geometry.force);
+        const Mask touches = squared > zero;
+        if (some(touches)) {
+            const Real size = square_root(squared), inverse = choose(touches, 1.0 / size, zero);
+            const Vector normal = inverse * geometry.force, pressed = (inverse * inverse) * cross(geometry.force, geometry.moment);
+            const Real push = law.normal_stiffness * size, area = geometry.area;
+            const Real polar = larger_of<Real>(
+                ((geometry.square.x + geometry.square.y) + geometry.square.z) - dot(normal, geometry.second_times(normal)), zero);
+            contact.touches = touches;
+            contact.area = area;
+            contact.polar = polar;
+            contact.place = pressed + geometry.arm;
+
+            // of a first touch, the part of the step that came after it
+            const Real sunk = -dot(normal, motion.displacement(pressed));
+            const Real part = choose(before.touches, one, choose(sunk > geometry.deepest, geometry.deepest / sunk, one));
+
+            // dashpots: C ḋ everywhere, less where that would pull more than the springs push
+            const Vector slipped = motion.displacement(contact.place);
+            const Real rate = part * law.normal_damping * (1.0 / dt);
+            const Pressure dashpot{-rate * dot(normal, slipped), -rate * (motion.turned_by(0, normal) - motion.turned_by(1, normal)),
+                                   contact.place};
+            PressureSum held;
+            const Mask pulls = cells.may_pull(touches, geometry, dashpot, law.normal_stiffness);
+            if (some(pulls)) {
+                const PressureSum pull = cells.find_pull(dashpot, law.normal_stiffness);
+                held = {choose(pulls, pull.sum, zero), choose(pulls, pull.at, Vector{})};
+            }
+            const Real damping = dashpot.at * area + held.sum;
+            contact.damping = {damping * normal, cross(geometry.second_times(dashpot.slope) + held.at, normal)};
+
+            // springs of friction: a smaller area keeps its slip, a larger one its force, so that neither gives energy
+            const Real stiffness = law.shear_stiffness * area, turning_stiffness = law.shear_stiffness * polar;
+            const Real kept = choose(area < before.area, area / before.area, one);
+            const Real kept_turn = choose(polar < before.polar, polar / before.polar, one);
+            const Real slip_part = first_step ? zero : part;
+            const Vector slip = slip_part * across(normal, slipped);
+            const Real turn = slip_part * dot(normal, motion.turned(1) - motion.turned(0));
+            const Real viscous = choose(law.shear_stiffness > zero, law.shear_damping / (law.shear_stiffness * dt), zero);
+            Friction springs{kept * across(normal, carried(before.shear, motion)) - stiffness * slip,
+                             kept_turn * before.couple - turning_stiffness * turn};
+            Friction drag{(-viscous * stiffness) * slip, (-viscous * turning_stiffness) * turn};
+            Friction friction{springs.force + drag.force, springs.couple + drag.couple};
+            hold_friction(geometry, law, normal, pressed, push + damping, polar, cells, springs, drag, friction);
+            contact.shear = springs.force;
+            contact.couple = springs.couple;
+            contact.friction = {friction.force, friction.couple * normal};
+            contact.drag = {drag.force, drag.couple * normal};
+            result.elastic_shear = choose(stiffness > zero, 0.5 * dot(springs.force, springs.force) / stiffness, zero) +
+                                   choose(turning_stiffness > zero, 0.5 * springs.couple * springs.couple / turning_stiffness, zero);
+
+            const Vector at_middle = contact.damping.force + friction.force;
+            result.force = law.normal_stiffness * geometry.force + at_middle;
+            result.moment = law.normal_stiffness * geometry.moment + cross(contact.place, at_middle) +
+                            (contact.damping.couple + contact.friction.couple);
+            result.elastic_normal = law.normal_stiffness * geometry.energy;
+        }
+        keep_where(touches, contact, result);
+        add_losses(before, contact, motion, stored_shear, result);
+        return result;
+    }
+
+  private:
+    /// Friction within its limit; `springs` and `drag` are its parts.
+    template <class Cells>
+    MUSIM_WIDE static void hold_friction(const Geometry& geometry, const Law& law, const Vector& normal, const Vector& pressed,
+                                         const Real& pressing, const Real& polar, Cells& cells, Friction& springs, Friction& drag,
+                                         Friction& friction) {
+        const Real zero{};
+        Limit limit{law.friction * larger_of<Real>(pressing, zero), zero, across(normal, geometry.arm), normal};
+        const Mask bears = (limit.force > zero) & (polar > zero);
+        limit.reach = choose(bears, kLeastReach * square_root(polar / geometry.area), zero);
+        const Mask may_slide = bears & (limit.excess(friction) > zero);
+        if (some(may_slide)) {
+            limit.reach = choose(may_slide, cells.find_reach(normal, pressed), limit.reach);
+            const Real beyond = limit.excess(friction);
+            const Mask slides = may_slide & (limit.reach > zero) & (beyond > zero);
+            if (some(slides)) {
+                Friction held = friction;
+                limit.hold(beyond, law.shear_stiffness * geometry.area, law.shear_stiffness * polar, held);
+                // dashpots give up their share, in proportion
+                const Real left = 1.0 / square_root(1.0 + beyond);
+                friction = {choose(slides, held.force, friction.force), choose(slides, held.couple, friction.couple)};
+                drag = {choose(slides, left * drag.force, drag.force), choose(slides, left * drag.couple, drag.couple)};
+                springs = {choose(slides, held.force - drag.force, springs.force),
+                           choose(slides, held.couple - drag.couple, springs.couple)};
+            }
+        }
+        const Mask holds = bears & (limit.reach > zero);
+        for (Friction* const part : {&springs, &drag, &friction}) {
+            part->force = choose(holds, part->force, Vector{});
+            part->couple = choose(holds, part->couple, zero);
+        }
+    }
+    /// Nothing elsewhere.
+    MUSIM_WIDE static void keep_where(const Mask& touches, Memory& contact, Result& result) {
+        const auto keep = [&](auto& value) __attribute__((always_inline)) {
+            value = choose(touches, value, std::remove_reference_t<decltype(value)>{});
+        };
+        contact.touches = touches;
+        keep(contact.area), keep(contact.polar), keep(contact.shear), keep(contact.couple), keep(contact.place);
+        for (Wrench* const wrench : {&contact.friction, &contact.drag, &contact.damping}) keep(wrench->force), keep(wrench->couple);
+        keep(result.force), keep(result.moment), keep(result.elastic_normal), keep(result.elastic_shear);
+    }
+    /// What acts works over a step with the mean of its values at both ends.
+    MUSIM_WIDE static void add_losses(const Memory& before, const Memory& contact, const Motion& motion, const Real& stored_shear,
+                                      Result& result) {
+        const Vector turned = motion.turned(1) - motion.turned(0);
+        const Vector moved = motion.displacement(contact.place), moved_before = motion.displacement_of_previous(before.place);
+        const auto loss = [&](const Wrench& last, const Wrench& now) __attribute__((always_inline)) {
+            return -0.5 * ((dot(last.force, moved_before) + dot(now.force, moved)) + dot(last.couple + now.couple, turned));
+        };
+        const Real dragged = loss(before.drag, contact.drag);
+        result.damping_work = loss(before.damping, contact.damping) + dragged;
+        result.friction_work = (loss(before.friction, contact.friction) - dragged) - (result.elastic_shear - stored_shear);
+    }
+};
+
+}  // namespace musim::lsdem::detail

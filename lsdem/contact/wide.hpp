@@ -1,0 +1,132 @@
+#pragma once
+
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numbers>
+#include <utility>
+
+/// One number, or several that are computed side by side: what is written for `Wide<n>` is computed for n pairs at once. Lanes never
+/// meet, so how many share a register changes no bit. See lsdem/detail/instructions.hpp on why all is inlined.
+namespace musim::lsdem::detail {
+
+#define MUSIM_WIDE [[gnu::always_inline]] inline
+
+template <std::size_t kCount>
+struct Wide;
+template <>
+struct Wide<1> {
+    using Real = double;
+    using Mask = bool;
+    using Bits = std::uint64_t;
+};
+template <>
+struct Wide<4> {
+    using Real = double __attribute__((vector_size(32)));
+    using Mask = std::int64_t __attribute__((vector_size(32)));
+    using Bits = std::uint64_t __attribute__((vector_size(32)));
+};
+template <>
+struct Wide<8> {
+    using Real = double __attribute__((vector_size(64)));
+    using Mask = std::int64_t __attribute__((vector_size(64)));
+    using Bits = std::uint64_t __attribute__((vector_size(64)));
+};
+template <class Real>
+inline constexpr std::size_t kWidth = sizeof(Real) / sizeof(double);
+
+/// The same number in all lanes.
+template <class Real>
+MUSIM_WIDE Real broadcast(double value) {
+    return value - Real{};
+}
+/// The number that `of(lane)` gives for every lane.
+template <class Real, class Of>
+MUSIM_WIDE Real gather_lanes(const Of& of) {
+    return [&]<std::size_t... kLane>(std::index_sequence<kLane...>) __attribute__((always_inline)) { return Real{of(kLane)...}; }
+    (std::make_index_sequence<kWidth<Real>>{});
+}
+MUSIM_WIDE double lane_of(double value, std::size_t /*lane*/) { return value; }
+template <class Real>
+MUSIM_WIDE auto lane_of(const Real& value, std::size_t lane) -> decltype(value[0] + value[0]) {
+    return value[lane];
+}
+
+template <class Mask, class Real>
+MUSIM_WIDE Real choose(const Mask& mask, const Real& yes, const Real& no) {
+    return mask ? yes : no;
+}
+template <class Real>
+MUSIM_WIDE Real larger_of(const Real& a, const Real& b) {
+    return a > b ? a : b;
+}
+template <class Real>
+MUSIM_WIDE Real smaller_of(const Real& a, const Real& b) {
+    return a < b ? a : b;
+}
+template <class Real>
+MUSIM_WIDE Real magnitude(const Real& a) {
+    return larger_of<Real>(a, -a);
+}
+MUSIM_WIDE double square_root(double value) { return std::sqrt(value); }
+template <class Real>
+MUSIM_WIDE auto square_root(const Real& value) -> decltype(value[0], Real{}) {
+    return gather_lanes<Real>([&](std::size_t lane) __attribute__((always_inline)) { return std::sqrt(value[lane]); });
+}
+
+/// In any lane?
+MUSIM_WIDE bool some(bool mask) { return mask; }
+MUSIM_WIDE bool some(const Wide<4>::Mask& mask) {
+    using Pair = std::int64_t __attribute__((vector_size(16)));
+    const Pair both = __builtin_shufflevector(mask, mask, 0, 1) | __builtin_shufflevector(mask, mask, 2, 3);
+    return (both[0] | both[1]) != 0;
+}
+MUSIM_WIDE bool some(const Wide<8>::Mask& mask) {
+    return some(__builtin_shufflevector(mask, mask, 0, 1, 2, 3) | __builtin_shufflevector(mask, mask, 4, 5, 6, 7));
+}
+
+/// ln x of normal numbers x ≥ 1, in sums, products and quotients only, so that it has the same bits everywhere.
+template <class W>
+MUSIM_WIDE typename W::Real natural_log(const typename W::Real& x) {
+    using Real = typename W::Real;
+    using Bits = typename W::Bits;
+    constexpr std::uint64_t kMantissa = 0x000f'ffff'ffff'ffffU, kOne = 0x3ff0'0000'0000'0000U, kTwoTo52 = 0x4330'0000'0000'0000U;
+    const Bits bits = std::bit_cast<Bits>(x);
+    // 2⁵² + exponent, a number without rounding
+    Real exponent = std::bit_cast<Real>((bits >> 52) | kTwoTo52) - 0x1.00000000003ffp52;
+    Real mantissa = std::bit_cast<Real>((bits & kMantissa) | kOne);
+    const auto upper = mantissa >= broadcast<Real>(std::numbers::sqrt2);
+    mantissa = choose(upper, 0.5 * mantissa, mantissa);
+    exponent = choose(upper, exponent + 1.0, exponent);
+    const Real t = (mantissa - 1.0) / (mantissa + 1.0), t2 = t * t;
+    Real series{};
+#pragma GCC unroll 11
+    for (int n = 21; n >= 1; n -= 2) series = series * t2 + 1.0 / n;  // |t| < 0.172: below 1e-17 beyond
+    return 2.0 * t * series + exponent * std::numbers::ln2;
+}
+
+/// A vector in every lane.
+template <class Real>
+struct Triple {
+    Real x{}, y{}, z{};
+
+    MUSIM_WIDE friend Triple operator+(const Triple& a, const Triple& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+    MUSIM_WIDE friend Triple operator-(const Triple& a, const Triple& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+    MUSIM_WIDE friend Triple operator*(const Real& a, const Triple& b) { return {a * b.x, a * b.y, a * b.z}; }
+    MUSIM_WIDE Triple operator-() const { return {-x, -y, -z}; }
+};
+template <class Real>
+MUSIM_WIDE Real dot(const Triple<Real>& a, const Triple<Real>& b) {
+    return (a.x * b.x + a.y * b.y) + a.z * b.z;
+}
+template <class Real>
+MUSIM_WIDE Triple<Real> cross(const Triple<Real>& a, const Triple<Real>& b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+template <class Mask, class Real>
+MUSIM_WIDE Triple<Real> choose(const Mask& mask, const Triple<Real>& yes, const Triple<Real>& no) {
+    return {choose(mask, yes.x, no.x), choose(mask, yes.y, no.y), choose(mask, yes.z, no.z)};
+}
+
+}  // namespace musim::lsdem::detail
