@@ -235,9 +235,8 @@ struct ContactStep {
     }
     /// Nothing elsewhere.
     MUSIM_WIDE static void keep_where(const Mask& touches, Memory& contact, Result& result) {
-        const auto keep = [&](auto& value) __attribute__((always_inline)) {
-            value = choose(touches, value, std::remove_reference_t<decltype(value)>{});
-        };
+        const auto keep = [&](auto& value)
+                              MUSIM_WIDE_LAMBDA { value = choose(touches, value, std::remove_reference_t<decltype(value)>{}); };
         contact.touches = touches;
         keep(contact.area), keep(contact.polar), keep(contact.shear), keep(contact.couple), keep(contact.place);
         for (Wrench* const wrench : {&contact.friction, &contact.drag, &contact.damping}) keep(wrench->force), keep(wrench->couple);
@@ -248,7 +247,7 @@ struct ContactStep {
                                       Result& result) {
         const Vector turned = motion.turned(1) - motion.turned(0);
         const Vector moved = motion.displacement(contact.place), moved_before = motion.displacement_of_previous(before.place);
-        const auto loss = [&](const Wrench& last, const Wrench& now) __attribute__((always_inline)) {
+        const auto loss = [&](const Wrench& last, const Wrench& now) MUSIM_WIDE_LAMBDA {
             return -0.5 * ((dot(last.force, moved_before) + dot(now.force, moved)) + dot(last.couple + now.couple, turned));
         };
         const Real dragged = loss(before.drag, contact.drag);

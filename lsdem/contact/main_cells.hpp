@@ -180,13 +180,13 @@ struct MainCells {
             const Point origin{dot(over, cell.along[0]), dot(over, cell.along[1])};
             const Real depth_at_origin = cell.depth_at + (cell.slope[0] * origin[0] + cell.slope[1] * origin[1]);
             const Point first{dot(e, cell.along[0]), dot(f, cell.along[0])}, second{dot(e, cell.along[1]), dot(f, cell.along[1])};
-            const auto project = [&](const Point& p) __attribute__((always_inline)) {
+            const auto project = [&](const Point& p) MUSIM_WIDE_LAMBDA {
                 const Real x = p[0] - origin[0], y = p[1] - origin[1];
                 return Point{first[0] * x + second[0] * y, first[1] * x + second[1] * y};
             };
             Real sum{};
             cell.for_each_edge([&](const Point& from, const Point& to, const Real& depth_from, const Real& depth_to, double sign,
-                                   const Mask& there) __attribute__((always_inline)) {
+                                   const Mask& there) MUSIM_WIDE_LAMBDA {
                 const Real part = integrate_distance<W>(project(from), project(to), depth_from, depth_to, depth_at_origin);
                 sum += sign * choose(there, part, Real{});
             });
@@ -206,12 +206,11 @@ struct MainCells {
     /// ends inside the cell, from a point on f = 0, so that this edge adds nothing.
     MUSIM_WIDE static Positive integrate_positive(const MainCell<W>& cell, const Real& at, const Point& slope) {
         const Real zero{};
-        const auto value = [&](const Point& p) __attribute__((always_inline)) { return (at + slope[0] * p[0]) + slope[1] * p[1]; };
+        const auto value = [&](const Point& p) MUSIM_WIDE_LAMBDA { return (at + slope[0] * p[0]) + slope[1] * p[1]; };
         Real least = broadcast<Real>(Interval<W>::kFar);
-        cell.for_each_edge([&](const Point& from, const Point& to, const Real& /*depth*/, const Real& /*depth*/, double /*sign*/,
-                               const Mask& there) __attribute__((always_inline)) {
-            least = choose(there, smaller_of<Real>(least, smaller_of<Real>(value(from), value(to))), least);
-        });
+        cell.for_each_edge(
+            [&](const Point& from, const Point& to, const Real& /*depth*/, const Real& /*depth*/, double /*sign*/, const Mask& there)
+                MUSIM_WIDE_LAMBDA { least = choose(there, smaller_of<Real>(least, smaller_of<Real>(value(from), value(to))), least); });
         const Real of_fan = value(cell.fan), steepness = slope[0] * slope[0] + slope[1] * slope[1];
         const Mask ends = least < zero;
         const Real back = choose(ends & (steepness > zero), -of_fan / steepness, zero);
@@ -220,7 +219,7 @@ struct MainCells {
         Real sum{};
         Point first{};
         cell.for_each_edge([&](const Point& from, const Point& to, const Real& /*depth*/, const Real& /*depth*/, double sign,
-                               const Mask& there) __attribute__((always_inline)) {
+                               const Mask& there) MUSIM_WIDE_LAMBDA {
             const Real f0 = value(from), f1 = value(to), crossing = f0 / (f0 - f1);
             const Mask starts = f0 > zero, stops = f1 > zero;
             const Real low = choose(starts, zero, crossing), high = choose(stops, broadcast<Real>(1.0), crossing);

@@ -104,7 +104,7 @@ struct Kernel {
         Lanes below;       ///< 1/(2ζ)
         Lanes negligible;  ///< terms in the sums below this are left out [m³]
         LaneMask corner;
-        Lanes deepest{}, shallowest = all(1e300);
+        Lanes deepest{}, shallowest{};
         // sums over face a, first moments along both directions
         Lanes load{};
         std::array<Lanes, 2> load_place{};
@@ -188,6 +188,7 @@ struct Kernel {
         const Lanes zero{};
         Across &p = role.across[0], &q = role.across[1];
         role.below = all(0.5) / role.cosine;
+        role.shallowest = all(1e300);
         find_creases(role, 0);
         find_creases(role, 1);
         auto& edges = cell.edges;
@@ -337,7 +338,7 @@ struct Kernel {
         part.keep(-plane.at * plane.inverse, (plane.inverse > zero) ^ up);
         part.clip(w0, w1);
         if (some(role.corner)) {
-            const auto clip_end = [&](const SidePlane& end) __attribute__((always_inline)) {
+            const auto clip_end = [&](const SidePlane& end) MUSIM_WIDE_LAMBDA {
                 const Lanes slope = guarded(g * end.by + end.by_s * a1), at = -(g * end.at + end.by_s * a0) / slope;
                 const LaneMask above = slope > zero;
                 part.keep(choose(role.corner, at, choose(above, all(-kFar), all(kFar))), above);
@@ -510,27 +511,26 @@ struct Kernel {
     };
     static constexpr std::array<std::uint8_t, 5> kNext{0, 1, 2, 0, 1};  ///< axes in turn
     MUSIM_WIDE static FaceAxes gather_box(const BoxMeeting* pairs, BoxMeeting::Box BoxMeeting::*which) {
-        const auto vector = [&](const auto& from) __attribute__((always_inline)) {
-            return Lanes3{
-                gather_lanes<Lanes>([&](std::size_t lane) __attribute__((always_inline)) { return from(pairs[lane].*which)[0]; }),
-                gather_lanes<Lanes>([&](std::size_t lane) __attribute__((always_inline)) { return from(pairs[lane].*which)[1]; }),
-                gather_lanes<Lanes>([&](std::size_t lane) __attribute__((always_inline)) { return from(pairs[lane].*which)[2]; })};
+        const auto vector = [&](const auto& from) MUSIM_WIDE_LAMBDA {
+            return Lanes3{gather_lanes<Lanes>([&](std::size_t lane) MUSIM_WIDE_LAMBDA { return from(pairs[lane].*which)[0]; }),
+                          gather_lanes<Lanes>([&](std::size_t lane) MUSIM_WIDE_LAMBDA { return from(pairs[lane].*which)[1]; }),
+                          gather_lanes<Lanes>([&](std::size_t lane) MUSIM_WIDE_LAMBDA { return from(pairs[lane].*which)[2]; })};
         };
-        const auto axis = [&](std::size_t i) __attribute__((always_inline)) {
+        const auto axis = [&](std::size_t i) MUSIM_WIDE_LAMBDA {
             return vector([i](const BoxMeeting::Box& box)
-                              __attribute__((always_inline)) { return box.rotation + 3 * std::size_t{kNext[box.axis + i]}; });
+                              MUSIM_WIDE_LAMBDA { return box.rotation + 3 * std::size_t{kNext[box.axis + i]}; });
         };
-        const auto half = [&](std::size_t i) __attribute__((always_inline)) {
-            return gather_lanes<Lanes>([&](std::size_t lane) __attribute__((always_inline)) {
+        const auto half = [&](std::size_t i) MUSIM_WIDE_LAMBDA {
+            return gather_lanes<Lanes>([&](std::size_t lane) MUSIM_WIDE_LAMBDA {
                 const BoxMeeting::Box& box = pairs[lane].*which;
                 return box.half[kNext[box.axis + i]];
             });
         };
-        const Lanes sign = gather_lanes<Lanes>([&](std::size_t lane) __attribute__((always_inline)) { return (pairs[lane].*which).sign; });
+        const Lanes sign = gather_lanes<Lanes>([&](std::size_t lane) MUSIM_WIDE_LAMBDA { return (pairs[lane].*which).sign; });
         return {axis(1),
                 axis(2),
                 scaled(axis(0), sign),
-                vector([](const BoxMeeting::Box& box) __attribute__((always_inline)) { return box.position; }),
+                vector([](const BoxMeeting::Box& box) MUSIM_WIDE_LAMBDA { return box.position; }),
                 half(1),
                 half(2),
                 half(0)};
@@ -571,7 +571,7 @@ struct Kernel {
             b.half_q = choose(swap, half_p, b.half_q);
         }
         // a's p, q, n are right-handed for sign 1, b's then left-handed
-        const Lanes handed_a = gather_lanes<Lanes>([&](std::size_t lane) __attribute__((always_inline)) { return pairs[lane].a.sign; }),
+        const Lanes handed_a = gather_lanes<Lanes>([&](std::size_t lane) MUSIM_WIDE_LAMBDA { return pairs[lane].a.sign; }),
                     handed_b = -handed_a;
 
         const Lanes3 c{b.position.x - a.position.x, b.position.y - a.position.y, b.position.z - a.position.z};
@@ -666,22 +666,20 @@ struct Kernel {
         result.deepest = choose(fits, deepest, zero);
         result.area = choose(fits, area, zero);
         result.area_depth = half * (roles[0].area_depth + roles[1].area_depth);
-        const auto place = [&](const Role& role, const FaceAxes& x) __attribute__((always_inline)) {
+        const auto place = [&](const Role& role, const FaceAxes& x) MUSIM_WIDE_LAMBDA {
             return combine(x.p, x.q, x.n, role.area_place[0], role.area_place[1], role.half_normal * role.area);
         };
         const Lanes3 place_a = place(roles[0], a), place_b = place(roles[1], b);
         const Lanes shift = all(0.25) * (roles[1].area - roles[0].area);
         result.area_place = {half * (place_a.x + place_b.x) + shift * c.x, half * (place_a.y + place_b.y) + shift * c.y,
                              half * (place_a.z + place_b.z) + shift * c.z};
-        const auto square = [&](const Role& role, const FaceAxes& x, const Lanes Lanes3::*i, const Lanes Lanes3::*j)
-            __attribute__((always_inline)) {
+        const auto square = [&](const Role& role, const FaceAxes& x, const Lanes Lanes3::*i, const Lanes Lanes3::*j) MUSIM_WIDE_LAMBDA {
             return half * ((role.area_square[0] * (x.p.*i * x.p.*j) + role.area_square[1] * (x.q.*i * x.q.*j)) +
                            role.area_mixed * (x.p.*i * x.q.*j + x.q.*i * x.p.*j));
         };
         constexpr auto X = &Lanes3::x, Y = &Lanes3::y, Z = &Lanes3::z;
-        const auto sum = [&](const Lanes Lanes3::*i, const Lanes Lanes3::*j) __attribute__((always_inline)) {
-            return square(roles[0], a, i, j) + square(roles[1], b, i, j);
-        };
+        const auto sum = [&](const Lanes Lanes3::*i, const Lanes Lanes3::*j)
+                             MUSIM_WIDE_LAMBDA { return square(roles[0], a, i, j) + square(roles[1], b, i, j); };
         result.area_square = {sum(X, X), sum(Y, Y), sum(Z, Z)};
         result.area_cross = {sum(Y, Z), sum(Z, X), sum(X, Y)};
     }

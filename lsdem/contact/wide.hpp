@@ -1,17 +1,20 @@
 #pragma once
 
-#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
+#include <type_traits>
 #include <utility>
 
 /// One number, or several that are computed side by side: what is written for `Wide<n>` is computed for n pairs at once. Lanes never
 /// meet, so how many share a register changes no bit. See lsdem/detail/instructions.hpp on why all is inlined.
 namespace musim::lsdem::detail {
 
+#if !defined(MUSIM_WIDE)
 #define MUSIM_WIDE [[gnu::always_inline]] inline
+#define MUSIM_WIDE_LAMBDA __attribute__((always_inline))
+#endif
 
 template <std::size_t kCount>
 struct Wide;
@@ -27,30 +30,29 @@ struct Wide<4> {
     using Mask = std::int64_t __attribute__((vector_size(32)));
     using Bits = std::uint64_t __attribute__((vector_size(32)));
 };
-template <>
-struct Wide<8> {
-    using Real = double __attribute__((vector_size(64)));
-    using Mask = std::int64_t __attribute__((vector_size(64)));
-    using Bits = std::uint64_t __attribute__((vector_size(64)));
-};
 template <class Real>
 inline constexpr std::size_t kWidth = sizeof(Real) / sizeof(double);
 
 /// The same number in all lanes.
 template <class Real>
 MUSIM_WIDE Real broadcast(double value) {
-    return value - Real{};
+    if constexpr (std::is_class_v<Real>) {
+        return Real::of(value);
+    } else {
+        return value - Real{};
+    }
 }
 /// The number that `of(lane)` gives for every lane.
 template <class Real, class Of>
 MUSIM_WIDE Real gather_lanes(const Of& of) {
-    return [&]<std::size_t... kLane>(std::index_sequence<kLane...>) __attribute__((always_inline)) { return Real{of(kLane)...}; }
-    (std::make_index_sequence<kWidth<Real>>{});
-}
-MUSIM_WIDE double lane_of(double value, std::size_t /*lane*/) { return value; }
-template <class Real>
-MUSIM_WIDE auto lane_of(const Real& value, std::size_t lane) -> decltype(value[0] + value[0]) {
-    return value[lane];
+    const auto gather = [&]<std::size_t... kLane>(std::index_sequence<kLane...>) MUSIM_WIDE_LAMBDA {
+        if constexpr (std::is_class_v<Real>) {
+            return Real::of(of(kLane)...);
+        } else {
+            return Real{of(kLane)...};
+        }
+    };
+    return gather(std::make_index_sequence<kWidth<Real>>{});
 }
 
 template <class Mask, class Real>
@@ -59,20 +61,33 @@ MUSIM_WIDE Real choose(const Mask& mask, const Real& yes, const Real& no) {
 }
 template <class Real>
 MUSIM_WIDE Real larger_of(const Real& a, const Real& b) {
-    return a > b ? a : b;
+    if constexpr (std::is_class_v<Real>) {
+        return a.larger(b);
+    } else {
+        return a > b ? a : b;
+    }
 }
 template <class Real>
 MUSIM_WIDE Real smaller_of(const Real& a, const Real& b) {
-    return a < b ? a : b;
+    if constexpr (std::is_class_v<Real>) {
+        return a.smaller(b);
+    } else {
+        return a < b ? a : b;
+    }
 }
 template <class Real>
 MUSIM_WIDE Real magnitude(const Real& a) {
     return larger_of<Real>(a, -a);
 }
-MUSIM_WIDE double square_root(double value) { return std::sqrt(value); }
 template <class Real>
-MUSIM_WIDE auto square_root(const Real& value) -> decltype(value[0], Real{}) {
-    return gather_lanes<Real>([&](std::size_t lane) __attribute__((always_inline)) { return std::sqrt(value[lane]); });
+MUSIM_WIDE Real square_root(const Real& value) {
+    if constexpr (std::is_class_v<Real>) {
+        return value.root();
+    } else if constexpr (kWidth<Real> == 1) {
+        return std::sqrt(value);
+    } else {
+        return gather_lanes<Real>([&](std::size_t lane) MUSIM_WIDE_LAMBDA { return std::sqrt(value[lane]); });
+    }
 }
 
 /// In any lane?
@@ -82,20 +97,16 @@ MUSIM_WIDE bool some(const Wide<4>::Mask& mask) {
     const Pair both = __builtin_shufflevector(mask, mask, 0, 1) | __builtin_shufflevector(mask, mask, 2, 3);
     return (both[0] | both[1]) != 0;
 }
-MUSIM_WIDE bool some(const Wide<8>::Mask& mask) {
-    return some(__builtin_shufflevector(mask, mask, 0, 1, 2, 3) | __builtin_shufflevector(mask, mask, 4, 5, 6, 7));
-}
-
 /// ln x of normal numbers x ≥ 1, in sums, products and quotients only, so that it has the same bits everywhere.
 template <class W>
 MUSIM_WIDE typename W::Real natural_log(const typename W::Real& x) {
     using Real = typename W::Real;
     using Bits = typename W::Bits;
     constexpr std::uint64_t kMantissa = 0x000f'ffff'ffff'ffffU, kOne = 0x3ff0'0000'0000'0000U, kTwoTo52 = 0x4330'0000'0000'0000U;
-    const Bits bits = std::bit_cast<Bits>(x);
+    const Bits bits = __builtin_bit_cast(Bits, x);
     // 2⁵² + exponent, a number without rounding
-    Real exponent = std::bit_cast<Real>((bits >> 52) | kTwoTo52) - 0x1.00000000003ffp52;
-    Real mantissa = std::bit_cast<Real>((bits & kMantissa) | kOne);
+    Real exponent = __builtin_bit_cast(Real, (bits >> 52) | kTwoTo52) - 0x1.00000000003ffp52;
+    Real mantissa = __builtin_bit_cast(Real, (bits & kMantissa) | kOne);
     const auto upper = mantissa >= broadcast<Real>(std::numbers::sqrt2);
     mantissa = choose(upper, 0.5 * mantissa, mantissa);
     exponent = choose(upper, exponent + 1.0, exponent);

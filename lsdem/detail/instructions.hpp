@@ -20,10 +20,8 @@ void limit_instructions(Instructions most);
 
 #if defined(__x86_64__)
 #define MUSIM_AVX2 [[gnu::target("avx2")]]
-#define MUSIM_AVX512 [[gnu::target("avx512f,avx512dq,avx512vl,prefer-vector-width=512")]]
 #else
 #define MUSIM_AVX2
-#define MUSIM_AVX512
 #endif
 
 /// How four lanes travel into and out of a function depends on the instructions that it is compiled for, and what both paths call is

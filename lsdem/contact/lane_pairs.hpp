@@ -1,0 +1,205 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "lsdem/contact/contact_step.hpp"
+#include "lsdem/contact/main_cells.hpp"
+#include "lsdem/contact/overlap_kernel.hpp"
+#include "lsdem/contact/overlap_lanes.hpp"
+
+/// What overlap_lanes.hpp does, for any number of lanes.
+namespace musim::lsdem::detail {
+
+/// Gathers and scatters fields of several pairs.
+template <class W>
+struct Lane {
+    using Real = typename W::Real;
+    using Mask = typename W::Mask;
+    using Vector = Triple<Real>;
+    using Step = ContactStep<W>;
+
+    template <class Of>
+    MUSIM_WIDE static Vector gather_vector(const Of& of) {
+        return {gather_lanes<Real>([&](std::size_t lane) MUSIM_WIDE_LAMBDA { return of(lane)[0]; }),
+                gather_lanes<Real>([&](std::size_t lane) MUSIM_WIDE_LAMBDA { return of(lane)[1]; }),
+                gather_lanes<Real>([&](std::size_t lane) MUSIM_WIDE_LAMBDA { return of(lane)[2]; })};
+    }
+    /// The turn of a body over the step, from both its rotations, given column by column.
+    template <class Now, class Previous>
+    MUSIM_WIDE static std::array<Vector, 3> find_turn(const Now& now, const Previous& previous) {
+        std::array<Vector, 3> turn;
+#pragma GCC unroll 3
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Vector r = gather_vector([&](std::size_t lane) MUSIM_WIDE_LAMBDA { return now(lane) + 3 * k; });
+            const Vector p = gather_vector([&](std::size_t lane) MUSIM_WIDE_LAMBDA { return previous(lane) + 3 * k; });
+            turn[0] = k == 0 ? p.x * r : turn[0] + p.x * r;
+            turn[1] = k == 0 ? p.y * r : turn[1] + p.y * r;
+            turn[2] = k == 0 ? p.z * r : turn[2] + p.z * r;
+        }
+        return turn;
+    }
+    /// Also the place of the pair's origin from the point half way between the middles of the boxes.
+    MUSIM_WIDE static typename Step::Motion gather_motion(const LanePair* pairs, Vector& shift) {
+        typename Step::Motion motion;
+        const Vector leader = gather_vector([&](std::size_t i) MUSIM_WIDE_LAMBDA { return pairs[i].meeting.a.position; });
+        const Vector follower = gather_vector([&](std::size_t i) MUSIM_WIDE_LAMBDA { return pairs[i].follower_position; });
+        const Vector leader_before = gather_vector([&](std::size_t i) MUSIM_WIDE_LAMBDA { return pairs[i].previous_position[0]; });
+        const Vector follower_before = gather_vector([&](std::size_t i) MUSIM_WIDE_LAMBDA { return pairs[i].previous_position[1]; });
+        const Real origin = gather_lanes<Real>([&](std::size_t i) MUSIM_WIDE_LAMBDA { return pairs[i].origin; });
+        const Vector apart = follower - leader, apart_before = follower_before - leader_before;
+        motion.center = {-origin * apart, origin * apart};
+        motion.previous_center = {-origin * apart_before, origin * apart_before};
+        motion.shift = apart - apart_before;
+        motion.turn[0] = find_turn([&](std::size_t i) MUSIM_WIDE_LAMBDA { return pairs[i].meeting.a.rotation; },
+                                   [&](std::size_t i) MUSIM_WIDE_LAMBDA { return pairs[i].previous_rotation[0]; });
+        motion.turn[1] = find_turn([&](std::size_t i) MUSIM_WIDE_LAMBDA { return pairs[i].meeting.b.rotation; },
+                                   [&](std::size_t i) MUSIM_WIDE_LAMBDA { return pairs[i].previous_rotation[1]; });
+        // the ground's sheet lies right below its block
+        shift = {Real{}, Real{}, (origin - 0.5) * apart.z};
+        return motion;
+    }
+    MUSIM_WIDE static typename Step::Memory gather_memory(const LanePair* pairs) {
+        const auto number = [&](double OverlapContact::*field) MUSIM_WIDE_LAMBDA {
+            return gather_lanes<Real>([&](std::size_t i) MUSIM_WIDE_LAMBDA { return pairs[i].contact->*field; });
+        };
+        const auto vector = [&](Vector3 OverlapContact::*field) MUSIM_WIDE_LAMBDA {
+            return gather_vector([&](std::size_t i) MUSIM_WIDE_LAMBDA { return (pairs[i].contact->*field).data(); });
+        };
+        const auto wrench = [&](PlacedWrench OverlapContact::*field) MUSIM_WIDE_LAMBDA {
+            return typename Step::Wrench{
+                gather_vector([&](std::size_t i) MUSIM_WIDE_LAMBDA { return (pairs[i].contact->*field).force.data(); }),
+                gather_vector([&](std::size_t i) MUSIM_WIDE_LAMBDA { return (pairs[i].contact->*field).couple.data(); })};
+        };
+        const Real touches = gather_lanes<Real>([&](std::size_t i) MUSIM_WIDE_LAMBDA { return pairs[i].contact->touches ? 1.0 : 0.0; });
+        return {touches > Real{},
+                number(&OverlapContact::area),
+                number(&OverlapContact::polar),
+                vector(&OverlapContact::shear),
+                number(&OverlapContact::couple),
+                vector(&OverlapContact::place),
+                wrench(&OverlapContact::friction),
+                wrench(&OverlapContact::drag),
+                wrench(&OverlapContact::damping)};
+    }
+    MUSIM_WIDE static typename Step::Law gather_law(const LanePair* pairs) {
+        const auto of = [&](double Interface::*field) MUSIM_WIDE_LAMBDA {
+            return gather_lanes<Real>([&](std::size_t i) MUSIM_WIDE_LAMBDA { return pairs[i].law->*field; });
+        };
+        return {of(&Interface::normal_stiffness), of(&Interface::shear_stiffness), of(&Interface::friction), of(&Interface::normal_damping),
+                of(&Interface::shear_damping)};
+    }
+    MUSIM_WIDE static Vector3 pick(const Vector& v, std::size_t lane) { return {v.x[lane], v.y[lane], v.z[lane]}; }
+    MUSIM_WIDE static PlacedWrench pick(const typename Step::Wrench& w, std::size_t lane) {
+        return {pick(w.force, lane), pick(w.couple, lane)};
+    }
+
+    /// The geometry of the contact about the pair's origin, and its main cells.
+    MUSIM_WIDE static typename Step::Geometry make_geometry(const LaneOverlap<W>& found, const Vector& shift, MainCells<W>& cells) {
+        typename Step::Geometry geometry;
+        const Real zero{}, over = choose(found.area > zero, 1.0 / found.area, zero);
+        geometry.force = found.force;
+        geometry.moment = found.moment - cross(shift, found.force);
+        geometry.deepest = found.deepest;
+        const Real squared = dot(found.force, found.force);
+        const Vector pressed = choose(squared > zero, 1.0 / squared, zero) * cross(geometry.force, geometry.moment);
+        geometry.arm = over * found.area_place - shift - pressed;
+        cells.depth = over * found.area_depth;
+        cells.depth_slope = -(found.cells[0].normal + found.cells[1].normal);
+        geometry.square = found.area_square, geometry.cross_square = found.area_cross;
+        geometry.energy = 0.5 * (found.area * cells.depth * cells.depth + dot(cells.depth_slope, geometry.second_times(cells.depth_slope)));
+        const Real cosine = -dot(found.cells[0].normal, found.cells[1].normal);
+        const Real share = larger_of<Real>((cosine - kLeastFacing) * (1.0 / (1.0 - kLeastFacing)), zero);
+        geometry.area = share * found.area;
+        geometry.square = share * geometry.square, geometry.cross_square = share * geometry.cross_square;
+        cells.share = 0.5 * share;
+        cells.shift = shift;
+        return geometry;
+    }
+
+    MUSIM_WIDE static void compute(LanePair* pairs, double dt, bool first_step) {
+        std::array<BoxMeeting, kWidth<Real>> meetings;
+        for (std::size_t i = 0; i < kWidth<Real>; ++i) meetings[i] = pairs[i].meeting;
+        LaneOverlap<W> found;
+        Kernel<W>::compute_any(meetings.data(), found);
+        Vector shift;
+        const typename Step::Motion motion = gather_motion(pairs, shift);
+        MainCells<W> cells{found.cells, {}, {}, {}, {}};
+        const typename Step::Geometry geometry = make_geometry(found, shift, cells);
+        const Real stored_shear = gather_lanes<Real>([&](std::size_t i) MUSIM_WIDE_LAMBDA { return pairs[i].tally->elastic_shear; });
+        typename Step::Memory memory = gather_memory(pairs);
+        const typename Step::Result result =
+            Step::compute(geometry, motion, gather_law(pairs), dt, first_step, stored_shear, cells, memory);
+        const Vector leader_torque = cross(motion.center[0], result.force) - result.moment;
+        const Vector follower_torque = result.moment - cross(motion.center[1], result.force);
+        for (std::size_t i = 0; i < kWidth<Real>; ++i) {
+            LanePair& pair = pairs[i];
+            pair.irregular = found.irregular[i] != 0;
+            if (pair.irregular) continue;
+            const bool touches = memory.touches[i] != 0;
+            *pair.contact = {touches,
+                             memory.area[i],
+                             memory.polar[i],
+                             pick(memory.shear, i),
+                             memory.couple[i],
+                             pick(memory.place, i),
+                             pick(memory.friction, i),
+                             pick(memory.drag, i),
+                             pick(memory.damping, i)};
+            *pair.force = {pick(-result.force, i), pick(leader_torque, i), pick(follower_torque, i)};
+            *pair.tally = {result.elastic_normal[i], result.elastic_shear[i], touches ? found.deepest[i] : 0.0, touches ? 1U : 0U};
+            *pair.work += {result.friction_work[i], result.damping_work[i]};
+            pair.area = touches ? found.area[i] : 0.0;
+        }
+    }
+
+    MUSIM_WIDE static void compute_overlap(const BoxMeeting* pairs, LaneFinding* results) {
+        LaneOverlap<W> found;
+        Kernel<W>::compute_any(pairs, found);
+        for (std::size_t i = 0; i < kWidth<Real>; ++i)
+            results[i] = {pick(found.force, i),      pick(found.moment, i),      found.deepest[i],          found.area[i],
+                          pick(found.area_place, i), pick(found.area_square, i), pick(found.area_cross, i), found.irregular[i] != 0};
+    }
+    MUSIM_WIDE static void ask(const BoxMeeting* pairs, const MainCellQuestion* questions, MainCellAnswer* answers) {
+        LaneOverlap<W> found;
+        Kernel<W>::compute_any(pairs, found);
+        MainCells<W> cells{found.cells, {}, {}, {}, {}};
+        const typename Step::Geometry geometry = make_geometry(found, Vector{}, cells);
+        const auto number = [&](const auto& of) MUSIM_WIDE_LAMBDA {
+            return gather_lanes<Real>([&](std::size_t i) MUSIM_WIDE_LAMBDA { return of(questions[i]); });
+        };
+        const auto vector = [&](const auto& of) MUSIM_WIDE_LAMBDA {
+            return gather_vector([&](std::size_t i) MUSIM_WIDE_LAMBDA { return of(questions[i]).data(); });
+        };
+        using Question = MainCellQuestion;
+        const typename Step::Pressure dashpot{
+            number([](const Question& q) MUSIM_WIDE_LAMBDA { return q.dashpot.at; }),
+            vector([](const Question& q) MUSIM_WIDE_LAMBDA -> const Vector3& { return q.dashpot.slope; }),
+            vector([](const Question& q) MUSIM_WIDE_LAMBDA -> const Vector3& { return q.dashpot.about; })};
+        const Real stiffness = number([](const Question& q) MUSIM_WIDE_LAMBDA { return q.stiffness; });
+        const typename Step::PressureSum pull = cells.find_pull(dashpot, stiffness);
+        const Real reach = cells.find_reach(vector([](const Question& q) MUSIM_WIDE_LAMBDA -> const Vector3& { return q.normal; }),
+                                            vector([](const Question& q) MUSIM_WIDE_LAMBDA -> const Vector3& { return q.about; }));
+        const Mask touches = found.area > Real{};
+        const Mask may_pull = cells.may_pull(touches, geometry, dashpot, stiffness);
+        for (std::size_t i = 0; i < kWidth<Real>; ++i) answers[i] = {{pull.sum[i], pick(pull.at, i)}, reach[i], may_pull[i] != 0};
+    }
+};
+
+/// kLanePairs pairs, as many at once as one register holds.
+template <class W>
+struct LanePairs {
+    static constexpr std::size_t kStep = kWidth<typename W::Real>;
+
+    MUSIM_WIDE static void compute(LanePair* pairs, double dt, bool first_step) {
+        for (std::size_t i = 0; i < kLanePairs; i += kStep) Lane<W>::compute(pairs + i, dt, first_step);
+    }
+    MUSIM_WIDE static void find_overlaps(const BoxMeeting* pairs, LaneFinding* found) {
+        for (std::size_t i = 0; i < kLanePairs; i += kStep) Lane<W>::compute_overlap(pairs + i, found + i);
+    }
+    MUSIM_WIDE static void ask(const BoxMeeting* pairs, const MainCellQuestion* questions, MainCellAnswer* answers) {
+        for (std::size_t i = 0; i < kLanePairs; i += kStep) Lane<W>::ask(pairs + i, questions + i, answers + i);
+    }
+};
+
+}  // namespace musim::lsdem::detail

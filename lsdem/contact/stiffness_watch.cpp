@@ -1,0 +1,74 @@
+#include "lsdem/contact/stiffness_watch.hpp"
+
+#include <cmath>
+#include <vector>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <Eigen/StdVector>
+
+#include "lsdem/contact/overlap_pairs.hpp"
+
+namespace musim::lsdem {
+namespace {
+
+using Matrix6 = Eigen::Matrix<double, 6, 6>;
+
+Matrix3 cross_matrix(const Vector3& v) {
+    Matrix3 m;
+    m << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0;
+    return m;
+}
+
+/// What a contact opposes to a motion of one of its blocks, ∫ bᵀ D b dA: b moves the points at r by a shift and a turn, D = k_s 1 +
+/// (k_n − k_s) n nᵀ per area. `arm`: of the middle of the area from the block's centre [m].
+Matrix6 find_opposition(const ContactArea& area, const Vector3& normal, const Vector3& arm, double along, double across) {
+    const Matrix3 d = across * Matrix3::Identity() + (along - across) * normal * normal.transpose();
+    const Matrix3 r = cross_matrix(arm), n = cross_matrix(normal);
+    Matrix6 sum;
+    sum.topLeftCorner<3, 3>() = area.area * d;
+    sum.topRightCorner<3, 3>() = -area.area * d * r;
+    sum.bottomLeftCorner<3, 3>() = sum.topRightCorner<3, 3>().transpose();
+    sum.bottomRightCorner<3, 3>() = area.area * r.transpose() * d * r + across * (area.second.trace() * Matrix3::Identity() - area.second) +
+                                    (along - across) * n * area.second * n.transpose();
+    return sum;
+}
+
+}  // namespace
+
+StiffestBlock find_stiffest_block(const Bodies& bodies, const BasePose& base, double dt, const ContactList& list, double least) {
+    std::vector<Matrix6, Eigen::aligned_allocator<Matrix6>> opposition(bodies.size(), Matrix6::Zero());
+    const auto add = [&](std::size_t index, const OverlapGeometry& geometry, const Vector3& origin) {
+        const ContactPair& pair = list.pairs[index];
+        const Interface& law = pair.law;
+        const double along = 0.25 * dt * dt * law.normal_stiffness + 0.5 * dt * law.normal_damping;
+        const double across = 0.25 * dt * dt * law.shear_stiffness + 0.5 * dt * law.shear_damping;
+        const Vector3 normal = geometry.load.force.normalized(), middle = origin + geometry.pressed() + geometry.area.arm;
+        const auto moves = [&](std::uint32_t block) { return block != kGround && bodies.fixed[block] == 0; };
+        const double sides = moves(pair.leader) && moves(pair.follower) ? 2.0 : 1.0;
+        for (const std::uint32_t block : {pair.leader, pair.follower}) {
+            if (!moves(block)) continue;
+            opposition[block] += sides * find_opposition(geometry.area, normal, middle - bodies.position[block], along, across);
+        }
+    };
+    visit_overlaps(bodies, base, list, add);
+
+    StiffestBlock stiffest{least, 0};
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        if (bodies.fixed[i] != 0) continue;
+        Matrix6& m = opposition[i];
+        const Matrix3 to_body = bodies.rotation[i].transpose();
+        m.rightCols<3>() = (m.rightCols<3>() * to_body.transpose()).eval();
+        m.bottomRows<3>() = (to_body * m.bottomRows<3>()).eval();
+        Eigen::Matrix<double, 6, 1> root;
+        root << Vector3::Constant(std::sqrt(bodies.inverse_mass[i])), bodies.inverse_inertia[i].cwiseSqrt();
+        m = (root.asDiagonal() * m * root.asDiagonal()).eval();
+        // most blocks use less than the largest so far, which costs little to see
+        if (Eigen::LLT<Matrix6>(stiffest.used * Matrix6::Identity() - m).info() == Eigen::Success) continue;
+        const double used = Eigen::SelfAdjointEigenSolver<Matrix6>(m, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff();
+        if (used > stiffest.used) stiffest = {used, i};
+    }
+    return stiffest.used > least ? stiffest : StiffestBlock{};
+}
+
+}  // namespace musim::lsdem

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstddef>
+
+#include "lsdem/bodies.hpp"
+#include "lsdem/contacts.hpp"
+
+namespace musim::lsdem {
+
+/// How much of the limit of the time step the contacts of a block use [-], and which block it is.
+struct StiffestBlock {
+    double used = 0.0;
+    std::size_t block = 0;
+};
+
+/// The largest eigenvalue, over single blocks that move, of M⁻¹(K dt²/4 + C dt/2), with K, C (6 x 6) those of the block's overlaps as they
+/// are now, twice where the other block moves too: with no more than 1 every mode of the assembly is stable (lsdem/README.md, "Time step").
+/// Zero unless a block uses more than `least`. Contacts by nodes are left out.
+StiffestBlock find_stiffest_block(const Bodies& bodies, const BasePose& base, double dt, const ContactList& list, double least);
+
+}  // namespace musim::lsdem

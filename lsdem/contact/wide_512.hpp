@@ -1,0 +1,68 @@
+#pragma once
+
+#include <immintrin.h>
+
+#include "lsdem/contact/wide.hpp"
+
+/// Eight lanes of AVX-512. Its comparisons give masks of one bit a lane, for which vectors of the compiler have no operators. Only for
+/// files that define MUSIM_WIDE with these instructions.
+namespace musim::lsdem::detail {
+
+struct Mask8 {
+    __mmask8 bits;
+
+    MUSIM_WIDE friend Mask8 operator&(Mask8 a, Mask8 b) { return {static_cast<__mmask8>(a.bits & b.bits)}; }
+    MUSIM_WIDE friend Mask8 operator|(Mask8 a, Mask8 b) { return {static_cast<__mmask8>(a.bits | b.bits)}; }
+    MUSIM_WIDE friend Mask8 operator^(Mask8 a, Mask8 b) { return {static_cast<__mmask8>(a.bits ^ b.bits)}; }
+    MUSIM_WIDE Mask8 operator~() const { return {static_cast<__mmask8>(~bits)}; }
+    MUSIM_WIDE Mask8& operator&=(Mask8 other) { return *this = *this & other; }
+    MUSIM_WIDE Mask8& operator|=(Mask8 other) { return *this = *this | other; }
+    MUSIM_WIDE int operator[](std::size_t lane) const { return bits >> lane & 1; }
+};
+MUSIM_WIDE bool some(Mask8 mask) { return mask.bits != 0; }
+
+struct Real8 {
+    __m512d value;
+
+    MUSIM_WIDE static Real8 of(double a) { return {_mm512_set1_pd(a)}; }
+    MUSIM_WIDE static Real8 of(double a, double b, double c, double d, double e, double f, double g, double h) {
+        return {_mm512_setr_pd(a, b, c, d, e, f, g, h)};
+    }
+    MUSIM_WIDE double operator[](std::size_t lane) const { return value[lane]; }
+    // the second where one is no number or both are equal, as a > b ? a : b
+    MUSIM_WIDE Real8 larger(const Real8& other) const { return {_mm512_maskz_max_pd(0xff, value, other.value)}; }
+    MUSIM_WIDE Real8 smaller(const Real8& other) const { return {_mm512_maskz_min_pd(0xff, value, other.value)}; }
+    MUSIM_WIDE Real8 root() const { return {_mm512_maskz_sqrt_pd(0xff, value)}; }
+
+    MUSIM_WIDE friend Real8 operator+(const Real8& a, const Real8& b) { return {a.value + b.value}; }
+    MUSIM_WIDE friend Real8 operator-(const Real8& a, const Real8& b) { return {a.value - b.value}; }
+    MUSIM_WIDE friend Real8 operator*(const Real8& a, const Real8& b) { return {a.value * b.value}; }
+    MUSIM_WIDE friend Real8 operator/(const Real8& a, const Real8& b) { return {a.value / b.value}; }
+    MUSIM_WIDE friend Real8 operator+(const Real8& a, double b) { return a + of(b); }
+    MUSIM_WIDE friend Real8 operator-(const Real8& a, double b) { return a - of(b); }
+    MUSIM_WIDE friend Real8 operator*(const Real8& a, double b) { return a * of(b); }
+    MUSIM_WIDE friend Real8 operator+(double a, const Real8& b) { return of(a) + b; }
+    MUSIM_WIDE friend Real8 operator*(double a, const Real8& b) { return of(a) * b; }
+    MUSIM_WIDE friend Real8 operator/(double a, const Real8& b) { return of(a) / b; }
+    MUSIM_WIDE Real8 operator-() const { return {-value}; }
+    MUSIM_WIDE Real8& operator+=(const Real8& other) { return *this = *this + other; }
+    MUSIM_WIDE Real8& operator-=(const Real8& other) { return *this = *this - other; }
+    MUSIM_WIDE Real8& operator*=(const Real8& other) { return *this = *this * other; }
+    MUSIM_WIDE Real8& operator*=(double other) { return *this = *this * other; }
+    MUSIM_WIDE friend Mask8 operator>(const Real8& a, const Real8& b) { return {_mm512_cmp_pd_mask(a.value, b.value, _CMP_GT_OQ)}; }
+    MUSIM_WIDE friend Mask8 operator<(const Real8& a, const Real8& b) { return {_mm512_cmp_pd_mask(a.value, b.value, _CMP_LT_OQ)}; }
+    MUSIM_WIDE friend Mask8 operator>=(const Real8& a, const Real8& b) { return {_mm512_cmp_pd_mask(a.value, b.value, _CMP_GE_OQ)}; }
+    MUSIM_WIDE friend Mask8 operator<=(const Real8& a, const Real8& b) { return {_mm512_cmp_pd_mask(a.value, b.value, _CMP_LE_OQ)}; }
+};
+MUSIM_WIDE Real8 choose(const Mask8& mask, const Real8& yes, const Real8& no) {
+    return {_mm512_mask_blend_pd(mask.bits, no.value, yes.value)};
+}
+
+template <>
+struct Wide<8> {
+    using Real = Real8;
+    using Mask = Mask8;
+    using Bits = std::uint64_t __attribute__((vector_size(64)));
+};
+
+}  // namespace musim::lsdem::detail
