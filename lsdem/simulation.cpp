@@ -79,6 +79,7 @@ void Simulation::end_preparation() {
     s.quiet_looks = 0;
     s.times = {};
     std::fill(s.overlap.begin(), s.overlap.end(), 0.0);
+    s.overstiff.reset();
 }
 
 void Simulation::begin_motion(const std::array<BaseComponent, 3>& motion) {
@@ -176,6 +177,7 @@ Statistics Simulation::statistics() const {
     statistics.contacts = contacts.contacts;
     statistics.contact_nodes = contacts.nodes;
     statistics.rebuilds = s.rebuilds;
+    statistics.overstiff = s.overstiff;
     statistics.max_overlap_over_height = *std::max_element(s.overlap.begin(), s.overlap.end());
     return statistics;
 }

@@ -60,6 +60,13 @@ struct Divergence {
     double time = 0.0;      ///< [s]
 };
 
+/// A block whose contacts use more of the time step's limit than it has.
+struct Overstiff {
+    std::size_t block = 0;
+    double time = 0.0;  ///< [s]
+    double used = 0.0;  ///< see find_stiffest_block [-]
+};
+
 /// Counters and extremes since the start.
 struct Statistics {
     std::uint64_t steps = 0;               ///< time over time step
@@ -69,6 +76,7 @@ struct Statistics {
     std::size_t contacts = 0;              ///< pairs that touch now
     std::size_t contact_nodes = 0;         ///< touching now, of pairs that meet by nodes
     std::uint64_t rebuilds = 0;            ///< of the neighbor list
+    std::optional<Overstiff> overstiff;    ///< the worst, looked at every 64 steps
     double max_overlap_over_height = 0.0;  ///< largest depth ever, over the height of the leader's shape
 };
 

@@ -17,6 +17,8 @@ void exchange(Archive& archive, Losses& losses) { archive(losses.block, losses.g
 
 void exchange(Archive& archive, Divergence& d) { archive(d.kind, d.block, d.time); }
 
+void exchange(Archive& archive, Overstiff& o) { archive(o.block, o.time, o.used); }
+
 static void exchange(Archive& archive, Interface& law) {
     archive(law.normal_stiffness, law.shear_stiffness, law.friction, law.normal_damping, law.shear_damping);
 }

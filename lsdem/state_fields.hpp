@@ -20,6 +20,7 @@ void exchange(Archive& archive, ContactList& list);
 void exchange(Archive& archive, PairWork& work);
 void exchange(Archive& archive, Losses& losses);
 void exchange(Archive& archive, Divergence& divergence);
+void exchange(Archive& archive, Overstiff& overstiff);
 
 /// Throws std::runtime_error when a state that was read points outside itself or the model, so that nothing else has to look.
 void check_restored(const Model& model, const Bodies& bodies, const NeighborSearch::Reference& reference, const ContactList& list,

@@ -52,6 +52,17 @@ double find_gap(const Bodies& bodies, const BasePose& base, const ContactPair& p
     return detail::find_gap(bodies.half[l], bodies.half[f], to_follower * bodies.rotation[l], position);
 }
 
+/// Both boxes of a pair, the leader first, without the faces by which they meet; the ground as a sheet right below its block.
+detail::BoxMeeting make_meeting(const Bodies& bodies, const BasePose& base, const ContactPair& pair, GroundSheet& sheet) {
+    const std::size_t l = pair.leader, f = pair.follower;
+    const detail::BoxMeeting::Box leader{bodies.rotation[l].data(), bodies.position[l].data(), bodies.half[l].data(), 0, 1.0};
+    if (pair.follower != kGround) return {leader, {bodies.rotation[f].data(), bodies.position[f].data(), bodies.half[f].data(), 0, 1.0}};
+    const double reach = kGroundReach * bodies.half[l].norm();
+    sheet.half = {reach, reach, 0.0};
+    sheet.place = {bodies.position[l].x(), bodies.position[l].y(), base.displacement.z()};
+    return {leader, {kUpright, sheet.place.data(), sheet.half.data(), 2, 1.0}};
+}
+
 }  // namespace
 
 OverlapBatch::OverlapBatch(const Bodies& bodies, const BasePose& base, double dt, ContactList& list)
@@ -81,21 +92,15 @@ void OverlapBatch::add(std::size_t index) {
 void OverlapBatch::place(std::size_t index, detail::LanePair& lane) {
     const ContactPair& pair = list_.pairs[index];
     const std::size_t l = pair.leader, f = pair.follower;
-    const Vector3& half = bodies_.half[l];
-    lane.meeting.a = {bodies_.rotation[l].data(), bodies_.position[l].data(), half.data(), 0, 1.0};
+    lane.meeting = make_meeting(bodies_, base_, pair, sheets_[count_]);
     lane.previous_rotation[0] = bodies_.previous_rotation[l].data();
     lane.previous_position[0] = bodies_.previous_position[l].data();
     if (pair.follower == kGround) {
-        const double reach = kGroundReach * half.norm();
-        ground_half_[count_] = {reach, reach, 0.0};
-        ground_place_[count_] = {bodies_.position[l].x(), bodies_.position[l].y(), base_.displacement.z()};
-        lane.meeting.b = {kUpright, ground_place_[count_].data(), ground_half_[count_].data(), 2, 1.0};
         lane.previous_rotation[1] = kUpright;
         lane.follower_position = base_.displacement.data();
         lane.previous_position[1] = base_.previous.data();
         lane.origin = 0.0;
     } else {
-        lane.meeting.b = {bodies_.rotation[f].data(), bodies_.position[f].data(), bodies_.half[f].data(), 0, 1.0};
         lane.previous_rotation[1] = bodies_.previous_rotation[f].data();
         lane.follower_position = bodies_.position[f].data();
         lane.previous_position[1] = bodies_.previous_position[f].data();
@@ -150,6 +155,55 @@ void OverlapBatch::compute_exactly(std::size_t index) {
 void OverlapBatch::note(std::size_t index, double area) {
     if (list_.demand.wanted) list_.demand.ask(index, area);
     deepest_ = std::max(deepest_, list_.tallies[index].overlap / (2.0 * bodies_.half[list_.pairs[index].leader].z()));
+}
+
+void visit_meeting_areas(const Bodies& bodies, const BasePose& base, const ContactList& list,
+                         const std::function<void(std::size_t, const MeetingArea&)>& visit) {
+    constexpr std::size_t kSize = detail::kLanePairs;
+    OverlapPieces room;
+    std::array<std::size_t, kSize> index{};
+    std::array<detail::BoxMeeting, kSize> meetings{};
+    std::array<GroundSheet, kSize> sheets;
+    std::array<detail::LaneFinding, kSize> found;
+    std::size_t count = 0;
+    const auto visit_exactly = [&](std::size_t p) {
+        const ContactPair& pair = list.pairs[p];
+        const OverlapGeometry geometry = find_overlap_geometry(find_bodies(bodies, base, pair, room).pieces());
+        if (!geometry.touches()) return;
+        const Vector3& leader = bodies.position[pair.leader];
+        const Vector3 origin = pair.follower == kGround ? leader : Vector3(0.5 * (leader + bodies.position[pair.follower]));
+        visit(p, {geometry.area.area, geometry.load.force.normalized(), origin + geometry.pressed() + geometry.area.arm,
+                  geometry.area.second});
+    };
+    const auto visit_waiting = [&] {
+        for (std::size_t i = count; i < kSize; ++i) meetings[i] = meetings[0];
+        if (count > 0) detail::compute_overlaps(meetings.data(), found.data());
+        for (std::size_t i = 0; i < count; ++i) {
+            const detail::LaneFinding& f = found[i];
+            if (f.irregular) {
+                visit_exactly(index[i]);
+            } else if (f.area > 0.0) {
+                const Eigen::Map<const Vector3> a(meetings[i].a.position), b(meetings[i].b.position);
+                MeetingArea area{f.area, f.force.normalized(), 0.5 * (a + b) + f.area_place / f.area, {}};
+                area.second << f.area_square.x(), f.area_cross.z(), f.area_cross.y(), f.area_cross.z(), f.area_square.y(), f.area_cross.x(),
+                    f.area_cross.y(), f.area_cross.x(), f.area_square.z();
+                visit(index[i], area);
+            }
+        }
+        count = 0;
+    };
+    for (std::size_t p = 0; p < list.pairs.size(); ++p) {
+        const ContactPair& pair = list.pairs[p];
+        if (!pair.is_overlap() || !list.overlaps[pair.overlap].touches) continue;
+        meetings[count] = make_meeting(bodies, base, pair, sheets[count]);
+        if (!detail::choose_faces(meetings[count])) {
+            visit_exactly(p);
+            continue;
+        }
+        index[count++] = p;
+        if (count == kSize) visit_waiting();
+    }
+    visit_waiting();
 }
 
 void refine_overlap_energies(const Bodies& bodies, const BasePose& base, ContactList& list) {

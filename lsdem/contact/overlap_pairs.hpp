@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 
 #include "lsdem/bodies.hpp"
 #include "lsdem/contact/overlap_contact.hpp"
@@ -10,6 +11,11 @@
 
 /// Pairs of boxes, and of a box and the ground, that meet by their overlap.
 namespace musim::lsdem {
+
+/// The ground below a block as a sheet: half extents and middle [m].
+struct GroundSheet {
+    Vector3 half, place;
+};
 
 /// Computes pairs at step n from the poses at n and n − 1, several side by side: forces, what they remember, tallies and work. Which pairs
 /// share a batch changes no bit.
@@ -41,9 +47,20 @@ class OverlapBatch {
     double deepest_ = 0.0;
     std::array<std::size_t, kSize> index_{};
     std::array<detail::LanePair, kSize> pairs_{};
-    std::array<Vector3, kSize> ground_half_, ground_place_;
+    std::array<GroundSheet, kSize> sheets_;
     OverlapPieces room_;  ///< of the pair that is being cut
 };
+
+/// Where friction and dashpots of a contact act, world axes and origin.
+struct MeetingArea {
+    double area = 0.0;                 ///< [m²]
+    Vector3 normal = Vector3::Zero();  ///< in which the follower is pushed
+    Vector3 middle = Vector3::Zero();  ///< [m]
+    Matrix3 second = Matrix3::Zero();  ///< moments about its middle [m⁴]
+};
+/// Calls visit(index of the pair, area) for all pairs that touched at the last step.
+void visit_meeting_areas(const Bodies& bodies, const BasePose& base, const ContactList& list,
+                         const std::function<void(std::size_t, const MeetingArea&)>& visit);
 
 /// Puts the exact energies of the normal springs at step n in the place of those in the tallies, which lack a part overlap/size and cost
 /// nothing.

@@ -22,7 +22,8 @@ Matrix3 cross_matrix(const Vector3& v) {
 
 /// What a contact opposes to a motion of one of its blocks, ∫ bᵀ D b dA: b moves the points at r by a shift and a turn, D = k_s 1 +
 /// (k_n − k_s) n nᵀ per area. `arm`: of the middle of the area from the block's centre [m].
-Matrix6 find_opposition(const ContactArea& area, const Vector3& normal, const Vector3& arm, double along, double across) {
+Matrix6 find_opposition(const MeetingArea& area, const Vector3& arm, double along, double across) {
+    const Vector3& normal = area.normal;
     const Matrix3 d = across * Matrix3::Identity() + (along - across) * normal * normal.transpose();
     const Matrix3 r = cross_matrix(arm), n = cross_matrix(normal);
     Matrix6 sum;
@@ -38,20 +39,18 @@ Matrix6 find_opposition(const ContactArea& area, const Vector3& normal, const Ve
 
 StiffestBlock find_stiffest_block(const Bodies& bodies, const BasePose& base, double dt, const ContactList& list, double least) {
     std::vector<Matrix6, Eigen::aligned_allocator<Matrix6>> opposition(bodies.size(), Matrix6::Zero());
-    const auto add = [&](std::size_t index, const OverlapGeometry& geometry, const Vector3& origin) {
+    visit_meeting_areas(bodies, base, list, [&](std::size_t index, const MeetingArea& area) {
         const ContactPair& pair = list.pairs[index];
         const Interface& law = pair.law;
         const double along = 0.25 * dt * dt * law.normal_stiffness + 0.5 * dt * law.normal_damping;
         const double across = 0.25 * dt * dt * law.shear_stiffness + 0.5 * dt * law.shear_damping;
-        const Vector3 normal = geometry.load.force.normalized(), middle = origin + geometry.pressed() + geometry.area.arm;
         const auto moves = [&](std::uint32_t block) { return block != kGround && bodies.fixed[block] == 0; };
         const double sides = moves(pair.leader) && moves(pair.follower) ? 2.0 : 1.0;
         for (const std::uint32_t block : {pair.leader, pair.follower}) {
             if (!moves(block)) continue;
-            opposition[block] += sides * find_opposition(geometry.area, normal, middle - bodies.position[block], along, across);
+            opposition[block] += sides * find_opposition(area, area.middle - bodies.position[block], along, across);
         }
-    };
-    visit_overlaps(bodies, base, list, add);
+    });
 
     StiffestBlock stiffest{least, 0};
     for (std::size_t i = 0; i < bodies.size(); ++i) {

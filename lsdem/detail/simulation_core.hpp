@@ -56,6 +56,7 @@ struct Simulation::Implementation {
     std::uint64_t skipped = 0;       ///< steps passed over
     bool preparing = false;          ///< the base stands
     std::optional<Divergence> divergence;
+    std::optional<Overstiff> overstiff;  ///< the worst so far
     PhaseTimes times;
     std::vector<double> drift;    ///< per thread, largest of its blocks [m]
     std::vector<double> overlap;  ///< per thread, largest overlap over height ever

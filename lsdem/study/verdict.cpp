@@ -68,6 +68,13 @@ std::vector<std::string> find_doubts(const RunResult& run) {
                         "unnoticed); take at most {:.4g} s, or \"step\": \"auto\"",
                         run.time_step, *run.critical_time_step, default_step(run)));
     }
+    if (run.statistics.overstiff && !above_critical(run)) {
+        const Overstiff& worst = *run.statistics.overstiff;
+        doubts.push_back(fmt::format(
+            "the contacts of block {} were too stiff for the time step at {:.4g} s (they used {:.3g} of its limit, as faces met that "
+            "do not meet in the structure as built; an unstable motion can stay bounded and go unnoticed); take at most {:.4g} s",
+            worst.block, worst.time, worst.used, run.time_step / worst.used));
+    }
     if (run.statistics.max_overlap_over_height > kDeepOverlap) {
         doubts.push_back(
             fmt::format("blocks passed into each other by {:.3g} of a block's height (contacts are meant for overlaps far "
