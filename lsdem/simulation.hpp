@@ -64,7 +64,7 @@ struct Divergence {
 struct Overstiff {
     std::size_t block = 0;
     double time = 0.0;  ///< [s]
-    double used = 0.0;  ///< see find_stiffest_block [-]
+    double used = 0.0;  ///< see StiffnessWatch [-]
 };
 
 /// Counters and extremes since the start.

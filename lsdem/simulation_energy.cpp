@@ -2,7 +2,6 @@
 #include <cmath>
 
 #include "lsdem/contact/overlap_pairs.hpp"
-#include "lsdem/contact/stiffness_watch.hpp"
 #include "lsdem/detail/simulation_core.hpp"
 
 /// The ledger of a simulation, and when it counts as diverged.
@@ -137,7 +136,7 @@ void Simulation::Implementation::check_health() {
     if (stored > allowed || unbalanced) divergence = Divergence{Divergence::Kind::energy_out_of_bounds, fastest_block(), time};
     // blocks with added inertia have what their contacts ask for
     if (!added_inertia.is_active()) {
-        const StiffestBlock stiffest = find_stiffest_block(bodies, base, dt, list, overstiff ? overstiff->used : 1.0);
+        const StiffestBlock stiffest = stiffness_watch.find_stiffest(bodies, base, dt, list, overstiff ? overstiff->used : 1.0);
         if (stiffest.used > 0.0) overstiff = Overstiff{stiffest.block, time, stiffest.used};
     }
     for (std::size_t i = 0; i < bodies.size() && !divergence; ++i) {

@@ -1,11 +1,8 @@
 #include "lsdem/contact/stiffness_watch.hpp"
 
 #include <cmath>
-#include <vector>
-
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
-#include <Eigen/StdVector>
 
 #include "lsdem/contact/overlap_pairs.hpp"
 
@@ -37,25 +34,32 @@ Matrix6 find_opposition(const MeetingArea& area, const Vector3& arm, double alon
 
 }  // namespace
 
-StiffestBlock find_stiffest_block(const Bodies& bodies, const BasePose& base, double dt, const ContactList& list, double least) {
-    std::vector<Matrix6, Eigen::aligned_allocator<Matrix6>> opposition(bodies.size(), Matrix6::Zero());
-    visit_meeting_areas(bodies, base, list, [&](std::size_t index, const MeetingArea& area) {
-        const ContactPair& pair = list.pairs[index];
+StiffestBlock StiffnessWatch::find_stiffest(const Bodies& bodies, const BasePose& base, double dt, const ContactList& list, double least) {
+    opposition_.assign(bodies.size(), Matrix6::Zero());
+    struct Scene {
+        const Bodies& bodies;
+        const ContactList& list;
+        double dt;
+    } const scene{bodies, list, dt};
+    // no larger than what std::function holds without memory of its own
+    visit_meeting_areas(bodies, base, list, [this, &scene](std::size_t index, const MeetingArea& area) {
+        const ContactPair& pair = scene.list.pairs[index];
         const Interface& law = pair.law;
-        const double along = 0.25 * dt * dt * law.normal_stiffness + 0.5 * dt * law.normal_damping;
-        const double across = 0.25 * dt * dt * law.shear_stiffness + 0.5 * dt * law.shear_damping;
-        const auto moves = [&](std::uint32_t block) { return block != kGround && bodies.fixed[block] == 0; };
+        const double quarter = 0.25 * scene.dt * scene.dt, half = 0.5 * scene.dt;
+        const double along = quarter * law.normal_stiffness + half * law.normal_damping;
+        const double across = quarter * law.shear_stiffness + half * law.shear_damping;
+        const auto moves = [&](std::uint32_t block) { return block != kGround && scene.bodies.fixed[block] == 0; };
         const double sides = moves(pair.leader) && moves(pair.follower) ? 2.0 : 1.0;
         for (const std::uint32_t block : {pair.leader, pair.follower}) {
             if (!moves(block)) continue;
-            opposition[block] += sides * find_opposition(area, area.middle - bodies.position[block], along, across);
+            opposition_[block] += sides * find_opposition(area, area.middle - scene.bodies.position[block], along, across);
         }
     });
 
     StiffestBlock stiffest{least, 0};
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         if (bodies.fixed[i] != 0) continue;
-        Matrix6& m = opposition[i];
+        Matrix6& m = opposition_[i];
         const Matrix3 to_body = bodies.rotation[i].transpose();
         m.rightCols<3>() = (m.rightCols<3>() * to_body.transpose()).eval();
         m.bottomRows<3>() = (to_body * m.bottomRows<3>()).eval();

@@ -1,6 +1,10 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
+
+#include <Eigen/Core>
+#include <Eigen/StdVector>
 
 #include "lsdem/bodies.hpp"
 #include "lsdem/contacts.hpp"
@@ -13,9 +17,17 @@ struct StiffestBlock {
     std::size_t block = 0;
 };
 
-/// The largest eigenvalue, over single blocks that move, of M⁻¹(K dt²/4 + C dt/2), with K, C (6 x 6) those of the block's overlaps as they
-/// are now, twice where the other block moves too: with no more than 1 every mode of the assembly is stable (lsdem/README.md, "Time step").
-/// Zero unless a block uses more than `least`. Contacts by nodes are left out.
-StiffestBlock find_stiffest_block(const Bodies& bodies, const BasePose& base, double dt, const ContactList& list, double least);
+/// Holds the contacts as they are against the limit of the time step. Keeps its memory from one look to the next.
+class StiffnessWatch {
+  public:
+    /// The largest eigenvalue, over single blocks that move, of M⁻¹(K dt²/4 + C dt/2), with K, C (6 x 6) those of the block's overlaps,
+    /// twice where the other block moves too: with no more than 1 every mode of the assembly is stable (lsdem/README.md, "Time step").
+    /// Zero unless a block uses more than `least`. Contacts by nodes are left out.
+    StiffestBlock find_stiffest(const Bodies& bodies, const BasePose& base, double dt, const ContactList& list, double least);
+
+  private:
+    using Matrix6 = Eigen::Matrix<double, 6, 6>;
+    std::vector<Matrix6, Eigen::aligned_allocator<Matrix6>> opposition_;  ///< one per block
+};
 
 }  // namespace musim::lsdem

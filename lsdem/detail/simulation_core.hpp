@@ -8,6 +8,7 @@
 #include "lsdem/archive.hpp"
 #include "lsdem/base_motion.hpp"
 #include "lsdem/bodies.hpp"
+#include "lsdem/contact/stiffness_watch.hpp"
 #include "lsdem/contacts.hpp"
 #include "lsdem/detail/added_inertia.hpp"
 #include "lsdem/detail/motion_kernel.hpp"
@@ -56,6 +57,7 @@ struct Simulation::Implementation {
     std::uint64_t skipped = 0;       ///< steps passed over
     bool preparing = false;          ///< the base stands
     std::optional<Divergence> divergence;
+    StiffnessWatch stiffness_watch;
     std::optional<Overstiff> overstiff;  ///< the worst so far
     PhaseTimes times;
     std::vector<double> drift;    ///< per thread, largest of its blocks [m]
