@@ -510,11 +510,12 @@ struct Kernel {
         Lanes half_p, half_q, half_n;
     };
     static constexpr std::array<std::uint8_t, 5> kNext{0, 1, 2, 0, 1};  ///< axes in turn
-    MUSIM_WIDE static FaceAxes gather_box(const BoxMeeting* pairs, BoxMeeting::Box BoxMeeting::*which) {
+    template <class Pairs>
+    MUSIM_WIDE static FaceAxes gather_box(const Pairs& pairs, BoxMeeting::Box BoxMeeting::*which) {
         const auto vector = [&](const auto& from) MUSIM_WIDE_LAMBDA {
-            return Lanes3{gather_lanes<Lanes>([&](std::size_t lane) MUSIM_WIDE_LAMBDA { return from(pairs[lane].*which)[0]; }),
-                          gather_lanes<Lanes>([&](std::size_t lane) MUSIM_WIDE_LAMBDA { return from(pairs[lane].*which)[1]; }),
-                          gather_lanes<Lanes>([&](std::size_t lane) MUSIM_WIDE_LAMBDA { return from(pairs[lane].*which)[2]; })};
+            return Lanes3{gather_lanes<Lanes>([&](std::size_t lane) MUSIM_WIDE_LAMBDA { return from(pairs(lane).*which)[0]; }),
+                          gather_lanes<Lanes>([&](std::size_t lane) MUSIM_WIDE_LAMBDA { return from(pairs(lane).*which)[1]; }),
+                          gather_lanes<Lanes>([&](std::size_t lane) MUSIM_WIDE_LAMBDA { return from(pairs(lane).*which)[2]; })};
         };
         const auto axis = [&](std::size_t i) MUSIM_WIDE_LAMBDA {
             return vector([i](const BoxMeeting::Box& box)
@@ -522,11 +523,11 @@ struct Kernel {
         };
         const auto half = [&](std::size_t i) MUSIM_WIDE_LAMBDA {
             return gather_lanes<Lanes>([&](std::size_t lane) MUSIM_WIDE_LAMBDA {
-                const BoxMeeting::Box& box = pairs[lane].*which;
+                const BoxMeeting::Box& box = pairs(lane).*which;
                 return box.half[kNext[box.axis + i]];
             });
         };
-        const Lanes sign = gather_lanes<Lanes>([&](std::size_t lane) MUSIM_WIDE_LAMBDA { return (pairs[lane].*which).sign; });
+        const Lanes sign = gather_lanes<Lanes>([&](std::size_t lane) MUSIM_WIDE_LAMBDA { return (pairs(lane).*which).sign; });
         return {axis(1),
                 axis(2),
                 scaled(axis(0), sign),
@@ -553,7 +554,8 @@ struct Kernel {
     }
 
     /// Four pairs; the lanes do not depend on each other.
-    MUSIM_WIDE static void compute_any(const BoxMeeting* pairs, LaneOverlap& result) {
+    template <class Pairs>
+    MUSIM_WIDE static void compute_any(const Pairs& pairs, LaneOverlap& result) {
         const Lanes zero{};
         const FaceAxes a = gather_box(pairs, &BoxMeeting::a);
         FaceAxes b = gather_box(pairs, &BoxMeeting::b);
@@ -571,7 +573,7 @@ struct Kernel {
             b.half_q = choose(swap, half_p, b.half_q);
         }
         // a's p, q, n are right-handed for sign 1, b's then left-handed
-        const Lanes handed_a = gather_lanes<Lanes>([&](std::size_t lane) MUSIM_WIDE_LAMBDA { return pairs[lane].a.sign; }),
+        const Lanes handed_a = gather_lanes<Lanes>([&](std::size_t lane) MUSIM_WIDE_LAMBDA { return pairs(lane).a.sign; }),
                     handed_b = -handed_a;
 
         const Lanes3 c{b.position.x - a.position.x, b.position.y - a.position.y, b.position.z - a.position.z};
