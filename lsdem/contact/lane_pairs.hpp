@@ -145,6 +145,7 @@ struct Lane {
             if (pair.irregular) continue;
             const bool touches = memory.touches[i] != 0;
             pair.contact->touches = touches;
+            pair.contact->company = static_cast<std::uint8_t>((result.asked[i] != 0 ? 1 : 0) | (found.corner[i] != 0 ? 2 : 0));
             *pair.tally = {result.elastic_normal[i], result.elastic_shear[i], touches ? found.deepest[i] : 0.0, touches ? 1U : 0U};
             *pair.work += {result.friction_work[i], result.damping_work[i]};
             pair.area = touches ? found.area[i] : 0.0;

@@ -40,6 +40,7 @@ struct LaneOverlap {
     Lanes3 area_place;                 ///< ∫ place [m³]
     Lanes3 area_square, area_cross;    ///< ∫ of (xx, yy, zz) and (yz, zx, xy) about the cell's own middle [m⁴]
     typename W::Mask irregular{};      ///< nothing of the above holds: take the exact function
+    typename W::Mask corner{};         ///< terms of corners were worth it
     std::array<MainCell<W>, 2> cells;  ///< of both bodies
 };
 
@@ -495,11 +496,11 @@ struct Kernel {
                                     smaller(top, smaller(middle_x + room_x, middle_y + room_y))};
                 const Lanes length = choose(near, part.length(), zero);
                 const Powers d(part.low, part.high, length, part.low, part.high);  // ∫ d², ∫ d³, ∫ d³
-                const Lanes of_p = -sj * y1 * (all(0.5) / p.by_x), of_q = -si * x1 * (all(0.5) / q.by_x);
+                const Lanes of_p = -sj * y1 * (all(0.5) * p.inverse_x), of_q = -si * x1 * (all(0.5) * q.inverse_x);
                 const Lanes along_x = x0 * d.square + x1 * d.cube, along_y = y0 * d.square + y1 * d.cube;
                 role.load += (of_p + of_q) * d.square;
-                role.load_place[0] += (of_p + of_q) * along_x + of_p * (si / (all(3.0) * p.by_x)) * d.cube;
-                role.load_place[1] += (of_p + of_q) * along_y + of_q * (sj / (all(3.0) * q.by_x)) * d.cube;
+                role.load_place[0] += (of_p + of_q) * along_x + of_p * ((all(1.0 / 3.0) * si) * p.inverse_x) * d.cube;
+                role.load_place[1] += (of_p + of_q) * along_y + of_q * ((all(1.0 / 3.0) * sj) * q.inverse_x) * d.cube;
             }
         }
     }
@@ -615,6 +616,7 @@ struct Kernel {
         const Lanes size = smaller(larger(a.half_p, a.half_q), larger(b.half_p, b.half_q));
         const Lanes negligible = all(kNegligible) * (size * area);
         const LaneMask corner = (deepest * deepest) * deepest > negligible;
+        result.corner = corner;
         for (Role& role : roles) {
             role.deepest = deepest, role.corner = corner, role.negligible = negligible;
             for (std::size_t k = 0; k < 2; ++k) {
