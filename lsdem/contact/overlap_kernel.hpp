@@ -8,7 +8,7 @@
 #include "lsdem/contact/box_meeting.hpp"
 #include "lsdem/contact/main_cells.hpp"
 
-/// Overlap of two boxes that meet face to face, four pairs side by side; the same function as OverlapPieces::cut and sum_load.
+/// Overlap of two boxes that meet face to face, several pairs side by side; the same function as OverlapPieces::cut and sum_load.
 ///
 /// Face a of body X lies against face b of body Y. In the frame of a: x and y in its plane, s the depth below it. Of Y, D is the depth
 /// below plane b and d_m that below side plane m; all are affine. Y's own field is min(D, d_m). Each role (X in Y, then Y in X) sums
@@ -554,7 +554,7 @@ struct Kernel {
         return load;
     }
 
-    /// Four pairs; the lanes do not depend on each other.
+    /// As many pairs as there are lanes, which do not depend on each other.
     template <class Pairs>
     MUSIM_WIDE static void compute_any(const Pairs& pairs, LaneOverlap& result) {
         const Lanes zero{};
