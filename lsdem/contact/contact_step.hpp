@@ -84,6 +84,7 @@ struct ContactStep {
     struct Result {
         Vector force, moment;
         Real elastic_normal{}, elastic_shear{}, friction_work{}, damping_work{};
+        Mask asked{};  ///< the cells had to be asked
     };
 
     /// Friction of a contact: a force across the normal, and a couple about the normal.
@@ -163,6 +164,7 @@ struct ContactStep {
                                    contact.place};
             PressureSum held;
             const Mask pulls = cells.may_pull(touches, geometry, dashpot, law.normal_stiffness);
+            result.asked = pulls;
             if (some(pulls)) {
                 const PressureSum pull = cells.find_pull(dashpot, law.normal_stiffness);
                 held = {choose(pulls, pull.sum, zero), choose(pulls, pull.at, Vector{})};
@@ -182,7 +184,8 @@ struct ContactStep {
                              kept_turn * before.couple - turning_stiffness * turn};
             Friction drag{(-viscous * stiffness) * slip, (-viscous * turning_stiffness) * turn};
             Friction friction{springs.force + drag.force, springs.couple + drag.couple};
-            hold_friction(geometry, law, normal, pressed, push + damping, polar, cells, springs, drag, friction);
+            result.asked =
+                result.asked | hold_friction(geometry, law, normal, pressed, push + damping, polar, cells, springs, drag, friction);
             contact.shear = springs.force;
             contact.couple = springs.couple;
             contact.friction = {friction.force, friction.couple * normal};
@@ -202,9 +205,9 @@ struct ContactStep {
     }
 
   private:
-    /// Friction within its limit; `springs` and `drag` are its parts.
+    /// Friction within its limit; `springs` and `drag` are its parts. Where the cells had to be asked for the reach.
     template <class Cells>
-    MUSIM_WIDE static void hold_friction(const Geometry& geometry, const Law& law, const Vector& normal, const Vector& pressed,
+    MUSIM_WIDE static Mask hold_friction(const Geometry& geometry, const Law& law, const Vector& normal, const Vector& pressed,
                                          const Real& pressing, const Real& polar, Cells& cells, Friction& springs, Friction& drag,
                                          Friction& friction) {
         const Real zero{};
@@ -232,6 +235,7 @@ struct ContactStep {
             part->force = choose(holds, part->force, Vector{});
             part->couple = choose(holds, part->couple, zero);
         }
+        return may_slide;
     }
     /// Nothing elsewhere.
     MUSIM_WIDE static void keep_where(const Mask& touches, Memory& contact, Result& result) {

@@ -28,14 +28,13 @@ struct Lane {
     /// The turn of a body over the step, from both its rotations, given column by column.
     template <class Now, class Previous>
     MUSIM_WIDE static std::array<Vector, 3> find_turn(const Now& now, const Previous& previous) {
+        const std::array<Real, 9> r = gather_fields<Real, 9>(now), p = gather_fields<Real, 9>(previous);
         std::array<Vector, 3> turn;
 #pragma GCC unroll 3
-        for (std::size_t k = 0; k < 3; ++k) {
-            const Vector r = gather_vector([&](std::size_t lane) MUSIM_WIDE_LAMBDA { return now(lane) + 3 * k; });
-            const Vector p = gather_vector([&](std::size_t lane) MUSIM_WIDE_LAMBDA { return previous(lane) + 3 * k; });
-            turn[0] = k == 0 ? p.x * r : turn[0] + p.x * r;
-            turn[1] = k == 0 ? p.y * r : turn[1] + p.y * r;
-            turn[2] = k == 0 ? p.z * r : turn[2] + p.z * r;
+        for (std::size_t c = 0; c < 3; ++c) {
+            const auto entry = [&](std::size_t row)
+                                   MUSIM_WIDE_LAMBDA { return (p[c] * r[row] + p[3 + c] * r[3 + row]) + p[6 + c] * r[6 + row]; };
+            turn[c] = {entry(0), entry(1), entry(2)};
         }
         return turn;
     }
@@ -59,28 +58,29 @@ struct Lane {
         shift = {Real{}, Real{}, (origin - 0.5) * apart.z};
         return motion;
     }
+    /// All numbers of a contact lie behind each other, from the area on.
+    static constexpr std::size_t kNumbers = 27;
+    static_assert(sizeof(OverlapContact) == (1 + kNumbers) * sizeof(double) && offsetof(OverlapContact, area) == sizeof(double));
+
     MUSIM_WIDE static typename Step::Memory gather_memory(const LanePair* pairs) {
-        const auto number = [&](double OverlapContact::*field) MUSIM_WIDE_LAMBDA {
-            return gather_lanes<Real>([&](std::size_t i) MUSIM_WIDE_LAMBDA { return pairs[i].contact->*field; });
-        };
-        const auto vector = [&](Vector3 OverlapContact::*field) MUSIM_WIDE_LAMBDA {
-            return gather_vector([&](std::size_t i) MUSIM_WIDE_LAMBDA { return (pairs[i].contact->*field).data(); });
-        };
-        const auto wrench = [&](PlacedWrench OverlapContact::*field) MUSIM_WIDE_LAMBDA {
-            return typename Step::Wrench{
-                gather_vector([&](std::size_t i) MUSIM_WIDE_LAMBDA { return (pairs[i].contact->*field).force.data(); }),
-                gather_vector([&](std::size_t i) MUSIM_WIDE_LAMBDA { return (pairs[i].contact->*field).couple.data(); })};
-        };
+        const std::array<Real, kNumbers> f =
+            gather_fields<Real, kNumbers>([&](std::size_t i) MUSIM_WIDE_LAMBDA { return &pairs[i].contact->area; });
         const Real touches = gather_lanes<Real>([&](std::size_t i) MUSIM_WIDE_LAMBDA { return pairs[i].contact->touches ? 1.0 : 0.0; });
         return {touches > Real{},
-                number(&OverlapContact::area),
-                number(&OverlapContact::polar),
-                vector(&OverlapContact::shear),
-                number(&OverlapContact::couple),
-                vector(&OverlapContact::place),
-                wrench(&OverlapContact::friction),
-                wrench(&OverlapContact::drag),
-                wrench(&OverlapContact::damping)};
+                f[0],
+                f[1],
+                {f[2], f[3], f[4]},
+                f[5],
+                {f[6], f[7], f[8]},
+                {{f[9], f[10], f[11]}, {f[12], f[13], f[14]}},
+                {{f[15], f[16], f[17]}, {f[18], f[19], f[20]}},
+                {{f[21], f[22], f[23]}, {f[24], f[25], f[26]}}};
+    }
+    MUSIM_WIDE static std::array<Real, kNumbers> numbers_of(const typename Step::Memory& m) {
+        const auto &s = m.shear, &p = m.place, &ff = m.friction.force, &fc = m.friction.couple, &df = m.drag.force, &dc = m.drag.couple,
+                   &nf = m.damping.force, &nc = m.damping.couple;
+        return {m.area, m.polar, s.x,  s.y,  s.z,  m.couple, p.x,  p.y,  p.z,  ff.x, ff.y, ff.z, fc.x, fc.y,
+                fc.z,   df.x,    df.y, df.z, dc.x, dc.y,     dc.z, nf.x, nf.y, nf.z, nc.x, nc.y, nc.z};
     }
     MUSIM_WIDE static typename Step::Law gather_law(const LanePair* pairs) {
         const auto of = [&](double Interface::*field) MUSIM_WIDE_LAMBDA {
@@ -90,9 +90,6 @@ struct Lane {
                 of(&Interface::shear_damping)};
     }
     MUSIM_WIDE static Vector3 pick(const Vector& v, std::size_t lane) { return {v.x[lane], v.y[lane], v.z[lane]}; }
-    MUSIM_WIDE static PlacedWrench pick(const typename Step::Wrench& w, std::size_t lane) {
-        return {pick(w.force, lane), pick(w.couple, lane)};
-    }
 
     /// The geometry of the contact about the pair's origin, and its main cells.
     MUSIM_WIDE static typename Step::Geometry make_geometry(const LaneOverlap<W>& found, const Vector& shift, MainCells<W>& cells) {
@@ -118,10 +115,8 @@ struct Lane {
     }
 
     MUSIM_WIDE static void compute(LanePair* pairs, double dt, bool first_step) {
-        std::array<BoxMeeting, kWidth<Real>> meetings;
-        for (std::size_t i = 0; i < kWidth<Real>; ++i) meetings[i] = pairs[i].meeting;
         LaneOverlap<W> found;
-        Kernel<W>::compute_any(meetings.data(), found);
+        Kernel<W>::compute_any([pairs](std::size_t i) MUSIM_WIDE_LAMBDA -> const BoxMeeting& { return pairs[i].meeting; }, found);
         Vector shift;
         const typename Step::Motion motion = gather_motion(pairs, shift);
         MainCells<W> cells{found.cells, {}, {}, {}, {}};
@@ -132,21 +127,25 @@ struct Lane {
             Step::compute(geometry, motion, gather_law(pairs), dt, first_step, stored_shear, cells, memory);
         const Vector leader_torque = cross(motion.center[0], result.force) - result.moment;
         const Vector follower_torque = result.moment - cross(motion.center[1], result.force);
+        // what does not hold goes where nobody looks
+        OverlapContact nowhere;
+        PairForce no_force;
+        for (std::size_t i = 0; i < kWidth<Real>; ++i) pairs[i].irregular = found.irregular[i] != 0;
+        scatter_fields<Real, kNumbers>(numbers_of(memory), [&](std::size_t i) MUSIM_WIDE_LAMBDA {
+            return pairs[i].irregular ? &nowhere.area : &pairs[i].contact->area;
+        });
+        const Vector force = -result.force;
+        static_assert(sizeof(PairForce) == 9 * sizeof(double));
+        scatter_fields<Real, 9>({force.x, force.y, force.z, leader_torque.x, leader_torque.y, leader_torque.z, follower_torque.x,
+                                 follower_torque.y, follower_torque.z},
+                                [&](std::size_t i)
+                                    MUSIM_WIDE_LAMBDA { return (pairs[i].irregular ? no_force : *pairs[i].force).force.data(); });
         for (std::size_t i = 0; i < kWidth<Real>; ++i) {
             LanePair& pair = pairs[i];
-            pair.irregular = found.irregular[i] != 0;
             if (pair.irregular) continue;
             const bool touches = memory.touches[i] != 0;
-            *pair.contact = {touches,
-                             memory.area[i],
-                             memory.polar[i],
-                             pick(memory.shear, i),
-                             memory.couple[i],
-                             pick(memory.place, i),
-                             pick(memory.friction, i),
-                             pick(memory.drag, i),
-                             pick(memory.damping, i)};
-            *pair.force = {pick(-result.force, i), pick(leader_torque, i), pick(follower_torque, i)};
+            pair.contact->touches = touches;
+            pair.contact->company = static_cast<std::uint8_t>((result.asked[i] != 0 ? 1 : 0) | (found.corner[i] != 0 ? 2 : 0));
             *pair.tally = {result.elastic_normal[i], result.elastic_shear[i], touches ? found.deepest[i] : 0.0, touches ? 1U : 0U};
             *pair.work += {result.friction_work[i], result.damping_work[i]};
             pair.area = touches ? found.area[i] : 0.0;
@@ -155,14 +154,14 @@ struct Lane {
 
     MUSIM_WIDE static void compute_overlap(const BoxMeeting* pairs, LaneFinding* results) {
         LaneOverlap<W> found;
-        Kernel<W>::compute_any(pairs, found);
+        Kernel<W>::compute_any([pairs](std::size_t i) MUSIM_WIDE_LAMBDA -> const BoxMeeting& { return pairs[i]; }, found);
         for (std::size_t i = 0; i < kWidth<Real>; ++i)
             results[i] = {pick(found.force, i),      pick(found.moment, i),      found.deepest[i],          found.area[i],
                           pick(found.area_place, i), pick(found.area_square, i), pick(found.area_cross, i), found.irregular[i] != 0};
     }
     MUSIM_WIDE static void ask(const BoxMeeting* pairs, const MainCellQuestion* questions, MainCellAnswer* answers) {
         LaneOverlap<W> found;
-        Kernel<W>::compute_any(pairs, found);
+        Kernel<W>::compute_any([pairs](std::size_t i) MUSIM_WIDE_LAMBDA -> const BoxMeeting& { return pairs[i]; }, found);
         MainCells<W> cells{found.cells, {}, {}, {}, {}};
         const typename Step::Geometry geometry = make_geometry(found, Vector{}, cells);
         const auto number = [&](const auto& of) MUSIM_WIDE_LAMBDA {

@@ -43,6 +43,7 @@ Step::Memory to_lane(const OverlapContact& contact) {
 }
 OverlapContact from_lane(const Step::Memory& memory) {
     return {memory.touches,
+            0,
             memory.area,
             memory.polar,
             from_lane(memory.shear),

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 
 #include "lsdem/contact/contact_area.hpp"
 #include "lsdem/contact/overlap.hpp"
@@ -27,6 +28,9 @@ struct PlacedWrench {
 /// What a contact remembers from one step to the next. World axes; friction acts on the second body.
 struct OverlapContact {
     bool touches = false;
+    /// Which pairs it is computed beside: 1 where it may slide or be pulled apart, 2 where its corners count. Speed only: no bit depends on
+    /// it, and it is not saved.
+    std::uint8_t company = 0;
     double area = 0.0;                ///< S over which the springs of friction act [m²]
     double polar = 0.0;               ///< J, its second moment about its middle [m⁴]
     Vector3 shear = Vector3::Zero();  ///< of the springs of friction [N]

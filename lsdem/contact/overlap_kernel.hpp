@@ -8,7 +8,7 @@
 #include "lsdem/contact/box_meeting.hpp"
 #include "lsdem/contact/main_cells.hpp"
 
-/// Overlap of two boxes that meet face to face, four pairs side by side; the same function as OverlapPieces::cut and sum_load.
+/// Overlap of two boxes that meet face to face, several pairs side by side; the same function as OverlapPieces::cut and sum_load.
 ///
 /// Face a of body X lies against face b of body Y. In the frame of a: x and y in its plane, s the depth below it. Of Y, D is the depth
 /// below plane b and d_m that below side plane m; all are affine. Y's own field is min(D, d_m). Each role (X in Y, then Y in X) sums
@@ -40,6 +40,7 @@ struct LaneOverlap {
     Lanes3 area_place;                 ///< ∫ place [m³]
     Lanes3 area_square, area_cross;    ///< ∫ of (xx, yy, zz) and (yz, zx, xy) about the cell's own middle [m⁴]
     typename W::Mask irregular{};      ///< nothing of the above holds: take the exact function
+    typename W::Mask corner{};         ///< terms of corners were worth it
     std::array<MainCell<W>, 2> cells;  ///< of both bodies
 };
 
@@ -495,11 +496,11 @@ struct Kernel {
                                     smaller(top, smaller(middle_x + room_x, middle_y + room_y))};
                 const Lanes length = choose(near, part.length(), zero);
                 const Powers d(part.low, part.high, length, part.low, part.high);  // ∫ d², ∫ d³, ∫ d³
-                const Lanes of_p = -sj * y1 * (all(0.5) / p.by_x), of_q = -si * x1 * (all(0.5) / q.by_x);
+                const Lanes of_p = -sj * y1 * (all(0.5) * p.inverse_x), of_q = -si * x1 * (all(0.5) * q.inverse_x);
                 const Lanes along_x = x0 * d.square + x1 * d.cube, along_y = y0 * d.square + y1 * d.cube;
                 role.load += (of_p + of_q) * d.square;
-                role.load_place[0] += (of_p + of_q) * along_x + of_p * (si / (all(3.0) * p.by_x)) * d.cube;
-                role.load_place[1] += (of_p + of_q) * along_y + of_q * (sj / (all(3.0) * q.by_x)) * d.cube;
+                role.load_place[0] += (of_p + of_q) * along_x + of_p * ((all(1.0 / 3.0) * si) * p.inverse_x) * d.cube;
+                role.load_place[1] += (of_p + of_q) * along_y + of_q * ((all(1.0 / 3.0) * sj) * q.inverse_x) * d.cube;
             }
         }
     }
@@ -510,11 +511,12 @@ struct Kernel {
         Lanes half_p, half_q, half_n;
     };
     static constexpr std::array<std::uint8_t, 5> kNext{0, 1, 2, 0, 1};  ///< axes in turn
-    MUSIM_WIDE static FaceAxes gather_box(const BoxMeeting* pairs, BoxMeeting::Box BoxMeeting::*which) {
+    template <class Pairs>
+    MUSIM_WIDE static FaceAxes gather_box(const Pairs& pairs, BoxMeeting::Box BoxMeeting::*which) {
         const auto vector = [&](const auto& from) MUSIM_WIDE_LAMBDA {
-            return Lanes3{gather_lanes<Lanes>([&](std::size_t lane) MUSIM_WIDE_LAMBDA { return from(pairs[lane].*which)[0]; }),
-                          gather_lanes<Lanes>([&](std::size_t lane) MUSIM_WIDE_LAMBDA { return from(pairs[lane].*which)[1]; }),
-                          gather_lanes<Lanes>([&](std::size_t lane) MUSIM_WIDE_LAMBDA { return from(pairs[lane].*which)[2]; })};
+            return Lanes3{gather_lanes<Lanes>([&](std::size_t lane) MUSIM_WIDE_LAMBDA { return from(pairs(lane).*which)[0]; }),
+                          gather_lanes<Lanes>([&](std::size_t lane) MUSIM_WIDE_LAMBDA { return from(pairs(lane).*which)[1]; }),
+                          gather_lanes<Lanes>([&](std::size_t lane) MUSIM_WIDE_LAMBDA { return from(pairs(lane).*which)[2]; })};
         };
         const auto axis = [&](std::size_t i) MUSIM_WIDE_LAMBDA {
             return vector([i](const BoxMeeting::Box& box)
@@ -522,11 +524,11 @@ struct Kernel {
         };
         const auto half = [&](std::size_t i) MUSIM_WIDE_LAMBDA {
             return gather_lanes<Lanes>([&](std::size_t lane) MUSIM_WIDE_LAMBDA {
-                const BoxMeeting::Box& box = pairs[lane].*which;
+                const BoxMeeting::Box& box = pairs(lane).*which;
                 return box.half[kNext[box.axis + i]];
             });
         };
-        const Lanes sign = gather_lanes<Lanes>([&](std::size_t lane) MUSIM_WIDE_LAMBDA { return (pairs[lane].*which).sign; });
+        const Lanes sign = gather_lanes<Lanes>([&](std::size_t lane) MUSIM_WIDE_LAMBDA { return (pairs(lane).*which).sign; });
         return {axis(1),
                 axis(2),
                 scaled(axis(0), sign),
@@ -552,8 +554,9 @@ struct Kernel {
         return load;
     }
 
-    /// Four pairs; the lanes do not depend on each other.
-    MUSIM_WIDE static void compute_any(const BoxMeeting* pairs, LaneOverlap& result) {
+    /// As many pairs as there are lanes, which do not depend on each other.
+    template <class Pairs>
+    MUSIM_WIDE static void compute_any(const Pairs& pairs, LaneOverlap& result) {
         const Lanes zero{};
         const FaceAxes a = gather_box(pairs, &BoxMeeting::a);
         FaceAxes b = gather_box(pairs, &BoxMeeting::b);
@@ -571,7 +574,7 @@ struct Kernel {
             b.half_q = choose(swap, half_p, b.half_q);
         }
         // a's p, q, n are right-handed for sign 1, b's then left-handed
-        const Lanes handed_a = gather_lanes<Lanes>([&](std::size_t lane) MUSIM_WIDE_LAMBDA { return pairs[lane].a.sign; }),
+        const Lanes handed_a = gather_lanes<Lanes>([&](std::size_t lane) MUSIM_WIDE_LAMBDA { return pairs(lane).a.sign; }),
                     handed_b = -handed_a;
 
         const Lanes3 c{b.position.x - a.position.x, b.position.y - a.position.y, b.position.z - a.position.z};
@@ -613,6 +616,7 @@ struct Kernel {
         const Lanes size = smaller(larger(a.half_p, a.half_q), larger(b.half_p, b.half_q));
         const Lanes negligible = all(kNegligible) * (size * area);
         const LaneMask corner = (deepest * deepest) * deepest > negligible;
+        result.corner = corner;
         for (Role& role : roles) {
             role.deepest = deepest, role.corner = corner, role.negligible = negligible;
             for (std::size_t k = 0; k < 2; ++k) {

@@ -1,8 +1,8 @@
 // Every function over lanes in this file is compiled for AVX-512, see lsdem/detail/instructions.hpp.
 #if defined(__x86_64__)
-#define MUSIM_WIDE_TARGET gnu::target("avx512f,avx512dq,avx512vl,prefer-vector-width=512")
+#define MUSIM_WIDE_TARGET gnu::target("avx512f,avx512dq,avx512vl")
 #define MUSIM_WIDE [[gnu::always_inline, MUSIM_WIDE_TARGET]] inline
-#define MUSIM_WIDE_LAMBDA __attribute__((always_inline, target("avx512f,avx512dq,avx512vl,prefer-vector-width=512")))
+#define MUSIM_WIDE_LAMBDA __attribute__((always_inline, target("avx512f,avx512dq,avx512vl")))
 #endif
 
 #include "lsdem/contact/overlap_lanes_512.hpp"

@@ -80,19 +80,21 @@ void OverlapBatch::add(std::size_t index) {
             return;
         }
     }
-    place(index, pairs_[count_]);
-    if (!detail::choose_faces(pairs_[count_].meeting)) {
+    Queue& queue = queues_[list_.overlaps[pair.overlap].company];
+    place(index, queue);
+    if (!detail::choose_faces(queue.pairs[queue.count].meeting)) {
         compute_exactly(index);
         return;
     }
-    index_[count_++] = index;
-    if (count_ == kSize) compute();
+    queue.index[queue.count++] = index;
+    if (queue.count == kSize) compute(queue);
 }
 
-void OverlapBatch::place(std::size_t index, detail::LanePair& lane) {
+void OverlapBatch::place(std::size_t index, Queue& queue) {
+    detail::LanePair& lane = queue.pairs[queue.count];
     const ContactPair& pair = list_.pairs[index];
     const std::size_t l = pair.leader, f = pair.follower;
-    lane.meeting = make_meeting(bodies_, base_, pair, sheets_[count_]);
+    lane.meeting = make_meeting(bodies_, base_, pair, queue.sheets[queue.count]);
     lane.previous_rotation[0] = bodies_.previous_rotation[l].data();
     lane.previous_position[0] = bodies_.previous_position[l].data();
     if (pair.follower == kGround) {
@@ -114,25 +116,40 @@ void OverlapBatch::place(std::size_t index, detail::LanePair& lane) {
 }
 
 void OverlapBatch::compute() {
-    if (count_ == 0) return;
+    // what is left over of all kinds together
+    Queue& all = queues_.front();
+    for (std::size_t kind = 1; kind < kKinds; ++kind) {
+        Queue& queue = queues_[kind];
+        for (std::size_t i = 0; i < queue.count; ++i) {
+            if (all.count == kSize) compute(all);
+            all.pairs[all.count] = queue.pairs[i];
+            all.index[all.count++] = queue.index[i];
+        }
+        queue.count = 0;
+    }
+    compute(all);
+}
+
+void OverlapBatch::compute(Queue& queue) {
+    if (queue.count == 0) return;
     // lanes that are left over repeat the first, and put what they find where nobody looks
     OverlapContact contact;
     PairForce force;
     PairTally tally;
     PairWork work;
-    for (std::size_t i = count_; i < kSize; ++i) {
-        pairs_[i] = pairs_[0];
-        pairs_[i].contact = &contact, pairs_[i].force = &force, pairs_[i].tally = &tally, pairs_[i].work = &work;
+    for (std::size_t i = queue.count; i < kSize; ++i) {
+        detail::LanePair& lane = queue.pairs[i] = queue.pairs[0];
+        lane.contact = &contact, lane.force = &force, lane.tally = &tally, lane.work = &work;
     }
-    detail::compute_lane_pairs(pairs_.data(), dt_, list_.first_step);
-    for (std::size_t i = 0; i < count_; ++i) {
-        if (pairs_[i].irregular) {
-            compute_exactly(index_[i]);
+    detail::compute_lane_pairs(queue.pairs.data(), dt_, list_.first_step);
+    for (std::size_t i = 0; i < queue.count; ++i) {
+        if (queue.pairs[i].irregular) {
+            compute_exactly(queue.index[i]);
         } else {
-            note(index_[i], pairs_[i].area);
+            note(queue.index[i], queue.pairs[i].area);
         }
     }
-    count_ = 0;
+    queue.count = 0;
 }
 
 void OverlapBatch::compute_exactly(std::size_t index) {

@@ -35,7 +35,16 @@ class OverlapBatch {
 
   private:
     static constexpr std::size_t kSize = detail::kLanePairs;
-    void place(std::size_t index, detail::LanePair& lane);
+    /// Pairs that wait for company of their kind, see OverlapContact::company.
+    struct Queue {
+        std::size_t count = 0;
+        std::array<std::size_t, kSize> index;
+        std::array<detail::LanePair, kSize> pairs;
+        std::array<GroundSheet, kSize> sheets;
+    };
+    static constexpr std::size_t kKinds = 4;
+    void place(std::size_t index, Queue& queue);
+    void compute(Queue& queue);
     void compute_exactly(std::size_t index);
     void note(std::size_t index, double area);
 
@@ -43,11 +52,8 @@ class OverlapBatch {
     const BasePose& base_;
     double dt_;
     ContactList& list_;
-    std::size_t count_ = 0;
     double deepest_ = 0.0;
-    std::array<std::size_t, kSize> index_{};
-    std::array<detail::LanePair, kSize> pairs_{};
-    std::array<GroundSheet, kSize> sheets_;
+    std::array<Queue, kKinds> queues_;
     OverlapPieces room_;  ///< of the pair that is being cut
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -90,6 +91,59 @@ MUSIM_WIDE Real square_root(const Real& value) {
     }
 }
 
+/// Rows for columns.
+MUSIM_WIDE void transpose(std::array<Wide<4>::Real, 4>& rows) {
+    const auto &a = rows[0], &b = rows[1], &c = rows[2], &d = rows[3];
+    const auto ab_even = __builtin_shufflevector(a, b, 0, 4, 2, 6), ab_odd = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const auto cd_even = __builtin_shufflevector(c, d, 0, 4, 2, 6), cd_odd = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+    rows = {__builtin_shufflevector(ab_even, cd_even, 0, 1, 4, 5), __builtin_shufflevector(ab_odd, cd_odd, 0, 1, 4, 5),
+            __builtin_shufflevector(ab_even, cd_even, 2, 3, 6, 7), __builtin_shufflevector(ab_odd, cd_odd, 2, 3, 6, 7)};
+}
+/// `kFields` numbers that lie behind each other, of every lane; `of(lane)` points to the first.
+template <class Real, std::size_t kFields, class Of>
+MUSIM_WIDE std::array<Real, kFields> gather_fields(const Of& of) {
+    constexpr std::size_t kLaneCount = kWidth<Real>;
+    std::array<Real, kFields> fields;
+#pragma GCC unroll 8
+    for (std::size_t first = 0; first < kFields; first += kLaneCount) {
+        if (first + kLaneCount <= kFields) {
+            std::array<Real, kLaneCount> block;
+#pragma GCC unroll 8
+            for (std::size_t lane = 0; lane < kLaneCount; ++lane) __builtin_memcpy(&block[lane], of(lane) + first, sizeof(Real));
+            transpose(block);
+#pragma GCC unroll 8
+            for (std::size_t i = 0; i < kLaneCount; ++i) fields[first + i] = block[i];
+        } else {
+#pragma GCC unroll 8
+            for (std::size_t i = first; i < kFields; ++i)
+                fields[i] = gather_lanes<Real>([&](std::size_t lane) MUSIM_WIDE_LAMBDA { return of(lane)[i]; });
+        }
+    }
+    return fields;
+}
+/// Puts them there.
+template <class Real, std::size_t kFields, class To>
+MUSIM_WIDE void scatter_fields(const std::array<Real, kFields>& fields, const To& to) {
+    constexpr std::size_t kLaneCount = kWidth<Real>;
+#pragma GCC unroll 8
+    for (std::size_t first = 0; first < kFields; first += kLaneCount) {
+        if (first + kLaneCount <= kFields) {
+            std::array<Real, kLaneCount> block;
+#pragma GCC unroll 8
+            for (std::size_t i = 0; i < kLaneCount; ++i) block[i] = fields[first + i];
+            transpose(block);
+#pragma GCC unroll 8
+            for (std::size_t lane = 0; lane < kLaneCount; ++lane) __builtin_memcpy(to(lane) + first, &block[lane], sizeof(Real));
+        } else {
+#pragma GCC unroll 8
+            for (std::size_t i = first; i < kFields; ++i) {
+#pragma GCC unroll 8
+                for (std::size_t lane = 0; lane < kLaneCount; ++lane) to(lane)[i] = fields[i][lane];
+            }
+        }
+    }
+}
+
 /// In any lane?
 MUSIM_WIDE bool some(bool mask) { return mask; }
 MUSIM_WIDE bool some(const Wide<4>::Mask& mask) {
@@ -111,9 +165,12 @@ MUSIM_WIDE typename W::Real natural_log(const typename W::Real& x) {
     mantissa = choose(upper, 0.5 * mantissa, mantissa);
     exponent = choose(upper, exponent + 1.0, exponent);
     const Real t = (mantissa - 1.0) / (mantissa + 1.0), t2 = t * t;
-    Real series{};
-#pragma GCC unroll 11
-    for (int n = 21; n >= 1; n -= 2) series = series * t2 + 1.0 / n;  // |t| < 0.172: below 1e-17 beyond
+    // Σ t²ᵏ/(2k + 1), in pairs that need not wait for each other; |t| < 0.172: below 1e-17 beyond
+    const Real t4 = t2 * t2, t8 = t4 * t4;
+    const Real low = (1.0 + t2 * (1.0 / 3.0)) + (1.0 / 5.0 + t2 * (1.0 / 7.0)) * t4;
+    const Real middle = (1.0 / 9.0 + t2 * (1.0 / 11.0)) + (1.0 / 13.0 + t2 * (1.0 / 15.0)) * t4;
+    const Real high = (1.0 / 17.0 + t2 * (1.0 / 19.0)) + t4 * (1.0 / 21.0);
+    const Real series = low + (middle + high * t8) * t8;
     return 2.0 * t * series + exponent * std::numbers::ln2;
 }
 

@@ -58,6 +58,30 @@ MUSIM_WIDE Real8 choose(const Mask8& mask, const Real8& yes, const Real8& no) {
     return {_mm512_mask_blend_pd(mask.bits, no.value, yes.value)};
 }
 
+MUSIM_WIDE void transpose(std::array<Real8, 8>& rows) {
+    using V = __m512d;
+    std::array<Real8, 8> pairs, fours;
+#pragma GCC unroll 4
+    for (std::size_t i = 0; i < 4; ++i) {
+        const V a = rows[2 * i].value, b = rows[2 * i + 1].value;
+        pairs[2 * i].value = __builtin_shufflevector(a, b, 0, 8, 2, 10, 4, 12, 6, 14);
+        pairs[2 * i + 1].value = __builtin_shufflevector(a, b, 1, 9, 3, 11, 5, 13, 7, 15);
+    }
+#pragma GCC unroll 4
+    for (std::size_t i = 0; i < 4; ++i) {
+        const std::size_t at = i < 2 ? i : i + 2;
+        const V a = pairs[at].value, b = pairs[at + 2].value;
+        fours[at].value = __builtin_shufflevector(a, b, 0, 1, 4, 5, 8, 9, 12, 13);
+        fours[at + 2].value = __builtin_shufflevector(a, b, 2, 3, 6, 7, 10, 11, 14, 15);
+    }
+#pragma GCC unroll 4
+    for (std::size_t i = 0; i < 4; ++i) {
+        const V a = fours[i].value, b = fours[i + 4].value;
+        rows[i].value = __builtin_shufflevector(a, b, 0, 1, 4, 5, 8, 9, 12, 13);
+        rows[i + 4].value = __builtin_shufflevector(a, b, 2, 3, 6, 7, 10, 11, 14, 15);
+    }
+}
+
 template <>
 struct Wide<8> {
     using Real = Real8;
