@@ -95,6 +95,7 @@ TEST_SUITE("stability") {
         Stone stone = coarse_wood();
         Model per_contact = make_shaken_wall(stone), both = per_contact;
         per_contact.stiffness_sharing = StiffnessSharing::per_contact;
+        both.face_contact = FaceContact::nodes;
         both.contact_nodes = ContactNodes::both;
         stone.shear_damping_ratio = 0.5;
         const Model damped = make_shaken_wall(stone);

@@ -67,9 +67,9 @@ TEST_CASE("blocks that tumble into each other keep linear and angular momentum t
         const Momenta now = measure_momenta(s);
         worst_linear = std::max(worst_linear, (now.linear - start.linear).norm() / start.scale_linear);
         worst_angular = std::max(worst_angular, (now.angular - start.angular).norm() / start.scale_angular);
-        most_contacts = std::max(most_contacts, s.statistics().contact_nodes);
+        most_contacts = std::max(most_contacts, s.statistics().contacts);
     }
-    MESSAGE("momentum off by " << worst_linear << ", angular by " << worst_angular << "; most contact nodes " << most_contacts);
+    MESSAGE("momentum off by " << worst_linear << ", angular by " << worst_angular << "; most contacts " << most_contacts);
     REQUIRE(most_contacts > 0);
     REQUIRE(s.energy().damping_loss > 0.0);
     // 20000 steps, each rounding sums of forces far larger than the momenta they add: the square root of that times 1e-16, with room
