@@ -31,8 +31,8 @@ class ElasticRocking {
 
     /// Time from rest at `start` [rad] in equilibrium to upright, over that of the rigid block, less one.
     double quarter_period_delay(double start) const {
-        // Energy is kept: of turning, of the centre that sinks by d, and of the edge, N d/3, with the N of the rigid block. Midpoint rule in
-        // v, θ = θ0 sin² v, smooth at both ends, where the rate begins with a root and the depth with another.
+        // Energy is kept: of turning, of the centre that sinks by d, and of the edge, N d/3, with the N of the rigid block. Midpoint rule
+        // in v, θ = θ0 sin² v, smooth at both ends, where the rate begins with a root and the depth with another.
         constexpr int kParts = 2000;
         double elastic = 0.0, exact = 0.0;
         for (int i = 0; i < kParts; ++i) {
@@ -45,9 +45,7 @@ class ElasticRocking {
 
     /// What the base of a block that rests at the tilt `theta` but for its fall bears at the first instant, over its weight.
     double starting_load(double theta) const { return load(theta, theta); }
-    double starting_friction(double theta) const {
-        return 0.75 * std::sin(from_balance(theta)) * std::cos(from_balance(theta));
-    }
+    double starting_friction(double theta) const { return 0.75 * std::sin(from_balance(theta)) * std::cos(from_balance(theta)); }
 
     /// Tilt of a block that stood upright, under a base acceleration a(t) [m/s²] that makes it lean to positive θ, when `until`(θ, t) holds
     /// or it is upright again after `least` [s]; fourth-order Runge-Kutta. N is the weight: the vertical motion changes the depth by few

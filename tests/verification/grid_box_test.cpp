@@ -60,7 +60,8 @@ TEST_CASE("a grid block carries like a box where the nodes below it stand a voxe
     // the overlap, 1e-6 of the height, comes from heights: rounding 1e-16/1e-6, some ten of it
     CHECK(interface_stiffness(as_grid, stone, inset) == relative(area, 1e-9));
     const Vector3 narrow = stone.size - Vector3(2.0 * inset, 2.0 * inset, 0.0);
-    CHECK(interface_stiffness(as_box, stone, inset) == relative(flat_stiffness(narrow, kOverlap * stone.size.z(), 1) / stone.face_area(), 1e-9));
+    CHECK(interface_stiffness(as_box, stone, inset) ==
+          relative(flat_stiffness(narrow, kOverlap * stone.size.z(), 1) / stone.face_area(), 1e-9));
 }
 
 // Blocks that share their edges: nodes on the edge of the rounded grid do not touch, so the interface is softer, by the share of the
@@ -78,7 +79,8 @@ TEST_CASE("grid blocks stacked edge on edge lose at most the cells on their edge
         MESSAGE("edge on edge, " << nodes << " nodes: stiffness over k_n " << grid << ", at least " << inner);
         CHECK(grid > inner * (1.0 - 1e-9));
         CHECK(grid < 1.0 + 1e-9);
-        CHECK(interface_stiffness(as_box, stone, 0.0) == relative(flat_stiffness(stone.size, kOverlap * stone.size.z(), 2) / stone.face_area(), 1e-9));
+        CHECK(interface_stiffness(as_box, stone, 0.0) ==
+              relative(flat_stiffness(stone.size, kOverlap * stone.size.z(), 2) / stone.face_area(), 1e-9));
     }
 }
 

@@ -199,8 +199,8 @@ TEST_CASE("a block that spins on the ground stops after the closed-form time and
         const double angle = (2.0 * std::atan2(q.z(), q.w()) - twist) * 180.0 / kPi;
         MESSAGE("spin from " << twist << ": stops in " << 1e3 * stopped << " ms after " << angle << " deg, expected " << 1e3 * kTime
                              << " and " << kAngle << ", off by " << stopped / kTime - 1.0 << " and " << angle / kAngle - 1.0);
-        // Friction acts in full after a turn of μ m g r̄/(k_s J/A): with α of the stop, and I/m = J/A, of α m/k_s, which takes so long at the
-        // rate of the start; a step beside. The angle goes with the square of the time.
+        // Friction acts in full after a turn of μ m g r̄/(k_s J/A): with α of the stop, and I/m = J/A, of α m/k_s, which takes so long at
+        // the rate of the start; a step beside. The angle goes with the square of the time.
         const double loading = kRate / kTime * stone.mass() / stone.shear_stiffness / kRate;
         const double times = (loading + s.time_step()) / kTime;
         CHECK(stopped == relative(kTime, times));
