@@ -67,7 +67,7 @@ void OverlapPieces::add(const Piece& piece, const Vertex* vertices, std::size_t 
     added.count = static_cast<std::uint16_t>(count);
     std::copy_n(vertices, count, vertices_.begin() + static_cast<std::ptrdiff_t>(vertex_count_));
     vertex_count_ += count;
-    nearest_[piece.of_first ? 1 : 0] |= 1U << piece.nearest;
+    with_cells_[piece.of_first ? 1 : 0] |= 1U << piece.nearest;
 }
 
 void OverlapPieces::cut_faces(const PlacedSolid& x, const PlacedSolid& y, bool of_first) {
@@ -129,13 +129,14 @@ void OverlapPieces::cut_faces(const PlacedSolid& x, const PlacedSolid& y, bool o
             piece.nearest = static_cast<std::uint8_t>(k);
             piece.nearest_normal = y.normal[k];
             add(piece, vertices.data(), cell.count);
+            with_cells_[of_first ? 0 : 1] |= 1U << f;
         }
     }
 }
 
 void OverlapPieces::cut(const PlacedSolid& a, const PlacedSolid& b) {
     piece_count_ = vertex_count_ = 0;
-    nearest_ = {};
+    with_cells_ = {};
     cut_faces(a, b, true);
     cut_faces(b, a, false);
 }
@@ -228,12 +229,13 @@ double integrate_sheet(const PlacedSolid& x, const PlacedSolid& y, std::size_t i
                sheet.count, normal, [&](std::size_t v) { return sheet.place[v]; }, [&](std::size_t v) { return own(sheet.place[v]); });
 }
 
-/// Sum over all sheets of `y` inside `x`; `nearest`: planes of y that are nearest to some of x, the only ones that have sheets there.
-double integrate_sheets(const PlacedSolid& x, const PlacedSolid& y, std::uint32_t nearest) {
+/// Sum over all sheets of `y` inside `x`; `with_cells`: planes of y that are nearest to some of the overlap, the only ones with sheets
+/// there.
+double integrate_sheets(const PlacedSolid& x, const PlacedSolid& y, std::uint32_t with_cells) {
     double sum = 0.0;
     for (std::size_t i = 0; i < y.face_count; ++i) {
         for (std::size_t k = i + 1; k < y.face_count; ++k) {
-            if ((nearest >> i & 1U) != 0 && (nearest >> k & 1U) != 0) sum += integrate_sheet(x, y, i, k);
+            if ((with_cells >> i & 1U) != 0 && (with_cells >> k & 1U) != 0) sum += integrate_sheet(x, y, i, k);
         }
     }
     return sum;
@@ -245,7 +247,7 @@ double compute_overlap_energy(const PlacedSolid& a, const PlacedSolid& b, const 
     // d = ∇·(−n d²/2) in every cell, so its integral is one over the cell's border: pieces of faces, and the sheets between cells
     std::array<double, 2> faces{};
     for (std::size_t p = 0; p < pieces.size(); ++p) faces[pieces[p].of_first ? 0 : 1] += integrate_square(pieces, pieces[p]);
-    const double sheets = integrate_sheets(b, a, pieces.nearest_of_first()) + integrate_sheets(a, b, pieces.nearest_of_second());
+    const double sheets = integrate_sheets(b, a, pieces.with_cells_of_first()) + integrate_sheets(a, b, pieces.with_cells_of_second());
     return 0.25 * ((faces[0] + faces[1]) + sheets);
 }
 

@@ -38,9 +38,10 @@ class OverlapPieces {
     std::size_t size() const { return piece_count_; }
     const Piece& operator[](std::size_t i) const { return pieces_[i]; }
     const Vertex* vertices(const Piece& piece) const { return &vertices_[piece.first]; }
-    /// The faces of the first and second body that are nearest to some piece, one bit each.
-    std::uint32_t nearest_of_first() const { return nearest_[0]; }
-    std::uint32_t nearest_of_second() const { return nearest_[1]; }
+    /// The faces of the first and second body that may be nearest to some of the overlap, one bit each: those nearest to some piece, and
+    /// those that have one, since a cell that reaches no face of the other body reaches its own.
+    std::uint32_t with_cells_of_first() const { return with_cells_[0]; }
+    std::uint32_t with_cells_of_second() const { return with_cells_[1]; }
 
   private:
     /// Enough for two boxes: twelve faces, each with a cell for every face of the other box and 14 corners at most. Shapes with more faces
@@ -50,7 +51,7 @@ class OverlapPieces {
     void add(const Piece& piece, const Vertex* vertices, std::size_t count);
 
     std::size_t piece_count_ = 0, vertex_count_ = 0;
-    std::array<std::uint32_t, 2> nearest_{};
+    std::array<std::uint32_t, 2> with_cells_{};
     std::array<Piece, kMostPieces> pieces_;
     std::array<Vertex, kMostVertices> vertices_;
 };

@@ -97,6 +97,8 @@ Observation observe(const Model& model, double time_step, double duration, int s
     for (std::size_t i = 0; i < model.blocks.size(); ++i)
         seen.drift = std::max(seen.drift, (simulation.position(i) - middle.position[i] - base).norm() / edge);
     energies.report(seen);
+    seen.probed_by_nodes =
+        !std::all_of(model.blocks.begin(), model.blocks.end(), [&](const Block& block) { return meets_by_overlap(model, block); });
     seen.divergence = simulation.divergence();
     seen.time = simulation.time();
     seen.steps = simulation.statistics().steps;

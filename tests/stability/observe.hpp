@@ -22,6 +22,7 @@ struct Observation {
     double kinetic_at_end = 0.0;    ///< [-]
     double reported_overlap = 0.0;  ///< Statistics::max_overlap_over_height, times the height of the tallest block [-]
     double measured_overlap = 0.0;  ///< deepest overlap of two boxes, or of a box and the ground, from their poses at any sample [-]
+    bool probed_by_nodes = false;   ///< some block is: it may sink in between nodes
 };
 
 /// Runs for `duration` [s] at `time_step` [s] and looks `samples` times; `look`, if any, is called each time and once at the start.

@@ -10,7 +10,7 @@
 
 namespace musim::lsdem::tests {
 
-/// Wood at 1:107 with 3 x 5 nodes on the face across z: as coarse as a face can be and still bend.
+/// Wood at 1:107; where it is probed by nodes, with 3 x 5 on the face across z: as coarse as a face can be and still bend.
 inline Stone coarse_wood() {
     Stone stone = wood();
     stone.nodes_per_face = 15;

@@ -17,8 +17,16 @@ struct Demands {
     double overlap = kAny;  ///< deepest overlap, in smallest edges
 };
 
-/// Depth that may go unreported [smallest edges]: what a corner sinks in between two nodes of a coarse face before a cell notices.
-inline constexpr double kUnreportedOverlap = 0.05;
+/// Depth that may go unreported where blocks are probed by nodes [smallest edges]: what a corner sinks in between two nodes of a coarse
+/// face before a cell notices.
+inline constexpr double kUnreportedBetweenNodes = 0.05;
+
+/// Where boxes meet by their overlap the depth of its deepest point below the nearest face is reported, and the shortest way to part the
+/// boxes is measured. They are the same where a corner or a face sinks in. Two edges that cross at the depth δ, whose common normal stands
+/// at β in one of the corners they make, reach δ/(sin β + cos β) below its faces: the way is √2 times the depth at most. No point is deeper
+/// than half of the smallest edge, however far boxes have gone through each other.
+inline constexpr double kWayOverDepth = 1.41422;
+inline constexpr double kDeepest = 0.5;  ///< [smallest edges]
 
 /// Checks that the run did not diverge, that it keeps to the demands and that no overlap went unreported; notes the row.
 void check_sound(const std::string& name, const Observation& seen, const Demands& demands);

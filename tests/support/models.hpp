@@ -7,6 +7,7 @@
 #include "lsdem/model.hpp"
 #include "lsdem/shape.hpp"
 #include "lsdem/types.hpp"
+#include "tests/support/faces.hpp"
 
 namespace musim::lsdem::tests {
 
@@ -81,13 +82,15 @@ inline Block make_block(const Stone& stone, const Vector3& position, const Quate
     return block;
 }
 
-/// A column of `count` upright blocks at rest under `gravity` [m/s²]: every joint is compressed by the weight above it.
+/// A column of `count` upright blocks at rest under `gravity` [m/s²]: every joint is compressed by the weight above it, as boxes are that
+/// meet by their overlap.
 inline Model make_resting_column(const Stone& stone, std::size_t count, bool rotation_locked = false, double gravity = kGravity) {
     Model model = make_model(stone);
     model.gravity.z() = -gravity;
     double top = 0.0;
     for (std::size_t i = 0; i < count; ++i) {
-        top -= static_cast<double>(count - i) * stone.mass() * gravity / stone.normal_stiffness;
+        const double load = static_cast<double>(count - i) * stone.mass() * gravity / stone.normal_stiffness;
+        top -= flat_overlap(stone.size, load * stone.face_area(), i == 0 ? 1 : 2);
         Block block = make_block(stone, {0.0, 0.0, top + 0.5 * stone.size.z()});
         block.rotation_locked = rotation_locked;
         model.blocks.push_back(block);

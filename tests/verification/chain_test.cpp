@@ -41,6 +41,15 @@ Model make_chain(const Stone& stone, std::size_t count, Chain chain) {
     return make_resting_column(stone, count, true, chain == Chain::normal ? kGravity : 1e-3 * kGravity);
 }
 
+/// By how much later a wave reaches block `n` of a column, in units of 1/ω0: joints that bear d are softer by P d/A (`flat_stiffness`; on
+/// the ground by half of that, left out).
+double find_lateness(const Stone& stone, std::size_t count, std::size_t n, Chain chain) {
+    if (chain == Chain::shear) return 0.0;
+    const double around = 2.0 * (stone.size.x() + stone.size.y()),
+                 joints = static_cast<double>(n * count) - 0.5 * static_cast<double>(n * (n - 1));
+    return 0.5 * around / stone.face_area() * joints * stone.weight() / stone.normal_stiffness;
+}
+
 /// Circular frequency of mode `mode` (1 is the lowest) of a column, from its motion over some periods [1/s].
 double measure_frequency(const Stone& given, std::size_t count, std::size_t mode, Chain chain, double step) {
     const Stone stone = lossless(given);
@@ -153,7 +162,7 @@ TEST_CASE("a step of the base velocity travels up a column as Schroedinger's fro
             CAPTURE(kBlocks[i]);
             // printed to four decimals; the scheme runs ahead by (ω dt)²/24 = 7e-5 at the highest frequency, of up to 37 units of time
             CHECK(std::abs(front.at(kBlocks[i], static_cast<double>(kBlocks[i])) - kAtArrival[i]) < 5e-5 + 2e-4);
-            CHECK(std::abs(front.arrival(kBlocks[i], 0.5) - kHalfTime[i]) < 5e-5 + 2e-4);
+            CHECK(std::abs(front.arrival(kBlocks[i], 0.5) - kHalfTime[i] - find_lateness(wood(), 60, kBlocks[i], chain)) < 5e-5 + 2e-4);
         }
         const double speed = 25.0 / (front.arrival(30, 0.5) - front.arrival(5, 0.5));
         MESSAGE("front: half-velocity speed between layers 5 and 30 " << speed << " c0, expected 0.9878");
@@ -168,7 +177,7 @@ TEST_CASE("the front overshoots and doubles at the free top of a column") {
         // printed to four decimals; peaks are flat, so that a step next to them is off by (ω dt)²/8 = 2e-4 at most
         CHECK(std::abs(front.peak(38) - 2.4591) < 5e-5 + 2e-4);
         // 37.9628: the chain of 38 integrated by a fourth-order Runge-Kutta scheme, h = 0.02/ω0
-        CHECK(std::abs(front.arrival(38, 0.5) - 37.9628) < 5e-5 + 2e-4);
+        CHECK(std::abs(front.arrival(38, 0.5) - 37.9628 - find_lateness(wood(), 38, 38, chain)) < 5e-5 + 2e-4);
         const Front early = run_front(38, chain, 36.0);
         CHECK(std::abs(early.peak(10) - 1.2327) < 5e-5 + 2e-4);
         CHECK(std::abs(early.peak(30) - 1.2534) < 5e-5 + 2e-4);

@@ -151,7 +151,8 @@ TEST_CASE("shear below the friction limit is elastic and comes back to zero") {
     const double most = s.base_reaction().x();
     advance_to(s, 2.0 * time);
     CHECK(most == relative(0.9 * stone.friction * stone.weight(), 1e-5));
-    CHECK(s.energy().friction_loss == 0.0);
+    // what slips is the work less what springs take up: a rounding of the latter in each of 2000 steps
+    CHECK(std::abs(s.energy().friction_loss) < 2000 * 1e-16 * 0.5 * most * most / stone.shear_stiffness);
     CHECK(std::abs(s.base_reaction().x()) < 1e-5 * most);
 }
 

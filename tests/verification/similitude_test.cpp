@@ -98,10 +98,10 @@ TEST_CASE("a model at one sixteenth or one sixty-fourth of the size repeats the 
     }
 }
 
-TEST_CASE("blocks of unequal height repeat their prototype to the last bit, by patches and by nodes") {
+TEST_CASE("blocks of unequal height repeat their prototype to the last bit, by their overlap and by nodes") {
     const Stone stone = wood();
     const ExactScale scale{1.0 / 16.0, 0.25, 1.0, 1.0};
-    for (const FaceContact faces : {FaceContact::patch, FaceContact::nodes}) {
+    for (const FaceContact faces : {FaceContact::overlap, FaceContact::nodes}) {
         Model prototype = shortened(make_shaken_wall(stone), 0.01);
         prototype.face_contact = faces;
         const double step = 0.8 * compute_critical_time_step(prototype);
