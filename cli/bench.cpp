@@ -97,7 +97,8 @@ void add_bench_command(CLI::App& app, Action& action) {
     bench->require_subcommand(1);
     add_bench_similitude_command(*bench, action);
     add_bench_twins_command(*bench, action);
-    CLI::App* command = bench->add_subcommand("accuracy", "Error against run time, over time steps, node densities and contact layouts");
+    CLI::App* command =
+        bench->add_subcommand("accuracy", "Error against run time, over time steps, overlap and nodes as contact, and grids");
     command->add_option("-o,--out", options->out, "Directory for accuracy.csv and accuracy.svg")->type_name("DIR");
     CLI::Option* record =
         command->add_option("--record", options->record, "Earthquake of the mini-tower, at prototype scale (default: a synthetic one)")

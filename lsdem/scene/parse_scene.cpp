@@ -385,15 +385,14 @@ void read_contact(const JsonObject& object, Scene& scene) {
         const bool per_contact = contact.choice("stiffness", {"per_area", "per_contact"}) == 1;
         scene.stiffness_sharing = per_contact ? StiffnessSharing::per_contact : StiffnessSharing::per_area;
     }
-    // "patch" is what scenes of older versions say
     if (contact.has("faces")) {
         scene.face_contact = contact.choice("faces", {"overlap", "nodes", "patch"}) == 1 ? FaceContact::nodes : FaceContact::overlap;
     }
     if (contact.has("spacing")) contact.choice("spacing", {"even", "lobatto"});
 }
 
-/// Says which settings of contact nodes a scene gives without having any.
-void remark_idle_settings(const JsonObject& object, const JsonPlace& place, Scene& scene) {
+/// Says which settings of a scene change nothing, and which name is an old one.
+void remark_settings(const JsonObject& object, const JsonPlace& place, Scene& scene) {
     const auto remark = [&](const JsonPlace& at, const char* why) {
         scene.remarks.lines.push_back(fmt::format("{}: {}: {}", at.origin, at.path, why));
     };
@@ -404,13 +403,23 @@ void remark_idle_settings(const JsonObject& object, const JsonPlace& place, Scen
     }
     if (!object.has("contact")) return;
     const json& contact = object.get("contact");
+    if (contact.contains("faces") && contact["faces"] == "patch") {
+        remark(place.at("contact").at("faces"), "\"patch\" is an old name of \"overlap\", which it means; write \"overlap\"");
+    }
     if (contact.contains("nodes") && scene.contact_nodes == ContactNodes::both && !has_nodes) {
         remark(place.at("contact").at("nodes"),
                "boxes meet without nodes, so \"both\" changes nothing (it counts with \"contact\": {\"faces\": \"nodes\"})");
     }
     if (contact.contains("spacing")) {
-        remark(place.at("contact").at("spacing"), "there are no patches with nodes any more, so it changes nothing; leave it out");
+        remark(place.at("contact").at("spacing"), "no contact has a spacing of nodes to choose, so it changes nothing; leave it out");
     }
+}
+
+/// Forgets settings of nodes where there are none, so that scenes that mean the same are equal.
+void drop_idle_settings(Scene& scene) {
+    if (scene.has_contact_nodes()) return;
+    scene.shape = BoxShape{};
+    scene.contact_nodes = ContactNodes::leader;
 }
 
 /// Adds the presets that block entries name to the scene's materials; refuses names that are neither.
@@ -448,9 +457,7 @@ Scene parse_scene(std::string_view json_text, const std::filesystem::path& origi
             scene.materials.emplace(name, parse_material(value, object.place("materials").at(name)));
         }
     }
-    if (object.has("shape")) {
-        scene.shape = parse_shape(object.get("shape"), object.place("shape"));
-    }
+    if (object.has("shape")) scene.shape = parse_shape(object.get("shape"), object.place("shape"));
     const bool needs_size = !std::holds_alternative<SphereShape>(scene.shape);
     scene.structure = parse_structure(object.get("structure"), object.place("structure"), origin, needs_size);
     collect_materials(scene, place);
@@ -462,7 +469,7 @@ Scene parse_scene(std::string_view json_text, const std::filesystem::path& origi
         if (ground.has("friction")) scene.ground.friction = ground.number("friction");
     }
     read_contact(object, scene);
-    remark_idle_settings(object, place, scene);
+    remark_settings(object, place, scene);
     if (object.has("preparation")) {
         scene.preparation = parse_preparation(JsonObject(object.get("preparation"), object.place("preparation"), "preparation"), origin);
     }
@@ -476,6 +483,7 @@ Scene parse_scene(std::string_view json_text, const std::filesystem::path& origi
         scene.output.frame_rate = output.optional_quantity<scaling::Frequency>("frame_rate");
     }
     check_scene(scene, origin.string());
+    drop_idle_settings(scene);
     return scene;
 }
 

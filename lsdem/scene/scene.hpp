@@ -24,7 +24,7 @@ namespace musim::lsdem::scene {
 
 /// Blocks as boxes with a closed-form level set.
 struct BoxShape {
-    int nodes_per_face = 44;  ///< on the face across z, edges and corners included; 44 in [Harmon23]
+    int nodes_per_face = 44;  ///< of boxes that meet by nodes: on the face across z, edges and corners included; 44 in [Harmon23]
 
     bool operator==(const BoxShape&) const = default;
 };

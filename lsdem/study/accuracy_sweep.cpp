@@ -176,9 +176,9 @@ std::string make_accuracy_csv(const AccuracySweep& sweep) {
             const AccuracySetting& s = row.setting;
             const AccuracyOutcome& o = row.outcome;
             const bool by_nodes = s.faces == FaceContact::nodes || s.voxel > 0.0;
+            const char* const sides = !by_nodes ? "none" : s.sides == ContactNodes::leader ? "leader" : "both";
             fmt::format_to(std::back_inserter(csv), "{},{},{},{},{},{},{},{},{},{:.4g},{},{},{:.4g},{}\n", row.name, row.family, row.label,
-                           s.safety, by_nodes ? s.nodes_per_face : 0, by_nodes ? "nodes" : "overlap",
-                           s.sides == ContactNodes::leader ? "leader" : "both", s.voxel, o.error,
+                           s.safety, by_nodes ? s.nodes_per_face : 0, by_nodes ? "nodes" : "overlap", sides, s.voxel, o.error,
                            o.block_steps > 0 ? 1e6 * o.seconds / static_cast<double>(o.block_steps) : 0.0, o.steps, o.block_steps,
                            o.seconds, row.pareto ? 1 : 0);
         }

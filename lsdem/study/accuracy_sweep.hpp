@@ -43,8 +43,8 @@ struct AccuracySweep {
 };
 
 /// Runs every closed-form case and the mini-tower with every setting: time step, contact by nodes (of the leader, of both blocks), grid
-/// level sets, and the presets. Run times are processor time of the stepping thread; runs shorter than 20 ms
-/// are repeated twice and the shortest time is kept. Throws what MiniTower does.
+/// level sets, and the presets. Run times are processor time of the stepping thread; runs shorter than 20 ms are repeated twice and the
+/// shortest time is kept. Throws what MiniTower does.
 AccuracySweep sweep_accuracy(const SweepOptions& options = {});
 
 /// Marks the rows of a panel that no other row beats in both error and run time. Rows with an infinite error, and shadows, which measure
@@ -54,8 +54,9 @@ void mark_pareto(AccuracyPanel& panel);
 /// The settings a preset stands for.
 AccuracySetting to_setting(const scene::AccuracyPreset& preset);
 
-/// One line per row: case, family, label, step, nodes, faces, sides, voxel, error, us_per_block_step, steps, block_steps, seconds,
-/// pareto. Numbers are the shortest text that reads back the same; `inf` is a run that did not get there.
+/// One line per row: case, family, label, step, nodes (per face; 0 where boxes overlap), faces, sides (whose nodes; none where boxes
+/// overlap), voxel, error, us_per_block_step, steps, block_steps, seconds, pareto. Numbers are the shortest text that reads back the same;
+/// `inf` is a run that did not get there.
 std::string make_accuracy_csv(const AccuracySweep& sweep);
 
 }  // namespace musim::lsdem::study

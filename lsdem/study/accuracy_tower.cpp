@@ -116,6 +116,8 @@ Specimen make_specimen(int courses, const AccuracySetting& setting) {
         const auto thin = std::get<scene::Wall>(wall.structure).block[0];
         wall.shape = scene::GridShape{setting.nodes_per_face, setting.voxel * thin};
     }
+    wall.face_contact = setting.faces;
+    wall.contact_nodes = setting.sides;
     scene::BuiltModel built = scene::build_model(wall);
     apply(setting, built.model);
     let_settle(built.model, built.structure.layer);

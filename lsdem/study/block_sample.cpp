@@ -47,7 +47,7 @@ Model make_model(const BlockSample& sample) {
         throw std::invalid_argument("block: a friction coefficient is negative; correct it");
 
     Model model;
-    model.shapes.push_back(make_box_shape(sample.size, make_node_lattice(sample.size, sample.nodes_per_face)));
+    model.shapes.push_back(make_box_shape(sample.size, {2, 2, 2}));
     model.materials.push_back(
         {sample.normal_pressure(), sample.shear_pressure(), sample.friction, sample.restitution, sample.shear_damping_ratio});
     model.ground.material = model.materials.front();

@@ -16,7 +16,6 @@ struct BlockSample {
     double restitution = 1.0;          ///< [-]
     double shear_damping_ratio = 0.0;  ///< [-]
     double gravity = 0.0;              ///< [m/s²]
-    int nodes_per_face = 44;           ///< of the face across z
 
     double mass() const { return density * size.prod(); }                      ///< [kg]
     double face_area() const { return size.x() * size.y(); }                   ///< [m²]

@@ -14,8 +14,8 @@ namespace musim::lsdem::study {
 struct PreparationSettings {
     scene::Placing placing = scene::Placing::quick_layers;
     Settling settling;
-    /// Time step over that of a run, of Placing::quick_layers and resting: blocks that stand on a few nodes are stable in it, the others
-    /// get inertia that makes them so (Inertia::as_stable) [-].
+    /// Time step over that of a run, of Placing::quick_layers and resting: blocks that touch little are stable in it, the others get
+    /// inertia that makes them so (Inertia::as_stable) [-].
     double stride = 4.0;
     double lowering = 0.02;  ///< speed at which a layer is let down, over √(gH) [-]
     /// The next layer comes when every block below has less kinetic energy than this part of its weight times its height, a drop from as
@@ -24,12 +24,12 @@ struct PreparationSettings {
     double layer_rest = 1e-8;
     double layer_patience = 2.5;    ///< of Placing::layers and quick_layers [-]
     double resting_patience = 0.5;  ///< of Placing::resting [-]
-    /// How often the whole comes to rest, each time with a new neighbor list. Whoever uses the specimen begins with one, and where a
-    /// contact then meets in another way, it is to do so here. One that has been prepared, and comes from its file, need not again.
+    /// How often the whole comes to rest: to `early_rest` while blocks may still tip, in the last round to the end, with the damping that
+    /// suits sway.
     std::size_t whole_rounds = 2;
     /// What is not at rest so long after its layers, over α, while inertia is added gets its own back, and comes to rest in steps of a run.
     double added_patience = 15.0;
-    double early_rest = 1e-6;  ///< all of these rounds but the last end at this: what moves on is moved anew by the new list [-]
+    double early_rest = 1e-6;  ///< all of these rounds but the last end at this: no block tips any more [-]
     /// α of the last round over that of the others: no block tips any more, sway decays. It is slower with added inertia [-].
     double last_damping = 1.5;
     double last_damping_with_added_inertia = 0.75;

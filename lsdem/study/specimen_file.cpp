@@ -49,7 +49,8 @@ void require_specimen(const detail::Hdf5Reader& reader, const std::filesystem::p
     const std::string format = reader.has("/blocks/tilt") ? reader.attribute("format") : "";
     if (format == kFormat) return;
     if (format.starts_with("musim-specimen/")) {
-        refuse(file, fmt::format("it has format {}, this program reads {} (another version wrote it); prepare it again", format, kFormat));
+        refuse(file, fmt::format("it has format {}, this program reads {} (another version wrote it); move it and prepare it again", format,
+                                 kFormat));
     }
     refuse(file, "not a specimen (musim specimen makes them); name another file");
 }

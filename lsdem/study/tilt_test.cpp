@@ -53,7 +53,7 @@ Model make_tilted_model(const BlockSample& sample, const TiltCase& test, const S
     if (test.support == TiltSupport::block) {
         // a plate of the same material, on which the block stays while it is watched
         const Vector3 size(2.0 * slope.extent.x(), 2.0 * slope.extent.y(), slope.extent.z());
-        model.shapes.push_back(make_box_shape(size, make_node_lattice(size, sample.nodes_per_face)));
+        model.shapes.push_back(make_box_shape(size, {2, 2, 2}));
         Block plate;
         plate.shape = 1;
         plate.mass = sample.density * size.prod();

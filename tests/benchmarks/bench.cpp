@@ -80,10 +80,10 @@ void time_scene(const musim::benchmarks::BenchScene& scene, int threads) {
         timing.motion.push_back((after.motion - before.motion) * per_block_step);
         timing.neighbors.push_back((after.neighbors - before.neighbors) * per_block_step);
     }
-    const auto nodes = static_cast<double>(simulation.statistics().contact_nodes);
+    const auto contacts = static_cast<double>(simulation.statistics().contacts);
     const double whole = median(timing.whole);
-    fmt::print("{},{},{:.0f},{},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.0f},{:.2f},{:.0f},{:.0f}\n", scene.name, blocks, nodes, threads,
-               whole, whole * threads, median(timing.contacts), median(timing.motion), median(timing.neighbors), nodes / blocks / whole,
+    fmt::print("{},{},{:.0f},{},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.0f},{:.2f},{:.0f},{:.0f}\n", scene.name, blocks, contacts, threads,
+               whole, whole * threads, median(timing.contacts), median(timing.motion), median(timing.neighbors), contacts / blocks / whole,
                setup, memory / blocks, peak_memory());
     std::fflush(stdout);
 }
@@ -93,8 +93,8 @@ void time_scene(const musim::benchmarks::BenchScene& scene, int threads) {
 int main(int argc, char** argv) {
     const std::vector<std::string> wanted(argv + 1, argv + argc);
     fmt::print(
-        "scene,blocks,contact_nodes,threads,us_per_block_step,us_per_block_step_core,contacts_us,motion_us,neighbors_us,"
-        "million_nodes_per_s,setup_s,bytes_per_block,peak_mb_so_far\n");
+        "scene,blocks,contacts,threads,us_per_block_step,us_per_block_step_core,contacts_us,motion_us,neighbors_us,"
+        "million_contacts_per_s,setup_s,bytes_per_block,peak_mb_so_far\n");
     for (const auto& scene : musim::benchmarks::make_bench_scenes()) {
         if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), scene.name) == wanted.end()) continue;
         for (const int threads : {1, 2}) time_scene(scene, threads);

@@ -41,8 +41,10 @@ Scene tower_scene() {
     return scene;
 }
 
-lsdem::Model make_tower() {
-    lsdem::Model model = lsdem::scene::make_model(tower_scene());
+lsdem::Model make_tower(lsdem::FaceContact faces = lsdem::FaceContact::overlap) {
+    Scene scene = tower_scene();
+    scene.face_contact = faces;
+    lsdem::Model model = lsdem::scene::make_model(scene);
     model.skip_quiet = false;
     return model;
 }
@@ -111,11 +113,6 @@ lsdem::Model without_rotation(lsdem::Model model) {
     return model;
 }
 
-lsdem::Model by_nodes(lsdem::Model model) {
-    model.face_contact = lsdem::FaceContact::nodes;
-    return model;
-}
-
 lsdem::Model make_grid_tower() {
     Scene scene = tower_scene();
     scene.shape = lsdem::scene::GridShape{.nodes_per_face = 44, .voxel = 0.65e-3 * scaling::si::meter};
@@ -155,7 +152,7 @@ std::vector<BenchScene> make_bench_scenes() {
     scenes.push_back({"shaken_no_friction", [] { return without_friction(shaken(make_tower())); }, kStrong});
     scenes.push_back({"shaken_elastic", [] { return elastic(shaken(make_tower())); }, kStrong});
     scenes.push_back({"shaken_no_rotation", [] { return without_rotation(shaken(make_tower())); }, kStrong});
-    scenes.push_back({"tower_nodes", [] { return by_nodes(make_tower()); }});
+    scenes.push_back({"tower_nodes", [] { return make_tower(lsdem::FaceContact::nodes); }});
     scenes.push_back({"tower_grid", make_grid_tower});
     scenes.push_back({"column_quiet", make_quiet_column, kSettled});
     scenes.push_back({"column_waiting", [] { return make_column(kLayers); }, kSettled});

@@ -20,9 +20,9 @@ struct BenchScene {
 ///   tower                    every interface in contact and sticking
 ///   tower_sliding            every interface slides, layer against layer
 ///   towers_28k, towers_200k  4 and 28 such towers in a row
-/// What a scene does not need, against tower_shaken (three components, 10 Hz, up to 1 g: nodes stick, slide and part):
+/// What a scene does not need, against tower_shaken (three components, 10 Hz, up to 1 g: contacts stick, slide and part):
 ///   shaken_one_component, shaken_no_friction, shaken_elastic (e = 1), shaken_no_rotation
-///   tower_nodes              the leader's own nodes, clipped at edges, in place of patches; sticking
+///   tower_nodes              contact by the leader's 44 nodes a face in place of overlap; sticking
 ///   tower_grid               blocks as grid level sets, voxel 0.65 mm; sticking
 ///   column_quiet             38 blocks that stand, on a base that stands: passed over
 ///   column_waiting           the same, computed

@@ -14,7 +14,7 @@ namespace {
 
 /// A wall of three courses of unequal blocks that is shaken for 20 samples.
 std::string make_scene(const std::string& output = R"("spine_rate": "500 Hz")", const std::string& time = R"("duration": "0.04 s")") {
-    return R"({"schema": "musim-scene/1", "name": "small wall", "material": "concrete", "shape": {"kind": "box", "nodes_per_face": 9},
+    return R"({"schema": "musim-scene/1", "name": "small wall", "material": "concrete",
  "structure": {"kind": "wall", "layers": 3, "blocks_per_layer": 2, "block": ["54.4 mm", "112.8 mm", "170 mm"],
                "height_deviation": "0.3 mm", "seed": 5},
  "base_motion": {"signal": "half_sine", "direction": "x", "amplitude": "0.4 g", "duration": "0.03 s"},
@@ -30,7 +30,6 @@ std::string make_similar_scene(double length, double time) {
         {"name", "similar wall"},
         {"material",
          {{"density", 2320}, {"normal_stiffness", stiffness}, {"shear_stiffness", stiffness}, {"friction", 0.6}, {"restitution", 0.3}}},
-        {"shape", {{"kind", "box"}, {"nodes_per_face", 9}}},
         {"structure",
          {{"kind", "wall"},
           {"layers", 3},

@@ -10,7 +10,7 @@ namespace {
 
 constexpr const char* kScene = R"({"schema": "musim-scene/1", "name": "two columns",
     "material": {"density": 2320, "normal_stiffness": "2 GN/m", "shear_stiffness": "2 GN/m", "friction": 0.3, "restitution": 0.3},
-    "shape": {"kind": "box", "nodes_per_face": 25}, "structure": {"kind": "column", "layers": 3, "block": ["2 m", "2 m", "1 m"]},
+    "structure": {"kind": "column", "layers": 3, "block": ["2 m", "2 m", "1 m"]},
     "base_motion": {"signal": "sine", "direction": "x", "amplitude": "0.4 g", "frequency": "4 Hz", "cycles": 1},
     "time": {"duration": "0.3 s"}, "output": {"spine_rate": "500 Hz", "frame_rate": "50 Hz"}})";
 

@@ -12,7 +12,7 @@ namespace {
 std::string make_scene(const std::string& base_motion) {
     return R"({"schema": "musim-scene/1", "name": "two blocks",
  "material": {"density": 2320, "normal_stiffness": "2 GN/m", "shear_stiffness": "2 GN/m", "friction": 0.3, "restitution": 0.3},
- "shape": {"kind": "box", "nodes_per_face": 25}, "structure": {"kind": "blocks", "blocks": [
+ "structure": {"kind": "blocks", "blocks": [
    {"size": ["2 m", "2 m", "1 m"], "position": ["0 m", "0 m", "0.5 m"]},
    {"size": ["2 m", "2 m", "1 m"], "position": ["0.2 m", "0 m", "1.5 m"]}]},
  "base_motion": )" +
@@ -128,6 +128,22 @@ TEST_CASE("a run whose record has changed or gone cannot be resumed, until it is
     here.shell("mv kept.csv record.csv");
     CHECK(here.run("run --resume out").exit_code == 0);
     check_same_results(here);
+}
+
+TEST_CASE("a run of an older format cannot be resumed: one line names file and format") {
+    const Workplace here;
+    here.write("scene.json", make_scene(kSine));
+    kill_halfway(here, "run scene.json -o out");
+    REQUIRE(here.has("out/checkpoint"));
+    std::string old = here.read("out/checkpoint");
+    old[12] = 7;  // the format, behind a name of eight bytes and the byte order
+    here.write("out/checkpoint", old);
+    const Outcome outcome = here.run("run --resume out");
+    CHECK(outcome.exit_code == 3);
+    CHECK(outcome.has_one_error_line());
+    for (const char* part : {"out/checkpoint: ", "format 7", "format 8", "start it anew"}) {
+        CHECK_MESSAGE(outcome.err.find(part) != std::string::npos, outcome.err);
+    }
 }
 
 TEST_CASE("there is one clear line when there is nothing to resume from") {

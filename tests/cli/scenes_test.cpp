@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <string>
 
 #include "tests/cli/program.hpp"
@@ -21,7 +22,7 @@ struct SceneText {
  "material": {"density": )" +
                density + R"(, "normal_stiffness": )" + stiffness + R"(, "shear_stiffness": "2 GN/m", "friction": 0.3, "restitution": )" +
                restitution + R"(},
- "shape": {"kind": "box", "nodes_per_face": 25}, "structure": {"kind": "blocks", "blocks": [
+ "structure": {"kind": "blocks", "blocks": [
    {"size": ["2 m", "2 m", "1 m"], "position": ["0 m", "0 m", "0.5 m"]},
    {"size": ["2 m", "2 m", "1 m"], "position": ["0 m", "0 m", )" +
                second_block_z + R"(]}]},
@@ -39,15 +40,52 @@ TEST_CASE("run prints one JSON object with the keys of the contract and writes a
     const Outcome outcome = here.run("run scene.json -o out/run --json");
     CHECK(outcome.exit_code == 0);
     const auto object = outcome.json();
-    for (const char* key : {"status", "blocks", "steps", "dt_s", "wall_s", "contact_nodes", "state_hash", "energy_closure",
+    for (const char* key : {"status", "blocks", "steps", "dt_s", "wall_s", "contacts", "contact_nodes", "state_hash", "energy_closure",
                             "max_overlap_over_height", "base_reaction_over_weight"}) {
         CHECK_MESSAGE(object.contains(key), key);
     }
     CHECK(object["status"] == "completed");
     CHECK(object["blocks"] == 2);
+    // block on block on the ground, by overlap
+    CHECK(object["contacts"] == 2);
+    CHECK(object["contact_nodes"] == 0);
     for (const char* name : {"result.h5", "result.xdmf", "spine.csv", "summary.json"})
         CHECK_MESSAGE(here.has(std::string("out/run/") + name), name);
     CHECK(nlohmann::json::parse(here.read("out/run/summary.json"))["state_hash"] == object["state_hash"]);
+}
+
+TEST_CASE("settings that change nothing and old names are told in one line each, and change nothing") {
+    const Workplace here;
+    here.write("scene.json", SceneText().text());
+    const Outcome plain = here.run("run scene.json --json");
+    CHECK(plain.err.empty());
+    std::string text = SceneText().text();
+    text.insert(
+        1, R"("shape": {"kind": "box", "nodes_per_face": 25}, "contact": {"faces": "patch", "nodes": "both", "spacing": "lobatto"}, )");
+    here.write("old.json", text);
+    const auto count_warnings = [](const Outcome& outcome) {
+        std::size_t count = 0;
+        for (std::size_t at = 0; (at = outcome.err.find("musim: warning: old.json: /", at)) != std::string::npos; ++at) ++count;
+        // and nothing else
+        CHECK(static_cast<std::size_t>(std::count(outcome.err.begin(), outcome.err.end(), '\n')) == count);
+        return count;
+    };
+    const Outcome old = here.run("run old.json -o out --json");
+    CHECK(old.exit_code == 0);
+    CHECK(count_warnings(old) == 4);
+    for (const char* place : {"/shape/nodes_per_face: ", "/contact/faces: ", "/contact/nodes: ", "/contact/spacing: "}) {
+        CHECK_MESSAGE(old.err.find(place) != std::string::npos, old.err);
+    }
+    CHECK(old.json()["state_hash"] == plain.json()["state_hash"]);
+    CHECK(count_warnings(here.run("pair old.json --length 1/16 --duration 0.1")) == 4);
+    // by nodes these settings count, and nothing is said
+    text = SceneText().text();
+    text.insert(1, R"("shape": {"kind": "box", "nodes_per_face": 25}, "contact": {"faces": "nodes"}, )");
+    here.write("nodes.json", text);
+    const Outcome nodes = here.run("run nodes.json --json");
+    CHECK(nodes.err.empty());
+    CHECK(nodes.json()["contact_nodes"].get<int>() > 0);
+    CHECK(nodes.json()["contacts"] == 2);
 }
 
 TEST_CASE("the state hash is the same for any number of threads") {

@@ -11,7 +11,7 @@ namespace {
 /// A column of two blocks; a jolt that it stands twice and one that throws it down.
 std::string make_scene() {
     const std::string jolt = R"({"base_motion": {"signal": "sine", "direction": "x", "frequency": "6 Hz", "cycles": 1, "amplitude": )";
-    return R"({"schema": "musim-scene/1", "name": "two blocks", "material": "wood", "shape": {"kind": "box", "nodes_per_face": 9},
+    return R"({"schema": "musim-scene/1", "name": "two blocks", "material": "wood",
  "structure": {"kind": "column", "layers": 2, "block": ["12.710 mm", "26.355 mm", "39.780 mm"]},
  "motions": [)" +
            jolt + R"("0.2 g"}, "name": "jolt", "repeat": 2}, )" + jolt + R"("1.5 g"}, "name": "blow", "duration": "0.5 s"}, )" + jolt +

@@ -10,7 +10,7 @@ TEST_CASE("watch follows a run, says that it was killed, and that it has finishe
     const Workplace here;
     here.write("scene.json", R"({"schema": "musim-scene/1", "name": "two blocks",
         "material": {"density": 2320, "normal_stiffness": "2 GN/m", "shear_stiffness": "2 GN/m", "friction": 0.3, "restitution": 0.3},
-        "shape": {"kind": "box", "nodes_per_face": 25}, "structure": {"kind": "column", "layers": 2, "block": ["2 m", "2 m", "1 m"]},
+        "structure": {"kind": "column", "layers": 2, "block": ["2 m", "2 m", "1 m"]},
         "base_motion": {"signal": "sine", "direction": "x", "amplitude": "0.6 g", "frequency": "2 Hz", "cycles": 80},
         "time": {"duration": "40 s"}, "output": {"spine_rate": "200 Hz"}})");
     // it tells where it stands after two seconds

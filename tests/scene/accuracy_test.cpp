@@ -1,10 +1,14 @@
 #include <doctest/doctest.h>
 
 #include <string>
+#include <utility>
+#include <vector>
 
+#include "lsdem/model_hash.hpp"
 #include "lsdem/scene/build_model.hpp"
 #include "lsdem/scene/scale_scene.hpp"
 #include "lsdem/scene/scene_json.hpp"
+#include "lsdem/time_step.hpp"
 #include "tests/scene/made_scene.hpp"
 
 using namespace musim;
@@ -22,63 +26,103 @@ std::string refuse(const std::string& more) {
 
 }  // namespace
 
-TEST_CASE("an accuracy sets nodes, faces, spacing and time step") {
-    for (const Accuracy accuracy : {Accuracy::fast, Accuracy::standard, Accuracy::reference}) {
+TEST_CASE("an accuracy sets the time step") {
+    const std::vector<std::pair<Accuracy, double>> steps{{Accuracy::fast, 0.8}, {Accuracy::standard, 0.4}, {Accuracy::reference, 0.1}};
+    for (const auto& [accuracy, safety] : steps) {
         CAPTURE(to_string(accuracy));
         const Scene scene = parse(", \"accuracy\": \"" + to_string(accuracy) + "\"");
-        const AccuracyPreset& preset = find_accuracy_preset(accuracy);
+        CHECK(find_accuracy_preset(accuracy).safety == safety);
         CHECK(scene.accuracy == accuracy);
-        CHECK(std::get<BoxShape>(scene.shape).nodes_per_face == preset.nodes_per_face);
-        CHECK(scene.face_contact == preset.faces);
-        CHECK(scene.patch_spacing == preset.spacing);
-        CHECK(scene.time.safety == preset.safety);
+        CHECK(scene.time.safety == safety);
+        // and nothing else
+        Scene plain = parse("");
+        plain.accuracy = accuracy;
+        plain.time.safety = safety;
+        CHECK(scene == plain);
+        const Model model = make_model(scene);
+        CHECK(compute_time_step(scene, model).value() == safety * compute_critical_time_step(model));
         CHECK(parse_scene(write_scene(scene)) == scene);
         CHECK(scale_scene(scene, scaling::Similitude({.length = 0.25}, scaling::Law::exact)).accuracy == accuracy);
     }
     CHECK_FALSE(parse("").accuracy);
+    CHECK(parse("").time.safety == 0.8);
     CHECK(write_scene(parse("")).find("accuracy") == std::string::npos);
 }
 
 TEST_CASE("what a scene gives itself comes before its accuracy") {
     const std::string text = R"({"schema": "musim-scene/1", "material": "wood", "accuracy": "reference", "structure": )" + kColumn +
-                             R"(, "shape": {"kind": "box", "nodes_per_face": 12}, "contact": {"faces": "nodes", "spacing": "even"},
-                                "time": {"duration": "1 s", "safety": 0.5}})";
+                             R"(, "time": {"duration": "1 s", "safety": 0.5}})";
     const Scene scene = parse_scene(text);
-    CHECK(std::get<BoxShape>(scene.shape).nodes_per_face == 12);
-    CHECK(scene.face_contact == FaceContact::nodes);
-    CHECK(scene.patch_spacing == PatchSpacing::even);
+    CHECK(scene.accuracy == Accuracy::reference);
     CHECK(scene.time.safety == 0.5);
     CHECK(parse_scene(write_scene(scene)) == scene);
-    // a shape without a number of nodes takes the accuracy's, as a grid does
-    const int nodes = find_accuracy_preset(Accuracy::fast).nodes_per_face;
-    CHECK(std::get<BoxShape>(parse(R"(, "accuracy": "fast", "shape": {"kind": "box"})").shape).nodes_per_face == nodes);
-    const Scene grid = parse(R"(, "accuracy": "fast", "shape": {"kind": "box", "level_set": "grid", "voxel": "1 mm"})");
-    CHECK(std::get<GridShape>(grid.shape).nodes_per_face == nodes);
 }
 
-TEST_CASE("the nodes of an accuracy fit faces from square to one by five") {
-    for (const Accuracy accuracy : {Accuracy::fast, Accuracy::standard, Accuracy::reference})
-        for (const double aspect : {1.0, 1.5, 2.07, 3.0, 5.0})
-            CHECK_NOTHROW(make_node_lattice({1.0, aspect, 1.0}, find_accuracy_preset(accuracy).nodes_per_face));
+TEST_CASE("boxes meet by their overlap unless a scene asks for nodes") {
+    for (const char* faces : {"", R"(, "contact": {"faces": "overlap"})", R"(, "contact": {"faces": "patch"})"}) {
+        const Scene scene = parse(faces);
+        CHECK_FALSE(scene.has_contact_nodes());
+        const Model model = make_model(scene);
+        CHECK(model.face_contact == FaceContact::overlap);
+        CHECK(meets_by_overlap(model, model.blocks.front()));
+        // corners only
+        CHECK(model.shapes.front().nodes.size() == 8);
+    }
+    const std::string nodes = R"(, "shape": {"kind": "box", "nodes_per_face": 12}, "contact": )";
+    for (const char* contact : {R"({"faces": "nodes"})", R"({"stiffness": "per_contact"})", R"({"nodes": "both", "faces": "nodes"})"}) {
+        const Scene scene = parse(nodes + contact);
+        CHECK(scene.has_contact_nodes());
+        CHECK(scene.remarks.lines.empty());
+        CHECK(std::get<BoxShape>(scene.shape).nodes_per_face == 12);
+        const Model model = make_model(scene);
+        CHECK_FALSE(meets_by_overlap(model, model.blocks.front()));
+        CHECK(model.shapes.front().nodes.size() == make_box_shape({1.0, 2.0, 3.0}, make_node_lattice({1.0, 2.0, 3.0}, 12)).nodes.size());
+        CHECK(write_scene(scene).find("\"nodes_per_face\": 12") != std::string::npos);
+        CHECK(parse_scene(write_scene(scene)) == scene);
+    }
+    CHECK(parse(R"(, "shape": {"kind": "box", "level_set": "grid", "nodes_per_face": 12, "voxel": "1 mm"})").has_contact_nodes());
 }
 
-TEST_CASE("the choice of faces and spacing reaches the model") {
-    const Model patches = make_model(parse(R"(, "contact": {"faces": "patch", "spacing": "lobatto"})"));
-    CHECK(patches.face_contact == FaceContact::patch);
-    CHECK(patches.shapes.front().patch_spacing == PatchSpacing::lobatto);
-    const Model nodes = make_model(parse(R"(, "contact": {"faces": "nodes", "spacing": "even"})"));
-    CHECK(nodes.face_contact == FaceContact::nodes);
-    CHECK(nodes.shapes.front().patch_spacing == PatchSpacing::even);
-    const Scene by_overlap = parse(R"(, "contact": {"faces": "overlap"})");
-    CHECK(make_model(by_overlap).face_contact == FaceContact::overlap);
-    CHECK(parse_scene(write_scene(by_overlap)) == by_overlap);
+TEST_CASE("settings of nodes where there are none, and old names, are told once each and change nothing") {
+    struct Case {
+        std::string more;
+        std::vector<std::string> places;
+    };
+    const std::string shape = R"(, "shape": {"kind": "box", "nodes_per_face": 9})";
+    const std::vector<Case> cases{
+        {"", {}},
+        {R"(, "contact": {"nodes": "leader", "stiffness": "per_area", "faces": "overlap"}, "shape": {"kind": "box"})", {}},
+        {R"(, "contact": {"faces": "patch"})", {"/contact/faces"}},
+        {R"(, "contact": {"spacing": "even"})", {"/contact/spacing"}},
+        {R"(, "contact": {"spacing": "lobatto"})", {"/contact/spacing"}},
+        {R"(, "contact": {"nodes": "both"})", {"/contact/nodes"}},
+        {shape, {"/shape/nodes_per_face"}},
+        {shape + R"(, "contact": {"nodes": "both", "faces": "patch", "spacing": "lobatto"})",
+         {"/shape/nodes_per_face", "/contact/faces", "/contact/nodes", "/contact/spacing"}},
+    };
+    const Scene plain = parse("");
+    for (const Case& c : cases) {
+        CAPTURE(c.more);
+        const Scene scene = parse(c.more);
+        REQUIRE(scene.remarks.lines.size() == c.places.size());
+        for (std::size_t i = 0; i < c.places.size(); ++i) check_message(scene.remarks.lines[i], {"dir/tower.json: " + c.places[i] + ": "});
+        CHECK(scene == plain);
+        CHECK(write_scene(scene) == write_scene(plain));
+        CHECK(hash_model(make_model(scene), 1.0) == hash_model(make_model(plain), 1.0));
+        // what is written has nothing to remark on
+        CHECK(parse_scene(write_scene(scene)).remarks.lines.empty());
+    }
+    // with nodes only the spacing is idle
+    const Scene nodes = parse(shape + R"(, "contact": {"nodes": "both", "faces": "nodes", "spacing": "even"})");
+    REQUIRE(nodes.remarks.lines.size() == 1);
+    check_message(nodes.remarks.lines[0], {"/contact/spacing"});
 }
 
 TEST_CASE("a bad accuracy or face is refused with its place and what is known") {
     check_message(refuse(R"(, "accuracy": "standart")"), {"dir/tower.json: /accuracy", "standart", "\"standard\""});
     check_message(refuse(R"(, "accuracy": 3)"), {"/accuracy", "a text is wanted"});
     check_message(refuse(R"(, "acuracy": "fast")"), {"/acuracy: unknown key", "did you mean \"accuracy\"?"});
-    check_message(refuse(R"(, "contact": {"faces": "patches"})"), {"/contact/faces", "patches", "patch"});
+    check_message(refuse(R"(, "contact": {"faces": "patches"})"), {"/contact/faces", "patches", "\"patch\""});
     check_message(refuse(R"(, "contact": {"spacing": "fine"})"), {"/contact/spacing", "even"});
     check_message(refuse(R"(, "contact": {"face": "patch"})"), {"/contact/face: unknown key", "did you mean \"faces\"?"});
 }

@@ -13,13 +13,6 @@ using namespace musim::lsdem;
 using namespace musim::lsdem::scene;
 using namespace musim::lsdem::scene::testing;
 
-namespace {
-
-/// 6 x 6 nodes on a square face; 44 have no even lattice there.
-const std::string kCubeNodes = R"(, "shape": {"kind": "box", "nodes_per_face": 36})";
-
-}  // namespace
-
 TEST_CASE("a column stands block on block without gap or overlap") {
     const BuiltModel built = build_model(parse_scene(make_scene_text(kColumn)));
     const Model& model = built.model;
@@ -49,7 +42,7 @@ TEST_CASE("mass is density times volume and the stiffness of a face is spread ov
     CHECK(model.gravity == Vector3(0.0, 0.0, -9.80665));
     CHECK(model.contact_nodes == ContactNodes::leader);
     CHECK(model.stiffness_sharing == StiffnessSharing::per_area);
-    CHECK(model.shapes[0].nodes.size() > 44);
+    CHECK(model.face_contact == FaceContact::overlap);
 }
 
 TEST_CASE("the ground may have its own friction or be absent, and both sides may probe") {
@@ -161,10 +154,25 @@ TEST_CASE("grid level sets and spheres are built") {
     CHECK(sphere.shapes[0].nodes.size() == 50);
 }
 
+TEST_CASE("boxes that meet by nodes have as many on a face as the scene says, half blocks at the same distances") {
+    const Model model = make_model(
+        parse_scene(make_scene_text(kWall, R"(, "shape": {"kind": "box", "nodes_per_face": 45}, "contact": {"faces": "nodes"})")));
+    REQUIRE(model.shapes.size() == 2);
+    const NodeLattice whole = make_node_lattice({12.71, 26.355, 39.78}, 45);
+    CHECK(whole.nx * whole.ny == 45);
+    // half blocks come first where a wall begins with whole ones, or second: the longer is the whole one
+    const Shape& longer = model.shapes[model.shapes[0].half_extents.y() > model.shapes[1].half_extents.y() ? 0 : 1];
+    const Shape& shorter = model.shapes[&longer == &model.shapes[0] ? 1 : 0];
+    CHECK(longer.nodes.size() == make_box_shape({12.71, 26.355, 39.78}, whole).nodes.size());
+    CHECK(shorter.nodes.size() == make_box_shape({12.71, 13.0, 39.78}, {whole.nx, whole.ny / 2 + 1, whole.nz}).nodes.size());
+}
+
 TEST_CASE("nodes that do not fit the face are refused with a number that does") {
-    check_message(
-        error_of([] { make_model(parse_scene(make_scene_text(kColumn, R"(, "shape": {"kind": "box", "nodes_per_face": 43})"))); }),
-        {"scene \"test\": /shape", "43", "use "});
+    check_message(error_of([] {
+                      make_model(parse_scene(make_scene_text(kColumn, R"(, "shape": {"kind": "box", "nodes_per_face": 43},
+                                                                              "contact": {"faces": "nodes"})")));
+                  }),
+                  {"scene \"test\": /shape", "43", "use "});
 }
 
 TEST_CASE("blocks that overlap at the start are refused: which two, and by how much") {
@@ -172,8 +180,7 @@ TEST_CASE("blocks that overlap at the start are refused: which two, and by how m
         return parse_scene(make_scene_text(R"({"kind": "blocks", "blocks": [
             {"size": [1, 1, 1], "position": [5, 0, 0.5]}, {"size": [1, 1, 1], "position": [0, 0, 0.5]},
             {"size": [1, 1, 1], "position": [0.2, 0, )" +
-                                               height + "]}]}",
-                                           kCubeNodes));
+                                           height + "]}]}"));
     };
     CHECK_NOTHROW(make_model(stack("1.5")));
     check_message(error_of([&] { make_model(stack("1.488")); }), {"/structure/blocks/1 and /structure/blocks/2 overlap by 12 mm"});
@@ -181,8 +188,8 @@ TEST_CASE("blocks that overlap at the start are refused: which two, and by how m
 
 TEST_CASE("blocks that reach below the ground are refused unless there is none or they are fixed") {
     const auto sunk = [](const std::string& more, const std::string& scene_more) {
-        return parse_scene(make_scene_text(
-            R"({"kind": "blocks", "blocks": [{"size": [1, 1, 1], "position": [0, 0, "49 cm"])" + more + "}]}", kCubeNodes + scene_more));
+        return parse_scene(
+            make_scene_text(R"({"kind": "blocks", "blocks": [{"size": [1, 1, 1], "position": [0, 0, "49 cm"])" + more + "}]}", scene_more));
     };
     check_message(error_of([&] { make_model(sunk("", "")); }), {"/structure/blocks/0 reaches 10 mm below the ground"});
     CHECK_NOTHROW(make_model(sunk(R"(, "fixed": true)", "")));

@@ -67,6 +67,8 @@ TEST_CASE("every example obeys the schema, is read, and comes back from its own 
         const std::string written = write_scene(scene);
         CHECK(validates(json::parse(written)));
         CHECK(parse_scene(written) == scene);
+        // nothing that is idle, no old name
+        CHECK(scene.remarks.lines.empty());
         CHECK_FALSE(scene.name.empty());
     }
 }

@@ -95,6 +95,7 @@ void check_models(const Model& scaled, const Model& prototype, const Similitude&
     }
     check_vector(scaled.gravity, prototype.gravity, s.gravity());
     CHECK(scaled.contact_nodes == prototype.contact_nodes);
+    CHECK(scaled.face_contact == prototype.face_contact);
 }
 
 const std::string kSynthetic =
@@ -109,6 +110,7 @@ TEST_CASE("the model of a twin is the scaled model, bit for bit in all fields, f
     const std::vector<std::string> texts{
         make_scene_text(kTower, kSynthetic),
         make_scene_text(kWall, kSine),
+        make_scene_text(kWall, kSine + R"(, "contact": {"faces": "nodes", "nodes": "both"})"),
         make_scene_text(kBlocks, kSteel + kRicker + R"(, "ground": {"friction": 0.2})"),
         make_scene_text(kColumn, kGrid + R"(, "base_motion": {"signal": "step", "velocity": "32 mm/s"})"),
         make_scene_text(R"({"kind": "blocks", "blocks": [{"position": [0, 0, "0.1 m"], "velocity": [1, 2, 3]}]})", kSphere),

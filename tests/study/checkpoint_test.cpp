@@ -184,6 +184,21 @@ TEST_CASE("checkpoints that are missing, damaged, cut off or of another version 
     }
 }
 
+TEST_CASE("a checkpoint of another format is refused with file, format and what to do") {
+    const Slide slide;
+    const Folder folder;
+    simulate(slide.specimen, slide.plan, slide.settings(folder, 20));
+    std::string old = bytes_of(folder.file());
+    // the head: a name of 8 bytes, the byte order in 4, the format in 4
+    constexpr std::size_t kFormatAt = 12;
+    REQUIRE(old[kFormatAt] == 8);
+    old[kFormatAt] = 7;
+    write_bytes(folder.file(), old);
+    CHECK(refusal(folder.file()) == folder.file().string() +
+                                        ": the run cannot be continued (checkpoint: it has format 7, this program reads format 8; continue "
+                                        "it with the program that wrote it); start it anew");
+}
+
 TEST_CASE("a checkpoint of another specimen is refused") {
     const Slide slide;
     const Folder folder;

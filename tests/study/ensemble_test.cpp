@@ -10,6 +10,7 @@
 #include "lsdem/scene/scene_error.hpp"
 #include "lsdem/scene/scene_json.hpp"
 #include "lsdem/study/compare_ensembles.hpp"
+#include "lsdem/study/detail/content_name.hpp"
 #include "lsdem/study/ensemble_files.hpp"
 #include "lsdem/study/read_results.hpp"
 #include "tests/study/made_run.hpp"
@@ -125,6 +126,25 @@ TEST_CASE("names follow from the scene, the seed and the version, and from nothi
     CHECK(plan_ensemble(make_wall(R"(, "output": {"spine_rate": "501 Hz"})"), 1, "1.0")[0].name != members[0].name);
     CHECK(is_scene_of(members[1].scene_text, members[1]));
     CHECK_FALSE(is_scene_of(members[1].scene_text, members[2]));
+}
+
+TEST_CASE("what changes nothing in a scene changes no name, and texts of older versions have others") {
+    const std::string name = plan_ensemble(make_wall(kRate), 1, "1.0")[0].name;
+    const std::string idle = R"(, "shape": {"kind": "box", "nodes_per_face": 9},
+        "contact": {"faces": "patch", "nodes": "both", "spacing": "lobatto"})";
+    const auto members = plan_ensemble(make_wall(kRate + idle), 1, "1.0");
+    CHECK(members[0].name == name);
+    CHECK(is_scene_of(members[0].scene_text, members[0]));
+    CHECK(plan_ensemble(make_wall(kRate + std::string(R"(, "contact": {"faces": "nodes"})")), 1, "1.0")[0].name != name);
+    // a text of an older version names a spacing, so the member of its run has another name, and is laid anew
+    auto older = nlohmann::ordered_json::parse(members[0].scene_text);
+    CHECK_FALSE(older["contact"].contains("spacing"));
+    older["contact"]["spacing"] = "even";
+    for (const char* faces : {"patch", "overlap"}) {
+        older["contact"]["faces"] = faces;
+        CHECK("member-" + detail::name_content(nlohmann::json{older.dump(2), "1.0"}.dump()) != name);
+        CHECK("member-" + detail::name_content(nlohmann::json{older.dump(), "1.0"}.dump()) != name);
+    }
 }
 
 TEST_CASE("a scene that makes no ensemble is refused with the reason") {

@@ -32,7 +32,6 @@ Scene make_prototype() {
         "schema": "musim-scene/1", "name": "sliding block",
         "material": { "density": "2320 kg/m^3", "normal_stiffness": "26.25 GN/m", "shear_stiffness": "25 GN/m", "friction": 0.59,
                       "restitution": 0.5 },
-        "shape": { "kind": "box", "nodes_per_face": 45 },
         "structure": { "kind": "blocks", "blocks": [ { "size": ["4.25 m", "2.82 m", "0.5 m"], "position": [0, 0, "0.25 m"] } ] },
         "base_motion": { "signal": "synthetic", "direction": "x", "pga": "1.5 g", "pgv": "100 cm/s", "duration": "8 s", "dt": "0.005 s",
                          "seed": 2 },

@@ -39,7 +39,7 @@ std::string sine(const std::string& amplitude, const std::string& more = "", con
 }
 
 std::string make_text(const std::string& structure, const std::string& motions, const std::string& time = R"({"duration": "0.15 s"})") {
-    return R"({"schema": "musim-scene/1", "name": "test", "material": "wood", "shape": {"kind": "box", "nodes_per_face": 9},
+    return R"({"schema": "musim-scene/1", "name": "test", "material": "wood",
         "structure": )" +
            structure + ", " + motions + R"(, "time": )" + time + R"(, "output": {"spine_rate": "400 Hz"}})";
 }

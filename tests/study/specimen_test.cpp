@@ -15,13 +15,13 @@
 #include "lsdem/scene/build_model.hpp"
 #include "lsdem/scene/scale_scene.hpp"
 #include "lsdem/scene/scene_json.hpp"
+#include "lsdem/study/detail/hdf5_file.hpp"
 #include "lsdem/study/fallen_blocks.hpp"
 #include "lsdem/study/prepare.hpp"
 #include "lsdem/study/read_results.hpp"
 #include "lsdem/study/run.hpp"
 #include "lsdem/study/specimen_batch.hpp"
 #include "lsdem/study/specimen_file.hpp"
-#include "lsdem/tilted.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 using namespace musim;
@@ -225,6 +225,12 @@ TEST_CASE("a specimen is made once from the same inputs, and again from others")
     scene::Scene slippery = scene;
     slippery.material.friction = 0.5;
     CHECK(make_specimens(make_batch(folder.path(), slippery))[0].file != first[0].file);
+    // what changes nothing names the same file; the text it is named by has nothing of older versions
+    const scene::Scene idle = make_wall_scene(3, R"(, "shape": {"kind": "box", "nodes_per_face": 9},
+        "contact": {"faces": "patch", "nodes": "both", "spacing": "even"})");
+    CHECK(make_specimens(make_batch(folder.path(), idle))[0].file == first[0].file);
+    const std::string inputs = read_specimen_inputs(first[0].file);
+    for (const char* word : {"spacing", "patch", "nodes_per_face"}) CHECK(inputs.find(word) == std::string::npos);
     SpecimenBatch other_seed = make_batch(folder.path(), scene);
     other_seed.seeds = {4};
     CHECK(make_specimens(other_seed)[0].file != first[0].file);
@@ -300,6 +306,76 @@ TEST_CASE("a specimen serves other materials and scales") {
     CHECK(little.friction * std::pow(16.0, 3) == large.friction);
 }
 
+TEST_CASE("a specimen from its file is that in memory: places to the bit, friction to its rounding, and at rest") {
+    const TemporaryFolder folder;
+    const scene::Scene scene = make_wall_scene(3);
+    const Specimen upright = make_upright_specimen(scene);
+    const double step = scene::compute_time_step(scene, upright.model).value();
+    const PreparedSpecimen prepared = prepare(upright, step, find_preparation(scene, upright));
+    const std::filesystem::path file = folder.path() / "wall.h5";
+    write_specimen(file, prepared, "{}", "test");
+    Specimen read = upright;
+    take_places(file, read);
+    const Model &memory = prepared.specimen.model, &stored = read.model;
+    for (std::size_t i = 0; i < memory.blocks.size(); ++i) {
+        CHECK(stored.blocks[i].position == memory.blocks[i].position);
+        CHECK(stored.blocks[i].orientation.coeffs() == memory.blocks[i].orientation.coeffs());
+    }
+    // divided by a weight and multiplied by it again: two roundings
+    constexpr double kTwoRoundings = 0x1p-52;
+    REQUIRE(stored.preload.size() == memory.preload.size());
+    REQUIRE(memory.preload.size() > 6);
+    double held = 0.0;
+    for (std::size_t i = 0; i < memory.preload.size(); ++i) {
+        const Preload &a = stored.preload[i], &b = memory.preload[i];
+        CHECK(a.leader == b.leader);
+        CHECK(a.follower == b.follower);
+        for (int axis = 0; axis < 3; ++axis)
+            CHECK(std::abs(a.friction[axis] - b.friction[axis]) <= kTwoRoundings * std::abs(b.friction[axis]));
+        CHECK(std::abs(a.couple - b.couple) <= kTwoRoundings * std::abs(b.couple));
+        held = std::max(held, b.friction.norm());
+    }
+    // friction holds something
+    CHECK(held > 1e-3 * memory.blocks[0].mass * memory.gravity.norm());
+    // what differs by rounding stays so while nothing moves: both stand
+    Simulation from_memory(memory, step), from_file(stored, step);
+    const double height = 2.0 * half_extents(memory, memory.blocks[0]).z();
+    for (Simulation* simulation : {&from_memory, &from_file}) simulation->begin_preparation(prepared_rate(scene, upright));
+    from_memory.advance(500);
+    from_file.advance(500);
+    for (std::size_t i = 0; i < memory.blocks.size(); ++i) {
+        CHECK((from_memory.position(i) - from_file.position(i)).norm() < 1e-12 * height);
+    }
+}
+
+TEST_CASE("what friction holds may be said of either block of a contact") {
+    const scene::Scene scene = make_wall_scene(3);
+    const Specimen upright = make_upright_specimen(scene);
+    const double step = scene::compute_time_step(scene, upright.model).value();
+    Model model = prepare(upright, step, find_preparation(scene, upright)).specimen.model;
+    Model swapped = model;
+    std::size_t changed = 0;
+    for (Preload& preload : swapped.preload) {
+        if (!preload.follower) continue;
+        // force on the other block; the couple is along the normal force on it, which turns about, too
+        preload = {.leader = *preload.follower, .follower = preload.leader, .friction = -preload.friction, .couple = preload.couple};
+        ++changed;
+    }
+    std::reverse(swapped.preload.begin(), swapped.preload.end());
+    REQUIRE(changed > 3);
+    Model none = model;
+    none.preload.clear();
+    Simulation as_found(model, step), other(swapped, step), bare(none, step);
+    for (Simulation* simulation : {&as_found, &other, &bare}) simulation->advance(200);
+    for (std::size_t i = 0; i < model.blocks.size(); ++i) {
+        CHECK(as_found.position(i) == other.position(i));
+        CHECK(as_found.orientation(i).coeffs() == other.orientation(i).coeffs());
+        CHECK(as_found.velocity(i) == other.velocity(i));
+    }
+    // and it counts
+    CHECK(bare.position(model.blocks.size() - 1) != as_found.position(model.blocks.size() - 1));
+}
+
 TEST_CASE("a scene with blocks of unequal height and its twin at 1:16 settle and run to the same bits") {
     const scene::Scene scene = make_wall_scene(3);
     const scaling::Similitude similitude({.length = 1.0 / 16.0}, scaling::Law::exact);
@@ -340,16 +416,27 @@ TEST_CASE("a file that is no specimen, or one of another wall, is refused with w
     damaged.tilt.assign(upright.model.blocks.size(), 0.0);
     damaged.force = {1.0};
     const std::filesystem::path damaged_file = folder.path() / "damaged.h5";
-    Preload nodes{0, 1, 1e-6}, faces{0, 1, 1e-6}, friction{0, 1, 1e-6}, couple{0, 1, 1e-6};
-    nodes.count_p = 3, nodes.count_q = 4;
-    faces.faces = TiltedFaces::kCodes + 1;
+    Preload stranger{.leader = 0, .follower = upright.model.blocks.size()}, friction{.leader = 0, .follower = 1}, couple = friction;
     friction.friction.x() = std::numeric_limits<double>::infinity();
-    couple.couple = std::numeric_limits<double>::infinity();
-    for (const Preload& bad : {Preload{0, upright.model.blocks.size(), 1e-6}, Preload{0, 1, -1e-6}, nodes, faces, friction, couple}) {
+    couple.couple = std::numeric_limits<double>::quiet_NaN();
+    for (const Preload& bad : {stranger, friction, couple}) {
         damaged.specimen.model.preload = {bad};
         write_specimen(damaged_file, damaged, "{}", "test");
         CHECK(message(with_file(scene, damaged_file)).find("contact 0") != std::string::npos);
     }
+    detail::Hdf5File old;
+    old.write("/blocks/tilt", {damaged.tilt.size()}, damaged.tilt.data(), "rad");
+    old.write_attribute("format", "musim-specimen/4");
+    const std::vector<char> bytes = old.image();
+    std::ofstream(folder.path() / "old.h5", std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    const std::string why = message(with_file(scene, folder.path() / "old.h5"));
+    CHECK(why == (folder.path() / "old.h5").string() +
+                     ": it has format musim-specimen/4, this program reads musim-specimen/5 (another version wrote it); move it and "
+                     "prepare it again");
+    // nor is it taken where a file of its name is asked for
+    std::filesystem::copy_file(folder.path() / "old.h5", file, std::filesystem::copy_options::overwrite_existing);
+    CHECK_THROWS_WITH_AS(make_specimens(make_batch(folder.path(), scene)), doctest::Contains((file.string() + ": it has format").c_str()),
+                         ResultError);
     std::ofstream(folder.path() / "text.h5") << "no HDF5";
     CHECK(message(with_file(scene, folder.path() / "text.h5")).find("text.h5") != std::string::npos);
 }

@@ -218,7 +218,7 @@ TEST_CASE("summary.json has the keys of the contract, with null where there is n
     const TemporaryFolder scratch;
     write_results(scratch.path(), make_made_run(3), kHeader);
     const auto summary = nlohmann::json::parse(bytes_of(scratch.path() / "summary.json"));
-    for (const char* key : {"status", "blocks", "steps", "dt_s", "wall_s", "contact_nodes", "state_hash", "energy_closure",
+    for (const char* key : {"status", "blocks", "steps", "dt_s", "wall_s", "contacts", "contact_nodes", "state_hash", "energy_closure",
                             "max_overlap_over_height", "base_reaction_over_weight"}) {
         CHECK_MESSAGE(summary.contains(key), key);
     }
