@@ -385,8 +385,9 @@ void read_contact(const JsonObject& object, Scene& scene) {
         const bool per_contact = contact.choice("stiffness", {"per_area", "per_contact"}) == 1;
         scene.stiffness_sharing = per_contact ? StiffnessSharing::per_contact : StiffnessSharing::per_area;
     }
-    if (contact.has("faces")) {
-        scene.face_contact = contact.choice("faces", {"overlap", "nodes", "patch"}) == 1 ? FaceContact::nodes : FaceContact::overlap;
+    // "patch", an old name of overlap, is taken but not offered
+    if (contact.has("faces") && contact.get("faces") != "patch") {
+        scene.face_contact = static_cast<FaceContact>(contact.choice("faces", face_contact_names()));
     }
     if (contact.has("spacing")) contact.choice("spacing", {"even", "lobatto"});
 }

@@ -45,20 +45,6 @@ TEST_CASE("specimens are made for several seeds, found again, and used by a scen
     const Outcome run = place.run("run with.json --json");
     REQUIRE(run.exit_code == 0);
     CHECK(run.json()["rest"]["at_rest"] == true);
-    // one of an older format is refused by name
-    place.shell("for f in made/*.h5; do sed -i 's#musim-specimen/5#musim-specimen/4#' $f; done");
-    for (const std::string command :
-         {"run with.json", "specimen wall.json -o made", "ensemble wall.json --members 2 --specimens made -o out"}) {
-        const Outcome old = place.run(command);
-        CAPTURE(command);
-        CHECK(old.exit_code == 3);
-        CHECK_MESSAGE(old.has_one_error_line(), old.err);
-        for (const char* part : {"specimen-", ".h5: ", "musim-specimen/4", "musim-specimen/5", "prepare it again"}) {
-            CHECK_MESSAGE(old.err.find(part) != std::string::npos, old.err);
-        }
-    }
-    place.shell("for f in made/*.h5; do sed -i 's#musim-specimen/4#musim-specimen/5#' $f; done");
-    CHECK(place.run("run with.json").exit_code == 0);
     // another seed has other blocks
     scene.replace(scene.find("\"seed\": 5"), 9, "\"seed\": 9");
     place.write("other.json", scene);

@@ -122,7 +122,7 @@ TEST_CASE("a bad accuracy or face is refused with its place and what is known") 
     check_message(refuse(R"(, "accuracy": "standart")"), {"dir/tower.json: /accuracy", "standart", "\"standard\""});
     check_message(refuse(R"(, "accuracy": 3)"), {"/accuracy", "a text is wanted"});
     check_message(refuse(R"(, "acuracy": "fast")"), {"/acuracy: unknown key", "did you mean \"accuracy\"?"});
-    check_message(refuse(R"(, "contact": {"faces": "patches"})"), {"/contact/faces", "patches", "\"patch\""});
+    check_message(refuse(R"(, "contact": {"faces": "patches"})"), {"/contact/faces", "patches", "overlap, nodes"});
     check_message(refuse(R"(, "contact": {"spacing": "fine"})"), {"/contact/spacing", "even"});
     check_message(refuse(R"(, "contact": {"face": "patch"})"), {"/contact/face: unknown key", "did you mean \"faces\"?"});
 }

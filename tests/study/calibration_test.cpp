@@ -42,8 +42,8 @@ TEST_CASE("columns of the printed stiffness carry the wave speeds of wood and co
         for (const WaveKind kind : {WaveKind::normal, WaveKind::shear}) {
             const WaveSpeed speed = measure_wave_speed(sample, kind, {});
             CHECK(speed.effective() == doctest::Approx(kind == WaveKind::normal ? c.normal : c.shear).epsilon(2e-3));
-            // joints closed by D are softer by P D/S at most, where depths end at their sides in a rim of width D: D is what the whole column
-            // presses together, 38 weights, and of a normal wave its own V/ω0, V being 0.8 heights a second
+            // joints closed by D are softer by P D/S at most, where depths end at their sides in a rim of width D: D is what the whole
+            // column presses together, 38 weights, and of a normal wave its own V/ω0, V being 0.8 heights a second
             const double weights = 38.0 * sample.mass() * sample.gravity / sample.normal_stiffness;
             const double wave = kind == WaveKind::normal ? 0.8 * sample.size.z() / std::sqrt(sample.normal_stiffness / sample.mass()) : 0.0;
             const double slower = (weights + wave) * (1.0 / sample.size.x() + 1.0 / sample.size.y());
