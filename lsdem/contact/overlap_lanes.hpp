@@ -9,7 +9,8 @@
 #include "lsdem/contacts.hpp"
 
 /// Boxes that meet face to face, several pairs side by side: overlap, dashpots and friction, the functions of overlap.hpp, contact_area.hpp
-/// and overlap_contact.hpp, to rounding. Compiled for AVX-512, for AVX2 and for plain x86-64, same bits; pairs do not depend on each other.
+/// and overlap_contact.hpp, to rounding. The step is compiled for AVX-512, for AVX2 and for plain x86-64, same bits; pairs do not depend on
+/// each other.
 namespace musim::lsdem::detail {
 
 /// Pairs that one call computes.
@@ -45,7 +46,7 @@ struct LaneFinding {
     Vector3 area_square, area_cross;  ///< ∫ of (xx, yy, zz) and (yz, zx, xy) about the cell's own middle [m⁴]
     bool irregular;                   ///< nothing of the above holds
 };
-/// Of kLanePairs pairs; for tests.
+/// Of kLanePairs pairs, by plain instructions; for what is not asked in every step.
 void compute_overlaps(const BoxMeeting* pairs, LaneFinding* found);
 
 /// find_pull and find_reach of main cells, for tests.

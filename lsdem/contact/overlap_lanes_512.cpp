@@ -23,7 +23,5 @@ using Widest = Wide<4>;
 #endif
 
 MUSIM_AVX512 void compute_pairs_512(LanePair* pairs, double dt, bool first_step) { LanePairs<Widest>::compute(pairs, dt, first_step); }
-MUSIM_AVX512 void find_overlaps_512(const BoxMeeting* pairs, LaneFinding* found) { LanePairs<Widest>::find_overlaps(pairs, found); }
-MUSIM_AVX512 void ask_512(const BoxMeeting* p, const MainCellQuestion* q, MainCellAnswer* a) { LanePairs<Widest>::ask(p, q, a); }
 
 }  // namespace musim::lsdem::detail

@@ -184,7 +184,7 @@ TEST_CASE("a preparation with added inertia goes on from a saved state to the sa
 
 TEST_CASE("wide and plain instructions add the same inertia") {
     std::string plain;
-    for (const auto most : {musim::lsdem::detail::Instructions::plain, musim::lsdem::detail::Instructions::avx2}) {
+    for (const auto most : {musim::lsdem::detail::Instructions::plain, musim::lsdem::detail::Instructions::avx512}) {
         musim::lsdem::detail::limit_instructions(most);
         Simulation s = begin(make_dropped_pyramid(), Inertia::as_stable);
         s.advance(3000);

@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 
 #include <string>
+#include <vector>
 
 #include "lsdem/detail/instructions.hpp"
 #include "lsdem/simulation.hpp"
@@ -38,18 +39,21 @@ TEST_CASE("wide and plain instructions give the same bits") {
     const Model pile = make_loose_pile(wood(), 2, 2);
     Model by_nodes = model;
     by_nodes.face_contact = FaceContact::nodes;
-    for (const Model* scene : {static_cast<const Model*>(&model), &pile, static_cast<const Model*>(&by_nodes)}) {
+    Model uneven = shortened(model, 0.01);
+    for (const Model* scene :
+         {static_cast<const Model*>(&model), &pile, static_cast<const Model*>(&by_nodes), static_cast<const Model*>(&uneven)}) {
         const double step = 0.8 * compute_critical_time_step(*scene);
-        std::string hashes[2];
-        for (const Instructions most : {Instructions::plain, Instructions::avx2}) {
+        std::vector<std::string> hashes;
+        for (const Instructions most : {Instructions::plain, Instructions::avx2, Instructions::avx512}) {
             musim::lsdem::detail::limit_instructions(most);
             // all this machine has, unless it is limited
             if (most == Instructions::plain) REQUIRE(musim::lsdem::detail::active_instructions() == Instructions::plain);
             Simulation s(*scene, step);
             s.advance(6000);
-            hashes[most == Instructions::plain ? 0 : 1] = s.state_hash();
+            hashes.push_back(s.state_hash());
         }
         CHECK(hashes[0] == hashes[1]);
+        CHECK(hashes[0] == hashes[2]);
     }
 }
 
@@ -69,7 +73,7 @@ TEST_CASE("blocks of unequal height give the same bits with one and with two thr
     CHECK(hash(2) == expected);
     musim::lsdem::detail::limit_instructions(Instructions::plain);
     CHECK(hash(2) == expected);
-    musim::lsdem::detail::limit_instructions(Instructions::avx2);
+    musim::lsdem::detail::limit_instructions(Instructions::avx512);
 }
 
 TEST_CASE("the state hash sees one bit of one block") {

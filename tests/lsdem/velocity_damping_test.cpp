@@ -134,7 +134,7 @@ TEST_CASE("wide and plain instructions damp with the same bits, and so do any nu
     Model pile = make_loose_pile(wood(), 2, 2);
     pile.velocity_damping = 20.0;
     std::string plain;
-    for (const auto most : {musim::lsdem::detail::Instructions::plain, musim::lsdem::detail::Instructions::avx2}) {
+    for (const auto most : {musim::lsdem::detail::Instructions::plain, musim::lsdem::detail::Instructions::avx512}) {
         musim::lsdem::detail::limit_instructions(most);
         Simulation s(pile, 0.5 * compute_critical_time_step(pile));
         s.advance(5000);
