@@ -38,6 +38,7 @@ TEST_SUITE("stability-slow") {
         const double edge = stone.size.x(), area = edge * edge / stone.face_area();
         stone.size = Vector3::Constant(edge);
         stone = stiffened(stone, 3.0 * area);
+        stone.nodes_per_face = 4;  // an even lattice, which the shape has to have
         check_standing("column of 200, 60 s", make_resting_column(at_length(stone, 856.0), 200));
     }
 }

@@ -47,6 +47,13 @@ class ElasticRocking {
     double starting_load(double theta) const { return load(theta, theta); }
     double starting_friction(double theta) const { return 0.75 * std::sin(from_balance(theta)) * std::cos(from_balance(theta)); }
 
+    /// Part of the effect of the edge that is left out because friction's spring gives: where N sinks by d it gives by u = H/(K_s S) =
+    /// d (H/N) k_n/(2 k_s), since N = K_n S d/2, and holds H u/2 beside the 2/3 N d; H/N is largest upright [-].
+    double friction_share() const {
+        const double steepest = starting_friction(0.0) / starting_load(0.0);
+        return 0.375 * steepest * steepest * stone_.normal_stiffness / stone_.shear_stiffness;
+    }
+
     /// Tilt of a block that stood upright, under a base acceleration a(t) [m/s²] that makes it lean to positive θ, when `until`(θ, t) holds
     /// or it is upright again after `least` [s]; fourth-order Runge-Kutta. N is the weight: the vertical motion changes the depth by few
     /// percent.

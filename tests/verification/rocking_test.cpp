@@ -50,11 +50,8 @@ void check_quarter_period(const Stone& stone, const QuarterPeriod& expected, dou
     MESSAGE("quarter period at " << expected.amplitude << ": later by " << soft << " (elastic edge " << soft_delay
                                  << "), 16 times as stiff by " << firm << " (" << firm_delay << "), off by " << soft - soft_delay << " and "
                                  << firm - firm_delay << "; of rigid edges " << (4.0 * firm - soft) / 3.0);
-    // What the closed form of the elastic edge leaves out is mostly that friction's spring gives: where N sinks by d it gives by u = H/(K_s
-    // S) = d (H/N) k_n/(2 k_s), since N = K_n S d/2, and holds H u/2 beside the 2/3 N d; H/N is largest upright. The table has six digits.
-    const ElasticRocking rocking(stone);
-    const double steepest = rocking.starting_friction(0.0) / rocking.starting_load(0.0);
-    const double given = 0.375 * steepest * steepest * stone.normal_stiffness / stone.shear_stiffness;
+    // the closed form of the elastic edge leaves out mostly that friction's spring gives; the table has six digits
+    const double given = ElasticRocking(stone).friction_share();
     CHECK(std::abs(soft - soft_delay) < 2e-6 + given * soft_delay);
     CHECK(std::abs(firm - firm_delay) < 2e-6 + given * firm_delay);
     // the depth goes with the root of the stiffness; the next order is the square of the first
