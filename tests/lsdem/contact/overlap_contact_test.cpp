@@ -71,12 +71,6 @@ class MovedBox {
 
 constexpr Interface kLaw{.normal_stiffness = 1e9, .shear_stiffness = 0.8e9, .friction = 0.6, .normal_damping = 0.0, .shear_damping = 0.0};
 
-/// A6: mean distance of a rectangle's points from its middle.
-double mean_distance(double a, double b) {
-    const double d = std::hypot(a, b);
-    return (d + a * a / (2.0 * b) * std::log((b + d) / a) + b * b / (2.0 * a) * std::log((a + d) / b)) / 6.0;
-}
-
 Model make_shaken_bond() {
     Model model = shortened(make_running_bond(wood(), 2, 3, 5), 0.01);
     model.ground.motion[0] = velocity_step(1.0);
