@@ -110,7 +110,9 @@ MUSIM_WIDE typename W::Real integrate_distance(const std::array<typename W::Real
                                                const typename W::Real& depth_from, const typename W::Real& depth_to,
                                                const typename W::Real& depth_at_origin) {
     using Real = typename W::Real;
-    const Real zero{}, dx = to[0] - from[0], dy = to[1] - from[1], length = square_root(dx * dx + dy * dy), over = 1.0 / length;
+    const Real zero{}, dx = to[0] - from[0], dy = to[1] - from[1], length = square_root(dx * dx + dy * dy);
+    // an edge of the length of rounding may have none when it is projected
+    const Real over = choose(length > zero, 1.0 / length, zero);
     const Real along_x = over * dx, along_y = over * dy;
     const Real away = from[0] * along_y - from[1] * along_x, squared = away * away;
     const Real s0 = along_x * from[0] + along_y * from[1], s1 = s0 + length;
