@@ -20,12 +20,7 @@ namespace {
 struct ScaledRun {
     ScaledResponse response;
     bool diverged = false;
-    double depth = 0.0;  ///< largest overlap over height [-]
 };
-
-/// What a depth d of two blocks makes of the curves, in parts of d over the height: joints bear K (S d − P d²/2), P their perimeter, and
-/// blocks rock about points some d/tan(tilt) inside their edges. Laws that keep no elasticity change d.
-constexpr double kOfDepth = 10.0;
 
 /// A prototype, and its shadow, blocks moved by a last place, as a measure of what rounding becomes.
 struct PrototypeRuns {
@@ -54,7 +49,7 @@ double find_start(const scene::Scene& prototype) { return std::get<scene::Signal
 
 ScaledRun run_scaled(const Specimen& specimen, const TimePlan& plan, BenchScene scene, double start, const TwinScales& scales) {
     const RunResult run = simulate(specimen, plan);
-    return {scale_back(run, scene, start, scales), run.status == RunStatus::diverged, run.statistics.max_overlap_over_height};
+    return {scale_back(run, scene, start, scales), run.status == RunStatus::diverged};
 }
 
 /// The model takes the prototype's steps, scaled, unless its springs ask for others.
@@ -150,12 +145,11 @@ std::vector<SimilitudeOutcome> run_similitude_cases(const std::vector<Similitude
     for (std::size_t c = 0; c < cases.size(); ++c) {
         const PrototypeRuns& prototype = prototypes.at(cases[c].scene);
         const double shadow = compare_responses(prototype.run.response, prototype.shadow.response);
-        SimilitudeOutcome outcome{
-            .wanted = cases[c],
-            .yardstick = std::max(kRoundingLevel, kShadowFactor * shadow) + kOfDepth * std::abs(models[c].depth - prototype.run.depth),
-            .diverged = prototype.run.diverged || prototype.shadow.diverged || models[c].diverged,
-            .prototype = prototype.run.response,
-            .model = std::move(models[c].response)};
+        SimilitudeOutcome outcome{.wanted = cases[c],
+                                  .yardstick = std::max(kRoundingLevel, kShadowFactor * shadow),
+                                  .diverged = prototype.run.diverged || prototype.shadow.diverged || models[c].diverged,
+                                  .prototype = prototype.run.response,
+                                  .model = std::move(models[c].response)};
         if (!outcome.diverged) {
             outcome.ratio = measure(outcome.model, cases[c].measure) / measure(outcome.prototype, cases[c].measure);
             outcome.difference = compare_responses(outcome.prototype, outcome.model);

@@ -27,8 +27,7 @@ struct SimilitudeOutcome {
     SimilitudeCase wanted;
     double ratio = 0.0;       ///< measured, model over prototype
     double difference = 0.0;  ///< of the curves, compare_responses
-    double yardstick = 0.0;   ///< up to which two curves are one: kShadowFactor times the shadow's, kRoundingLevel at least,
-                              ///< and what another depth of the overlaps makes
+    double yardstick = 0.0;   ///< up to which two curves are one: kShadowFactor times the shadow's, kRoundingLevel at least
     bool diverged = false;
     ScaledResponse prototype, model;
 
