@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "lsdem/contact/wide.hpp"
+#include "lsdem/detail/wide.hpp"
 
 namespace musim::lsdem {
 namespace {

@@ -3,7 +3,7 @@
 #include <array>
 #include <cstddef>
 
-#include "lsdem/contact/wide.hpp"
+#include "lsdem/detail/wide.hpp"
 
 /// The mathematics of a contact of two bodies that overlap, for one pair or several side by side; see lsdem/contact/README.md, "Area and
 /// dashpots" and "Friction". World axes; what acts acts on the second body.

@@ -4,7 +4,7 @@
 #include <cstddef>
 
 #include "lsdem/contact/contact_step.hpp"
-#include "lsdem/contact/wide.hpp"
+#include "lsdem/detail/wide.hpp"
 
 /// The part of a face of one box over which a face of the other is nearest, and what friction and dashpots ask of it: the functions
 /// `find_pull` and `find_reach` of contact_area.hpp for pairs side by side.

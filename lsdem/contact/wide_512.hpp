@@ -2,7 +2,7 @@
 
 #include <immintrin.h>
 
-#include "lsdem/contact/wide.hpp"
+#include "lsdem/detail/wide.hpp"
 
 /// Eight lanes of AVX-512. Its comparisons give masks of one bit a lane, for which vectors of the compiler have no operators. Only for
 /// files that define MUSIM_WIDE with these instructions.

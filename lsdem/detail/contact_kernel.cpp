@@ -95,7 +95,8 @@ struct NodePointers {
 struct LaneRow {
     Lanes x, y, z, at;
 
-    LaneRow(const Row& row, double offset) : x(all(row[0])), y(all(row[1])), z(all(row[2])), at(all(offset)) {}
+    LaneRow(const Row& row, double offset)
+        : x(broadcast<Lanes>(row[0])), y(broadcast<Lanes>(row[1])), z(broadcast<Lanes>(row[2])), at(broadcast<Lanes>(offset)) {}
     [[gnu::always_inline]] Lanes operator()(const Lanes& px, const Lanes& py, const Lanes& pz) const {
         return ((x * px + y * py) + z * pz) + at;
     }
@@ -116,11 +117,11 @@ struct LaneLoss {
 
 [[gnu::always_inline]] inline LaneLoss find_loss(const Lanes& over) {
     constexpr double kPerBlend = 1.0 / kEdgeBlend;
-    const Lanes zero = all(0.0), one = all(1.0);
-    const Lanes begun = larger(over, zero), left = larger(1.0 + kEdgeBlend - over, zero);
+    const Lanes zero = broadcast<Lanes>(0.0), one = broadcast<Lanes>(1.0);
+    const Lanes begun = larger_of<Lanes>(over, zero), left = larger_of<Lanes>(1.0 + kEdgeBlend - over, zero);
     const Lanes start = 0.5 * kPerBlend * begun * begun, end = one - 0.5 * kPerBlend * left * left, middle = over - 0.5 * kEdgeBlend;
     const LaneMask starts = over < kEdgeBlend, ends = left < kEdgeBlend;
-    return {select(starts, start, select(ends, end, middle)), select(starts, kPerBlend * begun, select(ends, kPerBlend * left, one))};
+    return {choose(starts, start, choose(ends, end, middle)), choose(starts, kPerBlend * begun, choose(ends, kPerBlend * left, one))};
 }
 
 /// Does a cell reach over an edge? Most cells of a face do not.
@@ -129,15 +130,16 @@ struct LaneLoss {
 }
 
 [[gnu::always_inline]] inline LaneCover find_cover(const Lanes& middle, const Lanes& reach, double half) {
-    const Lanes zero = all(0.0), one = all(1.0), width = reach + reach;
+    const Lanes zero = broadcast<Lanes>(0.0), one = broadcast<Lanes>(1.0), width = reach + reach;
     const Lanes above = middle + reach - half, below = reach - middle - half;
     // a node without a cell is in or out
     const LaneMask sized = width > zero;
-    const Lanes per_width = select(sized, one / width, zero);
+    const Lanes per_width = choose(sized, one / width, zero);
     const LaneLoss beyond = find_loss(above * per_width), short_of = find_loss(below * per_width);
     LaneCover cover;
-    cover.part = select(sized, larger(one - beyond.part - short_of.part, zero), select((above <= zero) & (below <= zero), one, zero));
-    cover.slope = select(cover.part > zero, (short_of.slope - beyond.slope) * per_width, zero);
+    cover.part =
+        choose(sized, larger_of<Lanes>(one - beyond.part - short_of.part, zero), choose((above <= zero) & (below <= zero), one, zero));
+    cover.slope = choose(cover.part > zero, (short_of.slope - beyond.slope) * per_width, zero);
     cover.shift = reach * (short_of.part - beyond.part);
     cover.shift_slope = -0.5 * (short_of.slope + beyond.slope);
     return cover;
@@ -163,7 +165,7 @@ struct LaneSums {
 struct ViscousAxis {
     double* traction;
 
-    [[gnu::always_inline]] Lanes before() const { return traction != nullptr ? load(traction) : all(0.0); }
+    [[gnu::always_inline]] Lanes before() const { return traction != nullptr ? load(traction) : broadcast<Lanes>(0.0); }
     [[gnu::always_inline]] void set(const Lanes& value) const {
         if (traction != nullptr) store(value, traction);
     }
@@ -197,7 +199,7 @@ template <bool Faceted, bool Bounded>
     const double strain = Faceted ? leader.strain : 0.0, strain_u = match.u == 2 ? strain : 0.0, strain_v = match.v == 2 ? strain : 0.0,
                  strain_area = match.normal == 2 ? 0.0 : strain;
     const auto stretched = [](const Lanes& value, double by) MUSIM_INLINE_LAMBDA { return Faceted ? value + by * value : value; };
-    const Lanes zero = all(0.0), none = all(ContactHistory::kNoContact);
+    const Lanes zero = broadcast<Lanes>(0.0), none = broadcast<Lanes>(ContactHistory::kNoContact);
     ContactHistory& history = list.history;
     double* const slip_k = history.slip[k].data();
     double* const slip_u = history.slip[u].data();
@@ -212,7 +214,7 @@ template <bool Faceted, bool Bounded>
         const bool consecutive = index[3] == index[0] + 3;
         const auto read = [&](const double* from) MUSIM_INLINE_LAMBDA { return consecutive ? load(from + index[0]) : gather(from, index); };
         const auto left = static_cast<double>(end - entry);
-        const LaneMask real = Lanes{0.0, 1.0, 2.0, 3.0} < all(left);
+        const LaneMask real = Lanes{0.0, 1.0, 2.0, 3.0} < broadcast<Lanes>(left);
 
         Lanes px = read(nodes.x), py = read(nodes.y), pz = stretched(read(nodes.z), strain);
         Lanes yk = y_k(px, py, pz);
@@ -222,7 +224,7 @@ template <bool Faceted, bool Bounded>
         const Lanes reach_u = stretched(read(nodes.reach_u), strain_u), reach_v = stretched(read(nodes.reach_v), strain_v);
         // the covered part of a cell may lie deeper than its node, by as much as the leader's face rises within a cell
         const Lanes highest = Bounded ? overlap + (rise_u * reach_u + rise_v * reach_v) : overlap;
-        if (!any(((highest > zero) & real) | touched)) continue;
+        if (!some(((highest > zero) & real) | touched)) continue;
 
         Lanes yu = y_u(px, py, pz), yv = y_v(px, py, pz);
         const Lanes share = Faceted ? facing_sign * stretched(read(nodes.area_of_face), strain_area)
@@ -237,13 +239,13 @@ template <bool Faceted, bool Bounded>
             const Lanes mx = px + read(nodes.center_x), my = py + read(nodes.center_y), mz = pz + stretched(read(nodes.center_z), strain);
             middle_k = y_k(mx, my, mz), middle_u = y_u(mx, my, mz), middle_v = y_v(mx, my, mz);
             const LaneMask beyond = reaches_over(middle_u, reach_u, half_u) | reaches_over(middle_v, reach_v, half_v);
-            if (any(beyond & real)) {
+            if (some(beyond & real)) {
                 cover_u = find_cover(middle_u, reach_u, half_u);
                 cover_v = find_cover(middle_v, reach_v, half_v);
                 area = share * cover_u.part * cover_v.part;
                 partial = ((cover_u.slope != zero) | (cover_v.slope != zero)) & real;
             }
-            if (any(partial)) {
+            if (some(partial)) {
                 // a cell that is covered in part acts at the middle of that part, on the leader's face
                 const Lanes su = cover_u.shift, sv = cover_v.shift, sk = slant_u * su + slant_v * sv;
                 px += (back_k[0] * sk + back_u[0] * su) + back_v[0] * sv;
@@ -257,13 +259,13 @@ template <bool Faceted, bool Bounded>
         const Lanes normal_change = side * d_k(px, py, pz), change_u = d_u(px, py, pz), change_v = d_v(px, py, pz);
         if (equal_area > 0.0) {
             // a node counts as a whole when at least half of its cell lies on the follower
-            area = select(area >= 0.5 * share, select(share > zero, all(equal_area), zero), zero);
+            area = choose(area >= 0.5 * share, choose(share > zero, broadcast<Lanes>(equal_area), zero), zero);
             partial = LaneMask{};
         }
         const LaneMask active = deep & (area > zero);
         const LaneMask lasting = active & touched;
         const LaneMask over = touched & ~lasting;
-        if (any(over)) {
+        if (some(over)) {
             Row normal{};
             normal[k] = side;
             for (std::size_t lane = 0; lane < kLanes; ++lane) {
@@ -273,29 +275,29 @@ template <bool Faceted, bool Bounded>
                 end_contact(law, normal, change, std::max(0.0, area[lane]), entry + lane, history, ended);
             }
         }
-        area = select(active, area, zero);
+        area = choose(active, area, zero);
 
         // what a new contact overlapped before it was noticed carries nothing, unless its area begins at zero too
-        const Lanes overlap_before = larger(overlap + normal_change, zero);
-        const Lanes sudden = smaller(area * kPerSudden / share, all(1.0));
-        Lanes late = select(lasting, smaller(load(late_of + entry), overlap), list.first_step ? zero : overlap_before * sudden);
-        late = select(active, late, zero);
+        const Lanes overlap_before = larger_of<Lanes>(overlap + normal_change, zero);
+        const Lanes sudden = smaller_of<Lanes>(area * kPerSudden / share, broadcast<Lanes>(1.0));
+        Lanes late = choose(lasting, smaller_of<Lanes>(load(late_of + entry), overlap), list.first_step ? zero : overlap_before * sudden);
+        late = choose(active, late, zero);
         overlap -= late;
 
         // normal: spring and dashpot that never pull
         const Lanes elastic = law.kn * overlap;
-        const Lanes pressure = larger(elastic - law.cn * normal_change, zero);
+        const Lanes pressure = larger_of<Lanes>(elastic - law.cn * normal_change, zero);
         const Lanes new_dashpot = pressure - elastic;
 
         // tangential trial: all of the change is elastic; of a new contact, what came after it touched
         const LaneMask sinking = deep & (normal_change < -overlap);
-        const Lanes since_touch = select(lasting, all(1.0), select(sinking, overlap / -normal_change, all(1.0)));
+        const Lanes since_touch = choose(lasting, broadcast<Lanes>(1.0), choose(sinking, overlap / -normal_change, broadcast<Lanes>(1.0)));
         const ViscousAxis viscous_u{history.has_viscous() ? history.viscous[u].data() + entry : nullptr};
         const ViscousAxis viscous_v{history.has_viscous() ? history.viscous[v].data() + entry : nullptr};
-        const Lanes old_u = select(lasting, load(slip_u + entry), zero), old_v = select(lasting, load(slip_v + entry), zero);
+        const Lanes old_u = choose(lasting, load(slip_u + entry), zero), old_v = choose(lasting, load(slip_v + entry), zero);
         const Lanes step_u = since_touch * change_u, step_v = since_touch * change_v;
-        const Lanes old_shear_u = select(lasting, viscous_u.before(), zero) - law.ks * old_u;
-        const Lanes old_shear_v = select(lasting, viscous_v.before(), zero) - law.ks * old_v;
+        const Lanes old_shear_u = choose(lasting, viscous_u.before(), zero) - law.ks * old_u;
+        const Lanes old_shear_v = choose(lasting, viscous_v.before(), zero) - law.ks * old_v;
         Lanes new_u = old_u + step_u, new_v = old_v + step_v;
         Lanes drag_u = -law.cs * step_u, drag_v = -law.cs * step_v;
         Lanes shear_u = drag_u - law.ks * new_u, shear_v = drag_v - law.ks * new_v;
@@ -304,34 +306,34 @@ template <bool Faceted, bool Bounded>
         const Lanes limit = law.mu * pressure;
         const Lanes squared = shear_u * shear_u + shear_v * shear_v;
         const LaneMask slides = (squared > limit * limit) & active;
-        if (any(slides)) {
-            const Lanes scale = limit / root(squared);
-            shear_u = select(slides, shear_u * scale, shear_u);
-            shear_v = select(slides, shear_v * scale, shear_v);
-            new_u = select(slides, -law.ks_inverse * shear_u, new_u);
-            new_v = select(slides, -law.ks_inverse * shear_v, new_v);
-            drag_u = select(slides, zero, drag_u);
-            drag_v = select(slides, zero, drag_v);
+        if (some(slides)) {
+            const Lanes scale = limit / square_root(squared);
+            shear_u = choose(slides, shear_u * scale, shear_u);
+            shear_v = choose(slides, shear_v * scale, shear_v);
+            new_u = choose(slides, -law.ks_inverse * shear_u, new_u);
+            new_v = choose(slides, -law.ks_inverse * shear_v, new_v);
+            drag_u = choose(slides, zero, drag_u);
+            drag_v = choose(slides, zero, drag_v);
         }
 
         const Lanes work = -0.5 * ((old_shear_u + shear_u) * step_u + (old_shear_v + shear_v) * step_v);
         const Lanes stored = (0.5 * law.ks) * (new_u * new_u + new_v * new_v);
         const Lanes stored_before = (0.5 * law.ks) * (old_u * old_u + old_v * old_v);
         const Lanes tangential_loss = area * (work - (stored - stored_before));
-        total.friction += select(slides, tangential_loss, zero);
-        total.damping += select(slides, zero, tangential_loss);
-        total.damping -= 0.5 * area * (select(lasting, old_dashpot, zero) + new_dashpot) * normal_change;
+        total.friction += choose(slides, tangential_loss, zero);
+        total.damping += choose(slides, zero, tangential_loss);
+        total.damping -= 0.5 * area * (choose(lasting, old_dashpot, zero) + new_dashpot) * normal_change;
         total.elastic_normal += 0.5 * area * elastic * overlap;
         total.elastic_shear += area * stored;
-        total.overlap = larger(total.overlap, select(active, overlap + late, zero));
-        total.touching += select(active, all(1.0), zero);
+        total.overlap = larger_of<Lanes>(total.overlap, choose(active, overlap + late, zero));
+        total.touching += choose(active, broadcast<Lanes>(1.0), zero);
         total.add_force_at(yk, yu, yv, side * area * pressure, area * shear_u, area * shear_v);
 
-        if (Bounded && any(partial & active)) {
+        if (Bounded && some(partial & active)) {
             // gradient of the springs' energy as the cell moves over the edge: the covered part changes, and its middle, which stays at its
             // distance from the node in the follower's axes, not on the leader
-            const Lanes density = select(active & partial, share * (0.5 * elastic * overlap + stored), zero);
-            const Lanes push = side * select(active & partial, area * elastic, zero);
+            const Lanes density = choose(active & partial, share * (0.5 * elastic * overlap + stored), zero);
+            const Lanes push = side * choose(active & partial, area * elastic, zero);
             total.add_force_at(middle_k, middle_u, middle_v, zero,
                                push * slant_u * cover_u.shift_slope - density * cover_u.slope * cover_v.part,
                                push * slant_v * cover_v.shift_slope - density * cover_v.slope * cover_u.part);
@@ -340,12 +342,12 @@ template <bool Faceted, bool Bounded>
         }
 
         store(zero, slip_k + entry);
-        store(select(active, new_u, zero), slip_u + entry);
-        store(select(active, new_v, zero), slip_v + entry);
-        store(select(active, new_dashpot, none), dashpot + entry);
+        store(choose(active, new_u, zero), slip_u + entry);
+        store(choose(active, new_v, zero), slip_v + entry);
+        store(choose(active, new_dashpot, none), dashpot + entry);
         store(late, late_of + entry);
-        viscous_u.set(select(active, drag_u, zero));
-        viscous_v.set(select(active, drag_v, zero));
+        viscous_u.set(choose(active, drag_u, zero));
+        viscous_v.set(choose(active, drag_v, zero));
     }
 
     sums.force[k] = sum(total.force_k), sums.force[u] = sum(total.force_u), sums.force[v] = sum(total.force_v);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "lsdem/detail/instructions.hpp"
+#include "lsdem/detail/wide.hpp"
 
 namespace musim::lsdem::detail {
 
@@ -8,11 +9,6 @@ namespace musim::lsdem::detail {
 template <class Real>
 struct Orientation {
     Real w, x, y, z;
-};
-
-template <class Real>
-struct Triple {
-    Real x, y, z;
 };
 
 /// Rows of the rotation matrix of a unit quaternion.

@@ -55,12 +55,6 @@ using Four = std::array<std::size_t, kLanes>;
     to[2] = v.z[lane];
 }
 
-[[gnu::always_inline]] inline Lanes dot(const Triple<Lanes>& a, const Triple<Lanes>& b) { return (a.x * b.x + a.y * b.y) + a.z * b.z; }
-
-[[gnu::always_inline]] inline Triple<Lanes> plus(const Triple<Lanes>& a, const Triple<Lanes>& b) {
-    return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
-
 /// What a change of momentum from `before` to `after` holds besides `kick`.
 [[gnu::always_inline]] inline Triple<Lanes> beside(const Triple<Lanes>& kick, const Triple<Lanes>& before, const Triple<Lanes>& after) {
     return {(after.x - before.x) - kick.x, (after.y - before.y) - kick.y, (after.z - before.z) - kick.z};
@@ -84,7 +78,7 @@ template <bool prepares>
                                                 std::size_t last, Bodies& bodies) {
     const Vector3 &base = leap.base_displacement, &gravity = leap.gravity;
     const double h = leap.h, keep = leap.decay.keep, push = leap.decay.push;
-    const Lanes zero = all(0.0);
+    const Lanes zero = broadcast<Lanes>(0.0);
     Lanes farthest = zero;
     LaneMask lost{};
     for (std::size_t begin = first; begin < last; begin += kLanes) {
@@ -114,7 +108,7 @@ template <bool prepares>
 
         const Triple<Lanes> inverse_inertia = pick(bodies.inverse_inertia, i);
         const LaneMask turns = inverse_inertia.x > zero;
-        const Lanes twist = select(turns, kick, zero);
+        const Lanes twist = choose(turns, kick, zero);
         if (prepares) l = {keep * l.x, keep * l.y, keep * l.z};
         l.x += twist * torque.x;
         l.y += twist * torque.y;
@@ -122,34 +116,34 @@ template <bool prepares>
         const Orientation<Lanes> before = pick(bodies.orientation, i);
         const RotationRows<Lanes> rows_before(before);
         const Triple<Lanes> l_body = rows_before.to_body(l);
-        const auto root_of = [](const Lanes& value) MUSIM_INLINE_LAMBDA { return root(value); };
+        const auto root_of = [](const Lanes& value) MUSIM_INLINE_LAMBDA { return square_root(value); };
         const Orientation<Lanes> turned = turn_freely(before, l_body, inverse_inertia, h, root_of);
         Lanes loss = zero;
         if (prepares) {
             // the impulse of the damping, and of added inertia, times the mean of the velocities before and after it
-            const Lanes whole = select(free > zero, all(h), zero), whole_turn = select(turns, whole, zero);
+            const Lanes whole = choose(free > zero, broadcast<Lanes>(h), zero), whole_turn = choose(turns, whole, zero);
             const Triple<Lanes> impulse = beside({whole * acceleration.x, whole * acceleration.y, whole * acceleration.z}, v_before, v);
             const Triple<Lanes> twist_impulse =
                 rows_before.to_body(beside({whole_turn * torque.x, whole_turn * torque.y, whole_turn * torque.z}, l_before, l));
-            const Triple<Lanes> l_sum = plus(rows_before.to_body(l_before), l_body);
+            const Triple<Lanes> l_sum = rows_before.to_body(l_before) + l_body;
             const Triple<Lanes> spin_sum{inverse_inertia.x * l_sum.x, inverse_inertia.y * l_sum.y, inverse_inertia.z * l_sum.z};
-            loss = pick(bodies.preparation_loss, i) -
-                   0.5 * (pick(bodies.mass, i) * dot(impulse, plus(v_before, v)) + dot(twist_impulse, spin_sum));
+            loss =
+                pick(bodies.preparation_loss, i) - 0.5 * (pick(bodies.mass, i) * dot(impulse, v_before + v) + dot(twist_impulse, spin_sum));
         }
-        const Orientation<Lanes> q{select(turns, turned.w, before.w), select(turns, turned.x, before.x), select(turns, turned.y, before.y),
-                                   select(turns, turned.z, before.z)};
+        const Orientation<Lanes> q{choose(turns, turned.w, before.w), choose(turns, turned.x, before.x), choose(turns, turned.y, before.y),
+                                   choose(turns, turned.z, before.z)};
         const RotationRows<Lanes> rows(q);
 
         const Triple<Lanes> moved{h * v.x - leap.base_step.x(), h * v.y - leap.base_step.y(), h * v.z - leap.base_step.z()};
         const Lanes diameter = pick(reference.diameter, i);
-        const Lanes way = root(dot(moved, moved)) + diameter * root(square_of_difference(q, before));
+        const Lanes way = square_root(dot(moved, moved)) + diameter * square_root(square_of_difference(q, before));
         const Lanes travel = kUpward * (pick(bodies.travel, i) + way);
 
         const Triple<Lanes> at = pick(reference.position, i);
         const Lanes dx = (x.x - base.x()) - at.x, dy = (x.y - base.y()) - at.y, dz = (x.z - base.z()) - at.z;
         const Lanes turn = square_of_difference(q, pick(reference.orientation, i));
-        const Lanes drift = root((dx * dx + dy * dy) + dz * dz) + diameter * root(turn);
-        farthest = larger(farthest, drift);
+        const Lanes drift = square_root((dx * dx + dy * dy) + dz * dz) + diameter * square_root(turn);
+        farthest = larger_of<Lanes>(farthest, drift);
         lost |= drift != drift;
 
         for (std::size_t lane = 0; lane < kLanes && begin + lane < last; ++lane) {
@@ -167,7 +161,7 @@ template <bool prepares>
             r[6] = rows.x.z[lane], r[7] = rows.y.z[lane], r[8] = rows.z.z[lane];
         }
     }
-    if (any(lost)) return std::numeric_limits<double>::infinity();
+    if (some(lost)) return std::numeric_limits<double>::infinity();
     return std::max(std::max(farthest[0], farthest[1]), std::max(farthest[2], farthest[3]));
 }
 
