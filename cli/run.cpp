@@ -41,7 +41,9 @@ void print_run(const scene::Scene& scene, const study::RunResult& run) {
     print("{}: {}\n", scene.name, study::to_string(run.status));
     print("  {} blocks, {} steps of {:.6g} s, {:.6g} s simulated in {:.2f} s\n", run.blocks.mass.size(), run.steps, run.time_step,
           run.final.time, run.wall_time);
-    print("  {} contacts, largest overlap {:.3g} of a block height\n", run.statistics.contacts, run.statistics.max_overlap_over_height);
+    const std::size_t contacts = run.statistics.contacts;
+    print("  {} contact{}, largest overlap {:.3g} of a block height\n", contacts, contacts == 1 ? "" : "s",
+          run.statistics.max_overlap_over_height);
     print("  energy balance closes to {:.3g}", run.energy_closure);
     if (run.base_reaction_over_weight) print(", base reaction {:.6f} of the weight at the end", *run.base_reaction_over_weight);
     print("\n  state hash {}\n", run.state_hash);

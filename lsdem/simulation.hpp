@@ -145,8 +145,7 @@ class Simulation {
     /// Throws std::invalid_argument for a rate that is negative or not finite.
     void begin_preparation(double damping_rate, Inertia inertia = Inertia::own);
 
-    /// Makes the neighbor list anew, as it would be by itself after some motion: what is now to meet in another way, a patch or two boxes
-    /// at an angle, begins to. A simulation that begins from these poses and `preloads()` has the same list.
+    /// Makes the neighbor list anew, as it is by itself after some motion. Changes no bit of what follows.
     void renew_neighbors();
 
     /// Ends it: the state becomes the start of the run. Time is zero again, the base free to move, damping off; ledger, counters and

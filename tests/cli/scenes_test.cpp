@@ -54,7 +54,7 @@ TEST_CASE("run prints one JSON object with the keys of the contract and writes a
     CHECK(nlohmann::json::parse(here.read("out/run/summary.json"))["state_hash"] == object["state_hash"]);
 }
 
-TEST_CASE("settings that change nothing and old names are told in one line each, and change nothing") {
+TEST_CASE("settings that change nothing and old names get one line each, and change nothing") {
     const Workplace here;
     here.write("scene.json", SceneText().text());
     const Outcome plain = here.run("run scene.json --json");

@@ -66,7 +66,7 @@ TEST_CASE("a structure is shaken until it collapses, and every stage is a run th
     check_same_results(here);
 }
 
-TEST_CASE("a sequence that is killed and resumed has the results of one that was not, to the byte") {
+TEST_CASE("a sequence that is killed and resumed has the results of one that was not to the byte" * doctest::test_suite("slow")) {
     const Workplace here;
     here.write("scene.json", make_scene());
     REQUIRE(here.run("sequence scene.json -o whole").exit_code == 0);

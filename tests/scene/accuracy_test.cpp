@@ -83,7 +83,7 @@ TEST_CASE("boxes meet by their overlap unless a scene asks for nodes") {
     CHECK(parse(R"(, "shape": {"kind": "box", "level_set": "grid", "nodes_per_face": 12, "voxel": "1 mm"})").has_contact_nodes());
 }
 
-TEST_CASE("settings of nodes where there are none, and old names, are told once each and change nothing") {
+TEST_CASE("settings of nodes where there are none, and old names, get one warning each and change nothing") {
     struct Case {
         std::string more;
         std::vector<std::string> places;

@@ -110,7 +110,7 @@ TEST_SUITE("stability") {
         check_sound("wall, shear damping 0.5", observe(damped, default_time_step(damped), 0.2, 100), demands);
     }
 
-    TEST_CASE("a shaken wall stays sound for any restitution") {
+    TEST_CASE("a shaken wall stays sound for any restitution" * doctest::test_suite("stability-slow")) {
         for (const double restitution : {0.01, 0.3, 1.0}) check_restitution(restitution);
     }
 }

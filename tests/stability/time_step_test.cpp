@@ -54,7 +54,8 @@ TEST_SUITE("stability") {
     }
 
     // Blocks that turn: the limit is a bound on the safe side, so that some steps above it are stable still.
-    TEST_CASE("a shaken column and a shaken wall stay bounded up to the limit and do not fail silently above it") {
+    TEST_CASE("a shaken column and a shaken wall stay bounded up to the limit and do not fail silently above it" *
+              doctest::test_suite("stability-slow")) {
         for (const double restitution : {1.0, 0.3}) {
             Stone stone = coarse_wood();
             stone.restitution = restitution;

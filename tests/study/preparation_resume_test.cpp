@@ -59,7 +59,7 @@ void check_same(const PreparedSpecimen& a, const PreparedSpecimen& b) {
 
 }  // namespace
 
-TEST_CASE("a preparation resumed from any of its checkpoints ends in the bits of an uninterrupted one") {
+TEST_CASE("a preparation resumed from any of its checkpoints ends in the bits of an uninterrupted one" * doctest::test_suite("slow")) {
     const scene::Scene scene = make_wall_scene();
     const Specimen upright = make_upright_specimen(scene);
     const double step = scene::compute_time_step(scene, upright.model).value();
@@ -132,7 +132,8 @@ TEST_CASE("blocks in no layers are prepared as they are drawn") {
     CHECK(std::abs(*run.base_reaction_over_weight - 1.0) < 1e-4);
 }
 
-TEST_CASE("specimens whose preparation was killed are the same files in the end, and leave nothing else behind") {
+TEST_CASE("specimens whose preparation was killed are the same files in the end and leave nothing else behind" *
+          doctest::test_suite("slow")) {
     const TemporaryFolder folder;
     SpecimenBatch batch{.scene = make_wall_scene(), .seeds = {3}, .folder = folder.path() / "whole", .version = "test", .threads = 1};
     const SpecimenReport whole = make_specimens(batch).front();
@@ -157,7 +158,7 @@ TEST_CASE("specimens whose preparation was killed are the same files in the end,
         CHECK_FALSE(make_specimens(batch).front().resumed);
         CHECK(warning.find(checkpoint.string()) != std::string::npos);
     }
-    SUBCASE("one of another format is told of, and the preparation begun anew") {
+    SUBCASE("one of another format is named in a warning, and the preparation begun anew") {
         std::string old = bytes_of(checkpoint);
         old[12] = 7;  // see the test of checkpoints
         std::ofstream(checkpoint, std::ios::binary) << old;

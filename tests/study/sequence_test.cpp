@@ -285,7 +285,7 @@ TEST_CASE("the sequence ends with the stage in which the structure collapses, wh
     CHECK(std::count(levels.begin(), levels.end(), '\n') == 1 + 2 * 2);
 }
 
-TEST_CASE("blocks that earlier stages have thrown down count for the collapse") {
+TEST_CASE("blocks that earlier stages have thrown down count for the collapse" * doctest::test_suite("slow")) {
     // of 40 blocks the first falls in the first stage, which is too few; two of them are enough
     const std::string blocks = make_lone_blocks(40, {{0, 120}, {1, 70}}, 30);
     const std::string wait = R"(, "duration": "0.8 s")";
@@ -319,7 +319,7 @@ TEST_CASE("a structure that collapses while it comes to rest has collapsed after
     CHECK(read_stages(folder.path(), summary)[0].status == RunStatus::collapsed);
 }
 
-TEST_CASE("a sequence killed anywhere and resumed has the files of one that was not, to the byte") {
+TEST_CASE("a sequence killed anywhere and resumed has the files of one that was not to the byte" * doctest::test_suite("slow")) {
     const scene::Scene scene = make_scene(kColumn, sine("0.5 g", R"(, "repeat": 2)") + ", " + sine("0.4 g"));
     const TemporaryFolder folder;
     const fs::path whole = folder.path() / "whole";

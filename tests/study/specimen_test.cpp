@@ -89,7 +89,7 @@ TEST_CASE("a block that leans or lies below its layer has fallen while the speci
     CHECK(count_fallen(size, {1, 1, 1, 0, 0, 0}, places) == 1);
 }
 
-TEST_CASE("layer by layer, quickly and by resting planes the same blocks come to about the same places") {
+TEST_CASE("layer by layer or quickly or by resting planes the same blocks come to about the same places" * doctest::test_suite("slow")) {
     const scene::Scene scene = make_wall_scene();
     const Specimen upright = make_upright_specimen(scene);
     const double step = scene::compute_time_step(scene, upright.model).value();
@@ -268,7 +268,7 @@ TEST_CASE("specimens made side by side are those made one by one") {
     }
 }
 
-TEST_CASE("a specimen serves other materials and scales") {
+TEST_CASE("a specimen serves other materials and scales" * doctest::test_suite("slow")) {
     const TemporaryFolder folder;
     scene::Scene scene = make_wall_scene(3);
     const std::filesystem::path file = make_specimens(make_batch(folder.path(), scene))[0].file;

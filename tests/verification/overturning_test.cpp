@@ -102,7 +102,7 @@ TEST_CASE("a half-sine pulse below the threshold leaves the block standing and o
     CHECK(simulation_overturns(stone, Pulse::half_sine, 3.0, 0.75 / 0.32));
 }
 
-TEST_CASE("overturning by a half-sine pulse has the threshold of the rigid block") {
+TEST_CASE("overturning by a half-sine pulse has the threshold of the rigid block" * doctest::test_suite("slow")) {
     const Stone stone = rough(reference_wood());
     for (const double ratio : {3.0, 5.0}) {
         const double exact = ratio == 3.0 ? 2.29926 : 3.30470;

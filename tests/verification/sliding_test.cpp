@@ -144,7 +144,7 @@ TEST_CASE("a half-sine base pulse moves a block by the closed-form slip") {
 }
 
 // [DenHartog31, WestermoUdwadia83]: steady sliding under a = A sin ωt; D = (2A/ω²) sqrt(1 − (πη/2)²) without stops.
-TEST_CASE("harmonic base motion slides a block by the peak-to-peak slip of the steady state") {
+TEST_CASE("harmonic base motion slides a block by the peak-to-peak slip of the steady state" * doctest::test_suite("slow")) {
     struct Case {
         double friction, amplitude_g, frequency, slip;
     };
