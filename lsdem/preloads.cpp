@@ -14,8 +14,8 @@ std::vector<Preload> find_preloads(const ContactList& list) {
         Preload preload;
         preload.leader = pair.leader;
         if (pair.follower != kGround) preload.follower = pair.follower;
-        preload.friction = -contact.shear;
-        preload.couple = contact.couple;
+        preload.friction = -contact.sliding.total();
+        preload.couple = contact.turning.total();
         preloads.push_back(preload);
     }
     return preloads;
@@ -36,11 +36,11 @@ void preload_contacts(const std::vector<Preload>& preloads, ContactList& list) {
         const Preload* const as_given = find(pair.leader, pair.follower);
         const Preload* const preload = as_given != nullptr ? as_given : find(pair.follower, pair.leader);
         if (preload == nullptr) continue;
-        // with no area before, springs keep their force
+        // with no area before, all of it is core and springs keep their force
         OverlapContact& contact = list.overlaps[pair.overlap];
         contact.touches = true;
-        contact.shear = as_given != nullptr ? -preload->friction : preload->friction;
-        contact.couple = preload->couple;
+        contact.sliding.in_core = as_given != nullptr ? -preload->friction : preload->friction;
+        contact.turning.in_core = preload->couple;
     }
 }
 

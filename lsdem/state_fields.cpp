@@ -35,8 +35,13 @@ static void exchange(Archive& archive, PairTally& t) { archive(t.elastic_normal,
 
 static void exchange(Archive& archive, PlacedWrench& w) { archive(w.force, w.couple); }
 
+template <class Value>
+static void exchange(Archive& archive, FrictionSprings<Value>& s) {
+    archive(s.area, s.core, s.largest, s.in_core, s.in_rest);
+}
+
 static void exchange(Archive& archive, OverlapContact& c) {
-    archive(c.touches, c.area, c.polar, c.shear, c.couple, c.place, c.friction, c.drag, c.damping);
+    archive(c.touches, c.sliding, c.turning, c.place, c.friction, c.drag, c.damping);
 }
 
 void exchange(Archive& archive, ContactList& l) {

@@ -19,12 +19,53 @@ struct ContactStep {
     struct Wrench {
         Vector force, couple;
     };
+    /// See FrictionSprings; `Value` a force or a couple.
+    template <class Value>
+    struct Springs {
+        Real area{}, core{}, largest{};
+        Value in_core{}, in_rest{};
+
+        MUSIM_WIDE Value total() const { return in_core + in_rest; }
+        MUSIM_WIDE Real rest() const { return larger_of<Real>(area - core, Real{}); }
+        /// Over another area. What is lost, of the rest first, keeps its slip; what is new brings none, so that the force stays: it belongs
+        /// to the core if the area has never been as large. Neither gives energy.
+        MUSIM_WIDE void fit(const Real& now) {
+            const Real zero{}, one = broadcast<Real>(1.0), rest_before = rest(), core_left = smaller_of<Real>(core, now);
+            in_core = choose(core_left < core, core_left / core, one) * in_core;
+            core = core_left + larger_of<Real>(now - largest, zero);
+            largest = larger_of<Real>(largest, now);
+            area = now;
+            const Real rest_now = rest();
+            in_rest = choose(rest_now < rest_before, rest_now / rest_before, one) * in_rest;
+        }
+        /// All of it slips alike.
+        MUSIM_WIDE void slip(const Real& stiffness, const Value& by) {
+            in_core = in_core - (stiffness * core) * by;
+            in_rest = in_rest - (stiffness * rest()) * by;
+        }
+        /// The same by so much that the total becomes `value`.
+        MUSIM_WIDE void set_total(const Value& value) {
+            const Value change = value - total(), of_core = choose(area > Real{}, core / area, Real{}) * change;
+            in_core = in_core + of_core;
+            in_rest = in_rest + (change - of_core);
+        }
+        /// [J], `square` of a force or a couple.
+        template <class Square>
+        MUSIM_WIDE Real energy(const Real& stiffness, const Square& square) const {
+            const Real zero{}, of_core = stiffness * core, of_rest = stiffness * rest();
+            return choose(of_core > zero, 0.5 * square(in_core) / of_core, zero) +
+                   choose(of_rest > zero, 0.5 * square(in_rest) / of_rest, zero);
+        }
+        MUSIM_WIDE void keep_where(const Mask& mask) {
+            in_core = choose(mask, in_core, Value{});
+            in_rest = choose(mask, in_rest, Value{});
+        }
+    };
     /// See OverlapContact.
     struct Memory {
         Mask touches{};
-        Real area{}, polar{};
-        Vector shear;
-        Real couple{};
+        Springs<Vector> sliding;
+        Springs<Real> turning;
         Vector place;
         Wrench friction, drag, damping;
     };
@@ -149,8 +190,6 @@ struct ContactStep {
             const Real polar = larger_of<Real>(
                 ((geometry.square.x + geometry.square.y) + geometry.square.z) - dot(normal, geometry.second_times(normal)), zero);
             contact.touches = touches;
-            contact.area = area;
-            contact.polar = polar;
             contact.place = pressed + geometry.arm;
 
             // of a first touch, the part of the step that came after it
@@ -172,26 +211,35 @@ struct ContactStep {
             const Real damping = dashpot.at * area + held.sum;
             contact.damping = {damping * normal, cross(geometry.second_times(dashpot.slope) + held.at, normal)};
 
-            // springs of friction: a smaller area keeps its slip, a larger one its force, so that neither gives energy
+            // springs of friction
+            Springs<Vector>& sliding = contact.sliding;
+            sliding.in_core = across(normal, carried(sliding.in_core, motion));
+            sliding.in_rest = across(normal, carried(sliding.in_rest, motion));
+            sliding.fit(area);
+            contact.turning.fit(polar);
             const Real stiffness = law.shear_stiffness * area, turning_stiffness = law.shear_stiffness * polar;
-            const Real kept = choose(area < before.area, area / before.area, one);
-            const Real kept_turn = choose(polar < before.polar, polar / before.polar, one);
             const Real slip_part = first_step ? zero : part;
             const Vector slip = slip_part * across(normal, slipped);
             const Real turn = slip_part * dot(normal, motion.turned(1) - motion.turned(0));
             const Real viscous = choose(law.shear_stiffness > zero, law.shear_damping / (law.shear_stiffness * dt), zero);
-            Friction springs{kept * across(normal, carried(before.shear, motion)) - stiffness * slip,
-                             kept_turn * before.couple - turning_stiffness * turn};
+            sliding.slip(law.shear_stiffness, slip);
+            contact.turning.slip(law.shear_stiffness, turn);
+            Friction springs{sliding.total(), contact.turning.total()};
             Friction drag{(-viscous * stiffness) * slip, (-viscous * turning_stiffness) * turn};
             Friction friction{springs.force + drag.force, springs.couple + drag.couple};
+            Mask holds{};
             result.asked =
-                result.asked | hold_friction(geometry, law, normal, pressed, push + damping, polar, cells, springs, drag, friction);
-            contact.shear = springs.force;
-            contact.couple = springs.couple;
+                result.asked | hold_friction(geometry, law, normal, pressed, push + damping, polar, cells, springs, drag, friction, holds);
+            sliding.set_total(springs.force);
+            contact.turning.set_total(springs.couple);
+            // what nothing presses keeps no slip
+            sliding.keep_where(holds);
+            contact.turning.keep_where(holds);
             contact.friction = {friction.force, friction.couple * normal};
             contact.drag = {drag.force, drag.couple * normal};
-            result.elastic_shear = choose(stiffness > zero, 0.5 * dot(springs.force, springs.force) / stiffness, zero) +
-                                   choose(turning_stiffness > zero, 0.5 * springs.couple * springs.couple / turning_stiffness, zero);
+            result.elastic_shear = sliding.energy(law.shear_stiffness, [](const Vector& force) MUSIM_WIDE_LAMBDA {
+                return dot(force, force);
+            }) + contact.turning.energy(law.shear_stiffness, [](const Real& couple) MUSIM_WIDE_LAMBDA { return couple * couple; });
 
             const Vector at_middle = contact.damping.force + friction.force;
             result.force = law.normal_stiffness * geometry.force + at_middle;
@@ -205,11 +253,12 @@ struct ContactStep {
     }
 
   private:
-    /// Friction within its limit; `springs` and `drag` are its parts. Where the cells had to be asked for the reach.
+    /// Friction within its limit, nothing but where it `holds`; `springs` and `drag` are its parts. Where the cells had to be asked for the
+    /// reach.
     template <class Cells>
     MUSIM_WIDE static Mask hold_friction(const Geometry& geometry, const Law& law, const Vector& normal, const Vector& pressed,
                                          const Real& pressing, const Real& polar, Cells& cells, Friction& springs, Friction& drag,
-                                         Friction& friction) {
+                                         Friction& friction, Mask& holds) {
         const Real zero{};
         Limit limit{law.friction * larger_of<Real>(pressing, zero), zero, across(normal, geometry.arm), normal};
         const Mask bears = (limit.force > zero) & (polar > zero);
@@ -230,7 +279,7 @@ struct ContactStep {
                            choose(slides, held.couple - drag.couple, springs.couple)};
             }
         }
-        const Mask holds = bears & (limit.reach > zero);
+        holds = bears & (limit.reach > zero);
         for (Friction* const part : {&springs, &drag, &friction}) {
             part->force = choose(holds, part->force, Vector{});
             part->couple = choose(holds, part->couple, zero);
@@ -242,7 +291,9 @@ struct ContactStep {
         const auto keep = [&](auto& value)
                               MUSIM_WIDE_LAMBDA { value = choose(touches, value, std::remove_reference_t<decltype(value)>{}); };
         contact.touches = touches;
-        keep(contact.area), keep(contact.polar), keep(contact.shear), keep(contact.couple), keep(contact.place);
+        const auto keep_springs = [&](auto& s)
+                                      MUSIM_WIDE_LAMBDA { keep(s.area), keep(s.core), keep(s.largest), keep(s.in_core), keep(s.in_rest); };
+        keep_springs(contact.sliding), keep_springs(contact.turning), keep(contact.place);
         for (Wrench* const wrench : {&contact.friction, &contact.drag, &contact.damping}) keep(wrench->force), keep(wrench->couple);
         keep(result.force), keep(result.moment), keep(result.elastic_normal), keep(result.elastic_shear);
     }

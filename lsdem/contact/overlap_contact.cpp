@@ -37,17 +37,23 @@ Step::Geometry to_lane(const OverlapGeometry& geometry) {
             {second(1, 2), second(2, 0), second(0, 1)}};
 }
 Step::Memory to_lane(const OverlapContact& contact) {
-    return {contact.touches,           contact.area,          contact.polar,
-            to_lane(contact.shear),    contact.couple,        to_lane(contact.place),
-            to_lane(contact.friction), to_lane(contact.drag), to_lane(contact.damping)};
+    const FrictionSprings<Vector3>& s = contact.sliding;
+    const FrictionSprings<double>& t = contact.turning;
+    return {contact.touches,
+            {s.area, s.core, s.largest, to_lane(s.in_core), to_lane(s.in_rest)},
+            {t.area, t.core, t.largest, t.in_core, t.in_rest},
+            to_lane(contact.place),
+            to_lane(contact.friction),
+            to_lane(contact.drag),
+            to_lane(contact.damping)};
 }
 OverlapContact from_lane(const Step::Memory& memory) {
+    const Step::Springs<Vector>& s = memory.sliding;
+    const Step::Springs<double>& t = memory.turning;
     return {memory.touches,
             0,
-            memory.area,
-            memory.polar,
-            from_lane(memory.shear),
-            memory.couple,
+            {s.area, s.core, s.largest, from_lane(s.in_core), from_lane(s.in_rest)},
+            {t.area, t.core, t.largest, t.in_core, t.in_rest},
             from_lane(memory.place),
             from_lane(memory.friction),
             from_lane(memory.drag),

@@ -25,16 +25,25 @@ struct PlacedWrench {
     Vector3 force = Vector3::Zero(), couple = Vector3::Zero();  ///< [N], [N·m]
 };
 
+/// Springs of friction over an area that comes and goes. Its core has touched without pause since the area was as large as never before;
+/// the rest came since, or comes and goes. `Value`: a force across the normal over an area [m²], or a couple along the direction in which
+/// the second body is pushed over the second moment of that [m⁴].
+template <class Value>
+struct FrictionSprings {
+    double area = 0.0, core = 0.0, largest = 0.0;  ///< [m² or m⁴]
+    Value in_core, in_rest;                        ///< [N or N·m]
+
+    Value total() const { return in_core + in_rest; }
+};
+
 /// What a contact remembers from one step to the next. World axes; friction acts on the second body.
 struct OverlapContact {
     bool touches = false;
     /// Which pairs it is computed beside: 1 where it may slide or be pulled apart, 2 where its corners count. Speed only: no bit depends on
     /// it, and it is not saved.
     std::uint8_t company = 0;
-    double area = 0.0;                ///< S over which the springs of friction act [m²]
-    double polar = 0.0;               ///< J, its second moment about its middle [m⁴]
-    Vector3 shear = Vector3::Zero();  ///< of the springs of friction [N]
-    double couple = 0.0;              ///< of the springs against turning, along the direction in which the second body is pushed [N·m]
+    FrictionSprings<Vector3> sliding{.in_core = Vector3::Zero(), .in_rest = Vector3::Zero()};
+    FrictionSprings<double> turning{.in_core = 0.0, .in_rest = 0.0};
     // what acted at the last step, for its work over the next
     Vector3 place = Vector3::Zero();  ///< middle of the area, about the origin of that time [m]
     PlacedWrench friction;            ///< springs and tangential dashpot
