@@ -25,8 +25,8 @@ using Size = scene::Triple<Length>;
 constexpr double kRunSamples = 2000.0;
 /// Samples of a push.
 constexpr double kPushSamples = 1000.0;
-/// How much stiffer than the preset the base of the rocking block is: Housner's is rigid. Stiffer, the rounding of its height over the depth
-/// of its edge would show.
+/// How much stiffer than the preset the base of the rocking block is: Housner's is rigid. Stiffer, the rounding of its height over the
+/// depth of its edge would show.
 constexpr double kStiffBase = 1e3;
 
 const Size kLying{4.25 * si::meters, 2.82 * si::meters, 1.36 * si::meters};
