@@ -36,7 +36,7 @@ void preload_contacts(const std::vector<Preload>& preloads, ContactList& list) {
         const Preload* const as_given = find(pair.leader, pair.follower);
         const Preload* const preload = as_given != nullptr ? as_given : find(pair.follower, pair.leader);
         if (preload == nullptr) continue;
-        // with no area before, all of it is core and springs keep their force
+        // of a load that begins all is core, and new area leaves springs their force
         OverlapContact& contact = list.overlaps[pair.overlap];
         contact.touches = true;
         contact.sliding.in_core = as_given != nullptr ? -preload->friction : preload->friction;

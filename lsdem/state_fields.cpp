@@ -37,11 +37,11 @@ static void exchange(Archive& archive, PlacedWrench& w) { archive(w.force, w.cou
 
 template <class Value>
 static void exchange(Archive& archive, FrictionSprings<Value>& s) {
-    archive(s.area, s.core, s.largest, s.in_core, s.in_rest);
+    archive(s.area, s.core, s.in_core, s.in_rest);
 }
 
 static void exchange(Archive& archive, OverlapContact& c) {
-    archive(c.touches, c.sliding, c.turning, c.place, c.friction, c.drag, c.damping);
+    archive(c.touches, c.sliding, c.turning, c.lightest, c.place, c.friction, c.drag, c.damping);
 }
 
 void exchange(Archive& archive, ContactList& l) {

@@ -22,21 +22,23 @@ struct ContactStep {
     /// See FrictionSprings; `Value` a force or a couple.
     template <class Value>
     struct Springs {
-        Real area{}, core{}, largest{};
+        Real area{}, core{};
         Value in_core{}, in_rest{};
 
         MUSIM_WIDE Value total() const { return in_core + in_rest; }
         MUSIM_WIDE Real rest() const { return larger_of<Real>(area - core, Real{}); }
-        /// Over another area. What is lost, of the rest first, keeps its slip; what is new brings none, so that the force stays: it belongs
-        /// to the core if the area has never been as large. Neither gives energy.
-        MUSIM_WIDE void fit(const Real& now) {
-            const Real zero{}, one = broadcast<Real>(1.0), rest_before = rest(), core_left = smaller_of<Real>(core, now);
+        /// Over another area. What is lost, of the rest first, keeps its slip; what is new joins the rest without any, so that the force
+        /// stays. Neither gives energy. Of the rest the part `kept` stays apart from the core.
+        MUSIM_WIDE void fit(const Real& now, const Real& kept) {
+            const Real one = broadcast<Real>(1.0), rest_before = rest(), core_left = smaller_of<Real>(core, now);
             in_core = choose(core_left < core, core_left / core, one) * in_core;
-            core = core_left + larger_of<Real>(now - largest, zero);
-            largest = larger_of<Real>(largest, now);
-            area = now;
+            core = core_left, area = now;
             const Real rest_now = rest();
             in_rest = choose(rest_now < rest_before, rest_now / rest_before, one) * in_rest;
+            const Real joins = one - kept;
+            core += joins * rest_now;
+            in_core = in_core + joins * in_rest;
+            in_rest = kept * in_rest;
         }
         /// All of it slips alike.
         MUSIM_WIDE void slip(const Real& stiffness, const Value& by) {
@@ -66,6 +68,7 @@ struct ContactStep {
         Mask touches{};
         Springs<Vector> sliding;
         Springs<Real> turning;
+        Real lightest{};
         Vector place;
         Wrench friction, drag, damping;
     };
@@ -165,6 +168,9 @@ struct ContactStep {
     /// for one pressed like a wedge, less for a part of it. Only decides whether r̄ has to be computed.
     static constexpr double kLeastReach = 0.3;
 
+    /// A load that grows by more than this factor over its least forgets, in proportion, which part of the area bore it [-].
+    static constexpr double kForgottenGrowth = 8.0;
+
     /// Turns a vector with the mean turn of both bodies over the step, without changing its length.
     MUSIM_WIDE static Vector carried(const Vector& v, const Motion& motion) {
         const Vector half = broadcast<Real>(0.25) * (motion.turned(0) + motion.turned(1)), across = cross(half, v);
@@ -215,8 +221,11 @@ struct ContactStep {
             Springs<Vector>& sliding = contact.sliding;
             sliding.in_core = across(normal, carried(sliding.in_core, motion));
             sliding.in_rest = across(normal, carried(sliding.in_rest, motion));
-            sliding.fit(area);
-            contact.turning.fit(polar);
+            const Real least = (1.0 / kForgottenGrowth) * push;
+            const Real kept = smaller_of<Real>(contact.lightest / least, one);
+            contact.lightest = larger_of<Real>(smaller_of<Real>(contact.lightest, push), least);
+            sliding.fit(area, kept);
+            contact.turning.fit(polar, kept);
             const Real stiffness = law.shear_stiffness * area, turning_stiffness = law.shear_stiffness * polar;
             const Real slip_part = first_step ? zero : part;
             const Vector slip = slip_part * across(normal, slipped);
@@ -291,9 +300,8 @@ struct ContactStep {
         const auto keep = [&](auto& value)
                               MUSIM_WIDE_LAMBDA { value = choose(touches, value, std::remove_reference_t<decltype(value)>{}); };
         contact.touches = touches;
-        const auto keep_springs = [&](auto& s)
-                                      MUSIM_WIDE_LAMBDA { keep(s.area), keep(s.core), keep(s.largest), keep(s.in_core), keep(s.in_rest); };
-        keep_springs(contact.sliding), keep_springs(contact.turning), keep(contact.place);
+        const auto keep_springs = [&](auto& s) MUSIM_WIDE_LAMBDA { keep(s.area), keep(s.core), keep(s.in_core), keep(s.in_rest); };
+        keep_springs(contact.sliding), keep_springs(contact.turning), keep(contact.lightest), keep(contact.place);
         for (Wrench* const wrench : {&contact.friction, &contact.drag, &contact.damping}) keep(wrench->force), keep(wrench->couple);
         keep(result.force), keep(result.moment), keep(result.elastic_normal), keep(result.elastic_shear);
     }

@@ -59,7 +59,7 @@ struct Lane {
         return motion;
     }
     /// All numbers of a contact lie behind each other, from the springs on.
-    static constexpr std::size_t kNumbers = 35;
+    static constexpr std::size_t kNumbers = 34;
     static_assert(sizeof(OverlapContact) == (1 + kNumbers) * sizeof(double) && offsetof(OverlapContact, sliding) == sizeof(double));
 
     MUSIM_WIDE static typename Step::Memory gather_memory(const LanePair* pairs) {
@@ -67,21 +67,22 @@ struct Lane {
             gather_fields<Real, kNumbers>([&](std::size_t i) MUSIM_WIDE_LAMBDA { return &pairs[i].contact->sliding.area; });
         const Real touches = gather_lanes<Real>([&](std::size_t i) MUSIM_WIDE_LAMBDA { return pairs[i].contact->touches ? 1.0 : 0.0; });
         return {touches > Real{},
-                {f[0], f[1], f[2], {f[3], f[4], f[5]}, {f[6], f[7], f[8]}},
-                {f[9], f[10], f[11], f[12], f[13]},
-                {f[14], f[15], f[16]},
-                {{f[17], f[18], f[19]}, {f[20], f[21], f[22]}},
-                {{f[23], f[24], f[25]}, {f[26], f[27], f[28]}},
-                {{f[29], f[30], f[31]}, {f[32], f[33], f[34]}}};
+                {f[0], f[1], {f[2], f[3], f[4]}, {f[5], f[6], f[7]}},
+                {f[8], f[9], f[10], f[11]},
+                f[12],
+                {f[13], f[14], f[15]},
+                {{f[16], f[17], f[18]}, {f[19], f[20], f[21]}},
+                {{f[22], f[23], f[24]}, {f[25], f[26], f[27]}},
+                {{f[28], f[29], f[30]}, {f[31], f[32], f[33]}}};
     }
     MUSIM_WIDE static std::array<Real, kNumbers> numbers_of(const typename Step::Memory& m) {
         const auto& s = m.sliding;
         const auto& t = m.turning;
         const auto &c = s.in_core, &r = s.in_rest, &p = m.place, &ff = m.friction.force, &fc = m.friction.couple, &df = m.drag.force,
                    &dc = m.drag.couple, &nf = m.damping.force, &nc = m.damping.couple;
-        return {s.area,    s.core,    s.largest, c.x,  c.y,  c.z,  r.x,  r.y,  r.z,  t.area, t.core, t.largest,
-                t.in_core, t.in_rest, p.x,       p.y,  p.z,  ff.x, ff.y, ff.z, fc.x, fc.y,   fc.z,   df.x,
-                df.y,      df.z,      dc.x,      dc.y, dc.z, nf.x, nf.y, nf.z, nc.x, nc.y,   nc.z};
+        return {s.area,     s.core, c.x,  c.y,  c.z,  r.x,  r.y,  r.z,  t.area, t.core, t.in_core, t.in_rest,
+                m.lightest, p.x,    p.y,  p.z,  ff.x, ff.y, ff.z, fc.x, fc.y,   fc.z,   df.x,      df.y,
+                df.z,       dc.x,   dc.y, dc.z, nf.x, nf.y, nf.z, nc.x, nc.y,   nc.z};
     }
     MUSIM_WIDE static typename Step::Law gather_law(const LanePair* pairs) {
         const auto of = [&](double Interface::*field) MUSIM_WIDE_LAMBDA {

@@ -40,8 +40,9 @@ Step::Memory to_lane(const OverlapContact& contact) {
     const FrictionSprings<Vector3>& s = contact.sliding;
     const FrictionSprings<double>& t = contact.turning;
     return {contact.touches,
-            {s.area, s.core, s.largest, to_lane(s.in_core), to_lane(s.in_rest)},
-            {t.area, t.core, t.largest, t.in_core, t.in_rest},
+            {s.area, s.core, to_lane(s.in_core), to_lane(s.in_rest)},
+            {t.area, t.core, t.in_core, t.in_rest},
+            contact.lightest,
             to_lane(contact.place),
             to_lane(contact.friction),
             to_lane(contact.drag),
@@ -52,8 +53,9 @@ OverlapContact from_lane(const Step::Memory& memory) {
     const Step::Springs<double>& t = memory.turning;
     return {memory.touches,
             0,
-            {s.area, s.core, s.largest, from_lane(s.in_core), from_lane(s.in_rest)},
-            {t.area, t.core, t.largest, t.in_core, t.in_rest},
+            {s.area, s.core, from_lane(s.in_core), from_lane(s.in_rest)},
+            {t.area, t.core, t.in_core, t.in_rest},
+            memory.lightest,
             from_lane(memory.place),
             from_lane(memory.friction),
             from_lane(memory.drag),

@@ -25,13 +25,13 @@ struct PlacedWrench {
     Vector3 force = Vector3::Zero(), couple = Vector3::Zero();  ///< [N], [N·m]
 };
 
-/// Springs of friction over an area that comes and goes. Its core has touched without pause since the area was as large as never before;
-/// the rest came since, or comes and goes. `Value`: a force across the normal over an area [m²], or a couple along the direction in which
-/// the second body is pushed over the second moment of that [m⁴].
+/// Springs of friction over an area that comes and goes: a core that has always borne, and the rest, which came since or comes and goes.
+/// `Value`: a force across the normal over an area [m²], or a couple along the direction in which the second body is pushed over the second
+/// moment of that [m⁴].
 template <class Value>
 struct FrictionSprings {
-    double area = 0.0, core = 0.0, largest = 0.0;  ///< [m² or m⁴]
-    Value in_core, in_rest;                        ///< [N or N·m]
+    double area = 0.0, core = 0.0;  ///< [m² or m⁴]
+    Value in_core, in_rest;         ///< [N or N·m]
 
     Value total() const { return in_core + in_rest; }
 };
@@ -44,6 +44,7 @@ struct OverlapContact {
     std::uint8_t company = 0;
     FrictionSprings<Vector3> sliding{.in_core = Vector3::Zero(), .in_rest = Vector3::Zero()};
     FrictionSprings<double> turning{.in_core = 0.0, .in_rest = 0.0};
+    double lightest = 0.0;  ///< least push of the normal springs that the core has been a part under [N]
     // what acted at the last step, for its work over the next
     Vector3 place = Vector3::Zero();  ///< middle of the area, about the origin of that time [m]
     PlacedWrench friction;            ///< springs and tangential dashpot
