@@ -365,14 +365,13 @@ double find_touching_area(const Model& model, const ContactList& list, std::size
 }  // namespace
 
 double compute_pairs(const Model& model, const Bodies& bodies, const BasePose& base, double dt, std::size_t first, std::size_t last,
-                     ContactList& list) {
+                     ContactList& list, OverlapBatch& overlaps) {
     // what may touch, first of all, so that the memory of each can be asked for ahead of its turn
     std::size_t end = first;
     for (std::size_t index = first; index < last; ++index) {
         if (!known_apart(list.pairs[index], list.next_look[index], bodies)) list.due[end++] = static_cast<std::uint32_t>(index);
     }
     double deepest = 0.0;
-    OverlapBatch overlaps(bodies, base, dt, list);
     for (std::size_t i = first; i < end; ++i) {
         if (i + kAhead < end) prefetch_pair(bodies, list, list.due[i + kAhead]);
         const std::size_t index = list.due[i];
@@ -392,8 +391,7 @@ double compute_pairs(const Model& model, const Bodies& bodies, const BasePose& b
         const double height = 2.0 * model.shapes[model.blocks[pair.leader].shape].half_extents.z();
         deepest = std::max(deepest, overlap / height);
     }
-    overlaps.compute();
-    return std::max(deepest, overlaps.deepest());
+    return deepest;
 }
 
 ContactTotals sum_contacts(const ContactList& list) {

@@ -42,6 +42,8 @@ struct ContactHistory {
 /// scales). Blocks that share an edge keep their full area; elsewhere the area of a boundary row is off by half of this.
 inline constexpr double kEdgeBlend = 0.1;
 
+class OverlapBatch;
+
 /// Two blocks, or a block and the ground, that may touch before the next rebuild of the list: boxes that meet by their overlap, or those
 /// nodes of the one (the leader) that may touch the other (the follower).
 struct ContactPair {
@@ -133,8 +135,9 @@ void add_losses(const ContactList& list, Losses& losses);
 void clear_losses(ContactList& list);
 
 /// Forces of pairs [first, last) at step n, from the poses at n and n − 1; updates history and work. Pairs are independent of each other.
-/// Returns the largest overlap over the height of the leader's shape [-].
+/// Boxes that overlap go to `overlaps`, which may leave some to wait for others. Returns the largest overlap of those that meet by nodes,
+/// over the height of the leader's shape [-].
 double compute_pairs(const Model& model, const Bodies& bodies, const BasePose& base, double dt, std::size_t first, std::size_t last,
-                     ContactList& list);
+                     ContactList& list, OverlapBatch& overlaps);
 
 }  // namespace musim::lsdem

@@ -3,6 +3,7 @@
 #include <limits>
 #include <utility>
 
+#include "lsdem/contact/overlap_pairs.hpp"
 #include "lsdem/detail/simulation_core.hpp"
 
 /// How a simulation goes on: a step, and who does what in it.
@@ -98,10 +99,13 @@ void Simulation::Implementation::update_contacts() {
     const auto task = [&](int thread) {
         const auto i = static_cast<std::size_t>(thread);
         detail::Share piece;
+        OverlapBatch overlaps(bodies, base, dt, list);
         while (pair_work.take(i, piece)) {
-            const double deepest = compute_pairs(model, bodies, base, dt, piece.first, piece.last, list);
+            const double deepest = compute_pairs(model, bodies, base, dt, piece.first, piece.last, list, overlaps);
             overlap[i] = std::max(overlap[i], deepest);
         }
+        overlaps.compute();
+        overlap[i] = std::max(overlap[i], overlaps.deepest());
     };
     team.run(task);
     Vector3 force = Vector3::Zero();

@@ -207,7 +207,7 @@ TEST_CASE("a prepared specimen bears what it bore, and its blocks stay where the
     }
     // what is left is a ringing about the place of rest: no farther than the fastest block that counts as at rest comes in this time, and
     // no farther in four times as long
-    for (const int more : {0, 6000}) {
+    for (const std::uint64_t more : {0U, 6000U}) {
         simulation.advance(more);
         for (std::size_t b = 0; b < upright.model.blocks.size(); ++b) {
             height = 2.0 * half_extents(upright.model, upright.model.blocks[b]).z();
