@@ -28,7 +28,9 @@ std::string refuse(const std::string& more) {
 
 TEST_CASE("an accuracy sets the time step") {
     const std::vector<std::pair<Accuracy, double>> steps{{Accuracy::fast, 0.8}, {Accuracy::standard, 0.4}, {Accuracy::reference, 0.1}};
-    for (const auto& [accuracy, safety] : steps) {
+    for (const auto& step : steps) {
+        const Accuracy accuracy = step.first;
+        const double safety = step.second;
         CAPTURE(to_string(accuracy));
         const Scene scene = parse(", \"accuracy\": \"" + to_string(accuracy) + "\"");
         CHECK(find_accuracy_preset(accuracy).safety == safety);
