@@ -140,6 +140,16 @@ TEST_CASE("copies moved in the same directions part in proportion to how far") {
     CHECK(study.twins[0].difference != study.twins[3].difference);
 }
 
+// Its blocks are drawn in contact and rebound flat when gravity begins, so that rounding alone chooses the edge by which they part.
+TEST_CASE("exact models of the demo tower part smoothly" * doctest::test_suite("slow")) {
+    scene::Scene tower = scene::read_scene(std::filesystem::path(MUSIM_SOURCE_DIR) / "examples/tower_prototype.json");
+    tower.time.duration = musim::scaling::Time::from_value(3.0);
+    const TwinStudy study = run_twins(tower, choose_models(6, 1), {.threads = 0});
+    const TwinSummary summary = summarize(study);
+    for (const TwinGrowth& twin : summary.twins) CHECK(twin.growth.factor < 15.0);
+    CHECK(summary.at_horizon.sd < 0.4);
+}
+
 TEST_CASE("twins that cannot be compared are refused with what to do") {
     CHECK(message_of<scene::SceneError>([] { run_twins(make_wall(""), {{.length = 0.3}}); }).find("give a base motion") !=
           std::string::npos);
