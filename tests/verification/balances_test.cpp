@@ -202,12 +202,13 @@ TEST_CASE("the ledger of colliding blocks closes with the square of the step") {
     Stone stone = wood();
     stone.restitution = 1.0;
     stone.friction = 0.0;
+    // not from 0.4 of the limit on, where a corner may be a few steps in contact
     double errors[2] = {0.0, 0.0};
-    for (std::uint32_t seed = 0; seed < 20; ++seed) {
-        errors[0] += collide(stone, seed, 0.4).error / 20.0;
-        errors[1] += collide(stone, seed, 0.1).error / 20.0;
+    for (std::uint32_t seed = 0; seed < 10; ++seed) {
+        errors[0] += collide(stone, seed, 0.1).error / 10.0;
+        errors[1] += collide(stone, seed, 0.025).error / 10.0;
     }
-    MESSAGE("ledger of frictionless collisions off in the mean by " << errors[0] << " at 0.4 of the limit, by " << errors[1] << " at 0.1");
-    // a sixteenth and less: the force is continuous, what is not is its slope
-    CHECK(errors[0] > 12.0 * errors[1]);
+    MESSAGE("ledger of frictionless collisions off in the mean by " << errors[0] << " at 0.1 of the limit, by " << errors[1]
+                                                                    << " at 0.025");
+    CHECK(errors[0] == relative(16.0 * errors[1], 0.05));
 }
