@@ -51,7 +51,7 @@ TEST_CASE("a material that similitude asks for has no property that differs") {
     CHECK(is_consistent(study.models.front().difference, study.shadow.difference));
 }
 
-TEST_CASE("the one property of a model that differs makes all of its difference") {
+TEST_CASE("the one property of a model that differs makes all of its difference" * doctest::test_suite("slow")) {
     scene::Scene prototype = make_prototype();
     prototype.material.restitution = 0.6;
     const PairedRun model = run_own(prototype).models.front();
@@ -62,7 +62,7 @@ TEST_CASE("the one property of a model that differs makes all of its difference"
     CHECK(model.difference.rms_velocity > 1e-3);
 }
 
-TEST_CASE("every property that differs is told apart with its factor") {
+TEST_CASE("every property that differs is told apart with its factor" * doctest::test_suite("slow")) {
     scene::Scene prototype = make_prototype();
     prototype.material.friction = 0.42;
     prototype.material.normal_stiffness *= 4.0;
@@ -83,7 +83,7 @@ TEST_CASE("every property that differs is told apart with its factor") {
     }
 }
 
-TEST_CASE("without being asked no property is run alone") {
+TEST_CASE("without being asked no property is run alone" * doctest::test_suite("slow")) {
     scene::Scene prototype = make_prototype();
     prototype.material.restitution = 0.6;
     const ScenePair pair = pair_scene(prototype, {{kLength, "wood"}}, Materials::own);
