@@ -46,7 +46,7 @@ struct LaneFinding {
     Vector3 area_square, area_cross;  ///< ∫ of (xx, yy, zz) and (yz, zx, xy) about the cell's own middle [m⁴]
     bool irregular;                   ///< nothing of the above holds
 };
-/// Of kLanePairs pairs, by plain instructions; for what is not asked in every step.
+/// Of kLanePairs pairs.
 void compute_overlaps(const BoxMeeting* pairs, LaneFinding* found);
 
 /// find_pull and find_reach of main cells, for tests.

@@ -23,5 +23,6 @@ using Widest = Wide<4>;
 #endif
 
 MUSIM_AVX512 void compute_pairs_512(LanePair* pairs, double dt, bool first_step) { LanePairs<Widest>::compute(pairs, dt, first_step); }
+MUSIM_AVX512 void find_overlaps_512(const BoxMeeting* pairs, LaneFinding* found) { LanePairs<Widest>::find_overlaps(pairs, found); }
 
 }  // namespace musim::lsdem::detail

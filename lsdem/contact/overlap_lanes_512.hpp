@@ -2,9 +2,10 @@
 
 #include "lsdem/contact/overlap_lanes.hpp"
 
-/// compute_lane_pairs for machines with AVX-512; elsewhere that of AVX2 stands in and nobody calls it.
+/// compute_lane_pairs and compute_overlaps for machines with AVX-512; elsewhere those of AVX2 stand in and nobody calls them.
 namespace musim::lsdem::detail {
 
 void compute_pairs_512(LanePair* pairs, double dt, bool first_step);
+void find_overlaps_512(const BoxMeeting* pairs, LaneFinding* found);
 
 }  // namespace musim::lsdem::detail
