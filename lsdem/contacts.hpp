@@ -73,6 +73,7 @@ struct PairTally {
     double elastic_normal = 0.0, elastic_shear = 0.0;  ///< stored [J]
     double overlap = 0.0;                              ///< largest [m]
     std::uint32_t touching = 0;                        ///< nodes in contact; of boxes that overlap, one
+    bool rough = false;                                ///< elastic_normal lacks a part overlap/size, see refine_overlap_energies
 };
 
 /// What inertia contacts ask their blocks to have while a specimen is prepared, see detail::AddedInertia.

@@ -31,7 +31,7 @@ static void exchange(Archive& archive, ContactHistory& h) { archive(h.slip, h.da
 
 static void exchange(Archive& archive, PairForce& f) { archive(f.force, f.leader_torque, f.follower_torque); }
 
-static void exchange(Archive& archive, PairTally& t) { archive(t.elastic_normal, t.elastic_shear, t.overlap, t.touching); }
+static void exchange(Archive& archive, PairTally& t) { archive(t.elastic_normal, t.elastic_shear, t.overlap, t.touching, t.rough); }
 
 static void exchange(Archive& archive, PlacedWrench& w) { archive(w.force, w.couple); }
 

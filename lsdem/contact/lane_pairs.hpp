@@ -106,7 +106,7 @@ struct Lane {
         cells.depth = over * found.area_depth;
         cells.depth_slope = -(found.cells[0].normal + found.cells[1].normal);
         geometry.square = found.area_square, geometry.cross_square = found.area_cross;
-        geometry.energy = 0.5 * (found.area * cells.depth * cells.depth + dot(cells.depth_slope, geometry.second_times(cells.depth_slope)));
+        geometry.energy = found.energy;
         const Real cosine = -dot(found.cells[0].normal, found.cells[1].normal);
         const Real share = larger_of<Real>((cosine - kLeastFacing) * (1.0 / (1.0 - kLeastFacing)), zero);
         geometry.area = share * found.area;
@@ -148,7 +148,7 @@ struct Lane {
             const bool touches = memory.touches[i] != 0;
             pair.contact->touches = touches;
             pair.contact->company = static_cast<std::uint8_t>((result.asked[i] != 0 ? 1 : 0) | (found.corner[i] != 0 ? 2 : 0));
-            *pair.tally = {result.elastic_normal[i], result.elastic_shear[i], touches ? found.deepest[i] : 0.0, touches ? 1U : 0U};
+            *pair.tally = {result.elastic_normal[i], result.elastic_shear[i], touches ? found.deepest[i] : 0.0, touches ? 1U : 0U, false};
             *pair.work += {result.friction_work[i], result.damping_work[i]};
             pair.area = touches ? found.area[i] : 0.0;
         }
@@ -158,8 +158,9 @@ struct Lane {
         LaneOverlap<W> found;
         Kernel<W>::compute_any([pairs](std::size_t i) MUSIM_WIDE_LAMBDA -> const BoxMeeting& { return pairs[i]; }, found);
         for (std::size_t i = 0; i < kWidth<Real>; ++i)
-            results[i] = {pick(found.force, i),      pick(found.moment, i),      found.deepest[i],          found.area[i],
-                          pick(found.area_place, i), pick(found.area_square, i), pick(found.area_cross, i), found.irregular[i] != 0};
+            results[i] = {pick(found.force, i),   pick(found.moment, i),     found.deepest[i],           found.energy[i],
+                          found.area[i],          pick(found.area_place, i), pick(found.area_square, i), pick(found.area_cross, i),
+                          found.irregular[i] != 0};
     }
     MUSIM_WIDE static void ask(const BoxMeeting* pairs, const MainCellQuestion* questions, MainCellAnswer* answers) {
         LaneOverlap<W> found;

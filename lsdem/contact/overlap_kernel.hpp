@@ -26,6 +26,7 @@ struct LaneOverlap {
     Lanes3 force;     ///< on the second body [m³]
     Lanes3 moment;    ///< of it [m⁴]
     Lanes deepest{};  ///< largest depth of a point of one body in the other [m]
+    Lanes energy{};   ///< but for a part (overlap/width)² of it [m⁴]
     // main cells, half of each body's
     Lanes area{};                      ///< [m²]
     Lanes area_depth{};                ///< ∫ depth [m³]
@@ -210,6 +211,7 @@ struct Kernel : OverlapRims<W> {
                          half * ((of_a.moment.y - of_b.moment.y) - (c.z * f.x - c.x * f.z)),
                          half * ((of_a.moment.z - of_b.moment.z) - (c.x * f.y - c.y * f.x))};
         result.deepest = choose(fits, deepest, zero);
+        result.energy = half * (roles[0].energy + roles[1].energy);
         result.area = choose(fits, area, zero);
         result.area_depth = half * (roles[0].area_depth + roles[1].area_depth);
         const auto place = [&](const Role& role, const FaceAxes& x) MUSIM_WIDE_LAMBDA {

@@ -164,7 +164,7 @@ void OverlapBatch::compute_exactly(std::size_t index) {
     force.force = -found.force;
     force.leader_torque = motion.center[0].cross(found.force) - found.moment;
     force.follower_torque = found.moment - motion.center[1].cross(found.force);
-    tally = {found.elastic_normal, found.elastic_shear, found.overlap, contact.touches ? 1U : 0U};
+    tally = {found.elastic_normal, found.elastic_shear, found.overlap, contact.touches ? 1U : 0U, contact.touches};
     list_.work[index] += found.work;
     note(index, found.area);
 }
@@ -227,8 +227,9 @@ void refine_overlap_energies(const Bodies& bodies, const BasePose& base, Contact
     OverlapPieces room;
     for (std::size_t p = 0; p < list.pairs.size(); ++p) {
         const ContactPair& pair = list.pairs[p];
-        if (!pair.is_overlap() || !list.overlaps[pair.overlap].touches) continue;
+        if (!list.tallies[p].rough) continue;
         list.tallies[p].elastic_normal = pair.law.normal_stiffness * find_bodies(bodies, base, pair, room).energy();
+        list.tallies[p].rough = false;
     }
 }
 

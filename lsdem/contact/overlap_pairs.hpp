@@ -68,8 +68,8 @@ struct MeetingArea {
 void visit_meeting_areas(const Bodies& bodies, const BasePose& base, const ContactList& list,
                          const std::function<void(std::size_t, const MeetingArea&)>& visit);
 
-/// Puts the exact energies of the normal springs at step n in the place of those in the tallies, which lack a part overlap/size and cost
-/// nothing.
+/// Puts the exact energies of the normal springs at step n in the place of those in the tallies that are rough: of pairs that are not
+/// computed side by side, such as corners and edges. All others lack a part (overlap/width)² at most.
 void refine_overlap_energies(const Bodies& bodies, const BasePose& base, ContactList& list);
 
 }  // namespace musim::lsdem

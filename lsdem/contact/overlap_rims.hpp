@@ -52,6 +52,10 @@ struct OverlapRims : OverlapRole<W> {
         role.load += beside * d.square;
         role.load_place[1 - k] += beside * d.along;
         role.load_place[k] += beside * (x * d.square + (all(sign_of(m) / 3.0) * role.across[k].inverse_x) * d.cube);
+        // beyond the rim X has nothing below the strip: ∫ (D d²/2 − d³/6)
+        const Lanes s0 = p0 * p0, s1 = p1 * p1, both = (p0 * p1) + (p0 * p1);
+        const Lanes deep = (e0 * (all(3.0) * s0 + both + s1) + e1 * (s0 + both + all(3.0) * s1)) * (rest * all(1.0 / 24.0));
+        role.energy -= role.across[k].by_x * (deep - all(1.0 / 6.0) * d.cube);
     }
 
     /// Where plane m ends on the side below the rim: the line d_m = 0 at s = −d_m(y)/g. There D² g/(2ζ(ζ + g)) dy.
@@ -225,6 +229,7 @@ struct OverlapRims : OverlapRole<W> {
                 const Powers d(part.low, part.high, length, part.low, part.high);  // ∫ d², ∫ d³, ∫ d³
                 const Lanes of_p = -sj * y1 * (all(0.5) * p.inverse_x), of_q = -si * x1 * (all(0.5) * q.inverse_x);
                 const Lanes along_x = x0 * d.square + x1 * d.cube, along_y = y0 * d.square + y1 * d.cube;
+                role.energy += d.cube;
                 role.load += (of_p + of_q) * d.square;
                 role.load_place[0] += (of_p + of_q) * along_x + of_p * ((all(1.0 / 3.0) * si) * p.inverse_x) * d.cube;
                 role.load_place[1] += (of_p + of_q) * along_y + of_q * ((all(1.0 / 3.0) * sj) * q.inverse_x) * d.cube;

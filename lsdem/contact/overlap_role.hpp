@@ -79,6 +79,7 @@ struct OverlapRole {
         Lanes negligible;  ///< terms in the sums below this are left out [m³]
         LaneMask corner;
         Lanes deepest{}, shallowest{};
+        Lanes energy{};  ///< ∫ of Y's field over the overlap [m⁴]
         // sums over face a, first moments along both directions
         Lanes load{};
         std::array<Lanes, 2> load_place{};
@@ -153,9 +154,9 @@ struct OverlapRole {
     }
 
     /// Main cell of a (not yet divided by the fan's factors), and what belongs to it alone: the sides' loads below its rims (∫ D²/(2ζ)),
-    /// the strips beyond its creases (∫ D²/(2 by_x)).
+    /// the strips beyond its creases (∫ D²/(2 by_x)). Energies below strips and rims: of cubes of D.
     struct Strips {
-        Lanes load{};
+        Lanes load{}, energy{};
         std::array<Lanes, 2> place{};
     };
     MUSIM_WIDE static void add_main_cell(Role& role, Cell& cell, Strips& strips) {
@@ -191,6 +192,7 @@ struct OverlapRole {
                 role.side[k] += factor * d.square;
                 role.side_along[k] += factor * d.along;
                 role.side_below[k] += (factor * below) * (all(2.0 / 3.0) * d.cube);
+                strips.energy += (factor * u.depth_by_x) * (all(1.0 / 3.0) * d.cube);
             }
             // creases
             std::array<Lanes, 2> d_by, d_inverse;
@@ -218,6 +220,7 @@ struct OverlapRole {
                                                                 role.depth_at + u.depth_by_x * u.crease_at[c], d_by[c], d_inverse[c], part);
                 const Powers d(e.y0, e.y1, e.length, e.d0, e.d1);
                 strips.load += beside * d.square;
+                strips.energy += (u.inverse_x * (all(1.0 / 3.0) - all(sign_of(c) / 6.0) * u.by_s)) * d.cube;
                 strips.place[1 - k] += beside * d.along;
                 strips.place[k] +=
                     beside * ((u.crease_at[c] * d.square + u.crease_slope[c] * d.along) + (all(sign_of(c) * 2.0 / 3.0) * beside) * d.cube);
@@ -259,6 +262,11 @@ struct OverlapRole {
             role.area_place[k] = role.area * (middle[k] + role.fan[k]);
         }
         role.load += strips.load;
+        // of D, which is affine: by its mean and the moments of the cell
+        const Lanes x = role.across[0].depth_by_x, y = role.across[1].depth_by_x;
+        const Lanes leaning = (x * x) * role.area_square[0] + (y * y) * role.area_square[1] + all(2.0) * ((x * y) * role.area_mixed);
+        const Lanes square = role.area_depth * role.area_depth / larger(role.area, all(1e-300)) + leaning;
+        role.energy = all(0.5) * (role.cosine * square) + strips.energy;
     }
 };
 

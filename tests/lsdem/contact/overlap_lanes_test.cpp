@@ -31,6 +31,17 @@ struct Boxes {
     }
     OverlapPieces cut() const {
         PlacedSolid a, b;
+        return place_and_cut(a, b);
+    }
+    double energy() const {
+        PlacedSolid a, b;
+        const OverlapPieces pieces = place_and_cut(a, b);
+        return compute_overlap_energy(a, b, pieces);
+    }
+    double size() const { return place_a.norm() + half_a.norm() + half_b.norm(); }
+
+  private:
+    OverlapPieces place_and_cut(PlacedSolid& a, PlacedSolid& b) const {
         const Vector3 half_way = 0.5 * (place_b - place_a);
         place_box(half_a, rotation_a, -half_way, a);
         place_box(half_b, rotation_b, half_way, b);
@@ -38,7 +49,6 @@ struct Boxes {
         pieces.cut(a, b);
         return pieces;
     }
-    double size() const { return place_a.norm() + half_a.norm() + half_b.norm(); }
 };
 
 /// Poses of masonry: flush, turned by 90 degrees and half over each other, tilted, twisted and shifted a little, and any.
@@ -134,6 +144,9 @@ TEST_CASE("pairs side by side give the load of the exact function wherever they 
             CHECK((found.force - load.force).norm() <= tolerance * force);
             CHECK((found.moment - load.moment).norm() <= tolerance * force * size);
             CHECK(found.deepest == doctest::Approx(load.deepest).epsilon(1e-6).scale(0.0));
+            // what is left out lies at corners; some faces are narrower than the root of their area
+            const double exact = pairs.boxes[i].energy(), sunk = load.deepest / std::sqrt(found.area);
+            CHECK(std::abs(found.energy - exact) <= (2.0 * tolerance + 60.0 * sunk * sunk) * exact);
         }
     }
     // of all these poses some corners and edges do not hold
