@@ -116,6 +116,9 @@ struct Lane {
         return geometry;
     }
 
+    /// Energies are rough where the square of the depth is more than this part of the area: by a few times as much of it at most [-].
+    static constexpr double kRoughly = 1e-6;
+
     MUSIM_WIDE static void compute(LanePair* pairs, double dt, bool first_step) {
         LaneOverlap<W> found;
         Kernel<W>::compute_any([pairs](std::size_t i) MUSIM_WIDE_LAMBDA -> const BoxMeeting& { return pairs[i].meeting; }, found);
@@ -148,7 +151,8 @@ struct Lane {
             const bool touches = memory.touches[i] != 0;
             pair.contact->touches = touches;
             pair.contact->company = static_cast<std::uint8_t>((result.asked[i] != 0 ? 1 : 0) | (found.corner[i] != 0 ? 2 : 0));
-            *pair.tally = {result.elastic_normal[i], result.elastic_shear[i], touches ? found.deepest[i] : 0.0, touches ? 1U : 0U, false};
+            *pair.tally = {result.elastic_normal[i], result.elastic_shear[i], touches ? found.deepest[i] : 0.0, touches ? 1U : 0U,
+                           found.deepest[i] * found.deepest[i] > kRoughly * found.area[i]};
             *pair.work += {result.friction_work[i], result.damping_work[i]};
             pair.area = touches ? found.area[i] : 0.0;
         }

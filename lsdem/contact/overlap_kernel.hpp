@@ -26,7 +26,7 @@ struct LaneOverlap {
     Lanes3 force;     ///< on the second body [m³]
     Lanes3 moment;    ///< of it [m⁴]
     Lanes deepest{};  ///< largest depth of a point of one body in the other [m]
-    Lanes energy{};   ///< but for a part (overlap/width)² of it [m⁴]
+    Lanes energy{};   ///< but for a part overlap²/area of it [m⁴]
     // main cells, half of each body's
     Lanes area{};                      ///< [m²]
     Lanes area_depth{};                ///< ∫ depth [m³]

@@ -41,7 +41,7 @@ struct LaneFinding {
     Vector3 force;                    ///< on the second body [m³]
     Vector3 moment;                   ///< of it [m⁴]
     double deepest;                   ///< largest depth of a point of one body in the other [m]
-    double energy;                    ///< but for a part (overlap/width)² of it [m⁴]
+    double energy;                    ///< but for a part overlap²/area of it [m⁴]
     double area;                      ///< of the main cells, half of each body's [m²]
     Vector3 area_place;               ///< ∫ place [m³]
     Vector3 area_square, area_cross;  ///< ∫ of (xx, yy, zz) and (yz, zx, xy) about the cell's own middle [m⁴]

@@ -68,8 +68,8 @@ struct MeetingArea {
 void visit_meeting_areas(const Bodies& bodies, const BasePose& base, const ContactList& list,
                          const std::function<void(std::size_t, const MeetingArea&)>& visit);
 
-/// Puts the exact energies of the normal springs at step n in the place of those in the tallies that are rough: of pairs that are not
-/// computed side by side, such as corners and edges. All others lack a part (overlap/width)² at most.
+/// Puts the exact energies of the normal springs at step n in the place of those in the tallies that are rough: of corners, and of pairs
+/// that are not computed side by side. All others are off by parts of 1e-6 at most.
 void refine_overlap_energies(const Bodies& bodies, const BasePose& base, ContactList& list);
 
 }  // namespace musim::lsdem
