@@ -16,7 +16,7 @@ constexpr double kMostDepth = 0.05;      ///< of the least half extent
 constexpr double kLeastWidth = 8.0;      ///< of the touching area, in depths
 constexpr double kLeastMain = 0.3;       ///< part of the load that the main cells bear
 /// Terms below this part of size · area are left out [-]: a fraction of what rounding of the positions makes of the load.
-constexpr double kNegligible = 4e-17;
+constexpr double kNegligible = 1.5e-16;
 
 /// For a stiffness per area of one; vectors in world axes, about the point half way between the middles of the boxes.
 template <class W>
