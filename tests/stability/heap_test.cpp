@@ -24,7 +24,7 @@ constexpr Demands kPouredFromHigh{.closure = 0.02, .gain = 1e-3, .kinetic = 1e-4
 TEST_SUITE("stability") {
     TEST_CASE("a heap of 36 blocks is poured and comes to rest") {
         const Model heap = make_poured_heap(3, 4);
-        check_sound("heap of 36", observe(heap, default_time_step(heap), 1.0, 200), kPoured);
+        check_sound("heap of 36", observe(heap, default_time_step(heap), 1.5, 300), kPoured);
     }
 }
 
