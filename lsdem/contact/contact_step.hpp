@@ -168,7 +168,8 @@ struct ContactStep {
     /// for one pressed like a wedge, less for a part of it. Only decides whether r̄ has to be computed.
     static constexpr double kLeastReach = 0.3;
 
-    /// A load that grows by more than this factor over its least forgets, in proportion, which part of the area bore it [-].
+    /// A load that grows by more than this factor over its least forgets, in proportion, which part of the area bore it [-]. A choice: more
+    /// than the load of a joint that rocks is expected to vary by, far less than a rebound, whose load goes through zero.
     static constexpr double kForgottenGrowth = 8.0;
 
     /// Turns a vector with the mean turn of both bodies over the step, without changing its length.

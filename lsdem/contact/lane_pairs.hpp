@@ -116,7 +116,8 @@ struct Lane {
         return geometry;
     }
 
-    /// Energies are rough where the square of the depth is more than this part of the area: by a few times as much of it at most [-].
+    /// Energies are rough where the square of the depth is more than this part of the area [-]: they are off by a fifth of that part on
+    /// broad faces, by 60 times as much on slivers, as the test of the lanes holds.
     static constexpr double kRoughly = 1e-6;
 
     MUSIM_WIDE static void compute(LanePair* pairs, double dt, bool first_step) {

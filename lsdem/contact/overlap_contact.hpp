@@ -44,7 +44,9 @@ struct OverlapContact {
     std::uint8_t company = 0;
     FrictionSprings<Vector3> sliding{.in_core = Vector3::Zero(), .in_rest = Vector3::Zero()};
     FrictionSprings<double> turning{.in_core = 0.0, .in_rest = 0.0};
-    double lightest = 0.0;  ///< least push of the normal springs that the core has been a part under [N]
+    /// Least push of the normal springs since the contact began, raised so that it is no less than their push now over kForgottenGrowth
+    /// [N].
+    double lightest = 0.0;
     // what acted at the last step, for its work over the next
     Vector3 place = Vector3::Zero();  ///< middle of the area, about the origin of that time [m]
     PlacedWrench friction;            ///< springs and tangential dashpot

@@ -62,7 +62,7 @@ TEST_CASE("the one property of a model that differs makes all of its difference"
     CHECK(model.difference.rms_velocity > 1e-3);
 }
 
-TEST_CASE("every property that differs is told apart with its factor" * doctest::test_suite("slow")) {
+TEST_CASE("every property that differs is found with its factor" * doctest::test_suite("slow")) {
     scene::Scene prototype = make_prototype();
     prototype.material.friction = 0.42;
     prototype.material.normal_stiffness *= 4.0;
