@@ -180,7 +180,7 @@ struct ContactStep {
     MUSIM_WIDE static Vector across(const Vector& normal, const Vector& v) { return v - dot(normal, v) * normal; }
 
     /// `Cells`: what is known of the area beyond its moments.
-    ///   Mask may_pull(geometry, pressure, stiffness): false only where springs and dashpots together surely pull nowhere
+    ///   Mask may_pull(touches, geometry, pressure, stiffness): false only where stiffness · d + pressure is surely negative nowhere
     ///   PressureSum find_pull(pressure, stiffness), Real find_reach(normal, pressed): see contact_area.hpp
     template <class Cells>
     MUSIM_WIDE static Result compute(const Geometry& geometry, const Motion& motion, const Law& law, double dt, bool first_step,
@@ -199,21 +199,24 @@ struct ContactStep {
             contact.touches = touches;
             contact.place = pressed + geometry.arm;
 
-            // of a first touch, the part of the step that came after it
-            const Real sunk = -dot(normal, motion.displacement(pressed));
-            const Real part = choose(before.touches, one, choose(sunk > geometry.deepest, geometry.deepest / sunk, one));
-
-            // dashpots: C ḋ everywhere, less where that would pull more than the springs push
+            // dashpots: C ḋ everywhere, less where that would pull more than the springs push, and less where a point has touched for a
+            // part of the step only: d of the way ḋ dt
             const Vector slipped = motion.displacement(contact.place);
-            const Real rate = part * law.normal_damping * (1.0 / dt);
-            const Pressure dashpot{-rate * dot(normal, slipped), -rate * (motion.turned_by(0, normal) - motion.turned_by(1, normal)),
-                                   contact.place};
+            const Real per_depth = law.normal_damping * (1.0 / dt);
+            const Pressure dashpot{-per_depth * dot(normal, slipped),
+                                   -per_depth * (motion.turned_by(0, normal) - motion.turned_by(1, normal)), contact.place};
+            const Pressure opposite{-dashpot.at, -dashpot.slope, dashpot.about};
             PressureSum held;
             const Mask pulls = cells.may_pull(touches, geometry, dashpot, law.normal_stiffness);
-            result.asked = pulls;
+            const Mask closes = cells.may_pull(touches, geometry, opposite, per_depth);
+            result.asked = pulls | closes;
             if (some(pulls)) {
                 const PressureSum pull = cells.find_pull(dashpot, law.normal_stiffness);
                 held = {choose(pulls, pull.sum, zero), choose(pulls, pull.at, Vector{})};
+            }
+            if (some(closes)) {
+                const PressureSum early = cells.find_pull(opposite, per_depth);
+                held = {held.sum - choose(closes, early.sum, zero), held.at - choose(closes, early.at, Vector{})};
             }
             const Real damping = dashpot.at * area + held.sum;
             contact.damping = {damping * normal, cross(geometry.second_times(dashpot.slope) + held.at, normal)};
@@ -228,6 +231,9 @@ struct ContactStep {
             sliding.fit(area, kept);
             contact.turning.fit(polar, kept);
             const Real stiffness = law.shear_stiffness * area, turning_stiffness = law.shear_stiffness * polar;
+            // of a first touch, the part of the step that came after it
+            const Real sunk = -dot(normal, motion.displacement(pressed));
+            const Real part = choose(before.touches, one, choose(sunk > geometry.deepest, geometry.deepest / sunk, one));
             const Real slip_part = first_step ? zero : part;
             const Vector slip = slip_part * across(normal, slipped);
             const Real turn = slip_part * dot(normal, motion.turned(1) - motion.turned(0));
