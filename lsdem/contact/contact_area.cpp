@@ -3,12 +3,13 @@
 #include <array>
 #include <cmath>
 
+#include "lsdem/contact/contact_step.hpp"
 #include "lsdem/detail/wide.hpp"
 
 namespace musim::lsdem {
 namespace {
 
-double share_of(const OverlapPieces::Piece& piece) { return share_of_facing(piece.facing); }
+double share_of(const OverlapPieces::Piece& piece) { return detail::share_of_facing(piece.facing); }
 
 /// A triangle of a piece, about a point.
 struct Triangle {
@@ -75,8 +76,6 @@ struct AreaMoments {
 };
 
 }  // namespace
-
-double share_of_facing(double cosine) { return std::max(0.0, (cosine - kLeastFacing) / (1.0 - kLeastFacing)); }
 
 ContactArea find_contact_area(const OverlapPieces& pieces, const Vector3& about) {
     // each body's by itself, so that they may change places without changing a bit
@@ -152,9 +151,9 @@ double find_reach(const OverlapPieces& pieces, const Vector3& normal, const Vect
     std::array<double, 2> distance{}, load{};
     for (std::size_t p = 0; p < pieces.size(); ++p) {
         const OverlapPieces::Piece& piece = pieces[p];
-        const double share = share_of(piece);
         const double sign = piece.of_first ? 1.0 : -1.0, cosine = sign * piece.normal.dot(normal);
-        if (!(share > 0.0) || !(cosine > 0.0)) continue;
+        const double share = share_of(piece) * detail::share_of_facing(cosine);
+        if (!(share > 0.0)) continue;
         const OverlapPieces::Vertex* const v = pieces.vertices(piece);
         std::array<Vector3, OverlapPieces::kMostCorners> place;
         std::array<double, OverlapPieces::kMostCorners> depth;

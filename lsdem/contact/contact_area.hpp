@@ -17,12 +17,6 @@ struct ContactArea {
     /// J, across a direction [m⁴].
     double polar(const Vector3& normal) const { return std::max(0.0, second.trace() - normal.dot(second * normal)); }
 };
-/// Faces that face each other under a smaller cosine than this bear no friction and no dashpot [-]; above, in proportion. So the narrow
-/// strips along the edges of a flat contact, which lie at right angles to what they are nearest to, have no part in it.
-inline constexpr double kLeastFacing = 0.3;
-/// Part that a face has in friction and dashpots which faces another under a cosine [-].
-double share_of_facing(double cosine);
-
 /// `about`: a point near to all of it, from which `arm` counts.
 ContactArea find_contact_area(const OverlapPieces& pieces, const Vector3& about);
 
@@ -43,7 +37,8 @@ struct PressureMoments {
 /// places from `dashpot.about`.
 PressureMoments find_pull(const OverlapPieces& pieces, const AffinePressure& dashpot, double stiffness);
 
-/// r̄, the mean distance of the pressure from `about`, across the normal [m].
+/// r̄, the mean distance of the pressure from `about`, across the normal [m]. Faces have the part in it that they would have if they faced
+/// one across the normal: one that lies along the normal has none, as depths over its image would change without bound.
 double find_reach(const OverlapPieces& pieces, const Vector3& normal, const Vector3& about);
 
 }  // namespace musim::lsdem

@@ -9,6 +9,15 @@
 /// dashpots" and "Friction". World axes; what acts acts on the second body.
 namespace musim::lsdem::detail {
 
+/// Faces that face each other under a smaller cosine than this bear no friction and no dashpot [-]; above, in proportion. So the narrow
+/// strips along the edges of a flat contact, which lie at right angles to what they are nearest to, have no part in it.
+inline constexpr double kLeastFacing = 0.3;
+/// Part that a face has in friction and dashpots which faces another under a cosine [-].
+template <class Real>
+MUSIM_WIDE Real share_of_facing(const Real& cosine) {
+    return larger_of<Real>((cosine - kLeastFacing) * (1.0 / (1.0 - kLeastFacing)), Real{});
+}
+
 template <class W>
 struct ContactStep {
     using Real = typename W::Real;

@@ -108,7 +108,7 @@ struct Lane {
         geometry.square = found.area_square, geometry.cross_square = found.area_cross;
         geometry.energy = found.energy;
         const Real cosine = -dot(found.cells[0].normal, found.cells[1].normal);
-        const Real share = larger_of<Real>((cosine - kLeastFacing) * (1.0 / (1.0 - kLeastFacing)), zero);
+        const Real share = share_of_facing(cosine);
         geometry.area = share * found.area;
         geometry.square = share * geometry.square, geometry.cross_square = share * geometry.cross_square;
         cells.share = 0.5 * share;

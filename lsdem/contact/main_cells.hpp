@@ -192,8 +192,9 @@ struct MainCells {
                 const Real part = integrate_distance<W>(project(from), project(to), depth_from, depth_to, depth_at_origin);
                 sum += sign * choose(there, part, Real{});
             });
-            distance += magnitude(sum);
-            load += (outward * cosine) * cell.load;
+            const Real facing = outward * cosine, part = share_of_facing(facing);
+            distance += part * magnitude(sum);
+            load += (part * facing) * cell.load;
             outward = -1.0;
         }
         return choose(load > Real{}, distance / load, Real{});

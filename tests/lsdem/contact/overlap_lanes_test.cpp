@@ -9,6 +9,7 @@
 #include <random>
 
 #include "lsdem/contact/contact_area.hpp"
+#include "lsdem/contact/contact_step.hpp"
 #include "lsdem/contact/overlap.hpp"
 #include "lsdem/contact/overlap_lanes.hpp"
 #include "lsdem/detail/instructions.hpp"
@@ -187,7 +188,7 @@ TEST_CASE("pairs side by side give the area of the exact function") {
             if (!(load.deepest > 0.0)) continue;
             const LaneFinding& found = pairs.found[i];
             const ContactArea exact = find_contact_area(pieces, Vector3::Zero());
-            const double share = share_of_facing(-normal_of(pairs.meetings[i].a).dot(normal_of(pairs.meetings[i].b)));
+            const double share = detail::share_of_facing(-normal_of(pairs.meetings[i].a).dot(normal_of(pairs.meetings[i].b)));
             const double area = share * found.area, width = std::sqrt(area), size = pairs.boxes[i].size();
             // where twisted boxes meet by a corner, bits of their sides, as large as the depth, face each other too; rounding moves edges
             const double tolerance = 1e-9 + 20.0 * load.deepest * load.deepest / area +
