@@ -1,0 +1,61 @@
+#include "lsdem/contact/contact_area.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <random>
+
+#include "lsdem/contact/contact_step.hpp"
+#include "lsdem/contact/overlap_contact.hpp"
+
+using namespace musim::lsdem;
+
+namespace {
+
+/// Two boxes in any pose, a corner or an edge of one in the other.
+struct Pair {
+    Vector3 half_a{0.15, 0.1, 0.075}, half_b{0.12, 0.1, 0.09};
+    Matrix3 a, b;
+    Vector3 apart;
+
+    explicit Pair(std::mt19937_64& random) : a(any_rotation(random)), b(any_rotation(random)) {
+        std::normal_distribution<double> normal;
+        const double x = normal(random), y = normal(random), z = normal(random);
+        apart = 0.2 * Vector3(x, y, z).normalized();
+    }
+    void cut(OverlapPieces& pieces) const { OverlapBodies({half_a, a, -0.5 * apart}, {half_b, b, 0.5 * apart}, pieces).pieces(); }
+
+  private:
+    static Matrix3 any_rotation(std::mt19937_64& random) {
+        std::normal_distribution<double> normal;
+        const double w = normal(random), x = normal(random), y = normal(random), z = normal(random);
+        return Quaternion(w, x, y, z).normalized().toRotationMatrix();
+    }
+};
+
+}  // namespace
+
+// Depths over the image of such a face across the push change without bound, so that rounding would choose the reach.
+TEST_CASE("the reach of friction does not jump when a face comes to lie along the push") {
+    std::mt19937_64 random(3);
+    OverlapPieces pieces;
+    int faces = 0;
+    for (int trial = 0; trial < 300; ++trial) {
+        Pair(random).cut(pieces);
+        const OverlapGeometry geometry = find_overlap_geometry(pieces);
+        if (!geometry.touches()) continue;
+        for (std::size_t p = 0; p < pieces.size(); ++p) {
+            const OverlapPieces::Piece& piece = pieces[p];
+            if (!(detail::share_of_facing(piece.facing) > 0.0)) continue;
+            ++faces;
+            const Vector3 along = (geometry.load.force - geometry.load.force.dot(piece.normal) * piece.normal).normalized();
+            const auto reach_at = [&](double tilt) {
+                return find_reach(pieces, (along + tilt * piece.normal).normalized(), geometry.pressed());
+            };
+            const double reach = reach_at(0.0);
+            for (const double tilt : {-1e-9, -1e-12, 1e-12, 1e-9}) CHECK(std::abs(reach_at(tilt) - reach) <= 1e-6 * reach);
+        }
+    }
+    CHECK(faces > 300);
+}
