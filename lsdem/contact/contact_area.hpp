@@ -17,6 +17,7 @@ struct ContactArea {
     /// J, across a direction [m⁴].
     double polar(const Vector3& normal) const { return std::max(0.0, second.trace() - normal.dot(second * normal)); }
 };
+
 /// `about`: a point near to all of it, from which `arm` counts.
 ContactArea find_contact_area(const OverlapPieces& pieces, const Vector3& about);
 
@@ -34,7 +35,7 @@ struct PressureMoments {
 };
 
 /// What dashpots of the pressure `dashpot` would pull beyond what springs of `stiffness` per area push, ∫ max(0, −(K d + dashpot)) dS, with
-/// places from `dashpot.about`.
+/// places from `dashpot.about`. With the opposite of the dashpots and C/Δt for K: what they would push before their points touched.
 PressureMoments find_pull(const OverlapPieces& pieces, const AffinePressure& dashpot, double stiffness);
 
 /// r̄, the mean distance of the pressure from `about`, across the normal [m]. Faces have the part in it that they would have if they faced
