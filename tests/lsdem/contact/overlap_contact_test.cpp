@@ -58,8 +58,10 @@ class MovedBox {
     double area() const { return 4.0 * half_.x() * half_.y(); }
     double weight() const { return law_.normal_stiffness * area() * depth_; }
 
+    static constexpr double kStep = 1e-3;  ///< [s]
+
   private:
-    static constexpr double kTable = 1.0, kStep = 1e-3;
+    static constexpr double kTable = 1.0;
     Vector3 half_;
     Interface law_;
     double depth_;
@@ -116,6 +118,24 @@ TEST_CASE("a joint that opens and closes keeps the shear of the part that never 
             CHECK(open_and_close(box, w, depth, open).force.x() == relative(closed * whole, strips));
         }
         CHECK(box.lost() > -1e-12 * std::abs(whole * slip));
+    }
+}
+
+// Every point is pushed by C/Δt for what it went down in touch: together, C/Δt times the volume that the overlap has gained.
+TEST_CASE("dashpots of a joint that closes push by the volume swept in touch, however shallow it is") {
+    const double b = 0.3, w = 0.5, tilt = 1e-6;
+    Interface damped = kLaw;
+    damped.normal_damping = 2.0 * kLaw.normal_stiffness * MovedBox::kStep;
+    MovedBox box({b, w, kHeight}, damped, -1e-6), springs({b, w, kHeight}, kLaw, -1e-6);
+    for (MovedBox* const each : {&box, &springs}) each->move(Vector3::Zero(), {tilt, 0.0, 0.0});
+    // an edge 1e-8 deep, half of the face, then all of it; the last step is in touch all over
+    double before = 0.0;
+    for (const double lower : {0.76e-6, 0.24e-6, 0.3e-6, 0.1e-6}) {
+        CAPTURE(before);
+        const double pushed = box.move({0.0, 0.0, -lower}).force.z(), spring = springs.move({0.0, 0.0, -lower}).force.z();
+        REQUIRE(spring > before);
+        CHECK(pushed == relative(spring + 2.0 * (spring - before), 1e-4));
+        before = spring;
     }
 }
 
