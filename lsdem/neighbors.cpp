@@ -49,19 +49,20 @@ constexpr double kFaceOnGround = 0.966;
 
 /// Notes the axes along which the boxes of a pair meet face to face.
 void name_axes(const Bodies& bodies, ContactPair& pair) {
-    const auto box = [&](std::uint32_t i) -> detail::BoxMeeting::Box {
-        return {bodies.rotation[i].data(), bodies.position[i].data(), bodies.half[i].data(), 0, 1.0};
-    };
     if (pair.follower == kGround) {
         Eigen::Index upright = 0;
         if (bodies.rotation[pair.leader].row(2).cwiseAbs().maxCoeff(&upright) > kFaceOnGround)
             pair.leader_axis = static_cast<std::uint8_t>(upright);
         return;
     }
-    detail::BoxMeeting meeting{box(pair.leader), box(pair.follower)};
-    if (!detail::choose_faces(meeting)) return;
-    pair.leader_axis = meeting.a.axis;
-    pair.follower_axis = meeting.b.axis;
+    const auto box = [&](std::uint32_t i) -> detail::BoxMeeting::Box {
+        return {bodies.rotation[i].data(), bodies.position[i].data(), bodies.half[i].data()};
+    };
+    const auto faces = detail::choose_faces({box(pair.leader), box(pair.follower)});
+    if (!faces.found) return;
+    const auto named = [](const std::array<bool, 3>& along) { return static_cast<std::uint8_t>(along[1] ? 1 : along[2] ? 2 : 0); };
+    pair.leader_axis = named(faces.along[0]);
+    pair.follower_axis = named(faces.along[1]);
 }
 
 bool same_pair(const ContactPair& a, const ContactPair& b) { return a.leader == b.leader && a.follower == b.follower; }

@@ -1,24 +1,84 @@
 #pragma once
 
-#include <cstdint>
+#include <array>
+#include <cstddef>
+#include <limits>
+
+#include "lsdem/detail/wide.hpp"
 
 namespace musim::lsdem::detail {
 
-/// Two boxes and the faces by which they meet. The half space z ≤ h is box b without rotation, axis 2, sign 1, place (x, y, h) below the
-/// middle of a, half extents (r, r, 0), r four times the diagonal of a: a sheet, whose sides a does not reach.
+/// Two boxes. The half space z ≤ h is box b without rotation, place (x, y, h) below the middle of a, half extents (r, r, 0), r four times
+/// the diagonal of a: a sheet, whose sides a does not reach.
 struct BoxMeeting {
     struct Box {
         const double* rotation;  ///< body to world, column by column
         const double* position;  ///< of the middle [m]
         const double* half;      ///< half extents [m]
-        std::uint8_t axis;       ///< of the face's normal
-        double sign;             ///< 1 or -1: outward is sign · axis
     };
     Box a, b;
 };
 
-/// Names the faces by which two boxes meet: of the pairs of faces that look at each other, the one along which they overlap least. False if
-/// no pair of faces is within 15°: take the exact function.
-bool choose_faces(BoxMeeting& pair);
+/// Of a box, or several side by side.
+template <class W>
+struct BoxAxes {
+    std::array<Triple<typename W::Real>, 3> axis;  ///< world axes
+    std::array<typename W::Real, 3> half;          ///< half extents [m]
+};
+
+inline BoxAxes<Wide<1>> axes_of(const BoxMeeting::Box& box) {
+    const double* const r = box.rotation;
+    return {{{{r[0], r[1], r[2]}, {r[3], r[4], r[5]}, {r[6], r[7], r[8]}}}, {box.half[0], box.half[1], box.half[2]}};
+}
+
+/// The faces by which two boxes meet, of the first and the second.
+template <class W>
+struct MeetingFaces {
+    using Real = typename W::Real;
+    using Mask = typename W::Mask;
+    Mask found{};
+    std::array<std::array<Mask, 3>, 2> along{};  ///< the axis of the face's normal
+    std::array<Real, 2> sign;                    ///< 1 or -1: outward is sign · axis
+};
+
+/// Names the faces by which two boxes meet: of the pairs of faces that look at each other, the one along which they overlap least. None is
+/// found if no pair of faces is within 15°: take the exact function. `apart`: from the middle of the first to that of the second.
+template <class W>
+MUSIM_WIDE MeetingFaces<W> choose_faces(const BoxAxes<W>& a, const BoxAxes<W>& b, const Triple<typename W::Real>& apart) {
+    using Real = typename W::Real;
+    using Mask = typename W::Mask;
+    // of the angle between faces: 15°; the lanes themselves decide at 16°, see kLeastCosine
+    const Real least_cosine = broadcast<Real>(0.966), one = broadcast<Real>(1.0), zero{};
+    MeetingFaces<W> faces;
+    Real best = broadcast<Real>(std::numeric_limits<double>::infinity());
+#pragma GCC unroll 3
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Real way = dot(a.axis[i], apart);
+        const std::array<Real, 3> cosine{dot(a.axis[i], b.axis[0]), dot(a.axis[i], b.axis[1]), dot(a.axis[i], b.axis[2])};
+        const std::array<Real, 3> size{magnitude(cosine[0]), magnitude(cosine[1]), magnitude(cosine[2])};
+        const Real overlap = (((a.half[i] + size[0] * b.half[0]) + size[1] * b.half[1]) + size[2] * b.half[2]) - magnitude(way);
+        // above 0.966 no two axes can be
+        const std::array<Mask, 3> facing{size[0] > least_cosine, size[1] > least_cosine, size[2] > least_cosine};
+        const Mask better = (facing[0] | facing[1] | facing[2]) & (overlap < best);
+        const Real facing_cosine = choose(facing[0], cosine[0], choose(facing[1], cosine[1], cosine[2]));
+        best = choose(better, overlap, best);
+        faces.found = faces.found | better;
+        const Real side = choose(way < zero, -one, one);
+        faces.sign[0] = choose(better, side, faces.sign[0]);
+        faces.sign[1] = choose(better, choose(side * facing_cosine < zero, one, -one), faces.sign[1]);
+        const auto name = [&better](std::array<Mask, 3>& along, const std::array<Mask, 3>& now) MUSIM_WIDE_LAMBDA {
+#pragma GCC unroll 3
+            for (std::size_t k = 0; k < 3; ++k) along[k] = (along[k] & (along[k] ^ better)) | (better & now[k]);
+        };
+        std::array<Mask, 3> own{};
+        own[i] = better;
+        name(faces.along[0], own), name(faces.along[1], facing);
+    }
+    return faces;
+}
+inline MeetingFaces<Wide<1>> choose_faces(const BoxMeeting& pair) {
+    const double *const a = pair.a.position, *const b = pair.b.position;
+    return choose_faces<Wide<1>>(axes_of(pair.a), axes_of(pair.b), {b[0] - a[0], b[1] - a[1], b[2] - a[2]});
+}
 
 }  // namespace musim::lsdem::detail

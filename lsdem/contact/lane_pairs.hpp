@@ -120,9 +120,7 @@ struct Lane {
     /// broad faces, by 60 times as much on slivers, as the test of the lanes holds.
     static constexpr double kRoughly = 1e-6;
 
-    MUSIM_WIDE static void compute(LanePair* pairs, double dt, bool first_step) {
-        LaneOverlap<W> found;
-        Kernel<W>::compute_any([pairs](std::size_t i) MUSIM_WIDE_LAMBDA -> const BoxMeeting& { return pairs[i].meeting; }, found);
+    MUSIM_WIDE static void compute(LanePair* pairs, double dt, bool first_step, const LaneOverlap<W>& found) {
         Vector shift;
         const typename Step::Motion motion = gather_motion(pairs, shift);
         MainCells<W> cells{found.cells, {}, {}, {}, {}};
@@ -159,17 +157,13 @@ struct Lane {
         }
     }
 
-    MUSIM_WIDE static void compute_overlap(const BoxMeeting* pairs, LaneFinding* results) {
-        LaneOverlap<W> found;
-        Kernel<W>::compute_any([pairs](std::size_t i) MUSIM_WIDE_LAMBDA -> const BoxMeeting& { return pairs[i]; }, found);
+    MUSIM_WIDE static void tell(const LaneOverlap<W>& found, LaneFinding* results) {
         for (std::size_t i = 0; i < kWidth<Real>; ++i)
             results[i] = {pick(found.force, i),   pick(found.moment, i),     found.deepest[i],           found.energy[i],
                           found.area[i],          pick(found.area_place, i), pick(found.area_square, i), pick(found.area_cross, i),
                           found.irregular[i] != 0};
     }
-    MUSIM_WIDE static void ask(const BoxMeeting* pairs, const MainCellQuestion* questions, MainCellAnswer* answers) {
-        LaneOverlap<W> found;
-        Kernel<W>::compute_any([pairs](std::size_t i) MUSIM_WIDE_LAMBDA -> const BoxMeeting& { return pairs[i]; }, found);
+    MUSIM_WIDE static void ask(const LaneOverlap<W>& found, const MainCellQuestion* questions, MainCellAnswer* answers) {
         MainCells<W> cells{found.cells, {}, {}, {}, {}};
         const typename Step::Geometry geometry = make_geometry(found, Vector{}, cells);
         const auto number = [&](const auto& of) MUSIM_WIDE_LAMBDA {
@@ -196,16 +190,35 @@ struct Lane {
 /// kLanePairs pairs, as many at once as one register holds.
 template <class W>
 struct LanePairs {
-    static constexpr std::size_t kStep = kWidth<typename W::Real>;
+    static constexpr std::size_t kStep = kWidth<typename W::Real>, kGroups = kLanePairs / kStep;
+    using Overlaps = std::array<LaneOverlap<W>, kGroups>;
 
-    MUSIM_WIDE static void compute(LanePair* pairs, double dt, bool first_step) {
-        for (std::size_t i = 0; i < kLanePairs; i += kStep) Lane<W>::compute(pairs + i, dt, first_step);
+    template <class Meeting>
+    MUSIM_WIDE static void find(const Meeting& meeting, Overlaps& found) {
+        std::array<Kernel<W>, kGroups> kernels;
+        for (std::size_t g = 0; g < kGroups; ++g)
+            kernels[g].gather([&](std::size_t i) MUSIM_WIDE_LAMBDA -> const BoxMeeting& { return meeting(g * kStep + i); });
+        for (std::size_t g = 0; g < kGroups; ++g) kernels[g].find_main_cells(found[g]);
+        for (std::size_t g = 0; g < kGroups; ++g) kernels[g].add_rims(found[g]);
+        for (std::size_t g = 0; g < kGroups; ++g) kernels[g].sum_up(found[g]);
     }
-    MUSIM_WIDE static void find_overlaps(const BoxMeeting* pairs, LaneFinding* found) {
-        for (std::size_t i = 0; i < kLanePairs; i += kStep) Lane<W>::compute_overlap(pairs + i, found + i);
+    MUSIM_WIDE static void find(const BoxMeeting* pairs, Overlaps& found) {
+        find([pairs](std::size_t i) MUSIM_WIDE_LAMBDA -> const BoxMeeting& { return pairs[i]; }, found);
+    }
+    MUSIM_WIDE static void compute(LanePair* pairs, double dt, bool first_step) {
+        Overlaps found;
+        find([pairs](std::size_t i) MUSIM_WIDE_LAMBDA -> const BoxMeeting& { return pairs[i].meeting; }, found);
+        for (std::size_t g = 0; g < kGroups; ++g) Lane<W>::compute(pairs + g * kStep, dt, first_step, found[g]);
+    }
+    MUSIM_WIDE static void find_overlaps(const BoxMeeting* pairs, LaneFinding* findings) {
+        Overlaps found;
+        find(pairs, found);
+        for (std::size_t g = 0; g < kGroups; ++g) Lane<W>::tell(found[g], findings + g * kStep);
     }
     MUSIM_WIDE static void ask(const BoxMeeting* pairs, const MainCellQuestion* questions, MainCellAnswer* answers) {
-        for (std::size_t i = 0; i < kLanePairs; i += kStep) Lane<W>::ask(pairs + i, questions + i, answers + i);
+        Overlaps found;
+        find(pairs, found);
+        for (std::size_t g = 0; g < kGroups; ++g) Lane<W>::ask(found[g], questions + g * kStep, answers + g * kStep);
     }
 };
 

@@ -50,35 +50,33 @@ struct Kernel : OverlapRims<W> {
 
     /// A box with its axes named: two in the plane of the face, and the face's outward normal.
     struct FaceAxes {
-        Lanes3 p, q, n, position;
+        Lanes3 p, q, n;
         Lanes half_p, half_q, half_n;
     };
-    static constexpr std::array<std::uint8_t, 5> kNext{0, 1, 2, 0, 1};  ///< axes in turn
+    /// A box as it lies in memory.
+    struct Box : BoxAxes<W> {
+        Lanes3 position;
+
+        /// Of three that belong to the axes, the one `from` places after that of the face's normal.
+        template <class Value>
+        MUSIM_WIDE static Value pick(const std::array<LaneMask, 3>& along, const std::array<Value, 3>& of, std::size_t from) {
+            return choose(along[0], of[from], choose(along[1], of[(from + 1) % 3], of[(from + 2) % 3]));
+        }
+        MUSIM_WIDE FaceAxes seen_from(const std::array<LaneMask, 3>& along, const Lanes& sign) const {
+            return {pick(along, this->axis, 1), pick(along, this->axis, 2), scaled(pick(along, this->axis, 0), sign),
+                    pick(along, this->half, 1), pick(along, this->half, 2), pick(along, this->half, 0)};
+        }
+    };
     template <class Pairs>
-    MUSIM_WIDE static FaceAxes gather_box(const Pairs& pairs, BoxMeeting::Box BoxMeeting::*which) {
-        const auto vector = [&](const auto& from) MUSIM_WIDE_LAMBDA {
-            return Lanes3{gather_lanes<Lanes>([&](std::size_t lane) MUSIM_WIDE_LAMBDA { return from(pairs(lane).*which)[0]; }),
-                          gather_lanes<Lanes>([&](std::size_t lane) MUSIM_WIDE_LAMBDA { return from(pairs(lane).*which)[1]; }),
-                          gather_lanes<Lanes>([&](std::size_t lane) MUSIM_WIDE_LAMBDA { return from(pairs(lane).*which)[2]; })};
+    MUSIM_WIDE static Box gather_box(const Pairs& pairs, BoxMeeting::Box BoxMeeting::*which) {
+        const std::array<Lanes, 9> r =
+            gather_fields<Lanes, 9>([&](std::size_t lane) MUSIM_WIDE_LAMBDA { return (pairs(lane).*which).rotation; });
+        const auto three = [&](const double* BoxMeeting::Box::*from) MUSIM_WIDE_LAMBDA {
+            return gather_fields<Lanes, 3>([&](std::size_t lane) MUSIM_WIDE_LAMBDA { return pairs(lane).*which.*from; });
         };
-        const auto axis = [&](std::size_t i) MUSIM_WIDE_LAMBDA {
-            return vector([i](const BoxMeeting::Box& box)
-                              MUSIM_WIDE_LAMBDA { return box.rotation + 3 * std::size_t{kNext[box.axis + i]}; });
-        };
-        const auto half = [&](std::size_t i) MUSIM_WIDE_LAMBDA {
-            return gather_lanes<Lanes>([&](std::size_t lane) MUSIM_WIDE_LAMBDA {
-                const BoxMeeting::Box& box = pairs(lane).*which;
-                return box.half[kNext[box.axis + i]];
-            });
-        };
-        const Lanes sign = gather_lanes<Lanes>([&](std::size_t lane) MUSIM_WIDE_LAMBDA { return (pairs(lane).*which).sign; });
-        return {axis(1),
-                axis(2),
-                scaled(axis(0), sign),
-                vector([](const BoxMeeting::Box& box) MUSIM_WIDE_LAMBDA { return box.position; }),
-                half(1),
-                half(2),
-                half(0)};
+        const std::array<Lanes, 3> place = three(&BoxMeeting::Box::position);
+        return {{{Lanes3{r[0], r[1], r[2]}, Lanes3{r[3], r[4], r[5]}, Lanes3{r[6], r[7], r[8]}}, three(&BoxMeeting::Box::half)},
+                {place[0], place[1], place[2]}};
     }
 
     MUSIM_WIDE static Lanes3 combine_middle(const FaceAxes& x, const Lanes3& c, double half) {
@@ -97,12 +95,16 @@ struct Kernel : OverlapRims<W> {
         return load;
     }
 
-    /// As many pairs as there are lanes, which do not depend on each other.
+    /// As many pairs as there are lanes, which do not depend on each other: in four stages, so that several such groups can go through each
+    /// of them in turn while its instructions are at hand.
     template <class Pairs>
-    MUSIM_WIDE static void compute_any(const Pairs& pairs, LaneOverlap& result) {
+    MUSIM_WIDE void gather(const Pairs& pairs) {
         const Lanes zero{};
-        const FaceAxes a = gather_box(pairs, &BoxMeeting::a);
-        FaceAxes b = gather_box(pairs, &BoxMeeting::b);
+        const Box first = gather_box(pairs, &BoxMeeting::a), second = gather_box(pairs, &BoxMeeting::b);
+        c = second.position - first.position;
+        faces = choose_faces<W>(first, second, c);
+        a = first.seen_from(faces.along[0], faces.sign[0]);
+        b = second.seen_from(faces.along[1], faces.sign[1]);
         // b's axes in its face take names and signs from those of a that they are closest to
         {
             const Lanes pp = dot(b.p, a.p), pq = dot(b.p, a.q), qp = dot(b.q, a.p), qq = dot(b.q, a.q);
@@ -117,13 +119,9 @@ struct Kernel : OverlapRims<W> {
             b.half_q = choose(swap, half_p, b.half_q);
         }
         // a's p, q, n are right-handed for sign 1, b's then left-handed
-        const Lanes handed_a = gather_lanes<Lanes>([&](std::size_t lane) MUSIM_WIDE_LAMBDA { return pairs(lane).a.sign; }),
-                    handed_b = -handed_a;
-
-        const Lanes3 c{b.position.x - a.position.x, b.position.y - a.position.y, b.position.z - a.position.z};
         const Lanes pp = dot(a.p, b.p), pq = dot(a.p, b.q), pn = dot(a.p, b.n), qp = dot(a.q, b.p), qq = dot(a.q, b.q), qn = dot(a.q, b.n),
-                    np = dot(a.n, b.p), nq = dot(a.n, b.q), cosine = -dot(a.n, b.n);
-        std::array<Role, 2> roles;
+                    np = dot(a.n, b.p), nq = dot(a.n, b.q);
+        cosine = -dot(a.n, b.n);
         {
             Role& x = roles[0];
             x.cosine = cosine, x.half_normal = a.half_n;
@@ -144,6 +142,8 @@ struct Kernel : OverlapRims<W> {
             v.half = b.half_q, v.side = a.half_q, v.by_x = qq, v.by_y = qp, v.by_s = qn, v.at = qn * b.half_n + dot(c, a.q),
             v.depth_by_x = -nq;
         }
+    }
+    MUSIM_WIDE void find_main_cells(LaneOverlap& result) {
         for (std::size_t i = 0; i < 2; ++i) {
             Strips strips;
             add_main_cell(roles[i], result.cells[i], strips);
@@ -152,10 +152,14 @@ struct Kernel : OverlapRims<W> {
         }
         result.cells[0].along = {a.p, a.q}, result.cells[0].normal = a.n, result.cells[0].middle = combine_middle(a, c, -0.5);
         result.cells[1].along = {b.p, b.q}, result.cells[1].normal = b.n, result.cells[1].middle = combine_middle(b, c, 0.5);
+    }
+    /// What lies beside the main cells.
+    MUSIM_WIDE void add_rims(LaneOverlap& result) {
+        const Lanes zero{};
         // a sheet of no thickness, as the ground is given, has no far face
         const Lanes thick_a = choose(a.half_n > zero, a.half_n, a.half_p), thick_b = choose(b.half_n > zero, b.half_n, b.half_p);
-        const Lanes deepest = larger(roles[0].deepest, roles[1].deepest), area = all(0.5) * (roles[0].area + roles[1].area);
-        const Lanes least = smaller(smaller(smaller(a.half_p, a.half_q), thick_a), smaller(smaller(b.half_p, b.half_q), thick_b));
+        deepest = larger(roles[0].deepest, roles[1].deepest), area = all(0.5) * (roles[0].area + roles[1].area);
+        least = smaller(smaller(smaller(a.half_p, a.half_q), thick_a), smaller(smaller(b.half_p, b.half_q), thick_b));
         const Lanes size = smaller(larger(a.half_p, a.half_q), larger(b.half_p, b.half_q));
         const Lanes negligible = all(kNegligible) * (size * area);
         const LaneMask corner = (deepest * deepest) * deepest > negligible;
@@ -182,7 +186,9 @@ struct Kernel : OverlapRims<W> {
             }
             add_bisectors(role);
         }
-
+    }
+    MUSIM_WIDE void sum_up(LaneOverlap& result) const {
+        const Lanes zero{};
         // how far the touching area reaches across
         LaneMask apart = LaneMask{}, narrow = LaneMask{}, minor = LaneMask{};
         for (const Role& role : roles) {
@@ -199,9 +205,9 @@ struct Kernel : OverlapRims<W> {
         }
         const LaneMask fits = (cosine > all(kLeastCosine)) & (deepest < all(kMostDepth) * least) & ~narrow & ~minor &
                               (roles[0].area > zero) & (roles[1].area > zero);
-        result.irregular = ~fits & ~(apart & (cosine > all(kLeastCosine)));
+        result.irregular = ~(faces.found & (fits | (apart & (cosine > all(kLeastCosine)))));
 
-        const RoleLoad of_a = turn_to_world(roles[0], a, handed_a), of_b = turn_to_world(roles[1], b, handed_b);
+        const RoleLoad of_a = turn_to_world(roles[0], a, faces.sign[0]), of_b = turn_to_world(roles[1], b, -faces.sign[0]);
         // pairs that are apart give nothing, whatever was summed up
         const Lanes half = choose(fits, all(0.5), zero);
         const Lanes3 fa = of_a.force, fb = of_b.force;
@@ -231,6 +237,13 @@ struct Kernel : OverlapRims<W> {
         result.area_square = {sum(X, X), sum(Y, Y), sum(Z, Z)};
         result.area_cross = {sum(Y, Z), sum(Z, X), sum(X, Y)};
     }
+
+  private:
+    FaceAxes a, b;
+    Lanes3 c;  ///< from the middle of a to that of b
+    Lanes cosine, deepest, area, least;
+    MeetingFaces<W> faces;
+    std::array<Role, 2> roles;
 };
 
 }  // namespace musim::lsdem::detail

@@ -14,7 +14,7 @@
 namespace musim::lsdem::detail {
 
 /// Pairs that one call computes.
-inline constexpr std::size_t kLanePairs = 8;
+inline constexpr std::size_t kLanePairs = 32;
 
 /// Two boxes, the first the leader, and where to find and put what their contact is made from.
 struct LanePair {

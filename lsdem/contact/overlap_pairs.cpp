@@ -52,15 +52,15 @@ double find_gap(const Bodies& bodies, const BasePose& base, const ContactPair& p
     return detail::find_gap(bodies.half[l], bodies.half[f], to_follower * bodies.rotation[l], position);
 }
 
-/// Both boxes of a pair, the leader first, without the faces by which they meet; the ground as a sheet right below its block.
+/// Both boxes of a pair, the leader first; the ground as a sheet right below its block.
 detail::BoxMeeting make_meeting(const Bodies& bodies, const BasePose& base, const ContactPair& pair, GroundSheet& sheet) {
     const std::size_t l = pair.leader, f = pair.follower;
-    const detail::BoxMeeting::Box leader{bodies.rotation[l].data(), bodies.position[l].data(), bodies.half[l].data(), 0, 1.0};
-    if (pair.follower != kGround) return {leader, {bodies.rotation[f].data(), bodies.position[f].data(), bodies.half[f].data(), 0, 1.0}};
+    const detail::BoxMeeting::Box leader{bodies.rotation[l].data(), bodies.position[l].data(), bodies.half[l].data()};
+    if (pair.follower != kGround) return {leader, {bodies.rotation[f].data(), bodies.position[f].data(), bodies.half[f].data()}};
     const double reach = kGroundReach * bodies.half[l].norm();
     sheet.half = {reach, reach, 0.0};
     sheet.place = {bodies.position[l].x(), bodies.position[l].y(), base.displacement.z()};
-    return {leader, {kUpright, sheet.place.data(), sheet.half.data(), 2, 1.0}};
+    return {leader, {kUpright, sheet.place.data(), sheet.half.data()}};
 }
 
 }  // namespace
@@ -82,10 +82,6 @@ void OverlapBatch::add(std::size_t index) {
     }
     Queue& queue = queues_[list_.overlaps[pair.overlap].company];
     place(index, queue);
-    if (!detail::choose_faces(queue.pairs[queue.count].meeting)) {
-        compute_exactly(index);
-        return;
-    }
     queue.index[queue.count++] = index;
     if (queue.count == kSize) compute(queue);
 }
@@ -213,10 +209,6 @@ void visit_meeting_areas(const Bodies& bodies, const BasePose& base, const Conta
         const ContactPair& pair = list.pairs[p];
         if (!pair.is_overlap() || !list.overlaps[pair.overlap].touches) continue;
         meetings[count] = make_meeting(bodies, base, pair, sheets[count]);
-        if (!detail::choose_faces(meetings[count])) {
-            visit_exactly(p);
-            continue;
-        }
         index[count++] = p;
         if (count == kSize) visit_waiting();
     }

@@ -28,7 +28,7 @@ struct Boxes {
     double depth = 0.0;
 
     BoxMeeting meeting() const {
-        return {{rotation_a.data(), place_a.data(), half_a.data(), 0, 1.0}, {rotation_b.data(), place_b.data(), half_b.data(), 0, 1.0}};
+        return {{rotation_a.data(), place_a.data(), half_a.data()}, {rotation_b.data(), place_b.data(), half_b.data()}};
     }
     OverlapPieces cut() const {
         PlacedSolid a, b;
@@ -113,17 +113,27 @@ struct LanePairs {
         for (std::size_t i = 0; i < kLanePairs; ++i) {
             boxes[i] = poses.next();
             meetings[i] = boxes[i].meeting();
-            holds[i] = choose_faces(meetings[i]);
         }
         compute_overlaps(meetings.data(), found.data());
-        for (std::size_t i = 0; i < kLanePairs; ++i) holds[i] = holds[i] && !found[i].irregular;
+        for (std::size_t i = 0; i < kLanePairs; ++i) holds[i] = !found[i].irregular;
     }
     LanePairs(const LanePairs&) = delete;
     LanePairs& operator=(const LanePairs&) = delete;
     ~LanePairs() = default;
 };
 
-Vector3 normal_of(const BoxMeeting::Box& box) { return box.sign * Eigen::Map<const Matrix3>(box.rotation).col(box.axis); }
+/// Cosine between the faces by which two boxes meet, 1 where they are parallel.
+double facing_of(const BoxMeeting& pair) {
+    const auto faces = choose_faces(pair);
+    const auto a = axes_of(pair.a), b = axes_of(pair.b);
+    double cosine = 0.0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t j = 0; j < 3; ++j) {
+            if (faces.along[0][i] && faces.along[1][j]) cosine = -faces.sign[0] * faces.sign[1] * dot(a.axis[i], b.axis[j]);
+        }
+    }
+    return cosine;
+}
 
 }  // namespace
 
@@ -163,7 +173,6 @@ TEST_CASE("boxes that lie beside each other at one height give nothing, or say t
             boxes[i] = poses.next();
             boxes[i].place_b += boxes[i].rotation_a * Vector3(1.1, 0.1 * static_cast<double>(i), 0.0);
             meetings[i] = boxes[i].meeting();
-            choose_faces(meetings[i]);
         }
         std::array<LaneFinding, kLanePairs> found;
         compute_overlaps(meetings.data(), found.data());
@@ -188,7 +197,7 @@ TEST_CASE("pairs side by side give the area of the exact function") {
             if (!(load.deepest > 0.0)) continue;
             const LaneFinding& found = pairs.found[i];
             const ContactArea exact = find_contact_area(pieces, Vector3::Zero());
-            const double share = detail::share_of_facing(-normal_of(pairs.meetings[i].a).dot(normal_of(pairs.meetings[i].b)));
+            const double share = detail::share_of_facing(facing_of(pairs.meetings[i]));
             const double area = share * found.area, width = std::sqrt(area), size = pairs.boxes[i].size();
             // where twisted boxes meet by a corner, bits of their sides, as large as the depth, face each other too; rounding moves edges
             const double tolerance = 1e-9 + 20.0 * load.deepest * load.deepest / area +
@@ -266,7 +275,6 @@ TEST_CASE("blocks that rock in one plane edge on edge have the reach of all piec
             b.place_a = {0.0, 0.0, 0.5};
             b.place_b = {2e-4 * even(), 0.0, 1.5 - 2e-5};
             meetings[i] = b.meeting();
-            REQUIRE(choose_faces(meetings[i]));
             questions[i] = make_question(b.cut(), random);
         }
         std::array<LaneFinding, kLanePairs> found;
@@ -340,7 +348,6 @@ TEST_CASE("pairs four times as large give the same bits") {
         for (std::size_t i = 0; i < kLanePairs; ++i) {
             for (Vector3* const v : {&boxes[i].half_a, &boxes[i].half_b, &boxes[i].place_a, &boxes[i].place_b}) *v *= 4.0;
             large[i] = boxes[i].meeting();
-            choose_faces(large[i]);
             questions[i] = make_question(pairs.boxes[i].cut(), random);
             large_questions[i] = questions[i];
             large_questions[i].about *= 4.0, large_questions[i].dashpot.about *= 4.0, large_questions[i].dashpot.at *= 4.0;
