@@ -131,11 +131,11 @@ struct ContactStep {
     };
     struct PressureSum {
         Real sum{};
-        Vector at;
+        Vector at{};
     };
     /// See OverlapForces.
     struct Result {
-        Vector force, moment;
+        Vector force{}, moment{};
         Real elastic_normal{}, elastic_shear{}, friction_work{}, damping_work{};
         Mask asked{};  ///< the cells had to be asked
     };

@@ -150,8 +150,8 @@ struct MainCells {
     MUSIM_WIDE Mask may_pull(const Mask& touches, const typename Step::Geometry& geometry, const typename Step::Pressure& dashpot,
                              const Real& stiffness) const {
         const Vector slope = stiffness * depth_slope + dashpot.slope;
-        const Real square = larger_of<Real>(dot(slope, geometry.second_times(slope)), Real{});
-        return touches & (stiffness * depth + dashpot.at < kReachOfConvex * square_root(square / geometry.area));
+        const Real square = larger_of<Real>(dot(slope, geometry.second_times(slope)), Real{}), middle = stiffness * depth + dashpot.at;
+        return touches & ((middle < Real{}) | (geometry.area * (middle * middle) < (kReachOfConvex * kReachOfConvex) * square));
     }
 
     MUSIM_WIDE typename Step::PressureSum find_pull(const typename Step::Pressure& dashpot, const Real& stiffness) const {

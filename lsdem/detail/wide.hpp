@@ -177,7 +177,7 @@ MUSIM_WIDE typename W::Real natural_log(const typename W::Real& x) {
 /// A vector in every lane.
 template <class Real>
 struct Triple {
-    Real x{}, y{}, z{};
+    Real x, y, z;
 
     MUSIM_WIDE friend Triple operator+(const Triple& a, const Triple& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
     MUSIM_WIDE friend Triple operator-(const Triple& a, const Triple& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
