@@ -137,7 +137,7 @@ struct ContactStep {
     struct Result {
         Vector force{}, moment{};
         Real elastic_normal{}, elastic_shear{}, friction_work{}, damping_work{};
-        Mask asked{};  ///< the cells had to be asked
+        Mask slid{}, pulled{};  ///< the cells had to be asked for the reach, for dashpots
     };
 
     /// Friction of a contact: a force across the normal, and a couple about the normal.
@@ -215,17 +215,19 @@ struct ContactStep {
             const Pressure dashpot{-per_depth * dot(normal, slipped),
                                    -per_depth * (motion.turned_by(0, normal) - motion.turned_by(1, normal)), contact.place};
             const Pressure opposite{-dashpot.at, -dashpot.slope, dashpot.about};
-            PressureSum held;
             const Mask pulls = cells.may_pull(touches, geometry, dashpot, law.normal_stiffness);
             const Mask closes = cells.may_pull(touches, geometry, opposite, per_depth);
-            result.asked = pulls | closes;
-            if (some(pulls)) {
-                const PressureSum pull = cells.find_pull(dashpot, law.normal_stiffness);
-                held = {choose(pulls, pull.sum, zero), choose(pulls, pull.at, Vector{})};
-            }
-            if (some(closes)) {
-                const PressureSum early = cells.find_pull(opposite, per_depth);
-                held = {held.sum - choose(closes, early.sum, zero), held.at - choose(closes, early.at, Vector{})};
+            result.pulled = pulls | closes;
+            PressureSum held;
+            // a contact that does one of both is done at the first pass, one that does both opens at the first and closes at the second
+            for (std::size_t pass = 0; pass < 2; ++pass) {
+                const Mask now = pass == 0 ? pulls | closes : pulls & closes, early = pass == 0 ? now ^ pulls : now;
+                if (!some(now)) break;
+                const PressureSum part =
+                    cells.find_pull({choose(early, opposite.at, dashpot.at), choose(early, opposite.slope, dashpot.slope), dashpot.about},
+                                    choose(early, per_depth, law.normal_stiffness));
+                const Real sign = choose(now, choose(early, -one, one), zero);
+                held = {held.sum + sign * part.sum, held.at + sign * part.at};
             }
             const Real damping = dashpot.at * area + held.sum;
             contact.damping = {damping * normal, cross(geometry.second_times(dashpot.slope) + held.at, normal)};
@@ -253,8 +255,7 @@ struct ContactStep {
             Friction drag{(-viscous * stiffness) * slip, (-viscous * turning_stiffness) * turn};
             Friction friction{springs.force + drag.force, springs.couple + drag.couple};
             Mask holds{};
-            result.asked =
-                result.asked | hold_friction(geometry, law, normal, pressed, push + damping, polar, cells, springs, drag, friction, holds);
+            result.slid = hold_friction(geometry, law, normal, pressed, push + damping, polar, cells, springs, drag, friction, holds);
             sliding.set_total(springs.force);
             contact.turning.set_total(springs.couple);
             // what nothing presses keeps no slip

@@ -149,7 +149,10 @@ struct Lane {
             if (pair.irregular) continue;
             const bool touches = memory.touches[i] != 0;
             pair.contact->touches = touches;
-            pair.contact->company = static_cast<std::uint8_t>((result.asked[i] != 0 ? 1 : 0) | (found.corner[i] != 0 ? 2 : 0));
+            const auto first = static_cast<unsigned>(found.cells[0].bounds[i]), second = static_cast<unsigned>(found.cells[1].bounds[i]);
+            const auto bit = [i](const auto& mask) MUSIM_WIDE_LAMBDA { return mask[i] != 0 ? 1U : 0U; };
+            pair.contact->company = static_cast<std::uint8_t>(bit(result.slid) | bit(result.pulled) << 1U | bit(found.corner) << 2U |
+                                                              ((first & second) != 0 ? 8U : 0U) | first << 4U);
             *pair.tally = {result.elastic_normal[i], result.elastic_shear[i], touches ? found.deepest[i] : 0.0, touches ? 1U : 0U,
                            found.deepest[i] * found.deepest[i] > kRoughly * found.area[i]};
             *pair.work += {result.friction_work[i], result.damping_work[i]};
@@ -187,37 +190,38 @@ struct Lane {
     }
 };
 
-/// kLanePairs pairs, as many at once as one register holds.
+/// Up to kLanePairs pairs, as many at once as one register holds.
 template <class W>
 struct LanePairs {
     static constexpr std::size_t kStep = kWidth<typename W::Real>, kGroups = kLanePairs / kStep;
     using Overlaps = std::array<LaneOverlap<W>, kGroups>;
 
     template <class Meeting>
-    MUSIM_WIDE static void find(const Meeting& meeting, Overlaps& found) {
+    MUSIM_WIDE static void find(const Meeting& meeting, std::size_t groups, Overlaps& found) {
         std::array<Kernel<W>, kGroups> kernels;
-        for (std::size_t g = 0; g < kGroups; ++g)
+        for (std::size_t g = 0; g < groups; ++g)
             kernels[g].gather([&](std::size_t i) MUSIM_WIDE_LAMBDA -> const BoxMeeting& { return meeting(g * kStep + i); });
-        for (std::size_t g = 0; g < kGroups; ++g) kernels[g].find_main_cells(found[g]);
-        for (std::size_t g = 0; g < kGroups; ++g) kernels[g].add_rims(found[g]);
-        for (std::size_t g = 0; g < kGroups; ++g) kernels[g].sum_up(found[g]);
+        for (std::size_t g = 0; g < groups; ++g) kernels[g].find_main_cells(found[g]);
+        for (std::size_t g = 0; g < groups; ++g) kernels[g].add_rims(found[g]);
+        for (std::size_t g = 0; g < groups; ++g) kernels[g].sum_up(found[g]);
     }
-    MUSIM_WIDE static void find(const BoxMeeting* pairs, Overlaps& found) {
-        find([pairs](std::size_t i) MUSIM_WIDE_LAMBDA -> const BoxMeeting& { return pairs[i]; }, found);
+    MUSIM_WIDE static void find(const BoxMeeting* pairs, std::size_t groups, Overlaps& found) {
+        find([pairs](std::size_t i) MUSIM_WIDE_LAMBDA -> const BoxMeeting& { return pairs[i]; }, groups, found);
     }
-    MUSIM_WIDE static void compute(LanePair* pairs, double dt, bool first_step) {
+    MUSIM_WIDE static void compute(LanePair* pairs, std::size_t count, double dt, bool first_step) {
+        const std::size_t groups = count / kStep;
         Overlaps found;
-        find([pairs](std::size_t i) MUSIM_WIDE_LAMBDA -> const BoxMeeting& { return pairs[i].meeting; }, found);
-        for (std::size_t g = 0; g < kGroups; ++g) Lane<W>::compute(pairs + g * kStep, dt, first_step, found[g]);
+        find([pairs](std::size_t i) MUSIM_WIDE_LAMBDA -> const BoxMeeting& { return pairs[i].meeting; }, groups, found);
+        for (std::size_t g = 0; g < groups; ++g) Lane<W>::compute(pairs + g * kStep, dt, first_step, found[g]);
     }
-    MUSIM_WIDE static void find_overlaps(const BoxMeeting* pairs, LaneFinding* findings) {
+    MUSIM_WIDE static void find_overlaps(const BoxMeeting* pairs, std::size_t count, LaneFinding* findings) {
         Overlaps found;
-        find(pairs, found);
-        for (std::size_t g = 0; g < kGroups; ++g) Lane<W>::tell(found[g], findings + g * kStep);
+        find(pairs, count / kStep, found);
+        for (std::size_t g = 0; g < count / kStep; ++g) Lane<W>::tell(found[g], findings + g * kStep);
     }
     MUSIM_WIDE static void ask(const BoxMeeting* pairs, const MainCellQuestion* questions, MainCellAnswer* answers) {
         Overlaps found;
-        find(pairs, found);
+        find(pairs, kGroups, found);
         for (std::size_t g = 0; g < kGroups; ++g) Lane<W>::ask(found[g], questions + g * kStep, answers + g * kStep);
     }
 };

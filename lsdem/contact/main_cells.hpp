@@ -50,7 +50,8 @@ struct MainCell {
         Real x_at, x_by, y0, y1, length, d0, d1;
     };
     std::array<std::array<Edge, 4>, 2> edges;  ///< of each direction: rims, creases; lower, upper
-    std::array<std::size_t, 2> count;          ///< of them in some lane
+    std::array<std::array<bool, 4>, 2> live;   ///< there in some lane
+    Real bounds;                               ///< which creases there are: 1, 2 of the first direction, 4, 8 of the second
     std::array<Vector, 2> along;               ///< the directions, world axes
     Vector normal, middle;                     ///< outward; from the point half way between the bodies [m]
     Real depth_at;                             ///< D in the middle of the face [m]
@@ -86,7 +87,8 @@ struct MainCell {
     template <class Visit>
     MUSIM_WIDE void for_each_edge(const Visit& visit) const {
         for (std::size_t k = 0; k < 2; ++k) {
-            for (std::size_t i = 0; i < count[k]; ++i) {
+            for (std::size_t i = 0; i < 4; ++i) {
+                if (!live[k][i]) continue;
                 const Edge& e = edges[k][i];
                 const Real x0 = e.x_at + e.x_by * e.y0, x1 = e.x_at + e.x_by * e.y1;
                 const double sign = ((i & 1U) == 0) == (k == 0) ? -1.0 : 1.0;

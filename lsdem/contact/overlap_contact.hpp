@@ -39,8 +39,10 @@ struct FrictionSprings {
 /// What a contact remembers from one step to the next. World axes; friction acts on the second body.
 struct OverlapContact {
     bool touches = false;
-    /// Which pairs it is computed beside: 1 where it may slide or be pulled apart, 2 where its corners count. Speed only: no bit depends on
-    /// it, and it is not saved.
+    static constexpr std::size_t kCompanies = 256;
+    /// Which pairs it is computed beside: 1 where it may slide, 2 where dashpots may pull, 4 where its corners count, 8 where edges are
+    /// flush, and 16 on by the sides of the second body that bound the face of the first. Speed only: no bit of a result depends on it,
+    /// and it is not saved.
     std::uint8_t company = 0;
     FrictionSprings<Vector3> sliding{.in_core = Vector3::Zero(), .in_rest = Vector3::Zero()};
     FrictionSprings<double> turning{.in_core = 0.0, .in_rest = 0.0};

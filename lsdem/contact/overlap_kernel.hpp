@@ -23,17 +23,17 @@ template <class W>
 struct LaneOverlap {
     using Lanes = typename W::Real;
     using Lanes3 = Triple<Lanes>;
-    Lanes3 force;     ///< on the second body [m³]
-    Lanes3 moment;    ///< of it [m⁴]
+    Lanes3 force;   ///< on the second body [m³]
+    Lanes3 moment;  ///< of it [m⁴]
     Lanes deepest;  ///< largest depth of a point of one body in the other [m]
     Lanes energy;   ///< but for a part overlap²/area of it [m⁴]
     // main cells, half of each body's
-    Lanes area;                      ///< [m²]
-    Lanes area_depth;                ///< ∫ depth [m³]
+    Lanes area;                        ///< [m²]
+    Lanes area_depth;                  ///< ∫ depth [m³]
     Lanes3 area_place;                 ///< ∫ place [m³]
     Lanes3 area_square, area_cross;    ///< ∫ of (xx, yy, zz) and (yz, zx, xy) about the cell's own middle [m⁴]
-    typename W::Mask irregular;      ///< nothing of the above holds: take the exact function
-    typename W::Mask corner;         ///< terms of corners were worth it
+    typename W::Mask irregular;        ///< nothing of the above holds: take the exact function
+    typename W::Mask corner;           ///< terms of corners were worth it
     std::array<MainCell<W>, 2> cells;  ///< of both bodies
 };
 

@@ -13,8 +13,9 @@
 /// each other.
 namespace musim::lsdem::detail {
 
-/// Pairs that one call computes.
-inline constexpr std::size_t kLanePairs = 32;
+/// Pairs that one call computes at most, and of how many the number has to be a multiple.
+inline constexpr std::size_t kLanePairs = 32, kLanes = 8;
+constexpr std::size_t round_up_to_lanes(std::size_t count) { return (count + kLanes - 1) / kLanes * kLanes; }
 
 /// Two boxes, the first the leader, and where to find and put what their contact is made from.
 struct LanePair {
@@ -33,8 +34,8 @@ struct LanePair {
     bool irregular = false;  ///< found: nothing is computed, take the exact function
 };
 
-/// Forces of kLanePairs pairs at step n, what they remember, tallies and work. `first_step`: see compute_overlap_contact.
-void compute_lane_pairs(LanePair* pairs, double dt, bool first_step);
+/// Forces of `count` pairs at step n, what they remember, tallies and work. `first_step`: see compute_overlap_contact.
+void compute_lane_pairs(LanePair* pairs, std::size_t count, double dt, bool first_step);
 
 /// What the overlap alone is, for a stiffness per area of one; about the point half way between the middles of the boxes.
 struct LaneFinding {
@@ -47,8 +48,8 @@ struct LaneFinding {
     Vector3 area_square, area_cross;  ///< ∫ of (xx, yy, zz) and (yz, zx, xy) about the cell's own middle [m⁴]
     bool irregular;                   ///< nothing of the above holds
 };
-/// Of kLanePairs pairs.
-void compute_overlaps(const BoxMeeting* pairs, LaneFinding* found);
+/// Of `count` pairs.
+void compute_overlaps(const BoxMeeting* pairs, std::size_t count, LaneFinding* found);
 
 /// find_pull and find_reach of main cells, for tests.
 struct MainCellQuestion {

@@ -80,17 +80,18 @@ void OverlapBatch::add(std::size_t index) {
             return;
         }
     }
-    Queue& queue = queues_[list_.overlaps[pair.overlap].company];
-    place(index, queue);
-    queue.index[queue.count++] = index;
-    if (queue.count == kSize) compute(queue);
+    const std::size_t kind = list_.overlaps[pair.overlap].company;
+    waiting_[kind][waiting_count_[kind]++] = static_cast<std::uint32_t>(index);
+    if (waiting_count_[kind] < kSize) return;
+    compute(waiting_[kind], kSize);
+    waiting_count_[kind] = 0;
 }
 
-void OverlapBatch::place(std::size_t index, Queue& queue) {
-    detail::LanePair& lane = queue.pairs[queue.count];
+void OverlapBatch::place(std::size_t index, std::size_t at) {
+    detail::LanePair& lane = lanes_[at];
     const ContactPair& pair = list_.pairs[index];
     const std::size_t l = pair.leader, f = pair.follower;
-    lane.meeting = make_meeting(bodies_, base_, pair, queue.sheets[queue.count]);
+    lane.meeting = make_meeting(bodies_, base_, pair, sheets_[at]);
     lane.previous_rotation[0] = bodies_.previous_rotation[l].data();
     lane.previous_position[0] = bodies_.previous_position[l].data();
     if (pair.follower == kGround) {
@@ -112,40 +113,42 @@ void OverlapBatch::place(std::size_t index, Queue& queue) {
 }
 
 void OverlapBatch::compute() {
-    // what is left over of all kinds together
-    Queue& all = queues_.front();
-    for (std::size_t kind = 1; kind < kKinds; ++kind) {
-        Queue& queue = queues_[kind];
-        for (std::size_t i = 0; i < queue.count; ++i) {
-            if (all.count == kSize) compute(all);
-            all.pairs[all.count] = queue.pairs[i];
-            all.index[all.count++] = queue.index[i];
+    // what is left over of all kinds together, of kinds like each other side by side
+    Indices rest;
+    std::size_t count = 0;
+    for (std::size_t kind = 0; kind < kKinds; ++kind) {
+        for (std::size_t i = 0; i < waiting_count_[kind]; ++i) {
+            rest[count++] = waiting_[kind][i];
+            if (count < kSize) continue;
+            compute(rest, kSize);
+            count = 0;
         }
-        queue.count = 0;
+        waiting_count_[kind] = 0;
     }
-    compute(all);
+    compute(rest, count);
 }
 
-void OverlapBatch::compute(Queue& queue) {
-    if (queue.count == 0) return;
+void OverlapBatch::compute(const Indices& indices, std::size_t count) {
+    if (count == 0) return;
+    for (std::size_t i = 0; i < count; ++i) place(indices[i], i);
     // lanes that are left over repeat the first, and put what they find where nobody looks
     OverlapContact contact;
     PairForce force;
     PairTally tally;
     PairWork work;
-    for (std::size_t i = queue.count; i < kSize; ++i) {
-        detail::LanePair& lane = queue.pairs[i] = queue.pairs[0];
+    const std::size_t lanes = detail::round_up_to_lanes(count);
+    for (std::size_t i = count; i < lanes; ++i) {
+        detail::LanePair& lane = lanes_[i] = lanes_[0];
         lane.contact = &contact, lane.force = &force, lane.tally = &tally, lane.work = &work;
     }
-    detail::compute_lane_pairs(queue.pairs.data(), dt_, list_.first_step);
-    for (std::size_t i = 0; i < queue.count; ++i) {
-        if (queue.pairs[i].irregular) {
-            compute_exactly(queue.index[i]);
+    detail::compute_lane_pairs(lanes_.data(), lanes, dt_, list_.first_step);
+    for (std::size_t i = 0; i < count; ++i) {
+        if (lanes_[i].irregular) {
+            compute_exactly(indices[i]);
         } else {
-            note(queue.index[i], queue.pairs[i].area);
+            note(indices[i], lanes_[i].area);
         }
     }
-    queue.count = 0;
 }
 
 void OverlapBatch::compute_exactly(std::size_t index) {
@@ -189,8 +192,9 @@ void visit_meeting_areas(const Bodies& bodies, const BasePose& base, const Conta
                   geometry.area.second});
     };
     const auto visit_waiting = [&] {
-        for (std::size_t i = count; i < kSize; ++i) meetings[i] = meetings[0];
-        if (count > 0) detail::compute_overlaps(meetings.data(), found.data());
+        const std::size_t lanes = detail::round_up_to_lanes(count);
+        for (std::size_t i = count; i < lanes; ++i) meetings[i] = meetings[0];
+        detail::compute_overlaps(meetings.data(), lanes, found.data());
         for (std::size_t i = 0; i < count; ++i) {
             const detail::LaneFinding& f = found[i];
             if (f.irregular) {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 
 #include "lsdem/bodies.hpp"
@@ -34,17 +35,10 @@ class OverlapBatch {
     double deepest() const { return deepest_; }
 
   private:
-    static constexpr std::size_t kSize = detail::kLanePairs;
-    /// Pairs that wait for company of their kind, see OverlapContact::company.
-    struct Queue {
-        std::size_t count = 0;
-        std::array<std::size_t, kSize> index;
-        std::array<detail::LanePair, kSize> pairs;
-        std::array<GroundSheet, kSize> sheets;
-    };
-    static constexpr std::size_t kKinds = 4;
-    void place(std::size_t index, Queue& queue);
-    void compute(Queue& queue);
+    static constexpr std::size_t kSize = detail::kLanePairs, kKinds = OverlapContact::kCompanies;
+    using Indices = std::array<std::uint32_t, kSize>;
+    void place(std::size_t index, std::size_t lane);
+    void compute(const Indices& indices, std::size_t count);
     void compute_exactly(std::size_t index);
     void note(std::size_t index, double area);
 
@@ -53,7 +47,12 @@ class OverlapBatch {
     double dt_;
     ContactList& list_;
     double deepest_ = 0.0;
-    std::array<Queue, kKinds> queues_;
+    // pairs that wait for company of their kind, see OverlapContact::company
+    std::array<std::uint8_t, kKinds> waiting_count_{};
+    std::array<Indices, kKinds> waiting_;
+    // those that are computed now
+    std::array<detail::LanePair, kSize> lanes_;
+    std::array<GroundSheet, kSize> sheets_;
     OverlapPieces room_;  ///< of the pair that is being cut
 };
 

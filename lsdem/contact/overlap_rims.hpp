@@ -171,7 +171,9 @@ struct OverlapRims : OverlapRole<W> {
 
     /// Terms of the third order along a rim: at its ends, where it crosses Y's side planes, and about Y's corners.
     MUSIM_WIDE static void add_rim_ends(Role& role, std::size_t k, std::size_t r, bool leaning) {
-        const Across& v = role.across[1 - k];
+        const Across &u = role.across[k], &v = role.across[1 - k];
+        const Lanes off = magnitude(u.at + (r == 0 ? -u.by_x : u.by_x) * u.half);
+        if (!some(role.corner & (u.side + magnitude(u.by_y) * v.half + all(1.1) * role.deepest > off))) return;
         const Rim rim(role, k, r);
         const Lanes slack = -role.deepest, third = (role.deepest * role.deepest) * role.deepest;
 #pragma GCC unroll 2

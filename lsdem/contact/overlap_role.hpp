@@ -131,7 +131,8 @@ struct OverlapRole {
     MUSIM_WIDE static void add_main_edges(Role& role, std::size_t k, const Cell& cell) {
         Lanes area{}, area_depth{}, mixed{}, place_x{}, place_y{}, square_x{}, square_y{}, load_x{}, load_y{};
         const Lanes fan_x = role.fan[k], fan_y = role.fan[1 - k], fan_depth = role.fan_depth;
-        for (std::size_t i = 0; i < cell.count[k]; ++i) {
+        for (std::size_t i = 0; i < 4; ++i) {
+            if (!cell.live[k][i]) continue;
             const Edge& e = cell.edges[k][i];
             const Lanes y0 = e.y0 - fan_y, y1 = e.y1 - fan_y;
             const Lanes x_fan = (e.x_at + e.x_by * fan_y) - fan_x, x0 = x_fan + e.x_by * y0, x1 = x_fan + e.x_by * y1;
@@ -167,6 +168,7 @@ struct OverlapRole {
         find_creases(role, 0);
         find_creases(role, 1);
         auto& edges = cell.edges;
+        cell.bounds = zero;
         // corners: creases of both directions cross
         std::array<std::array<Lanes, 2>, 2> determinant;
 #pragma GCC unroll 2
@@ -186,6 +188,7 @@ struct OverlapRole {
                               smaller(v.half, v.crease_at[1] + v.crease_slope[1] * x)};
                 part.keep(u.crossing[0][r], u.crease_inverse[0] < zero);
                 part.keep(u.crossing[1][r], u.crease_inverse[1] > zero);
+                if (!(cell.live[k][r] = some(part.low < part.high))) continue;
                 const Edge& e = edges[k][r] = cut_main_edge(role, x, zero, role.depth_at + u.depth_by_x * x, depth_by_y, rim_inverse, part);
                 const Powers d(e.y0, e.y1, e.length, e.d0, e.d1);
                 const Lanes factor = r == 0 ? -below : below;
@@ -200,14 +203,6 @@ struct OverlapRole {
             for (std::size_t c = 0; c < 2; ++c) d_by[c] = depth_by_y + u.depth_by_x * u.crease_slope[c];
             invert(guarded(d_by[0]), guarded(d_by[1]), d_inverse[0], d_inverse[1]);
             const Lanes beside = all(0.5) * u.inverse_x;
-            const bool creased =
-                some((magnitude(u.at) + magnitude(u.by_x) * u.half + magnitude(u.by_y) * v.half + magnitude(u.by_s) * role.half_normal >=
-                      u.side * all(0.9)));
-            cell.count[k] = creased ? 4 : 2;
-            if (!creased) {
-                edges[k][2] = edges[k][3] = Edge{zero, zero, zero, zero, zero, zero, zero};
-                continue;
-            }
 #pragma GCC unroll 2
             for (std::size_t c = 0; c < 2; ++c) {
                 const Lanes y_low =
@@ -216,8 +211,11 @@ struct OverlapRole {
                     (v.crease_at[1] + v.crease_slope[1] * u.crease_at[c]) * (k == 0 ? determinant[c][1] : determinant[1][c]);
                 Interval part{larger(larger(-v.half, y_low), smaller(u.crossing[c][0], u.crossing[c][1])),
                               smaller(smaller(v.half, y_high), larger(u.crossing[c][0], u.crossing[c][1]))};
+                if (!(cell.live[k][2 + c] = some(part.low < part.high))) continue;
                 const Edge& e = edges[k][2 + c] = cut_main_edge(role, u.crease_at[c], u.crease_slope[c],
                                                                 role.depth_at + u.depth_by_x * u.crease_at[c], d_by[c], d_inverse[c], part);
+                cell.bounds +=
+                    choose(e.length > zero, all(k == 0 ? 1.0 + static_cast<double>(c) : 4.0 + 4.0 * static_cast<double>(c)), zero);
                 const Powers d(e.y0, e.y1, e.length, e.d0, e.d1);
                 strips.load += beside * d.square;
                 strips.energy += (u.inverse_x * (all(1.0 / 3.0) - all(sign_of(c) / 6.0) * u.by_s)) * d.cube;
@@ -228,14 +226,17 @@ struct OverlapRole {
         }
         // the fan's middle: amid the edges, or on D = 0 next to that if the cell ends there, so that this edge adds nothing
         Lanes rim{}, rim_x{}, rim_y{};
-#pragma GCC unroll 4
-        for (std::size_t i = 0; i < 4; ++i) {
-            const Edge &e = edges[0][i], &f = edges[1][i];
-            rim += e.length + f.length;
-            const Lanes e_y = e.length * (e.y0 + e.y1), f_x = f.length * (f.y0 + f.y1);
-            rim_y += e_y + f.length * (f.x_at + f.x_at) + f.x_by * f_x;
-            rim_x += f_x + e.length * (e.x_at + e.x_at) + e.x_by * e_y;
-        }
+        const auto add_to_middle = [&](std::size_t k, Lanes& across, Lanes& along) MUSIM_WIDE_LAMBDA {
+            for (std::size_t i = 0; i < 4; ++i) {
+                if (!cell.live[k][i]) continue;
+                const Edge& e = edges[k][i];
+                const Lanes twice = e.length * (e.y0 + e.y1);
+                rim += e.length;
+                along += twice;
+                across += e.length * (e.x_at + e.x_at) + e.x_by * twice;
+            }
+        };
+        add_to_middle(0, rim_x, rim_y), add_to_middle(1, rim_y, rim_x);
         const Lanes over = all(0.5) / larger(rim, all(1e-100));
         const Lanes x = rim_x * over, y = rim_y * over, depth = (role.depth_at + p.depth_by_x * x) + q.depth_by_x * y;
         const LaneMask open = role.shallowest < all(1e-3) * role.deepest;

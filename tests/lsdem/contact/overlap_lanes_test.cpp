@@ -114,7 +114,7 @@ struct LanePairs {
             boxes[i] = poses.next();
             meetings[i] = boxes[i].meeting();
         }
-        compute_overlaps(meetings.data(), found.data());
+        compute_overlaps(meetings.data(), kLanePairs, found.data());
         for (std::size_t i = 0; i < kLanePairs; ++i) holds[i] = !found[i].irregular;
     }
     LanePairs(const LanePairs&) = delete;
@@ -175,7 +175,7 @@ TEST_CASE("boxes that lie beside each other at one height give nothing, or say t
             meetings[i] = boxes[i].meeting();
         }
         std::array<LaneFinding, kLanePairs> found;
-        compute_overlaps(meetings.data(), found.data());
+        compute_overlaps(meetings.data(), kLanePairs, found.data());
         for (std::size_t i = 0; i < kLanePairs; ++i) {
             if (boxes[i].cut().size() > 0 || found[i].irregular) continue;
             CHECK(found[i].force.isZero(0.0));
@@ -279,7 +279,7 @@ TEST_CASE("blocks that rock in one plane edge on edge have the reach of all piec
         }
         std::array<LaneFinding, kLanePairs> found;
         std::array<MainCellAnswer, kLanePairs> answers;
-        compute_overlaps(meetings.data(), found.data());
+        compute_overlaps(meetings.data(), kLanePairs, found.data());
         ask_main_cells(meetings.data(), questions.data(), answers.data());
         for (std::size_t i = 0; i < kLanePairs; ++i) {
             if (found[i].irregular) continue;
@@ -316,7 +316,7 @@ TEST_CASE("the lane and the company change no bit of a pair") {
         }
         const auto find = [](const auto& meetings) {
             std::array<LaneFinding, kLanePairs> found;
-            compute_overlaps(meetings.data(), found.data());
+            compute_overlaps(meetings.data(), kLanePairs, found.data());
             return found;
         };
         const auto ask = [](const auto& meetings, const auto& of) {
@@ -354,7 +354,7 @@ TEST_CASE("pairs four times as large give the same bits") {
         }
         std::array<LaneFinding, kLanePairs> found;
         std::array<MainCellAnswer, kLanePairs> answers, large_answers;
-        compute_overlaps(large.data(), found.data());
+        compute_overlaps(large.data(), kLanePairs, found.data());
         ask_main_cells(pairs.meetings.data(), questions.data(), answers.data());
         ask_main_cells(large.data(), large_questions.data(), large_answers.data());
         for (std::size_t i = 0; i < kLanePairs; ++i) {
