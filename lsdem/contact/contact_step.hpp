@@ -173,10 +173,6 @@ struct ContactStep {
         }
     };
 
-    /// The mean distance r̄ of the pressure from its middle is no less than this part of √(J/S) [-]: 0.87 for a strip pressed evenly, 0.66
-    /// for one pressed like a wedge, less for a part of it. Only decides whether r̄ has to be computed.
-    static constexpr double kLeastReach = 0.3;
-
     /// A load that grows by more than this factor over its least forgets, in proportion, which part of the area bore it [-]. A choice: more
     /// than the load of a joint that rocks is expected to vary by, far less than a rebound, whose load goes through zero.
     static constexpr double kForgottenGrowth = 8.0;
@@ -191,6 +187,7 @@ struct ContactStep {
     /// `Cells`: what is known of the area beyond its moments.
     ///   Mask may_pull(touches, geometry, pressure, stiffness): false only where stiffness · d + pressure is surely negative nowhere
     ///   PressureSum find_pull(pressure, stiffness), Real find_reach(normal, pressed): see contact_area.hpp
+    ///   Real least_reach(normal, pressed, geometry): no more than that, and fast; decides only whether find_reach is asked
     template <class Cells>
     MUSIM_WIDE static Result compute(const Geometry& geometry, const Motion& motion, const Law& law, double dt, bool first_step,
                                      const Real& stored_shear, Cells& cells, Memory& contact) {
@@ -217,7 +214,6 @@ struct ContactStep {
             const Pressure opposite{-dashpot.at, -dashpot.slope, dashpot.about};
             const Mask pulls = cells.may_pull(touches, geometry, dashpot, law.normal_stiffness);
             const Mask closes = cells.may_pull(touches, geometry, opposite, per_depth);
-            result.pulled = pulls | closes;
             PressureSum held;
             // a contact that does one of both is done at the first pass, one that does both opens at the first and closes at the second
             for (std::size_t pass = 0; pass < 2; ++pass) {
@@ -228,6 +224,7 @@ struct ContactStep {
                                     choose(early, per_depth, law.normal_stiffness));
                 const Real sign = choose(now, choose(early, -one, one), zero);
                 held = {held.sum + sign * part.sum, held.at + sign * part.at};
+                result.pulled = result.pulled | (now & (part.sum > zero));
             }
             const Real damping = dashpot.at * area + held.sum;
             contact.damping = {damping * normal, cross(geometry.second_times(dashpot.slope) + held.at, normal)};
@@ -288,7 +285,7 @@ struct ContactStep {
         const Real zero{};
         Limit limit{law.friction * larger_of<Real>(pressing, zero), zero, across(normal, geometry.arm), normal};
         const Mask bears = (limit.force > zero) & (polar > zero);
-        limit.reach = choose(bears, kLeastReach * square_root(polar / geometry.area), zero);
+        limit.reach = choose(bears, cells.least_reach(normal, pressed, geometry), zero);
         const Mask may_slide = bears & (limit.excess(friction) > zero);
         if (some(may_slide)) {
             limit.reach = choose(may_slide, cells.find_reach(normal, pressed), limit.reach);

@@ -2,9 +2,12 @@
 
 #include <array>
 #include <cstddef>
+#include <numbers>
 
 #include "lsdem/contact/contact_step.hpp"
 #include "lsdem/detail/wide.hpp"
+
+constexpr double kLeastCosine = 0.9613;  ///< of the tilt of faces that meet: 16°
 
 /// The part of a face of one box over which a face of the other is nearest, and what friction and dashpots ask of it: the functions
 /// `find_pull` and `find_reach` of contact_area.hpp for pairs side by side.
@@ -67,7 +70,8 @@ struct MainCell {
         std::array<Real, 2> from, to;
         Mask there;
     };
-    MUSIM_WIDE Closing find_closing() const {
+    Closing closing;  ///< where `open` in some lane
+    MUSIM_WIDE void find_closing() {
         const std::array<Real, 2> step{-slope[1], slope[0]};
         Interval<W> part{broadcast<Real>(-Interval<W>::kFar), broadcast<Real>(Interval<W>::kFar)};
 #pragma GCC unroll 2
@@ -79,9 +83,9 @@ struct MainCell {
             part.clip(to_lower, step[k] - crease_slope[k][0] * step[1 - k]);
             part.clip(to_upper, crease_slope[k][1] * step[1 - k] - step[k]);
         }
-        return {{fan[0] + part.high * step[0], fan[1] + part.high * step[1]},
-                {fan[0] + part.low * step[0], fan[1] + part.low * step[1]},
-                open & (part.low < part.high)};
+        closing = {{fan[0] + part.high * step[0], fan[1] + part.high * step[1]},
+                   {fan[0] + part.low * step[0], fan[1] + part.low * step[1]},
+                   open & (part.low < part.high)};
     }
     /// Calls visit(from, to, depth from, depth to, sign, there) for all edges; sign 1 for counter-clockwise in (first, second direction).
     template <class Visit>
@@ -100,9 +104,7 @@ struct MainCell {
                 }
             }
         }
-        if (!some(open)) return;
-        const Closing closing = find_closing();
-        visit(closing.from, closing.to, Real{}, Real{}, 1.0, closing.there);
+        if (some(open)) visit(closing.from, closing.to, Real{}, Real{}, 1.0, closing.there);
     }
 };
 
@@ -170,6 +172,12 @@ struct MainCells {
         return both;
     }
 
+    /// A load L [m³] of depths up to d is nowhere closer to a point than in a disc of the area L/d about it: r̄ ≥ 2/3 √(L/(π d)).
+    MUSIM_WIDE Real least_reach(const Vector& /*normal*/, const Vector& /*about*/, const typename Step::Geometry& geometry) const {
+        constexpr double kOfDisc = kLeastCosine * 4.0 / (9.0 * std::numbers::pi) * (1.0 - 1e-9);
+        return square_root(kOfDisc * smaller_of<Real>(cells[0].load, cells[1].load) / geometry.deepest);
+    }
+
     MUSIM_WIDE Real find_reach(const Vector& normal, const Vector& about) const {
         // two directions across the normal
         const Vector sideways = Step::across(normal, cells[0].along[0]);
@@ -212,10 +220,14 @@ struct MainCells {
     MUSIM_WIDE static Positive integrate_positive(const MainCell<W>& cell, const Real& at, const Point& slope) {
         const Real zero{};
         const auto value = [&](const Point& p) MUSIM_WIDE_LAMBDA { return (at + slope[0] * p[0]) + slope[1] * p[1]; };
-        Real least = broadcast<Real>(Interval<W>::kFar);
-        cell.for_each_edge(
-            [&](const Point& from, const Point& to, const Real& /*depth*/, const Real& /*depth*/, double /*sign*/, const Mask& there)
-                MUSIM_WIDE_LAMBDA { least = choose(there, smaller_of<Real>(least, smaller_of<Real>(value(from), value(to))), least); });
+        Real least = broadcast<Real>(Interval<W>::kFar), most = -least;
+        cell.for_each_edge([&](const Point& from, const Point& to, const Real& /*depth*/, const Real& /*depth*/, double /*sign*/,
+                               const Mask& there) MUSIM_WIDE_LAMBDA {
+            const Real f0 = value(from), f1 = value(to);
+            least = choose(there, smaller_of<Real>(least, smaller_of<Real>(f0, f1)), least);
+            most = choose(there, larger_of<Real>(most, larger_of<Real>(f0, f1)), most);
+        });
+        if (!some(most > zero)) return {zero, {zero, zero}};
         const Real of_fan = value(cell.fan), steepness = slope[0] * slope[0] + slope[1] * slope[1];
         const Mask ends = least < zero;
         const Real back = choose(ends & (steepness > zero), -of_fan / steepness, zero);

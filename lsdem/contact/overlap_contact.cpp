@@ -74,6 +74,9 @@ struct PieceCells {
             musim::lsdem::find_pull(bodies.pieces(), {dashpot.at, from_lane(dashpot.slope), from_lane(dashpot.about)}, stiffness);
         return {pull.sum, to_lane(pull.at)};
     }
+    double least_reach(const Vector& normal, const Vector& about, const Step::Geometry& /*geometry*/) const {
+        return find_reach(normal, about);
+    }
     double find_reach(const Vector& normal, const Vector& about) const {
         return musim::lsdem::find_reach(bodies.pieces(), from_lane(normal), from_lane(about));
     }

@@ -11,10 +11,9 @@
 /// Both roles of several pairs side by side, see overlap_role.hpp.
 namespace musim::lsdem::detail {
 
-constexpr double kLeastCosine = 0.9613;  ///< of the tilt: 16°
-constexpr double kMostDepth = 0.05;      ///< of the least half extent
-constexpr double kLeastWidth = 8.0;      ///< of the touching area, in depths
-constexpr double kLeastMain = 0.3;       ///< part of the load that the main cells bear
+constexpr double kMostDepth = 0.05;  ///< of the least half extent
+constexpr double kLeastWidth = 8.0;  ///< of the touching area, in depths
+constexpr double kLeastMain = 0.3;   ///< part of the load that the main cells bear
 /// Terms below this part of size · area are left out [-]: a fraction of what rounding of the positions makes of the load.
 constexpr double kNegligible = 1.5e-16;
 

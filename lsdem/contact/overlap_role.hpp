@@ -245,6 +245,7 @@ struct OverlapRole {
         role.fan_depth = choose(open, zero, depth);
         cell.open = open, cell.fan = role.fan, cell.depth_at = role.depth_at, cell.slope = {p.depth_by_x, q.depth_by_x};
         cell.half = {p.half, q.half}, cell.crease_at = {p.crease_at, q.crease_at}, cell.crease_slope = {p.crease_slope, q.crease_slope};
+        if (some(open)) cell.find_closing();
         for (std::size_t k = 0; k < 2; ++k) add_main_edges(role, k, cell);
     }
 
