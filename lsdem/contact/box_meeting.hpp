@@ -58,9 +58,9 @@ MUSIM_WIDE MeetingFaces<W> choose_faces(const BoxAxes<W>& a, const BoxAxes<W>& b
         const std::array<Real, 3> size{magnitude(cosine[0]), magnitude(cosine[1]), magnitude(cosine[2])};
         const Real overlap = (((a.half[i] + size[0] * b.half[0]) + size[1] * b.half[1]) + size[2] * b.half[2]) - magnitude(way);
         // above 0.966 no two axes can be
-        const std::array<Mask, 3> facing{size[0] > least_cosine, size[1] > least_cosine, size[2] > least_cosine};
-        const Mask better = (facing[0] | facing[1] | facing[2]) & (overlap < best);
-        const Real facing_cosine = choose(facing[0], cosine[0], choose(facing[1], cosine[1], cosine[2]));
+        const Mask first = size[0] > least_cosine, second = size[1] > least_cosine, third = size[2] > least_cosine;
+        const Mask better = (first | second | third) & (overlap < best);
+        const Real facing_cosine = choose(first, cosine[0], choose(second, cosine[1], cosine[2]));
         best = choose(better, overlap, best);
         faces.found = faces.found | better;
         const Real side = choose(way < zero, -one, one);
@@ -68,11 +68,14 @@ MUSIM_WIDE MeetingFaces<W> choose_faces(const BoxAxes<W>& a, const BoxAxes<W>& b
         faces.sign[1] = choose(better, choose(side * facing_cosine < zero, one, -one), faces.sign[1]);
         const auto name = [&better](std::array<Mask, 3>& along, const std::array<Mask, 3>& now) MUSIM_WIDE_LAMBDA {
 #pragma GCC unroll 3
-            for (std::size_t k = 0; k < 3; ++k) along[k] = (along[k] & (along[k] ^ better)) | (better & now[k]);
+            for (std::size_t k = 0; k < 3; ++k) {
+                const Mask before = along[k], then = now[k], kept = before & (before ^ better);
+                along[k] = kept | (better & then);
+            }
         };
         std::array<Mask, 3> own{};
         own[i] = better;
-        name(faces.along[0], own), name(faces.along[1], facing);
+        name(faces.along[0], own), name(faces.along[1], {first, second, third});
     }
     return faces;
 }
