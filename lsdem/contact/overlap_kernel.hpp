@@ -237,7 +237,6 @@ struct Kernel : OverlapRims<W> {
         result.area_cross = {sum(Y, Z), sum(Z, X), sum(X, Y)};
     }
 
-  private:
     FaceAxes a, b;
     Lanes3 c;  ///< from the middle of a to that of b
     Lanes cosine, deepest, area, least;
