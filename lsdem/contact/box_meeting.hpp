@@ -19,7 +19,7 @@ struct BoxMeeting {
     Box a, b;
 };
 
-/// Of a box, or several side by side.
+/// Axes of a box, or of several side by side.
 template <class W>
 struct BoxAxes {
     std::array<Triple<typename W::Real>, 3> axis;  ///< world axes
@@ -38,7 +38,7 @@ struct MeetingFaces {
     using Mask = typename W::Mask;
     Mask found{};
     std::array<std::array<Mask, 3>, 2> along{};  ///< the axis of the face's normal
-    std::array<Real, 2> sign;                    ///< 1 or -1: outward is sign · axis
+    std::array<Real, 2> sign{};                  ///< 1 or -1: outward is sign · axis
 };
 
 /// Names the faces by which two boxes meet: of the pairs of faces that look at each other, the one along which they overlap least. None is
@@ -57,7 +57,7 @@ MUSIM_WIDE MeetingFaces<W> choose_faces(const BoxAxes<W>& a, const BoxAxes<W>& b
         const std::array<Real, 3> cosine{dot(a.axis[i], b.axis[0]), dot(a.axis[i], b.axis[1]), dot(a.axis[i], b.axis[2])};
         const std::array<Real, 3> size{magnitude(cosine[0]), magnitude(cosine[1]), magnitude(cosine[2])};
         const Real overlap = (((a.half[i] + size[0] * b.half[0]) + size[1] * b.half[1]) + size[2] * b.half[2]) - magnitude(way);
-        // above 0.966 no two axes can be
+        // no two axes of one box can both be within 15° of a third
         const Mask first = size[0] > least_cosine, second = size[1] > least_cosine, third = size[2] > least_cosine;
         const Mask better = (first | second | third) & (overlap < best);
         const Real facing_cosine = choose(first, cosine[0], choose(second, cosine[1], cosine[2]));

@@ -137,7 +137,8 @@ struct ContactStep {
     struct Result {
         Vector force{}, moment{};
         Real elastic_normal{}, elastic_shear{}, friction_work{}, damping_work{};
-        Mask slid{}, pulled{};  ///< the cells had to be asked for the reach, for dashpots
+        Mask may_slide{};  ///< friction is beyond the limit with the least reach
+        Mask pulls{};      ///< dashpots would pull somewhere, or act before a point touches
     };
 
     /// Friction of a contact: a force across the normal, and a couple about the normal.
@@ -187,7 +188,7 @@ struct ContactStep {
     /// `Cells`: what is known of the area beyond its moments.
     ///   Mask may_pull(touches, geometry, pressure, stiffness): false only where stiffness · d + pressure is surely negative nowhere
     ///   PressureSum find_pull(pressure, stiffness), Real find_reach(normal, pressed): see contact_area.hpp
-    ///   Real least_reach(normal, pressed, geometry): no more than that, and fast; decides only whether find_reach is asked
+    ///   Real least_reach(normal, pressed, geometry): no more than find_reach, asked before it, and fast; decides only whether it is asked
     template <class Cells>
     MUSIM_WIDE static Result compute(const Geometry& geometry, const Motion& motion, const Law& law, double dt, bool first_step,
                                      const Real& stored_shear, Cells& cells, Memory& contact) {
@@ -215,16 +216,16 @@ struct ContactStep {
             const Mask pulls = cells.may_pull(touches, geometry, dashpot, law.normal_stiffness);
             const Mask closes = cells.may_pull(touches, geometry, opposite, per_depth);
             PressureSum held;
-            // a contact that does one of both is done at the first pass, one that does both opens at the first and closes at the second
+            // most contacts do one of both, at the first pass; one that opens at a side and closes at another needs a second
             for (std::size_t pass = 0; pass < 2; ++pass) {
                 const Mask now = pass == 0 ? pulls | closes : pulls & closes, early = pass == 0 ? now ^ pulls : now;
                 if (!some(now)) break;
                 const PressureSum part =
                     cells.find_pull({choose(early, opposite.at, dashpot.at), choose(early, opposite.slope, dashpot.slope), dashpot.about},
                                     choose(early, per_depth, law.normal_stiffness));
-                const Real sign = choose(now, choose(early, -one, one), zero);
-                held = {held.sum + sign * part.sum, held.at + sign * part.at};
-                result.pulled = result.pulled | (now & (part.sum > zero));
+                held.sum += choose(now, choose(early, -part.sum, part.sum), zero);
+                held.at = held.at + choose(now, choose(early, -part.at, part.at), Vector{});
+                result.pulls = result.pulls | (now & (part.sum > zero));
             }
             const Real damping = dashpot.at * area + held.sum;
             contact.damping = {damping * normal, cross(geometry.second_times(dashpot.slope) + held.at, normal)};
@@ -252,7 +253,7 @@ struct ContactStep {
             Friction drag{(-viscous * stiffness) * slip, (-viscous * turning_stiffness) * turn};
             Friction friction{springs.force + drag.force, springs.couple + drag.couple};
             Mask holds{};
-            result.slid = hold_friction(geometry, law, normal, pressed, push + damping, polar, cells, springs, drag, friction, holds);
+            result.may_slide = hold_friction(geometry, law, normal, pressed, push + damping, polar, cells, springs, drag, friction, holds);
             sliding.set_total(springs.force);
             contact.turning.set_total(springs.couple);
             // what nothing presses keeps no slip

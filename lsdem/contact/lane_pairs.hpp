@@ -151,7 +151,7 @@ struct Lane {
             pair.contact->touches = touches;
             const auto first = static_cast<unsigned>(found.cells[0].bounds[i]), second = static_cast<unsigned>(found.cells[1].bounds[i]);
             const auto bit = [i](const auto& mask) MUSIM_WIDE_LAMBDA { return mask[i] != 0 ? 1U : 0U; };
-            pair.contact->company = static_cast<std::uint8_t>(bit(result.slid) | bit(result.pulled) << 1U | bit(found.corner) << 2U |
+            pair.contact->company = static_cast<std::uint8_t>(bit(result.may_slide) | bit(result.pulls) << 1U | bit(found.corner) << 2U |
                                                               ((first & second) != 0 ? 8U : 0U) | first << 4U);
             *pair.tally = {result.elastic_normal[i], result.elastic_shear[i], touches ? found.deepest[i] : 0.0, touches ? 1U : 0U,
                            found.deepest[i] * found.deepest[i] > kRoughly * found.area[i]};
@@ -160,7 +160,7 @@ struct Lane {
         }
     }
 
-    MUSIM_WIDE static void tell(const LaneOverlap<W>& found, LaneFinding* results) {
+    MUSIM_WIDE static void store(const LaneOverlap<W>& found, LaneFinding* results) {
         for (std::size_t i = 0; i < kWidth<Real>; ++i)
             results[i] = {pick(found.force, i),   pick(found.moment, i),     found.deepest[i],           found.energy[i],
                           found.area[i],          pick(found.area_place, i), pick(found.area_square, i), pick(found.area_cross, i),
@@ -182,11 +182,12 @@ struct Lane {
             vector([](const Question& q) MUSIM_WIDE_LAMBDA -> const Vector3& { return q.dashpot.about; })};
         const Real stiffness = number([](const Question& q) MUSIM_WIDE_LAMBDA { return q.stiffness; });
         const typename Step::PressureSum pull = cells.find_pull(dashpot, stiffness);
-        const Real reach = cells.find_reach(vector([](const Question& q) MUSIM_WIDE_LAMBDA -> const Vector3& { return q.normal; }),
-                                            vector([](const Question& q) MUSIM_WIDE_LAMBDA -> const Vector3& { return q.about; }));
+        const Vector normal = vector([](const Question& q) MUSIM_WIDE_LAMBDA -> const Vector3& { return q.normal; });
+        const Vector about = vector([](const Question& q) MUSIM_WIDE_LAMBDA -> const Vector3& { return q.about; });
+        const Real reach = cells.find_reach(normal, about), least = cells.least_reach(normal, about, geometry);
         const Mask touches = found.area > Real{};
         const Mask may_pull = cells.may_pull(touches, geometry, dashpot, stiffness);
-        for (std::size_t i = 0; i < kWidth<Real>; ++i) answers[i] = {{pull.sum[i], pick(pull.at, i)}, reach[i], may_pull[i] != 0};
+        for (std::size_t i = 0; i < kWidth<Real>; ++i) answers[i] = {{pull.sum[i], pick(pull.at, i)}, reach[i], least[i], may_pull[i] != 0};
     }
 };
 
@@ -217,7 +218,7 @@ struct LanePairs {
     MUSIM_WIDE static void find_overlaps(const BoxMeeting* pairs, std::size_t count, LaneFinding* findings) {
         Overlaps found;
         find(pairs, count / kStep, found);
-        for (std::size_t g = 0; g < count / kStep; ++g) Lane<W>::tell(found[g], findings + g * kStep);
+        for (std::size_t g = 0; g < count / kStep; ++g) Lane<W>::store(found[g], findings + g * kStep);
     }
     MUSIM_WIDE static void ask(const BoxMeeting* pairs, const MainCellQuestion* questions, MainCellAnswer* answers) {
         Overlaps found;

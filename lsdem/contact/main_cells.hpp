@@ -7,8 +7,6 @@
 #include "lsdem/contact/contact_step.hpp"
 #include "lsdem/detail/wide.hpp"
 
-constexpr double kLeastCosine = 0.9613;  ///< of the tilt of faces that meet: 16°
-
 /// The part of a face of one box over which a face of the other is nearest, and what friction and dashpots ask of it: the functions
 /// `find_pull` and `find_reach` of contact_area.hpp for pairs side by side.
 namespace musim::lsdem::detail {
@@ -172,10 +170,13 @@ struct MainCells {
         return both;
     }
 
-    /// A load L [m³] of depths up to d is nowhere closer to a point than in a disc of the area L/d about it: r̄ ≥ 2/3 √(L/(π d)).
-    MUSIM_WIDE Real least_reach(const Vector& /*normal*/, const Vector& /*about*/, const typename Step::Geometry& geometry) const {
-        constexpr double kOfDisc = kLeastCosine * 4.0 / (9.0 * std::numbers::pi) * (1.0 - 1e-9);
-        return square_root(kOfDisc * smaller_of<Real>(cells[0].load, cells[1].load) / geometry.deepest);
+    /// A load L [m³] of depths up to d, seen along the normal, is nowhere closer to a point than in a disc of the area L/d about it: r̄ ≥
+    /// 2/3 √(L/(π d)), of the cell for which that is less [m].
+    MUSIM_WIDE Real least_reach(const Vector& normal, const Vector& /*about*/, const typename Step::Geometry& geometry) const {
+        constexpr double kRounding = 1.0 - 1e-9, kOfDisc = 4.0 / (9.0 * std::numbers::pi) * kRounding;
+        const auto seen = [&](const MainCell<W>& cell)
+                              MUSIM_WIDE_LAMBDA { return magnitude(dot(normal, cell.normal)) * larger_of<Real>(cell.load, Real{}); };
+        return square_root(kOfDisc * smaller_of<Real>(seen(cells[0]), seen(cells[1])) / geometry.deepest);
     }
 
     MUSIM_WIDE Real find_reach(const Vector& normal, const Vector& about) const {

@@ -11,9 +11,10 @@
 /// Both roles of several pairs side by side, see overlap_role.hpp.
 namespace musim::lsdem::detail {
 
-constexpr double kMostDepth = 0.05;  ///< of the least half extent
-constexpr double kLeastWidth = 8.0;  ///< of the touching area, in depths
-constexpr double kLeastMain = 0.3;   ///< part of the load that the main cells bear
+constexpr double kLeastCosine = 0.9613;  ///< of the tilt: 16°
+constexpr double kMostDepth = 0.05;      ///< of the least half extent
+constexpr double kLeastWidth = 8.0;      ///< of the touching area, in depths
+constexpr double kLeastMain = 0.3;       ///< part of the load that the main cells bear
 /// Terms below this part of size · area are left out [-]: a fraction of what rounding of the positions makes of the load.
 constexpr double kNegligible = 1.5e-16;
 
@@ -237,9 +238,11 @@ struct Kernel : OverlapRims<W> {
         result.area_cross = {sum(Y, Z), sum(Z, X), sum(X, Y)};
     }
 
+    // what the stages hand on
     FaceAxes a, b;
-    Lanes3 c;  ///< from the middle of a to that of b
-    Lanes cosine, deepest, area, least;
+    Lanes3 c;  ///< from the middle of a to that of b [m]
+    Lanes cosine;
+    Lanes deepest, area, least;  ///< of both roles; half of their main cells'; the least half extent [m, m², m]
     MeetingFaces<W> faces;
     std::array<Role, 2> roles;
 };

@@ -59,7 +59,7 @@ struct MainCellQuestion {
 };
 struct MainCellAnswer {
     PressureMoments pull;
-    double reach;
+    double reach, least_reach;
     bool may_pull;
 };
 void ask_main_cells(const BoxMeeting* pairs, const MainCellQuestion* questions, MainCellAnswer* answers);

@@ -172,6 +172,7 @@ struct OverlapRims : OverlapRole<W> {
     /// Terms of the third order along a rim: at its ends, where it crosses Y's side planes, and about Y's corners.
     MUSIM_WIDE static void add_rim_ends(Role& role, std::size_t k, std::size_t r, bool leaning) {
         const Across &u = role.across[k], &v = role.across[1 - k];
+        // a rim farther out of Y than the depth, with its lean, has no part below which it bears
         const Lanes off = magnitude(u.at + (r == 0 ? -u.by_x : u.by_x) * u.half);
         if (!some(role.corner & (u.side + magnitude(u.by_y) * v.half + all(1.1) * role.deepest > off))) return;
         const Rim rim(role, k, r);

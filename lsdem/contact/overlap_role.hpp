@@ -188,7 +188,8 @@ struct OverlapRole {
                               smaller(v.half, v.crease_at[1] + v.crease_slope[1] * x)};
                 part.keep(u.crossing[0][r], u.crease_inverse[0] < zero);
                 part.keep(u.crossing[1][r], u.crease_inverse[1] > zero);
-                if (!(cell.live[k][r] = some(part.low < part.high))) continue;
+                cell.live[k][r] = some(part.low < part.high);
+                if (!cell.live[k][r]) continue;
                 const Edge& e = edges[k][r] = cut_main_edge(role, x, zero, role.depth_at + u.depth_by_x * x, depth_by_y, rim_inverse, part);
                 const Powers d(e.y0, e.y1, e.length, e.d0, e.d1);
                 const Lanes factor = r == 0 ? -below : below;
@@ -211,7 +212,8 @@ struct OverlapRole {
                     (v.crease_at[1] + v.crease_slope[1] * u.crease_at[c]) * (k == 0 ? determinant[c][1] : determinant[1][c]);
                 Interval part{larger(larger(-v.half, y_low), smaller(u.crossing[c][0], u.crossing[c][1])),
                               smaller(smaller(v.half, y_high), larger(u.crossing[c][0], u.crossing[c][1]))};
-                if (!(cell.live[k][2 + c] = some(part.low < part.high))) continue;
+                cell.live[k][2 + c] = some(part.low < part.high);
+                if (!cell.live[k][2 + c]) continue;
                 const Edge& e = edges[k][2 + c] = cut_main_edge(role, u.crease_at[c], u.crease_slope[c],
                                                                 role.depth_at + u.depth_by_x * u.crease_at[c], d_by[c], d_inverse[c], part);
                 cell.bounds +=
