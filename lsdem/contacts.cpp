@@ -337,23 +337,6 @@ void compute_ground_contact(const Model& model, const Bodies& bodies, const Base
 /// So many pairs before its turn a pair is asked for. Affects speed only.
 constexpr std::size_t kAhead = 4;
 
-void prefetch_pair(const Bodies& bodies, const ContactList& list, std::size_t index) {
-    const ContactPair& pair = list.pairs[index];
-    if (!pair.is_overlap()) return;
-    for (const std::uint32_t block : {pair.leader, pair.follower}) {
-        if (block == kGround) continue;
-        detail::prefetch(&bodies.rotation[block]);
-        detail::prefetch(&bodies.previous_rotation[block]);
-        detail::prefetch(&bodies.position[block]);
-        detail::prefetch(&bodies.previous_position[block]);
-        detail::prefetch(&bodies.half[block]);
-    }
-    detail::prefetch(&list.overlaps[pair.overlap]);
-    detail::prefetch(&list.tallies[index]);
-    detail::prefetch(&list.work[index]);
-    detail::prefetch(&list.forces[index]);
-}
-
 /// Area over which a pair that meets by nodes touches, or more [m²]: which nodes do is not asked, any may be all of a face.
 double find_touching_area(const Model& model, const ContactList& list, std::size_t index) {
     const ContactPair& pair = list.pairs[index];
@@ -373,7 +356,10 @@ double compute_pairs(const Model& model, const Bodies& bodies, const BasePose& b
     }
     double deepest = 0.0;
     for (std::size_t i = first; i < end; ++i) {
-        if (i + kAhead < end) prefetch_pair(bodies, list, list.due[i + kAhead]);
+        if (i + kAhead < end) {
+            const ContactPair& next = list.pairs[list.due[i + kAhead]];
+            if (next.is_overlap()) detail::prefetch(&list.overlaps[next.overlap].touches);
+        }
         const std::size_t index = list.due[i];
         const ContactPair& pair = list.pairs[index];
         if (pair.is_overlap()) {

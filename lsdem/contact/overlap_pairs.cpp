@@ -5,6 +5,7 @@
 #include "lsdem/contact/box_gap.hpp"
 #include "lsdem/contact/overlap_contact.hpp"
 #include "lsdem/contact/overlap_lanes.hpp"
+#include "lsdem/detail/prefetch.hpp"
 
 namespace musim::lsdem {
 namespace {
@@ -110,6 +111,17 @@ void OverlapBatch::place(std::size_t index, std::size_t at) {
     lane.force = &list_.forces[index];
     lane.tally = &list_.tallies[index];
     lane.work = &list_.work[index];
+    // asked for when all lanes are placed, the memory of the contact once their overlaps are found
+    for (const double* const rotation :
+         {lane.meeting.a.rotation, lane.meeting.b.rotation, lane.previous_rotation[0], lane.previous_rotation[1]})
+        detail::prefetch(rotation, 9);
+    for (const double* const place : {lane.meeting.a.position, lane.follower_position, lane.previous_position[0], lane.previous_position[1],
+                                      lane.meeting.a.half, lane.meeting.b.half})
+        detail::prefetch(place, 3);
+    detail::prefetch(lane.contact);
+    detail::prefetch(lane.force);
+    detail::prefetch(lane.tally);
+    detail::prefetch(lane.work);
 }
 
 void OverlapBatch::compute() {
