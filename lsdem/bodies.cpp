@@ -6,16 +6,15 @@ namespace musim::lsdem {
 
 Bodies::Bodies(const Model& model) {
     const std::size_t n = model.blocks.size();
-    for (auto* v : {&position, &previous_position, &velocity, &momentum, &inverse_inertia, &half}) v->resize(n, Vector3::Zero());
+    for (auto* v : {&position, &velocity, &momentum, &inverse_inertia, &half}) v->resize(n, Vector3::Zero());
     rotation.resize(n);
-    previous_rotation.resize(n);
+    step.resize(n);
     orientation.resize(n);
     mass.resize(n);
     inverse_mass.resize(n);
     height_offset.resize(n);
     fixed.resize(n);
     free.resize(n);
-    travel.resize(n);
     preparation_loss.resize(n);
     start_position.resize(n);
     start_orientation.resize(n);

@@ -262,15 +262,15 @@ void drop_elastic(const Bodies& bodies, const BasePose& base, const ContactPair&
                   PairWork& work) {
     // the turn of a block over the step, as a vector: sin θ is close enough to θ
     const auto turn = [&](std::size_t i) {
-        const Matrix3 step = bodies.rotation[i] * bodies.previous_rotation[i].transpose();
-        return Vector3(0.5 * Vector3(step(2, 1) - step(1, 2), step(0, 2) - step(2, 0), step(1, 0) - step(0, 1)));
+        const Quaternion& step = bodies.step[i].turn;
+        return Vector3((2.0 * step.w()) * step.vec());
     };
     const std::size_t l = pair.leader, f = pair.follower;
-    double done = last.force.dot(bodies.position[l] - bodies.previous_position[l]) + last.leader_torque.dot(turn(l));
+    double done = last.force.dot(bodies.step[l].shift) + last.leader_torque.dot(turn(l));
     if (pair.follower == kGround) {
         done -= last.force.dot(base.displacement - base.previous);
     } else {
-        done += last.follower_torque.dot(turn(f)) - last.force.dot(bodies.position[f] - bodies.previous_position[f]);
+        done += last.follower_torque.dot(turn(f)) - last.force.dot(bodies.step[f].shift);
     }
     work.damping += stored.elastic_normal - 0.5 * done;
     work.friction += stored.elastic_shear;
@@ -289,10 +289,10 @@ void compute_block_contact(const Model& model, const Bodies& bodies, const BaseP
                            ContactList& list) {
     const ContactPair& pair = list.pairs[index];
     const std::size_t l = pair.leader, f = pair.follower;
-    const Matrix3 to_follower = bodies.rotation[f].transpose(), to_old_follower = bodies.previous_rotation[f].transpose();
+    const Matrix3 to_follower = bodies.rotation[f].transpose(), to_old_follower = bodies.previous_rotation(f).transpose();
     const Vector3 position = to_follower * (bodies.position[l] - bodies.position[f]);
-    const RelativePose pose(to_follower * bodies.rotation[l], position, to_old_follower * bodies.previous_rotation[l],
-                            to_old_follower * (bodies.previous_position[l] - bodies.previous_position[f]));
+    const RelativePose pose(to_follower * bodies.rotation[l], position, to_old_follower * bodies.previous_rotation(l),
+                            to_old_follower * (bodies.previous_position(l) - bodies.previous_position(f)));
     const Shape& leader = model.shapes[model.blocks[l].shape];
     const Shape& follower = model.shapes[model.blocks[f].shape];
     FlatFollower face;
@@ -323,7 +323,7 @@ void compute_ground_contact(const Model& model, const Bodies& bodies, const Base
     const std::size_t l = pair.leader;
     const Shape& leader = model.shapes[model.blocks[l].shape];
     const Vector3 position = bodies.position[l] - base.displacement;
-    const RelativePose pose(bodies.rotation[l], position, bodies.previous_rotation[l], bodies.previous_position[l] - base.previous);
+    const RelativePose pose(bodies.rotation[l], position, bodies.previous_rotation(l), bodies.previous_position(l) - base.previous);
     PairSums sums;
     FlatFollower plane;
     plane.bounded = false;

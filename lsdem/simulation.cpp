@@ -32,10 +32,10 @@ void Simulation::Implementation::release(const Release& given) {
     release_block(given, model);
     const std::size_t i = given.block;
     const Block& block = model.blocks[i];
-    bodies.travel[i] += (block.position - bodies.position[i]).norm() + search.reference().diameter[i];
+    bodies.step[i].travel += (block.position - bodies.position[i]).norm() + search.reference().diameter[i];
     bodies.release(i, model);
-    bodies.previous_position[i] = block.position - dt * block.velocity;
-    bodies.previous_rotation[i] = bodies.rotation[i];
+    bodies.step[i].shift = dt * block.velocity;
+    bodies.step[i].turn.setIdentity();
     const detail::VelocityDecay half = decay_over(0.5 * dt);
     bodies.velocity[i] = (bodies.velocity[i] - half.push * model.gravity) / half.keep;
     start_energy += 0.5 * block.mass * block.velocity.squaredNorm();

@@ -103,11 +103,10 @@ void Simulation::Implementation::start() {
     base.displacement = motion.displacement(0.0);
     base.previous = motion.displacement(-dt);
     for (std::size_t i = 0; i < bodies.size(); ++i) {
-        bodies.previous_position[i] = bodies.position[i] - dt * bodies.velocity[i];
-        bodies.previous_rotation[i] =
-            bodies.fixed[i] != 0
-                ? bodies.rotation[i]
-                : rotate_freely(bodies.orientation[i], bodies.momentum[i], bodies.inverse_inertia[i], -dt).toRotationMatrix();
+        bodies.step[i].shift = dt * bodies.velocity[i];
+        if (bodies.fixed[i] != 0) continue;
+        const Quaternion before = rotate_freely(bodies.orientation[i], bodies.momentum[i], bodies.inverse_inertia[i], -dt);
+        bodies.step[i].turn = bodies.orientation[i] * before.conjugate();
     }
     rebuild();
     preload_contacts(model.preload, list);

@@ -55,8 +55,6 @@ void Simulation::Implementation::move(double h) {
     ++step;
     base.previous = base.displacement;
     if (!preparing) base.displacement = base_origin + motion.displacement(static_cast<double>(step) * dt);
-    std::swap(bodies.position, bodies.previous_position);
-    std::swap(bodies.rotation, bodies.previous_rotation);
     const detail::Leap leap{.base_displacement = base.displacement,
                             .base_step = base.displacement - base.previous,
                             .gravity = model.gravity,

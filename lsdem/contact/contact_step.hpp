@@ -104,24 +104,24 @@ struct ContactStep {
     struct Motion {
         std::array<Vector, 2> center, previous_center;
         Vector shift;
-        std::array<std::array<Vector, 3>, 2> turn;  ///< columns
+        /// Of each body: T v = v + 2w (u×v) + 2u×(u×v), w cosine of half the angle, u the axis times its sine.
+        struct Turn {
+            Vector half;    ///< u
+            Vector turned;  ///< 2w u, the axis times the sine of the angle
 
-        MUSIM_WIDE Vector turned_by(std::size_t body, const Vector& v) const {
-            return (v.x * turn[body][0] + v.y * turn[body][1]) + v.z * turn[body][2];
-        }
-        MUSIM_WIDE Vector displaced(std::size_t body, const Vector& arm) const {
-            return arm - Vector{dot(turn[body][0], arm), dot(turn[body][1], arm), dot(turn[body][2], arm)};
-        }
+            MUSIM_WIDE static Turn of(const Vector& half, const Real& cosine) { return {half, (2.0 * cosine) * half}; }
+            /// T v − v
+            MUSIM_WIDE Vector change(const Vector& v) const { return cross(turned, v) + cross(half + half, cross(half, v)); }
+            /// v − T⁻¹ v
+            MUSIM_WIDE Vector change_of_turned(const Vector& v) const { return cross(turned, v) - cross(half + half, cross(half, v)); }
+        };
+        std::array<Turn, 2> turn;
+
         MUSIM_WIDE Vector displacement(const Vector& x) const {
-            return shift + (displaced(1, x - center[1]) - displaced(0, x - center[0]));
+            return shift + (turn[1].change_of_turned(x - center[1]) - turn[0].change_of_turned(x - center[0]));
         }
         MUSIM_WIDE Vector displacement_of_previous(const Vector& x) const {
-            const Vector first = x - previous_center[0], second = x - previous_center[1];
-            return shift + ((turned_by(1, second) - second) - (turned_by(0, first) - first));
-        }
-        MUSIM_WIDE Vector turned(std::size_t body) const {
-            const auto& t = turn[body];
-            return {0.5 * (t[1].z - t[2].y), 0.5 * (t[2].x - t[0].z), 0.5 * (t[0].y - t[1].x)};
+            return shift + (turn[1].change(x - previous_center[1]) - turn[0].change(x - previous_center[0]));
         }
     };
     /// A pressure that is affine over the area: at + slope·(x − about) [Pa], and what it comes to.
@@ -180,7 +180,7 @@ struct ContactStep {
 
     /// Turns a vector with the mean turn of both bodies over the step, without changing its length.
     MUSIM_WIDE static Vector carried(const Vector& v, const Motion& motion) {
-        const Vector half = broadcast<Real>(0.25) * (motion.turned(0) + motion.turned(1)), across = cross(half, v);
+        const Vector half = broadcast<Real>(0.25) * (motion.turn[0].turned + motion.turn[1].turned), across = cross(half, v);
         return v + (2.0 / (1.0 + dot(half, half))) * (across + cross(half, across));
     }
     MUSIM_WIDE static Vector across(const Vector& normal, const Vector& v) { return v - dot(normal, v) * normal; }
@@ -211,7 +211,7 @@ struct ContactStep {
             const Vector slipped = motion.displacement(contact.place);
             const Real per_depth = law.normal_damping * (1.0 / dt);
             const Pressure dashpot{-per_depth * dot(normal, slipped),
-                                   -per_depth * (motion.turned_by(0, normal) - motion.turned_by(1, normal)), contact.place};
+                                   -per_depth * (motion.turn[0].change(normal) - motion.turn[1].change(normal)), contact.place};
             const Pressure opposite{-dashpot.at, -dashpot.slope, dashpot.about};
             const Mask pulls = cells.may_pull(touches, geometry, dashpot, law.normal_stiffness);
             const Mask closes = cells.may_pull(touches, geometry, opposite, per_depth);
@@ -245,7 +245,7 @@ struct ContactStep {
             const Real part = choose(before.touches, one, choose(sunk > geometry.deepest, geometry.deepest / sunk, one));
             const Real slip_part = first_step ? zero : part;
             const Vector slip = slip_part * across(normal, slipped);
-            const Real turn = slip_part * dot(normal, motion.turned(1) - motion.turned(0));
+            const Real turn = slip_part * dot(normal, motion.turn[1].turned - motion.turn[0].turned);
             const Real viscous = choose(law.shear_stiffness > zero, law.shear_damping / (law.shear_stiffness * dt), zero);
             sliding.slip(law.shear_stiffness, slip);
             contact.turning.slip(law.shear_stiffness, turn);
@@ -323,7 +323,7 @@ struct ContactStep {
     /// What acts works over a step with the mean of its values at both ends.
     MUSIM_WIDE static void add_losses(const Memory& before, const Memory& contact, const Motion& motion, const Real& stored_shear,
                                       Result& result) {
-        const Vector turned = motion.turned(1) - motion.turned(0);
+        const Vector turned = motion.turn[1].turned - motion.turn[0].turned;
         const Vector moved = motion.displacement(contact.place), moved_before = motion.displacement_of_previous(before.place);
         const auto loss = [&](const Wrench& last, const Wrench& now) MUSIM_WIDE_LAMBDA {
             return -0.5 * ((dot(last.force, moved_before) + dot(now.force, moved)) + dot(last.couple + now.couple, turned));

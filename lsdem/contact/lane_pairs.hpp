@@ -25,37 +25,24 @@ struct Lane {
                 gather_lanes<Real>([&](std::size_t lane) MUSIM_WIDE_LAMBDA { return of(lane)[1]; }),
                 gather_lanes<Real>([&](std::size_t lane) MUSIM_WIDE_LAMBDA { return of(lane)[2]; })};
     }
-    /// The turn of a body over the step, from both its rotations, given column by column.
-    template <class Now, class Previous>
-    MUSIM_WIDE static std::array<Vector, 3> find_turn(const Now& now, const Previous& previous) {
-        const std::array<Real, 9> r = gather_fields<Real, 9>(now), p = gather_fields<Real, 9>(previous);
-        std::array<Vector, 3> turn;
-#pragma GCC unroll 3
-        for (std::size_t c = 0; c < 3; ++c) {
-            const auto entry = [&](std::size_t row)
-                                   MUSIM_WIDE_LAMBDA { return (p[c] * r[row] + p[3 + c] * r[3 + row]) + p[6 + c] * r[6 + row]; };
-            turn[c] = {entry(0), entry(1), entry(2)};
-        }
-        return turn;
-    }
-    /// Also the place of the pair's origin from the point half way between the middles of the boxes.
-    MUSIM_WIDE static typename Step::Motion gather_motion(const LanePair* pairs, Vector& shift) {
-        typename Step::Motion motion;
-        const Vector leader = gather_vector([&](std::size_t i) MUSIM_WIDE_LAMBDA { return pairs[i].meeting.a.position; });
-        const Vector follower = gather_vector([&](std::size_t i) MUSIM_WIDE_LAMBDA { return pairs[i].follower_position; });
-        const Vector leader_before = gather_vector([&](std::size_t i) MUSIM_WIDE_LAMBDA { return pairs[i].previous_position[0]; });
-        const Vector follower_before = gather_vector([&](std::size_t i) MUSIM_WIDE_LAMBDA { return pairs[i].previous_position[1]; });
+    /// `apart`: from the middle of the first body to that of the second. Also the place of the pair's origin from the point half way
+    /// between the middles of the boxes.
+    MUSIM_WIDE static typename Step::Motion gather_motion(const LanePair* pairs, const Vector& apart, Vector& origin_shift) {
+        using Turn = typename Step::Motion::Turn;
+        static_assert(sizeof(BodyStep) == 8 * sizeof(double));
+        const auto step_of = [&](std::size_t body) MUSIM_WIDE_LAMBDA {
+            return gather_fields<Real, 8>([&](std::size_t i) MUSIM_WIDE_LAMBDA { return pairs[i].step[body]->turn.coeffs().data(); });
+        };
+        const std::array<Real, 8> first = step_of(0), second = step_of(1);
         const Real origin = gather_lanes<Real>([&](std::size_t i) MUSIM_WIDE_LAMBDA { return pairs[i].origin; });
-        const Vector apart = follower - leader, apart_before = follower_before - leader_before;
+        typename Step::Motion motion;
+        motion.shift = {second[4] - first[4], second[5] - first[5], second[6] - first[6]};
+        const Vector apart_before = apart - motion.shift;
         motion.center = {-origin * apart, origin * apart};
         motion.previous_center = {-origin * apart_before, origin * apart_before};
-        motion.shift = apart - apart_before;
-        motion.turn[0] = find_turn([&](std::size_t i) MUSIM_WIDE_LAMBDA { return pairs[i].meeting.a.rotation; },
-                                   [&](std::size_t i) MUSIM_WIDE_LAMBDA { return pairs[i].previous_rotation[0]; });
-        motion.turn[1] = find_turn([&](std::size_t i) MUSIM_WIDE_LAMBDA { return pairs[i].meeting.b.rotation; },
-                                   [&](std::size_t i) MUSIM_WIDE_LAMBDA { return pairs[i].previous_rotation[1]; });
+        motion.turn = {Turn::of({first[0], first[1], first[2]}, first[3]), Turn::of({second[0], second[1], second[2]}, second[3])};
         // the ground's sheet lies right below its block
-        shift = {Real{}, Real{}, (origin - 0.5) * apart.z};
+        origin_shift = {Real{}, Real{}, (origin - 0.5) * apart.z};
         return motion;
     }
     /// All numbers of a contact lie behind each other, from the springs on.
@@ -122,7 +109,7 @@ struct Lane {
 
     MUSIM_WIDE static void compute(LanePair* pairs, double dt, bool first_step, const LaneOverlap<W>& found) {
         Vector shift;
-        const typename Step::Motion motion = gather_motion(pairs, shift);
+        const typename Step::Motion motion = gather_motion(pairs, found.apart, shift);
         MainCells<W> cells{found.cells, {}, {}, {}, {}};
         const typename Step::Geometry geometry = make_geometry(found, shift, cells);
         const Real stored_shear = gather_lanes<Real>([&](std::size_t i) MUSIM_WIDE_LAMBDA { return pairs[i].tally->elastic_shear; });

@@ -21,7 +21,7 @@ Step::Motion to_lane(const PairMotion& motion) {
     for (std::size_t body = 0; body < 2; ++body) {
         one.center[body] = to_lane(motion.center[body]);
         one.previous_center[body] = to_lane(motion.previous_center[body]);
-        for (std::size_t k = 0; k < 3; ++k) one.turn[body][k] = to_lane(Vector3(motion.turn[body].col(static_cast<Eigen::Index>(k))));
+        one.turn[body] = Step::Motion::Turn::of(to_lane(Vector3(motion.turn[body].vec())), motion.turn[body].w());
     }
     return one;
 }

@@ -14,10 +14,10 @@ namespace musim::lsdem {
 
 /// Where two bodies are and were, about the origin of the pair. World axes.
 struct PairMotion {
-    std::array<Vector3, 2> center{};           ///< centres of mass now [m]
-    std::array<Vector3, 2> previous_center{};  ///< and one step ago, about the origin of that time [m]
-    Vector3 shift = Vector3::Zero();           ///< of the second centre against the first over the step [m]
-    std::array<Matrix3, 2> turn{};             ///< of each body over the step: rotation now times the inverse of that before
+    std::array<Vector3, 2> center{Vector3::Zero(), Vector3::Zero()};           ///< centres of mass now [m]
+    std::array<Vector3, 2> previous_center{Vector3::Zero(), Vector3::Zero()};  ///< and one step ago, about the origin of that time [m]
+    Vector3 shift = Vector3::Zero();                                           ///< of the second centre against the first over the step [m]
+    std::array<Quaternion, 2> turn{Quaternion::Identity(), Quaternion::Identity()};  ///< of each body over the step
 };
 
 /// A force on the second body at a point, with a couple.

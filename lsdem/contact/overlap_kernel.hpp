@@ -23,6 +23,7 @@ template <class W>
 struct LaneOverlap {
     using Lanes = typename W::Real;
     using Lanes3 = Triple<Lanes>;
+    Lanes3 apart;   ///< from the middle of the first body to that of the second [m]
     Lanes3 force;   ///< on the second body [m³]
     Lanes3 moment;  ///< of it [m⁴]
     Lanes deepest;  ///< largest depth of a point of one body in the other [m]
@@ -210,6 +211,7 @@ struct Kernel : OverlapRims<W> {
         const RoleLoad of_a = turn_to_world(roles[0], a, faces.sign[0]), of_b = turn_to_world(roles[1], b, -faces.sign[0]);
         // pairs that are apart give nothing, whatever was summed up
         const Lanes half = choose(fits, all(0.5), zero);
+        result.apart = c;
         const Lanes3 fa = of_a.force, fb = of_b.force;
         result.force = {half * (fa.x - fb.x), half * (fa.y - fb.y), half * (fa.z - fb.z)};
         const Lanes3 f{half * (fa.x + fb.x), half * (fa.y + fb.y), half * (fa.z + fb.z)};

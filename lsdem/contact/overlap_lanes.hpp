@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 
+#include "lsdem/bodies.hpp"
 #include "lsdem/contact/box_meeting.hpp"
 #include "lsdem/contact/contact_area.hpp"
 #include "lsdem/contact/overlap_contact.hpp"
@@ -20,9 +21,7 @@ constexpr std::size_t round_up_to_lanes(std::size_t count) { return (count + kLa
 /// Two boxes, the first the leader, and where to find and put what their contact is made from.
 struct LanePair {
     BoxMeeting meeting;
-    std::array<const double*, 2> previous_rotation;  ///< one step ago
-    const double* follower_position;                 ///< of the follower; of the ground the base's displacement [m]
-    std::array<const double*, 2> previous_position;  ///< of both, one step ago [m]
+    std::array<const BodyStep*, 2> step;  ///< of both; of the ground that of the base
     /// From the first centre to the origin of the pair, in parts of the way between the centres: 1/2; 0 where the ground follows.
     double origin;
     const Interface* law;

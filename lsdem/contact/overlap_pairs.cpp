@@ -26,18 +26,16 @@ OverlapBodies find_bodies(const Bodies& bodies, const BasePose& base, const Cont
 PairMotion find_motion(const Bodies& bodies, const BasePose& base, const ContactPair& pair) {
     const std::size_t l = pair.leader, f = pair.follower;
     PairMotion motion;
-    motion.turn[0] = bodies.rotation[l] * bodies.previous_rotation[l].transpose();
+    motion.turn[0] = bodies.step[l].turn;
     if (pair.follower == kGround) {
-        motion.center = motion.previous_center = {Vector3::Zero(), Vector3::Zero()};
-        motion.turn[1] = Matrix3::Identity();
-        motion.shift = (base.displacement - bodies.position[l]) - (base.previous - bodies.previous_position[l]);
+        motion.shift = (base.displacement - base.previous) - bodies.step[l].shift;
         return motion;
     }
-    motion.turn[1] = bodies.rotation[f] * bodies.previous_rotation[f].transpose();
-    const Vector3 apart = bodies.position[f] - bodies.position[l], previous = bodies.previous_position[f] - bodies.previous_position[l];
+    motion.turn[1] = bodies.step[f].turn;
+    motion.shift = bodies.step[f].shift - bodies.step[l].shift;
+    const Vector3 apart = bodies.position[f] - bodies.position[l], previous = apart - motion.shift;
     motion.center = {Vector3(-0.5 * apart), Vector3(0.5 * apart)};
     motion.previous_center = {Vector3(-0.5 * previous), Vector3(0.5 * previous)};
-    motion.shift = apart - previous;
     return motion;
 }
 
@@ -67,7 +65,9 @@ detail::BoxMeeting make_meeting(const Bodies& bodies, const BasePose& base, cons
 }  // namespace
 
 OverlapBatch::OverlapBatch(const Bodies& bodies, const BasePose& base, double dt, ContactList& list)
-    : bodies_(bodies), base_(base), dt_(dt), list_(list) {}
+    : bodies_(bodies), base_(base), dt_(dt), list_(list) {
+    base_step_.shift = base.displacement - base.previous;
+}
 
 void OverlapBatch::add(std::size_t index) {
     const ContactPair& pair = list_.pairs[index];
@@ -93,31 +93,21 @@ void OverlapBatch::place(std::size_t index, std::size_t at) {
     const ContactPair& pair = list_.pairs[index];
     const std::size_t l = pair.leader, f = pair.follower;
     lane.meeting = make_meeting(bodies_, base_, pair, sheets_[at]);
-    lane.previous_rotation[0] = bodies_.previous_rotation[l].data();
-    lane.previous_position[0] = bodies_.previous_position[l].data();
-    if (pair.follower == kGround) {
-        lane.previous_rotation[1] = kUpright;
-        lane.follower_position = base_.displacement.data();
-        lane.previous_position[1] = base_.previous.data();
-        lane.origin = 0.0;
-    } else {
-        lane.previous_rotation[1] = bodies_.previous_rotation[f].data();
-        lane.follower_position = bodies_.position[f].data();
-        lane.previous_position[1] = bodies_.previous_position[f].data();
-        lane.origin = 0.5;
-    }
+    const bool is_ground = pair.follower == kGround;
+    lane.step = {&bodies_.step[l], is_ground ? &base_step_ : &bodies_.step[f]};
+    lane.origin = is_ground ? 0.0 : 0.5;
     lane.law = &pair.law;
     lane.contact = &list_.overlaps[pair.overlap];
     lane.force = &list_.forces[index];
     lane.tally = &list_.tallies[index];
     lane.work = &list_.work[index];
     // asked for when all lanes are placed, the memory of the contact once their overlaps are found
-    for (const double* const rotation :
-         {lane.meeting.a.rotation, lane.meeting.b.rotation, lane.previous_rotation[0], lane.previous_rotation[1]})
-        detail::prefetch(rotation, 9);
-    for (const double* const place : {lane.meeting.a.position, lane.follower_position, lane.previous_position[0], lane.previous_position[1],
-                                      lane.meeting.a.half, lane.meeting.b.half})
-        detail::prefetch(place, 3);
+    for (const auto& box : {lane.meeting.a, lane.meeting.b}) {
+        detail::prefetch(box.rotation, 9);
+        detail::prefetch(box.position, 3);
+        detail::prefetch(box.half, 3);
+    }
+    for (const BodyStep* const step : lane.step) detail::prefetch(step);
     detail::prefetch(lane.contact);
     detail::prefetch(lane.force);
     detail::prefetch(lane.tally);

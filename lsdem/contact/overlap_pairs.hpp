@@ -46,6 +46,7 @@ class OverlapBatch {
     const BasePose& base_;
     double dt_;
     ContactList& list_;
+    BodyStep base_step_;  ///< of the ground
     double deepest_ = 0.0;
     // pairs that wait for company of their kind, see OverlapContact::company
     std::array<std::uint8_t, kKinds> waiting_count_{};

@@ -9,6 +9,13 @@ namespace musim::lsdem::detail {
 template <class Real>
 struct Orientation {
     Real w, x, y, z;
+
+    /// The turn that leads from `before` to this.
+    [[gnu::always_inline]] Orientation after(const Orientation& before) const {
+        const Orientation& b = before;
+        return {(w * b.w + x * b.x) + (y * b.y + z * b.z), (b.w * x - w * b.x) + (z * b.y - y * b.z),
+                (b.w * y - w * b.y) + (x * b.z - z * b.x), (b.w * z - w * b.z) + (y * b.x - x * b.y)};
+    }
 };
 
 /// Rows of the rotation matrix of a unit quaternion.

@@ -55,6 +55,15 @@ using Four = std::array<std::size_t, kLanes>;
     to[2] = v.z[lane];
 }
 
+[[gnu::always_inline]] inline void put(const Orientation<Lanes>& q, std::size_t lane, Quaternion& to) {
+    double* const coefficients = to.coeffs().data();
+    coefficients[0] = q.x[lane], coefficients[1] = q.y[lane], coefficients[2] = q.z[lane], coefficients[3] = q.w[lane];
+}
+
+[[gnu::always_inline]] inline Lanes pick_travel(const std::vector<BodyStep>& from, const Four& i) {
+    return Lanes{from[i[0]].travel, from[i[1]].travel, from[i[2]].travel, from[i[3]].travel};
+}
+
 /// What a change of momentum from `before` to `after` holds besides `kick`.
 [[gnu::always_inline]] inline Triple<Lanes> beside(const Triple<Lanes>& kick, const Triple<Lanes>& before, const Triple<Lanes>& after) {
     return {(after.x - before.x) - kick.x, (after.y - before.y) - kick.y, (after.z - before.z) - kick.z};
@@ -94,8 +103,8 @@ template <bool prepares>
         }
         const Triple<Lanes> force = pick(force_at), torque = pick(torque_at);
         const Lanes free = pick(bodies.free, i), kick = push * free, per_mass = pick(bodies.inverse_mass, i);
-        Triple<Lanes> v = pick(bodies.velocity, i), x = pick(bodies.previous_position, i), l = pick(bodies.momentum, i);
-        const Triple<Lanes> v_before = v, l_before = l;
+        Triple<Lanes> v = pick(bodies.velocity, i), x = pick(bodies.position, i), l = pick(bodies.momentum, i);
+        const Triple<Lanes> v_before = v, x_before = x, l_before = l;
         const Triple<Lanes> acceleration{force.x * per_mass + gravity.x(), force.y * per_mass + gravity.y(),
                                          force.z * per_mass + gravity.z()};
         if (prepares) v = {keep * v.x, keep * v.y, keep * v.z};
@@ -117,7 +126,7 @@ template <bool prepares>
         const RotationRows<Lanes> rows_before(before);
         const Triple<Lanes> l_body = rows_before.to_body(l);
         const auto root_of = [](const Lanes& value) MUSIM_INLINE_LAMBDA { return square_root(value); };
-        const Orientation<Lanes> turned = turn_freely(before, l_body, inverse_inertia, h, root_of);
+        const Orientation<Lanes> free_q = turn_freely(before, l_body, inverse_inertia, h, root_of);
         Lanes loss = zero;
         if (prepares) {
             // the impulse of the damping, and of added inertia, times the mean of the velocities before and after it
@@ -130,19 +139,21 @@ template <bool prepares>
             loss =
                 pick(bodies.preparation_loss, i) - 0.5 * (pick(bodies.mass, i) * dot(impulse, v_before + v) + dot(twist_impulse, spin_sum));
         }
-        const Orientation<Lanes> q{choose(turns, turned.w, before.w), choose(turns, turned.x, before.x), choose(turns, turned.y, before.y),
-                                   choose(turns, turned.z, before.z)};
+        const Orientation<Lanes> q{choose(turns, free_q.w, before.w), choose(turns, free_q.x, before.x), choose(turns, free_q.y, before.y),
+                                   choose(turns, free_q.z, before.z)};
         const RotationRows<Lanes> rows(q);
 
         const Triple<Lanes> moved{h * v.x - leap.base_step.x(), h * v.y - leap.base_step.y(), h * v.z - leap.base_step.z()};
         const Lanes diameter = pick(reference.diameter, i);
         const Lanes way = square_root(dot(moved, moved)) + diameter * square_root(square_of_difference(q, before));
-        const Lanes travel = kUpward * (pick(bodies.travel, i) + way);
+        const Lanes travel = kUpward * (pick_travel(bodies.step, i) + way);
+        const Triple<Lanes> shift = x - x_before;
+        const Orientation<Lanes> turn = q.after(before);
 
         const Triple<Lanes> at = pick(reference.position, i);
         const Lanes dx = (x.x - base.x()) - at.x, dy = (x.y - base.y()) - at.y, dz = (x.z - base.z()) - at.z;
-        const Lanes turn = square_of_difference(q, pick(reference.orientation, i));
-        const Lanes drift = square_root((dx * dx + dy * dy) + dz * dz) + diameter * square_root(turn);
+        const Lanes turned_away = square_of_difference(q, pick(reference.orientation, i));
+        const Lanes drift = square_root((dx * dx + dy * dy) + dz * dz) + diameter * square_root(turned_away);
         farthest = larger_of<Lanes>(farthest, drift);
         lost |= drift != drift;
 
@@ -151,10 +162,12 @@ template <bool prepares>
             put(v, lane, bodies.velocity[block].data());
             put(x, lane, bodies.position[block].data());
             put(l, lane, bodies.momentum[block].data());
-            bodies.travel[block] = travel[lane];
+            BodyStep& step = bodies.step[block];
+            put(turn, lane, step.turn);
+            put(shift, lane, step.shift.data());
+            step.travel = travel[lane];
             if (prepares) bodies.preparation_loss[block] = loss[lane];
-            double* const coefficients = bodies.orientation[block].coeffs().data();
-            coefficients[0] = q.x[lane], coefficients[1] = q.y[lane], coefficients[2] = q.z[lane], coefficients[3] = q.w[lane];
+            put(q, lane, bodies.orientation[block]);
             double* const r = bodies.rotation[block].data();
             r[0] = rows.x.x[lane], r[1] = rows.y.x[lane], r[2] = rows.z.x[lane];
             r[3] = rows.x.y[lane], r[4] = rows.y.y[lane], r[5] = rows.z.y[lane];

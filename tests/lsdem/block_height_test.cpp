@@ -157,8 +157,6 @@ std::vector<Place> collide(const Stone& stone, double strain, double other) {
 ContactList find_contacts(const Model& model) {
     NeighborSearch search(model);
     Bodies bodies(model);
-    bodies.previous_position = bodies.position;
-    bodies.previous_rotation = bodies.rotation;
     ContactList list;
     Losses finished{.block = std::vector<PairWork>(model.blocks.size()), .ground = {}};
     search.rebuild(bodies, BasePose{}, list, finished);

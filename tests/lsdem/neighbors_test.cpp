@@ -67,7 +67,6 @@ Model make_random_heap(std::uint32_t seed) {
 double find_drift(const NeighborSearch& search, Bodies bodies, const BasePose& base) {
     musim::lsdem::detail::TouchList touches;
     touches.rebuild(bodies.size(), {});
-    bodies.previous_position = bodies.position;
     return musim::lsdem::detail::move_blocks(touches, {}, search.reference(), {.base_displacement = base.displacement}, 0, bodies.size(),
                                              bodies);
 }

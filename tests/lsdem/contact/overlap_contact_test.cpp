@@ -32,8 +32,7 @@ class MovedBox {
     /// Moves the upper box by a shift and a turn about its own centre, and finds what acts on it.
     OverlapForces move(const Vector3& shift, const Vector3& turn = Vector3::Zero()) {
         const Vector3 before = position_;
-        const Matrix3 turned =
-            turn.isZero(0.0) ? Matrix3(Matrix3::Identity()) : Matrix3(Eigen::AngleAxisd(turn.norm(), turn.normalized()).toRotationMatrix());
+        const Quaternion turned = turn.isZero(0.0) ? Quaternion::Identity() : Quaternion(Eigen::AngleAxisd(turn.norm(), turn.normalized()));
         position_ += shift;
         rotation_ = turned * rotation_;
         const Vector3 apart = Vector3(0.0, 0.0, 0.5 * kTable + half_.z() - depth_) + position_;
@@ -46,7 +45,7 @@ class MovedBox {
         const Vector3 apart_before = apart - shift;
         motion.previous_center = {Vector3(-0.5 * apart_before), Vector3(0.5 * apart_before)};
         motion.shift = position_ - before;
-        motion.turn = {Matrix3::Identity(), turned};
+        motion.turn[1] = turned;
         const OverlapForces forces =
             compute_overlap_contact(find_overlap_geometry(bodies.pieces()), motion, law_, kStep, false, stored_, bodies, contact_);
         stored_ = forces.elastic_shear;
