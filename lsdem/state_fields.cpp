@@ -43,7 +43,7 @@ static void exchange(Archive& archive, FrictionSprings<Value>& s) {
 }
 
 static void exchange(Archive& archive, OverlapContact& c) {
-    archive(c.touches, c.sliding, c.turning, c.lightest, c.place, c.friction, c.drag, c.damping);
+    archive(c.touches, c.sliding, c.turning, c.lightest, c.place, c.couple, c.dashpots);
 }
 
 void exchange(Archive& archive, ContactList& l) {

@@ -78,8 +78,10 @@ struct ContactStep {
         Springs<Vector> sliding;
         Springs<Real> turning;
         Real lightest{};
-        Vector place;
-        Wrench friction, drag, damping;
+        Vector place, couple;
+        Wrench dashpots;
+
+        MUSIM_WIDE Wrench springs() const { return {sliding.total(), couple}; }
     };
     /// See Interface.
     struct Law {
@@ -195,6 +197,7 @@ struct ContactStep {
         const Real zero{}, one = broadcast<Real>(1.0);
         const Memory before = contact;
         Result result;
+        Vector slipped{};
         const Real squared = dot(geometry.force, geometry.force);
         const Mask touches = squared > zero;
         if (some(touches)) {
@@ -208,7 +211,7 @@ struct ContactStep {
 
             // dashpots: C ḋ everywhere, less where that would pull more than the springs push, and less where a point has touched for a
             // part of the step only: d of the way ḋ dt
-            const Vector slipped = motion.displacement(contact.place);
+            slipped = motion.displacement(contact.place);
             const Real per_depth = law.normal_damping * (1.0 / dt);
             const Pressure dashpot{-per_depth * dot(normal, slipped),
                                    -per_depth * (motion.turn[0].change(normal) - motion.turn[1].change(normal)), contact.place};
@@ -228,7 +231,7 @@ struct ContactStep {
                 result.pulls = result.pulls | (now & (part.sum > zero));
             }
             const Real damping = dashpot.at * area + held.sum;
-            contact.damping = {damping * normal, cross(geometry.second_times(dashpot.slope) + held.at, normal)};
+            const Wrench damped{damping * normal, cross(geometry.second_times(dashpot.slope) + held.at, normal)};
 
             // springs of friction
             Springs<Vector>& sliding = contact.sliding;
@@ -241,9 +244,12 @@ struct ContactStep {
             contact.turning.fit(polar, kept);
             const Real stiffness = law.shear_stiffness * area, turning_stiffness = law.shear_stiffness * polar;
             // of a first touch, the part of the step that came after it
-            const Real sunk = -dot(normal, motion.displacement(pressed));
-            const Real part = choose(before.touches, one, choose(sunk > geometry.deepest, geometry.deepest / sunk, one));
-            const Real slip_part = first_step ? zero : part;
+            Real slip_part = first_step ? zero : one;
+            const Mask begins = touches & (touches ^ before.touches);
+            if (some(begins)) {
+                const Real sunk = -dot(normal, motion.displacement(pressed));
+                slip_part = choose(begins & (sunk > geometry.deepest), slip_part * (geometry.deepest / sunk), slip_part);
+            }
             const Vector slip = slip_part * across(normal, slipped);
             const Real turn = slip_part * dot(normal, motion.turn[1].turned - motion.turn[0].turned);
             const Real viscous = choose(law.shear_stiffness > zero, law.shear_damping / (law.shear_stiffness * dt), zero);
@@ -259,20 +265,20 @@ struct ContactStep {
             // what nothing presses keeps no slip
             sliding.keep_where(holds);
             contact.turning.keep_where(holds);
-            contact.friction = {friction.force, friction.couple * normal};
-            contact.drag = {drag.force, drag.couple * normal};
+            contact.couple = springs.couple * normal;
+            contact.dashpots = {damped.force + drag.force, damped.couple + drag.couple * normal};
             result.elastic_shear = sliding.energy(law.shear_stiffness, [](const Vector& force) MUSIM_WIDE_LAMBDA {
                 return dot(force, force);
             }) + contact.turning.energy(law.shear_stiffness, [](const Real& couple) MUSIM_WIDE_LAMBDA { return couple * couple; });
 
-            const Vector at_middle = contact.damping.force + friction.force;
+            const Vector at_middle = damped.force + friction.force;
             result.force = law.normal_stiffness * geometry.force + at_middle;
-            result.moment = law.normal_stiffness * geometry.moment + cross(contact.place, at_middle) +
-                            (contact.damping.couple + contact.friction.couple);
+            result.moment =
+                law.normal_stiffness * geometry.moment + cross(contact.place, at_middle) + (damped.couple + friction.couple * normal);
             result.elastic_normal = law.normal_stiffness * geometry.energy;
         }
-        keep_where(touches, contact, result);
-        add_losses(before, contact, motion, stored_shear, result);
+        if (!every(touches)) keep_where(touches, contact, result);
+        add_losses(before, contact, motion, slipped, stored_shear, result);
         return result;
     }
 
@@ -317,20 +323,19 @@ struct ContactStep {
         contact.touches = touches;
         const auto keep_springs = [&](auto& s) MUSIM_WIDE_LAMBDA { keep(s.area), keep(s.core), keep(s.in_core), keep(s.in_rest); };
         keep_springs(contact.sliding), keep_springs(contact.turning), keep(contact.lightest), keep(contact.place);
-        for (Wrench* const wrench : {&contact.friction, &contact.drag, &contact.damping}) keep(wrench->force), keep(wrench->couple);
+        keep(contact.couple), keep(contact.dashpots.force), keep(contact.dashpots.couple);
         keep(result.force), keep(result.moment), keep(result.elastic_normal), keep(result.elastic_shear);
     }
-    /// What acts works over a step with the mean of its values at both ends.
-    MUSIM_WIDE static void add_losses(const Memory& before, const Memory& contact, const Motion& motion, const Real& stored_shear,
-                                      Result& result) {
+    /// What acts works over a step with the mean of its values at both ends. `moved`: of the middle of the area now.
+    MUSIM_WIDE static void add_losses(const Memory& before, const Memory& contact, const Motion& motion, const Vector& moved,
+                                      const Real& stored_shear, Result& result) {
         const Vector turned = motion.turn[1].turned - motion.turn[0].turned;
-        const Vector moved = motion.displacement(contact.place), moved_before = motion.displacement_of_previous(before.place);
+        const Vector moved_before = motion.displacement_of_previous(before.place);
         const auto loss = [&](const Wrench& last, const Wrench& now) MUSIM_WIDE_LAMBDA {
             return -0.5 * ((dot(last.force, moved_before) + dot(now.force, moved)) + dot(last.couple + now.couple, turned));
         };
-        const Real dragged = loss(before.drag, contact.drag);
-        result.damping_work = loss(before.damping, contact.damping) + dragged;
-        result.friction_work = (loss(before.friction, contact.friction) - dragged) - (result.elastic_shear - stored_shear);
+        result.damping_work = loss(before.dashpots, contact.dashpots);
+        result.friction_work = loss(before.springs(), contact.springs()) - (result.elastic_shear - stored_shear);
     }
 };
 

@@ -46,7 +46,7 @@ struct Lane {
         return motion;
     }
     /// All numbers of a contact lie behind each other, from the springs on.
-    static constexpr std::size_t kNumbers = 34;
+    static constexpr std::size_t kNumbers = 25;
     static_assert(sizeof(OverlapContact) == (1 + kNumbers) * sizeof(double) && offsetof(OverlapContact, sliding) == sizeof(double));
 
     MUSIM_WIDE static typename Step::Memory gather_memory(const LanePair* pairs) {
@@ -58,25 +58,21 @@ struct Lane {
                 {f[8], f[9], f[10], f[11]},
                 f[12],
                 {f[13], f[14], f[15]},
-                {{f[16], f[17], f[18]}, {f[19], f[20], f[21]}},
-                {{f[22], f[23], f[24]}, {f[25], f[26], f[27]}},
-                {{f[28], f[29], f[30]}, {f[31], f[32], f[33]}}};
+                {f[16], f[17], f[18]},
+                {{f[19], f[20], f[21]}, {f[22], f[23], f[24]}}};
     }
     MUSIM_WIDE static std::array<Real, kNumbers> numbers_of(const typename Step::Memory& m) {
         const auto& s = m.sliding;
         const auto& t = m.turning;
-        const auto &c = s.in_core, &r = s.in_rest, &p = m.place, &ff = m.friction.force, &fc = m.friction.couple, &df = m.drag.force,
-                   &dc = m.drag.couple, &nf = m.damping.force, &nc = m.damping.couple;
-        return {s.area,     s.core, c.x,  c.y,  c.z,  r.x,  r.y,  r.z,  t.area, t.core, t.in_core, t.in_rest,
-                m.lightest, p.x,    p.y,  p.z,  ff.x, ff.y, ff.z, fc.x, fc.y,   fc.z,   df.x,      df.y,
-                df.z,       dc.x,   dc.y, dc.z, nf.x, nf.y, nf.z, nc.x, nc.y,   nc.z};
+        const auto &c = s.in_core, &r = s.in_rest, &p = m.place, &w = m.couple, &f = m.dashpots.force, &d = m.dashpots.couple;
+        return {s.area, s.core, c.x, c.y, c.z, r.x, r.y, r.z, t.area, t.core, t.in_core, t.in_rest, m.lightest,
+                p.x,    p.y,    p.z, w.x, w.y, w.z, f.x, f.y, f.z,    d.x,    d.y,       d.z};
     }
     MUSIM_WIDE static typename Step::Law gather_law(const LanePair* pairs) {
-        const auto of = [&](double Interface::*field) MUSIM_WIDE_LAMBDA {
-            return gather_lanes<Real>([&](std::size_t i) MUSIM_WIDE_LAMBDA { return pairs[i].law->*field; });
-        };
-        return {of(&Interface::normal_stiffness), of(&Interface::shear_stiffness), of(&Interface::friction), of(&Interface::normal_damping),
-                of(&Interface::shear_damping)};
+        static_assert(sizeof(Interface) == 5 * sizeof(double));
+        const std::array<Real, 5> f =
+            gather_fields<Real, 5>([&](std::size_t i) MUSIM_WIDE_LAMBDA { return &pairs[i].law->normal_stiffness; });
+        return {f[0], f[1], f[2], f[3], f[4]};
     }
     MUSIM_WIDE static Vector3 pick(const Vector& v, std::size_t lane) { return {v.x[lane], v.y[lane], v.z[lane]}; }
 
@@ -107,7 +103,7 @@ struct Lane {
     /// broad faces, by 60 times as much on slivers, as the test of the lanes holds.
     static constexpr double kRoughly = 1e-6;
 
-    MUSIM_WIDE static void compute(LanePair* pairs, double dt, bool first_step, const LaneOverlap<W>& found) {
+    MUSIM_WIDE static void compute(LanePair* pairs, double dt, bool first_step, const LaneOverlap<W>& found, LaneOutput& nowhere) {
         Vector shift;
         const typename Step::Motion motion = gather_motion(pairs, found.apart, shift);
         MainCells<W> cells{found.cells, {}, {}, {}, {}};
@@ -116,35 +112,46 @@ struct Lane {
         typename Step::Memory memory = gather_memory(pairs);
         const typename Step::Result result =
             Step::compute(geometry, motion, gather_law(pairs), dt, first_step, stored_shear, cells, memory);
-        const Vector leader_torque = cross(motion.center[0], result.force) - result.moment;
-        const Vector follower_torque = result.moment - cross(motion.center[1], result.force);
-        // what does not hold goes where nobody looks
-        OverlapContact nowhere;
-        PairForce no_force;
-        for (std::size_t i = 0; i < kWidth<Real>; ++i) pairs[i].irregular = found.irregular[i] != 0;
-        scatter_fields<Real, kNumbers>(numbers_of(memory), [&](std::size_t i) MUSIM_WIDE_LAMBDA {
-            return pairs[i].irregular ? &nowhere.sliding.area : &pairs[i].contact->sliding.area;
-        });
-        const Vector force = -result.force;
+        if (some(found.irregular)) {
+            for (std::size_t i = 0; i < kWidth<Real>; ++i) {
+                if (found.irregular[i] != 0) pairs[i].irregular = true, pairs[i].put_into(nowhere);
+            }
+        }
+        scatter_fields<Real, kNumbers>(numbers_of(memory),
+                                       [&](std::size_t i) MUSIM_WIDE_LAMBDA { return &pairs[i].contact->sliding.area; });
+        const Vector force = -result.force, leader = cross(motion.center[0], result.force) - result.moment,
+                     follower = result.moment - cross(motion.center[1], result.force);
         static_assert(sizeof(PairForce) == 9 * sizeof(double));
-        scatter_fields<Real, 9>({force.x, force.y, force.z, leader_torque.x, leader_torque.y, leader_torque.z, follower_torque.x,
-                                 follower_torque.y, follower_torque.z},
-                                [&](std::size_t i)
-                                    MUSIM_WIDE_LAMBDA { return (pairs[i].irregular ? no_force : *pairs[i].force).force.data(); });
+        scatter_fields<Real, 9>({force.x, force.y, force.z, leader.x, leader.y, leader.z, follower.x, follower.y, follower.z},
+                                [&](std::size_t i) MUSIM_WIDE_LAMBDA { return pairs[i].force->force.data(); });
+        const Real zero{}, deepest = choose(memory.touches, found.deepest, zero), area = choose(memory.touches, found.area, zero);
+        static_assert(offsetof(PairTally, overlap) == 2 * sizeof(double));
+        scatter_fields<Real, 3>({result.elastic_normal, result.elastic_shear, deepest},
+                                [&](std::size_t i) MUSIM_WIDE_LAMBDA { return &pairs[i].tally->elastic_normal; });
+        const Mask rough = deepest * deepest > kRoughly * area;
+        const auto company = find_company(result, found);
         for (std::size_t i = 0; i < kWidth<Real>; ++i) {
             LanePair& pair = pairs[i];
-            if (pair.irregular) continue;
             const bool touches = memory.touches[i] != 0;
             pair.contact->touches = touches;
-            const auto first = static_cast<unsigned>(found.cells[0].bounds[i]), second = static_cast<unsigned>(found.cells[1].bounds[i]);
-            const auto bit = [i](const auto& mask) MUSIM_WIDE_LAMBDA { return mask[i] != 0 ? 1U : 0U; };
-            pair.contact->company = static_cast<std::uint8_t>(bit(result.may_slide) | bit(result.pulls) << 1U | bit(found.corner) << 2U |
-                                                              ((first & second) != 0 ? 8U : 0U) | first << 4U);
-            *pair.tally = {result.elastic_normal[i], result.elastic_shear[i], touches ? found.deepest[i] : 0.0, touches ? 1U : 0U,
-                           found.deepest[i] * found.deepest[i] > kRoughly * found.area[i]};
+            pair.contact->company = static_cast<std::uint8_t>(company[i]);
+            pair.tally->touching = touches ? 1 : 0;
+            pair.tally->rough = rough[i] != 0;
             *pair.work += {result.friction_work[i], result.damping_work[i]};
-            pair.area = touches ? found.area[i] : 0.0;
+            pair.area = area[i];
         }
+    }
+    /// See OverlapContact::company; in the lowest byte.
+    MUSIM_WIDE static std::array<std::uint64_t, kWidth<Real>> find_company(const typename Step::Result& result,
+                                                                           const LaneOverlap<W>& found) {
+        using Bits = typename W::Bits;
+        constexpr double kTwoTo52 = 0x1p52;  // brings a small whole number into the lowest bits
+        const auto bit = [](const Mask& mask, double value) MUSIM_WIDE_LAMBDA { return choose(mask, broadcast<Real>(value), Real{}); };
+        const Real &first = found.cells[0].bounds, &second = found.cells[1].bounds;
+        const Real sum = (bit(result.may_slide, 1.0) + bit(result.pulls, 2.0)) + (bit(found.corner, 4.0) + 16.0 * first);
+        const Bits flush = (__builtin_bit_cast(Bits, first + kTwoTo52) & __builtin_bit_cast(Bits, second + kTwoTo52)) & 15U;
+        return __builtin_bit_cast(std::array<std::uint64_t, kWidth<Real>>,
+                                  __builtin_bit_cast(Bits, sum + kTwoTo52) | (flush + 15U) >> 4 << 3);
     }
 
     MUSIM_WIDE static void store(const LaneOverlap<W>& found, LaneFinding* results) {
@@ -196,11 +203,11 @@ struct LanePairs {
     MUSIM_WIDE static void find(const BoxMeeting* pairs, std::size_t groups, Overlaps& found) {
         find([pairs](std::size_t i) MUSIM_WIDE_LAMBDA -> const BoxMeeting& { return pairs[i]; }, groups, found);
     }
-    MUSIM_WIDE static void compute(LanePair* pairs, std::size_t count, double dt, bool first_step) {
+    MUSIM_WIDE static void compute(LanePair* pairs, std::size_t count, double dt, bool first_step, LaneOutput& nowhere) {
         const std::size_t groups = count / kStep;
         Overlaps found;
         find([pairs](std::size_t i) MUSIM_WIDE_LAMBDA -> const BoxMeeting& { return pairs[i].meeting; }, groups, found);
-        for (std::size_t g = 0; g < groups; ++g) Lane<W>::compute(pairs + g * kStep, dt, first_step, found[g]);
+        for (std::size_t g = 0; g < groups; ++g) Lane<W>::compute(pairs + g * kStep, dt, first_step, found[g], nowhere);
     }
     MUSIM_WIDE static void find_overlaps(const BoxMeeting* pairs, std::size_t count, LaneFinding* findings) {
         Overlaps found;

@@ -44,9 +44,8 @@ Step::Memory to_lane(const OverlapContact& contact) {
             {t.area, t.core, t.in_core, t.in_rest},
             contact.lightest,
             to_lane(contact.place),
-            to_lane(contact.friction),
-            to_lane(contact.drag),
-            to_lane(contact.damping)};
+            to_lane(contact.couple),
+            to_lane(contact.dashpots)};
 }
 OverlapContact from_lane(const Step::Memory& memory) {
     const Step::Springs<Vector>& s = memory.sliding;
@@ -57,9 +56,8 @@ OverlapContact from_lane(const Step::Memory& memory) {
             {t.area, t.core, t.in_core, t.in_rest},
             memory.lightest,
             from_lane(memory.place),
-            from_lane(memory.friction),
-            from_lane(memory.drag),
-            from_lane(memory.damping)};
+            from_lane(memory.couple),
+            from_lane(memory.dashpots)};
 }
 
 /// The area of a contact as pieces of both bodies, cut when first asked for.

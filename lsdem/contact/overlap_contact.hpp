@@ -50,10 +50,9 @@ struct OverlapContact {
     /// [N].
     double lightest = 0.0;
     // what acted at the last step, for its work over the next
-    Vector3 place = Vector3::Zero();  ///< middle of the area, about the origin of that time [m]
-    PlacedWrench friction;            ///< springs and tangential dashpot
-    PlacedWrench drag;                ///< the tangential dashpot alone
-    PlacedWrench damping;             ///< the normal dashpot
+    Vector3 place = Vector3::Zero();   ///< middle of the area, about the origin of that time [m]
+    Vector3 couple = Vector3::Zero();  ///< of the springs of friction [N·m]
+    PlacedWrench dashpots;             ///< normal and tangential
 };
 
 /// What a contact does in a step.

@@ -41,12 +41,12 @@ struct LaneOverlap {
 template <class W>
 struct Kernel : OverlapRims<W> {
     using Base = OverlapRims<W>;
-    using Base::add_bisectors, Base::add_flush_rim, Base::add_main_cell, Base::add_rim_ends, Base::combine, Base::finish_main_cell,
-        Base::scaled;
+    using Base::add_bisectors, Base::add_flush_rim, Base::add_main_cell, Base::add_rim_ends, Base::combine, Base::find_side_planes,
+        Base::finish_main_cell, Base::scaled;
     using Base::all, Base::guarded, Base::invert, Base::kFar, Base::larger, Base::sign_of, Base::smaller;
     using typename Base::Across, typename Base::Cell, typename Base::Interval, typename Base::LaneMask, typename Base::Lanes,
         typename Base::Lanes3, typename Base::Powers, typename Base::Role;
-    using typename Base::Strips;
+    using typename Base::Flush, typename Base::Strips;
     using LaneOverlap = detail::LaneOverlap<W>;
 
     /// A box with its axes named: two in the plane of the face, and the face's outward normal.
@@ -167,15 +167,36 @@ struct Kernel : OverlapRims<W> {
         result.corner = corner;
         for (Role& role : roles) {
             role.deepest = deepest, role.corner = corner, role.negligible = negligible;
+            std::array<std::array<std::array<Flush, 2>, 2>, 2> flush;  // [direction][rim][side plane]
+            bool any = some(corner);
             for (std::size_t k = 0; k < 2; ++k) {
 #pragma GCC unroll 2
-                for (std::size_t r = 0; r < 2; ++r) add_flush_rim(role, k, r, r, ~LaneMask{});
+                for (std::size_t r = 0; r < 2; ++r) {
+                    flush[k][r][r].find(role, k, r, r);
+                    any |= flush[k][r][r].any();
+                }
                 // a rim crosses the side plane of the other side where the touching area ends in a tip
                 const Across &u = role.across[k], &v = role.across[1 - k];
                 const LaneMask opposite = (u.side + u.by_x * u.half) - magnitude(u.at) < magnitude(u.by_y) * v.half + all(1.1) * deepest;
                 if (!some(opposite)) continue;
 #pragma GCC unroll 2
-                for (std::size_t r = 0; r < 2; ++r) add_flush_rim(role, k, r, 1 - r, opposite);
+                for (std::size_t r = 0; r < 2; ++r) {
+                    Flush& other = flush[k][r][1 - r];
+                    other.find(role, k, r, 1 - r);
+                    other.touching &= opposite, other.ends &= opposite;
+                    any |= other.any();
+                }
+            }
+            if (!any) continue;
+            find_side_planes(role);
+            for (std::size_t k = 0; k < 2; ++k) {
+#pragma GCC unroll 2
+                for (std::size_t r = 0; r < 2; ++r) {
+#pragma GCC unroll 2
+                    for (std::size_t m = 0; m < 2; ++m) {
+                        if (flush[k][r][m].any()) add_flush_rim(role, k, r, m, flush[k][r][m]);
+                    }
+                }
             }
             if (!some(corner)) continue;
             // the lines in which two planes of Y meet X's sides lean with the tilt; what that makes is of the second order in it

@@ -18,6 +18,14 @@ namespace musim::lsdem::detail {
 inline constexpr std::size_t kLanePairs = 32, kLanes = 8;
 constexpr std::size_t round_up_to_lanes(std::size_t count) { return (count + kLanes - 1) / kLanes * kLanes; }
 
+/// What a contact leaves behind.
+struct LaneOutput {
+    OverlapContact contact;
+    PairForce force;
+    PairTally tally;
+    PairWork work;
+};
+
 /// Two boxes, the first the leader, and where to find and put what their contact is made from.
 struct LanePair {
     BoxMeeting meeting;
@@ -31,10 +39,13 @@ struct LanePair {
     PairWork* work;
     double area = 0.0;       ///< found: of faces inside the other body [m²]
     bool irregular = false;  ///< found: nothing is computed, take the exact function
+
+    void put_into(LaneOutput& output) { contact = &output.contact, force = &output.force, tally = &output.tally, work = &output.work; }
 };
 
-/// Forces of `count` pairs at step n, what they remember, tallies and work. `first_step`: see compute_overlap_contact.
-void compute_lane_pairs(LanePair* pairs, std::size_t count, double dt, bool first_step);
+/// Forces of `count` pairs at step n, what they remember, tallies and work; of those that are irregular `nowhere`. `first_step`: see
+/// compute_overlap_contact.
+void compute_lane_pairs(LanePair* pairs, std::size_t count, double dt, bool first_step, LaneOutput& nowhere);
 
 /// What the overlap alone is, for a stiffness per area of one; about the point half way between the middles of the boxes.
 struct LaneFinding {

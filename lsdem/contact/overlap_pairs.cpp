@@ -101,6 +101,7 @@ void OverlapBatch::place(std::size_t index, std::size_t at) {
     lane.force = &list_.forces[index];
     lane.tally = &list_.tallies[index];
     lane.work = &list_.work[index];
+    lane.irregular = false;
     // asked for when all lanes are placed, the memory of the contact once their overlaps are found
     for (const auto& box : {lane.meeting.a, lane.meeting.b}) {
         detail::prefetch(box.rotation, 9);
@@ -133,17 +134,10 @@ void OverlapBatch::compute() {
 void OverlapBatch::compute(const Indices& indices, std::size_t count) {
     if (count == 0) return;
     for (std::size_t i = 0; i < count; ++i) place(indices[i], i);
-    // lanes that are left over repeat the first, and put what they find where nobody looks
-    OverlapContact contact;
-    PairForce force;
-    PairTally tally;
-    PairWork work;
+    // lanes that are left over repeat the first
     const std::size_t lanes = detail::round_up_to_lanes(count);
-    for (std::size_t i = count; i < lanes; ++i) {
-        detail::LanePair& lane = lanes_[i] = lanes_[0];
-        lane.contact = &contact, lane.force = &force, lane.tally = &tally, lane.work = &work;
-    }
-    detail::compute_lane_pairs(lanes_.data(), lanes, dt_, list_.first_step);
+    for (std::size_t i = count; i < lanes; ++i) (lanes_[i] = lanes_[0]).put_into(nowhere_);
+    detail::compute_lane_pairs(lanes_.data(), lanes, dt_, list_.first_step, nowhere_);
     for (std::size_t i = 0; i < count; ++i) {
         if (lanes_[i].irregular) {
             compute_exactly(indices[i]);

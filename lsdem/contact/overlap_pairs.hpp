@@ -54,7 +54,8 @@ class OverlapBatch {
     // those that are computed now
     std::array<detail::LanePair, kSize> lanes_;
     std::array<GroundSheet, kSize> sheets_;
-    OverlapPieces room_;  ///< of the pair that is being cut
+    detail::LaneOutput nowhere_;  ///< where what nobody asks for goes
+    OverlapPieces room_;          ///< of the pair that is being cut
 };
 
 /// Where friction and dashpots of a contact act, world axes and origin.

@@ -154,19 +154,32 @@ struct OverlapRims : OverlapRole<W> {
         return (part.low < part.high) & (larger(plane(part.low), plane(part.high)) > all(0.0));
     }
 
+    /// Where rim r runs along side plane m of Y at less than the depth, and where that plane ends below it.
+    struct Flush {
+        LaneMask touching{}, ends{};
+        MUSIM_WIDE void find(const Role& role, std::size_t k, std::size_t r, std::size_t m) {
+            const Across &u = role.across[k], &v = role.across[1 - k];
+            const Lanes zero{}, x = r == 0 ? -u.half : u.half, across = u.at + u.by_x * x;
+            const Lanes at = m == 0 ? u.side + across : u.side - across, by = m == 0 ? u.by_y : -u.by_y;
+            const Interval part = beyond_crease(u, v.half, r, m);
+            touching = (part.low < part.high) & (larger(at + by * part.low, at + by * part.high) > zero);
+            const Lanes g = magnitude(u.by_s), reach = magnitude(by) * v.half + (all(1.1) * g) * role.deepest;
+            ends = (magnitude(at) < reach) & ((g * v.half) * (role.deepest * role.deepest) > role.negligible);
+        }
+        MUSIM_WIDE bool any() const { return some(touching | ends); }
+    };
+
     /// Flush edges: rims that run along side plane m of Y at less than the depth.
-    MUSIM_WIDE static void add_flush_rim(Role& role, std::size_t k, std::size_t r, std::size_t m, const LaneMask& where) {
+    MUSIM_WIDE static void add_flush_rim(Role& role, std::size_t k, std::size_t r, std::size_t m, const Flush& flush) {
         const Across &u = role.across[k], &v = role.across[1 - k];
         const SidePlane plane = own_plane(u, r == 0 ? -u.half : u.half, m);
-        const Interval part = beyond_crease(u, v.half, r, m);
-        LaneMask touching = touches(plane, part);
-        const Lanes g = magnitude(plane.by_s), reach = magnitude(plane.by) * v.half + (all(1.1) * g) * role.deepest;
-        LaneMask ends = (magnitude(plane.at) < reach) & ((g * v.half) * (role.deepest * role.deepest) > role.negligible);
-        touching &= where, ends &= where;
-        if (!some(touching | ends)) return;
         const Rim rim(role, k, r);
-        if (some(touching)) add_rim_part(role, k, r, m, plane, rim.x, rim.d_at, rim.d_by, rim.nearer_own(m, part), touching);
-        if (some(ends)) add_side_line(role, k, r, plane, rim.end[0], rim.end[1], rim.d_at, rim.d_by, Interval{-v.half, v.half}, ends);
+        if (some(flush.touching)) {
+            const Interval part = rim.nearer_own(m, beyond_crease(u, v.half, r, m));
+            add_rim_part(role, k, r, m, plane, rim.x, rim.d_at, rim.d_by, part, flush.touching);
+        }
+        if (some(flush.ends))
+            add_side_line(role, k, r, plane, rim.end[0], rim.end[1], rim.d_at, rim.d_by, Interval{-v.half, v.half}, flush.ends);
     }
 
     /// Terms of the third order along a rim: at its ends, where it crosses Y's side planes, and about Y's corners.

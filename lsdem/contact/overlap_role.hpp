@@ -61,13 +61,15 @@ struct OverlapRole {
         Lanes side;  ///< half extent of Y between the two side planes
         Lanes at;    ///< d_± = side ∓ (at + by_x x + by_y y − by_s s)
         Lanes by_x, by_y, by_s;
-        Lanes depth_by_x;               ///< of D
-        Lanes inverse_x, inverse_y;     ///< of by_x; of by_y, guarded
-        std::array<Lanes, 2> bisector;  ///< 1/(by_x ∓ by_y of the other direction), guarded
-        std::array<Lanes, 2> wedge;     ///< 1/(2 (ζ + g)) of the side planes
+        Lanes depth_by_x;  ///< of D
+        Lanes inverse_x;   ///< of by_x
         // creases D = d_±: x = at + slope y, lower one first; where the rims x = ∓half cross them: y
         std::array<Lanes, 2> crease_at, crease_slope, crease_inverse;
         std::array<std::array<Lanes, 2>, 2> crossing;  ///< [crease][rim]
+        // once edges are flush or corners count
+        Lanes inverse_y;                ///< of by_y, guarded
+        std::array<Lanes, 2> bisector;  ///< 1/(by_x ∓ by_y of the other direction), guarded
+        std::array<Lanes, 2> wedge;     ///< 1/(2 (ζ + g)) of the side planes
     };
 
     /// One body's faces in the other, and what they sum to.
@@ -98,10 +100,7 @@ struct OverlapRole {
     MUSIM_WIDE static void find_creases(Role& role, std::size_t k) {
         Across& u = role.across[k];
         const Lanes depth_by_y = role.across[1 - k].depth_by_x;
-        invert(u.by_x, guarded(u.by_y), u.inverse_x, u.inverse_y);
-        invert(guarded(u.by_x - role.across[1 - k].by_y), guarded(u.by_x + role.across[1 - k].by_y), u.bisector[0], u.bisector[1]);
-        invert(role.cosine - u.by_s, role.cosine + u.by_s, u.wedge[0], u.wedge[1]);
-        u.wedge[0] *= all(0.5), u.wedge[1] *= all(0.5);
+        u.inverse_x = all(1.0) / u.by_x;
         Lanes plus, minus;
         invert(u.by_x + u.depth_by_x, u.by_x - u.depth_by_x, plus, minus);
         u.crease_at[1] = ((u.side - u.at) - role.depth_at) * plus;
@@ -116,42 +115,67 @@ struct OverlapRole {
         }
     }
 
-    /// An edge of the main cell.
+    /// What only flush edges and corners need.
+    MUSIM_WIDE static void find_side_planes(Role& role) {
+        for (std::size_t k = 0; k < 2; ++k) {
+            Across& u = role.across[k];
+            const Lanes other = role.across[1 - k].by_y;
+            u.inverse_y = all(1.0) / guarded(u.by_y);
+            invert(guarded(u.by_x - other), guarded(u.by_x + other), u.bisector[0], u.bisector[1]);
+            invert(role.cosine - u.by_s, role.cosine + u.by_s, u.wedge[0], u.wedge[1]);
+            u.wedge[0] *= all(0.5), u.wedge[1] *= all(0.5);
+        }
+    }
+
+    /// An edge of the main cell: where D > 0.
     MUSIM_WIDE static Edge cut_main_edge(Role& role, const Lanes& x_at, const Lanes& x_by, const Lanes& d_at, const Lanes& d_by,
-                                         const Lanes& d_inverse, Interval part) {
-        part.keep(-d_at * d_inverse, d_inverse > all(0.0));
-        Edge e{x_at, x_by, part.low, part.high, part.length(), {}, {}};
-        const LaneMask there = e.length > all(0.0);
-        e.d0 = d_at + d_by * e.y0, e.d1 = d_at + d_by * e.y1;
+                                         Interval part) {
+        const Lanes zero{};
+        Edge e{x_at, x_by, part.low, part.high, {}, d_at + d_by * part.low, d_at + d_by * part.high};
+        const LaneMask crosses = smaller(e.d0, e.d1) < zero;
+        if (some(crosses)) {
+            const Lanes slope = guarded(d_by), end = -d_at / slope;
+            const LaneMask rises = slope > zero;
+            e.y0 = choose(crosses, choose(rises, larger(e.y0, end), e.y0), e.y0);
+            e.y1 = choose(crosses, choose(rises, e.y1, smaller(e.y1, end)), e.y1);
+            e.d0 = d_at + d_by * e.y0, e.d1 = d_at + d_by * e.y1;
+        }
+        e.length = larger(e.y1 - e.y0, zero);
+        const LaneMask there = e.length > zero;
         role.deepest = larger(role.deepest, choose(there, larger(e.d0, e.d1), all(0.0)));
         role.shallowest = smaller(role.shallowest, choose(there, smaller(e.d0, e.d1), all(1e300)));
         return e;
     }
     /// Adds the triangles between the fan's middle and the edges of one direction.
     MUSIM_WIDE static void add_main_edges(Role& role, std::size_t k, const Cell& cell) {
-        Lanes area{}, area_depth{}, mixed{}, place_x{}, place_y{}, square_x{}, square_y{}, load_x{}, load_y{};
-        const Lanes fan_x = role.fan[k], fan_y = role.fan[1 - k], fan_depth = role.fan_depth;
+        Lanes area{}, mixed{}, place_x{}, place_y{}, square_x{}, square_y{};
+        const Lanes fan_x = role.fan[k], fan_y = role.fan[1 - k];
         for (std::size_t i = 0; i < 4; ++i) {
             if (!cell.live[k][i]) continue;
             const Edge& e = cell.edges[k][i];
-            const Lanes y0 = e.y0 - fan_y, y1 = e.y1 - fan_y;
-            const Lanes x_fan = (e.x_at + e.x_by * fan_y) - fan_x, x0 = x_fan + e.x_by * y0, x1 = x_fan + e.x_by * y1;
+            const bool is_rim = i < 2;
+            const Lanes y0 = e.y0 - fan_y, y1 = e.y1 - fan_y, y = y0 + y1;
+            const Lanes x_fan = (is_rim ? e.x_at : e.x_at + e.x_by * fan_y) - fan_x;
             const Lanes twice = (i & 1U) == 0 ? -(x_fan * e.length) : x_fan * e.length;  // area of the triangle
-            const Lanes depth = (fan_depth + e.d0) + e.d1, x = x0 + x1, y = y0 + y1, td = twice * depth, tx = twice * x, ty = twice * y;
-            const Lanes t0 = twice * e.d0, t1 = twice * e.d1;
+            const Lanes ty = twice * y;
             area += twice;
-            area_depth += td;
-            place_x += tx, place_y += ty;
-            square_x += tx * x - twice * (x0 * x1);
+            place_y += ty;
             square_y += ty * y - twice * (y0 * y1);
-            mixed += tx * y + twice * (x0 * y0 + x1 * y1);
-            load_x += td * x + (t0 * x0 + t1 * x1);
-            load_y += td * y + (t0 * y0 + t1 * y1);
+            if (is_rim) {
+                const Lanes tx = twice * x_fan, three = all(3.0) * tx;
+                place_x += tx + tx;
+                square_x += three * x_fan;
+                mixed += three * y;
+            } else {
+                const Lanes x0 = x_fan + e.x_by * y0, x1 = x_fan + e.x_by * y1, x = x0 + x1, tx = twice * x;
+                place_x += tx;
+                square_x += tx * x - twice * (x0 * x1);
+                mixed += tx * y + twice * (x0 * y0 + x1 * y1);
+            }
         }
-        role.area += area, role.area_depth += area_depth, role.area_mixed += mixed;
+        role.area += area, role.area_mixed += mixed;
         role.area_place[k] += place_x, role.area_place[1 - k] += place_y;
         role.area_square[k] += square_x, role.area_square[1 - k] += square_y;
-        role.load_place[k] += load_x, role.load_place[1 - k] += load_y;
     }
 
     /// Main cell of a (not yet divided by the fan's factors), and what belongs to it alone: the sides' loads below its rims (∫ D²/(2ζ)),
@@ -180,7 +204,7 @@ struct OverlapRole {
             const Across &u = role.across[k], &v = role.across[1 - k];
             const Lanes depth_by_y = v.depth_by_x;
             // rims
-            const Lanes rim_inverse = all(1.0) / guarded(depth_by_y), below = role.below;
+            const Lanes below = role.below;
 #pragma GCC unroll 2
             for (std::size_t r = 0; r < 2; ++r) {
                 const Lanes x = r == 0 ? -u.half : u.half;
@@ -190,7 +214,7 @@ struct OverlapRole {
                 part.keep(u.crossing[1][r], u.crease_inverse[1] > zero);
                 cell.live[k][r] = some(part.low < part.high);
                 if (!cell.live[k][r]) continue;
-                const Edge& e = edges[k][r] = cut_main_edge(role, x, zero, role.depth_at + u.depth_by_x * x, depth_by_y, rim_inverse, part);
+                const Edge& e = edges[k][r] = cut_main_edge(role, x, zero, role.depth_at + u.depth_by_x * x, depth_by_y, part);
                 const Powers d(e.y0, e.y1, e.length, e.d0, e.d1);
                 const Lanes factor = r == 0 ? -below : below;
                 role.side[k] += factor * d.square;
@@ -199,10 +223,6 @@ struct OverlapRole {
                 strips.energy += (factor * u.depth_by_x) * (all(1.0 / 3.0) * d.cube);
             }
             // creases
-            std::array<Lanes, 2> d_by, d_inverse;
-#pragma GCC unroll 2
-            for (std::size_t c = 0; c < 2; ++c) d_by[c] = depth_by_y + u.depth_by_x * u.crease_slope[c];
-            invert(guarded(d_by[0]), guarded(d_by[1]), d_inverse[0], d_inverse[1]);
             const Lanes beside = all(0.5) * u.inverse_x;
 #pragma GCC unroll 2
             for (std::size_t c = 0; c < 2; ++c) {
@@ -214,8 +234,9 @@ struct OverlapRole {
                               smaller(smaller(v.half, y_high), larger(u.crossing[c][0], u.crossing[c][1]))};
                 cell.live[k][2 + c] = some(part.low < part.high);
                 if (!cell.live[k][2 + c]) continue;
-                const Edge& e = edges[k][2 + c] = cut_main_edge(role, u.crease_at[c], u.crease_slope[c],
-                                                                role.depth_at + u.depth_by_x * u.crease_at[c], d_by[c], d_inverse[c], part);
+                const Edge& e = edges[k][2 + c] =
+                    cut_main_edge(role, u.crease_at[c], u.crease_slope[c], role.depth_at + u.depth_by_x * u.crease_at[c],
+                                  depth_by_y + u.depth_by_x * u.crease_slope[c], part);
                 cell.bounds +=
                     choose(e.length > zero, all(k == 0 ? 1.0 + static_cast<double>(c) : 4.0 + 4.0 * static_cast<double>(c)), zero);
                 const Powers d(e.y0, e.y1, e.length, e.d0, e.d1);
@@ -253,23 +274,29 @@ struct OverlapRole {
 
     /// Divides the fan's sums by their factors and moves them from its middle to that of a; adds the strips.
     MUSIM_WIDE static void finish_main_cell(Role& role, const Strips& strips) {
-        role.load = role.area_depth * all(1.0 / 6.0);
-        role.area_depth = role.load;
-        const Lanes safe = larger(role.area, all(1e-300));  // twice the area
-        role.area_mixed *= all(1.0 / 24.0);
-        const std::array<Lanes, 2> middle{role.area_place[0] / (all(3.0) * safe), role.area_place[1] / (all(3.0) * safe)};
-        role.area *= all(0.5);
+        role.area *= all(0.5), role.area_mixed *= all(1.0 / 24.0);
+        const Lanes over = all(1.0) / larger(role.area, all(1e-300));
+        std::array<Lanes, 2> middle;
+        for (std::size_t k = 0; k < 2; ++k) {
+            role.area_place[k] *= all(1.0 / 6.0), role.area_square[k] *= all(1.0 / 12.0);
+            middle[k] = role.area_place[k] * over;
+        }
+        // of D, which is affine, by the moments of the cell
+        const Lanes x = role.across[0].depth_by_x, y = role.across[1].depth_by_x;
+        role.area_depth = role.fan_depth * role.area + (x * role.area_place[0] + y * role.area_place[1]);
+        role.load = role.area_depth + strips.load;
+        for (std::size_t k = 0; k < 2; ++k) {
+            const Lanes along = k == 0 ? x : y, across = k == 0 ? y : x;
+            const Lanes about_fan = role.fan_depth * role.area_place[k] + (along * role.area_square[k] + across * role.area_mixed);
+            role.load_place[k] = (about_fan + role.fan[k] * role.area_depth) + strips.place[k];
+        }
         role.area_mixed -= role.area * (middle[0] * middle[1]);
         for (std::size_t k = 0; k < 2; ++k) {
-            role.load_place[k] = (role.load_place[k] * all(1.0 / 24.0) + role.fan[k] * role.load) + strips.place[k];
-            role.area_square[k] = role.area_square[k] * all(1.0 / 12.0) - role.area * (middle[k] * middle[k]);
+            role.area_square[k] -= role.area * (middle[k] * middle[k]);
             role.area_place[k] = role.area * (middle[k] + role.fan[k]);
         }
-        role.load += strips.load;
-        // of D, which is affine: by its mean and the moments of the cell
-        const Lanes x = role.across[0].depth_by_x, y = role.across[1].depth_by_x;
         const Lanes leaning = (x * x) * role.area_square[0] + (y * y) * role.area_square[1] + all(2.0) * ((x * y) * role.area_mixed);
-        const Lanes square = role.area_depth * role.area_depth / larger(role.area, all(1e-300)) + leaning;
+        const Lanes square = role.area_depth * role.area_depth * over + leaning;
         role.energy = all(0.5) * (role.cosine * square) + strips.energy;
     }
 };

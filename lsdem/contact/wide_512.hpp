@@ -20,6 +20,7 @@ struct Mask8 {
     MUSIM_WIDE int operator[](std::size_t lane) const { return bits >> lane & 1; }
 };
 MUSIM_WIDE bool some(Mask8 mask) { return mask.bits != 0; }
+MUSIM_WIDE bool every(Mask8 mask) { return mask.bits == 0xff; }
 
 struct Real8 {
     __m512d value;
@@ -27,6 +28,13 @@ struct Real8 {
     MUSIM_WIDE static Real8 of(double a) { return {_mm512_set1_pd(a)}; }
     MUSIM_WIDE static Real8 of(double a, double b, double c, double d, double e, double f, double g, double h) {
         return {_mm512_setr_pd(a, b, c, d, e, f, g, h)};
+    }
+    /// `count` numbers that lie behind each other; the others are zero.
+    MUSIM_WIDE static Real8 load(const double* from, std::size_t count) {
+        return {_mm512_maskz_loadu_pd(static_cast<__mmask8>((1U << count) - 1), from)};
+    }
+    MUSIM_WIDE void store(double* to, std::size_t count) const {
+        _mm512_mask_storeu_pd(to, static_cast<__mmask8>((1U << count) - 1), value);
     }
     MUSIM_WIDE double operator[](std::size_t lane) const { return value[lane]; }
     // the second where one is no number or both are equal, as a > b ? a : b

@@ -99,6 +99,9 @@ MUSIM_WIDE void transpose(std::array<Wide<4>::Real, 4>& rows) {
     rows = {__builtin_shufflevector(ab_even, cd_even, 0, 1, 4, 5), __builtin_shufflevector(ab_odd, cd_odd, 0, 1, 4, 5),
             __builtin_shufflevector(ab_even, cd_even, 2, 3, 6, 7), __builtin_shufflevector(ab_odd, cd_odd, 2, 3, 6, 7)};
 }
+/// Of fields that do not fill a block of as many as there are lanes: faster as a part of one than one by one.
+template <class Real, std::size_t kFields>
+inline constexpr bool worth_a_block = kWidth<Real> == 8 && kFields % kWidth<Real> >= 3;
 /// `kFields` numbers that lie behind each other, of every lane; `of(lane)` points to the first.
 template <class Real, std::size_t kFields, class Of>
 MUSIM_WIDE std::array<Real, kFields> gather_fields(const Of& of) {
@@ -113,6 +116,13 @@ MUSIM_WIDE std::array<Real, kFields> gather_fields(const Of& of) {
             transpose(block);
 #pragma GCC unroll 8
             for (std::size_t i = 0; i < kLaneCount; ++i) fields[first + i] = block[i];
+        } else if constexpr (worth_a_block<Real, kFields>) {
+            std::array<Real, kLaneCount> block;
+#pragma GCC unroll 8
+            for (std::size_t lane = 0; lane < kLaneCount; ++lane) block[lane] = Real::load(of(lane) + first, kFields % kLaneCount);
+            transpose(block);
+#pragma GCC unroll 8
+            for (std::size_t i = first; i < kFields; ++i) fields[i] = block[i - first];
         } else {
 #pragma GCC unroll 8
             for (std::size_t i = first; i < kFields; ++i)
@@ -134,6 +144,13 @@ MUSIM_WIDE void scatter_fields(const std::array<Real, kFields>& fields, const To
             transpose(block);
 #pragma GCC unroll 8
             for (std::size_t lane = 0; lane < kLaneCount; ++lane) __builtin_memcpy(to(lane) + first, &block[lane], sizeof(Real));
+        } else if constexpr (worth_a_block<Real, kFields>) {
+            std::array<Real, kLaneCount> block{};
+#pragma GCC unroll 8
+            for (std::size_t i = first; i < kFields; ++i) block[i - first] = fields[i];
+            transpose(block);
+#pragma GCC unroll 8
+            for (std::size_t lane = 0; lane < kLaneCount; ++lane) block[lane].store(to(lane) + first, kFields % kLaneCount);
         } else {
 #pragma GCC unroll 8
             for (std::size_t i = first; i < kFields; ++i) {
@@ -146,11 +163,14 @@ MUSIM_WIDE void scatter_fields(const std::array<Real, kFields>& fields, const To
 
 /// In any lane?
 MUSIM_WIDE bool some(bool mask) { return mask; }
+/// In all of them?
+MUSIM_WIDE bool every(bool mask) { return mask; }
 MUSIM_WIDE bool some(const Wide<4>::Mask& mask) {
     using Pair = std::int64_t __attribute__((vector_size(16)));
     const Pair both = __builtin_shufflevector(mask, mask, 0, 1) | __builtin_shufflevector(mask, mask, 2, 3);
     return (both[0] | both[1]) != 0;
 }
+MUSIM_WIDE bool every(const Wide<4>::Mask& mask) { return !some(~mask); }
 /// ln x of normal numbers x ≥ 1, in sums, products and quotients only, so that it has the same bits everywhere.
 template <class W>
 MUSIM_WIDE typename W::Real natural_log(const typename W::Real& x) {
