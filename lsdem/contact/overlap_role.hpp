@@ -128,10 +128,12 @@ struct OverlapRole {
     }
 
     /// An edge of the main cell: where D > 0.
-    MUSIM_WIDE static Edge cut_main_edge(Role& role, const Lanes& x_at, const Lanes& x_by, const Lanes& d_at, const Lanes& d_by,
-                                         Interval part) {
+    MUSIM_WIDE static void cut_main_edge(Role& role, const Lanes& x_at, const Lanes& x_by, const Lanes& d_at, const Lanes& d_by,
+                                         const Interval& part, Edge& e) {
         const Lanes zero{};
-        Edge e{x_at, x_by, part.low, part.high, {}, d_at + d_by * part.low, d_at + d_by * part.high};
+        e.x_at = x_at, e.x_by = x_by;
+        e.y0 = part.low, e.y1 = part.high;
+        e.d0 = d_at + d_by * e.y0, e.d1 = d_at + d_by * e.y1;
         const LaneMask crosses = smaller(e.d0, e.d1) < zero;
         if (some(crosses)) {
             const Lanes slope = guarded(d_by), end = -d_at / slope;
@@ -144,7 +146,6 @@ struct OverlapRole {
         const LaneMask there = e.length > zero;
         role.deepest = larger(role.deepest, choose(there, larger(e.d0, e.d1), all(0.0)));
         role.shallowest = smaller(role.shallowest, choose(there, smaller(e.d0, e.d1), all(1e300)));
-        return e;
     }
     /// Adds the triangles between the fan's middle and the edges of one direction.
     MUSIM_WIDE static void add_main_edges(Role& role, std::size_t k, const Cell& cell) {
@@ -214,7 +215,8 @@ struct OverlapRole {
                 part.keep(u.crossing[1][r], u.crease_inverse[1] > zero);
                 cell.live[k][r] = some(part.low < part.high);
                 if (!cell.live[k][r]) continue;
-                const Edge& e = edges[k][r] = cut_main_edge(role, x, zero, role.depth_at + u.depth_by_x * x, depth_by_y, part);
+                Edge& e = edges[k][r];
+                cut_main_edge(role, x, zero, role.depth_at + u.depth_by_x * x, depth_by_y, part, e);
                 const Powers d(e.y0, e.y1, e.length, e.d0, e.d1);
                 const Lanes factor = r == 0 ? -below : below;
                 role.side[k] += factor * d.square;
@@ -234,9 +236,9 @@ struct OverlapRole {
                               smaller(smaller(v.half, y_high), larger(u.crossing[c][0], u.crossing[c][1]))};
                 cell.live[k][2 + c] = some(part.low < part.high);
                 if (!cell.live[k][2 + c]) continue;
-                const Edge& e = edges[k][2 + c] =
-                    cut_main_edge(role, u.crease_at[c], u.crease_slope[c], role.depth_at + u.depth_by_x * u.crease_at[c],
-                                  depth_by_y + u.depth_by_x * u.crease_slope[c], part);
+                Edge& e = edges[k][2 + c];
+                cut_main_edge(role, u.crease_at[c], u.crease_slope[c], role.depth_at + u.depth_by_x * u.crease_at[c],
+                              depth_by_y + u.depth_by_x * u.crease_slope[c], part, e);
                 cell.bounds +=
                     choose(e.length > zero, all(k == 0 ? 1.0 + static_cast<double>(c) : 4.0 + 4.0 * static_cast<double>(c)), zero);
                 const Powers d(e.y0, e.y1, e.length, e.d0, e.d1);
