@@ -137,7 +137,7 @@ double integrate_distance(std::size_t count, const Vector3* place, const double*
         const double r0 = std::sqrt(away * away + s0 * s0), r1 = std::sqrt(away * away + s1 * s1);
         // s + r without cancellation
         const double e0 = s0 > 0.0 ? s0 + r0 : away * away / (r0 - s0), e1 = s1 > 0.0 ? s1 + r1 : away * away / (r1 - s1);
-        const double of_r = 0.5 * ((s1 * r1 - s0 * r0) + away * away * (e0 > 0.0 ? detail::natural_log<detail::Wide<1>>(e1 / e0) : 0.0));
+        const double of_r = 0.5 * ((s1 * r1 - s0 * r0) + away * away * (e0 > 0.0 ? detail::log_of_ratio<detail::Wide<1>>(e1, e0) : 0.0));
         const double slope = (depth[next] - depth[i]) / length;
         const double of_depth_r = (depth[i] - slope * s0) * of_r + slope * ((r1 * r1 * r1 - r0 * r0 * r0) / 3.0);
         sum += away * (depth_at_origin / 12.0 * of_r + 0.25 * of_depth_r);

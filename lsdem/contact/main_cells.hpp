@@ -112,19 +112,19 @@ MUSIM_WIDE typename W::Real integrate_distance(const std::array<typename W::Real
                                                const typename W::Real& depth_from, const typename W::Real& depth_to,
                                                const typename W::Real& depth_at_origin) {
     using Real = typename W::Real;
-    const Real zero{}, dx = to[0] - from[0], dy = to[1] - from[1], length = square_root(dx * dx + dy * dy);
+    const Real zero{}, dx = to[0] - from[0], dy = to[1] - from[1], length_squared = dx * dx + dy * dy;
+    const Real r0 = square_root(from[0] * from[0] + from[1] * from[1]), r1 = square_root(to[0] * to[0] + to[1] * to[1]);
     // an edge of the length of rounding may have none when it is projected
-    const Real over = choose(length > zero, 1.0 / length, zero);
+    const Real length = square_root(length_squared), over = choose(length_squared > zero, length * (1.0 / length_squared), zero);
     const Real along_x = over * dx, along_y = over * dy;
     const Real away = from[0] * along_y - from[1] * along_x, squared = away * away;
     const Real s0 = along_x * from[0] + along_y * from[1], s1 = s0 + length;
-    const Real r0 = square_root(squared + s0 * s0), r1 = square_root(squared + s1 * s1);
     // (s1 + r1) / (s0 + r0) ≥ 1 without cancellation
     const Real m0 = magnitude(s0) + r0, m1 = magnitude(s1) + r1, product = m0 * m1;
     const auto after = s0 > zero, before = s1 <= zero;
     const Real above = choose(after, m1, choose(before, m0, product));
     const Real below = choose(after, m0, choose(before, m1, larger_of<Real>(squared, 1e-60 * product)));
-    const Real of_r = 0.5 * ((s1 * r1 - s0 * r0) + squared * natural_log<W>(above / below));
+    const Real of_r = 0.5 * ((s1 * r1 - s0 * r0) + squared * log_of_ratio<W>(above, below));
     const Real slope = over * (depth_to - depth_from);
     const Real of_depth_r = (depth_from - slope * s0) * of_r + slope * ((r1 * r1 * r1 - r0 * r0 * r0) * (1.0 / 3.0));
     return away * ((1.0 / 12.0) * (depth_at_origin * of_r) + 0.25 * of_depth_r);

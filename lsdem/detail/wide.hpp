@@ -171,20 +171,22 @@ MUSIM_WIDE bool some(const Wide<4>::Mask& mask) {
     return (both[0] | both[1]) != 0;
 }
 MUSIM_WIDE bool every(const Wide<4>::Mask& mask) { return !some(~mask); }
-/// ln x of normal numbers x ≥ 1, in sums, products and quotients only, so that it has the same bits everywhere.
+/// ln(a/b) of normal numbers above zero, in sums, products and one quotient only, so that it has the same bits everywhere.
 template <class W>
-MUSIM_WIDE typename W::Real natural_log(const typename W::Real& x) {
+MUSIM_WIDE typename W::Real log_of_ratio(const typename W::Real& a, const typename W::Real& b) {
     using Real = typename W::Real;
     using Bits = typename W::Bits;
     constexpr std::uint64_t kMantissa = 0x000f'ffff'ffff'ffffU, kOne = 0x3ff0'0000'0000'0000U, kTwoTo52 = 0x4330'0000'0000'0000U;
-    const Bits bits = __builtin_bit_cast(Bits, x);
-    // 2⁵² + exponent, a number without rounding
-    Real exponent = __builtin_bit_cast(Real, (bits >> 52) | kTwoTo52) - 0x1.00000000003ffp52;
-    Real mantissa = __builtin_bit_cast(Real, (bits & kMantissa) | kOne);
-    const auto upper = mantissa >= broadcast<Real>(std::numbers::sqrt2);
-    mantissa = choose(upper, 0.5 * mantissa, mantissa);
-    exponent = choose(upper, exponent + 1.0, exponent);
-    const Real t = (mantissa - 1.0) / (mantissa + 1.0), t2 = t * t;
+    const Bits bits_a = __builtin_bit_cast(Bits, a), bits_b = __builtin_bit_cast(Bits, b);
+    // 2⁵² + exponent, numbers without rounding
+    Real exponent = __builtin_bit_cast(Real, (bits_a >> 52) | kTwoTo52) - __builtin_bit_cast(Real, (bits_b >> 52) | kTwoTo52);
+    Real over = __builtin_bit_cast(Real, (bits_a & kMantissa) | kOne), under = __builtin_bit_cast(Real, (bits_b & kMantissa) | kOne);
+    // their ratio from 1/√2 to √2
+    const auto above = over > std::numbers::sqrt2 * under, below = under > std::numbers::sqrt2 * over;
+    const Real one = broadcast<Real>(1.0);
+    exponent += choose(above, one, choose(below, -one, Real{}));
+    over = choose(above, 0.5 * over, over), under = choose(below, 0.5 * under, under);
+    const Real t = (over - under) / (over + under), t2 = t * t;
     // Σ t²ᵏ/(2k + 1), in pairs that need not wait for each other; |t| < 0.172: below 1e-17 beyond
     const Real t4 = t2 * t2, t8 = t4 * t4;
     const Real low = (1.0 + t2 * (1.0 / 3.0)) + (1.0 / 5.0 + t2 * (1.0 / 7.0)) * t4;
