@@ -69,7 +69,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr ArchiveKind kKind{{'m', 'u', 's', 'i', 'm', 'R', 'U', 'N'}, 8, "checkpoint"};
+constexpr ArchiveKind kKind{{'m', 'u', 's', 'i', 'm', 'R', 'U', 'N'}, 9, "checkpoint"};
 
 /// The fields of a checkpoint beside its run, which need not be copied to be written.
 struct Beside {

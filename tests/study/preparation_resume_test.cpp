@@ -160,13 +160,13 @@ TEST_CASE("specimens whose preparation was killed are the same files in the end 
     }
     SUBCASE("one of another format is named in a warning, and the preparation begun anew") {
         std::string old = bytes_of(checkpoint);
-        old[12] = 7;  // see the test of checkpoints
+        old[12] = 8;  // see the test of checkpoints
         std::ofstream(checkpoint, std::ios::binary) << old;
         std::string warning;
         batch.on_warning = [&](const std::string& what) { warning = what; };
         CHECK_FALSE(make_specimens(batch).front().resumed);
         CHECK(warning.find(checkpoint.string()) != std::string::npos);
-        CHECK(warning.find("format 7") != std::string::npos);
+        CHECK(warning.find("format 8") != std::string::npos);
     }
     CHECK(bytes_of(file) == bytes_of(whole.file));
     CHECK_FALSE(fs::exists(checkpoint));
