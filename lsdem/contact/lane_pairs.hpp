@@ -29,9 +29,11 @@ struct Lane {
     /// between the middles of the boxes.
     MUSIM_WIDE static typename Step::Motion gather_motion(const LanePair* pairs, const Vector& apart, Vector& origin_shift) {
         using Turn = typename Step::Motion::Turn;
-        static_assert(sizeof(BodyStep) == 8 * sizeof(double));
+        // numbers behind each other: turn x, y, z, w, then shift
+        static_assert(sizeof(BodyStep) == 8 * sizeof(double) && offsetof(BodyStep, shift) == 4 * sizeof(double));
         const auto step_of = [&](std::size_t body) MUSIM_WIDE_LAMBDA {
-            return gather_fields<Real, 8>([&](std::size_t i) MUSIM_WIDE_LAMBDA { return pairs[i].step[body]->turn.coeffs().data(); });
+            return gather_fields<Real, 8>([&](std::size_t i)
+                                              MUSIM_WIDE_LAMBDA { return reinterpret_cast<const double*>(pairs[i].step[body]); });
         };
         const std::array<Real, 8> first = step_of(0), second = step_of(1);
         const Real origin = gather_lanes<Real>([&](std::size_t i) MUSIM_WIDE_LAMBDA { return pairs[i].origin; });

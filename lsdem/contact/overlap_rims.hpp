@@ -18,7 +18,7 @@ struct OverlapRims : OverlapRole<W> {
     /// A side plane m of Y along a rim: d = at + by y + by_s s.
     struct SidePlane {
         Lanes at, by, by_s;
-        Lanes inverse, wedge;  ///< 1/by, 1/(2(ζ + by_s))
+        Lanes inverse, wedge;  ///< 1/by, 1/(2(ζ + by_s)), once find_side_planes was asked
         MUSIM_WIDE Lanes operator()(const Lanes& y) const { return at + by * y; }
     };
     MUSIM_WIDE static SidePlane own_plane(const Across& u, const Lanes& x, std::size_t side) {
@@ -159,12 +159,10 @@ struct OverlapRims : OverlapRole<W> {
         LaneMask touching{}, ends{};
         MUSIM_WIDE void find(const Role& role, std::size_t k, std::size_t r, std::size_t m) {
             const Across &u = role.across[k], &v = role.across[1 - k];
-            const Lanes zero{}, x = r == 0 ? -u.half : u.half, across = u.at + u.by_x * x;
-            const Lanes at = m == 0 ? u.side + across : u.side - across, by = m == 0 ? u.by_y : -u.by_y;
-            const Interval part = beyond_crease(u, v.half, r, m);
-            touching = (part.low < part.high) & (larger(at + by * part.low, at + by * part.high) > zero);
-            const Lanes g = magnitude(u.by_s), reach = magnitude(by) * v.half + (all(1.1) * g) * role.deepest;
-            ends = (magnitude(at) < reach) & ((g * v.half) * (role.deepest * role.deepest) > role.negligible);
+            const SidePlane plane = own_plane(u, r == 0 ? -u.half : u.half, m);
+            touching = touches(plane, beyond_crease(u, v.half, r, m));
+            const Lanes g = magnitude(plane.by_s), reach = magnitude(plane.by) * v.half + (all(1.1) * g) * role.deepest;
+            ends = (magnitude(plane.at) < reach) & ((g * v.half) * (role.deepest * role.deepest) > role.negligible);
         }
         MUSIM_WIDE bool any() const { return some(touching | ends); }
     };
