@@ -102,6 +102,12 @@ Vector3 Simulation::contact_force(std::size_t block) const {
     return s.touches.sum(block, s.list.forces).force;
 }
 
+Vector3 Simulation::contact_torque(std::size_t block) const {
+    const Implementation& s = *implementation_;
+    if (block >= s.bodies.size()) throw std::out_of_range("Simulation: there is no such block");
+    return s.touches.sum(block, s.list.forces).torque;
+}
+
 Vector3 Simulation::velocity(std::size_t block) const {
     const Implementation& s = *implementation_;
     if (s.bodies.fixed.at(block) != 0) return Vector3::Zero();
@@ -125,6 +131,18 @@ std::vector<ContactForce> Simulation::contact_forces() const {
         forces.push_back({pair.leader, follower, list.forces[p].force, list.tallies[p].elastic_normal});
     }
     return forces;
+}
+
+std::vector<JointStiffness> Simulation::joint_stiffness() const {
+    const Implementation& s = *implementation_;
+    std::vector<JointStiffness> joints;
+    visit_meeting_areas(s.bodies, s.base, s.list, [&](std::size_t index, const MeetingArea& at) {
+        const ContactPair& pair = s.list.pairs[index];
+        const auto follower = pair.follower == kGround ? std::nullopt : std::optional<std::size_t>(pair.follower);
+        joints.push_back(
+            {pair.leader, follower, pair.law.normal_stiffness, pair.law.shear_stiffness, at.area, at.normal, at.middle, at.second});
+    });
+    return joints;
 }
 
 std::vector<Preload> Simulation::preloads() const { return find_preloads(implementation_->list); }

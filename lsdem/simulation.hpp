@@ -104,6 +104,17 @@ struct ContactForce {
     double energy = 0.0;                  ///< of its normal springs [J]
 };
 
+/// What a pair that touches by its overlap opposes to small motions of its blocks: springs over the area where its faces face each other.
+struct JointStiffness {
+    std::size_t leader = 0;
+    std::optional<std::size_t> follower;  ///< nothing: the ground
+    double along = 0.0, across = 0.0;     ///< the normal, per area [Pa/m]
+    double area = 0.0;                    ///< [m²]
+    Vector3 normal = Vector3::Zero();     ///< in which the follower is pushed, world frame
+    Vector3 middle = Vector3::Zero();     ///< of the area, world frame [m]
+    Matrix3 second = Matrix3::Zero();     ///< moments of the area about its middle [m⁴]
+};
+
 /// What inertia blocks have while a specimen is prepared.
 enum class Inertia {
     own,       ///< that of their mass
@@ -172,7 +183,11 @@ class Simulation {
     BaseState base() const;
     Vector3 base_reaction() const;                     ///< force of the ground on the blocks now [N]
     Vector3 contact_force(std::size_t block) const;    ///< sum of all contact forces on a block now [N]
+    Vector3 contact_torque(std::size_t block) const;   ///< of these about its centre of mass, world frame [N·m]
     std::vector<ContactForce> contact_forces() const;  ///< of all pairs that touch now, in the order of their blocks' numbers
+
+    /// Of all pairs that touch now and meet by their overlap.
+    std::vector<JointStiffness> joint_stiffness() const;
 
     /// What all contacts that touch hold now, as Model::preload of a structure that is to begin where this one is.
     std::vector<Preload> preloads() const;

@@ -328,8 +328,14 @@ void read_gravity(const JsonObject& object, Triple<scaling::Acceleration>& gravi
     for (std::size_t k = 0; k < 3; ++k) gravity[k] = detail::to_quantity<scaling::Acceleration>(value[k], place.at(k));
 }
 
-Preparation parse_preparation(const JsonObject& object, const std::filesystem::path& origin) {
+Preparation parse_preparation(const json& value, const JsonPlace& place, const std::filesystem::path& origin) {
     Preparation preparation;
+    if (value.is_string()) {
+        if (value != "none") fail(place, fmt::format("{} is no preparation; write \"none\", an object, or leave it out", value.dump()));
+        preparation.none = true;
+        return preparation;
+    }
+    const JsonObject object(value, place, "preparation");
     if (object.has("placing")) preparation.placing = static_cast<Placing>(object.choice("placing", placing_names()));
     preparation.damping_rate = object.optional_quantity<scaling::Frequency>("damping_rate");
     if (object.has("specimen")) preparation.specimen = resolve(object.text("specimen"), origin);
@@ -472,7 +478,7 @@ Scene parse_scene(std::string_view json_text, const std::filesystem::path& origi
     read_contact(object, scene);
     remark_settings(object, place, scene);
     if (object.has("preparation")) {
-        scene.preparation = parse_preparation(JsonObject(object.get("preparation"), object.place("preparation"), "preparation"), origin);
+        scene.preparation = parse_preparation(object.get("preparation"), object.place("preparation"), origin);
     }
     const bool has_motions = !scene.motions.empty();
     const json time = has_motions && !object.has("time") ? json::object() : object.get("time");

@@ -262,7 +262,7 @@ struct Scene {
     BaseMotion base_motion;
     std::vector<MotionEntry> motions;  ///< instead of base_motion: one after another, see motions.hpp
     GroundSettings ground;
-    std::optional<Preparation> preparation;  ///< default: none, unless blocks differ in height
+    std::optional<Preparation> preparation;  ///< default: at rest under its weight; single blocks begin as listed
     ContactNodes contact_nodes = ContactNodes::leader;
     StiffnessSharing stiffness_sharing = StiffnessSharing::per_area;
     FaceContact face_contact = FaceContact::overlap;

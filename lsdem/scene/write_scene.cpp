@@ -216,7 +216,9 @@ std::string write_scene(const Scene& scene) {
                         {"faces", face_contact_names().at(static_cast<std::size_t>(scene.face_contact))}}},
                       {"time", to_json(scene.time, !scene.motions.empty())},
                       {"output", output}};
-    if (scene.preparation) {
+    if (scene.preparation && scene.preparation->none) {
+        root["preparation"] = "none";
+    } else if (scene.preparation) {
         ordered_json preparation = ordered_json::object();
         if (scene.preparation->placing) preparation["placing"] = to_string(*scene.preparation->placing);
         put(preparation, "damping_rate", scene.preparation->damping_rate);

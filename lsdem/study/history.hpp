@@ -99,9 +99,10 @@ struct RunResult {
     Losses losses;           ///< where energy was dissipated since the start [J]
     std::string state_hash;  ///< of the final state
 
-    double energy_closure = 0.0;                      ///< see compute_energy_closure
-    std::optional<double> base_reaction_over_weight;  ///< at the end, along gravity; nothing without ground or gravity
-    double wall_time = 0.0;                           ///< [s]
+    double energy_closure = 0.0;                       ///< see compute_energy_closure
+    std::optional<double> start_reaction_over_weight;  ///< at t = 0, as below
+    std::optional<double> base_reaction_over_weight;   ///< at the end, along gravity; nothing without ground or gravity
+    double wall_time = 0.0;                            ///< [s]
 
     /// Centres of mass where falls are counted from [m].
     const std::vector<Vector3>& standing_position() const { return origin ? origin->position : initial.position; }

@@ -8,6 +8,7 @@
 
 #include "lsdem/block_height.hpp"
 #include "lsdem/scene/resting_pose.hpp"
+#include "lsdem/study/equilibrium.hpp"
 #include "lsdem/study/fallen_blocks.hpp"
 
 namespace musim::lsdem::study {
@@ -45,17 +46,6 @@ std::vector<std::pair<std::size_t, std::size_t>> find_layers(const Specimen& spe
 constexpr double kClearance = 1e-3;
 
 double find_clearance(const Vector3& size) { return 0.5 * std::hypot(size.x(), size.y()) * kClearance; }
-
-/// Where the blocks of a simulation are, and what they hold.
-PreparedPlaces find_places(const Simulation& simulation) {
-    PreparedPlaces places;
-    for (std::size_t i = 0; i < simulation.model().blocks.size(); ++i) {
-        places.position.push_back(simulation.position(i));
-        places.orientation.push_back(simulation.orientation(i));
-    }
-    places.preload = simulation.preloads();
-    return places;
-}
 
 /// One preparation on its way: layer after layer comes to rest, each put onto those that have, upright and let down, or as it will rest;
 /// then the whole.
@@ -262,7 +252,9 @@ PreparedSpecimen prepare(const Specimen& upright, double time_step, const Prepar
     };
     std::optional<PreparationState> own = from && from->start ? from : std::nullopt;
     if (!own) {
-        Preparation work(upright, time_step, preparation, settings.threads, from);
+        Specimen placed = upright;
+        if (preparation.from_equilibrium && !from) put_in_equilibrium(placed, time_step, settings.threads);
+        Preparation work(placed, time_step, preparation, settings.threads, from);
         work.run(settings, prepared);
         if (!work.wants_own_inertia(prepared.rest)) return finish(work.simulation(), 0.0);
         own = work.begin_again();
@@ -274,6 +266,16 @@ PreparedSpecimen prepare(const Specimen& upright, double time_step, const Prepar
     Preparation work(prepared.specimen, time_step, standing, settings.threads, own);
     work.run(settings, prepared);
     return finish(work.simulation(), own->max_overlap);
+}
+
+PreparedPlaces find_places(const Simulation& simulation) {
+    PreparedPlaces places;
+    for (std::size_t i = 0; i < simulation.model().blocks.size(); ++i) {
+        places.position.push_back(simulation.position(i));
+        places.orientation.push_back(simulation.orientation(i));
+    }
+    places.preload = simulation.preloads();
+    return places;
 }
 
 PreparedPlaces places_of(const Specimen& specimen) {

@@ -14,6 +14,7 @@ namespace musim::lsdem::study {
 struct PreparationSettings {
     scene::Placing placing = scene::Placing::quick_layers;
     Settling settling;
+    bool from_equilibrium = false;  ///< of Placing::as_drawn: settles from put_in_equilibrium, not from where nothing bears yet
     /// Time step over that of a run, of Placing::quick_layers and resting: blocks that touch little are stable in it, the others get
     /// inertia that makes them so (Inertia::as_stable) [-].
     double stride = 4.0;
@@ -59,6 +60,9 @@ struct PreparedSpecimen {
 /// another specimen; a preparation that diverges says so in `rest`.
 PreparedSpecimen prepare(const Specimen& upright, double time_step, const PreparationSettings& preparation,
                          const RunSettings& settings = {}, const std::optional<PreparationState>& from = {});
+
+/// Where the blocks of a simulation are, and what they hold.
+PreparedPlaces find_places(const Simulation& simulation);
 
 /// Where the blocks of a specimen are.
 PreparedPlaces places_of(const Specimen& specimen);

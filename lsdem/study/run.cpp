@@ -6,6 +6,7 @@
 
 #include "lsdem/scene/build_model.hpp"
 #include "lsdem/scene/motions.hpp"
+#include "lsdem/study/equilibrium.hpp"
 #include "lsdem/study/specimen_file.hpp"
 
 namespace musim::lsdem::study {
@@ -14,6 +15,20 @@ namespace {
 bool differ_in_height(const Specimen& specimen) {
     const std::vector<Block>& blocks = specimen.model.blocks;
     return std::any_of(blocks.begin(), blocks.end(), [](const Block& block) { return block.height_offset != 0.0; });
+}
+
+bool is_listed(const scene::Scene& scene) { return std::holds_alternative<scene::BlockList>(scene.structure); }
+
+bool base_moves(const scene::Scene& scene) {
+    return !scene.motions.empty() || !std::holds_alternative<std::monostate>(scene.base_motion.source);
+}
+
+/// Single blocks that are listed without velocities on a base that moves are in equilibrium when it begins, where they stand.
+void let_listed_stand(const scene::Scene& scene, Specimen& specimen) {
+    const std::vector<Block>& blocks = specimen.model.blocks;
+    const bool starts = std::all_of(blocks.begin(), blocks.end(),
+                                    [](const Block& block) { return block.velocity.isZero(0.0) && block.angular_velocity.isZero(0.0); });
+    if (starts && base_moves(scene)) put_in_equilibrium(specimen, scene::compute_time_step(scene, specimen.model).value());
 }
 
 /// Nearest whole number, one at least.
@@ -26,13 +41,18 @@ Specimen make_upright_specimen(const scene::Scene& scene) {
     return {std::move(built.model), {built.structure.spine.block, built.structure.spine.level}, std::move(built.structure.layer), {}};
 }
 
-bool wants_preparation(const scene::Scene& scene, const Specimen& upright) { return scene.preparation || differ_in_height(upright); }
+bool wants_preparation(const scene::Scene& scene, const Specimen& upright) {
+    if (scene.preparation) return !scene.preparation->none;
+    return !is_listed(scene) || differ_in_height(upright);
+}
 
 PreparationSettings find_preparation(const scene::Scene& scene, const Specimen& upright) {
     const std::vector<Block>& blocks = upright.model.blocks;
     const scene::Preparation wanted = scene.preparation.value_or(scene::Preparation{});
     PreparationSettings preparation;
     preparation.placing = wanted.placing.value_or(differ_in_height(upright) ? scene::Placing::quick_layers : scene::Placing::as_drawn);
+    preparation.from_equilibrium = preparation.placing == scene::Placing::as_drawn;
+    if (preparation.from_equilibrium) preparation.whole_rounds = 1;
     preparation.settling.damping_rate =
         wanted.damping_rate
             ? wanted.damping_rate->value()
@@ -42,7 +62,10 @@ PreparationSettings find_preparation(const scene::Scene& scene, const Specimen& 
 
 Specimen make_specimen(const scene::Scene& scene, const RunSettings& settings, const Checkpoint* from) {
     Specimen specimen = make_upright_specimen(scene);
-    if (!wants_preparation(scene, specimen)) return specimen;
+    if (!wants_preparation(scene, specimen)) {
+        if (!scene.preparation) let_listed_stand(scene, specimen);
+        return specimen;
+    }
     PreparationSettings preparation = find_preparation(scene, specimen);
     if (from != nullptr && from->places) {
         put_in_place(*from->places, specimen);
@@ -50,6 +73,7 @@ Specimen make_specimen(const scene::Scene& scene, const RunSettings& settings, c
         if (scene.preparation && scene.preparation->specimen) {
             take_places(*scene.preparation->specimen, specimen);
             preparation.placing = scene::Placing::as_drawn;
+            preparation.from_equilibrium = false;
             preparation.whole_rounds = 1;
         }
         const double time_step = scene::compute_time_step(scene, specimen.model).value();

@@ -12,7 +12,8 @@ namespace musim::lsdem::study {
 /// than contact. Throws scene::SceneError, records::ReadError, records::ProcessingError.
 Specimen make_upright_specimen(const scene::Scene& scene);
 
-/// Is the specimen of a scene prepared before it runs? When the scene says how, or when its blocks differ in height.
+/// Does the specimen of a scene come to rest before it runs? Unless the scene asks for none, or lists single blocks of one height and says
+/// nothing: these begin as they are listed.
 bool wants_preparation(const scene::Scene& scene, const Specimen& upright);
 
 /// How the specimen of a scene is prepared: as the scene says, else layer by layer when blocks differ in height, else as drawn.
@@ -20,7 +21,8 @@ bool wants_preparation(const scene::Scene& scene, const Specimen& upright);
 PreparationSettings find_preparation(const scene::Scene& scene, const Specimen& upright);
 
 /// The specimen of a scene in its places and at rest there, when it is to be prepared: placed as drawn, as a file has it, on resting
-/// planes, or layer by layer. The preparation runs with `settings`; it is not done again, or from where it was, when a checkpoint says so.
+/// planes, or layer by layer. Single blocks that are listed at rest, on a base that moves, are put in equilibrium where they stand, if they
+/// do. The preparation runs with `settings`; it is not done again, or from where it was, when a checkpoint says so.
 /// Throws as make_upright_specimen and prepare do.
 Specimen make_specimen(const scene::Scene& scene, const RunSettings& settings = {}, const Checkpoint* from = nullptr);
 

@@ -205,6 +205,7 @@ RunResult simulate(Simulation& simulation, const Specimen& specimen, const TimeP
     run.origin = std::move(begin.origin);
     run.wall_time = begin.wall_time;
     run.initial = simulation.kinematics();
+    run.start_reaction_over_weight = base_reaction_over_weight(simulation);
     run.falls = begin.falls.time.empty() ? make_standing(run.blocks.mass.size()) : std::move(begin.falls);
     reserve(run.history, plan, run.spine.size());
     add_sample(run, simulation);

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "lsdem/scene/scene.hpp"
 
 namespace musim::lsdem::study {
@@ -11,6 +14,35 @@ bool above_critical(const RunResult& run) { return run.critical_time_step && run
 
 /// The step that "step": "auto" takes [s].
 double default_step(const RunResult& run) { return scene::TimeSettings{}.safety * *run.critical_time_step; }
+
+/// The fastest that the base moves [m/s].
+double find_peak_of_base(const RunResult& run) {
+    double peak = 0.0;
+    for (const BaseState& base : run.history.base) peak = std::max(peak, base.velocity.norm());
+    return peak;
+}
+
+/// Does the structure not stand at rest when its motion begins? Of single blocks without a motion nothing is expected: they may fall.
+void doubt_start(const RunResult& run, std::vector<std::string>& doubts) {
+    const std::vector<int>& layer = run.blocks.layer;
+    const bool stands = std::any_of(layer.begin(), layer.end(), [](int level) { return level > 0; });
+    const double peak = find_peak_of_base(run);
+    if (run.origin || !(stands || peak > 0.0)) return;
+    const double borne = run.start_reaction_over_weight.value_or(1.0);
+    if (std::abs(borne - 1.0) > kUnborneWeight) {
+        doubts.push_back(
+            fmt::format("the base bore {:.4f} of the weight when the motion began (weight began to act then, which shakes the structure by "
+                        "itself); leave \"preparation\": \"none\" out, or give single blocks a \"preparation\"",
+                        borne));
+    }
+    double fastest = 0.0;
+    for (const Vector3& velocity : run.initial.velocity) fastest = std::max(fastest, std::abs(velocity.z()));
+    if (fastest > kFastStart * peak && peak > 0.0) {
+        doubts.push_back(fmt::format(
+            "a block moved up or down at {:.3g} m/s when the motion began, whose peak is {:.3g} m/s; let the structure come to rest before",
+            fastest, peak));
+    }
+}
 
 /// A kind of divergence as result files name it, and what a user is told.
 struct KindText {
@@ -49,6 +81,7 @@ std::string describe_divergence(const RunResult& run) {
 std::vector<std::string> find_doubts(const RunResult& run) {
     std::vector<std::string> doubts;
     if (run.divergence) return doubts;
+    doubt_start(run, doubts);
     if (run.rest && run.rest->steps > 0 && !run.rest->at_rest) {
         doubts.push_back(
             fmt::format("the specimen had not come to rest before the motion (after {} steps its liveliest block kept {:.3g} of "

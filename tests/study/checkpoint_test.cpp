@@ -191,12 +191,13 @@ TEST_CASE("a checkpoint of another format is refused with file, format and what 
     std::string old = bytes_of(folder.file());
     // the head: a name of 8 bytes, the byte order in 4, the format in 4
     constexpr std::size_t kFormatAt = 12;
-    REQUIRE(old[kFormatAt] == 9);
-    old[kFormatAt] = 8;
+    REQUIRE(old[kFormatAt] == 10);
+    old[kFormatAt] = 9;
     write_bytes(folder.file(), old);
-    CHECK(refusal(folder.file()) == folder.file().string() +
-                                        ": the run cannot be continued (checkpoint: it has format 8, this program reads format 9; continue "
-                                        "it with the program that wrote it); start it anew");
+    CHECK(refusal(folder.file()) ==
+          folder.file().string() +
+              ": the run cannot be continued (checkpoint: it has format 9, this program reads format 10; continue "
+              "it with the program that wrote it); start it anew");
 }
 
 TEST_CASE("a checkpoint of another specimen is refused") {

@@ -95,6 +95,7 @@ PushedTower push_tower(Push push, double length = 1.0) {
     const scaling::Similitude similitude({.length = length}, scaling::Law::exact);
     if (length != 1.0) scene = scene::scale_scene(scene, similitude);
     Specimen specimen = make_specimen(scene);
+    specimen.settling.reset();  // it is pushed at once
     Vector3 center = Vector3::Zero();
     for (const Block& block : specimen.model.blocks) center += block.position / static_cast<double>(specimen.model.blocks.size());
     for (std::size_t b = 0; b < specimen.model.blocks.size(); ++b) {
