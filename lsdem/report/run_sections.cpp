@@ -55,20 +55,22 @@ std::string make_run_verdict(const ReportedRun& run) {
 }
 
 std::string make_pair_verdict(const nlohmann::json& pair) {
+    const std::string agreement = find_text(pair, "agreement");
+    Tone tone = agreement == "agree" ? Tone::good : agreement == "differ" ? Tone::bad : Tone::warning;
     std::string html;
+    for (const nlohmann::json& line : find_list(pair, "verdict")) {
+        if (!line.is_string()) continue;
+        html += make_statement(tone, line.get<std::string>());
+        tone = Tone::note;
+    }
     for (const nlohmann::json& model : find_list(pair, "pairs")) {
-        const bool exact = find_text(model, "materials") == "exact";
-        const std::string differs = fmt::format("{}: velocities of the spine differ by {:.3g} (rms), rounding alone makes {:.3g}",
-                                                find_text(model, "label", "model"), find_number(model, "rms_relative_velocity_difference"),
-                                                find_number(model, "shadow_rms"));
+        const std::string label = find_text(model, "label", "model");
         if (find_flag(model, "bitwise_identical")) {
-            html += make_statement(Tone::good, find_text(model, "label", "model") + ": the same as the prototype, bit for bit");
-        } else if (!exact) {
-            html += make_statement(Tone::warning, differs + "; it is made of its own material and distorted");
-        } else if (find_flag(model, "consistent")) {
-            html += make_statement(Tone::good, differs + ": consistent");
-        } else {
-            html += make_statement(Tone::bad, differs + ": not consistent");
+            html += make_statement(Tone::good, label + ": the same as the prototype, bit for bit");
+        } else if (find_text(model, "materials") == "own") {
+            html += make_statement(Tone::warning,
+                                   fmt::format("{}: made of its own material and distorted; velocities of the spine differ by {:.3g} (rms)",
+                                               label, find_number(model, "rms_relative_velocity_difference")));
         }
     }
     return html;

@@ -19,7 +19,7 @@ enum class Placing {
 
 /// What happens before the motion: blocks are placed, or taken from a specimen prepared before, and come to rest under damped velocities.
 struct Preparation {
-    bool none = false;              ///< nothing: weight begins to act when the motion does, "preparation": "none"
+    bool none = false;               ///< nothing: weight begins to act when the motion does, "preparation": "none"
     std::optional<Placing> placing;  ///< default: quick_layers when blocks differ in height, else as drawn
     std::optional<scaling::Frequency>
         damping_rate;  ///< α of v' = −α v; default: half of the blocks' frequency parameter, see lsdem/study/settle.hpp

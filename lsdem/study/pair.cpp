@@ -1,49 +1,157 @@
 #include "lsdem/study/pair.hpp"
 
 #include <algorithm>
-#include <atomic>
-#include <cstddef>
-#include <exception>
+#include <functional>
 #include <thread>
+#include <utility>
 
 #include "lsdem/study/detail/shared_progress.hpp"
+#include "lsdem/study/twin_specimen.hpp"
+#include "scaling/side_by_side.hpp"
 
 namespace musim::lsdem::study {
 namespace {
 
+/// A model is surely no twin, or surely one, where its judgement is this far from the limits: then no more twins are asked for.
+constexpr double kSurelyInTime = 2.0;
+
+/// The image whose every number is a power of two of the prototype's: all of its bits must agree.
+constexpr double kExactLength = 0.25;
+
 /// One simulation to carry out.
 struct Job {
-    const Specimen* specimen;
-    TimePlan plan;
+    const PairMember* member;
     RunResult result = {};
 };
 
-/// Runs all jobs, as many side by side as there are threads: separate runs need no barriers, so this beats sharing one run's blocks.
-void run_all(std::vector<Job>& jobs, const RunSettings& settings) {
-    const int available = settings.threads > 0 ? settings.threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-    const int workers = std::min(available, static_cast<int>(jobs.size()));
-    detail::SharedProgress progress(jobs.size(), settings.on_progress);
-    std::atomic<std::size_t> next{0};
-    std::vector<std::exception_ptr> failures(jobs.size());
+RunResult run_member(const PairMember& member, const RunSettings& settings) {
+    Simulation simulation(member.specimen.model, member.plan.time_step, settings.threads);
+    RunStart begin;
+    begin.rest = member.specimen.settling ? settle_specimen(simulation, member.specimen) : member.rest;
+    return simulate(simulation, member.specimen, member.plan, std::move(begin), settings);
+}
 
-    const auto work = [&] {
-        for (std::size_t j = next++; j < jobs.size(); j = next++) {
-            RunSettings own{.threads = available / workers, .on_progress = {}};
-            if (settings.on_progress) own.on_progress = [&progress, j](double fraction) { progress.update(j, fraction); };
-            try {
-                jobs[j].result = simulate(*jobs[j].specimen, jobs[j].plan, own);
-            } catch (...) {
-                failures[j] = std::current_exception();
-            }
-        }
+/// Runs all, as many side by side as there are threads: separate runs need no barriers, so this beats sharing one run's blocks. Progress
+/// goes from `from` to `to`.
+void run_all(std::vector<Job>& jobs, const RunSettings& settings, double from, double to) {
+    const std::size_t available =
+        settings.threads > 0 ? static_cast<std::size_t>(settings.threads) : std::max<std::size_t>(1, std::thread::hardware_concurrency());
+    const std::size_t workers = std::min(available, jobs.size());
+    const std::function<void(double)> tell = [&](double part) {
+        if (settings.on_progress) settings.on_progress(from + (to - from) * part);
     };
-    std::vector<std::thread> team;
-    for (int w = 1; w < workers; ++w) team.emplace_back(work);
-    work();
-    for (std::thread& thread : team) thread.join();
-    for (const std::exception_ptr& failure : failures) {
-        if (failure) std::rethrow_exception(failure);
+    detail::SharedProgress progress(jobs.size(), tell);
+    std::vector<std::function<void()>> work;
+    for (std::size_t j = 0; j < jobs.size(); ++j) {
+        work.emplace_back([&, j] {
+            const RunSettings own{.threads = static_cast<int>(available / workers),
+                                  .on_progress = [&progress, j](double part) { progress.update(j, part); }};
+            jobs[j].result = run_member(*jobs[j].member, own);
+        });
     }
+    scaling::run_side_by_side(work, static_cast<int>(workers));
+}
+
+bool has_diverged(const RunResult& run) { return run.status == RunStatus::diverged; }
+
+PairedRun compare(const RunResult& prototype, const PairMember& member, RunResult run) {
+    PairedRun paired{member.label, member.similitude, member.distortions, std::move(run), {}};
+    paired.difference = compare_runs(prototype, paired.run, member.similitude);
+    paired.trace = trace_run(prototype, paired.run, member.similitude);
+    return paired;
+}
+
+PairMember make_half_step(const PairMember& prototype) {
+    PairMember half = prototype;
+    half.label = "half step";
+    half.plan.time_step *= 0.5;
+    half.plan.steps_per_sample *= 2;
+    half.plan.samples_per_frame = 0;
+    return half;
+}
+
+PairMember make_twin_member(const PairMember& prototype, const TwinChoice& choice) {
+    const scaling::Similitude similitude({.length = choice.length}, scaling::Law::exact);
+    PairMember twin{"twin", make_twin(prototype.specimen, choice), prototype.plan.scaled(similitude.time()), similitude};
+    twin.plan.samples_per_frame = 0;
+    return twin;
+}
+
+/// A pair on its way.
+class PairWork {
+  public:
+    PairWork(const PairMember& prototype, const std::vector<PairMember>& models, const RunSettings& settings, const PairSettings& judging,
+             PairStudy& study)
+        : prototype_(prototype), models_(models), settings_(settings), judging_(judging), study_(study) {
+        most_twins_ = judging.twins.value_or(kMostTwins);
+        expected_ = static_cast<double>(1 + models.size() + (judging.half_step ? 2 : 0) + most_twins_ + 1);
+    }
+
+    void run_models() {
+        const PairMember half = make_half_step(prototype_);
+        std::vector<Job> jobs{{&prototype_}};
+        for (const PairMember& model : models_) jobs.push_back({&model});
+        if (judging_.half_step) jobs.push_back({&half});
+        run(jobs);
+        study_.prototype = std::move(jobs[0].result);
+        for (std::size_t m = 0; m < models_.size(); ++m)
+            study_.models.push_back(compare(study_.prototype, models_[m], std::move(jobs[m + 1].result)));
+        if (judging_.half_step) study_.half_step = compare(study_.prototype, half, std::move(jobs.back().result));
+    }
+
+    /// Runs twins up to this number, and the image that must agree in all bits.
+    void run_twins(std::size_t count) {
+        const std::vector<TwinChoice> choices = choose_twins(count, judging_.seed);
+        const std::size_t first = study_.twins.size();
+        std::vector<PairMember> members;
+        for (std::size_t i = first; i < count; ++i) members.push_back(make_twin_member(prototype_, choices[i]));
+        const bool checks_bits = !study_.same_bits.has_value();
+        if (checks_bits) members.push_back(make_twin_member(prototype_, {.length = kExactLength}));
+        std::vector<Job> jobs;
+        for (const PairMember& member : members) jobs.push_back({&member});
+        run(jobs);
+        for (std::size_t j = 0; j < jobs.size(); ++j) {
+            const RunResult& run = jobs[j].result;
+            const RunDifference difference = compare_runs(study_.prototype, run, members[j].similitude);
+            if (first + j == count) {
+                study_.same_bits = difference.bitwise_identical;
+                continue;
+            }
+            study_.twins.push_back({choices[first + j], run.status, difference});
+            study_.twin_traces.push_back(trace_run(study_.prototype, run, members[j].similitude));
+        }
+    }
+
+    void judge() {
+        const Yardstick yardstick = study_.yardstick();
+        for (PairedRun& model : study_.models) model.judgement = yardstick.judge(model.trace);
+        if (study_.half_step) study_.half_step->judgement.quantities = yardstick.check_quantities(study_.half_step->trace);
+    }
+
+    std::size_t most_twins() const { return most_twins_; }
+
+  private:
+    void run(std::vector<Job>& jobs) {
+        const double from = done_;
+        done_ += static_cast<double>(jobs.size()) / expected_;
+        run_all(jobs, settings_, std::min(from, 1.0), std::min(done_, 1.0));
+    }
+
+    const PairMember& prototype_;
+    const std::vector<PairMember>& models_;
+    const RunSettings& settings_;
+    const PairSettings& judging_;
+    PairStudy& study_;
+    std::size_t most_twins_ = 0;
+    double expected_ = 1.0, done_ = 0.0;
+};
+
+/// Do the twins so far decide all models?
+bool is_decided(const PairStudy& study) {
+    if (study.yardstick().is_within_run()) return false;
+    return std::all_of(study.models.begin(), study.models.end(), [](const PairedRun& model) {
+        return model.judgement.within_rounding || model.judgement.lead < kSurelyInTime || model.judgement.lead > 2.0 * kPartsTooEarly;
+    });
 }
 
 }  // namespace
@@ -56,36 +164,49 @@ std::string name_folder(std::string label) {
 std::string to_string(Materials materials) { return materials == Materials::exact ? "exact" : "own"; }
 
 bool PairStudy::consistent() const {
-    return std::all_of(models.begin(), models.end(), [](const PairedRun& model) { return model.consistent; });
+    if (materials == Materials::own) return true;
+    return same_bits.value_or(true) &&
+           std::all_of(models.begin(), models.end(), [](const PairedRun& model) { return model.judgement.agreement == Agreement::agree; });
+}
+
+Agreement PairStudy::agreement() const {
+    if (!same_bits.value_or(true)) return Agreement::differ;
+    const auto any = [&](Agreement agreement) {
+        return std::any_of(models.begin(), models.end(), [&](const PairedRun& model) { return model.judgement.agreement == agreement; });
+    };
+    for (const Agreement worst : {Agreement::differ, Agreement::undecided, Agreement::not_judged}) {
+        if (any(worst)) return worst;
+    }
+    return Agreement::agree;
 }
 
 bool PairStudy::diverged() const {
-    const auto has_diverged = [](const RunResult& run) { return run.status == RunStatus::diverged; };
-    return has_diverged(prototype) || has_diverged(shadow.run) ||
-           std::any_of(models.begin(), models.end(), [&](const PairedRun& model) { return has_diverged(model.run); });
+    return has_diverged(prototype) || std::any_of(models.begin(), models.end(), [](const PairedRun& m) { return has_diverged(m.run); }) ||
+           std::any_of(twins.begin(), twins.end(), [](const PairedTwin& twin) { return twin.status == RunStatus::diverged; });
 }
 
-bool is_consistent(const RunDifference& difference, const RunDifference& shadow) {
-    return difference.rms_velocity < kShadowFactor * shadow.rms_velocity || difference.rms_velocity < kRoundingLevel;
+std::vector<TwinChoice> choose_twins(std::size_t twins, std::uint64_t seed) {
+    std::vector<TwinChoice> choices = choose_models(twins, seed);
+    for (std::size_t i = 1; i < twins; i += 2) choices[i] = {.directions = seed + i, .last_place = true};
+    return choices;
 }
 
-PairStudy run_pair(const PairMember& prototype, const std::vector<PairMember>& models, Materials materials, const RunSettings& settings) {
-    const Specimen shadow = make_shadow(prototype.specimen);
-    std::vector<Job> jobs{{&prototype.specimen, prototype.plan}, {&shadow, prototype.plan}};
-    for (const PairMember& model : models) jobs.push_back({&model.specimen, model.plan});
-    run_all(jobs, settings);
-
-    PairStudy study{.materials = materials,
-                    .prototype = std::move(jobs[0].result),
-                    .shadow = {"shadow", prototype.similitude, {}, std::move(jobs[1].result), {}, true},
-                    .models = {}};
-    study.shadow.difference = compare_runs(study.prototype, study.shadow.run, prototype.similitude);
-    for (std::size_t m = 0; m < models.size(); ++m) {
-        PairedRun paired{models[m].label, models[m].similitude, models[m].distortions, std::move(jobs[m + 2].result), {}, true};
-        paired.difference = compare_runs(study.prototype, paired.run, paired.similitude);
-        if (materials == Materials::exact) paired.consistent = is_consistent(paired.difference, study.shadow.difference);
-        study.models.push_back(std::move(paired));
-    }
+PairStudy run_pair(const PairMember& prototype, const std::vector<PairMember>& models, Materials materials, const RunSettings& settings,
+                   const PairSettings& judging) {
+    PairStudy study{
+        .materials = materials, .prototype = {}, .twins = {}, .twin_traces = {}, .same_bits = {}, .half_step = {}, .models = {}};
+    PairWork work(prototype, models, settings, judging, study);
+    work.run_models();
+    work.judge();
+    const bool exact = materials == Materials::exact && std::all_of(study.models.begin(), study.models.end(),
+                                                                    [](const PairedRun& model) { return model.judgement.within_rounding; });
+    const bool wants_twins = judging.twins ? *judging.twins > 0 : !(exact && !models.empty());
+    if (!wants_twins || has_diverged(study.prototype)) return study;
+    work.run_twins(judging.twins ? *judging.twins : kFewestTwins);
+    work.judge();
+    if (judging.twins || is_decided(study)) return study;
+    work.run_twins(work.most_twins());
+    work.judge();
     return study;
 }
 

@@ -1,11 +1,15 @@
 #pragma once
 
-#include <functional>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "lsdem/study/compare_runs.hpp"
 #include "lsdem/study/simulate.hpp"
+#include "lsdem/study/twin_growth.hpp"
+#include "lsdem/study/yardstick.hpp"
 #include "scaling/distortion.hpp"
 #include "scaling/similitude.hpp"
 
@@ -27,6 +31,7 @@ struct PairMember {
     TimePlan plan;                                      ///< with the prototype's sample counts
     scaling::Similitude similitude;                     ///< of this specimen to the prototype
     std::vector<scaling::Distortion> distortions = {};  ///< requirements the specimen does not meet
+    std::optional<Rest> rest = {};                      ///< how its specimen came to rest before it was handed over
 };
 
 /// What one property of a model's own material does alone.
@@ -43,38 +48,55 @@ struct PairedRun {
     scaling::Similitude similitude;
     std::vector<scaling::Distortion> distortions;
     RunResult run;
-    RunDifference difference;                ///< from the prototype, scaled back
-    bool consistent = false;                 ///< see is_consistent; always true of the shadow
+    RunDifference difference;  ///< from the prototype, scaled back
+    RunTrace trace = {};
+    Judgement judgement = {};                ///< against the twins
     std::vector<LoneDistortion> alone = {};  ///< when asked for: each property that differs, in a model that is exact otherwise
 };
 
-/// A prototype, its shadow and its models.
+/// A twin after its run.
+struct PairedTwin {
+    TwinChoice choice;
+    RunStatus status = RunStatus::completed;
+    RunDifference difference;
+};
+
+/// How models are judged.
+struct PairSettings {
+    std::optional<std::size_t> twins = {};  ///< nothing: none when models agree within rounding, else as many as decide, 2 to kMostTwins
+    std::uint64_t seed = 1;                 ///< of the twins
+    bool half_step = true;                  ///< run the prototype at half its step, too
+};
+inline constexpr std::size_t kFewestTwins = 2, kMostTwins = 8;
+
+/// A prototype, its twins and its models.
 struct PairStudy {
     Materials materials = Materials::exact;
     RunResult prototype;
-    PairedRun shadow;
+    std::vector<PairedTwin> twins;
+    std::vector<RunTrace> twin_traces;   ///< in the order of the twins
+    std::optional<bool> same_bits;       ///< does the image at a quarter of the length agree in every bit? nothing: not run
+    std::optional<PairedRun> half_step;  ///< the prototype at half its step
     std::vector<PairedRun> models;
 
-    /// Every model agrees with the prototype as far as the yardstick allows. Models of their own material are not held to it.
+    Yardstick yardstick() const { return {prototype, twin_traces}; }
+    /// Every model agrees with the prototype, and the image at a quarter of its length in all bits. Models of their own material are not
+    /// held to it.
     bool consistent() const;
+    /// What is said of all models: the worst of their judgements.
+    Agreement agreement() const;
     /// Some run diverged.
     bool diverged() const;
 };
 
-/// Below this rms difference [-] two runs agree whatever the shadow does: rounding that has grown for the whole of a run that only slides
-/// stays a thousand times smaller. Dimensionless, hence the same at every scale. Raising it would let real differences pass.
-inline constexpr double kRoundingLevel = 1e-9;
+/// Twins to judge by: in turn images at lengths 4^u that are no powers of four (choose_models), and copies moved by a unit in the last
+/// place; the first ones are the same whatever their number.
+std::vector<TwinChoice> choose_twins(std::size_t twins, std::uint64_t seed);
 
-/// A run may lie this many times as far from the prototype as its shadow: both start from one rounding error per block, grow by the same
-/// instability, and differ in which errors they make (contracts: 3).
-inline constexpr double kShadowFactor = 3.0;
-
-/// The yardstick: rms < kShadowFactor · rms of the shadow, or rms < kRoundingLevel.
-bool is_consistent(const RunDifference& difference, const RunDifference& shadow);
-
-/// Runs the prototype, its shadow and the models, side by side as far as the threads allow, and compares. Results do not depend on the
-/// number of threads. `prototype.similitude` must be 1:1. Throws what Simulation throws.
+/// Runs the prototype and the models, side by side as far as the threads allow, then twins of the prototype as far as the judgement asks
+/// for them, and judges. Specimens start as they are handed over, unless they are to settle. Results do not depend on the number of
+/// threads. `prototype.similitude` must be 1:1. Throws what Simulation throws.
 PairStudy run_pair(const PairMember& prototype, const std::vector<PairMember>& models, Materials materials,
-                   const RunSettings& settings = {});
+                   const RunSettings& settings = {}, const PairSettings& judging = {});
 
 }  // namespace musim::lsdem::study

@@ -14,7 +14,9 @@
 #include "lsdem/scene/motions.hpp"
 #include "lsdem/scene/scale_scene.hpp"
 #include "lsdem/scene/scene_error.hpp"
+#include "lsdem/study/prepare.hpp"
 #include "lsdem/study/run.hpp"
+#include "lsdem/study/scale_specimen.hpp"
 
 namespace musim::lsdem::study {
 namespace {
@@ -108,6 +110,27 @@ PairMember make_member(const std::string& label, const scene::Scene& scene, cons
     return {label, std::move(specimen), plan, similitude, distortions};
 }
 
+/// The prototype's specimen at rest, as it then stands: to let every image come to rest again would be a choice on rounding.
+PairMember lay_prototype(const scene::Scene& scene, const RunSettings& settings) {
+    PairMember original{"prototype", make_specimen(scene, settings), {}, Similitude({}, scaling::Law::exact)};
+    original.plan = make_time_plan(scene, original.specimen.model);
+    if (!original.specimen.settling) return original;
+    Simulation simulation(original.specimen.model, original.plan.time_step, settings.threads);
+    original.rest = settle_specimen(simulation, original.specimen);
+    put_in_place(find_places(simulation), original.specimen);
+    original.specimen.settling.reset();
+    return original;
+}
+
+PairMember make_image(const PairMember& prototype, const std::string& label, const ScaledScene& scaled) {
+    return {label,
+            scale_specimen(prototype.specimen, scaled.similitude),
+            prototype.plan.scaled(scaled.similitude.time()),
+            scaled.similitude,
+            scaled.distortions,
+            prototype.rest};
+}
+
 }  // namespace
 
 std::string make_scale_label(double length) {
@@ -117,32 +140,30 @@ std::string make_scale_label(double length) {
 }
 
 ScenePair pair_scene(const scene::Scene& prototype, const std::vector<ModelChoice>& models, Materials materials,
-                     const RunSettings& settings, bool each_alone) {
+                     const RunSettings& settings, const PairSceneSettings& how) {
     scene::require_single_motion(prototype, "a pair");
-    const Similitude identity({}, scaling::Law::exact);
-    Specimen specimen = make_specimen(prototype);
-    const TimePlan plan = make_time_plan(prototype, specimen.model);
-    const PairMember original{"prototype", std::move(specimen), plan, identity};
+    const PairMember original = lay_prototype(prototype, settings);
 
-    ScenePair pair{.prototype = prototype,
-                   .models = {},
-                   .scales = find_motion_scales(original.specimen),
-                   .study = {{}, {}, {"", identity, {}, {}, {}, {}}, {}}};
+    ScenePair pair{.prototype = prototype, .models = {}, .scales = find_motion_scales(original.specimen), .study = {}};
     std::vector<PairMember> members, lone_members;
     std::vector<std::vector<LoneScene>> lone_scenes;
     for (const ModelChoice& choice : models) {
         const std::string label = make_scale_label(choice.length);
         ScaledScene scaled = materials == Materials::exact ? scale_by_law(prototype, choice) : scale_with_own(prototype, choice);
-        members.push_back(make_member(label, scaled.scene, scaled.similitude, scaled.distortions));
+        const bool has_image = materials == Materials::exact && scaled.similitude.law() == scaling::Law::exact;
+        members.push_back(has_image && how.specimen == PairSpecimen::one
+                              ? make_image(original, label, scaled)
+                              : make_member(label, scaled.scene, scaled.similitude, scaled.distortions));
         // an exact model steps as its prototype does
-        if (materials == Materials::exact) members.back().plan = plan.scaled(scaled.similitude.time());
-        lone_scenes.push_back(each_alone && materials == Materials::own ? find_lone_scenes(prototype, scaled) : std::vector<LoneScene>{});
+        if (materials == Materials::exact) members.back().plan = original.plan.scaled(scaled.similitude.time());
+        lone_scenes.push_back(how.each_alone && materials == Materials::own ? find_lone_scenes(prototype, scaled)
+                                                                            : std::vector<LoneScene>{});
         for (const LoneScene& lone : lone_scenes.back())
             lone_members.push_back(make_member(label + ", " + lone.property, lone.scene, lone.similitude));
         pair.models.push_back(std::move(scaled.scene));
     }
     members.insert(members.end(), std::make_move_iterator(lone_members.begin()), std::make_move_iterator(lone_members.end()));
-    pair.study = run_pair(original, members, materials, settings);
+    pair.study = run_pair(original, members, materials, settings, how.judging);
 
     // the runs beside the models go to the models they belong to
     std::vector<PairedRun>& runs = pair.study.models;

@@ -17,6 +17,19 @@ struct ModelChoice {
     std::optional<scaling::Similitude> similitude = {};  ///< for Materials::exact: scaled by this, not by law `exact`
 };
 
+/// What specimen a model starts from.
+enum class PairSpecimen {
+    one,  ///< the prototype's, laid once: its exact image, where the model's law has one (scale_specimen)
+    each  ///< one laid anew at its scale
+};
+
+/// How a pair is run and judged.
+struct PairSceneSettings {
+    PairSpecimen specimen = PairSpecimen::one;
+    PairSettings judging = {};
+    bool each_alone = false;  ///< see pair_scene
+};
+
 /// A scene at its own scale and at others.
 struct ScenePair {
     scene::Scene prototype;
@@ -28,15 +41,16 @@ struct ScenePair {
 /// Name of a scale: "1:107", or "x0.3" when it is no whole fraction.
 std::string make_scale_label(double length);
 
-/// Runs a scene as prototype, its shadow, and its models, and compares them.
+/// Runs a scene as prototype and models, and judges the models by twins.
 ///
-/// With Materials::exact every model is scaled so that all groups are equal (law `exact`), or by the similitude of its choice. With
-/// Materials::own it has the density, stiffness, friction and restitution of its preset, fitted to its block size, and gets the base motion
-/// of the mu law; what that distorts is listed. With `each_alone` every model has runs beside it that tell what each property of its
+/// The prototype's specimen is laid, and comes to rest, once; exact models start from its images. With Materials::exact every model is
+/// scaled so that all groups are equal (law `exact`), or by the similitude of its choice. With Materials::own it has the density,
+/// stiffness, friction and restitution of its preset, fitted to its block size, and gets the base motion of the mu law; what that distorts
+/// is listed. With `each_alone` every model has runs beside it that tell what each property of its
 /// material that differs does alone (PairedRun::alone): stiffnesses and restitution in a model that is exact otherwise, friction with the
 /// base motion of the mu law. Throws scene::SceneError (also for an unknown preset, or a scale without one), scaling::SimilitudeError,
 /// records::ReadError.
 ScenePair pair_scene(const scene::Scene& prototype, const std::vector<ModelChoice>& models, Materials materials,
-                     const RunSettings& settings = {}, bool each_alone = false);
+                     const RunSettings& settings = {}, const PairSceneSettings& how = {});
 
 }  // namespace musim::lsdem::study

@@ -16,6 +16,9 @@
 namespace musim::lsdem::study {
 namespace {
 
+/// Two curves are one up to this many times what the shadow differs by: both start from one rounding error per block.
+constexpr double kShadowFactor = 3.0;
+
 /// A run scaled back.
 struct ScaledRun {
     ScaledResponse response;

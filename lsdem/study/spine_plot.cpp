@@ -103,7 +103,7 @@ StackedPlot make_spine_plot(const PairStudy& study, const MotionScales& scales, 
 
     const std::vector<std::size_t> rows = choose_rows(study.prototype.spine.size());
     for (const std::size_t row : rows) plot.row_labels.push_back(fmt::format("level {}", study.prototype.spine.level[row]));
-    plot.runs.push_back(make_curves("prototype", study.prototype, study.shadow.similitude, units, rows));
+    plot.runs.push_back(make_curves("prototype", study.prototype, scaling::Similitude({}, scaling::Law::exact), units, rows));
     for (const PairedRun& model : study.models) plot.runs.push_back(make_curves(model.label, model.run, model.similitude, units, rows));
     return plot;
 }

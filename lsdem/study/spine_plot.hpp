@@ -22,7 +22,7 @@ MotionScales find_motion_scales(const Specimen& specimen);
 /// Indices of the spine blocks to show in a picture, bottom to top: at most ten, evenly chosen, the lowest and the highest among them.
 std::vector<std::size_t> choose_rows(std::size_t spine);
 
-/// Spine velocities of the prototype and its models (not the shadow) along the axis that the base shakes most, or along which the spine
+/// Spine velocities of the prototype and its models along the axis that the base shakes most, or along which the spine
 /// moves most when the base stands: v/PGV, or v/√(μ g l), over t √(μ g/l), every run scaled back to the prototype. At most ten levels,
 /// evenly chosen. `name` says of what. `name` says whose.
 StackedPlot make_spine_plot(const PairStudy& study, const MotionScales& scales, const std::string& name);

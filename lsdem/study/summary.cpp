@@ -1,8 +1,11 @@
 #include "lsdem/study/summary.hpp"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
+#include "lsdem/study/pair_text.hpp"
 #include "lsdem/study/verdict.hpp"
 
 namespace musim::lsdem::study {
@@ -104,11 +107,47 @@ static nlohmann::json to_json(const std::vector<LoneDistortion>& alone) {
     return all;
 }
 
+static nlohmann::json to_json(const std::vector<QuantityCheck>& checks) {
+    nlohmann::json all = nlohmann::json::array();
+    for (const QuantityCheck& check : checks) {
+        all.push_back({{"key", check.key},
+                       {"level", check.level},
+                       {"unit", check.unit},
+                       {"prototype", check.prototype},
+                       {"model", check.model},
+                       {"difference", check.difference},
+                       {"of_twins", check.of_twins},
+                       {"probability", check.probability}});
+    }
+    return all;
+}
+
+static nlohmann::json to_json(const std::vector<PairedTwin>& twins) {
+    nlohmann::json all = nlohmann::json::array();
+    for (const PairedTwin& twin : twins) {
+        all.push_back({{"length", twin.choice.length},
+                       {"last_place", twin.choice.last_place},
+                       {"status", to_string(twin.status)},
+                       {"rms_relative_velocity_difference", twin.difference.rms_velocity},
+                       {"max_relative_loss_difference", to_json(twin.difference.losses)},
+                       {"parting_time_s", to_json(twin.difference.parting_time)}});
+    }
+    return all;
+}
+
 nlohmann::json to_json(const PairStudy& study) {
-    nlohmann::json runs = {make_labelled_summary("prototype", study.prototype),
-                           make_labelled_summary(study.shadow.label, study.shadow.run)};
+    const Yardstick yardstick = study.yardstick();
+    // what the one shadow was until twins took its place: the one that differs most
+    double shadow_rms = 0.0;
+    std::optional<double> shadow_losses;
+    for (const PairedTwin& twin : study.twins) {
+        shadow_rms = std::max(shadow_rms, twin.difference.rms_velocity);
+        if (twin.difference.losses) shadow_losses = std::max(shadow_losses.value_or(0.0), *twin.difference.losses);
+    }
+    nlohmann::json runs = {make_labelled_summary("prototype", study.prototype)};
     nlohmann::json pairs = nlohmann::json::array();
     for (const PairedRun& model : study.models) {
+        const Judgement& judgement = model.judgement;
         runs.push_back(make_labelled_summary(model.label, model.run));
         pairs.push_back({{"label", model.label},
                          {"length", model.similitude.length()},
@@ -116,16 +155,39 @@ nlohmann::json to_json(const PairStudy& study) {
                          {"max_relative_velocity_difference", model.difference.max_velocity},
                          {"rms_relative_velocity_difference", model.difference.rms_velocity},
                          {"max_relative_loss_difference", to_json(model.difference.losses)},
-                         {"shadow_rms", study.shadow.difference.rms_velocity},
-                         {"shadow_loss_difference", to_json(study.shadow.difference.losses)},
+                         {"shadow_rms", shadow_rms},
+                         {"shadow_loss_difference", to_json(shadow_losses)},
                          {"bitwise_identical", model.difference.bitwise_identical},
                          {"digits", model.difference.digits()},
-                         {"parting_time_s", to_json(model.difference.parting_time)},
-                         {"consistent", model.consistent},
+                         {"parting_time_s", to_json(judgement.parting_time)},
+                         {"agreement", to_string(judgement.agreement)},
+                         {"consistent", study.materials == Materials::own || judgement.agreement == Agreement::agree},
+                         {"lead_sd", judgement.lead},
+                         {"lead_time_s", judgement.lead_time},
+                         {"probability", judgement.least_probability},
+                         {"quantities", to_json(judgement.quantities)},
                          {"distortions", to_json(model.distortions)},
                          {"alone", to_json(model.alone)}});
     }
-    return {{"runs", runs}, {"pairs", pairs}, {"consistent", study.consistent()}};
+    nlohmann::json json = {{"runs", runs},
+                           {"pairs", pairs},
+                           {"consistent", study.consistent()},
+                           {"agreement", to_string(study.agreement())},
+                           {"verdict", describe_verdict(study)},
+                           {"twins", to_json(study.twins)},
+                           {"horizon_s", study.twins.empty() ? nlohmann::json() : nlohmann::json(yardstick.horizon())},
+                           {"end_s", yardstick.end()},
+                           {"same_bits", study.same_bits ? nlohmann::json(*study.same_bits) : nlohmann::json()},
+                           {"half_step", nlohmann::json()},
+                           {"smallest_difference_seen", nlohmann::json()}};
+    if (study.half_step) {
+        json["half_step"] = {{"rms_relative_velocity_difference", study.half_step->difference.rms_velocity},
+                             {"parting_time_s", to_json(study.half_step->difference.parting_time)},
+                             {"quantities", to_json(study.half_step->judgement.quantities)}};
+    }
+    if (const auto seen = yardstick.smallest_seen())
+        json["smallest_difference_seen"] = {{"difference", seen->difference}, {"time_s", seen->time}};
+    return json;
 }
 
 }  // namespace musim::lsdem::study

@@ -29,9 +29,10 @@ nlohmann::json to_json(const scaling::Similitude& similitude);
 /// A list of distortions, each with group, factor, severity and effect.
 nlohmann::json to_json(const std::vector<scaling::Distortion>& distortions);
 
-/// A paired study in one JSON object: runs (prototype, shadow, models; summaries with label), pairs (one per model: length, materials,
-/// max_relative_velocity_difference, rms_relative_velocity_difference, shadow_rms, bitwise_identical, digits, parting_time_s (prototype
-/// time; null if never), consistent, distortions), and consistent.
+/// A paired study in one JSON object: runs (prototype, models; summaries with label), pairs (one per model: length, materials, differences,
+/// agreement and what it rests on, quantities beside those of the twins, distortions), consistent, agreement and verdict (sentences) of
+/// all, twins, horizon_s, end_s, half_step. shadow_rms and shadow_loss_difference are old names of the largest difference of a twin. Layout
+/// in README.md.
 nlohmann::json to_json(const PairStudy& study);
 
 }  // namespace musim::lsdem::study

@@ -22,6 +22,7 @@ struct TwinChoice {
     double length = 1.0;           ///< λ_l, by law `exact`
     double shift = 0.0;            ///< every block that moves begins this part of its height elsewhere [-]
     std::uint64_t directions = 0;  ///< seed of the directions in which: twins of one seed begin elsewhere in the same
+    bool last_place = false;  ///< instead: each coordinate is off by −1, 0 or 1 units in the last place of the largest, drawn likewise
 
     bool operator==(const TwinChoice&) const = default;
 };

@@ -10,7 +10,6 @@
 #include <optional>
 #include <utility>
 
-#include "lsdem/block_height.hpp"
 #include "lsdem/scene/motions.hpp"
 #include "lsdem/scene/scene_error.hpp"
 #include "lsdem/scene/scene_json.hpp"
@@ -19,9 +18,8 @@
 #include "lsdem/study/detail/velocity_tape.hpp"
 #include "lsdem/study/ensemble_members.hpp"
 #include "lsdem/study/run.hpp"
-#include "lsdem/study/scale_specimen.hpp"
 #include "lsdem/study/twin_files.hpp"
-#include "scaling/random_bits.hpp"
+#include "lsdem/study/twin_specimen.hpp"
 #include "scaling/side_by_side.hpp"
 
 namespace musim::lsdem::study {
@@ -32,9 +30,6 @@ namespace fs = std::filesystem;
 /// Blocks that are no faster than this part of √(gH) stand: they are laid to 1.4e-5 (Settling::rest), and the difference of two that stand
 /// is rounding [-].
 constexpr double kLeastMotion = 1e-4;
-
-/// Below this length a random vector has no direction to speak of [-].
-constexpr double kLeastLength = 0.1;
 
 scene::Scene with_rate(scene::Scene scene) {
     if (!(scene.output.spine_rate.value() > 0.0)) scene.output.spine_rate = scaling::Frequency::from_value(kTwinRate);
@@ -54,37 +49,6 @@ double find_reach(const Model& model) {
     double reach = 0.0;
     for (const Block& block : model.blocks) reach = std::max(reach, block.position.cwiseAbs().maxCoeff());
     return reach;
-}
-
-/// Evenly spread directions of unit length, one after another.
-class Directions {
-  public:
-    explicit Directions(std::uint64_t seed) : seed_(seed) {}
-
-    /// What lies in the unit ball of a cube's points: sums, products and a root only, the same on every machine.
-    Vector3 next() {
-        for (;;) {
-            const double x = draw(), y = draw(), z = draw();
-            const double length = std::sqrt(x * x + y * y + z * z);
-            if (length > kLeastLength && length <= 1.0) return Vector3(x, y, z) / length;
-        }
-    }
-
-  private:
-    double draw() { return 2.0 * scaling::to_probability(scaling::random_bits(seed_, drawn_++)) - 1.0; }
-
-    std::uint64_t seed_;
-    std::uint64_t drawn_ = 0;
-};
-
-Specimen make_twin(const Specimen& prototype, const TwinChoice& choice, const scaling::Similitude& similitude) {
-    Specimen twin = prototype;
-    Directions directions(choice.directions);
-    for (Block& block : twin.model.blocks) {
-        if (choice.shift == 0.0 || block.fixed) continue;
-        block.position += choice.shift * 2.0 * half_extents(twin.model, block).z() * directions.next();
-    }
-    return scale_specimen(twin, similitude);
 }
 
 /// Ends a tape whatever happens to the run that fills it.
@@ -204,7 +168,7 @@ class TwinWork {
         const scaling::Similitude similitude({.length = twin.choice.length}, scaling::Law::exact);
         const double velocity = similitude.velocity();
         const double time_step = plan_.scaled(similitude.time()).time_step;
-        twin.diverged = !run_samples(make_twin(specimen_, twin.choice, similitude), time_step, [&](const Simulation& simulation, auto k) {
+        twin.diverged = !run_samples(make_twin(specimen_, twin.choice), time_step, [&](const Simulation& simulation, auto k) {
             const std::vector<Vector3>* prototype = tape_->wait_for(k);
             if (prototype == nullptr) return false;
             double largest = 0.0;

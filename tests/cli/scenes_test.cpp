@@ -80,7 +80,7 @@ TEST_CASE("settings that change nothing and old names get one line each, and cha
     CHECK(count_warnings(here.run("pair old.json --length 1/16 --duration 0.1")) == 4);
     // by nodes these settings count, and nothing is said
     text = SceneText().text();
-    text.insert(1, R"("shape": {"kind": "box", "nodes_per_face": 25}, "contact": {"faces": "nodes"}, )");
+    text.insert(1, R"("shape": {"kind": "box", "nodes_per_face": 25}, "contact": {"faces": "nodes"}, "preparation": {}, )");
     here.write("nodes.json", text);
     const Outcome nodes = here.run("run nodes.json --json");
     CHECK(nodes.err.empty());
@@ -113,7 +113,9 @@ TEST_CASE("pair agrees in every bit at 1:16 and within the yardstick at 1:107, a
     CHECK(outcome.exit_code == 0);
     const auto object = outcome.json();
     CHECK(object["consistent"] == true);
-    CHECK(object["runs"].size() == 4);
+    CHECK(object["runs"].size() == 3);
+    CHECK(object["agreement"] == "agree");
+    CHECK(object["verdict"][0] == "The models agree with the prototype.");
     REQUIRE(object["pairs"].size() == 2);
     for (const char* key : {"length", "materials", "max_relative_velocity_difference", "rms_relative_velocity_difference", "shadow_rms",
                             "bitwise_identical", "distortions"}) {
@@ -122,7 +124,7 @@ TEST_CASE("pair agrees in every bit at 1:16 and within the yardstick at 1:107, a
     CHECK(object["pairs"][0]["bitwise_identical"] == true);
     CHECK(object["pairs"][0]["rms_relative_velocity_difference"] == 0.0);
     CHECK(object["pairs"][1]["length"].get<double>() == 1.0 / 107.0);
-    for (const char* name : {"prototype/result.h5", "shadow/result.h5", "1-16/spine.csv", "1-107/summary.json", "pair.json"}) {
+    for (const char* name : {"prototype/result.h5", "departure.svg", "1-16/spine.csv", "1-107/summary.json", "pair.json"}) {
         CHECK_MESSAGE(here.has(std::string("out/") + name), name);
     }
     CHECK(here.read("out/spine.svg").starts_with("<svg"));
@@ -131,10 +133,11 @@ TEST_CASE("pair agrees in every bit at 1:16 and within the yardstick at 1:107, a
 TEST_CASE("pair prints a table with a verdict for every run") {
     const Workplace here;
     here.write("scene.json", SceneText().text());
-    const Outcome outcome = here.run("pair scene.json");
+    const Outcome outcome = here.run("pair scene.json --twins 2");
     CHECK(outcome.exit_code == 0);
-    for (const char* word : {"prototype", "shadow", "1:25", "1:107", "yardstick", "consistent"})
-        CHECK(outcome.out.find(word) != std::string::npos);
+    CHECK(outcome.out.starts_with("The models agree with the prototype.\n"));
+    for (const char* word : {"prototype", "twin", "1:25", "1:107", "half step", "agrees to rounding"})
+        CHECK_MESSAGE(outcome.out.find(word) != std::string::npos, word);
 }
 
 TEST_CASE("models of their own material list what they distort") {

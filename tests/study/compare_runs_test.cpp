@@ -6,7 +6,6 @@
 #include <limits>
 #include <stdexcept>
 
-#include "lsdem/study/pair.hpp"
 #include "tests/study/made_run.hpp"
 
 using namespace musim::lsdem;
@@ -137,13 +136,4 @@ TEST_CASE("the energy closure relates the drift of the balance to the energy in 
                                       {.kinetic = 3.0, .gravitational = 100.0, .friction_loss = 0.98, .base_work = 4.0}};
     CHECK(compute_energy_closure(history) == doctest::Approx(0.02 / (3.0 + 0.98 + 4.0)).epsilon(1e-12));
     CHECK(compute_energy_closure({{.gravitational = 100.0}, {.gravitational = 100.0}}) == 0.0);
-}
-
-TEST_CASE("the yardstick is three shadows or the rounding level") {
-    const auto rms = [](double value) { return RunDifference{.rms_velocity = value}; };
-    CHECK(is_consistent(rms(2.9e-4), rms(1e-4)));
-    CHECK_FALSE(is_consistent(rms(3.1e-4), rms(1e-4)));
-    CHECK(is_consistent(rms(9e-10), rms(0.0)));
-    CHECK_FALSE(is_consistent(rms(2e-9), rms(0.0)));
-    CHECK_FALSE(is_consistent(rms(std::numeric_limits<double>::quiet_NaN()), rms(1e-4)));
 }

@@ -37,7 +37,8 @@ scene::Scene make_prototype() {
 }
 
 PairStudy run_own(const scene::Scene& prototype) {
-    const ScenePair pair = pair_scene(prototype, {{kLength, "wood"}}, Materials::own, {.threads = 2}, true);
+    const ScenePair pair = pair_scene(prototype, {{kLength, "wood"}}, Materials::own, {.threads = 2},
+                                      {.judging = {.twins = 0, .half_step = false}, .each_alone = true});
     REQUIRE(pair.study.models.size() == 1);
     return pair.study;
 }
@@ -49,7 +50,6 @@ TEST_CASE("a material that similitude asks for has no property that differs") {
     prototype.time.duration = 1.0 * musim::scaling::si::second;  // before rounding has grown to what can be seen
     const PairStudy study = run_own(prototype);
     CHECK(study.models.front().alone.empty());
-    MESSAGE("model ", study.models.front().difference.rms_velocity, ", shadow ", study.shadow.difference.rms_velocity);
     CHECK(study.models.front().difference.rms_velocity < 1e-6);
 }
 
@@ -88,6 +88,6 @@ TEST_CASE("every property that differs is found with its factor" * doctest::test
 TEST_CASE("without being asked no property is run alone" * doctest::test_suite("slow")) {
     scene::Scene prototype = make_prototype();
     prototype.material.restitution = 0.6;
-    const ScenePair pair = pair_scene(prototype, {{kLength, "wood"}}, Materials::own);
+    const ScenePair pair = pair_scene(prototype, {{kLength, "wood"}}, Materials::own, {}, {.judging = {.twins = 0, .half_step = false}});
     CHECK(pair.study.models.front().alone.empty());
 }

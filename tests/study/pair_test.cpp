@@ -47,9 +47,12 @@ TEST_CASE("a stack that only slides agrees at 1:25 and 1:107 to the rounding lev
     const PairStudy study = run_pair(prototype, models, Materials::exact, {.threads = 2});
     // it does slide: the base jerks at 2 m/s², friction carries 1.5
     CHECK(study.prototype.history.energy.back().friction_loss > 0.0);
+    // and needs no twins
+    CHECK(study.twins.empty());
     for (const PairedRun& model : study.models) {
         CHECK(model.difference.rms_velocity < kRoundingLevel);
-        CHECK(model.consistent);
+        CHECK(model.judgement.agreement == Agreement::agree);
+        CHECK(model.judgement.within_rounding);
     }
 }
 
@@ -64,11 +67,41 @@ TEST_CASE("a model with another friction is not consistent, unless it is its own
     CHECK(run_pair(prototype, {model}, Materials::own).consistent());
 }
 
-TEST_CASE("a shadow departs from its prototype, by rounding") {
-    const PairStudy study = run_pair(make_prototype(3, 0.15), {}, Materials::exact);
-    CHECK(study.shadow.difference.rms_velocity > 0.0);
-    CHECK(study.shadow.difference.rms_velocity < 1e-3);
-    CHECK_FALSE(study.shadow.difference.bitwise_identical);
+TEST_CASE("twins depart from their prototype by rounding, one by one the same whatever their number") {
+    const PairMember prototype = make_prototype(3, 0.15);
+    const PairStudy few = run_pair(prototype, {}, Materials::exact, {}, {.twins = 2, .half_step = false});
+    const PairStudy more = run_pair(prototype, {}, Materials::exact, {.threads = 2}, {.twins = 4, .half_step = false});
+    CHECK(few.same_bits == true);
+    REQUIRE(few.twins.size() == 2);
+    REQUIRE(more.twins.size() == 4);
+    CHECK(few.twins[0].choice.length != 1.0);
+    CHECK(few.twins[1].choice.last_place);
+    for (std::size_t i = 0; i < 2; ++i) {
+        CHECK(few.twins[i].difference.rms_velocity > 0.0);
+        CHECK(few.twins[i].difference.rms_velocity < 1e-3);
+        CHECK(few.twin_traces[i].running == more.twin_traces[i].running);
+    }
+    CHECK(more.yardstick().horizon() <= few.yardstick().horizon());
+}
+
+TEST_CASE("without twins nothing is judged") {
+    const PairMember prototype = make_prototype(2, 0.15);
+    PairMember model = make_model(prototype, 1.0 / 25.0, "1:25");
+    model.specimen.model.materials[0].friction = 0.1501;
+    model.specimen.model.ground.material.friction = 0.1501;
+    const PairStudy unjudged = run_pair(prototype, {model}, Materials::exact, {}, {.twins = 0, .half_step = false});
+    CHECK(unjudged.agreement() == Agreement::not_judged);
+    CHECK_FALSE(unjudged.same_bits.has_value());
+    CHECK(run_pair(prototype, {model}, Materials::exact).agreement() == Agreement::differ);
+}
+
+TEST_CASE("the run at half the step has the prototype's samples") {
+    const PairMember prototype = make_prototype(2, 0.15);
+    const PairStudy study = run_pair(prototype, {}, Materials::exact, {}, {.twins = 0});
+    REQUIRE(study.half_step.has_value());
+    CHECK(study.half_step->run.history.samples() == study.prototype.history.samples());
+    CHECK(study.half_step->difference.rms_velocity > 0.0);
+    CHECK(study.half_step->difference.rms_velocity < 0.1);
 }
 
 TEST_CASE("an error in one of the runs reaches the caller") {

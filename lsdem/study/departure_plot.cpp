@@ -1,0 +1,55 @@
+#include "lsdem/study/departure_plot.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+namespace musim::lsdem::study {
+namespace {
+
+constexpr int kStyleOfTwins = 11;  ///< dashed, black
+
+PlotSeries make_series(const std::string& label, const RunTrace& trace, const std::vector<double>& time) {
+    PlotSeries series;
+    series.label = label;
+    for (std::size_t k = 0; k < std::min(trace.running.size(), time.size()); ++k) {
+        series.x.push_back(time[k]);
+        series.y.push_back(trace.running[k]);
+    }
+    return series;
+}
+
+}  // namespace
+
+LinePlot make_departure_plot(const PairStudy& study, const std::string& name) {
+    LinePlot plot{.title = "Departure from the prototype: " + name,
+                  .subtitle = "",
+                  .x_label = "time of the prototype [s]",
+                  .y_label = "largest difference so far / peak velocity",
+                  .series = {}};
+    plot.y_logarithmic = true;
+    const std::vector<double>& time = study.prototype.history.time;
+    for (std::size_t i = 0; i < study.twin_traces.size(); ++i) {
+        PlotSeries twin = make_series(i == 0 ? fmt::format("{} twins", study.twin_traces.size()) : "", study.twin_traces[i], time);
+        twin.style = kStyleOfTwins;
+        plot.series.push_back(std::move(twin));
+    }
+    for (const PairedRun& model : study.models) plot.series.push_back(make_series(model.label, model.trace, time));
+    if (study.half_step) plot.series.push_back(make_series("half the step", study.half_step->trace, time));
+    const Yardstick yardstick = study.yardstick();
+    if (yardstick.is_within_run()) {
+        plot.subtitle = fmt::format("horizon {:.3g} s: there a twin first differs by {:g}", yardstick.horizon(), kPartingLevel);
+        PlotSeries horizon;
+        horizon.label = "horizon";
+        horizon.x = {yardstick.horizon(), yardstick.horizon()};
+        horizon.y = {std::numeric_limits<double>::epsilon(), 1.0};
+        horizon.style = kStyleOfTwins;
+        plot.series.push_back(std::move(horizon));
+    }
+    return plot;
+}
+
+}  // namespace musim::lsdem::study

@@ -1,0 +1,147 @@
+#include "lsdem/study/pair_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <optional>
+
+namespace musim::lsdem::study {
+namespace {
+
+std::string percent(double part) { return fmt::format("{:.2g} %", 100.0 * part); }
+
+std::string join(const std::vector<std::string>& words) {
+    std::string text;
+    for (std::size_t i = 0; i < words.size(); ++i) text += (i == 0 ? "" : i + 1 == words.size() ? " and " : ", ") + words[i];
+    return text;
+}
+
+std::vector<std::string> labels_of(const PairStudy& study, Agreement agreement) {
+    std::vector<std::string> labels;
+    for (const PairedRun& model : study.models) {
+        if (model.judgement.agreement == agreement) labels.push_back(model.label);
+    }
+    return labels;
+}
+
+/// Why a model differs, or may.
+std::string give_reason(const Judgement& judgement) {
+    if (judgement.lead > kPartsInTime) {
+        return fmt::format(
+            "at {:.3g} s its velocities are farther from the prototype's than those of the twins by {:.1f} standard deviations",
+            judgement.lead_time, judgement.lead);
+    }
+    const auto least = std::min_element(judgement.quantities.begin(), judgement.quantities.end(),
+                                        [](const QuantityCheck& a, const QuantityCheck& b) { return a.probability < b.probability; });
+    if (least == judgement.quantities.end() || judgement.least_probability >= kAgrees) return "it diverged";
+    const std::string where = least->level > 0 ? fmt::format(" of level {}", least->level) : "";
+    return fmt::format("{}{} is {} off, twins up to {} (probability {:.1g})", least->title, where, percent(least->difference),
+                       percent(least->of_twins), judgement.least_probability);
+}
+
+std::string describe_exact(const PairStudy& study) {
+    if (!study.same_bits.value_or(true))
+        return "The program is not free of scale: the image at a quarter of the length does not agree in every bit.";
+    const bool one = study.models.size() == 1;
+    switch (study.agreement()) {
+        case Agreement::agree:
+            return one ? "The model agrees with the prototype." : "The models agree with the prototype.";
+        case Agreement::not_judged:
+            return "Not judged: without twins there is no measure of what rounding does.";
+        case Agreement::differ:
+        case Agreement::undecided:
+            break;
+    }
+    std::string text;
+    for (const Agreement agreement : {Agreement::differ, Agreement::undecided}) {
+        for (const PairedRun& model : study.models) {
+            if (model.judgement.agreement != agreement) continue;
+            text += (text.empty() ? "" : " ") + std::string(agreement == Agreement::differ ? "" : "Undecided: ");
+            text += fmt::format("Model {} {} from the prototype: {}.", model.label,
+                                agreement == Agreement::differ ? "DIFFERS" : "may differ", give_reason(model.judgement));
+        }
+    }
+    const std::vector<std::string> agree = labels_of(study, Agreement::agree);
+    if (!agree.empty()) text += fmt::format(" {} agree{}.", join(agree), agree.size() == 1 ? "s" : "");
+    return text;
+}
+
+std::string describe_horizon(const PairStudy& study, const Yardstick& yardstick) {
+    if (study.twins.empty()) return "";
+    if (!yardstick.is_within_run())
+        return fmt::format("Velocities of exact models agree to {} to the end ({:.4g} s).", percent(kPartingLevel), yardstick.end());
+    return fmt::format(
+        "Up to {:.3g} s of {:.4g} s velocities agree to {}; beyond, no two runs of this structure can be predicted in detail.",
+        yardstick.horizon(), yardstick.end(), percent(kPartingLevel));
+}
+
+/// Of one family, on the highest level that it has.
+const QuantityCheck* find_top(const Judgement& judgement, const std::string& key) {
+    const QuantityCheck* top = nullptr;
+    for (const QuantityCheck& check : judgement.quantities) {
+        if (check.key == key && (top == nullptr || check.level >= top->level)) top = &check;
+    }
+    return top;
+}
+
+/// The model for which that differs most.
+const QuantityCheck* find_farthest_top(const PairStudy& study, const std::string& key) {
+    const QuantityCheck* farthest = nullptr;
+    for (const PairedRun& model : study.models) {
+        const QuantityCheck* top = find_top(model.judgement, key);
+        if (top != nullptr && (farthest == nullptr || top->difference > farthest->difference)) farthest = top;
+    }
+    return farthest;
+}
+
+std::string describe_quantities(const PairStudy& study) {
+    std::vector<std::string> parts;
+    const auto add = [&](const char* key, const char* name) {
+        const QuantityCheck* const check = find_farthest_top(study, key);
+        if (check == nullptr) return;
+        std::string part = fmt::format("{} {}", name, percent(check->difference));
+        if (!study.twins.empty()) part += fmt::format(" (twins: up to {})", percent(check->of_twins));
+        parts.push_back(std::move(part));
+    };
+    add("peak_velocity", "peak velocity of the top");
+    add("residual_displacement", "its residual displacement");
+    add("total_loss", "losses");
+    if (parts.empty()) return "";
+    std::string text = "Farthest from the prototype: " + join(parts) + ".";
+    const QuantityCheck* const half = study.half_step ? find_top(study.half_step->judgement, "peak_velocity") : nullptr;
+    if (half != nullptr) text += fmt::format(" Half the time step changes that peak by {}.", percent(half->difference));
+    return text;
+}
+
+std::string describe_power(const PairStudy& study, const Yardstick& yardstick) {
+    const std::optional<Yardstick::Seen> seen = yardstick.smallest_seen();
+    if (!seen || study.materials == Materials::own) return "";
+    return fmt::format("A difference of {:.1g} of the peak velocity would have been seen, at {:.3g} s.", seen->difference, seen->time);
+}
+
+}  // namespace
+
+std::vector<std::string> describe_verdict(const PairStudy& study) {
+    const Yardstick yardstick = study.yardstick();
+    std::vector<std::string> lines;
+    const auto add = [&](std::string line) {
+        if (!line.empty()) lines.push_back(std::move(line));
+    };
+    if (study.materials == Materials::exact) {
+        add(describe_exact(study));
+    } else {
+        add("Models of their own material are distorted: what similitude asks for and they do not meet is listed below.");
+    }
+    add(describe_horizon(study, yardstick));
+    add(describe_quantities(study));
+    add(describe_power(study, yardstick));
+    if (study.materials == Materials::exact)
+        add("This checks the program and the law, not a model test: a real model has a stiffness, a friction and heights of its own "
+            "(--materials own).");
+    return lines;
+}
+
+}  // namespace musim::lsdem::study

@@ -1,0 +1,196 @@
+#include "lsdem/study/yardstick.hpp"
+
+#include <algorithm>
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "lsdem/study/compare_runs.hpp"
+#include "lsdem/study/sample_moments.hpp"
+
+namespace musim::lsdem::study {
+namespace {
+
+/// A structure is shaken once a spine block is faster than this part of its peak [-].
+constexpr double kLively = 0.1;
+
+/// Twins whose parts are all alike say nothing of their scatter: it is taken to be no less than this part of the largest value of a family
+/// [-], and of counts no less than one.
+constexpr double kLeastScatter = kPartingLevel;
+
+double relative_speed(const RunResult& run, std::size_t sample, std::size_t block) {
+    return (run.history.spine_velocity[sample * run.spine.size() + block] - run.history.base[sample].velocity).norm();
+}
+
+double find_peak(const RunResult& run) {
+    double peak = 0.0;
+    for (std::size_t k = 0; k < run.history.samples(); ++k) {
+        for (std::size_t s = 0; s < run.spine.size(); ++s) peak = std::max(peak, relative_speed(run, k, s));
+    }
+    return peak;
+}
+
+/// The first sample from which on differences show; that of the end when nothing moves.
+std::size_t find_lively(const RunResult& run, double peak) {
+    for (std::size_t k = 0; k < run.history.samples(); ++k) {
+        for (std::size_t s = 0; s < run.spine.size(); ++s) {
+            if (relative_speed(run, k, s) > kLively * peak) return k;
+        }
+    }
+    return run.history.samples() - 1;
+}
+
+double largest_coordinate(const RunResult& run) {
+    double largest = 0.0;
+    for (const Vector3& position : run.initial.position) largest = std::max(largest, position.cwiseAbs().maxCoeff());
+    return largest;
+}
+
+SampleMoments moments_of(const std::vector<double>& values) {
+    SampleMoments moments(1);
+    for (const double value : values) moments.add(Eigen::ArrayXd::Constant(1, value));
+    return moments;
+}
+
+/// That one more member of the population of `twins` is as far from their mean, on either side.
+double find_probability(double model, const std::vector<double>& twins, double least_scatter) {
+    if (twins.size() < 2) return 1.0;
+    const SampleMoments moments = moments_of(twins);
+    const auto count = static_cast<double>(twins.size());
+    const double sd = std::max(moments.sd()[0], least_scatter);
+    const double t = std::abs(model - moments.mean()[0]) / (sd * std::sqrt(1.0 + 1.0 / count));
+    if (!std::isfinite(t)) return 0.0;
+    return 2.0 * boost::math::cdf(boost::math::complement(boost::math::students_t_distribution<double>(count - 1.0), t));
+}
+
+}  // namespace
+
+std::string to_string(Agreement agreement) {
+    switch (agreement) {
+        case Agreement::agree:
+            return "agree";
+        case Agreement::differ:
+            return "differ";
+        case Agreement::undecided:
+            return "undecided";
+        case Agreement::not_judged:
+            break;
+    }
+    return "not_judged";
+}
+
+RunTrace trace_run(const RunResult& prototype, const RunResult& run, const scaling::Similitude& similitude) {
+    RunTrace trace;
+    const std::size_t spine = prototype.spine.size(), samples = std::min(prototype.history.samples(), run.history.samples());
+    const double velocity = similitude.velocity(), peak = find_peak(prototype);
+    double largest = 0.0;
+    for (std::size_t k = 0; k < samples; ++k) {
+        for (std::size_t i = k * spine; i < (k + 1) * spine; ++i) {
+            const double difference = (run.history.spine_velocity[i] / velocity - prototype.history.spine_velocity[i]).norm();
+            if (difference > 0.0) largest = std::max(largest, difference / peak);
+        }
+        trace.running.push_back(largest);
+    }
+    trace.quantities = find_quantities(run, similitude);
+    trace.bitwise_identical = compare_runs(prototype, run, similitude).bitwise_identical;
+    trace.diverged = run.status == RunStatus::diverged;
+    return trace;
+}
+
+Yardstick::Yardstick(const RunResult& prototype, std::vector<RunTrace> twins)
+    : twins_(std::move(twins)), prototype_(find_quantities(prototype, scaling::Similitude({}, scaling::Law::exact))) {
+    samples_ = prototype.history.samples();
+    interval_ = samples_ > 1 ? prototype.history.time[1] - prototype.history.time[0] : 0.0;
+    const double peak = find_peak(prototype);
+    moves_ = peak > 0.0;
+    lively_ = find_lively(prototype, peak);
+    floor_ = std::numeric_limits<double>::epsilon();
+    if (moves_) floor_ = std::max(floor_, floor_ * largest_coordinate(prototype) / (prototype.time_step * peak));
+    horizon_ = samples_ - 1;
+    for (const RunTrace& twin : twins_) {
+        const auto parts = std::find_if(twin.running.begin(), twin.running.end(), [](double r) { return r > kPartingLevel; });
+        if (parts == twin.running.end()) continue;
+        parted_ = true;
+        horizon_ = std::min(horizon_, static_cast<std::size_t>(parts - twin.running.begin()));
+    }
+}
+
+double Yardstick::logarithm(const RunTrace& run, std::size_t sample) const {
+    const std::size_t last = std::min(sample, run.running.size() - 1);
+    return std::log10(std::max(run.running[last], floor_));
+}
+
+Yardstick::Scatter Yardstick::scatter(std::size_t sample) const {
+    std::vector<double> logarithms;
+    for (const RunTrace& twin : twins_) logarithms.push_back(logarithm(twin, sample));
+    const SampleMoments moments = moments_of(logarithms);
+    const double measured = twins_.size() >= kMeasuredTwins ? moments.sd()[0] : 0.0;
+    return {moments.mean()[0], std::max(measured, kPooledScatter) * std::sqrt(1.0 + 1.0 / static_cast<double>(twins_.size()))};
+}
+
+std::optional<Yardstick::Seen> Yardstick::smallest_seen() const {
+    if (twins_.empty() || !moves_ || lively_ > horizon_) return std::nullopt;
+    Seen least{std::numeric_limits<double>::infinity(), 0.0};
+    for (std::size_t k = lively_; k <= horizon_; ++k) {
+        const Scatter of_twins = scatter(k);
+        const double difference = std::pow(10.0, of_twins.mean + kPartsTooEarly * of_twins.sd);
+        if (difference < least.difference) least = {difference, time_of(k)};
+    }
+    return least;
+}
+
+std::vector<QuantityCheck> Yardstick::check_quantities(const RunTrace& run) const {
+    std::vector<QuantityCheck> checks;
+    for (std::size_t f = 0; f < prototype_.size(); ++f) {
+        const QuantityFamily& family = prototype_[f];
+        const double scale = family.value.empty() ? 0.0 : *std::max_element(family.value.begin(), family.value.end());
+        const double least = family.key == "fallen_blocks" ? 1.0 : kLeastScatter * scale;
+        for (std::size_t i = 0; i < family.value.size(); ++i) {
+            const auto apart = [&](double value) { return scale > 0.0 ? std::abs(value - family.value[i]) / scale : 0.0; };
+            QuantityCheck check{family.key, family.title, family.unit, family.level[i], family.value[i], run.quantities[f].value[i]};
+            check.difference = apart(check.model);
+            // the prototype is one of them
+            std::vector<double> values{family.value[i]};
+            for (const RunTrace& twin : twins_) {
+                values.push_back(twin.quantities[f].value[i]);
+                check.of_twins = std::max(check.of_twins, apart(values.back()));
+            }
+            if (parted_) check.probability = find_probability(check.model, values, least);
+            checks.push_back(check);
+        }
+    }
+    return checks;
+}
+
+Judgement Yardstick::judge(const RunTrace& model) const {
+    Judgement judgement;
+    const auto parts = std::find_if(model.running.begin(), model.running.end(), [](double r) { return r > kPartingLevel; });
+    if (parts != model.running.end()) judgement.parting_time = time_of(static_cast<std::size_t>(parts - model.running.begin()));
+    judgement.quantities = check_quantities(model);
+    judgement.within_rounding = !model.diverged && (model.bitwise_identical || model.running.back() < kRoundingLevel);
+    if (judgement.within_rounding) {
+        judgement.agreement = Agreement::agree;
+        return judgement;
+    }
+    if (twins_.empty()) return judgement;
+    for (std::size_t k = 0; k <= horizon_; ++k) {
+        const Scatter of_twins = scatter(k);
+        const double lead = (logarithm(model, k) - of_twins.mean) / of_twins.sd;
+        if (lead > judgement.lead) judgement.lead = lead, judgement.lead_time = time_of(k);
+    }
+    for (const QuantityCheck& check : judgement.quantities) {
+        const double corrected = std::min(1.0, check.probability * static_cast<double>(judgement.quantities.size()));
+        judgement.least_probability = std::min(judgement.least_probability, corrected);
+    }
+    if (model.diverged || judgement.lead > kPartsTooEarly || judgement.least_probability < kDiffers) {
+        judgement.agreement = Agreement::differ;
+    } else if (judgement.lead > kPartsInTime || judgement.least_probability < kAgrees) {
+        judgement.agreement = Agreement::undecided;
+    } else {
+        judgement.agreement = Agreement::agree;
+    }
+    return judgement;
+}
+
+}  // namespace musim::lsdem::study

@@ -1,0 +1,113 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lsdem/study/run_quantities.hpp"
+
+/// When exact models agree with their prototype. The measure are twins: runs of the same structure that differ by rounding only. See
+/// lsdem/study/README.md, "When models agree". Everything here is in the prototype's units.
+namespace musim::lsdem::study {
+
+/// What is compared of a run.
+struct RunTrace {
+    /// R, sample by sample: the running maximum of the difference of spine velocities, max |v_M/λ_v − v_P|, over the largest velocity that
+    /// a spine block of the prototype has relative to the base [-].
+    std::vector<double> running;
+    std::vector<QuantityFamily> quantities;
+    bool bitwise_identical = false;
+    bool diverged = false;
+};
+
+/// Of a run against its prototype.
+RunTrace trace_run(const RunResult& prototype, const RunResult& run, const scaling::Similitude& similitude);
+
+/// Scatter of log10 R of exact models of one prototype, pooled over scenes: what is taken of fewer than kMeasuredTwins twins, and at least
+/// [-]. Measured: lsdem/study/README.md.
+inline constexpr double kPooledScatter = 0.5;
+inline constexpr std::size_t kMeasuredTwins = 4;
+
+/// A model parts too early when at some time before the horizon log10 R is this many standard deviations above the twins' mean; below the
+/// second it agrees, between them nothing is decided. Chosen for one false alarm in a thousand models: lsdem/study/README.md.
+inline constexpr double kPartsTooEarly = 4.0, kPartsInTime = 3.5;
+
+/// Beyond the horizon: the probability of so large a difference in one of all quantities, by Student's t and with Bonferroni's correction.
+/// Below the first the model differs, above the second it agrees [-].
+inline constexpr double kDiffers = 5e-4, kAgrees = 5e-3;
+
+/// Differences of runs that agree to this are below what rounding does in any run that only slides: they agree without twins [-].
+inline constexpr double kRoundingLevel = 1e-9;
+
+enum class Agreement {
+    agree,      ///< the difference is what twins show
+    differ,     ///< it is more
+    undecided,  ///< between the two
+    not_judged  ///< there are no twins
+};
+/// "agree", "differ", "undecided", "not_judged".
+std::string to_string(Agreement agreement);
+
+/// One quantity of a model beside the prototype's and the twins'.
+struct QuantityCheck {
+    std::string key, title, unit;
+    int level = 0;
+    double prototype = 0.0, model = 0.0;  ///< [unit]
+    /// Differences to the prototype over the largest value that the prototype has on any level [-]: of the model, the largest of the twins.
+    double difference = 0.0, of_twins = 0.0;
+    double probability = 1.0;  ///< that a twin lies as far from the other twins [-]; 1 where that is not asked
+};
+
+/// A model against the twins.
+struct Judgement {
+    Agreement agreement = Agreement::not_judged;
+    bool within_rounding = false;        ///< it agrees to kRoundingLevel throughout, or in all bits
+    std::optional<double> parting_time;  ///< when R first exceeds kPartingLevel [s]
+    double lead = 0.0;                   ///< most standard deviations of log10 R above the twins' mean, up to the horizon [-]
+    double lead_time = 0.0;              ///< [s]
+    double least_probability = 1.0;      ///< of any quantity, with the correction; 1 when the horizon is the end of the run [-]
+    std::vector<QuantityCheck> quantities;
+};
+
+/// Twins of a prototype as the measure of its models.
+class Yardstick {
+  public:
+    Yardstick(const RunResult& prototype, std::vector<RunTrace> twins);
+
+    std::size_t twins() const { return twins_.size(); }
+    /// The earliest time at which a twin differs by kPartingLevel; the end of the run when none does [s]. More twins never make it later.
+    double horizon() const { return time_of(horizon_); }
+    bool is_within_run() const { return parted_; }  ///< does any twin part?
+    double end() const { return time_of(samples_ - 1); }
+
+    /// The smallest difference R that would have been seen once the structure moves at a tenth of its peak velocity [-], and when [s].
+    /// Nothing without twins or motion.
+    struct Seen {
+        double difference = 0.0, time = 0.0;
+    };
+    std::optional<Seen> smallest_seen() const;
+
+    /// Mean and standard deviation of log10 R at a sample, the deviation as it is used.
+    struct Scatter {
+        double mean = 0.0, sd = 0.0;
+    };
+    Scatter scatter(std::size_t sample) const;
+
+    Judgement judge(const RunTrace& model) const;
+    /// The quantities of a run beside those of the twins, without a judgement.
+    std::vector<QuantityCheck> check_quantities(const RunTrace& run) const;
+
+  private:
+    double time_of(std::size_t sample) const { return static_cast<double>(sample) * interval_; }
+    double logarithm(const RunTrace& run, std::size_t sample) const;
+
+    std::vector<RunTrace> twins_;
+    std::vector<QuantityFamily> prototype_;
+    double interval_ = 0.0;  ///< between samples [s]
+    double floor_ = 0.0;     ///< what rounding of a position makes of R within a step [-]
+    std::size_t samples_ = 0, horizon_ = 0, lively_ = 0;
+    bool parted_ = false, moves_ = false;
+};
+
+}  // namespace musim::lsdem::study

@@ -1,0 +1,92 @@
+#include "lsdem/study/yardstick.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "tests/study/made_specimen.hpp"
+
+using namespace musim::lsdem;
+using namespace musim::lsdem::study;
+using musim::scaling::Law;
+using musim::scaling::Similitude;
+
+namespace {
+
+const Similitude kOne({}, Law::exact);
+
+RunResult run_column() {
+    const Specimen column = make_column(2, 0.15);
+    return simulate(column, make_plan(column, 100));
+}
+
+/// A run whose difference grows from `from` by a factor of ten in every 20 samples.
+RunTrace make_trace(const RunResult& prototype, double from) {
+    RunTrace trace = trace_run(prototype, prototype, kOne);
+    for (std::size_t k = 0; k < trace.running.size(); ++k) trace.running[k] = from * std::pow(10.0, static_cast<double>(k) / 20.0);
+    trace.bitwise_identical = false;
+    return trace;
+}
+
+Yardstick make_yardstick(const RunResult& prototype, double from) {
+    std::vector<RunTrace> twins;
+    for (const double factor : {1.0, 2.0, 0.5, 1.5}) twins.push_back(make_trace(prototype, factor * from));
+    return {prototype, twins};
+}
+
+}  // namespace
+
+TEST_CASE("a run is no distance from itself") {
+    const RunResult prototype = run_column();
+    const RunTrace trace = trace_run(prototype, prototype, kOne);
+    CHECK(trace.running.back() == 0.0);
+    CHECK(trace.bitwise_identical);
+    const Judgement judgement = make_yardstick(prototype, 1e-12).judge(trace);
+    CHECK(judgement.agreement == Agreement::agree);
+    CHECK(judgement.within_rounding);
+    for (const QuantityCheck& check : judgement.quantities) CHECK(check.difference == 0.0);
+}
+
+TEST_CASE("the horizon is where the first twin differs by a thousandth") {
+    const RunResult prototype = run_column();
+    const Yardstick none = make_yardstick(prototype, 1e-12);
+    CHECK_FALSE(none.is_within_run());
+    CHECK(none.horizon() == none.end());
+    // 2e-7 · 10^(k/20) > 1e-3 from k = 74 on
+    const Yardstick some = make_yardstick(prototype, 1e-7);
+    CHECK(some.is_within_run());
+    CHECK(some.horizon() == doctest::Approx(74.0 * prototype.history.time[1]));
+}
+
+TEST_CASE("a model that parts decades before the twins differs, one that parts among them or after agrees") {
+    const RunResult prototype = run_column();
+    const Yardstick yardstick = make_yardstick(prototype, 1e-7);
+    CHECK(yardstick.judge(make_trace(prototype, 1e-7)).agreement == Agreement::agree);
+    CHECK(yardstick.judge(make_trace(prototype, 1e-8)).agreement == Agreement::agree);
+    // pooled scatter of half a decade: 4 deviations are 2.24 decades above their mean
+    CHECK(yardstick.judge(make_trace(prototype, 1e-7 * std::pow(10.0, 2.4))).agreement == Agreement::differ);
+    CHECK(yardstick.judge(make_trace(prototype, 1e-7 * std::pow(10.0, 2.1))).agreement == Agreement::undecided);
+    CHECK(yardstick.judge(make_trace(prototype, 1e-7 * std::pow(10.0, 1.5))).agreement == Agreement::agree);
+}
+
+TEST_CASE("a model that is late to part and ends elsewhere differs") {
+    const RunResult prototype = run_column();
+    const Yardstick yardstick = make_yardstick(prototype, 1e-7);
+    RunTrace model = make_trace(prototype, 1e-7);
+    model.quantities[0].value[0] *= 1.5;
+    CHECK(yardstick.judge(model).agreement == Agreement::differ);
+    // before the horizon only the departure counts
+    model.running = make_trace(prototype, 1e-12).running;
+    CHECK(make_yardstick(prototype, 1e-12).judge(model).agreement == Agreement::agree);
+}
+
+TEST_CASE("a model that diverged differs; without twins nothing is judged") {
+    const RunResult prototype = run_column();
+    RunTrace model = make_trace(prototype, 1e-8);
+    CHECK(Yardstick(prototype, {}).judge(model).agreement == Agreement::not_judged);
+    CHECK_FALSE(Yardstick(prototype, {}).smallest_seen().has_value());
+    model.diverged = true;
+    CHECK(make_yardstick(prototype, 1e-7).judge(model).agreement == Agreement::differ);
+}
