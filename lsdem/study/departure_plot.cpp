@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
 #include <utility>
 
 namespace musim::lsdem::study {
@@ -22,11 +21,20 @@ PlotSeries make_series(const std::string& label, const RunTrace& trace, const st
     return series;
 }
 
+/// The smallest value that a logarithmic axis shows.
+double find_least(const LinePlot& plot) {
+    double least = 1.0;
+    for (const PlotSeries& series : plot.series) {
+        for (const double value : series.y) least = value > 0.0 ? std::min(least, value) : least;
+    }
+    return least;
+}
+
 }  // namespace
 
 LinePlot make_departure_plot(const PairStudy& study, const std::string& name) {
-    LinePlot plot{.title = "Departure from the prototype: " + name,
-                  .subtitle = "",
+    LinePlot plot{.title = "Departure from the prototype",
+                  .subtitle = name,
                   .x_label = "time of the prototype [s]",
                   .y_label = "largest difference so far / peak velocity",
                   .series = {}};
@@ -41,11 +49,10 @@ LinePlot make_departure_plot(const PairStudy& study, const std::string& name) {
     if (study.half_step) plot.series.push_back(make_series("half the step", study.half_step->trace, time));
     const Yardstick yardstick = study.yardstick();
     if (yardstick.is_within_run()) {
-        plot.subtitle = fmt::format("horizon {:.3g} s: there a twin first differs by {:g}", yardstick.horizon(), kPartingLevel);
         PlotSeries horizon;
-        horizon.label = "horizon";
+        horizon.label = fmt::format("horizon, {:.3g} s", yardstick.horizon());
         horizon.x = {yardstick.horizon(), yardstick.horizon()};
-        horizon.y = {std::numeric_limits<double>::epsilon(), 1.0};
+        horizon.y = {find_least(plot), 1.0};
         horizon.style = kStyleOfTwins;
         plot.series.push_back(std::move(horizon));
     }

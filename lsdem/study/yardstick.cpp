@@ -15,8 +15,8 @@ namespace {
 /// A structure is shaken once a spine block is faster than this part of its peak [-].
 constexpr double kLively = 0.1;
 
-/// Twins whose parts are all alike say nothing of their scatter: it is taken to be no less than this part of the largest value of a family
-/// [-], and of counts no less than one.
+/// The scatter of a quantity is no less than the mean one of its family over all levels: on a single level few twins may be alike by
+/// chance. Nor is it less than this part of the largest value of the family [-], and of counts no less than one.
 constexpr double kLeastScatter = kPartingLevel;
 
 double relative_speed(const RunResult& run, std::size_t sample, std::size_t block) {
@@ -53,7 +53,7 @@ SampleMoments moments_of(const std::vector<double>& values) {
     return moments;
 }
 
-/// That one more member of the population of `twins` is as far from their mean, on either side.
+/// That one more member of the population of `twins` is as far from their mean, on either side; their scatter is no less than given.
 double find_probability(double model, const std::vector<double>& twins, double least_scatter) {
     if (twins.size() < 2) return 1.0;
     const SampleMoments moments = moments_of(twins);
@@ -140,22 +140,35 @@ std::optional<Yardstick::Seen> Yardstick::smallest_seen() const {
     return least;
 }
 
+std::vector<double> Yardstick::values_of_twins(std::size_t family, std::size_t level) const {
+    std::vector<double> values{prototype_[family].value[level]};
+    for (const RunTrace& twin : twins_) values.push_back(twin.quantities[family].value[level]);
+    return values;
+}
+
+double Yardstick::least_scatter(std::size_t family) const {
+    const std::vector<double>& prototype = prototype_[family].value;
+    if (prototype_[family].key == "fallen_blocks" || twins_.empty()) return 1.0;
+    double squares = 0.0;
+    for (std::size_t i = 0; i < prototype.size(); ++i) {
+        const double sd = moments_of(values_of_twins(family, i)).sd()[0];
+        squares += sd * sd / static_cast<double>(prototype.size());
+    }
+    return std::max(std::sqrt(squares), kLeastScatter * *std::max_element(prototype.begin(), prototype.end()));
+}
+
 std::vector<QuantityCheck> Yardstick::check_quantities(const RunTrace& run) const {
     std::vector<QuantityCheck> checks;
     for (std::size_t f = 0; f < prototype_.size(); ++f) {
         const QuantityFamily& family = prototype_[f];
-        const double scale = family.value.empty() ? 0.0 : *std::max_element(family.value.begin(), family.value.end());
-        const double least = family.key == "fallen_blocks" ? 1.0 : kLeastScatter * scale;
+        if (family.value.empty()) continue;
+        const double scale = *std::max_element(family.value.begin(), family.value.end()), least = least_scatter(f);
         for (std::size_t i = 0; i < family.value.size(); ++i) {
             const auto apart = [&](double value) { return scale > 0.0 ? std::abs(value - family.value[i]) / scale : 0.0; };
             QuantityCheck check{family.key, family.title, family.unit, family.level[i], family.value[i], run.quantities[f].value[i]};
             check.difference = apart(check.model);
-            // the prototype is one of them
-            std::vector<double> values{family.value[i]};
-            for (const RunTrace& twin : twins_) {
-                values.push_back(twin.quantities[f].value[i]);
-                check.of_twins = std::max(check.of_twins, apart(values.back()));
-            }
+            const std::vector<double> values = values_of_twins(f, i);
+            for (const double value : values) check.of_twins = std::max(check.of_twins, apart(value));
             if (parted_) check.probability = find_probability(check.model, values, least);
             checks.push_back(check);
         }

@@ -101,6 +101,10 @@ class Yardstick {
   private:
     double time_of(std::size_t sample) const { return static_cast<double>(sample) * interval_; }
     double logarithm(const RunTrace& run, std::size_t sample) const;
+    /// Of one quantity: the prototype's value, which is one of them, and the twins'.
+    std::vector<double> values_of_twins(std::size_t family, std::size_t level) const;
+    /// That the quantities of a family are taken to have.
+    double least_scatter(std::size_t family) const;
 
     std::vector<RunTrace> twins_;
     std::vector<QuantityFamily> prototype_;

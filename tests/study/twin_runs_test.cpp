@@ -144,7 +144,7 @@ TEST_CASE("copies moved in the same directions part in proportion to how far") {
 
 // Its blocks are drawn in contact and rebound flat when gravity begins, so that rounding alone chooses the edge by which they part.
 TEST_CASE("exact models of the demo tower part smoothly" * doctest::test_suite("slow")) {
-    scene::Scene tower = scene::read_scene(std::filesystem::path(MUSIM_SOURCE_DIR) / "examples/tower_prototype.json");
+    scene::Scene tower = scene::read_scene(std::filesystem::path(MUSIM_SOURCE_DIR) / "examples/twins/tower_as_drawn.json");
     tower.time.duration = musim::scaling::Time::from_value(3.0);
     const TwinStudy study = run_twins(tower, choose_models(6, 1), {.threads = 0});
     const TwinSummary summary = summarize(study);
