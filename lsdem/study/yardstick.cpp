@@ -15,8 +15,9 @@ namespace {
 /// A structure is shaken once a spine block is faster than this part of its peak [-].
 constexpr double kLively = 0.1;
 
-/// The scatter of a quantity is no less than the mean one of its family over all levels: on a single level few twins may be alike by
-/// chance. Nor is it less than this part of the largest value of the family [-], and of counts no less than one.
+/// Quantities are held against each other in their logarithm: residuals scatter by factors. What is below this part of the largest of a
+/// family counts as that. Their scatter is no less than this, nor than the mean one of the family over all levels: on a single level few
+/// twins may be alike by chance [-].
 constexpr double kLeastScatter = kPartingLevel;
 
 double relative_speed(const RunResult& run, std::size_t sample, std::size_t block) {
@@ -140,36 +141,46 @@ std::optional<Yardstick::Seen> Yardstick::smallest_seen() const {
     return least;
 }
 
-std::vector<double> Yardstick::values_of_twins(std::size_t family, std::size_t level) const {
-    std::vector<double> values{prototype_[family].value[level]};
-    for (const RunTrace& twin : twins_) values.push_back(twin.quantities[family].value[level]);
-    return values;
+double Yardstick::find_scale(std::size_t family) const {
+    const std::vector<double>& values = prototype_[family].value;
+    return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());
+}
+
+double Yardstick::measure(std::size_t family, double value) const {
+    if (prototype_[family].key == "fallen_blocks") return std::log(1.0 + value);
+    const double least = kLeastScatter * find_scale(family);
+    return least > 0.0 ? std::log(std::max(value, least)) : value;
+}
+
+std::vector<double> Yardstick::measures_of_twins(std::size_t family, std::size_t level) const {
+    std::vector<double> measures{measure(family, prototype_[family].value[level])};
+    for (const RunTrace& twin : twins_) measures.push_back(measure(family, twin.quantities[family].value[level]));
+    return measures;
 }
 
 double Yardstick::least_scatter(std::size_t family) const {
-    const std::vector<double>& prototype = prototype_[family].value;
-    if (prototype_[family].key == "fallen_blocks" || twins_.empty()) return 1.0;
+    if (twins_.empty()) return 1.0;
+    if (prototype_[family].key == "fallen_blocks") return std::log(2.0);
+    const std::size_t levels = prototype_[family].value.size();
     double squares = 0.0;
-    for (std::size_t i = 0; i < prototype.size(); ++i) {
-        const double sd = moments_of(values_of_twins(family, i)).sd()[0];
-        squares += sd * sd / static_cast<double>(prototype.size());
+    for (std::size_t i = 0; i < levels; ++i) {
+        const double sd = moments_of(measures_of_twins(family, i)).sd()[0];
+        squares += sd * sd / static_cast<double>(levels);
     }
-    return std::max(std::sqrt(squares), kLeastScatter * *std::max_element(prototype.begin(), prototype.end()));
+    return std::max(std::sqrt(squares), kLeastScatter);
 }
 
 std::vector<QuantityCheck> Yardstick::check_quantities(const RunTrace& run) const {
     std::vector<QuantityCheck> checks;
     for (std::size_t f = 0; f < prototype_.size(); ++f) {
         const QuantityFamily& family = prototype_[f];
-        if (family.value.empty()) continue;
-        const double scale = *std::max_element(family.value.begin(), family.value.end()), least = least_scatter(f);
+        const double scale = find_scale(f), least = least_scatter(f);
         for (std::size_t i = 0; i < family.value.size(); ++i) {
             const auto apart = [&](double value) { return scale > 0.0 ? std::abs(value - family.value[i]) / scale : 0.0; };
             QuantityCheck check{family.key, family.title, family.unit, family.level[i], family.value[i], run.quantities[f].value[i]};
             check.difference = apart(check.model);
-            const std::vector<double> values = values_of_twins(f, i);
-            for (const double value : values) check.of_twins = std::max(check.of_twins, apart(value));
-            if (parted_) check.probability = find_probability(check.model, values, least);
+            for (const RunTrace& twin : twins_) check.of_twins = std::max(check.of_twins, apart(twin.quantities[f].value[i]));
+            if (parted_) check.probability = find_probability(measure(f, check.model), measures_of_twins(f, i), least);
             checks.push_back(check);
         }
     }

@@ -34,8 +34,8 @@ inline constexpr std::size_t kMeasuredTwins = 4;
 inline constexpr double kPartsTooEarly = 4.0, kPartsInTime = 3.5;
 
 /// Beyond the horizon: the probability of so large a difference in one of all quantities, by Student's t and with Bonferroni's correction.
-/// Below the first the model differs, above the second it agrees [-].
-inline constexpr double kDiffers = 5e-4, kAgrees = 5e-3;
+/// Below the first the model differs, above the second it agrees [-]. Chosen likewise: few twins do not show the tails of their scatter.
+inline constexpr double kDiffers = 1e-5, kAgrees = 1e-3;
 
 /// Differences of runs that agree to this are below what rounding does in any run that only slides: they agree without twins [-].
 inline constexpr double kRoundingLevel = 1e-9;
@@ -101,9 +101,12 @@ class Yardstick {
   private:
     double time_of(std::size_t sample) const { return static_cast<double>(sample) * interval_; }
     double logarithm(const RunTrace& run, std::size_t sample) const;
-    /// Of one quantity: the prototype's value, which is one of them, and the twins'.
-    std::vector<double> values_of_twins(std::size_t family, std::size_t level) const;
-    /// That the quantities of a family are taken to have.
+    double find_scale(std::size_t family) const;  ///< the largest value that the prototype has on any level
+    /// What is held against the twins: the logarithm of a value; of a number of blocks that of one more.
+    double measure(std::size_t family, double value) const;
+    /// Of one quantity: the prototype's, which is one of them, and the twins'.
+    std::vector<double> measures_of_twins(std::size_t family, std::size_t level) const;
+    /// That the measures of a family are taken to have.
     double least_scatter(std::size_t family) const;
 
     std::vector<RunTrace> twins_;
