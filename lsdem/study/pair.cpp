@@ -94,8 +94,9 @@ class PairWork {
         if (judging_.half_step) jobs.push_back({&half});
         run(jobs);
         study_.prototype = std::move(jobs[0].result);
-        for (std::size_t m = 0; m < models_.size(); ++m)
+        for (std::size_t m = 0; m < models_.size(); ++m) {
             study_.models.push_back(compare(study_.prototype, models_[m], std::move(jobs[m + 1].result)));
+        }
         if (judging_.half_step) study_.half_step = compare(study_.prototype, half, std::move(jobs.back().result));
     }
 
@@ -104,10 +105,12 @@ class PairWork {
         const std::vector<TwinChoice> choices = choose_twins(count, judging_.seed);
         const std::size_t first = study_.twins.size();
         std::vector<PairMember> members;
+        members.reserve(count - first + 1);
         for (std::size_t i = first; i < count; ++i) members.push_back(make_twin_member(prototype_, choices[i]));
         const bool checks_bits = !study_.same_bits.has_value();
         if (checks_bits) members.push_back(make_twin_member(prototype_, {.length = kExactLength}));
         std::vector<Job> jobs;
+        jobs.reserve(members.size());
         for (const PairMember& member : members) jobs.push_back({&member});
         run(jobs);
         for (std::size_t j = 0; j < jobs.size(); ++j) {

@@ -158,8 +158,9 @@ ScenePair pair_scene(const scene::Scene& prototype, const std::vector<ModelChoic
         if (materials == Materials::exact) members.back().plan = original.plan.scaled(scaled.similitude.time());
         lone_scenes.push_back(how.each_alone && materials == Materials::own ? find_lone_scenes(prototype, scaled)
                                                                             : std::vector<LoneScene>{});
-        for (const LoneScene& lone : lone_scenes.back())
+        for (const LoneScene& lone : lone_scenes.back()) {
             lone_members.push_back(make_member(label + ", " + lone.property, lone.scene, lone.similitude));
+        }
         pair.models.push_back(std::move(scaled.scene));
     }
     members.insert(members.end(), std::make_move_iterator(lone_members.begin()), std::make_move_iterator(lone_members.end()));

@@ -43,8 +43,9 @@ std::string give_reason(const Judgement& judgement) {
 }
 
 std::string describe_exact(const PairStudy& study) {
-    if (!study.same_bits.value_or(true))
+    if (!study.same_bits.value_or(true)) {
         return "The program is not free of scale: the image at a quarter of the length does not agree in every bit.";
+    }
     const bool one = study.models.size() == 1;
     switch (study.agreement()) {
         case Agreement::agree:
@@ -71,8 +72,9 @@ std::string describe_exact(const PairStudy& study) {
 
 std::string describe_horizon(const PairStudy& study, const Yardstick& yardstick) {
     if (study.twins.empty()) return "";
-    if (!yardstick.is_within_run())
+    if (!yardstick.is_within_run()) {
         return fmt::format("Velocities of exact models agree to {} to the end ({:.4g} s).", percent(kPartingLevel), yardstick.end());
+    }
     return fmt::format(
         "Up to {:.3g} s of {:.4g} s velocities agree to {}; beyond, no two runs of this structure can be predicted in detail.",
         yardstick.horizon(), yardstick.end(), percent(kPartingLevel));
@@ -138,9 +140,10 @@ std::vector<std::string> describe_verdict(const PairStudy& study) {
     add(describe_horizon(study, yardstick));
     add(describe_quantities(study));
     add(describe_power(study, yardstick));
-    if (study.materials == Materials::exact)
+    if (study.materials == Materials::exact) {
         add("This checks the program and the law, not a model test: a real model has a stiffness, a friction and heights of its own "
             "(--materials own).");
+    }
     return lines;
 }
 

@@ -185,8 +185,9 @@ nlohmann::json to_json(const PairStudy& study) {
                              {"parting_time_s", to_json(study.half_step->difference.parting_time)},
                              {"quantities", to_json(study.half_step->judgement.quantities)}};
     }
-    if (const auto seen = yardstick.smallest_seen())
+    if (const auto seen = yardstick.smallest_seen()) {
         json["smallest_difference_seen"] = {{"difference", seen->difference}, {"time_s", seen->time}};
+    }
     return json;
 }
 
