@@ -11,7 +11,10 @@
 namespace musim::lsdem::study {
 namespace {
 
-std::string percent(double part) { return fmt::format("{:.2g} %", 100.0 * part); }
+std::string percent(double part) {
+    if (part < kRoundingLevel) return fmt::format("below {:.0g} %", 100.0 * kRoundingLevel);
+    return fmt::format("{:.2g} %", 100.0 * part);
+}
 
 std::string join(const std::vector<std::string>& words) {
     std::string text;

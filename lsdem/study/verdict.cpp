@@ -28,10 +28,10 @@ void doubt_start(const RunResult& run, std::vector<std::string>& doubts) {
     const bool stands = std::any_of(layer.begin(), layer.end(), [](int level) { return level > 0; });
     const double peak = find_peak_of_base(run);
     if (run.origin || !(stands || peak > 0.0)) return;
-    const double borne = run.start_reaction_over_weight.value_or(1.0);
+    const double borne = std::max(0.0, run.start_reaction_over_weight.value_or(1.0));
     if (std::abs(borne - 1.0) > kUnborneWeight) {
         doubts.push_back(
-            fmt::format("the base bore {:.4f} of the weight when the motion began (weight began to act then, which shakes the structure by "
+            fmt::format("the base bore {:.3g} of the weight when the motion began (weight began to act then, which shakes the structure by "
                         "itself); leave \"preparation\": \"none\" out, or give single blocks a \"preparation\"",
                         borne));
     }
