@@ -4,6 +4,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
+#include "lsdem/contact/area_stiffness.hpp"
 #include "lsdem/contact/overlap_pairs.hpp"
 
 namespace musim::lsdem {
@@ -11,24 +12,14 @@ namespace {
 
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
-Matrix3 cross_matrix(const Vector3& v) {
-    Matrix3 m;
-    m << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0;
-    return m;
-}
-
-/// What a contact opposes to a motion of one of its blocks, ∫ bᵀ D b dA: b moves the points at r by a shift and a turn, D = k_s 1 +
-/// (k_n − k_s) n nᵀ per area. `arm`: of the middle of the area from the block's centre [m].
+/// What a contact opposes to a motion of one of its blocks. `arm`: of the middle of the area from the block's centre [m].
 Matrix6 find_opposition(const MeetingArea& area, const Vector3& arm, double along, double across) {
-    const Vector3& normal = area.normal;
-    const Matrix3 d = across * Matrix3::Identity() + (along - across) * normal * normal.transpose();
-    const Matrix3 r = cross_matrix(arm), n = cross_matrix(normal);
+    const Matrix3 d = stiffness_per_area(area.normal, along, across), r = cross_matrix(arm);
     Matrix6 sum;
     sum.topLeftCorner<3, 3>() = area.area * d;
     sum.topRightCorner<3, 3>() = -area.area * d * r;
     sum.bottomLeftCorner<3, 3>() = sum.topRightCorner<3, 3>().transpose();
-    sum.bottomRightCorner<3, 3>() = area.area * r.transpose() * d * r + across * (area.second.trace() * Matrix3::Identity() - area.second) +
-                                    (along - across) * n * area.second * n.transpose();
+    sum.bottomRightCorner<3, 3>() = area.area * r.transpose() * d * r + turning_stiffness(area.normal, area.second, along, across);
     return sum;
 }
 

@@ -1,6 +1,7 @@
 #include "lsdem/study/equilibrium.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -11,6 +12,7 @@
 #include <Eigen/SparseCore>
 
 #include "lsdem/block_height.hpp"
+#include "lsdem/contact/area_stiffness.hpp"
 
 namespace musim::lsdem::study {
 namespace {
@@ -29,12 +31,6 @@ constexpr std::size_t kMostSolves = 30;
 
 /// Newton's method ends where it gains no more: rounding of the positions is left.
 constexpr double kLeastGain = 0.5;
-
-Matrix3 cross_matrix(const Vector3& v) {
-    Matrix3 m;
-    m << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0;
-    return m;
-}
 
 /// Moves the points of a block at `arm` from its centre: a shift and a turn.
 Eigen::Matrix<double, 3, 6> motion_of_points(const Vector3& arm) {
@@ -82,11 +78,8 @@ class Stiffness {
     Stiffness(const Model& model, const Unknowns& unknowns) : model_(model), unknowns_(unknowns) {}
 
     void add(const JointStiffness& joint) {
-        const Vector3& n = joint.normal;
-        const Matrix3 spring = joint.across * Matrix3::Identity() + (joint.along - joint.across) * n * n.transpose();
-        // turning about the middle: in the plane against shear springs, out of it against normal ones
-        const Matrix3 plane = joint.second.trace() * Matrix3::Identity() - joint.second, across = cross_matrix(n);
-        const Matrix3 turning = joint.across * plane + (joint.along - joint.across) * across * joint.second * across.transpose();
+        const Matrix3 spring = stiffness_per_area(joint.normal, joint.along, joint.across);
+        const Matrix3 turning = turning_stiffness(joint.normal, joint.second, joint.along, joint.across);
         const std::array<std::size_t, 2> block{joint.leader, joint.follower.value_or(joint.leader)};
         const std::size_t sides = joint.follower ? 2 : 1;
         for (std::size_t i = 0; i < sides; ++i) {

@@ -127,7 +127,10 @@ class PairWork {
 
     void judge() {
         const Yardstick yardstick = study_.yardstick();
-        for (PairedRun& model : study_.models) model.judgement = yardstick.judge(model.trace);
+        for (PairedRun& model : study_.models) {
+            model.judgement = yardstick.judge(model.trace);
+            if (study_.materials == Materials::own) model.judgement.agreement = Agreement::not_judged;
+        }
         if (study_.half_step) study_.half_step->judgement.quantities = yardstick.check_quantities(study_.half_step->trace);
     }
 
@@ -167,9 +170,9 @@ std::string name_folder(std::string label) {
 std::string to_string(Materials materials) { return materials == Materials::exact ? "exact" : "own"; }
 
 bool PairStudy::consistent() const {
+    if (!same_bits.value_or(true)) return false;
     if (materials == Materials::own) return true;
-    return same_bits.value_or(true) &&
-           std::all_of(models.begin(), models.end(), [](const PairedRun& model) { return model.judgement.agreement == Agreement::agree; });
+    return std::all_of(models.begin(), models.end(), [](const PairedRun& model) { return model.judgement.agreement == Agreement::agree; });
 }
 
 Agreement PairStudy::agreement() const {

@@ -46,9 +46,6 @@ std::string give_reason(const Judgement& judgement) {
 }
 
 std::string describe_exact(const PairStudy& study) {
-    if (!study.same_bits.value_or(true)) {
-        return "The program is not free of scale: the image at a quarter of the length does not agree in every bit.";
-    }
     const bool one = study.models.size() == 1;
     switch (study.agreement()) {
         case Agreement::agree:
@@ -135,7 +132,9 @@ std::vector<std::string> describe_verdict(const PairStudy& study) {
     const auto add = [&](std::string line) {
         if (!line.empty()) lines.push_back(std::move(line));
     };
-    if (study.materials == Materials::exact) {
+    if (!study.same_bits.value_or(true)) {
+        add("The program is not free of scale: the prototype's image at a quarter of its length does not agree in every bit.");
+    } else if (study.materials == Materials::exact) {
         add(describe_exact(study));
     } else {
         add("Models of their own material are distorted: what similitude asks for and they do not meet is listed below.");

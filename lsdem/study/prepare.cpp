@@ -253,7 +253,7 @@ PreparedSpecimen prepare(const Specimen& upright, double time_step, const Prepar
     std::optional<PreparationState> own = from && from->start ? from : std::nullopt;
     if (!own) {
         Specimen placed = upright;
-        if (preparation.from_equilibrium && !from) put_in_equilibrium(placed, time_step, settings.threads);
+        if (preparation.from_equilibrium) put_in_equilibrium(placed, time_step, settings.threads);
         Preparation work(placed, time_step, preparation, settings.threads, from);
         work.run(settings, prepared);
         if (!work.wants_own_inertia(prepared.rest)) return finish(work.simulation(), 0.0);

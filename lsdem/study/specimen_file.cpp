@@ -103,6 +103,7 @@ std::string describe_inputs(const scene::Scene& scene, const PreparationSettings
                              {"early_rest", preparation.early_rest},
                              {"last_damping", preparation.last_damping},
                              {"last_damping_with_added_inertia", preparation.last_damping_with_added_inertia}};
+    if (preparation.from_equilibrium) inputs["preparation"]["from_equilibrium"] = true;
     return inputs.dump();
 }
 

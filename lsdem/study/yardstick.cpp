@@ -94,7 +94,6 @@ RunTrace trace_run(const RunResult& prototype, const RunResult& run, const scali
         trace.running.push_back(largest);
     }
     trace.quantities = find_quantities(run, similitude);
-    trace.bitwise_identical = compare_runs(prototype, run, similitude).bitwise_identical;
     trace.diverged = run.status == RunStatus::diverged;
     return trace;
 }
@@ -192,7 +191,7 @@ Judgement Yardstick::judge(const RunTrace& model) const {
     const auto parts = std::find_if(model.running.begin(), model.running.end(), [](double r) { return r > kPartingLevel; });
     if (parts != model.running.end()) judgement.parting_time = time_of(static_cast<std::size_t>(parts - model.running.begin()));
     judgement.quantities = check_quantities(model);
-    judgement.within_rounding = !model.diverged && (model.bitwise_identical || model.running.back() < kRoundingLevel);
+    judgement.within_rounding = !model.diverged && model.running.back() < kRoundingLevel;
     if (judgement.within_rounding) {
         judgement.agreement = Agreement::agree;
         return judgement;

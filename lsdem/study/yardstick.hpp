@@ -17,7 +17,6 @@ struct RunTrace {
     /// a spine block of the prototype has relative to the base [-].
     std::vector<double> running;
     std::vector<QuantityFamily> quantities;
-    bool bitwise_identical = false;
     bool diverged = false;
 };
 
@@ -62,7 +61,7 @@ struct QuantityCheck {
 /// A model against the twins.
 struct Judgement {
     Agreement agreement = Agreement::not_judged;
-    bool within_rounding = false;        ///< it agrees to kRoundingLevel throughout, or in all bits
+    bool within_rounding = false;        ///< it agrees to kRoundingLevel throughout
     std::optional<double> parting_time;  ///< when R first exceeds kPartingLevel [s]
     double lead = 0.0;                   ///< most standard deviations of log10 R above the twins' mean, up to the horizon [-]
     double lead_time = 0.0;              ///< [s]

@@ -112,6 +112,21 @@ TEST_CASE("a run that is killed while its specimen is prepared, or later, goes o
     }
 }
 
+TEST_CASE("a preparation that began in equilibrium is resumed to the same bits") {
+    const scene::Scene scene = scene::parse_scene(
+        R"({"schema": "musim-scene/1", "name": "even wall", "material": "wood", "structure": {"kind": "wall", "layers": 3,
+        "blocks_per_layer": 2, "block": ["12.710 mm", "26.355 mm", "39.780 mm"]}, "time": {"duration": "10 ms"},
+        "output": {"spine_rate": "4800 Hz"}})",
+        "test");
+    const RunResult whole = run_scene(scene);
+    const TemporaryFolder folder;
+    // it is at rest all the time: progress is told at the end only
+    CHECK_THROWS_AS(run_scene(scene, {.on_preparation = killer(1), .checkpoint = checkpoint_in(folder.path())}), Killed);
+    Checkpoint checkpoint = read_checkpoint(folder.path() / kCheckpointName, "1.2");
+    REQUIRE(checkpoint.preparation.has_value());
+    CHECK(resume_scene(scene, std::move(checkpoint)).state_hash == whole.state_hash);
+}
+
 TEST_CASE("a checkpoint of a preparation of other blocks is refused") {
     const scene::Scene scene = make_wall_scene();
     const TemporaryFolder folder;
