@@ -9,7 +9,7 @@
 namespace musim::lsdem::study {
 namespace {
 
-constexpr int kStyleOfTwins = 11;  ///< dashed, black
+constexpr int kStyleOfTwins = 5, kStyleOfHorizon = 11;  ///< black, and black and dashed
 
 PlotSeries make_series(const std::string& label, const RunTrace& trace, const std::vector<double>& time) {
     PlotSeries series;
@@ -53,7 +53,7 @@ LinePlot make_departure_plot(const PairStudy& study, const std::string& name) {
         horizon.label = fmt::format("horizon, {:.3g} s", yardstick.horizon());
         horizon.x = {yardstick.horizon(), yardstick.horizon()};
         horizon.y = {find_least(plot), 1.0};
-        horizon.style = kStyleOfTwins;
+        horizon.style = kStyleOfHorizon;
         plot.series.push_back(std::move(horizon));
     }
     return plot;
