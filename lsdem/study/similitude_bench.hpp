@@ -27,7 +27,7 @@ struct SimilitudeOutcome {
     SimilitudeCase wanted;
     double ratio = 0.0;       ///< measured, model over prototype
     double difference = 0.0;  ///< of the curves, compare_responses
-    double yardstick = 0.0;   ///< up to which two curves are one: kShadowFactor times the shadow's, kRoundingLevel at least
+    double yardstick = 0.0;   ///< up to which two curves are one: three times the shadow's, kRoundingLevel at least
     bool diverged = false;
     ScaledResponse prototype, model;
 

@@ -74,7 +74,6 @@ class Yardstick {
   public:
     Yardstick(const RunResult& prototype, std::vector<RunTrace> twins);
 
-    std::size_t twins() const { return twins_.size(); }
     /// The earliest time at which a twin differs by kPartingLevel; the end of the run when none does [s]. More twins never make it later.
     double horizon() const { return time_of(horizon_); }
     bool is_within_run() const { return parted_; }  ///< does any twin part?
