@@ -144,7 +144,9 @@ nlohmann::json to_json(const PairStudy& study) {
         shadow_rms = std::max(shadow_rms, twin.difference.rms_velocity);
         if (twin.difference.losses) shadow_losses = std::max(shadow_losses.value_or(0.0), *twin.difference.losses);
     }
-    nlohmann::json runs = {make_labelled_summary("prototype", study.prototype)};
+    // braces around a single value are an array to one compiler and that value to another
+    nlohmann::json runs = nlohmann::json::array();
+    runs.push_back(make_labelled_summary("prototype", study.prototype));
     nlohmann::json pairs = nlohmann::json::array();
     for (const PairedRun& model : study.models) {
         const Judgement& judgement = model.judgement;
