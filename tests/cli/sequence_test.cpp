@@ -96,8 +96,8 @@ TEST_CASE("a sequence that is killed and resumed has the results of one that was
 TEST_CASE("what is doubtful about a stage is a warning that names it") {
     const Workplace here;
     std::string scene = make_scene();
-    // just above the critical step, and at rest for as long as it is watched
-    scene.replace(scene.find("\"output\""), 8, R"("time": {"step": "13 us"}, "output")");
+    // just above the critical step, with which it would not come to rest before
+    scene.replace(scene.find("\"output\""), 8, R"("preparation": "none", "time": {"step": "13 us"}, "output")");
     scene.replace(scene.find("0.2 g"), 5, "1e-9 g");
     scene.replace(scene.find("\"repeat\": 2"), 11, "\"duration\": \"0.01 s\"");
     scene.replace(scene.find("1.5 g"), 5, "1e-9 g");

@@ -50,7 +50,8 @@ std::vector<std::pair<std::string, Change>> make_errors() {
 
 }  // namespace
 
-TEST_CASE("a millionth of any property, or one contact without its friction, is seen in one model among exact ones") {
+TEST_CASE("a millionth of any property, or one contact without its friction, is seen in one model among exact ones" *
+          doctest::test_suite("slow")) {
     scene::Scene wall = scene::read_scene(std::filesystem::path(MUSIM_SOURCE_DIR) / "examples/uneven_wall.json");
     wall.output.frame_rate.reset();
     PairMember prototype{"prototype", make_specimen(wall), {}, Similitude({}, Law::exact)};
