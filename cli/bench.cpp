@@ -97,6 +97,7 @@ void add_bench_command(CLI::App& app, Action& action) {
     bench->require_subcommand(1);
     add_bench_similitude_command(*bench, action);
     add_bench_twins_command(*bench, action);
+    add_bench_verdict_command(*bench, action);
     CLI::App* command =
         bench->add_subcommand("accuracy", "Error against run time, over time steps, overlap and nodes as contact, and grids");
     command->add_option("-o,--out", options->out, "Directory for accuracy.csv and accuracy.svg")->type_name("DIR");

@@ -38,6 +38,7 @@ void add_sequence_command(CLI::App& app, Action& action);
 void add_bench_command(CLI::App& app, Action& action);
 void add_bench_similitude_command(CLI::App& bench, Action& action);  ///< to the command `bench`
 void add_bench_twins_command(CLI::App& bench, Action& action);       ///< to the command `bench`
+void add_bench_verdict_command(CLI::App& bench, Action& action);     ///< to the command `bench`
 void add_calibrate_command(CLI::App& app, Action& action);
 void add_response_command(CLI::App& app, Action& action);
 void add_report_command(CLI::App& app, Action& action);

@@ -7,6 +7,7 @@
 
 #include "lsdem/study/detail/shared_progress.hpp"
 #include "lsdem/study/twin_specimen.hpp"
+#include "scaling/random_bits.hpp"
 #include "scaling/side_by_side.hpp"
 
 namespace musim::lsdem::study {
@@ -122,6 +123,7 @@ class PairWork {
             }
             study_.twins.push_back({choices[first + j], run.status, difference});
             study_.twin_traces.push_back(trace_run(study_.prototype, run, members[j].similitude));
+            study_.twin_traces.back().image = !study_.twins.back().choice.last_place;
         }
     }
 
@@ -154,7 +156,9 @@ class PairWork {
 
 /// Do the twins so far decide all models?
 bool is_decided(const PairStudy& study) {
-    if (study.yardstick().is_within_run()) return false;
+    const Yardstick yardstick = study.yardstick();
+    const std::optional<Yardstick::ImageLead> images = yardstick.lead_of_images();
+    if (yardstick.is_within_run() || (images && images->lead > kSurelyInTime)) return false;
     return std::all_of(study.models.begin(), study.models.end(), [](const PairedRun& model) {
         return model.judgement.within_rounding || model.judgement.lead < kSurelyInTime || model.judgement.lead > 2.0 * kPartsTooEarly;
     });
@@ -169,22 +173,19 @@ std::string name_folder(std::string label) {
 
 std::string to_string(Materials materials) { return materials == Materials::exact ? "exact" : "own"; }
 
-bool PairStudy::consistent() const {
-    if (!same_bits.value_or(true)) return false;
-    if (materials == Materials::own) return true;
-    return std::all_of(models.begin(), models.end(), [](const PairedRun& model) { return model.judgement.agreement == Agreement::agree; });
+Agreement PairStudy::scaling() const {
+    if (!same_bits.value_or(true)) return Agreement::differ;
+    const std::optional<Yardstick::ImageLead> images = yardstick().lead_of_images();
+    return images ? images->agreement() : Agreement::agree;
 }
 
 Agreement PairStudy::agreement() const {
-    if (!same_bits.value_or(true)) return Agreement::differ;
-    const auto any = [&](Agreement agreement) {
-        return std::any_of(models.begin(), models.end(), [&](const PairedRun& model) { return model.judgement.agreement == agreement; });
-    };
-    for (const Agreement worst : {Agreement::differ, Agreement::undecided, Agreement::not_judged}) {
-        if (any(worst)) return worst;
-    }
-    return Agreement::agree;
+    Agreement all = scaling();
+    for (const PairedRun& model : models) all = worst({all, model.judgement.agreement});
+    return all;
 }
+
+bool PairStudy::consistent() const { return (materials == Materials::own ? scaling() : agreement()) == Agreement::agree; }
 
 bool PairStudy::diverged() const {
     return has_diverged(prototype) || std::any_of(models.begin(), models.end(), [](const PairedRun& m) { return has_diverged(m.run); }) ||
@@ -193,7 +194,7 @@ bool PairStudy::diverged() const {
 
 std::vector<TwinChoice> choose_twins(std::size_t twins, std::uint64_t seed) {
     std::vector<TwinChoice> choices = choose_models(twins, seed);
-    for (std::size_t i = 1; i < twins; i += 2) choices[i] = {.directions = seed + i, .last_place = true};
+    for (std::size_t i = 1; i < twins; i += 2) choices[i] = {.directions = scaling::random_bits(~seed, i), .last_place = true};
     return choices;
 }
 

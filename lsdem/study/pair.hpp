@@ -80,11 +80,12 @@ struct PairStudy {
     std::vector<PairedRun> models;
 
     Yardstick yardstick() const { return {prototype, twin_traces}; }
-    /// Every model agrees with the prototype, and the image at a quarter of its length in all bits. Models of their own material are not
-    /// held to it.
-    bool consistent() const;
-    /// What is said of all models: the worst of their judgements.
+    /// Of the scaling itself: the image at a quarter of the length must agree in all bits, and images must not part earlier than copies.
+    Agreement scaling() const;
+    /// What is said of scaling and models together. Models of their own material are not judged.
     Agreement agreement() const;
+    /// The scaling agrees, and every model that is not of its own material.
+    bool consistent() const;
     /// Some run diverged.
     bool diverged() const;
 };

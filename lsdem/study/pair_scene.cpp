@@ -14,7 +14,7 @@
 #include "lsdem/scene/motions.hpp"
 #include "lsdem/scene/scale_scene.hpp"
 #include "lsdem/scene/scene_error.hpp"
-#include "lsdem/study/prepare.hpp"
+#include "lsdem/study/lay_specimen.hpp"
 #include "lsdem/study/run.hpp"
 #include "lsdem/study/scale_specimen.hpp"
 
@@ -110,16 +110,10 @@ PairMember make_member(const std::string& label, const scene::Scene& scene, cons
     return {label, std::move(specimen), plan, similitude, distortions};
 }
 
-/// The prototype's specimen at rest, as it then stands: to let every image come to rest again would be a choice on rounding.
 PairMember lay_prototype(const scene::Scene& scene, const RunSettings& settings) {
-    PairMember original{"prototype", make_specimen(scene, settings), {}, Similitude({}, scaling::Law::exact)};
-    original.plan = make_time_plan(scene, original.specimen.model);
-    if (!original.specimen.settling) return original;
-    Simulation simulation(original.specimen.model, original.plan.time_step, settings.threads);
-    original.rest = settle_specimen(simulation, original.specimen);
-    put_in_place(find_places(simulation), original.specimen);
-    original.specimen.settling.reset();
-    return original;
+    LaidSpecimen laid = lay_specimen(scene, settings);
+    const TimePlan plan = make_time_plan(scene, laid.specimen.model);
+    return {"prototype", std::move(laid.specimen), plan, Similitude({}, scaling::Law::exact), {}, laid.rest};
 }
 
 PairMember make_image(const PairMember& prototype, const std::string& label, const ScaledScene& scaled) {

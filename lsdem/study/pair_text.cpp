@@ -70,6 +70,19 @@ std::string describe_exact(const PairStudy& study) {
     return text;
 }
 
+/// Nothing when the scaling is not at fault.
+std::string describe_scaling(const PairStudy& study, const Yardstick& yardstick) {
+    if (!study.same_bits.value_or(true)) {
+        return "The program is not free of scale: the prototype's image at a quarter of its length does not agree in every bit.";
+    }
+    const std::optional<Yardstick::ImageLead> images = yardstick.lead_of_images();
+    if (!images || images->agreement() == Agreement::agree) return "";
+    return fmt::format(
+        "{}he program is not free of scale: images of the prototype are farther from it than copies at its own scale by {:.1f} standard "
+        "deviations, at {:.3g} s.",
+        images->agreement() == Agreement::differ ? "T" : "Undecided: perhaps t", images->lead, images->time);
+}
+
 std::string describe_horizon(const PairStudy& study, const Yardstick& yardstick) {
     if (study.twins.empty()) return "";
     if (!yardstick.is_within_run()) {
@@ -132,8 +145,8 @@ std::vector<std::string> describe_verdict(const PairStudy& study) {
     const auto add = [&](std::string line) {
         if (!line.empty()) lines.push_back(std::move(line));
     };
-    if (!study.same_bits.value_or(true)) {
-        add("The program is not free of scale: the prototype's image at a quarter of its length does not agree in every bit.");
+    if (const std::string scaling = describe_scaling(study, yardstick); !scaling.empty()) {
+        add(scaling);
     } else if (study.materials == Materials::exact) {
         add(describe_exact(study));
     } else {

@@ -180,6 +180,7 @@ nlohmann::json to_json(const PairStudy& study) {
                            {"horizon_s", study.twins.empty() ? nlohmann::json() : nlohmann::json(yardstick.horizon())},
                            {"end_s", yardstick.end()},
                            {"same_bits", study.same_bits ? nlohmann::json(*study.same_bits) : nlohmann::json()},
+                           {"lead_of_images_sd", nlohmann::json()},
                            {"half_step", nlohmann::json()},
                            {"smallest_difference_seen", nlohmann::json()}};
     if (study.half_step) {
@@ -187,6 +188,7 @@ nlohmann::json to_json(const PairStudy& study) {
                              {"parting_time_s", to_json(study.half_step->difference.parting_time)},
                              {"quantities", to_json(study.half_step->judgement.quantities)}};
     }
+    if (const auto images = yardstick.lead_of_images()) json["lead_of_images_sd"] = images->lead;
     if (const auto seen = yardstick.smallest_seen()) {
         json["smallest_difference_seen"] = {{"difference", seen->difference}, {"time_s", seen->time}};
     }

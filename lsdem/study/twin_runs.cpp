@@ -17,6 +17,7 @@
 #include "lsdem/study/detail/shared_progress.hpp"
 #include "lsdem/study/detail/velocity_tape.hpp"
 #include "lsdem/study/ensemble_members.hpp"
+#include "lsdem/study/lay_specimen.hpp"
 #include "lsdem/study/run.hpp"
 #include "lsdem/study/twin_files.hpp"
 #include "lsdem/study/twin_specimen.hpp"
@@ -58,29 +59,6 @@ struct TapeGuard {
     ~TapeGuard() { tape.end(complete); }
 };
 
-/// The specimen of a scene as it stands before it runs, laid now or taken from the folder, where it is left.
-Specimen lay_specimen(const scene::Scene& scene, const fs::path& folder, const TwinSettings& settings) {
-    RunSettings run_settings{.threads = settings.threads, .on_preparation = settings.on_preparation};
-    std::optional<Checkpoint> from;
-    if (!folder.empty()) {
-        const fs::path file = folder / kTwinSpecimenName;
-        run_settings.checkpoint = CheckpointSettings{.file = file,
-                                                     .scene = scene::write_scene(scene),
-                                                     .program_version = settings.version,
-                                                     .interval = settings.checkpoint_interval,
-                                                     .on_failure = settings.on_warning};
-        if (fs::exists(file)) from = read_checkpoint(file, settings.version);
-    }
-    Specimen specimen = make_specimen(scene, run_settings, from ? &*from : nullptr);
-    if (run_settings.checkpoint && specimen.settling && !(from && from->places)) {
-        const TimePlan plan = make_time_plan(scene, specimen.model);
-        RunResult none;
-        write_checkpoint(*keep_places(run_settings, specimen).checkpoint, 0, plan, none, Simulation(specimen.model, plan.time_step));
-    }
-    specimen.settling.reset();
-    return specimen;
-}
-
 /// One scene's prototype and twins on their way.
 class TwinWork {
   public:
@@ -106,7 +84,7 @@ class TwinWork {
 
   private:
     void run_missing(bool wants_prototype, const std::vector<std::size_t>& pending) {
-        specimen_ = lay_specimen(scene_, folder_, settings_);
+        specimen_ = lay_twin_specimen(scene_, folder_, settings_);
         plan_ = make_time_plan(scene_, specimen_.model);
         moving_ = find_moving(specimen_.model);
         if (wants_prototype) tape_ = std::make_unique<detail::VelocityTape>();
@@ -197,6 +175,18 @@ class TwinWork {
 
 fs::path twin_folder(const fs::path& directory, const scene::Scene& scene, const std::string& version) {
     return directory / ("twins-" + detail::name_content(make_member(with_rate(scene), version).name));
+}
+
+Specimen lay_twin_specimen(const scene::Scene& scene, const fs::path& folder, const TwinSettings& settings) {
+    RunSettings run_settings{.threads = settings.threads, .on_preparation = settings.on_preparation};
+    if (!folder.empty()) {
+        run_settings.checkpoint = CheckpointSettings{.file = folder / kTwinSpecimenName,
+                                                     .scene = scene::write_scene(scene),
+                                                     .program_version = settings.version,
+                                                     .interval = settings.checkpoint_interval,
+                                                     .on_failure = settings.on_warning};
+    }
+    return lay_specimen(scene, std::move(run_settings)).specimen;
 }
 
 TwinStudy run_twins(const scene::Scene& scene, const std::vector<TwinChoice>& choices, const TwinSettings& settings) {

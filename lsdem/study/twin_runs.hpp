@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lsdem/scene/scene.hpp"
+#include "lsdem/study/simulate.hpp"
 #include "lsdem/study/twin_growth.hpp"
 
 namespace musim::lsdem::study {
@@ -26,6 +27,10 @@ inline constexpr double kTwinRate = 100.0;
 
 /// Where the twins of a scene are kept: DIR/twins-HASH, the hash being of the scene, the contents of the files it names and the version.
 std::filesystem::path twin_folder(const std::filesystem::path& directory, const scene::Scene& scene, const std::string& version);
+
+/// The specimen of a scene, laid now or taken from the folder of its twins, where it is left; nothing is left when `folder` is empty. See
+/// lay_specimen.
+Specimen lay_twin_specimen(const scene::Scene& scene, const std::filesystem::path& folder, const TwinSettings& settings);
 
 /// Runs a scene as prototype, and twins of the same specimen, and compares the velocities of all blocks that move at every sample of the
 /// spine (kTwinRate when the scene has no rate).

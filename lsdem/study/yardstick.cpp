@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 #include <utility>
 
@@ -65,7 +66,25 @@ double find_probability(double model, const std::vector<double>& twins, double l
     return 2.0 * boost::math::cdf(boost::math::complement(boost::math::students_t_distribution<double>(count - 1.0), t));
 }
 
+/// By how many standard deviations a difference is higher than it should be.
+Agreement judge_lead(double lead) {
+    if (lead > kPartsTooEarly) return Agreement::differ;
+    return lead > kPartsInTime ? Agreement::undecided : Agreement::agree;
+}
+
+Agreement judge_probability(double probability) {
+    if (probability < kDiffers) return Agreement::differ;
+    return probability < kAgrees ? Agreement::undecided : Agreement::agree;
+}
+
 }  // namespace
+
+Agreement worst(std::initializer_list<Agreement> all) {
+    for (const Agreement agreement : {Agreement::differ, Agreement::undecided, Agreement::not_judged}) {
+        if (std::find(all.begin(), all.end(), agreement) != all.end()) return agreement;
+    }
+    return Agreement::agree;
+}
 
 std::string to_string(Agreement agreement) {
     switch (agreement) {
@@ -127,6 +146,23 @@ Yardstick::Scatter Yardstick::scatter(std::size_t sample) const {
     const SampleMoments moments = moments_of(logarithms);
     const double measured = twins_.size() >= kMeasuredTwins ? moments.sd()[0] : 0.0;
     return {moments.mean()[0], std::max(measured, kPooledScatter) * std::sqrt(1.0 + 1.0 / static_cast<double>(twins_.size()))};
+}
+
+Agreement Yardstick::ImageLead::agreement() const { return judge_lead(lead); }
+
+std::optional<Yardstick::ImageLead> Yardstick::lead_of_images() const {
+    const auto images = static_cast<double>(std::count_if(twins_.begin(), twins_.end(), [](const RunTrace& twin) { return twin.image; }));
+    const double copies = static_cast<double>(twins_.size()) - images;
+    if (images < 1.0 || copies < 1.0) return std::nullopt;
+    const double sd = kPooledScatter * std::sqrt(1.0 / images + 1.0 / copies);
+    ImageLead most;
+    for (std::size_t k = 0; k <= horizon_; ++k) {
+        double of_images = 0.0, of_copies = 0.0;
+        for (const RunTrace& twin : twins_) (twin.image ? of_images : of_copies) += logarithm(twin, k);
+        const double lead = (of_images / images - of_copies / copies) / sd;
+        if (lead > most.lead) most = {lead, time_of(k)};
+    }
+    return most;
 }
 
 std::optional<Yardstick::Seen> Yardstick::smallest_seen() const {
@@ -206,13 +242,8 @@ Judgement Yardstick::judge(const RunTrace& model) const {
         const double corrected = std::min(1.0, check.probability * static_cast<double>(judgement.quantities.size()));
         judgement.least_probability = std::min(judgement.least_probability, corrected);
     }
-    if (model.diverged || judgement.lead > kPartsTooEarly || judgement.least_probability < kDiffers) {
-        judgement.agreement = Agreement::differ;
-    } else if (judgement.lead > kPartsInTime || judgement.least_probability < kAgrees) {
-        judgement.agreement = Agreement::undecided;
-    } else {
-        judgement.agreement = Agreement::agree;
-    }
+    judgement.agreement =
+        model.diverged ? Agreement::differ : worst({judge_lead(judgement.lead), judge_probability(judgement.least_probability)});
     return judgement;
 }
 

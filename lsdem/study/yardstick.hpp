@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,6 +19,7 @@ struct RunTrace {
     std::vector<double> running;
     std::vector<QuantityFamily> quantities;
     bool diverged = false;
+    bool image = true;  ///< of a twin: made by the scaling that is judged; else a copy at the prototype's own scale
 };
 
 /// Of a run against its prototype.
@@ -45,6 +47,8 @@ enum class Agreement {
     undecided,  ///< between the two
     not_judged  ///< there are no twins
 };
+/// What is said of several: differ, else undecided, else not judged, else agree.
+Agreement worst(std::initializer_list<Agreement> all);
 /// "agree", "differ", "undecided", "not_judged".
 std::string to_string(Agreement agreement);
 
@@ -78,6 +82,15 @@ class Yardstick {
     double horizon() const { return time_of(horizon_); }
     bool is_within_run() const { return parted_; }  ///< does any twin part?
     double end() const { return time_of(samples_ - 1); }
+
+    /// Twins that are images against those that are copies: by how many standard deviations of the difference of their means log10 R of the
+    /// images is higher, at most, up to the horizon [-], and when [s]. What is wrong at every scale but one is wrong in models and images
+    /// alike; copies do not have it. Nothing unless there are both.
+    struct ImageLead {
+        double lead = 0.0, time = 0.0;
+        Agreement agreement() const;
+    };
+    std::optional<ImageLead> lead_of_images() const;
 
     /// The smallest difference R that would have been seen once the structure moves at a tenth of its peak velocity [-], and when [s].
     /// Nothing without twins or motion.

@@ -80,6 +80,26 @@ TEST_CASE("a model that is late to part and ends elsewhere differs") {
     CHECK(make_yardstick(prototype, 1e-12).judge(model).agreement == Agreement::agree);
 }
 
+TEST_CASE("images that part decades before copies are the scaling's fault, however the models do") {
+    const RunResult prototype = run_column();
+    const auto lead_of = [&](double decades) {
+        std::vector<RunTrace> twins;
+        for (int i = 0; i < 8; ++i) {
+            twins.push_back(make_trace(prototype, i % 2 == 0 ? 1e-9 * std::pow(10.0, decades) : 1e-9));
+            twins.back().image = i % 2 == 0;
+        }
+        return Yardstick(prototype, twins).lead_of_images();
+    };
+    // four of each with half a decade of scatter: a deviation is 0.354 decades
+    REQUIRE(lead_of(1.0).has_value());
+    CHECK(lead_of(1.0)->lead == doctest::Approx(2.0 * std::sqrt(2.0)));
+    CHECK(lead_of(1.0)->agreement() == Agreement::agree);
+    CHECK(lead_of(1.3)->agreement() == Agreement::undecided);
+    CHECK(lead_of(1.6)->agreement() == Agreement::differ);
+    CHECK(lead_of(-3.0)->agreement() == Agreement::agree);
+    CHECK_FALSE(make_yardstick(prototype, 1e-9).lead_of_images().has_value());
+}
+
 TEST_CASE("a model that diverged differs; without twins nothing is judged") {
     const RunResult prototype = run_column();
     RunTrace model = make_trace(prototype, 1e-8);

@@ -1,0 +1,81 @@
+#include "lsdem/study/model_errors.hpp"
+
+#include <cmath>
+
+namespace musim::lsdem::study {
+namespace {
+
+/// What a tolerance of size 1 rounds to, the same number of metres at every scale: the error itself.
+constexpr double kToleranceUnit = 1e-3;
+
+template <class Property>
+void multiply_in_materials(Model& model, Property Material::*property, double factor) {
+    for (Material& material : model.materials) material.*property *= factor;
+    model.ground.material.*property *= factor;
+}
+
+}  // namespace
+
+std::string to_string(ModelError error) {
+    switch (error) {
+        case ModelError::normal_stiffness:
+            return "normal_stiffness";
+        case ModelError::shear_stiffness:
+            return "shear_stiffness";
+        case ModelError::friction:
+            return "friction";
+        case ModelError::restitution:
+            return "restitution";
+        case ModelError::mass:
+            return "mass";
+        case ModelError::gravity:
+            return "gravity";
+        case ModelError::record_step:
+            return "record_step";
+        case ModelError::absolute_tolerance:
+            return "absolute_tolerance";
+        case ModelError::lost_friction:
+            break;
+    }
+    return "lost_friction";
+}
+
+std::vector<ModelError> all_model_errors() {
+    std::vector<ModelError> all;
+    for (int i = 0; i <= static_cast<int>(ModelError::lost_friction); ++i) all.push_back(static_cast<ModelError>(i));
+    return all;
+}
+
+void inject(ModelError error, double size, Model& model) {
+    const double factor = 1.0 + size;
+    switch (error) {
+        case ModelError::normal_stiffness:
+            return multiply_in_materials(model, &Material::normal_stiffness, factor);
+        case ModelError::shear_stiffness:
+            return multiply_in_materials(model, &Material::shear_stiffness, factor);
+        case ModelError::friction:
+            return multiply_in_materials(model, &Material::friction, factor);
+        case ModelError::restitution:
+            return multiply_in_materials(model, &Material::restitution, factor);
+        case ModelError::mass:
+            for (Block& block : model.blocks) block.mass *= factor;
+            return;
+        case ModelError::gravity:
+            model.gravity *= factor;
+            return;
+        case ModelError::record_step:
+            for (BaseComponent& along : model.ground.motion) along.dt *= factor;
+            return;
+        case ModelError::absolute_tolerance:
+            for (Block& block : model.blocks) {
+                const double unit = size * kToleranceUnit;
+                block.position = (block.position.array() / unit).round().matrix() * unit;
+            }
+            return;
+        case ModelError::lost_friction:
+            if (!model.preload.empty()) model.preload[model.preload.size() / 2].friction.setZero();
+            return;
+    }
+}
+
+}  // namespace musim::lsdem::study

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lsdem/model.hpp"
+
+namespace musim::lsdem::study {
+
+/// Errors that a program could make when it scales a structure, put into a model on purpose to see whether they are found.
+enum class ModelError {
+    normal_stiffness,    ///< this and the next six: a factor 1 + size too large
+    shear_stiffness,     ///<
+    friction,            ///<
+    restitution,         ///<
+    mass,                ///<
+    gravity,             ///<
+    record_step,         ///<
+    absolute_tolerance,  ///< places rounded to whole multiples of size · 1 mm, whatever the scale
+    lost_friction        ///< of every contact number n/2 of n: what it bore is dropped, whatever the size
+};
+
+/// "normal_stiffness" and so on.
+std::string to_string(ModelError error);
+/// In the order above.
+std::vector<ModelError> all_model_errors();
+
+/// Puts an error of this size [-] into a model.
+void inject(ModelError error, double size, Model& model);
+
+}  // namespace musim::lsdem::study
