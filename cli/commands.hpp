@@ -14,6 +14,7 @@ enum ExitCode : int {
     kInputError = 3,        ///< unusable file or value, results that cannot be written
     kNumericalFailure = 4,  ///< a run diverged
     kCheckFailed = 5,       ///< a requested check did not hold
+    kNotAccepted = 6,       ///< a model of its own material differs by more than was to be accepted
 };
 
 /// What the parsed command line asks for; returns an exit code, throws what the libraries throw.

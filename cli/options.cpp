@@ -71,6 +71,14 @@ bool lexical_cast(const std::string& text, Number& number) {
     return true;
 }
 
+bool lexical_cast(const std::string& text, Share& share) {
+    const bool percent = text.ends_with('%');
+    Number number;
+    lexical_cast(percent ? text.substr(0, text.size() - 1) : text, number);
+    share.value = percent ? number.value / 100.0 : number.value;
+    return true;
+}
+
 void SimilitudeOptions::add_to(CLI::App& app, LengthOption length_option) {
     command = &app;
     add_uncertain_option(app, "--length", length,

@@ -23,6 +23,12 @@ struct Number {
 /// Reads a Number for CLI11, which finds it by argument-dependent lookup. Throws CLI::ConversionError.
 bool lexical_cast(const std::string& text, Number& number);
 
+/// A part of one on the command line: a Number, or that many percent, such as 5%.
+struct Share {
+    double value = 0.0;
+};
+bool lexical_cast(const std::string& text, Share& share);
+
 /// Whether a command can do without --length.
 enum class LengthOption { required, optional };
 

@@ -18,6 +18,7 @@
 #include "lsdem/scene/scene_json.hpp"
 #include "lsdem/study/departure_plot.hpp"
 #include "lsdem/study/live_file.hpp"
+#include "lsdem/study/own_models.hpp"
 #include "lsdem/study/pair_scene.hpp"
 #include "lsdem/study/pair_text.hpp"
 #include "lsdem/study/spine_plot.hpp"
@@ -31,11 +32,12 @@ namespace scene = lsdem::scene;
 
 struct PairOptions {
     std::string scene;
+    std::vector<std::string> models;
     std::vector<Number> lengths{{1.0 / 25.0}, {1.0 / 107.0}};
-    std::string materials = "exact";
+    std::string materials;
     std::string law;
     std::vector<std::string> factors;
-    std::vector<std::string> presets;
+    std::vector<std::string> own;  ///< presets and files
     std::string record;
     std::vector<std::string> components;
     std::string out;
@@ -43,6 +45,8 @@ struct PairOptions {
     std::string specimen = "one";
     std::optional<std::size_t> twins;
     std::uint64_t seed = 1;
+    std::optional<std::size_t> specimens;
+    std::optional<Share> accept;
     bool no_half_step = false;
     bool each_alone = false;
     int threads = 0;
@@ -60,17 +64,37 @@ study::AxisComponents parse_components(const std::vector<std::string>& texts) {
     return components;
 }
 
-std::vector<study::ModelChoice> make_choices(const PairOptions& options) {
-    if (options.each_alone && options.materials != "own")
+/// Scenes of their own are compared as they are; else exact is meant unless own materials are asked for.
+study::Materials find_materials(const PairOptions& options) {
+    if (options.materials.empty()) return options.models.empty() ? study::Materials::exact : study::Materials::own;
+    return options.materials == "own" ? study::Materials::own : study::Materials::exact;
+}
+
+void check_options(const PairOptions& options) {
+    const bool own = find_materials(options) == study::Materials::own;
+    if (options.each_alone && (!own || !options.models.empty()))
         throw CLI::ValidationError("--each-alone", "exact materials distort nothing; add --materials own");
-    if (!options.presets.empty() && options.presets.size() != options.lengths.size()) {
+    if (!options.own.empty() && options.own.size() != options.lengths.size())
         throw CLI::ValidationError("--material", "give one per --length, in the same order, or none");
-    }
-    if (!options.law.empty() && options.materials != "exact")
-        throw CLI::ValidationError("--law", "own materials take the mu law; leave --law or --materials out");
+    if (!options.own.empty() && !own)
+        throw CLI::ValidationError("--material", "exact models have no material of their own; add --materials own");
+    if (!options.law.empty() && own) throw CLI::ValidationError("--law", "own materials take the mu law; leave --law or --materials out");
+    if ((options.accept || options.specimens) && !own)
+        throw CLI::ValidationError(options.accept ? "--accept" : "--specimens",
+                                   "exact models are held against twins alone; add --materials own");
+    if (options.accept && !(options.accept->value > 0.0)) throw CLI::ValidationError("--accept", "must be above zero, such as 5% or 0.05");
+}
+
+std::vector<study::ModelChoice> make_choices(const PairOptions& options) {
+    check_options(options);
     std::vector<study::ModelChoice> choices;
+    for (const std::string& file : options.models) {
+        choices.push_back({.scene = read_scene(file)});
+        scene::check_scene(*choices.back().scene, file);
+    }
+    if (!options.models.empty()) return choices;
     for (std::size_t i = 0; i < options.lengths.size(); ++i) {
-        choices.push_back({.length = options.lengths[i], .material = options.presets.empty() ? std::string() : options.presets[i]});
+        choices.push_back({.length = options.lengths[i], .material = options.own.empty() ? std::string() : options.own[i]});
         if (options.law.empty()) continue;
         const std::vector<scaling::UncertainFactor> factors = parse_factors(options.factors);
         note_values_used(factors);
@@ -125,7 +149,7 @@ void print_alone(const study::PairedRun& model) {
 }
 
 std::string describe_agreement(const study::PairStudy& study, const study::PairedRun& model) {
-    if (study.materials == study::Materials::own) return "own material";
+    if (study.materials == study::Materials::own) return model.material;
     if (model.judgement.within_rounding) return "agrees to rounding";
     if (model.judgement.agreement == study::Agreement::not_judged) return "not judged";
     return fmt::format("{} ({:+.1f} sd, p {:.2g})", study::to_string(model.judgement.agreement), model.judgement.lead,
@@ -157,7 +181,7 @@ void print_study(const study::ScenePair& pair) {
         study::kPartingLevel);
     for (const study::PairedRun& model : study.models) {
         if (model.distortions.empty()) continue;
-        print("\nDistortions of {}\n", model.label);
+        print("\nDistortions of {}{}\n", model.label, model.material.empty() ? "" : ", " + model.material);
         print_distortions(model.distortions);
     }
     for (const study::PairedRun& model : study.models) print_alone(model);
@@ -189,6 +213,8 @@ int judge(const std::string& scene, const study::PairStudy& study) {
     if (study.diverged()) return kNumericalFailure;
     report_doubts(scene + ", prototype", study.prototype);
     for (const study::PairedRun& model : study.models) report_doubts(scene + ", " + model.label, model.run);
+    const auto refused = [&](const study::PairedRun& model) { return !study::judge_own(study, model).accepted.value_or(true); };
+    if (std::any_of(study.models.begin(), study.models.end(), refused)) return kNotAccepted;
     const bool judged = study.agreement() != study::Agreement::not_judged;
     return study.consistent() || !judged ? kDone : kCheckFailed;
 }
@@ -207,9 +233,10 @@ int run_pair(const PairOptions& options) {
         if (folder) live.emplace(options.out, prototype.name).listen_to(settings);
         const study::PairSceneSettings how{.specimen = options.specimen == "each" ? study::PairSpecimen::each : study::PairSpecimen::one,
                                            .judging = {.twins = options.twins, .seed = options.seed, .half_step = !options.no_half_step},
-                                           .each_alone = options.each_alone};
-        pair = study::pair_scene(prototype, choices, options.materials == "own" ? study::Materials::own : study::Materials::exact, settings,
-                                 how);
+                                           .each_alone = options.each_alone,
+                                           .specimens = options.specimens,
+                                           .accept = options.accept ? std::optional(options.accept->value) : std::nullopt};
+        pair = study::pair_scene(prototype, choices, find_materials(options), settings, how);
     }
     if (folder) write_study(*folder, *pair);
 
@@ -228,11 +255,16 @@ void add_pair_command(CLI::App& app, Action& action) {
     auto options = std::make_shared<PairOptions>();
     CLI::App* command = app.add_subcommand("pair", "A scene as prototype and as models at other scales, compared in dimensionless form");
     command->add_option("scene", options->scene, "Scene file of the prototype")->required()->type_name("SCENE.json");
+    CLI::Option* models =
+        command->add_option("models", options->models, "Scene files of models of the same blocks, instead of scaling the prototype")
+            ->type_name("MODEL.json...");
     command->add_option("--length", options->lengths, "Length factor of a model; repeat for several (default 1/25 and 1/107)")
-        ->type_name("NUMBER");
-    command->add_option("--materials", options->materials, "exact: scaled so that every group is equal; own: measured for each scale")
-        ->check(CLI::IsMember({"exact", "own"}))
-        ->capture_default_str();
+        ->type_name("NUMBER")
+        ->excludes(models);
+    command
+        ->add_option("--materials", options->materials,
+                     "exact: scaled so that every group is equal; own: measured for each scale (default: exact, of scene files own)")
+        ->check(CLI::IsMember({"exact", "own"}));
     CLI::Option* law = command
                            ->add_option("--law", options->law,
                                         "With exact materials: scale by this law of `musim scale --laws` or law file (default: exact)")
@@ -242,8 +274,22 @@ void add_pair_command(CLI::App& app, Action& action) {
         ->expected(1)
         ->take_all()
         ->needs(law);
-    command->add_option("--material", options->presets, "Preset of each model with own materials (default: the one measured at that scale)")
-        ->type_name("PRESET");
+    command
+        ->add_option(
+            "--material", options->own,
+            "Own material of each model: a preset, a material file, or a scene whose it is (default: the one measured at that scale)")
+        ->type_name("NAME|FILE")
+        ->excludes(models);
+    command
+        ->add_option("--specimens", options->specimens,
+                     "Other specimens of the prototype to hold own models against (default: 4 when block heights are drawn)")
+        ->type_name("N")
+        ->check(CLI::Range(0, 1000));
+    command
+        ->add_option("--accept", options->accept,
+                     "Accept own models whose peak velocity and residual displacement of the top and losses differ by no more, e.g. 5%; "
+                     "else exit code 6")
+        ->type_name("NUMBER");
     command->add_flag("--each-alone", options->each_alone,
                       "With own materials: also run a model for each property that differs, exact otherwise, and tell what it does alone");
     command->add_option("--twins", options->twins, "Twins to judge by; 0: none (default: none when models agree to rounding, else 2 or 8)")
@@ -274,13 +320,16 @@ void add_pair_command(CLI::App& app, Action& action) {
         "  musim pair examples/tower_prototype.json --length 1/16 --length 1/64 --json\n"
         "  musim pair examples/tower_prototype.json --length 1/25 --law centrifuge\n"
         "  musim pair examples/tower_prototype.json --length 1/107 --record CICLC.v1 --component x=360 -o out/ridgecrest\n"
-        "  musim pair examples/tower_prototype.json --length 1/107 --materials own --material aluminium\n"
+        "  musim pair examples/tower_prototype.json --length 1/107 --materials own --material aluminium --accept 5%\n"
+        "  musim pair examples/tower_prototype.json my_model.json\n"
         "  musim pair examples/tower_prototype.json --length 1/107 --materials own --each-alone\n"
         "  musim pair examples/uneven_wall.json --twins 8 --seed 2\n"
         "Twins are the prototype in other units, or with coordinates moved by one unit in the last place: what rounding alone may do. A\n"
         "model differs when it parts from the prototype earlier than they do, or its peaks, residuals or losses lie outside their "
         "scatter.\n"
-        "Exit code 5: a model with exact materials differs, or nothing could be decided.");
+        "Models of their own material are distorted, and their specimen is one of many: their differences are held against twins and "
+        "other\n"
+        "specimens of the prototype. Exit code 5: a model with exact materials differs, or nothing could be decided; 6: --accept.");
     command->callback([&action, options] { action = [options] { return run_pair(*options); }; });
 }
 

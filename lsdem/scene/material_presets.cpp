@@ -43,18 +43,20 @@ const std::vector<MaterialPreset>& presets() {
         const scaling::Velocity aluminium_bar = scaling::Velocity::from_value(std::sqrt(69e9 / 2632.0));
         const auto small = reference_block(107.0);
         return std::vector<MaterialPreset>{
-            {"wood", make_material(800.0, 30.0, 26.0, 0.63, 0.3), 1.0 / 107.0, small, kTable3, wood_step, "1/96000 s", {}},
-            {"concrete",
-             make_material(2320.0, 1050.0, 1000.0, 0.59, 0.5),
+            {{"wood", make_material(800.0, 30.0, 26.0, 0.63, 0.3), small}, 1.0 / 107.0, kTable3, wood_step, "1/96000 s", {}},
+            {{"concrete", make_material(2320.0, 1050.0, 1000.0, 0.59, 0.5), reference_block(25.0)},
              1.0 / 25.0,
-             reference_block(25.0),
              kTable3,
              concrete_step,
              "1/68000 s",
              {}},
-            {"aluminium", wave, 1.0 / 107.0, small, wave_source, aluminium_step, "1/384000 s", aluminium_bar},
-            {"al_wave", wave, 1.0 / 107.0, small, wave_source, aluminium_step, "1/384000 s", aluminium_bar},
-            {"al_printed", make_material(2632.0, 51.0, 48.0, 0.18, 0.5), 1.0 / 107.0, small, kTable3, aluminium_step, "1/384000 s",
+            {{"aluminium", wave, small}, 1.0 / 107.0, wave_source, aluminium_step, "1/384000 s", aluminium_bar},
+            {{"al_wave", wave, small}, 1.0 / 107.0, wave_source, aluminium_step, "1/384000 s", aluminium_bar},
+            {{"al_printed", make_material(2632.0, 51.0, 48.0, 0.18, 0.5), small},
+             1.0 / 107.0,
+             kTable3,
+             aluminium_step,
+             "1/384000 s",
              aluminium_bar},
         };
     }();
@@ -78,10 +80,10 @@ std::vector<std::string> material_preset_names() {
     return names;
 }
 
-BlockMaterial fit_to_block(const MaterialPreset& preset, const Triple<scaling::Length>& block) {
+BlockMaterial fit_to_block(const MeasuredMaterial& measured, const Triple<scaling::Length>& block) {
     const auto area_over_height = [](const Triple<scaling::Length>& size) { return size[0] * size[1] / size[2]; };
-    const double ratio = area_over_height(block) / area_over_height(preset.reference_block);
-    BlockMaterial material = preset.material;
+    const double ratio = area_over_height(block) / area_over_height(measured.reference_block);
+    BlockMaterial material = measured.material;
     material.normal_stiffness *= ratio;
     material.shear_stiffness *= ratio;
     return material;

@@ -30,11 +30,15 @@ struct BlockMaterial {
 };
 
 /// A measured material and the block it was measured for.
-struct MaterialPreset {
-    std::string_view name;
+struct MeasuredMaterial {
+    std::string name;
     BlockMaterial material;
-    double length_scale = 1.0;                  ///< of the tower whose block it is: 1/107 or 1/25 [-]
     Triple<scaling::Length> reference_block{};  ///< b, w, H that the stiffnesses belong to
+};
+
+/// One of the papers.
+struct MaterialPreset : MeasuredMaterial {
+    double length_scale = 1.0;  ///< of the tower whose block it is: 1/107 or 1/25 [-]
     std::string_view source;
     /// Period of the camera that filmed the tests over a whole number, which the papers took as time step: 1/4800 s over 20 for wood and
     /// over 80 for aluminium, 1/2000 s over 34 for concrete [Harmon23, Table 4]. For the reference block only; wood's is above its critical
@@ -53,6 +57,6 @@ std::vector<std::string> material_preset_names();
 
 /// The same solid in a block of another size:  k = k_ref·(A/H)/(A_ref/H_ref),  because E_eff = k·H/A is the solid's (bar wave speed
 /// c = H·√(k/m)). At the reference block this is the preset itself, to rounding.
-BlockMaterial fit_to_block(const MaterialPreset& preset, const Triple<scaling::Length>& block);
+BlockMaterial fit_to_block(const MeasuredMaterial& measured, const Triple<scaling::Length>& block);
 
 }  // namespace musim::lsdem::scene

@@ -5,6 +5,7 @@
 
 #include "lsdem/scene/detail/json_object.hpp"
 #include "lsdem/scene/detail/json_text.hpp"
+#include "lsdem/scene/detail/parse_material.hpp"
 #include "lsdem/scene/scene_json.hpp"
 #include "scaling/scale_law_catalogue.hpp"
 
@@ -15,6 +16,7 @@ namespace {
 using detail::fail;
 using detail::JsonObject;
 using detail::JsonPlace;
+using detail::parse_material;
 using nlohmann::json;
 
 /// Only this version of the format is known.
@@ -28,37 +30,6 @@ const std::vector<std::string>& axis_names() {
 /// A file named in a scene, beside the scene's own.
 std::filesystem::path resolve(const std::string& file, const std::filesystem::path& origin) {
     return std::filesystem::absolute(origin.parent_path() / file).lexically_normal();
-}
-
-/// find_material_preset, with the place in front of its message.
-const BlockMaterial& find_preset(const std::string& name, const JsonPlace& place) {
-    try {
-        return find_material_preset(name).material;
-    } catch (const SceneError& error) {
-        fail(place, error.what());
-    }
-}
-
-BlockMaterial parse_material(const json& value, const JsonPlace& place) {
-    if (value.is_string()) return find_preset(value.get<std::string>(), place);
-    const JsonObject object(value, place, "material");
-    BlockMaterial material;
-    if (object.has("preset")) {
-        material = find_preset(object.text("preset"), object.place("preset"));
-        object.read_quantity("density", material.density);
-        object.read_quantity("normal_stiffness", material.normal_stiffness);
-        object.read_quantity("shear_stiffness", material.shear_stiffness);
-        object.read("friction", material.friction);
-        object.read("restitution", material.restitution);
-    } else {
-        material.density = object.quantity<scaling::Density>("density");
-        material.normal_stiffness = object.quantity<scaling::Stiffness>("normal_stiffness");
-        material.shear_stiffness = object.quantity<scaling::Stiffness>("shear_stiffness");
-        material.friction = object.number("friction");
-        material.restitution = object.number("restitution");
-    }
-    object.read("shear_damping_ratio", material.shear_damping_ratio);
-    return material;
 }
 
 ShapeSettings parse_shape(const json& value, const JsonPlace& place) {
@@ -436,7 +407,7 @@ void collect_materials(Scene& scene, const JsonPlace& place) {
     for (std::size_t k = 0; k < list->blocks.size(); ++k) {
         const std::string& name = list->blocks[k].material;
         if (name.empty() || scene.materials.contains(name)) continue;
-        scene.materials.emplace(name, find_preset(name, place.at("structure").at("blocks").at(k).at("material")));
+        scene.materials.emplace(name, parse_material(json(name), place.at("structure").at("blocks").at(k).at("material")));
     }
 }
 

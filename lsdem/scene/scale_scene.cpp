@@ -97,10 +97,10 @@ Scene scale_scene(const Scene& scene, const scaling::Similitude& similitude) {
     return scaled;
 }
 
-Scene scale_with_own_material(const Scene& scene, const scaling::Similitude& similitude, const MaterialPreset& preset) {
+Scene scale_with_own_material(const Scene& scene, const scaling::Similitude& similitude, const MeasuredMaterial& measured) {
     Scene scaled = scale_scene(scene, similitude);
     const double shear_damping_ratio = scaled.material.shear_damping_ratio;
-    scaled.material = fit_to_block(preset, reference_block(scaled));
+    scaled.material = fit_to_block(measured, reference_block(scaled));
     scaled.material.shear_damping_ratio = shear_damping_ratio;
     scaled.time.step.reset();
     return scaled;

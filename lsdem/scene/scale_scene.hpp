@@ -15,9 +15,9 @@ namespace musim::lsdem::scene {
 Scene scale_scene(const Scene& scene, const scaling::Similitude& similitude);
 
 /// The twin built of a measured material: geometry, motion, times and rates scaled; density, stiffnesses (fitted to the scaled block,
-/// fit_to_block), friction and restitution replaced by the preset's; the time step becomes automatic, because stiffness is not similar.
+/// fit_to_block), friction and restitution replaced by that material's; the time step becomes automatic, because stiffness is not similar.
 /// The optional shear damping ratio and further materials of a block list stay those of scale_scene.
-Scene scale_with_own_material(const Scene& scene, const scaling::Similitude& similitude, const MaterialPreset& preset);
+Scene scale_with_own_material(const Scene& scene, const scaling::Similitude& similitude, const MeasuredMaterial& measured);
 
 /// Size of the block that a scene's stiffnesses belong to, when it names one size: the structure's block, or the first of a list.
 Triple<scaling::Length> reference_block(const Scene& scene);

@@ -8,6 +8,7 @@ const std::map<std::string, std::vector<std::string>>& scene_keys() {
          {"schema", "name", "gravity", "material", "materials", "shape", "structure", "base_motion", "motions", "ground", "contact", "time",
           "output", "accuracy", "preparation"}},
         {"material", {"preset", "density", "normal_stiffness", "shear_stiffness", "friction", "restitution", "shear_damping_ratio"}},
+        {"material_file", {"schema", "name", "block", "material"}},
         {"shape", {"kind", "level_set", "nodes_per_face", "nodes", "voxel", "radius"}},
         {"blocks", {"kind", "blocks"}},
         {"block", {"size", "position", "quaternion", "velocity", "angular_velocity", "fixed", "rotation_locked", "material"}},

@@ -59,6 +59,7 @@ PairedRun compare(const RunResult& prototype, const PairMember& member, RunResul
     PairedRun paired{member.label, member.similitude, member.distortions, std::move(run), {}};
     paired.difference = compare_runs(prototype, paired.run, member.similitude);
     paired.trace = trace_run(prototype, paired.run, member.similitude);
+    paired.material = member.material;
     return paired;
 }
 

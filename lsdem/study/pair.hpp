@@ -32,6 +32,7 @@ struct PairMember {
     scaling::Similitude similitude;                     ///< of this specimen to the prototype
     std::vector<scaling::Distortion> distortions = {};  ///< requirements the specimen does not meet
     std::optional<Rest> rest = {};                      ///< how its specimen came to rest before it was handed over
+    std::string material = {};                          ///< of a model of its own material: its name
 };
 
 /// What one property of a model's own material does alone.
@@ -51,6 +52,7 @@ struct PairedRun {
     RunDifference difference;  ///< from the prototype, scaled back
     RunTrace trace = {};
     Judgement judgement = {};                ///< against the twins
+    std::string material = {};               ///< of a model of its own material: its name
     std::vector<LoneDistortion> alone = {};  ///< when asked for: each property that differs, in a model that is exact otherwise
 };
 
@@ -78,6 +80,8 @@ struct PairStudy {
     std::optional<bool> same_bits;       ///< does the image at a quarter of the length agree in every bit? nothing: not run
     std::optional<PairedRun> half_step;  ///< the prototype at half its step
     std::vector<PairedRun> models;
+    std::vector<RunTrace> specimen_traces = {};  ///< of other specimens of the prototype, for own models (run_other_specimens)
+    std::optional<double> tolerance = {};        ///< by which an own model may differ to be accepted [-]
 
     Yardstick yardstick() const { return {prototype, twin_traces}; }
     /// Of the scaling itself: the image at a quarter of the length must agree in all bits, and images must not part earlier than copies.

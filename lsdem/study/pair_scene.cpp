@@ -2,19 +2,20 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <optional>
-#include <string_view>
 #include <utility>
 
 #include "lsdem/scene/block_heights.hpp"
-#include "lsdem/scene/material_presets.hpp"
+#include "lsdem/scene/measured_material.hpp"
 #include "lsdem/scene/motions.hpp"
 #include "lsdem/scene/scale_scene.hpp"
 #include "lsdem/scene/scene_error.hpp"
 #include "lsdem/study/lay_specimen.hpp"
+#include "lsdem/study/own_models.hpp"
 #include "lsdem/study/run.hpp"
 #include "lsdem/study/scale_specimen.hpp"
 
@@ -31,6 +32,7 @@ struct ScaledScene {
     scene::Scene scene;
     Similitude similitude;
     std::vector<scaling::Distortion> distortions;
+    std::string material = {};  ///< name of its own
 };
 
 /// A model with one property of a material of its own.
@@ -41,42 +43,75 @@ struct LoneScene {
     Similitude similitude;
 };
 
-const scene::MaterialPreset& find_preset(const ModelChoice& choice) {
-    if (!choice.material.empty()) return scene::find_material_preset(choice.material);
-    for (const std::string& name : scene::material_preset_names()) {
-        const scene::MaterialPreset& preset = scene::find_material_preset(name);
-        if (std::abs(preset.length_scale / choice.length - 1.0) < kSameScale) return preset;
-    }
-    throw scene::SceneError(
-        fmt::format("materials own: no preset was measured at {}; name one with --material", make_scale_label(choice.length)));
-}
-
 ScaledScene scale_by_law(const scene::Scene& prototype, const ModelChoice& choice) {
     const Similitude similitude = choice.similitude ? *choice.similitude : Similitude({.length = choice.length}, scaling::Law::exact);
     return {scene::scale_scene(prototype, similitude), similitude, scaling::find_distortions(similitude)};
 }
 
-ScaledScene scale_with_own(const scene::Scene& prototype, const ModelChoice& choice) {
-    const scene::MaterialPreset& preset = find_preset(choice);
-    const scene::BlockMaterial& from = prototype.material;
-    const scaling::ScaleFactors factors{.length = choice.length,
-                                        .friction = preset.material.friction / from.friction,
-                                        .gravity = 1.0,
-                                        .density = preset.material.density.value() / from.density.value()};
-    const Similitude similitude(factors, scaling::Law::mu);
-    ScaledScene scaled{scene::scale_with_own_material(prototype, similitude, preset), similitude, {}};
-
-    const scene::BlockMaterial& to = scaled.scene.material;
+/// What a model has of its own, besides scale, density, friction and gravity.
+std::vector<scaling::Distortion> find_own_distortions(const scene::Scene& prototype, const scene::Scene& model,
+                                                      const Similitude& similitude) {
+    const scene::BlockMaterial &from = prototype.material, &to = model.material;
     const auto block = scene::reference_block(prototype);
-    const auto heights = scene::find_height_variation(scaled.scene);
-    const scaling::ModelFacts facts{.friction_prototype = from.friction,
-                                    .slenderness = {block[0] / block[2], block[1] / block[2]},
-                                    .normal_stiffness = to.normal_stiffness / from.normal_stiffness,
-                                    .shear_stiffness = to.shear_stiffness / from.shear_stiffness,
-                                    .restitution = to.restitution / from.restitution,
-                                    .height_deviation = heights ? std::optional(choice.length) : std::nullopt};
-    scaled.distortions = scaling::find_distortions(similitude, facts);
+    const auto heights = scene::find_height_variation(prototype), of_model = scene::find_height_variation(model);
+    scaling::ModelFacts facts{.friction_prototype = from.friction,
+                              .slenderness = {block[0] / block[2], block[1] / block[2]},
+                              .normal_stiffness = to.normal_stiffness / from.normal_stiffness,
+                              .shear_stiffness = to.shear_stiffness / from.shear_stiffness,
+                              .restitution = to.restitution / from.restitution,
+                              .height_deviation = {}};
+    if (heights && of_model) facts.height_deviation = of_model->deviation / heights->deviation;
+    return scaling::find_distortions(similitude, facts);
+}
+
+ScaledScene scale_with_own(const scene::Scene& prototype, const ModelChoice& choice) {
+    const scene::MeasuredMaterial own =
+        choice.material.empty() ? scene::find_material_at(choice.length) : scene::find_measured_material(choice.material);
+    const scaling::ScaleFactors factors{.length = choice.length,
+                                        .friction = own.material.friction / prototype.material.friction,
+                                        .gravity = 1.0,
+                                        .density = own.material.density / prototype.material.density};
+    const Similitude similitude(factors, scaling::Law::mu);
+    ScaledScene scaled{scene::scale_with_own_material(prototype, similitude, own), similitude, {}, own.name};
+    scaled.distortions = find_own_distortions(prototype, scaled.scene, similitude);
     return scaled;
+}
+
+double strength(const scene::Scene& scene) {
+    double squares = 0.0;
+    for (const scaling::Acceleration& component : scene.gravity) squares += component.value() * component.value();
+    return std::sqrt(squares);
+}
+
+/// A scene of its own as a model: it runs as long as the prototype does, and is sampled at the same dimensionless times.
+ScaledScene take_as_model(const scene::Scene& prototype, const scene::Scene& model) {
+    scene::require_single_motion(model, "a pair");
+    const auto of_prototype = scene::reference_block(prototype), of_model = scene::reference_block(model);
+    const scaling::ScaleFactors factors{.length = of_model[2] / of_prototype[2],
+                                        .friction = model.material.friction / prototype.material.friction,
+                                        .gravity = strength(model) / strength(prototype),
+                                        .density = model.material.density / prototype.material.density};
+    const Similitude similitude(factors, scaling::Law::mu);
+    ScaledScene scaled{model, similitude, {}, "scene \"" + model.name + "\""};
+    scaled.scene.time.duration = prototype.time.duration * similitude.time();
+    scaled.scene.output = prototype.output;
+    if (scaled.scene.output.spine_rate.value() > 0.0) scaled.scene.output.spine_rate *= similitude.frequency();
+    if (scaled.scene.output.frame_rate) *scaled.scene.output.frame_rate *= similitude.frequency();
+    scaled.distortions = find_own_distortions(prototype, scaled.scene, similitude);
+    return scaled;
+}
+
+/// That each block of a model has its like in the prototype.
+void require_same_structure(const Specimen& prototype, const Specimen& model, const std::string& name) {
+    const std::size_t wanted = prototype.model.blocks.size(), has = model.model.blocks.size();
+    if (has != wanted) {
+        throw scene::SceneError(
+            fmt::format("scene \"{}\": {} blocks where the prototype has {}; a pair needs similar structures", name, has, wanted));
+    }
+    if (model.layer != prototype.layer || model.spine.block != prototype.spine.block) {
+        throw scene::SceneError(
+            fmt::format("scene \"{}\": its layers are not the prototype's; a pair needs similar structures, block by block", name));
+    }
 }
 
 /// One scene for every property in which `own` is not what its similitude asks for.
@@ -102,18 +137,61 @@ std::vector<LoneScene> find_lone_scenes(const scene::Scene& prototype, const Sca
     return scenes;
 }
 
-/// A scene that steps as its own stiffness asks.
-PairMember make_member(const std::string& label, const scene::Scene& scene, const Similitude& similitude,
-                       const std::vector<scaling::Distortion>& distortions = {}) {
-    Specimen specimen = make_specimen(scene);
-    const TimePlan plan = make_time_plan(scene, specimen.model);
-    return {label, std::move(specimen), plan, similitude, distortions};
+/// The scale, and a number when there is a model of it already: labels name folders.
+std::string make_label(double length, const std::vector<PairMember>& members) {
+    const std::string scale = make_scale_label(length);
+    std::string label = scale;
+    const auto taken = [&] {
+        return std::any_of(members.begin(), members.end(), [&](const PairMember& member) { return member.label == label; });
+    };
+    for (int number = 2; taken(); ++number) label = fmt::format("{} {}", scale, number);
+    return label;
 }
 
-PairMember lay_prototype(const scene::Scene& scene, const RunSettings& settings) {
+ScaledScene make_scaled(const scene::Scene& prototype, const ModelChoice& choice, Materials materials) {
+    if (choice.scene) return take_as_model(prototype, *choice.scene);
+    return materials == Materials::exact ? scale_by_law(prototype, choice) : scale_with_own(prototype, choice);
+}
+
+/// Runs other specimens of the prototype for its own models, when heights are drawn, after the pair itself. What there is to run counts
+/// in runs for the progress, and a specimen that is laid first as two.
+class OtherSpecimens {
+  public:
+    OtherSpecimens(const scene::Scene& prototype, Materials materials, const PairSceneSettings& how, std::size_t runs) : scene_(prototype) {
+        const bool drawn =
+            scene::find_height_variation(prototype).has_value() && !(prototype.preparation && prototype.preparation->specimen);
+        if (how.specimens.value_or(0) > 0 && !drawn) {
+            throw scene::SceneError(
+                fmt::format("scene \"{}\": its block heights are not drawn (height_deviation), so it has one specimen only; leave "
+                            "--specimens out",
+                            prototype.name));
+        }
+        if (materials == Materials::own && drawn) count_ = how.specimens.value_or(kOtherSpecimens);
+        share_ = static_cast<double>(runs) / static_cast<double>(runs + 2 * count_);
+    }
+    RunSettings settings_of_pair(const RunSettings& settings) const { return part_of(settings, 0.0, share_); }
+    std::vector<RunTrace> run(const RunResult& prototype, const RunSettings& settings) const {
+        return run_other_specimens(scene_, prototype, count_, part_of(settings, share_, 1.0));
+    }
+
+  private:
+    static RunSettings part_of(RunSettings settings, double from, double to) {
+        if (!settings.on_progress) return settings;
+        settings.on_progress = [=, tell = settings.on_progress](double part) { tell(from + (to - from) * part); };
+        return settings;
+    }
+
+    const scene::Scene& scene_;
+    std::size_t count_ = 0;
+    double share_ = 1.0;
+};
+
+/// A scene at its own scale, laid, that steps as its own stiffness asks.
+PairMember make_member(const std::string& label, const scene::Scene& scene, const Similitude& similitude, const RunSettings& settings,
+                       const std::vector<scaling::Distortion>& distortions = {}, const std::string& material = {}) {
     LaidSpecimen laid = lay_specimen(scene, settings);
     const TimePlan plan = make_time_plan(scene, laid.specimen.model);
-    return {"prototype", std::move(laid.specimen), plan, Similitude({}, scaling::Law::exact), {}, laid.rest};
+    return {label, std::move(laid.specimen), plan, similitude, distortions, laid.rest, material};
 }
 
 PairMember make_image(const PairMember& prototype, const std::string& label, const ScaledScene& scaled) {
@@ -136,29 +214,34 @@ std::string make_scale_label(double length) {
 ScenePair pair_scene(const scene::Scene& prototype, const std::vector<ModelChoice>& models, Materials materials,
                      const RunSettings& settings, const PairSceneSettings& how) {
     scene::require_single_motion(prototype, "a pair");
-    const PairMember original = lay_prototype(prototype, settings);
+    const PairMember original = make_member("prototype", prototype, Similitude({}, scaling::Law::exact), settings);
+    const RunSettings laying{.threads = settings.threads};
 
     ScenePair pair{.prototype = prototype, .models = {}, .scales = find_motion_scales(original.specimen), .study = {}};
     std::vector<PairMember> members, lone_members;
     std::vector<std::vector<LoneScene>> lone_scenes;
     for (const ModelChoice& choice : models) {
-        const std::string label = make_scale_label(choice.length);
-        ScaledScene scaled = materials == Materials::exact ? scale_by_law(prototype, choice) : scale_with_own(prototype, choice);
-        const bool has_image = materials == Materials::exact && scaled.similitude.law() == scaling::Law::exact;
+        ScaledScene scaled = make_scaled(prototype, choice, materials);
+        const std::string label = make_label(scaled.similitude.length(), members);
+        const bool has_image = !choice.scene && materials == Materials::exact && scaled.similitude.law() == scaling::Law::exact;
         members.push_back(has_image && how.specimen == PairSpecimen::one
                               ? make_image(original, label, scaled)
-                              : make_member(label, scaled.scene, scaled.similitude, scaled.distortions));
+                              : make_member(label, scaled.scene, scaled.similitude, laying, scaled.distortions, scaled.material));
+        if (choice.scene) require_same_structure(original.specimen, members.back().specimen, choice.scene->name);
         // an exact model steps as its prototype does
         if (materials == Materials::exact) members.back().plan = original.plan.scaled(scaled.similitude.time());
-        lone_scenes.push_back(how.each_alone && materials == Materials::own ? find_lone_scenes(prototype, scaled)
-                                                                            : std::vector<LoneScene>{});
+        const bool alone = how.each_alone && materials == Materials::own && !choice.scene;
+        lone_scenes.push_back(alone ? find_lone_scenes(prototype, scaled) : std::vector<LoneScene>{});
         for (const LoneScene& lone : lone_scenes.back()) {
-            lone_members.push_back(make_member(label + ", " + lone.property, lone.scene, lone.similitude));
+            lone_members.push_back(make_member(label + ", " + lone.property, lone.scene, lone.similitude, laying));
         }
         pair.models.push_back(std::move(scaled.scene));
     }
     members.insert(members.end(), std::make_move_iterator(lone_members.begin()), std::make_move_iterator(lone_members.end()));
-    pair.study = run_pair(original, members, materials, settings, how.judging);
+    const OtherSpecimens others(prototype, materials, how, members.size() + kMostTwins);
+    pair.study = run_pair(original, members, materials, others.settings_of_pair(settings), how.judging);
+    pair.study.specimen_traces = others.run(pair.study.prototype, settings);
+    pair.study.tolerance = how.accept;
 
     // the runs beside the models go to the models they belong to
     std::vector<PairedRun>& runs = pair.study.models;

@@ -12,9 +12,13 @@ namespace musim::lsdem::study {
 
 /// A model of a scene: its scale, and the material it is built of when that is its own.
 struct ModelChoice {
-    double length = 1.0;                                 ///< λ_l
-    std::string material = {};                           ///< preset for Materials::own; empty: the one measured for a tower of this scale
+    double length = 1.0;  ///< λ_l
+    /// For Materials::own: preset or file (scene::find_measured_material); empty: the one measured for a tower of this scale.
+    std::string material = {};
     std::optional<scaling::Similitude> similitude = {};  ///< for Materials::exact: scaled by this, not by law `exact`
+    /// A scene of its own instead: as many blocks in as many layers as the prototype's. Its scale, density, friction and gravity are those
+    /// of its first block over the prototype's; duration and sampling are the prototype's, scaled.
+    std::optional<scene::Scene> scene = {};
 };
 
 /// What specimen a model starts from.
@@ -28,7 +32,11 @@ struct PairSceneSettings {
     PairSpecimen specimen = PairSpecimen::one;
     PairSettings judging = {};
     bool each_alone = false;  ///< see pair_scene
+    /// Other specimens of the prototype that own models are held against; nothing: kOtherSpecimens when block heights are drawn, else none.
+    std::optional<std::size_t> specimens = {};
+    std::optional<double> accept = {};  ///< by how much an own model may differ [-], see judge_own
 };
+inline constexpr std::size_t kOtherSpecimens = 4;
 
 /// A scene at its own scale and at others.
 struct ScenePair {
@@ -45,11 +53,11 @@ std::string make_scale_label(double length);
 ///
 /// The prototype's specimen is laid, and comes to rest, once; exact models start from its images. With Materials::exact every model is
 /// scaled so that all groups are equal (law `exact`), or by the similitude of its choice. With Materials::own it has the density,
-/// stiffness, friction and restitution of its preset, fitted to its block size, and gets the base motion of the mu law; what that distorts
-/// is listed. With `each_alone` every model has runs beside it that tell what each property of its
-/// material that differs does alone (PairedRun::alone): stiffnesses and restitution in a model that is exact otherwise, friction with the
-/// base motion of the mu law. Throws scene::SceneError (also for an unknown preset, or a scale without one), scaling::SimilitudeError,
-/// records::ReadError.
+/// stiffness, friction and restitution of what was measured, fitted to its block size, and gets the base motion of the mu law, or is a
+/// scene of its own; what that distorts is listed, and it is held against other specimens of the prototype, too. With `each_alone` every
+/// model has runs beside it that tell what each property of its material that differs does alone (PairedRun::alone): stiffnesses and
+/// restitution in a model that is exact otherwise, friction with the base motion of the mu law. Throws scene::SceneError (also for an
+/// unknown material, a scale without one, a model of another structure), scaling::SimilitudeError, records::ReadError.
 ScenePair pair_scene(const scene::Scene& prototype, const std::vector<ModelChoice>& models, Materials materials,
                      const RunSettings& settings = {}, const PairSceneSettings& how = {});
 

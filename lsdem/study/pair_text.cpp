@@ -8,19 +8,24 @@
 #include <iterator>
 #include <optional>
 
-namespace musim::lsdem::study {
-namespace {
+#include "lsdem/study/own_models.hpp"
 
-std::string percent(double part) {
+namespace musim::lsdem::study {
+
+std::string format_percent(double part) {
     if (part < kRoundingLevel) return fmt::format("below {:.0g} %", 100.0 * kRoundingLevel);
-    return fmt::format("{:.2g} %", 100.0 * part);
+    return part < 1.0 ? fmt::format("{:.2g} %", 100.0 * part) : fmt::format("{:.0f} %", 100.0 * part);
 }
 
-std::string join(const std::vector<std::string>& words) {
+std::string format_up_to(double part) { return (part < kRoundingLevel ? "" : "up to ") + format_percent(part); }
+
+std::string join_words(const std::vector<std::string>& words) {
     std::string text;
     for (std::size_t i = 0; i < words.size(); ++i) text += (i == 0 ? "" : i + 1 == words.size() ? " and " : ", ") + words[i];
     return text;
 }
+
+namespace {
 
 std::vector<std::string> labels_of(const PairStudy& study, Agreement agreement) {
     std::vector<std::string> labels;
@@ -41,8 +46,8 @@ std::string give_reason(const Judgement& judgement) {
                                         [](const QuantityCheck& a, const QuantityCheck& b) { return a.probability < b.probability; });
     if (least == judgement.quantities.end() || judgement.least_probability >= kAgrees) return "it diverged";
     const std::string where = least->level > 0 ? fmt::format(" of level {}", least->level) : "";
-    return fmt::format("{}{} is {} off, twins up to {} (probability {:.1g})", least->title, where, percent(least->difference),
-                       percent(least->of_twins), judgement.least_probability);
+    return fmt::format("{}{} is {} off, twins {} (probability {:.1g})", least->title, where, format_percent(least->difference),
+                       format_up_to(least->of_twins), judgement.least_probability);
 }
 
 std::string describe_exact(const PairStudy& study) {
@@ -66,7 +71,7 @@ std::string describe_exact(const PairStudy& study) {
         }
     }
     const std::vector<std::string> agree = labels_of(study, Agreement::agree);
-    if (!agree.empty()) text += fmt::format(" {} agree{}.", join(agree), agree.size() == 1 ? "s" : "");
+    if (!agree.empty()) text += fmt::format(" {} agree{}.", join_words(agree), agree.size() == 1 ? "s" : "");
     return text;
 }
 
@@ -86,27 +91,18 @@ std::string describe_scaling(const PairStudy& study, const Yardstick& yardstick)
 std::string describe_horizon(const PairStudy& study, const Yardstick& yardstick) {
     if (study.twins.empty()) return "";
     if (!yardstick.is_within_run()) {
-        return fmt::format("Velocities of exact models agree to {} to the end ({:.4g} s).", percent(kPartingLevel), yardstick.end());
+        return fmt::format("Velocities of exact models agree to {} to the end ({:.4g} s).", format_percent(kPartingLevel), yardstick.end());
     }
     return fmt::format(
         "Up to {:.3g} s of {:.4g} s velocities agree to {}; beyond, no two runs of this structure can be predicted in detail.",
-        yardstick.horizon(), yardstick.end(), percent(kPartingLevel));
-}
-
-/// Of one family, on the highest level that it has.
-const QuantityCheck* find_top(const Judgement& judgement, const std::string& key) {
-    const QuantityCheck* top = nullptr;
-    for (const QuantityCheck& check : judgement.quantities) {
-        if (check.key == key && (top == nullptr || check.level >= top->level)) top = &check;
-    }
-    return top;
+        yardstick.horizon(), yardstick.end(), format_percent(kPartingLevel));
 }
 
 /// The model for which that differs most.
 const QuantityCheck* find_farthest_top(const PairStudy& study, const std::string& key) {
     const QuantityCheck* farthest = nullptr;
     for (const PairedRun& model : study.models) {
-        const QuantityCheck* top = find_top(model.judgement, key);
+        const QuantityCheck* top = find_top(model.judgement.quantities, key);
         if (top != nullptr && (farthest == nullptr || top->difference > farthest->difference)) farthest = top;
     }
     return farthest;
@@ -117,17 +113,17 @@ std::string describe_quantities(const PairStudy& study) {
     const auto add = [&](const char* key, const char* name) {
         const QuantityCheck* const check = find_farthest_top(study, key);
         if (check == nullptr) return;
-        std::string part = fmt::format("{} {}", name, percent(check->difference));
-        if (!study.twins.empty()) part += fmt::format(" (twins: up to {})", percent(check->of_twins));
+        std::string part = fmt::format("{} {}", name, format_percent(check->difference));
+        if (!study.twins.empty()) part += fmt::format(" (twins: {})", format_up_to(check->of_twins));
         parts.push_back(std::move(part));
     };
     add("peak_velocity", "peak velocity of the top");
     add("residual_displacement", "its residual displacement");
     add("total_loss", "losses");
     if (parts.empty()) return "";
-    std::string text = "Farthest from the prototype: " + join(parts) + ".";
-    const QuantityCheck* const half = study.half_step ? find_top(study.half_step->judgement, "peak_velocity") : nullptr;
-    if (half != nullptr) text += fmt::format(" Half the time step changes that peak by {}.", percent(half->difference));
+    std::string text = "Farthest from the prototype: " + join_words(parts) + ".";
+    const QuantityCheck* const half = study.half_step ? find_top(study.half_step->judgement.quantities, "peak_velocity") : nullptr;
+    if (half != nullptr) text += fmt::format(" Half the time step changes that peak by {}.", format_percent(half->difference));
     return text;
 }
 
@@ -150,10 +146,10 @@ std::vector<std::string> describe_verdict(const PairStudy& study) {
     } else if (study.materials == Materials::exact) {
         add(describe_exact(study));
     } else {
-        add("Models of their own material are distorted: what similitude asks for and they do not meet is listed below.");
+        for (const PairedRun& model : study.models) add(describe_own(study, model));
     }
     add(describe_horizon(study, yardstick));
-    add(describe_quantities(study));
+    if (study.materials == Materials::exact) add(describe_quantities(study));
     add(describe_power(study, yardstick));
     if (study.materials == Materials::exact) {
         add("This checks the program and the law, not a model test: a real model has a stiffness, a friction and heights of its own "

@@ -11,4 +11,11 @@ namespace musim::lsdem::study {
 /// in detail, by how much peaks, residual displacements and losses are apart beside those of the twins, and what was not checked.
 std::vector<std::string> describe_verdict(const PairStudy& study);
 
+/// A part of one in percent, two digits: "3.4 %"; "below 1e-07 %" for what is rounding.
+std::string format_percent(double part);
+/// "up to 3.4 %", or "below 1e-07 %".
+std::string format_up_to(double part);
+/// "a, b and c".
+std::string join_words(const std::vector<std::string>& words);
+
 }  // namespace musim::lsdem::study

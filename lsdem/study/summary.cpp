@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "lsdem/study/own_models.hpp"
 #include "lsdem/study/pair_text.hpp"
 #include "lsdem/study/verdict.hpp"
 
@@ -122,6 +123,18 @@ static nlohmann::json to_json(const std::vector<QuantityCheck>& checks) {
     return all;
 }
 
+static nlohmann::json to_json(const OwnJudgement& judgement) {
+    nlohmann::json quantities = nlohmann::json::array();
+    for (const OwnQuantity& quantity : judgement.quantities) {
+        quantities.push_back({{"name", quantity.name},
+                              {"difference", quantity.check.difference},
+                              {"of_twins", quantity.check.of_twins},
+                              {"of_specimens", to_json(quantity.of_specimens)},
+                              {"beyond_chance", quantity.beyond_chance}});
+    }
+    return {{"quantities", quantities}, {"accepted", judgement.accepted ? nlohmann::json(*judgement.accepted) : nlohmann::json()}};
+}
+
 static nlohmann::json to_json(const std::vector<PairedTwin>& twins) {
     nlohmann::json all = nlohmann::json::array();
     for (const PairedTwin& twin : twins) {
@@ -154,6 +167,7 @@ nlohmann::json to_json(const PairStudy& study) {
         pairs.push_back({{"label", model.label},
                          {"length", model.similitude.length()},
                          {"materials", to_string(study.materials)},
+                         {"material", model.material.empty() ? nlohmann::json() : nlohmann::json(model.material)},
                          {"max_relative_velocity_difference", model.difference.max_velocity},
                          {"rms_relative_velocity_difference", model.difference.rms_velocity},
                          {"max_relative_loss_difference", to_json(model.difference.losses)},
@@ -170,6 +184,7 @@ nlohmann::json to_json(const PairStudy& study) {
                          {"quantities", to_json(judgement.quantities)},
                          {"distortions", to_json(model.distortions)},
                          {"alone", to_json(model.alone)}});
+        if (study.materials == Materials::own) pairs.back()["own"] = to_json(judge_own(study, model));
     }
     nlohmann::json json = {{"runs", runs},
                            {"pairs", pairs},
@@ -181,6 +196,8 @@ nlohmann::json to_json(const PairStudy& study) {
                            {"end_s", yardstick.end()},
                            {"same_bits", study.same_bits ? nlohmann::json(*study.same_bits) : nlohmann::json()},
                            {"lead_of_images_sd", nlohmann::json()},
+                           {"other_specimens", study.specimen_traces.size()},
+                           {"accept", to_json(study.tolerance)},
                            {"half_step", nlohmann::json()},
                            {"smallest_difference_seen", nlohmann::json()}};
     if (study.half_step) {

@@ -100,6 +100,14 @@ std::string to_string(Agreement agreement) {
     return "not_judged";
 }
 
+const QuantityCheck* find_top(const std::vector<QuantityCheck>& checks, const std::string& key) {
+    const QuantityCheck* top = nullptr;
+    for (const QuantityCheck& check : checks) {
+        if (check.key == key && (top == nullptr || check.level >= top->level)) top = &check;
+    }
+    return top;
+}
+
 RunTrace trace_run(const RunResult& prototype, const RunResult& run, const scaling::Similitude& similitude) {
     RunTrace trace;
     const std::size_t spine = prototype.spine.size(), samples = std::min(prototype.history.samples(), run.history.samples());

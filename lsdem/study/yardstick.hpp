@@ -62,6 +62,9 @@ struct QuantityCheck {
     double probability = 1.0;  ///< that a twin lies as far from the other twins [-]; 1 where that is not asked
 };
 
+/// Of one family, on the highest level that it has; nullptr when there is none.
+const QuantityCheck* find_top(const std::vector<QuantityCheck>& checks, const std::string& key);
+
 /// A model against the twins.
 struct Judgement {
     Agreement agreement = Agreement::not_judged;

@@ -147,7 +147,16 @@ TEST_CASE("models of their own material list what they distort") {
     CHECK(pair["materials"] == "own");
     CHECK(pair["distortions"].size() > 0);
     CHECK(here.run("pair scene.json --length 1/50 --materials own").exit_code == 3);
-    CHECK(here.run("pair scene.json --length 1/50 --materials own --material aluminium").exit_code == 0);
+    const Outcome refused = here.run("pair scene.json --length 1/50 --materials own --material aluminium --accept 0.1%");
+    CHECK(refused.exit_code == 6);
+    CHECK(refused.out.starts_with("Model 1:50 of aluminium: "));
+    CHECK(refused.out.find("NOT accepted") != std::string::npos);
+    CHECK(here.run("pair scene.json --length 1/50 --materials own --material aluminium --accept 1e6").exit_code == 0);
+    CHECK(here.run("pair scene.json --accept 5%").exit_code == 2);
+    // a scene as its own model
+    const auto same = here.run("pair scene.json scene.json --json").json()["pairs"][0];
+    CHECK(same["materials"] == "own");
+    CHECK(same["bitwise_identical"] == true);
 }
 
 // in a centrifuge at 1:16 every factor is a power of two

@@ -13,25 +13,18 @@
 #include "lsdem/scene/scene_json.hpp"
 #include "lsdem/study/compare_runs.hpp"
 #include "lsdem/study/twin_files.hpp"
+#include "tests/study/pushed_wall.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 using namespace musim::lsdem;
 using namespace musim::lsdem::study;
+using musim::lsdem::tests::make_pushed_wall;
 using musim::lsdem::tests::relative;
 using musim::tests::message_of;
 using musim::tests::TemporaryFolder;
 
 namespace {
-
-/// A low wall of blocks of unequal height that is pushed at once.
-scene::Scene make_wall(const std::string& motion = R"("base_motion": {"signal": "half_sine", "direction": "x", "amplitude": "0.6 g",
-        "duration": "0.04 s"}, )") {
-    return scene::parse_scene(R"({"schema": "musim-scene/1", "name": "pushed wall", "material": "concrete",
-        "structure": {"kind": "wall", "layers": 2, "blocks_per_layer": 2, "block": ["54.4 mm", "112.8 mm", "170 mm"],
-                      "height_deviation": "0.2 mm", "seed": 1}, )" +
-                              motion + R"("time": {"duration": "0.06 s"}, "output": {"spine_rate": "500 Hz"}})");
-}
 
 /// Overlaps at rest are 1e-4 of a block's height.
 scene::Scene make_column() {
@@ -61,8 +54,8 @@ std::size_t count_files(const std::filesystem::path& folder, const std::string& 
 }  // namespace
 
 TEST_CASE("models at powers of four do not differ at all, others by rounding, side by side as one by one") {
-    const TwinStudy study = run_twins(make_wall(), kLengths, {.threads = 3});
-    CHECK(all_equal(study, run_twins(make_wall(), kLengths, {.threads = 1})));
+    const TwinStudy study = run_twins(make_pushed_wall(), kLengths, {.threads = 3});
+    CHECK(all_equal(study, run_twins(make_pushed_wall(), kLengths, {.threads = 1})));
     CHECK(study.name == "pushed wall");
     CHECK(study.prototype.samples == 31);
     CHECK(study.prototype.interval == relative(0.002, 1e-12));
@@ -90,7 +83,7 @@ TEST_CASE("a scene without a rate is sampled a hundred times a second, and block
 
 TEST_CASE("what is there is not run again, what is missing or damaged is, to the same bits") {
     const TemporaryFolder folder;
-    const scene::Scene wall = make_wall();
+    const scene::Scene wall = make_pushed_wall();
     const TwinStudy fresh = run_twins(wall, kLengths);
     std::vector<double> preparation, progress;
     TwinSettings settings{.directory = folder.path(), .version = "test", .threads = 1};
@@ -153,6 +146,6 @@ TEST_CASE("exact models of the demo tower part smoothly" * doctest::test_suite("
 }
 
 TEST_CASE("twins that cannot be compared are refused with what to do") {
-    CHECK(message_of<scene::SceneError>([] { run_twins(make_wall(""), {{.length = 0.3}}); }).find("give a base motion") !=
+    CHECK(message_of<scene::SceneError>([] { run_twins(make_pushed_wall(""), {{.length = 0.3}}); }).find("give a base motion") !=
           std::string::npos);
 }

@@ -6,23 +6,15 @@
 #include <string>
 #include <vector>
 
-#include "lsdem/scene/scene_json.hpp"
+#include "tests/study/pushed_wall.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 using namespace musim::lsdem;
 using namespace musim::lsdem::study;
+using musim::lsdem::tests::make_pushed_wall;
 using musim::tests::TemporaryFolder;
 
 namespace {
-
-/// A low wall of blocks of unequal height that is pushed at once.
-scene::Scene make_wall() {
-    return scene::parse_scene(R"({"schema": "musim-scene/1", "name": "pushed wall", "material": "concrete",
-        "structure": {"kind": "wall", "layers": 2, "blocks_per_layer": 2, "block": ["54.4 mm", "112.8 mm", "170 mm"],
-                      "height_deviation": "0.2 mm", "seed": 1},
-        "base_motion": {"signal": "half_sine", "direction": "x", "amplitude": "0.6 g", "duration": "0.04 s"},
-        "time": {"duration": "0.06 s"}, "output": {"spine_rate": "500 Hz"}})");
-}
 
 const VerdictBenchPlan kPlan{
     .seed = 5, .sets = 2, .twins = 4, .models = 3, .errors = {ModelError::normal_stiffness}, .sizes = {1e-5, 1e-4}, .images = 4};
@@ -49,7 +41,7 @@ std::vector<double> leads_of(const VerdictBench& bench) {
 
 TEST_CASE("exact models agree, wrong ones are found in one model and where the twins have the same error") {
     const TemporaryFolder folder;
-    const VerdictBench bench = run_verdict_bench(make_wall(), kPlan, {.directory = folder.path(), .version = "test", .threads = 2});
+    const VerdictBench bench = run_verdict_bench(make_pushed_wall(), kPlan, {.directory = folder.path(), .version = "test", .threads = 2});
     REQUIRE(bench.sets.size() == 2);
     for (const JudgedSet& set : bench.sets) {
         CHECK(tally(set.models, Agreement::agree).count == 3);
@@ -70,7 +62,7 @@ TEST_CASE("exact models agree, wrong ones are found in one model and where the t
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder.path())) {
         if (entry.path().filename().string().starts_with("exact_5_1")) std::filesystem::resize_file(entry.path(), 20);
     }
-    const VerdictBench again = run_verdict_bench(make_wall(), kPlan, {.directory = folder.path(), .version = "test", .threads = 1});
+    const VerdictBench again = run_verdict_bench(make_pushed_wall(), kPlan, {.directory = folder.path(), .version = "test", .threads = 1});
     CHECK(leads_of(again) == leads_of(bench));
 }
 

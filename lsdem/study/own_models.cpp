@@ -1,0 +1,109 @@
+#include "lsdem/study/own_models.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <iterator>
+#include <thread>
+
+#include "lsdem/study/detail/shared_progress.hpp"
+#include "lsdem/study/lay_specimen.hpp"
+#include "lsdem/study/pair_text.hpp"
+#include "lsdem/study/run.hpp"
+#include "lsdem/study/specimen_batch.hpp"
+#include "scaling/side_by_side.hpp"
+
+namespace musim::lsdem::study {
+namespace {
+
+/// What an own model is judged by, and its name.
+constexpr std::pair<const char*, const char*> kJudged[] = {
+    {"peak_velocity", "peak velocity of the top"}, {"residual_displacement", "its residual displacement"}, {"total_loss", "losses"}};
+constexpr double kBeyondChanceEach = kBeyondChance / static_cast<double>(std::size(kJudged));
+
+const QuantityCheck* find_same(const std::vector<QuantityCheck>& checks, const QuantityCheck& wanted) {
+    const auto found = std::find_if(checks.begin(), checks.end(),
+                                    [&](const QuantityCheck& check) { return check.key == wanted.key && check.level == wanted.level; });
+    return found == checks.end() ? nullptr : &*found;
+}
+
+std::string describe_quantity(const PairStudy& study, const OwnQuantity& quantity) {
+    std::vector<std::string> chance;
+    if (!study.twins.empty()) chance.push_back("twins " + format_up_to(quantity.check.of_twins));
+    if (quantity.of_specimens) chance.push_back("other specimens " + format_up_to(*quantity.of_specimens));
+    std::string text = fmt::format("{} {} off", quantity.name, format_percent(quantity.check.difference));
+    if (chance.empty()) return text;
+    return text + fmt::format(" ({}: {})", join_words(chance), quantity.beyond_chance ? "more than chance" : "chance may do that");
+}
+
+std::string describe_acceptance(double tolerance, const OwnJudgement& judgement) {
+    const std::string limit = format_percent(tolerance);
+    if (*judgement.accepted) return fmt::format(" Accepted: all within {}, as is what chance does.", limit);
+    const auto farthest = std::max_element(judgement.quantities.begin(), judgement.quantities.end(),
+                                           [](const auto& a, const auto& b) { return a.check.difference < b.check.difference; });
+    if (farthest->check.difference > tolerance) {
+        return fmt::format(" NOT accepted: {} differ{} by more than {}.", farthest->name, farthest->name.ends_with('s') ? "" : "s", limit);
+    }
+    return fmt::format(" NOT accepted: within {}, but chance alone does more; one test cannot show that much.", limit);
+}
+
+}  // namespace
+
+std::vector<RunTrace> run_other_specimens(const scene::Scene& scene, const RunResult& prototype, std::size_t count,
+                                          const RunSettings& settings) {
+    std::vector<RunTrace> traces(count);
+    const int available = settings.threads > 0 ? settings.threads : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    const int each = std::max(1, available / static_cast<int>(std::max<std::size_t>(count, 1)));
+    detail::SharedProgress progress(count, settings.on_progress);
+    std::vector<std::function<void()>> jobs;
+    for (std::size_t i = 0; i < count; ++i) {
+        jobs.emplace_back([&, i] {
+            constexpr double kLaying = 0.5;  // of the progress of one, a guess
+            const scene::Scene other = with_seed(scene, seed_of(scene) + 1 + i);
+            const LaidSpecimen laid =
+                lay_specimen(other, {.threads = each, .on_preparation = [&](double part) { progress.update(i, kLaying * part); }});
+            TimePlan plan = make_time_plan(other, laid.specimen.model);
+            plan.samples_per_frame = 0;
+            const RunSettings run{.threads = each,
+                                  .on_progress = [&](double part) { progress.update(i, kLaying + (1.0 - kLaying) * part); }};
+            traces[i] = trace_run(prototype, simulate(laid.specimen, plan, run), scaling::Similitude({}, scaling::Law::exact));
+        });
+    }
+    scaling::run_side_by_side(jobs, available);
+    return traces;
+}
+
+OwnJudgement judge_own(const PairStudy& study, const PairedRun& model) {
+    OwnJudgement judgement;
+    const bool twins_part = study.yardstick().is_within_run();
+    const std::vector<QuantityCheck> of_specimens = Yardstick(study.prototype, study.specimen_traces).check_quantities(model.trace);
+    bool accepted = model.run.status != RunStatus::diverged;
+    for (const auto& [key, name] : kJudged) {
+        const QuantityCheck* const check = find_top(model.judgement.quantities, key);
+        if (check == nullptr) continue;
+        OwnQuantity quantity{name, *check, {}, check->difference > kPartingLevel};
+        if (twins_part) quantity.beyond_chance = check->probability < kBeyondChanceEach;
+        if (!study.specimen_traces.empty()) {
+            const QuantityCheck& other = *find_same(of_specimens, *check);
+            quantity.of_specimens = other.of_twins;
+            quantity.beyond_chance = quantity.beyond_chance && other.probability < kBeyondChanceEach;
+        }
+        const double largest = std::max({check->difference, check->of_twins, quantity.of_specimens.value_or(0.0)});
+        accepted = accepted && largest <= study.tolerance.value_or(0.0);
+        judgement.quantities.push_back(std::move(quantity));
+    }
+    if (study.tolerance) judgement.accepted = accepted;
+    return judgement;
+}
+
+std::string describe_own(const PairStudy& study, const PairedRun& model) {
+    const OwnJudgement judgement = judge_own(study, model);
+    std::vector<std::string> parts;
+    for (const OwnQuantity& quantity : judgement.quantities) parts.push_back(describe_quantity(study, quantity));
+    std::string text = fmt::format("Model {} of {}: {}.", model.label, model.material, join_words(parts));
+    if (judgement.accepted) text += describe_acceptance(*study.tolerance, judgement);
+    return text;
+}
+
+}  // namespace musim::lsdem::study

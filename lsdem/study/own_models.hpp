@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lsdem/scene/scene.hpp"
+#include "lsdem/study/pair.hpp"
+
+/// Models of their own material: what is distortion, and what is chance. See lsdem/study/README.md, "Own models".
+namespace musim::lsdem::study {
+
+/// The prototype's scene with other seeds of its blocks' heights (the next ones), laid, shaken and held against the prototype: no workshop
+/// makes the same heights twice. As many side by side as the threads allow; results do not depend on them. Throws as lay_specimen does,
+/// and SceneError for a scene without heights to draw.
+std::vector<RunTrace> run_other_specimens(const scene::Scene& scene, const RunResult& prototype, std::size_t count,
+                                          const RunSettings& settings);
+
+/// What a difference of an own model comes from: more than chance when twins, and other specimens, are so far from each other with a
+/// probability below this, for one of the quantities that are judged [-].
+inline constexpr double kBeyondChance = 0.05;
+
+/// One of the quantities an own model is judged by: peak velocity of the top, its residual displacement, and all losses.
+struct OwnQuantity {
+    std::string name;  ///< "peak velocity of the top"
+    QuantityCheck check;
+    std::optional<double> of_specimens;  ///< the largest of them, as QuantityCheck::of_twins [-]; nothing without any
+    bool beyond_chance = false;
+};
+
+/// An own model.
+struct OwnJudgement {
+    std::vector<OwnQuantity> quantities;
+    /// With a tolerance: all differences are within it, and so are those of twins and other specimens. Nothing without one.
+    std::optional<bool> accepted;
+};
+OwnJudgement judge_own(const PairStudy& study, const PairedRun& model);
+
+/// In words: what is off by how much, and whether that is distortion or chance; and whether it is within the tolerance.
+std::string describe_own(const PairStudy& study, const PairedRun& model);
+
+}  // namespace musim::lsdem::study

@@ -1,0 +1,79 @@
+#include "lsdem/study/own_models.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "lsdem/scene/scale_scene.hpp"
+#include "lsdem/scene/scene_error.hpp"
+#include "lsdem/study/pair_scene.hpp"
+#include "tests/study/pushed_wall.hpp"
+
+using namespace musim::lsdem;
+using namespace musim::lsdem::study;
+using musim::lsdem::tests::make_pushed_wall;
+using musim::scaling::Law;
+using musim::scaling::Similitude;
+
+namespace {
+
+ScenePair run(const scene::Scene& model, const PairSceneSettings& how, Materials materials = Materials::own) {
+    return pair_scene(make_pushed_wall(), {{.scene = model}}, materials, {.threads = 2}, how);
+}
+
+PairSceneSettings accept(double tolerance, std::size_t specimens) {
+    return {.judging = {.twins = 2, .half_step = false}, .specimens = specimens, .accept = tolerance};
+}
+
+}  // namespace
+
+TEST_CASE("a scene that is the prototype's image is its model, to the last bit at a power of four") {
+    const scene::Scene image = scene::scale_scene(make_pushed_wall(), Similitude({.length = 1.0 / 16.0}, Law::exact));
+    const ScenePair pair = run(image, {}, Materials::exact);
+    REQUIRE(pair.study.models.size() == 1);
+    CHECK(pair.study.models[0].label == "1:16");
+    CHECK(pair.study.models[0].difference.bitwise_identical);
+    CHECK(pair.study.agreement() == Agreement::agree);
+}
+
+TEST_CASE("a model that differs by nothing is accepted, unless chance alone does more") {
+    const scene::Scene same = make_pushed_wall();
+    const ScenePair alone = run(same, accept(0.01, 0));
+    const OwnJudgement accepted = judge_own(alone.study, alone.study.models[0]);
+    REQUIRE(accepted.quantities.size() == 3);
+    CHECK(accepted.accepted == true);
+    for (const OwnQuantity& quantity : accepted.quantities) {
+        CHECK(quantity.check.difference == 0.0);
+        CHECK_FALSE(quantity.of_specimens.has_value());
+        CHECK_FALSE(quantity.beyond_chance);
+    }
+    const ScenePair beside = run(same, accept(0.01, 3));
+    CHECK(beside.study.specimen_traces.size() == 3);
+    const OwnJudgement chance = judge_own(beside.study, beside.study.models[0]);
+    CHECK(chance.quantities[0].of_specimens > 0.01);
+    CHECK(chance.accepted == false);
+    CHECK(describe_own(beside.study, beside.study.models[0]).find("chance alone does more") != std::string::npos);
+}
+
+TEST_CASE("a model of a tenth of the friction is distorted, more than other specimens") {
+    scene::Scene slippery = make_pushed_wall();
+    slippery.material.friction *= 0.1;
+    const ScenePair pair = run(slippery, accept(0.05, 6));
+    const PairedRun& model = pair.study.models[0];
+    const OwnJudgement judgement = judge_own(pair.study, model);
+    CHECK(judgement.accepted == false);
+    CHECK(std::any_of(judgement.quantities.begin(), judgement.quantities.end(), [](const auto& q) { return q.beyond_chance; }));
+    CHECK(std::any_of(model.distortions.begin(), model.distortions.end(), [](const auto& d) { return d.group == "mu"; }));
+    CHECK(describe_own(pair.study, model).find("NOT accepted") != std::string::npos);
+}
+
+TEST_CASE("other structures are no models, and structures without drawn heights have no other specimens") {
+    scene::Scene taller = make_pushed_wall();
+    std::get<scene::Wall>(taller.structure).layers = 3;
+    CHECK_THROWS_AS(run(taller, {}), scene::SceneError);
+    scene::Scene even = make_pushed_wall();
+    std::get<scene::Wall>(even.structure).height_deviation = {};
+    CHECK_THROWS_AS(pair_scene(even, {{.scene = even}}, Materials::own, {}, accept(0.05, 3)), scene::SceneError);
+}
