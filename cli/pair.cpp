@@ -28,6 +28,7 @@
 namespace musim::cli {
 namespace {
 
+namespace fs = std::filesystem;
 namespace scene = lsdem::scene;
 
 struct PairOptions {
@@ -49,6 +50,7 @@ struct PairOptions {
     std::optional<Share> accept;
     bool no_half_step = false;
     bool each_alone = false;
+    Number checkpoint_interval{60.0};
     int threads = 0;
     bool json = false;
 };
@@ -229,6 +231,14 @@ int run_pair(const PairOptions& options) {
     {
         ProgressLine progress(prototype.name);
         study::RunSettings settings{.threads = options.threads, .on_progress = [&](double fraction) { progress.update(fraction); }};
+        if (folder) {
+            settings.checkpoint = study::CheckpointSettings{
+                .file = options.out,
+                .scene = scene::write_scene(prototype),
+                .program_version = kVersion,
+                .interval = options.checkpoint_interval,
+                .on_failure = [](const std::string& why) { note_at_end("musim: warning: no checkpoint: " + why); }};
+        }
         std::optional<study::LiveFile> live;
         if (folder) live.emplace(options.out, prototype.name).listen_to(settings);
         const study::PairSceneSettings how{.specimen = options.specimen == "each" ? study::PairSpecimen::each : study::PairSpecimen::one,
@@ -238,7 +248,12 @@ int run_pair(const PairOptions& options) {
                                            .accept = options.accept ? std::optional(options.accept->value) : std::nullopt};
         pair = study::pair_scene(prototype, choices, find_materials(options), settings, how);
     }
-    if (folder) write_study(*folder, *pair);
+    if (folder) {
+        if (pair->resumed) note("{}: went on from what a pair that was killed had left in {}\n", options.scene, pair->unfinished.string());
+        write_study(*folder, *pair);
+        std::error_code ignored;
+        fs::remove_all(pair->unfinished, ignored);
+    }
 
     if (options.json) {
         print_json(study::to_json(pair->study));
@@ -312,6 +327,7 @@ void add_pair_command(CLI::App& app, Action& action) {
     command->add_option("-o,--out", options->out, "Directory: a folder per run, spine.svg, departure.svg, pair.json")->type_name("DIR");
     command->add_option("--duration", options->duration, "Simulated time of the prototype [s], instead of the scene's")
         ->type_name("NUMBER");
+    add_checkpoint_interval_option(*command, options->checkpoint_interval);
     add_threads_option(*command, options->threads);
     add_json_option(*command, options->json);
     command->footer(
@@ -327,6 +343,7 @@ void add_pair_command(CLI::App& app, Action& action) {
         "Twins are the prototype in other units, or with coordinates moved by one unit in the last place: what rounding alone may do. A\n"
         "model differs when it parts from the prototype earlier than they do, or its peaks, residuals or losses lie outside their "
         "scatter.\n"
+        "With -o, specimens and runs are kept in DIR until the results are written: after a kill the same command goes on.\n"
         "Models of their own material are distorted, and their specimen is one of many: their differences are held against twins and "
         "other\n"
         "specimens of the prototype. Exit code 5: a model with exact materials differs, or nothing could be decided; 6: --accept.");

@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "lsdem/study/detail/shared_progress.hpp"
+#include "lsdem/study/kept_run.hpp"
 #include "lsdem/study/lay_specimen.hpp"
 #include "lsdem/study/pair_text.hpp"
 #include "lsdem/study/run.hpp"
@@ -61,13 +62,21 @@ std::vector<RunTrace> run_other_specimens(const scene::Scene& scene, const RunRe
         jobs.emplace_back([&, i] {
             constexpr double kLaying = 0.5;  // of the progress of one, a guess
             const scene::Scene other = with_seed(scene, seed_of(scene) + 1 + i);
-            const LaidSpecimen laid =
-                lay_specimen(other, {.threads = each, .on_preparation = [&](double part) { progress.update(i, kLaying * part); }});
+            const auto settings_of = [&](const char* what) {
+                RunSettings own{.threads = each, .checkpoint = settings.checkpoint};
+                if (own.checkpoint) own.checkpoint->file /= fmt::format("other-{}.{}", i + 1, what);
+                return own;
+            };
+            RunSettings laying = settings_of("specimen");
+            laying.on_preparation = [&](double part) { progress.update(i, kLaying * part); };
+            LaidSpecimen laid = lay_specimen(other, laying);
             TimePlan plan = make_time_plan(other, laid.specimen.model);
             plan.samples_per_frame = 0;
-            const RunSettings run{.threads = each,
-                                  .on_progress = [&](double part) { progress.update(i, kLaying + (1.0 - kLaying) * part); }};
-            traces[i] = trace_run(prototype, simulate(laid.specimen, plan, run), scaling::Similitude({}, scaling::Law::exact));
+            RunSettings running = settings_of("checkpoint");
+            running.on_progress = [&](double part) { progress.update(i, kLaying + (1.0 - kLaying) * part); };
+            const RunResult run = run_kept(laid.specimen, plan, {.rest = laid.rest}, running);
+            traces[i] = trace_run(prototype, run, scaling::Similitude({}, scaling::Law::exact));
+            progress.update(i, 1.0);
         });
     }
     scaling::run_side_by_side(jobs, available);

@@ -12,8 +12,8 @@
 namespace musim::lsdem::study {
 
 /// The prototype's scene with other seeds of its blocks' heights (the next ones), laid, shaken and held against the prototype: no workshop
-/// makes the same heights twice. As many side by side as the threads allow; results do not depend on them. Throws as lay_specimen does,
-/// and SceneError for a scene without heights to draw.
+/// makes the same heights twice. As many side by side as the threads allow; results do not depend on them. With settings.checkpoint its
+/// file is a folder, in which specimens and runs are kept. Throws as lay_specimen does, and SceneError for a scene without heights to draw.
 std::vector<RunTrace> run_other_specimens(const scene::Scene& scene, const RunResult& prototype, std::size_t count,
                                           const RunSettings& settings);
 

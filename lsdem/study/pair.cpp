@@ -1,11 +1,14 @@
 #include "lsdem/study/pair.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <functional>
 #include <thread>
 #include <utility>
 
 #include "lsdem/study/detail/shared_progress.hpp"
+#include "lsdem/study/kept_run.hpp"
 #include "lsdem/study/twin_specimen.hpp"
 #include "scaling/random_bits.hpp"
 #include "scaling/side_by_side.hpp"
@@ -25,11 +28,11 @@ struct Job {
     RunResult result = {};
 };
 
-RunResult run_member(const PairMember& member, const RunSettings& settings) {
-    Simulation simulation(member.specimen.model, member.plan.time_step, settings.threads);
-    RunStart begin;
-    begin.rest = member.specimen.settling ? settle_specimen(simulation, member.specimen) : member.rest;
-    return simulate(simulation, member.specimen, member.plan, std::move(begin), settings);
+/// Of one run, in the folder of all.
+std::optional<CheckpointSettings> checkpoint_of(const RunSettings& settings, const PairMember& member) {
+    std::optional<CheckpointSettings> own = settings.checkpoint;
+    if (own) own->file /= name_folder(member.label) + ".checkpoint";
+    return own;
 }
 
 /// Runs all, as many side by side as there are threads: separate runs need no barriers, so this beats sharing one run's blocks. Progress
@@ -46,8 +49,10 @@ void run_all(std::vector<Job>& jobs, const RunSettings& settings, double from, d
     for (std::size_t j = 0; j < jobs.size(); ++j) {
         work.emplace_back([&, j] {
             const RunSettings own{.threads = static_cast<int>(available / workers),
-                                  .on_progress = [&progress, j](double part) { progress.update(j, part); }};
-            jobs[j].result = run_member(*jobs[j].member, own);
+                                  .on_progress = [&progress, j](double part) { progress.update(j, part); },
+                                  .checkpoint = checkpoint_of(settings, *jobs[j].member)};
+            jobs[j].result = run_kept(jobs[j].member->specimen, jobs[j].member->plan, {.rest = jobs[j].member->rest}, own);
+            progress.update(j, 1.0);
         });
     }
     scaling::run_side_by_side(work, static_cast<int>(workers));
@@ -72,9 +77,9 @@ PairMember make_half_step(const PairMember& prototype) {
     return half;
 }
 
-PairMember make_twin_member(const PairMember& prototype, const TwinChoice& choice) {
+PairMember make_twin_member(const PairMember& prototype, const std::string& label, const TwinChoice& choice) {
     const scaling::Similitude similitude({.length = choice.length}, scaling::Law::exact);
-    PairMember twin{"twin", make_twin(prototype.specimen, choice), prototype.plan.scaled(similitude.time()), similitude};
+    PairMember twin{label, make_twin(prototype.specimen, choice), prototype.plan.scaled(similitude.time()), similitude};
     twin.plan.samples_per_frame = 0;
     return twin;
 }
@@ -108,9 +113,10 @@ class PairWork {
         const std::size_t first = study_.twins.size();
         std::vector<PairMember> members;
         members.reserve(count - first + 1);
-        for (std::size_t i = first; i < count; ++i) members.push_back(make_twin_member(prototype_, choices[i]));
+        for (std::size_t i = first; i < count; ++i)
+            members.push_back(make_twin_member(prototype_, fmt::format("twin {}", i + 1), choices[i]));
         const bool checks_bits = !study_.same_bits.has_value();
-        if (checks_bits) members.push_back(make_twin_member(prototype_, {.length = kExactLength}));
+        if (checks_bits) members.push_back(make_twin_member(prototype_, "quarter", {.length = kExactLength}));
         std::vector<Job> jobs;
         jobs.reserve(members.size());
         for (const PairMember& member : members) jobs.push_back({&member});

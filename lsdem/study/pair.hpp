@@ -100,7 +100,8 @@ std::vector<TwinChoice> choose_twins(std::size_t twins, std::uint64_t seed);
 
 /// Runs the prototype and the models, side by side as far as the threads allow, then twins of the prototype as far as the judgement asks
 /// for them, and judges. Specimens start as they are handed over, unless they are to settle. Results do not depend on the number of
-/// threads. `prototype.similitude` must be 1:1. Throws what Simulation throws.
+/// threads. With settings.checkpoint its file is a folder, in which every run keeps its own (run_kept). `prototype.similitude` must be 1:1.
+/// Throws what Simulation throws.
 PairStudy run_pair(const PairMember& prototype, const std::vector<PairMember>& models, Materials materials,
                    const RunSettings& settings = {}, const PairSettings& judging = {});
 

@@ -14,10 +14,13 @@
 #include "lsdem/scene/motions.hpp"
 #include "lsdem/scene/scale_scene.hpp"
 #include "lsdem/scene/scene_error.hpp"
+#include "lsdem/study/detail/content_name.hpp"
+#include "lsdem/study/ensemble_members.hpp"
 #include "lsdem/study/lay_specimen.hpp"
 #include "lsdem/study/own_models.hpp"
 #include "lsdem/study/run.hpp"
 #include "lsdem/study/scale_specimen.hpp"
+#include "lsdem/study/twin_files.hpp"
 
 namespace musim::lsdem::study {
 namespace {
@@ -153,6 +156,44 @@ ScaledScene make_scaled(const scene::Scene& prototype, const ModelChoice& choice
     return materials == Materials::exact ? scale_by_law(prototype, choice) : scale_with_own(prototype, choice);
 }
 
+/// Where specimens and runs of a pair are kept until its results are.
+class KeptPair {
+  public:
+    KeptPair(const scene::Scene& prototype, const std::vector<ScaledScene>& models, Materials materials, const PairSceneSettings& how,
+             const RunSettings& settings) {
+        if (!settings.checkpoint) return;
+        // scenes are named by the files that they name, too; the number of twins decides on no run
+        const std::string& version = settings.checkpoint->program_version;
+        std::string all = make_member(prototype, version).name;
+        for (const ScaledScene& model : models) {
+            const Similitude& s = model.similitude;
+            all +=
+                fmt::format(" {} {} {} {} {}", make_member(model.scene, version).name, s.length(), s.friction(), s.gravity(), s.density());
+        }
+        all += fmt::format(" {} {} {}", to_string(materials), how.specimen == PairSpecimen::one, how.judging.seed);
+        folder_ = settings.checkpoint->file / ("unfinished-" + detail::name_content(all));
+        resumed_ = std::filesystem::exists(folder_);
+        make_folder(folder_);
+    }
+    const std::filesystem::path& folder() const { return folder_; }
+    bool resumed() const { return resumed_; }
+    /// Of laying one specimen.
+    RunSettings settings_of(const std::string& label, RunSettings settings) const {
+        return with_file(std::move(settings), folder_ / (name_folder(label) + ".specimen"));
+    }
+    /// Of what keeps its runs in the folder itself.
+    RunSettings settings_of_all(RunSettings settings) const { return with_file(std::move(settings), folder_); }
+
+  private:
+    RunSettings with_file(RunSettings settings, const std::filesystem::path& file) const {
+        if (!folder_.empty()) settings.checkpoint->file = file;
+        return settings;
+    }
+
+    std::filesystem::path folder_;
+    bool resumed_ = false;
+};
+
 /// Runs other specimens of the prototype for its own models, when heights are drawn, after the pair itself. What there is to run counts
 /// in runs for the progress, and a specimen that is laid first as two.
 class OtherSpecimens {
@@ -187,11 +228,10 @@ class OtherSpecimens {
 };
 
 /// A scene at its own scale, laid, that steps as its own stiffness asks.
-PairMember make_member(const std::string& label, const scene::Scene& scene, const Similitude& similitude, const RunSettings& settings,
-                       const std::vector<scaling::Distortion>& distortions = {}, const std::string& material = {}) {
+PairMember lay_member(const std::string& label, const scene::Scene& scene, const Similitude& similitude, const RunSettings& settings) {
     LaidSpecimen laid = lay_specimen(scene, settings);
     const TimePlan plan = make_time_plan(scene, laid.specimen.model);
-    return {label, std::move(laid.specimen), plan, similitude, distortions, laid.rest, material};
+    return {label, std::move(laid.specimen), plan, similitude, {}, laid.rest};
 }
 
 PairMember make_image(const PairMember& prototype, const std::string& label, const ScaledScene& scaled) {
@@ -214,33 +254,47 @@ std::string make_scale_label(double length) {
 ScenePair pair_scene(const scene::Scene& prototype, const std::vector<ModelChoice>& models, Materials materials,
                      const RunSettings& settings, const PairSceneSettings& how) {
     scene::require_single_motion(prototype, "a pair");
-    const PairMember original = make_member("prototype", prototype, Similitude({}, scaling::Law::exact), settings);
-    const RunSettings laying{.threads = settings.threads};
+    std::vector<ScaledScene> scaled_scenes;
+    for (const ModelChoice& choice : models) scaled_scenes.push_back(make_scaled(prototype, choice, materials));
+    const KeptPair kept(prototype, scaled_scenes, materials, how, settings);
+    const PairMember original =
+        lay_member("prototype", prototype, Similitude({}, scaling::Law::exact), kept.settings_of("prototype", settings));
+    const RunSettings plain{.threads = settings.threads, .checkpoint = settings.checkpoint};
 
-    ScenePair pair{.prototype = prototype, .models = {}, .scales = find_motion_scales(original.specimen), .study = {}};
+    ScenePair pair{.prototype = prototype,
+                   .models = {},
+                   .scales = find_motion_scales(original.specimen),
+                   .study = {},
+                   .unfinished = kept.folder(),
+                   .resumed = kept.resumed()};
     std::vector<PairMember> members, lone_members;
     std::vector<std::vector<LoneScene>> lone_scenes;
-    for (const ModelChoice& choice : models) {
-        ScaledScene scaled = make_scaled(prototype, choice, materials);
+    for (std::size_t m = 0; m < models.size(); ++m) {
+        const ModelChoice& choice = models[m];
+        ScaledScene& scaled = scaled_scenes[m];
         const std::string label = make_label(scaled.similitude.length(), members);
+        const auto lay = [&](const std::string& name, const scene::Scene& scene, const Similitude& similitude) {
+            return lay_member(name, scene, similitude, kept.settings_of(name, plain));
+        };
         const bool has_image = !choice.scene && materials == Materials::exact && scaled.similitude.law() == scaling::Law::exact;
-        members.push_back(has_image && how.specimen == PairSpecimen::one
-                              ? make_image(original, label, scaled)
-                              : make_member(label, scaled.scene, scaled.similitude, laying, scaled.distortions, scaled.material));
+        members.push_back(has_image && how.specimen == PairSpecimen::one ? make_image(original, label, scaled)
+                                                                         : lay(label, scaled.scene, scaled.similitude));
+        members.back().distortions = scaled.distortions;
+        members.back().material = scaled.material;
         if (choice.scene) require_same_structure(original.specimen, members.back().specimen, choice.scene->name);
         // an exact model steps as its prototype does
         if (materials == Materials::exact) members.back().plan = original.plan.scaled(scaled.similitude.time());
         const bool alone = how.each_alone && materials == Materials::own && !choice.scene;
         lone_scenes.push_back(alone ? find_lone_scenes(prototype, scaled) : std::vector<LoneScene>{});
         for (const LoneScene& lone : lone_scenes.back()) {
-            lone_members.push_back(make_member(label + ", " + lone.property, lone.scene, lone.similitude, laying));
+            lone_members.push_back(lay(label + ", " + lone.property, lone.scene, lone.similitude));
         }
         pair.models.push_back(std::move(scaled.scene));
     }
     members.insert(members.end(), std::make_move_iterator(lone_members.begin()), std::make_move_iterator(lone_members.end()));
     const OtherSpecimens others(prototype, materials, how, members.size() + kMostTwins);
-    pair.study = run_pair(original, members, materials, others.settings_of_pair(settings), how.judging);
-    pair.study.specimen_traces = others.run(pair.study.prototype, settings);
+    pair.study = run_pair(original, members, materials, others.settings_of_pair(kept.settings_of_all(settings)), how.judging);
+    pair.study.specimen_traces = others.run(pair.study.prototype, kept.settings_of_all(settings));
     pair.study.tolerance = how.accept;
 
     // the runs beside the models go to the models they belong to

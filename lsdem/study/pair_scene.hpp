@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -44,6 +45,9 @@ struct ScenePair {
     std::vector<scene::Scene> models;  ///< in the order of PairStudy::models
     MotionScales scales;               ///< of the prototype
     PairStudy study;
+    /// With settings.checkpoint: the folder in which specimens and runs were kept, for whoever stores the results to remove then.
+    std::filesystem::path unfinished = {};
+    bool resumed = false;  ///< it was there already
 };
 
 /// Name of a scale: "1:107", or "x0.3" when it is no whole fraction.
@@ -58,6 +62,9 @@ std::string make_scale_label(double length);
 /// model has runs beside it that tell what each property of its material that differs does alone (PairedRun::alone): stiffnesses and
 /// restitution in a model that is exact otherwise, friction with the base motion of the mu law. Throws scene::SceneError (also for an
 /// unknown material, a scale without one, a model of another structure), scaling::SimilitudeError, records::ReadError.
+///
+/// With settings.checkpoint its file is the folder of the results: specimens and runs are kept in a folder there that is named by all that
+/// decides on them, so that the same pair, begun again after it was killed, goes on.
 ScenePair pair_scene(const scene::Scene& prototype, const std::vector<ModelChoice>& models, Materials materials,
                      const RunSettings& settings = {}, const PairSceneSettings& how = {});
 

@@ -176,3 +176,22 @@ TEST_CASE("usage of --resume and --checkpoint-interval is checked") {
     }
     CHECK(here.run("run scene.json --checkpoint-interval 1/2").exit_code == 0);
 }
+
+TEST_CASE("a pair that is killed and begun again has the results of one that was not, and leaves nothing else") {
+    const Workplace here;
+    here.write("scene.json", make_scene(kSine));
+    const std::string pair = "pair scene.json --length 1/25 --twins 2 --threads 1 -o ";
+    REQUIRE(here.run(pair + "whole").exit_code == 0);
+    here.kill_halfway(pair + "out --checkpoint-interval 0", "ls out/unfinished-*/1-25.checkpoint", ":");
+    REQUIRE_FALSE(here.has("out/pair.json"));
+    const Outcome outcome = here.run(pair + "out");
+    CHECK(outcome.exit_code == 0);
+    CHECK(outcome.err.find("went on") != std::string::npos);
+    CHECK(here.read("out/1-25/result.h5") == here.read("whole/1-25/result.h5"));
+    auto resumed = nlohmann::json::parse(here.read("out/pair.json")), whole = nlohmann::json::parse(here.read("whole/pair.json"));
+    for (auto* pairs : {&resumed, &whole}) {
+        for (auto& run : (*pairs)["runs"]) run.erase("wall_s");
+    }
+    CHECK(resumed == whole);
+    CHECK(here.count("out") == here.count("whole"));
+}
