@@ -8,10 +8,7 @@
 #include <thread>
 
 #include "lsdem/study/detail/shared_progress.hpp"
-#include "lsdem/study/kept_run.hpp"
-#include "lsdem/study/lay_specimen.hpp"
 #include "lsdem/study/pair_text.hpp"
-#include "lsdem/study/run.hpp"
 #include "lsdem/study/specimen_batch.hpp"
 #include "scaling/side_by_side.hpp"
 
@@ -69,13 +66,12 @@ std::vector<RunTrace> run_other_specimens(const scene::Scene& scene, const RunRe
             };
             RunSettings laying = settings_of("specimen");
             laying.on_preparation = [&](double part) { progress.update(i, kLaying * part); };
-            LaidSpecimen laid = lay_specimen(other, laying);
-            TimePlan plan = make_time_plan(other, laid.specimen.model);
-            plan.samples_per_frame = 0;
+            PairMember member = lay_member("other", other, scaling::Similitude({}, scaling::Law::exact), laying);
+            drop_frames(member);
             RunSettings running = settings_of("checkpoint");
             running.on_progress = [&](double part) { progress.update(i, kLaying + (1.0 - kLaying) * part); };
-            const RunResult run = run_kept(laid.specimen, plan, {.rest = laid.rest}, running);
-            traces[i] = trace_run(prototype, run, scaling::Similitude({}, scaling::Law::exact));
+            const RunResult run = run_member(member, running);
+            traces[i] = trace_run(prototype, run, member.similitude);
             progress.update(i, 1.0);
         });
     }

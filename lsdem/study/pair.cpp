@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "lsdem/study/detail/shared_progress.hpp"
-#include "lsdem/study/kept_run.hpp"
 #include "lsdem/study/twin_specimen.hpp"
 #include "scaling/random_bits.hpp"
 #include "scaling/side_by_side.hpp"
@@ -51,7 +50,7 @@ void run_all(std::vector<Job>& jobs, const RunSettings& settings, double from, d
             const RunSettings own{.threads = static_cast<int>(available / workers),
                                   .on_progress = [&progress, j](double part) { progress.update(j, part); },
                                   .checkpoint = checkpoint_of(settings, *jobs[j].member)};
-            jobs[j].result = run_kept(jobs[j].member->specimen, jobs[j].member->plan, {.rest = jobs[j].member->rest}, own);
+            jobs[j].result = run_member(*jobs[j].member, own);
             progress.update(j, 1.0);
         });
     }
@@ -71,16 +70,17 @@ PairedRun compare(const RunResult& prototype, const PairMember& member, RunResul
 PairMember make_half_step(const PairMember& prototype) {
     PairMember half = prototype;
     half.label = "half step";
-    half.plan.time_step *= 0.5;
-    half.plan.steps_per_sample *= 2;
-    half.plan.samples_per_frame = 0;
+    half.plan = half.plan.with_finer_step(2);
+    if (half.staged) half.staged = half.staged->with_finer_step(2);
+    drop_frames(half);
     return half;
 }
 
 PairMember make_twin_member(const PairMember& prototype, const std::string& label, const TwinChoice& choice) {
     const scaling::Similitude similitude({.length = choice.length}, scaling::Law::exact);
-    PairMember twin{label, make_twin(prototype.specimen, choice), prototype.plan.scaled(similitude.time()), similitude};
-    twin.plan.samples_per_frame = 0;
+    PairMember twin = make_image(prototype, label, similitude);
+    twin.specimen = make_twin(prototype.specimen, choice);
+    drop_frames(twin);
     return twin;
 }
 
@@ -172,11 +172,6 @@ bool is_decided(const PairStudy& study) {
 }
 
 }  // namespace
-
-std::string name_folder(std::string label) {
-    std::replace(label.begin(), label.end(), ':', '-');
-    return label;
-}
 
 std::string to_string(Materials materials) { return materials == Materials::exact ? "exact" : "own"; }
 

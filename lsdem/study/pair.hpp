@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lsdem/study/compare_runs.hpp"
+#include "lsdem/study/pair_member.hpp"
 #include "lsdem/study/simulate.hpp"
 #include "lsdem/study/twin_growth.hpp"
 #include "lsdem/study/yardstick.hpp"
@@ -15,25 +16,11 @@
 
 namespace musim::lsdem::study {
 
-/// The folder of a model's results: its label, ':' written '-'.
-std::string name_folder(std::string label);
-
 /// Whether a model's material is the prototype's, scaled so that every group is equal, or its own measured one.
 enum class Materials { exact, own };
 
 /// "exact" or "own".
 std::string to_string(Materials materials);
-
-/// A run to be compared with its prototype's.
-struct PairMember {
-    std::string label;  ///< "1:107"; also names its folder, ':' written '-'
-    Specimen specimen;
-    TimePlan plan;                                      ///< with the prototype's sample counts
-    scaling::Similitude similitude;                     ///< of this specimen to the prototype
-    std::vector<scaling::Distortion> distortions = {};  ///< requirements the specimen does not meet
-    std::optional<Rest> rest = {};                      ///< how its specimen came to rest before it was handed over
-    std::string material = {};                          ///< of a model of its own material: its name
-};
 
 /// What one property of a model's own material does alone.
 struct LoneDistortion {
@@ -100,8 +87,8 @@ std::vector<TwinChoice> choose_twins(std::size_t twins, std::uint64_t seed);
 
 /// Runs the prototype and the models, side by side as far as the threads allow, then twins of the prototype as far as the judgement asks
 /// for them, and judges. Specimens start as they are handed over, unless they are to settle. Results do not depend on the number of
-/// threads. With settings.checkpoint its file is a folder, in which every run keeps its own (run_kept). `prototype.similitude` must be 1:1.
-/// Throws what Simulation throws.
+/// threads. With settings.checkpoint its file is a folder, in which every run keeps its own (run_member). `prototype.similitude` must be
+/// 1:1. Throws what Simulation throws.
 PairStudy run_pair(const PairMember& prototype, const std::vector<PairMember>& models, Materials materials,
                    const RunSettings& settings = {}, const PairSettings& judging = {});
 

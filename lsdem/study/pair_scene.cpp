@@ -88,7 +88,7 @@ double strength(const scene::Scene& scene) {
 
 /// A scene of its own as a model: it runs as long as the prototype does, and is sampled at the same dimensionless times.
 ScaledScene take_as_model(const scene::Scene& prototype, const scene::Scene& model) {
-    scene::require_single_motion(model, "a pair");
+    for (const scene::Scene* scene : {&prototype, &model}) scene::require_single_motion(*scene, "a pair of two scenes");
     const auto of_prototype = scene::reference_block(prototype), of_model = scene::reference_block(model);
     const scaling::ScaleFactors factors{.length = of_model[2] / of_prototype[2],
                                         .friction = model.material.friction / prototype.material.friction,
@@ -227,22 +227,6 @@ class OtherSpecimens {
     double share_ = 1.0;
 };
 
-/// A scene at its own scale, laid, that steps as its own stiffness asks.
-PairMember lay_member(const std::string& label, const scene::Scene& scene, const Similitude& similitude, const RunSettings& settings) {
-    LaidSpecimen laid = lay_specimen(scene, settings);
-    const TimePlan plan = make_time_plan(scene, laid.specimen.model);
-    return {label, std::move(laid.specimen), plan, similitude, {}, laid.rest};
-}
-
-PairMember make_image(const PairMember& prototype, const std::string& label, const ScaledScene& scaled) {
-    return {label,
-            scale_specimen(prototype.specimen, scaled.similitude),
-            prototype.plan.scaled(scaled.similitude.time()),
-            scaled.similitude,
-            scaled.distortions,
-            prototype.rest};
-}
-
 }  // namespace
 
 std::string make_scale_label(double length) {
@@ -253,7 +237,6 @@ std::string make_scale_label(double length) {
 
 ScenePair pair_scene(const scene::Scene& prototype, const std::vector<ModelChoice>& models, Materials materials,
                      const RunSettings& settings, const PairSceneSettings& how) {
-    scene::require_single_motion(prototype, "a pair");
     std::vector<ScaledScene> scaled_scenes;
     for (const ModelChoice& choice : models) scaled_scenes.push_back(make_scaled(prototype, choice, materials));
     const KeptPair kept(prototype, scaled_scenes, materials, how, settings);
@@ -277,7 +260,7 @@ ScenePair pair_scene(const scene::Scene& prototype, const std::vector<ModelChoic
             return lay_member(name, scene, similitude, kept.settings_of(name, plain));
         };
         const bool has_image = !choice.scene && materials == Materials::exact && scaled.similitude.law() == scaling::Law::exact;
-        members.push_back(has_image && how.specimen == PairSpecimen::one ? make_image(original, label, scaled)
+        members.push_back(has_image && how.specimen == PairSpecimen::one ? make_image(original, label, scaled.similitude)
                                                                          : lay(label, scaled.scene, scaled.similitude));
         members.back().distortions = scaled.distortions;
         members.back().material = scaled.material;

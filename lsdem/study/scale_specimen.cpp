@@ -106,4 +106,10 @@ Specimen scale_specimen(const Specimen& specimen, const scaling::Similitude& sim
     return image;
 }
 
+std::array<BaseComponent, 3> scale_motion(std::array<BaseComponent, 3> motion, const scaling::Similitude& similitude) {
+    const Scaler scaler(similitude);
+    for (BaseComponent& component : motion) scaler.scale_parts(component);
+    return motion;
+}
+
 }  // namespace musim::lsdem::study

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "lsdem/study/simulate.hpp"
 #include "scaling/similitude.hpp"
 
@@ -20,5 +22,8 @@ namespace musim::lsdem::study {
 /// Throws scaling::SimilitudeError for a similitude of another law than `exact`: by any other law a specimen has no image, since friction,
 /// gravity or the contacts are another part of its weight.
 Specimen scale_specimen(const Specimen& specimen, const scaling::Similitude& similitude);
+
+/// The image of a motion of the base.
+std::array<BaseComponent, 3> scale_motion(std::array<BaseComponent, 3> motion, const scaling::Similitude& similitude);
 
 }  // namespace musim::lsdem::study

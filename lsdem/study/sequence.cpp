@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
@@ -16,6 +15,7 @@
 #include "lsdem/study/read_results.hpp"
 #include "lsdem/study/run.hpp"
 #include "lsdem/study/sequence_plan.hpp"
+#include "lsdem/study/staged_run.hpp"
 #include "lsdem/study/write_results.hpp"
 
 namespace musim::lsdem::study {
@@ -27,25 +27,6 @@ using Clock = std::chrono::steady_clock;
 /// What coming to rest after a stage counts in the progress of a sequence, in lengths of that stage. A guess: a structure that has tilted
 /// sways for long.
 constexpr double kQuietWorth = 0.5;
-
-/// What the next stage takes over from one that has reached its end. `quiet`: how it came to rest between them; nothing when it did not.
-RunStart pass_on(const Simulation& simulation, const TimePlan& plan, std::size_t stage, const RunResult& run,
-                 const std::optional<QuietEnd>& quiet) {
-    RunStart next;
-    next.origin =
-        run.origin ? *run.origin : StageOrigin{.stage = 0, .position = run.initial.position, .orientation = run.initial.orientation};
-    next.origin->stage = stage + 1;
-    next.origin->time += plan.duration();
-    next.origin->base += quiet ? quiet->moved : simulation.base().displacement;
-    next.falls = run.falls;
-    // on the clock of the next stage: before its start, at the latest in the quiet phase
-    for (double& time : next.falls.time) time = std::isnan(time) ? time : std::min(time - plan.duration(), 0.0);
-    if (quiet) {
-        next.rest = quiet->rest;
-        next.wall_time = quiet->wall_time;
-    }
-    return next;
-}
 
 /// How its specimen is prepared and where its checkpoints go.
 RunSettings find_run_settings(const scene::Scene& scene, const SequenceSettings& settings) {

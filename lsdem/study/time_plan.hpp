@@ -20,6 +20,14 @@ struct TimePlan {
         plan.time_step = time_step * time_factor;
         return plan;
     }
+
+    /// The same samples, with so many times the steps.
+    TimePlan with_finer_step(std::uint64_t times) const {
+        TimePlan plan = *this;
+        plan.time_step = time_step / static_cast<double>(times);
+        plan.steps_per_sample *= times;
+        return plan;
+    }
 };
 
 }  // namespace musim::lsdem::study
