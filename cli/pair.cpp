@@ -15,6 +15,7 @@
 #include "cli/progress_line.hpp"
 #include "cli/report.hpp"
 #include "cli/version.hpp"
+#include "lsdem/scene/scene_error.hpp"
 #include "lsdem/scene/scene_json.hpp"
 #include "lsdem/study/departure_plot.hpp"
 #include "lsdem/study/live_file.hpp"
@@ -109,6 +110,10 @@ std::vector<study::ModelChoice> make_choices(const PairOptions& options) {
 
 scene::Scene make_prototype(const PairOptions& options) {
     scene::Scene prototype = read_scene(options.scene);
+    if (!prototype.motions.empty() && (options.duration || !options.record.empty())) {
+        throw scene::SceneError(fmt::format("{}: it has a list of motions, each with its own duration; leave {} out", options.scene,
+                                            options.duration ? "--duration" : "--record"));
+    }
     if (!options.record.empty()) {
         const std::vector<std::string> steps = study::use_record(prototype, options.record, parse_components(options.components));
         for (const std::string& step : steps) note("{}: {}\n", options.record, step);

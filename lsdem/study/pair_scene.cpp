@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <iterator>
 #include <optional>
+#include <system_error>
 #include <utility>
 
 #include "lsdem/scene/block_heights.hpp"
@@ -174,6 +175,13 @@ class KeptPair {
         folder_ = settings.checkpoint->file / ("unfinished-" + detail::name_content(all));
         resumed_ = std::filesystem::exists(folder_);
         make_folder(folder_);
+    }
+    KeptPair(const KeptPair&) = delete;
+    KeptPair& operator=(const KeptPair&) = delete;
+    /// Nothing is left of a pair that left nothing.
+    ~KeptPair() {
+        std::error_code not_empty;
+        if (!folder_.empty()) std::filesystem::remove(folder_, not_empty);
     }
     const std::filesystem::path& folder() const { return folder_; }
     bool resumed() const { return resumed_; }

@@ -129,6 +129,7 @@ Yardstick::Yardstick(const RunResult& prototype, std::vector<RunTrace> twins)
     : twins_(std::move(twins)), prototype_(find_quantities(prototype, scaling::Similitude({}, scaling::Law::exact))) {
     samples_ = prototype.history.samples();
     interval_ = samples_ > 1 ? prototype.history.time[1] - prototype.history.time[0] : 0.0;
+    if (samples_ > 1) steps_per_sample_ = static_cast<double>(prototype.steps) / static_cast<double>(samples_ - 1);
     const double peak = find_peak(prototype);
     moves_ = peak > 0.0;
     lively_ = find_lively(prototype, peak);
@@ -158,16 +159,28 @@ Yardstick::Scatter Yardstick::scatter(std::size_t sample) const {
 
 Agreement Yardstick::ImageLead::agreement() const { return judge_lead(lead); }
 
+double Yardstick::find_flight_allowance() const {
+    const auto has_parted = [&](std::size_t sample) {
+        return std::any_of(twins_.begin(), twins_.end(), [&](const RunTrace& twin) {
+            return !twin.image && twin.running[std::min(sample, twin.running.size() - 1)] > 0.0;
+        });
+    };
+    std::size_t last = 0;
+    while (last < horizon_ && !has_parted(last + 1)) ++last;
+    const double steps = static_cast<double>(last) * steps_per_sample_;
+    return steps > 1.0 ? 0.5 * std::log10(steps) : 0.0;
+}
+
 std::optional<Yardstick::ImageLead> Yardstick::lead_of_images() const {
     const auto images = static_cast<double>(std::count_if(twins_.begin(), twins_.end(), [](const RunTrace& twin) { return twin.image; }));
     const double copies = static_cast<double>(twins_.size()) - images;
     if (images < 1.0 || copies < 1.0) return std::nullopt;
-    const double sd = kPooledScatter * std::sqrt(1.0 / images + 1.0 / copies);
+    const double sd = kPooledScatter * std::sqrt(1.0 / images + 1.0 / copies), flight = find_flight_allowance();
     ImageLead most;
     for (std::size_t k = 0; k <= horizon_; ++k) {
         double of_images = 0.0, of_copies = 0.0;
         for (const RunTrace& twin : twins_) (twin.image ? of_images : of_copies) += logarithm(twin, k);
-        const double lead = (of_images / images - of_copies / copies) / sd;
+        const double lead = (of_images / images - of_copies / copies - flight) / sd;
         if (lead > most.lead) most = {lead, time_of(k)};
     }
     return most;

@@ -115,6 +115,10 @@ class Yardstick {
   private:
     double time_of(std::size_t sample) const { return static_cast<double>(sample) * interval_; }
     double logarithm(const RunTrace& run, std::size_t sample) const;
+    /// By how much log10 R of images may be higher: blocks that fly free round alike in prototype and copies, in images anew at each of n
+    /// steps, which adds up as √n. n: up to the last sample at which the copies still move in the
+    /// prototype's bits.
+    double find_flight_allowance() const;
     double find_scale(std::size_t family) const;  ///< the largest value that the prototype has on any level
     /// What is held against the twins: the logarithm of a value; of a number of blocks that of one more.
     double measure(std::size_t family, double value) const;
@@ -126,7 +130,8 @@ class Yardstick {
     std::vector<RunTrace> twins_;
     std::vector<QuantityFamily> prototype_;
     double interval_ = 0.0;  ///< between samples [s]
-    double floor_ = 0.0;     ///< what rounding of a position makes of R within a step [-]
+    double steps_per_sample_ = 0.0;
+    double floor_ = 0.0;  ///< what rounding of a position makes of R within a step [-]
     std::size_t samples_ = 0, horizon_ = 0, lively_ = 0;
     bool parted_ = false, moves_ = false;
 };

@@ -124,12 +124,15 @@ TEST_CASE("a stage that diverges ends the sequence with its own exit code and is
 TEST_CASE("commands that take one motion name the one that takes a list") {
     const Workplace here;
     here.write("scene.json", make_scene());
-    for (const std::string command : {"run scene.json", "run scene.json --duration 1", "pair scene.json --length 1/4 -o out"}) {
+    for (const std::string command : {"run scene.json", "run scene.json --duration 1"}) {
         const Outcome outcome = here.run(command);
         CHECK(outcome.exit_code == 3);
         CHECK_MESSAGE(outcome.has_one_error_line(), outcome.err);
         CHECK_MESSAGE(outcome.err.find("use `musim sequence`") != std::string::npos, outcome.err);
     }
+    const Outcome duration = here.run("pair scene.json --duration 1");
+    CHECK(duration.exit_code == 3);
+    CHECK_MESSAGE(duration.has_one_error_line(), duration.err);
     std::string uneven = make_scene();
     uneven.replace(uneven.find("\"layers\": 2"), 11, R"("layers": 2, "height_deviation": "0.1 mm")");
     here.write("uneven.json", uneven);
