@@ -3,6 +3,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 /// Parts of files that may be missing, null, or of another kind than is expected, in files that are damaged or of another version.
 namespace musim::lsdem::report {
@@ -24,6 +25,17 @@ inline nlohmann::json find_list(const nlohmann::json& object, const std::string&
     const nlohmann::json* part = find_part(object, key);
     return part != nullptr && part->is_array() ? *part : nlohmann::json::array();
 }
+
+/// Of a list; not a number where an entry is none.
+inline std::vector<double> to_numbers(const nlohmann::json& list) {
+    std::vector<double> numbers;
+    if (!list.is_array()) return numbers;
+    for (const nlohmann::json& entry : list) {
+        numbers.push_back(entry.is_number() ? entry.get<double>() : std::numeric_limits<double>::quiet_NaN());
+    }
+    return numbers;
+}
+inline std::vector<double> find_numbers(const nlohmann::json& object, const std::string& key) { return to_numbers(find_list(object, key)); }
 
 inline double find_number(const nlohmann::json& object, const std::string& key,
                           double fallback = std::numeric_limits<double>::quiet_NaN()) {

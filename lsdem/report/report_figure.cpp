@@ -69,6 +69,10 @@ ReportFigure make_figure(const std::string& name, const study::LinePlot& plot) {
         for (std::size_t i = 0; i < series.x.size(); ++i) {
             fmt::format_to(std::back_inserter(figure.csv), "{},{},{}\n", records::csv_cell(series.label), series.x[i], series.y[i]);
         }
+        for (std::size_t i = 0; i < series.y_low.size(); ++i) {
+            fmt::format_to(std::back_inserter(figure.csv), "{},{},{}\n", records::csv_cell(series.label + ", lower edge"), series.x[i],
+                           series.y_low[i]);
+        }
         figure.twin.rows.push_back(describe_series(series));
     }
     return figure;

@@ -7,7 +7,9 @@
 #include <cmath>
 #include <functional>
 
+#include "lsdem/report/json_parts.hpp"
 #include "lsdem/report/level_tilts.hpp"
+#include "lsdem/study/departure_plot.hpp"
 #include "lsdem/study/spine_plot.hpp"
 #include "scaling/angle.hpp"
 
@@ -98,9 +100,22 @@ bool samples_alike(const ReportedRun& a, const ReportedRun& b) {
     return std::abs(second.time[last] / b.time - first.time[last] / a.time) < 1e-3 * interval / a.time;
 }
 
+/// About the first run, when the band is of the same curves.
+void add_twin_band(study::StackedPlot& plot, const nlohmann::json& band, int axis, double velocity) {
+    std::vector<std::vector<double>> spread;
+    for (const nlohmann::json& row : find_list(band, "half_width_m_s")) {
+        std::vector<double>& widths = spread.emplace_back(to_numbers(row));
+        if (widths.size() != plot.runs.front().x.size()) return;
+        for (double& width : widths) width *= velocity;
+    }
+    if (find_number(band, "axis") != axis || spread.size() != plot.row_labels.size()) return;
+    plot.runs.front().spread = std::move(spread);
+    plot.runs.front().label += ", band of its twins";
+}
+
 }  // namespace
 
-std::optional<ReportFigure> make_spine_figure(const std::vector<ReportedRun>& runs) {
+std::optional<ReportFigure> make_spine_figure(const std::vector<ReportedRun>& runs, const nlohmann::json& pair) {
     const ReportedRun& first = runs.front();
     if (first.run.spine.size() == 0 || first.run.history.samples() < 2) return std::nullopt;
     const int axis = study::find_strongest_axis(first.run.history);
@@ -132,7 +147,23 @@ std::optional<ReportFigure> make_spine_figure(const std::vector<ReportedRun>& ru
         }
         plot.runs.push_back(std::move(curves));
     }
+    add_twin_band(plot, find_object(pair, "twins_band"), axis, velocity);
     return make_figure("spine_velocity", plot);
+}
+
+std::optional<ReportFigure> make_departure_figure(const nlohmann::json& pair, const std::string& name) {
+    const nlohmann::json kept = find_object(pair, "departure");
+    study::Departure departure{.time = find_numbers(kept, "time_s"),
+                               .models = {},
+                               .twins = static_cast<std::size_t>(std::max(0.0, find_number(kept, "twins", 0.0))),
+                               .twins_low = find_numbers(kept, "twins_low"),
+                               .twins_high = find_numbers(kept, "twins_high")};
+    for (const nlohmann::json& model : find_list(kept, "models")) {
+        departure.models.push_back({find_text(model, "label"), find_numbers(model, "largest_difference")});
+    }
+    if (departure.time.empty()) return std::nullopt;
+    if (const double horizon = find_number(kept, "horizon_s"); std::isfinite(horizon)) departure.horizon = horizon;
+    return make_figure("departure", study::make_departure_plot(departure, name));
 }
 
 std::optional<ReportFigure> make_difference_figure(const std::vector<ReportedRun>& runs) {

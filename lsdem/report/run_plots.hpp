@@ -10,7 +10,12 @@ namespace musim::lsdem::report {
 
 /// Velocities of the spine along the strongest axis of the first run, all runs scaled back to it: cm/s over s, or v/√(μ g l) over t √(μ
 /// g/l) when they are of several scales; at most ten levels, the lowest at the bottom, as Fig. 8 of [Harmon23]. Nothing without a spine.
-std::optional<ReportFigure> make_spine_figure(const std::vector<ReportedRun>& runs);
+/// `pair`: of pair.json, whose twins are a band about the first run; any other object draws none.
+std::optional<ReportFigure> make_spine_figure(const std::vector<ReportedRun>& runs, const nlohmann::json& pair = {});
+
+/// How models and twins of a pair depart from their prototype (study::make_departure_plot). Nothing for a pair.json of versions before it
+/// was kept.
+std::optional<ReportFigure> make_departure_figure(const nlohmann::json& pair, const std::string& name);
 
 /// Of each model against the first run: √(Σ_s |v/λ_v − v_P|²)/√(max_t Σ_s |v_P|²) over time, s the blocks of the spine. Models that
 /// never differ are left out, and those that sample at other dimensionless times; nothing when none is left.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
@@ -100,9 +101,11 @@ std::string make_specimen_verdict(const ReportedSpecimen& reported) {
     return make_statement(Tone::good, fmt::format("{}; the largest tilt is {:.3g}°", what, largest / scaling::kDegree));
 }
 
-ReportSection make_spine_section(const std::vector<ReportedRun>& runs) {
+ReportSection make_spine_section(const ReportContent& content) {
     ReportSection section{.id = "spine", .title = "Motion of the spine", .html = {}};
-    for (std::optional<ReportFigure> figure : {make_spine_figure(runs), make_difference_figure(runs)}) {
+    std::optional<ReportFigure> departure = make_departure_figure(content.summary, content.title);
+    if (!departure) departure = make_difference_figure(content.runs);
+    for (std::optional<ReportFigure>& figure : std::array{make_spine_figure(content.runs, content.summary), std::move(departure)}) {
         if (figure) section.figures.push_back(std::move(*figure));
     }
     return section;
@@ -203,7 +206,7 @@ ReportSection make_overview_section(const ReportContent& content) {
 std::vector<ReportSection> make_run_sections(const ReportContent& content) {
     const std::vector<ReportedRun>& runs = content.runs;
     ReportSection profiles{.id = "profiles", .title = "What it left, level by level", .html = {}, .figures = make_profile_figures(runs)};
-    return {make_spine_section(runs), make_speed_section(runs), std::move(profiles), make_energy_section(runs)};
+    return {make_spine_section(content), make_speed_section(runs), std::move(profiles), make_energy_section(runs)};
 }
 
 }  // namespace musim::lsdem::report

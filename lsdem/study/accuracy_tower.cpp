@@ -5,11 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 
-#include "lsdem/block_height.hpp"
 #include "lsdem/scene/base_components.hpp"
 #include "lsdem/scene/build_model.hpp"
+#include "lsdem/study/equilibrium.hpp"
 #include "lsdem/study/simulate.hpp"
 #include "lsdem/time_step.hpp"
 #include "records/synthetic.hpp"
@@ -85,32 +84,17 @@ std::vector<double> find_peak_times(const BaseComponent& motion, double apart) {
     return times;
 }
 
-/// Lowers every course by what the weight above presses its joints together; the area of a joint is what the courses cover of each other,
-/// all but the gaps.
-void let_settle(Model& model, const std::vector<int>& layer) {
-    std::map<int, double> mass, area;
-    for (std::size_t b = 0; b < model.blocks.size(); ++b) {
-        mass[layer[b]] += model.blocks[b].mass;
-        const Vector3 half = half_extents(model, model.blocks[b]);
-        area[layer[b]] += 4.0 * half.x() * half.y();
-    }
-    const double stiffness = model.materials.front().normal_stiffness;
-    std::map<int, double> sunk;
-    double above = 0.0, total = 0.0;
-    for (const auto& [course, m] : mass) above += m;
-    double below_area = 0.0;
-    for (const auto& [course, m] : mass) {
-        const double joint = below_area > 0.0 ? std::min(below_area, area[course]) : area[course];
-        total += above * model.gravity.norm() / (stiffness * joint);
-        sunk[course] = total;
-        above -= m;
-        below_area = area[course];
-    }
-    for (std::size_t b = 0; b < model.blocks.size(); ++b) model.blocks[b].position.z() -= sunk[layer[b]];
+Specimen build_specimen(const scene::Scene& wall) {
+    scene::BuiltModel built = scene::build_model(wall);
+    return {std::move(built.model), {}, std::move(built.structure.layer), {}};
 }
 
+/// The wall at rest under its weight: in equilibrium by overlaps. By nodes it stands in the same places, where its faces are parallel and
+/// bear as much; what friction holds in joints that do not slip is then left out.
 Specimen make_specimen(int courses, const AccuracySetting& setting) {
     scene::Scene wall = make_wall(courses);
+    Specimen at_rest = build_specimen(wall);
+    put_in_equilibrium(at_rest, compute_critical_time_step(at_rest.model));
     wall.shape = scene::BoxShape{setting.nodes_per_face};
     if (setting.voxel > 0.0) {
         const auto thin = std::get<scene::Wall>(wall.structure).block[0];
@@ -118,10 +102,14 @@ Specimen make_specimen(int courses, const AccuracySetting& setting) {
     }
     wall.face_contact = setting.faces;
     wall.contact_nodes = setting.sides;
-    scene::BuiltModel built = scene::build_model(wall);
-    apply(setting, built.model);
-    let_settle(built.model, built.structure.layer);
-    return {std::move(built.model), {}, std::move(built.structure.layer), {}};
+    Specimen specimen = build_specimen(wall);
+    apply(setting, specimen.model);
+    for (std::size_t b = 0; b < specimen.model.blocks.size(); ++b) {
+        specimen.model.blocks[b].position = at_rest.model.blocks[b].position;
+        specimen.model.blocks[b].orientation = at_rest.model.blocks[b].orientation;
+    }
+    if (setting.faces == FaceContact::overlap) specimen.model.preload = at_rest.model.preload;
+    return specimen;
 }
 
 /// Largest magnitude [m/s]; not a number when the run diverged.

@@ -19,6 +19,7 @@ struct PlotSeries {
     bool line = true;                  ///< the points joined
     int style = -1;                    ///< colour and dash; series of the same number look alike; -1: the next one
     std::vector<double> y_error;       ///< half lengths of bars at the points; empty: none
+    std::vector<double> y_low = {};    ///< as many as points: the stretch from here to y is shaded in place of a line; empty: none
     std::vector<PlotBand> bands = {};  ///< shaded in the colour of the series
 };
 

@@ -131,6 +131,7 @@ class PairWork {
             study_.twins.push_back({choices[first + j], run.status, difference});
             study_.twin_traces.push_back(trace_run(study_.prototype, run, members[j].similitude));
             study_.twin_traces.back().image = !study_.twins.back().choice.last_place;
+            widen_spread(run, members[j].similitude.velocity());
         }
     }
 
@@ -150,6 +151,15 @@ class PairWork {
         const double from = done_;
         done_ += static_cast<double>(jobs.size()) / expected_;
         run_all(jobs, settings_, std::min(from, 1.0), std::min(done_, 1.0));
+    }
+
+    void widen_spread(const RunResult& twin, double velocity) {
+        const std::vector<Vector3>& of_prototype = study_.prototype.history.spine_velocity;
+        study_.twin_spread.resize(of_prototype.size(), Vector3::Zero());
+        for (std::size_t i = 0; i < std::min(of_prototype.size(), twin.history.spine_velocity.size()); ++i) {
+            const Vector3 apart = twin.history.spine_velocity[i] / velocity - of_prototype[i];
+            study_.twin_spread[i] = study_.twin_spread[i].cwiseMax(apart.cwiseAbs());
+        }
     }
 
     const PairMember& prototype_;

@@ -8,18 +8,13 @@
 #include <limits>
 
 #include "lsdem/block_height.hpp"
+#include "lsdem/study/departure_plot.hpp"
+#include "lsdem/study/response.hpp"
 
 namespace musim::lsdem::study {
 namespace {
 
 constexpr std::size_t kMaxRows = 10;
-
-/// Largest absolute value along each axis.
-Vector3 find_peaks(const std::vector<Vector3>& values) {
-    Vector3 peaks = Vector3::Zero();
-    for (const Vector3& value : values) peaks = peaks.cwiseMax(value.cwiseAbs());
-    return peaks;
-}
 
 Vector3 find_base_peaks(const History& history) {
     Vector3 peaks = Vector3::Zero();
@@ -84,13 +79,12 @@ StackedPlot make_spine_plot(const PairStudy& study, const MotionScales& scales, 
     PlotUnits units;
 
     // what velocities are measured in
-    const Vector3 base = find_base_peaks(study.prototype.history);
-    const double pgv = base.maxCoeff(&units.axis);
+    units.axis = find_strongest_axis(study.prototype.history);
+    const double pgv = find_base_peaks(study.prototype.history)[units.axis];
     const double sliding_velocity = std::sqrt(scales.friction * scales.gravity * scales.height);
     if (pgv > 0.0) {
         units.velocity = 1.0 / pgv;
     } else {
-        find_peaks(study.prototype.history.spine_velocity).maxCoeff(&units.axis);
         units.velocity = sliding_velocity > 0.0 ? 1.0 / sliding_velocity : 1.0;
         plot.y_label = sliding_velocity > 0.0 ? "v / √(μ g l)" : "v of the prototype [m/s]";
     }
@@ -104,6 +98,13 @@ StackedPlot make_spine_plot(const PairStudy& study, const MotionScales& scales, 
     const std::vector<std::size_t> rows = choose_rows(study.prototype.spine.size());
     for (const std::size_t row : rows) plot.row_labels.push_back(fmt::format("level {}", study.prototype.spine.level[row]));
     plot.runs.push_back(make_curves("prototype", study.prototype, scaling::Similitude({}, scaling::Law::exact), units, rows));
+    if (const std::optional<TwinBand> band = find_twin_band(study)) {
+        plot.runs.back().label = "prototype, band of its twins";
+        plot.runs.back().spread = band->half_width;
+        for (std::vector<double>& widths : plot.runs.back().spread) {
+            for (double& width : widths) width *= units.velocity;
+        }
+    }
     for (const PairedRun& model : study.models) plot.runs.push_back(make_curves(model.label, model.run, model.similitude, units, rows));
     return plot;
 }

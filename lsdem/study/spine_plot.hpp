@@ -24,7 +24,7 @@ std::vector<std::size_t> choose_rows(std::size_t spine);
 
 /// Spine velocities of the prototype and its models along the axis that the base shakes most, or along which the spine
 /// moves most when the base stands: v/PGV, or v/√(μ g l), over t √(μ g/l), every run scaled back to the prototype. At most ten levels,
-/// evenly chosen. `name` says of what. `name` says whose.
+/// evenly chosen. About the prototype's is the band of its twins, when there are any. `name` says of what.
 StackedPlot make_spine_plot(const PairStudy& study, const MotionScales& scales, const std::string& name);
 
 }  // namespace musim::lsdem::study

@@ -1,10 +1,13 @@
 #include "lsdem/study/summary.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 
+#include "lsdem/study/departure_plot.hpp"
 #include "lsdem/study/own_models.hpp"
 #include "lsdem/study/pair_text.hpp"
 #include "lsdem/study/verdict.hpp"
@@ -148,6 +151,33 @@ static nlohmann::json to_json(const std::vector<PairedTwin>& twins) {
     return all;
 }
 
+/// Numbers for pictures: four digits.
+static nlohmann::json to_short_json(const std::vector<double>& numbers) {
+    nlohmann::json all = nlohmann::json::array();
+    for (const double number : numbers) all.push_back(std::stod(fmt::format("{:.4g}", number)));
+    return all;
+}
+
+static nlohmann::json to_json(const Departure& departure) {
+    nlohmann::json models = nlohmann::json::array();
+    for (const Departure::Curve& curve : departure.models) {
+        models.push_back({{"label", curve.label}, {"largest_difference", to_short_json(curve.running)}});
+    }
+    return {{"time_s", departure.time},
+            {"models", models},
+            {"twins", departure.twins},
+            {"twins_low", to_short_json(departure.twins_low)},
+            {"twins_high", to_short_json(departure.twins_high)},
+            {"horizon_s", to_json(departure.horizon)}};
+}
+
+static nlohmann::json to_json(const std::optional<TwinBand>& band) {
+    if (!band) return nullptr;
+    nlohmann::json widths = nlohmann::json::array();
+    for (const std::vector<double>& row : band->half_width) widths.push_back(to_short_json(row));
+    return {{"axis", band->axis}, {"rows", band->rows}, {"half_width_m_s", widths}};
+}
+
 nlohmann::json to_json(const PairStudy& study) {
     const Yardstick yardstick = study.yardstick();
     // what the one shadow was until twins took its place: the one that differs most
@@ -198,6 +228,8 @@ nlohmann::json to_json(const PairStudy& study) {
                            {"lead_of_images_sd", nlohmann::json()},
                            {"other_specimens", study.specimen_traces.size()},
                            {"accept", to_json(study.tolerance)},
+                           {"departure", to_json(find_departure(study))},
+                           {"twins_band", to_json(find_twin_band(study))},
                            {"half_step", nlohmann::json()},
                            {"smallest_difference_seen", nlohmann::json()}};
     if (study.half_step) {

@@ -66,7 +66,7 @@ VerdictBench run_verdict_bench(const scene::Scene& scene, const VerdictBenchPlan
 /// Of some models, those that are called so.
 struct Tally {
     std::size_t count = 0, of = 0;
-    double low = 0.0, high = 1.0;  ///< Clopper and Pearson's limits of their share, 95 % [clopper1934]
+    double low = 0.0, high = 1.0;  ///< Clopper and Pearson's limits of their share, 95 % [ClopperPearson34]
 };
 Tally tally(const std::vector<JudgedModel>& models, Agreement agreement);
 /// Of exact models over scenes.

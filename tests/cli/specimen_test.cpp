@@ -117,5 +117,9 @@ TEST_CASE("what cannot be a specimen is refused in one line") {
     refused("wall.json --seeds 0", 2);
     refused("nothing.json", 3);
     refused("blocks.json", 3);
+    std::string sudden = make_scene(kWall);
+    sudden.insert(1, R"("preparation": "none", )");
+    place.write("sudden.json", sudden);
+    refused("sudden.json", 3);
     refused("wall.json -o file/below", 3);
 }

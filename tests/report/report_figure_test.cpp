@@ -81,3 +81,28 @@ TEST_CASE("models are drawn scaled back to their prototype, so that a similar on
     other_times.run.history.time.back() *= 1.01;
     CHECK_FALSE(make_difference_figure({prototype, other_times}));
 }
+
+TEST_CASE("twins of a pair are a band about the prototype, and in the picture of departures") {
+    const ReportedRun prototype = make_stored_run(3);
+    nlohmann::json pair = nlohmann::json::parse(R"({
+        "twins_band": {"axis": 0, "rows": [0, 1, 2], "half_width_m_s": [[0, 0.1, 0.2], [0, 0.1, 0.2], [0, 0.1, 0.2]]},
+        "departure": {"time_s": [0, 0.1, 0.2], "twins": 8, "twins_low": [0, 1e-9, 1e-6], "twins_high": [0, 1e-8, 2e-3], "horizon_s": 0.2,
+                      "models": [{"label": "1:25", "largest_difference": [0, 3e-9, null]}]}})");
+    const std::optional<ReportFigure> spine = make_spine_figure({prototype, prototype}, pair);
+    REQUIRE(spine);
+    CHECK(spine->twin.rows[0].back().text == "20");
+    // of a band that is not of the curves nothing is drawn
+    pair["twins_band"]["half_width_m_s"][1] = std::vector<double>{0.0};
+    CHECK(make_spine_figure({prototype, prototype}, pair)->twin.rows[0].size() == 5);
+
+    const std::optional<ReportFigure> departure = make_departure_figure(pair, "a wall");
+    REQUIRE(departure);
+    REQUIRE(departure->twin.rows.size() == 3);
+    CHECK(departure->twin.rows[0][0].text == "8 twins");
+    CHECK(departure->twin.rows[0][6].text == "0.002");
+    CHECK(departure->twin.rows[1][0].text == "1:25");
+    CHECK(departure->twin.rows[2][0].text == "horizon, 0.2 s");
+    CHECK(departure->csv.find("lower edge\",0.2,1e-06") != std::string::npos);
+    pair.erase("departure");
+    CHECK_FALSE(make_departure_figure(pair, "a wall").has_value());
+}

@@ -17,6 +17,9 @@ namespace {
 /// Room a tick's text takes along its axis [px]; closer ones would touch.
 constexpr double kTickWidth = 32.0, kTickHeight = 22.0;
 
+/// Of what is shaded between two curves [-].
+constexpr double kFilledOpacity = 0.25;
+
 /// An axis with even steps of the value or of its decimal logarithm, which stands in `linear` then.
 struct Axis {
     PlotAxis linear;
@@ -119,7 +122,32 @@ void draw_bands(std::string& svg, const PlotSeries& series, const LineStyle& sty
     }
 }
 
+void append_path(std::string& path, const std::vector<PicturePoint>& points) {
+    for (const PicturePoint& point : points) {
+        fmt::format_to(std::back_inserter(path), "{}{:.1f} {:.1f}", path.empty() ? 'M' : 'L', point.x, point.y);
+    }
+}
+
+/// What lies between y_low and y.
+void draw_filled(std::string& svg, const PlotSeries& series, const LineStyle& style, const Axis& x_axis, const Axis& y_axis) {
+    std::vector<PicturePoint> upper, lower;
+    for (std::size_t i = 0; i < series.x.size(); ++i) {
+        const double x = x_axis(series.x[i]), low = y_axis(series.y_low[i]), high = y_axis(series.y[i]);
+        if (!std::isfinite(x) || !std::isfinite(low) || !std::isfinite(high)) continue;
+        upper.push_back({x, high});
+        lower.push_back({x, low});
+    }
+    lower = thin_path(lower);
+    std::reverse(lower.begin(), lower.end());
+    std::string path;
+    append_path(path, thin_path(upper));
+    append_path(path, lower);
+    if (path.empty()) return;
+    svg += fmt::format("<path d=\"{}Z\" fill=\"{}\" fill-opacity=\"{}\" stroke=\"none\"/>\n", path, style.color, kFilledOpacity);
+}
+
 void draw_series(std::string& svg, const PlotSeries& series, const LineStyle& style, const Axis& x_axis, const Axis& y_axis) {
+    if (!series.y_low.empty()) return draw_filled(svg, series, style, x_axis, y_axis);
     std::vector<PicturePoint> path;
     std::string dots;
     for (std::size_t i = 0; i < series.x.size(); ++i) {
@@ -134,9 +162,7 @@ void draw_series(std::string& svg, const PlotSeries& series, const LineStyle& st
         }
     }
     std::string steps;
-    for (const PicturePoint& point : thin_path(path)) {
-        fmt::format_to(std::back_inserter(steps), "{}{:.1f} {:.1f}", steps.empty() ? "M" : "L", point.x, point.y);
-    }
+    append_path(steps, thin_path(path));
     if (!steps.empty()) svg += fmt::format("<path d=\"{}\" {}/>\n", steps, stroke(style));
     if (!dots.empty()) svg += fmt::format("<g fill=\"{}\">{}</g>\n", style.color, dots);
 }
@@ -148,6 +174,7 @@ DataRange find_y_range(const LinePlot& plot) {
             const double error = i < series.y_error.size() ? series.y_error[i] : 0.0;
             range.add(series.y[i] - error);
             range.add(series.y[i] + error);
+            if (!series.y_low.empty()) range.add(series.y_low[i]);
         }
     }
     if (plot.y_from_zero) range.add(0.0);
@@ -190,7 +217,8 @@ std::vector<LineStyle> find_styles(const LinePlot& plot, FindStyle find_style) {
 
 void draw_panel(std::string& svg, const LinePlot& plot, const PanelPlace& place, const std::vector<LineStyle>& styles) {
     for (const PlotSeries& series : plot.series) {
-        if (series.x.size() == series.y.size()) continue;
+        const bool edges_match = series.y_low.empty() || series.y_low.size() == series.y.size();
+        if (series.x.size() == series.y.size() && edges_match) continue;
         throw std::invalid_argument(
             fmt::format("plot: series '{}' has {} abscissas for {} values", series.label, series.x.size(), series.y.size()));
     }
@@ -210,6 +238,11 @@ void draw_panel(std::string& svg, const LinePlot& plot, const PanelPlace& place,
 }
 
 void draw_sample(std::string& svg, double x, double y, const PlotSeries& series, const LineStyle& style) {
+    if (!series.y_low.empty()) {
+        svg += fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"26\" height=\"10\" fill=\"{}\" fill-opacity=\"{}\" stroke=\"none\"/>\n",
+                           x - 13.0, y - 5.0, style.color, kFilledOpacity);
+        return;
+    }
     if (series.line) draw_line(svg, x - 13.0, y, x + 13.0, y, stroke(style).c_str());
     if (series.marks) svg += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"2.6\" fill=\"{}\"/>\n", x, y, style.color);
 }
