@@ -21,8 +21,7 @@ constexpr double kSize = 1e-6;
 
 }  // namespace
 
-TEST_CASE("a millionth of any property, or one contact without its friction, is seen in one model among exact ones" *
-          doctest::test_suite("slow")) {
+TEST_CASE("errors of a millionth are found in one model among exact ones" * doctest::test_suite("slow")) {
     scene::Scene wall = scene::read_scene(std::filesystem::path(MUSIM_SOURCE_DIR) / "examples/uneven_wall.json");
     wall.output.frame_rate.reset();
     PairMember prototype{"prototype", make_specimen(wall), {}, Similitude({}, Law::exact)};
