@@ -127,14 +127,14 @@ std::string format_losses(const study::RunDifference& difference) {
     return difference.losses ? fmt::format("{:.3g}", *difference.losses) : "-";
 }
 
+/// `parting`: nothing of the prototype.
 void print_row(const std::string& label, double length, study::RunStatus status, const study::RunDifference* difference,
-               const std::string& verdict) {
+               const std::optional<double>& parting, const std::string& verdict) {
     std::string numbers = fmt::format("{:>11} {:>11} {:>11} {:>11} {:>8}", "-", "-", "-", "-", "-");
     if (difference != nullptr) {
-        numbers =
-            fmt::format("{:>11.3g} {:>11.3g} {:>11} {:>11} {:>8}", difference->rms_velocity, difference->max_velocity,
-                        format_losses(*difference), difference->parting_time ? fmt::format("{:.4g}", *difference->parting_time) : "never",
-                        difference->bitwise_identical ? "yes" : "no");
+        numbers = fmt::format("{:>11.3g} {:>11.3g} {:>11} {:>11} {:>8}", difference->rms_velocity, difference->max_velocity,
+                              format_losses(*difference), parting ? fmt::format("{:.4g}", *parting) : "never",
+                              difference->bitwise_identical ? "yes" : "no");
     }
     print("{:<12} {:>12.7g} {}  {}{}\n", label, length, numbers,
           status == study::RunStatus::completed ? "" : study::to_string(status) + ", ", verdict);
@@ -166,14 +166,21 @@ std::string describe_agreement(const study::PairStudy& study, const study::Paire
 void print_table(const study::PairStudy& study) {
     print("{:<12} {:>12} {:>11} {:>11} {:>11} {:>11} {:>8}  {}\n", "run", "length", "rms diff.", "max diff.", "loss diff.", "parting [s]",
           "bitwise", "judgement");
-    print_row("prototype", 1.0, study.prototype.status, nullptr, "reference");
+    const study::Yardstick yardstick = study.yardstick();
+    print_row("prototype", 1.0, study.prototype.status, nullptr, {}, "reference");
     for (const study::PairedRun& model : study.models) {
-        print_row(model.label, model.similitude.length(), model.run.status, &model.difference, describe_agreement(study, model));
+        print_row(model.label, model.similitude.length(), model.run.status, &model.difference, model.judgement.parting_time,
+                  describe_agreement(study, model));
     }
-    for (const study::PairedTwin& twin : study.twins) {
-        print_row("twin", twin.choice.length, twin.status, &twin.difference, twin.choice.last_place ? "last places moved" : "exact image");
+    for (std::size_t i = 0; i < study.twins.size(); ++i) {
+        const study::PairedTwin& twin = study.twins[i];
+        print_row("twin", twin.choice.length, twin.status, &twin.difference, yardstick.parting_time(study.twin_traces[i]),
+                  twin.choice.last_place ? "last places moved" : "exact image");
     }
-    if (study.half_step) print_row("half step", 1.0, study.half_step->run.status, &study.half_step->difference, "error of the time step");
+    if (study.half_step) {
+        print_row("half step", 1.0, study.half_step->run.status, &study.half_step->difference,
+                  yardstick.parting_time(study.half_step->trace), "error of the time step");
+    }
 }
 
 void print_study(const study::ScenePair& pair) {
@@ -183,7 +190,7 @@ void print_study(const study::ScenePair& pair) {
           study::to_string(study.materials));
     print_table(study);
     print(
-        "`parting`: prototype time at which a velocity first differs by {:g} of its peak; `loss diff.`: of the energy dissipated,\n"
+        "`parting`: prototype time at which a velocity first differs by {:g} of the largest; `loss diff.`: of the energy dissipated,\n"
         "level by level, as a part of all that the prototype dissipated\n",
         study::kPartingLevel);
     for (const study::PairedRun& model : study.models) {

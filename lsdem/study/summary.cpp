@@ -138,15 +138,16 @@ static nlohmann::json to_json(const OwnJudgement& judgement) {
     return {{"quantities", quantities}, {"accepted", judgement.accepted ? nlohmann::json(*judgement.accepted) : nlohmann::json()}};
 }
 
-static nlohmann::json to_json(const std::vector<PairedTwin>& twins) {
+static nlohmann::json twins_to_json(const PairStudy& study, const Yardstick& yardstick) {
     nlohmann::json all = nlohmann::json::array();
-    for (const PairedTwin& twin : twins) {
+    for (std::size_t i = 0; i < study.twins.size(); ++i) {
+        const PairedTwin& twin = study.twins[i];
         all.push_back({{"length", twin.choice.length},
                        {"last_place", twin.choice.last_place},
                        {"status", to_string(twin.status)},
                        {"rms_relative_velocity_difference", twin.difference.rms_velocity},
                        {"max_relative_loss_difference", to_json(twin.difference.losses)},
-                       {"parting_time_s", to_json(twin.difference.parting_time)}});
+                       {"parting_time_s", to_json(yardstick.parting_time(study.twin_traces[i]))}});
     }
     return all;
 }
@@ -221,7 +222,7 @@ nlohmann::json to_json(const PairStudy& study) {
                            {"consistent", study.consistent()},
                            {"agreement", to_string(study.agreement())},
                            {"verdict", describe_verdict(study)},
-                           {"twins", to_json(study.twins)},
+                           {"twins", twins_to_json(study, yardstick)},
                            {"horizon_s", study.twins.empty() ? nlohmann::json() : nlohmann::json(yardstick.horizon())},
                            {"end_s", yardstick.end()},
                            {"same_bits", study.same_bits ? nlohmann::json(*study.same_bits) : nlohmann::json()},
@@ -234,7 +235,7 @@ nlohmann::json to_json(const PairStudy& study) {
                            {"smallest_difference_seen", nlohmann::json()}};
     if (study.half_step) {
         json["half_step"] = {{"rms_relative_velocity_difference", study.half_step->difference.rms_velocity},
-                             {"parting_time_s", to_json(study.half_step->difference.parting_time)},
+                             {"parting_time_s", to_json(yardstick.parting_time(study.half_step->trace))},
                              {"quantities", to_json(study.half_step->judgement.quantities)}};
     }
     if (const auto images = yardstick.lead_of_images()) json["lead_of_images_sd"] = images->lead;

@@ -243,10 +243,15 @@ std::vector<QuantityCheck> Yardstick::check_quantities(const RunTrace& run) cons
     return checks;
 }
 
+std::optional<double> Yardstick::parting_time(const RunTrace& run) const {
+    const auto parts = std::find_if(run.running.begin(), run.running.end(), [](double r) { return r > kPartingLevel; });
+    if (parts == run.running.end()) return std::nullopt;
+    return time_of(static_cast<std::size_t>(parts - run.running.begin()));
+}
+
 Judgement Yardstick::judge(const RunTrace& model) const {
     Judgement judgement;
-    const auto parts = std::find_if(model.running.begin(), model.running.end(), [](double r) { return r > kPartingLevel; });
-    if (parts != model.running.end()) judgement.parting_time = time_of(static_cast<std::size_t>(parts - model.running.begin()));
+    judgement.parting_time = parting_time(model);
     judgement.quantities = check_quantities(model);
     judgement.within_rounding = !model.diverged && model.running.back() < kRoundingLevel;
     if (judgement.within_rounding) {

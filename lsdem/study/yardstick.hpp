@@ -69,7 +69,7 @@ const QuantityCheck* find_top(const std::vector<QuantityCheck>& checks, const st
 struct Judgement {
     Agreement agreement = Agreement::not_judged;
     bool within_rounding = false;        ///< it agrees to kRoundingLevel throughout
-    std::optional<double> parting_time;  ///< when R first exceeds kPartingLevel [s]
+    std::optional<double> parting_time;  ///< see Yardstick
     double lead = 0.0;                   ///< most standard deviations of log10 R above the twins' mean, up to the horizon [-]
     double lead_time = 0.0;              ///< [s]
     double least_probability = 1.0;      ///< of any quantity, with the correction; 1 when the horizon is the end of the run [-]
@@ -108,6 +108,8 @@ class Yardstick {
     };
     Scatter scatter(std::size_t sample) const;
 
+    /// When R of a run first exceeds kPartingLevel [s]; nothing if never. The horizon is the earliest of the twins'.
+    std::optional<double> parting_time(const RunTrace& run) const;
     Judgement judge(const RunTrace& model) const;
     /// The quantities of a run beside those of the twins, without a judgement.
     std::vector<QuantityCheck> check_quantities(const RunTrace& run) const;
