@@ -80,7 +80,8 @@ TEST_CASE("the shaken column at one sixteenth is its prototype to the last bit")
     }
 }
 
-TEST_CASE("replicas and laws of restoring forces and of distortions keep what they say and part as predicted" * doctest::test_suite("slow")) {
+TEST_CASE("replicas and laws of restoring forces and of distortions keep what they say and part as predicted" *
+          doctest::test_suite("slow")) {
     for (const char* law : {"true_replica", "artificial_mass", "gravity_distorted", "restoring_force", "restoring_rocking",
                             "restoring_spring", "restoring_cohesion", "restoring_mixed", "mu_vertical_distortion"}) {
         std::vector<SimilitudeCase> cases = make_similitude_cases(law);
