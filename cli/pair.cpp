@@ -75,16 +75,20 @@ study::Materials find_materials(const PairOptions& options) {
 
 void check_options(const PairOptions& options) {
     const bool own = find_materials(options) == study::Materials::own;
-    if (options.each_alone && (!own || !options.models.empty()))
+    if (options.each_alone && (!own || !options.models.empty())) {
         throw CLI::ValidationError("--each-alone", "exact materials distort nothing; add --materials own");
-    if (!options.own.empty() && options.own.size() != options.lengths.size())
+    }
+    if (!options.own.empty() && options.own.size() != options.lengths.size()) {
         throw CLI::ValidationError("--material", "give one per --length, in the same order, or none");
-    if (!options.own.empty() && !own)
+    }
+    if (!options.own.empty() && !own) {
         throw CLI::ValidationError("--material", "exact models have no material of their own; add --materials own");
+    }
     if (!options.law.empty() && own) throw CLI::ValidationError("--law", "own materials take the mu law; leave --law or --materials out");
-    if ((options.accept || options.specimens) && !own)
+    if ((options.accept || options.specimens) && !own) {
         throw CLI::ValidationError(options.accept ? "--accept" : "--specimens",
                                    "exact models are held against twins alone; add --materials own");
+    }
     if (options.accept && !(options.accept->value > 0.0)) throw CLI::ValidationError("--accept", "must be above zero, such as 5% or 0.05");
 }
 

@@ -44,7 +44,9 @@ MeasuredMaterial parse_material_file(const nlohmann::json& root, const std::stri
 
 MeasuredMaterial find_measured_material(const std::string& preset_or_file) {
     const std::vector<std::string> names = material_preset_names();
-    if (std::find(names.begin(), names.end(), preset_or_file) != names.end()) return find_material_preset(preset_or_file);
+    if (std::find(names.begin(), names.end(), preset_or_file) != names.end()) {
+        return static_cast<const MeasuredMaterial&>(find_material_preset(preset_or_file));
+    }
     if (!std::filesystem::exists(preset_or_file)) {
         throw SceneError(
             fmt::format("\"{}\" is neither a known material nor a file (presets are {}); name a preset, a material file or a scene",
@@ -60,7 +62,7 @@ MeasuredMaterial find_material_at(double length) {
     std::vector<std::string> known;
     for (const std::string& name : material_preset_names()) {
         const MaterialPreset& preset = find_material_preset(name);
-        if (std::abs(preset.length_scale / length - 1.0) < kSameScale) return preset;
+        if (std::abs(preset.length_scale / length - 1.0) < kSameScale) return static_cast<const MeasuredMaterial&>(preset);
         known.push_back(fmt::format("{} at 1:{:.0f}", name, 1.0 / preset.length_scale));
     }
     throw SceneError(

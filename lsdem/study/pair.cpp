@@ -113,8 +113,9 @@ class PairWork {
         const std::size_t first = study_.twins.size();
         std::vector<PairMember> members;
         members.reserve(count - first + 1);
-        for (std::size_t i = first; i < count; ++i)
+        for (std::size_t i = first; i < count; ++i) {
             members.push_back(make_twin_member(prototype_, fmt::format("twin {}", i + 1), choices[i]));
+        }
         const bool checks_bits = !study_.same_bits.has_value();
         if (checks_bits) members.push_back(make_twin_member(prototype_, "quarter", {.length = kExactLength}));
         std::vector<Job> jobs;

@@ -246,6 +246,7 @@ std::string make_scale_label(double length) {
 ScenePair pair_scene(const scene::Scene& prototype, const std::vector<ModelChoice>& models, Materials materials,
                      const RunSettings& settings, const PairSceneSettings& how) {
     std::vector<ScaledScene> scaled_scenes;
+    scaled_scenes.reserve(models.size());
     for (const ModelChoice& choice : models) scaled_scenes.push_back(make_scaled(prototype, choice, materials));
     const KeptPair kept(prototype, scaled_scenes, materials, how, settings);
     const PairMember original =

@@ -71,8 +71,8 @@ class BenchWork {
         VerdictBench bench{scene_.name, {}, {}};
         std::size_t next = 0;
         const auto take = [&](std::size_t count) {
-            const std::vector<Trial> trials(trials_.begin() + static_cast<std::ptrdiff_t>(next),
-                                            trials_.begin() + static_cast<std::ptrdiff_t>(next + count));
+            std::vector<Trial> trials(trials_.begin() + static_cast<std::ptrdiff_t>(next),
+                                      trials_.begin() + static_cast<std::ptrdiff_t>(next + count));
             next += count;
             return trials;
         };
@@ -81,8 +81,9 @@ class BenchWork {
             twins.push_back(take(plan_.twins));
             const Yardstick yardstick = make_yardstick(twins.back());
             JudgedSet& set = bench.sets.emplace_back(JudgedSet{plan_.seed + s, yardstick.horizon(), yardstick.lead_of_images(), {}});
-            for (const Trial& model : take(plan_.models))
+            for (const Trial& model : take(plan_.models)) {
                 set.models.push_back(to_judged(model.choice.length, yardstick.judge(model.trace)));
+            }
         }
         for (const ModelError error : plan_.errors) {
             for (const double size : sizes_of(error)) bench.errors.push_back(judge_error(error, size, take(plan_.images), twins));
@@ -104,11 +105,11 @@ class BenchWork {
 
     void run_missing() {
         std::vector<std::size_t> pending;
-        for (std::size_t i = 0; i < trials_.size(); ++i) {
-            if (folder_.empty()) continue;
-            if (auto trace = read_trace(folder_ / trials_[i].name)) {
-                trials_[i].trace = std::move(*trace);
-                trials_[i].known = true;
+        for (Trial& trial : trials_) {
+            if (folder_.empty()) break;
+            if (auto trace = read_trace(folder_ / trial.name)) {
+                trial.trace = std::move(*trace);
+                trial.known = true;
             }
         }
         for (std::size_t i = 0; i < trials_.size(); ++i) {
@@ -140,6 +141,7 @@ class BenchWork {
 
     Yardstick make_yardstick(const std::vector<Trial>& twins) const {
         std::vector<RunTrace> traces;
+        traces.reserve(twins.size());
         for (const Trial& twin : twins) traces.push_back(twin.trace);
         return {prototype_, std::move(traces)};
     }

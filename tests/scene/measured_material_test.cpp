@@ -17,7 +17,7 @@ const std::string kMaterial =
     R"({"density": 2200, "normal_stiffness": "900 MN/m", "shear_stiffness": "850 MN/m", "friction": 0.6, "restitution": 0.4})";
 
 std::string write(const TemporaryFolder& folder, const std::string& text) {
-    const std::string file = (folder.path() / "stone.json").string();
+    std::string file = (folder.path() / "stone.json").string();
     std::ofstream(file) << text;
     return file;
 }
