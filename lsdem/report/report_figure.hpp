@@ -17,7 +17,8 @@ struct ReportFigure {
     HtmlTable twin;   ///< what it shows, in numbers
 };
 
-/// Curves over one pair of axes. CSV: series,x,y, one line per point; of a shaded stretch a second series. Twin: for each series its ends and its smallest and largest value.
+/// Curves over one pair of axes. CSV: series,x,y, one line per point; of a shaded stretch a second series. Twin: for each series its ends
+/// and its smallest and largest value.
 ReportFigure make_figure(const std::string& name, const study::LinePlot& plot);
 
 /// Stacked curves. CSV: run,row,x,y,spread (half width of the band, or empty). Twin: for each run and row the value of largest magnitude,

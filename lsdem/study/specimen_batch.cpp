@@ -132,8 +132,8 @@ std::uint64_t seed_of(const scene::Scene& scene) {
 
 std::vector<SpecimenReport> make_specimens(const SpecimenBatch& batch) {
     if (batch.scene.preparation && batch.scene.preparation->none) {
-        throw scene::SceneError(fmt::format("scene \"{}\": \"preparation\" is \"none\", so there is no specimen to lay; leave it out",
-                                            batch.scene.name));
+        throw scene::SceneError(
+            fmt::format("scene \"{}\": \"preparation\" is \"none\", so there is no specimen to lay; leave it out", batch.scene.name));
     }
     std::error_code error;
     std::filesystem::create_directories(batch.folder, error);
