@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -38,6 +39,26 @@ double compute_pushed_tilt(double strength, double rate) {
     const double kept = (1.0 - tilt) * (1.0 - tilt) - speed * speed;
     if (tilt >= 1.0 || kept <= 0.0) return 1.0;
     return 1.0 - std::sqrt(kept);
+}
+
+double compute_soft_tilt(double strength, double rate, double sinking) {
+    const auto acceleration = [&](double tilt, double time) {
+        const double held = tilt > 2.0 * sinking ? 1.0 - 2.0 / 3.0 * std::sqrt(2.0 * sinking / tilt) : tilt / (6.0 * sinking);
+        const double push = time * rate < pi ? strength * std::sin(rate * time) : 0.0;
+        return tilt + push - held;
+    };
+    const double step = 0.02 * std::sqrt(6.0 * sinking);
+    double tilt = 0.0, speed = 0.0, time = 0.0, greatest = 0.0, now = acceleration(tilt, time);
+    // until it turns back after the push, or overturns
+    while (tilt < 1.0 && (speed >= 0.0 || time * rate < pi)) {
+        speed += 0.5 * step * now;
+        tilt += step * speed;
+        time += step;
+        now = acceleration(tilt, time);
+        speed += 0.5 * step * now;
+        greatest = std::max(greatest, tilt);
+    }
+    return std::min(greatest, 1.0);
 }
 
 }  // namespace musim::lsdem::study

@@ -18,4 +18,12 @@ PushedSlider compute_pushed_slider(double strength);
 /// block turns back before the push ends.
 double compute_pushed_tilt(double strength, double rate);
 
+/// The same of a block on an elastic base [ShentonJones91, for its equation]: it stands on a strip c of its width b, on which pressure
+/// grows evenly to the edge, so that its weight acts c/3 inside of it. With φ = θ/α, time in 1/p and e = m g/(k_n b α):
+///
+///     φ'' = φ + s sin(wt) − r(φ),      r = 1 − (2/3) c/b,  c/b = √(2e/φ)  once it has lifted,  φ > 2e,  and φ/(6e) before
+///
+/// by Verlet's method in a fiftieth of 1/ω, ω² = 1/(6e). `sinking`: e, above zero.
+double compute_soft_tilt(double strength, double rate, double sinking);
+
 }  // namespace musim::lsdem::study

@@ -63,13 +63,13 @@ struct Rocker {
     double slenderness;  ///< tan α
 
     /// Greatest tilt over α.
-    double turn() const { return compute_pushed_tilt(strength, rate); }
+    double turn() const { return compute_soft_tilt(strength, rate, sinking / alpha()); }
     double alpha() const { return std::atan(slenderness); }
     double tilt() const { return turn() * alpha(); }
 
-    /// Relative error of the groups: the linear equation leaves out α²/2, and the block turns about a point inside its edge. It stands on
-    /// a strip c = √(2 m g b/(k_n θ)), and the work of its weight is less by 4c/(3b) up to the tilt θ.
-    double group_error() const { return 0.5 * alpha() * alpha() + 4.0 / 3.0 * std::sqrt(2.0 * sinking / tilt()); }
+    /// Relative error of the groups: the linear equation leaves out α²/2, and the contact the rims of a strip c = √(2 m g b/(k_n θ)), which
+    /// are as wide as it is deep: the part θ of what the strip takes of the work of the weight, 4c/(3b).
+    double group_error() const { return 0.5 * alpha() * alpha() + 4.0 / 3.0 * std::sqrt(2.0 * sinking / tilt()) * alpha(); }
 
     /// Greatest relative change of the tilt for such errors.
     double error() const {
@@ -77,7 +77,7 @@ struct Rocker {
         double most = 0.0;
         for (const double s : {1.0 - by, 1.0 + by}) {
             for (const double w : {1.0 - by, 1.0 + by}) {
-                most = std::max(most, std::abs(compute_pushed_tilt(s * strength, w * rate) / turn() - 1.0));
+                most = std::max(most, std::abs(compute_soft_tilt(s * strength, w * rate, sinking / alpha()) / turn() - 1.0));
             }
         }
         return most;
