@@ -105,18 +105,48 @@ TEST_CASE("bench twins measures how models and moved copies part, goes on where 
     CHECK_MESSAGE(text.out.find("Directions 1: difference over shift differs") != std::string::npos, text.out);
 }
 
+TEST_CASE("bench verdict calls no exact model different and finds errors of a millionth" * doctest::test_suite("slow")) {
+    const Workplace here;
+    const std::string examples = MUSIM_SOURCE_DIR "/examples/";
+    const Outcome exact = here.run("bench verdict " + examples + "twins/corners.json " + examples + "twins/rocking.json " + examples +
+                                   "twins/shocks.json --sets 1 --models 5 --seed 7 --json");
+    REQUIRE_MESSAGE(exact.exit_code == 0, exact.err);
+    CHECK(exact.json()["differ"]["count"] == 0);
+    CHECK(exact.json()["differ"]["of"] == 15);
+    for (const auto& scene : exact.json()["scenes"]) CHECK(scene["sets"][0]["lead_of_images_sd"] < 3.5);
+
+    const std::string wall =
+        "bench verdict " + examples + "uneven_wall.json --sets 2 --models 5 --errors all --sizes 1e-6 --images 3 -o out";
+    const Outcome wrong = here.run(wall + " --json");
+    REQUIRE_MESSAGE(wrong.exit_code == 0, wrong.err);
+    CHECK(wrong.json()["differ"]["count"] == 0);
+    const auto errors = wrong.json()["scenes"][0]["errors"];
+    CHECK(errors.size() == 9);
+    for (const auto& error : errors) {
+        const std::string name = error["error"];
+        CAPTURE(name);
+        CHECK(error["in_one_model"]["found"]["count"] == 3);
+        CHECK(error["in_models_and_images"]["found"]["count"] == 3);
+    }
+    // the table, from what the runs have left
+    const Outcome table = here.run(wall);
+    CHECK(table.out.find("record_step") != std::string::npos);
+    CHECK(table.out.find("Called different: 0 of 10") != std::string::npos);
+}
+
 TEST_CASE("bench refuses what it cannot do with one line") {
     const Workplace here;
     here.write("file", "");
     for (const char* arguments :
          {"bench", "bench nonsense", "bench accuracy --component 360", "bench accuracy --threads -1", "bench similitude --law newton",
-          "bench similitude --threads -1", "bench twins", "bench twins file --models 0", "bench twins file --perturb 1e-12,0"}) {
+          "bench similitude --threads -1", "bench twins", "bench twins file --models 0", "bench twins file --perturb 1e-12,0",
+          "bench verdict", "bench verdict file --errors luck", "bench verdict file --sizes 0"}) {
         const Outcome outcome = here.run(arguments);
         CHECK_MESSAGE(outcome.exit_code == 2, arguments);
         CHECK_MESSAGE(outcome.has_one_error_line(), outcome.err);
     }
     for (const char* arguments : {"bench accuracy --quick --record missing.v1", "bench accuracy --quick -o file/out",
-                                  "bench similitude -o file/out", "bench twins missing.json"}) {
+                                  "bench similitude -o file/out", "bench twins missing.json", "bench verdict missing.json"}) {
         const Outcome outcome = here.run(arguments);
         CHECK_MESSAGE(outcome.exit_code == 3, arguments);
         CHECK_MESSAGE(outcome.has_one_error_line(), outcome.err);

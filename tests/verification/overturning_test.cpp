@@ -114,7 +114,7 @@ TEST_CASE("overturning by a half-sine pulse has the threshold of the rigid block
     }
 }
 
-TEST_CASE("overturning by a full-sine pulse without impact has the threshold of the rigid block") {
+TEST_CASE("overturning by a full-sine pulse without impact has the threshold of the rigid block" * doctest::test_suite("slow")) {
     const Stone stone = slender_wood(0.1);
     const double alpha = RockingBlock(stone).slenderness();
     for (const double ratio : {1.0, 2.0, 3.0}) {

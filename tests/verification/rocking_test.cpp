@@ -103,7 +103,7 @@ double contact_steps(const Stone& stone, double fraction_of_limit) {
 }  // namespace
 
 // [Housner63]: r = (1 − 1.5 sin²α)² for an impact without bounce; a compliant contact does not have to reach it ([Harmon23, Appendix]).
-TEST_CASE("an impact of a rocking block takes energy and books where it went") {
+TEST_CASE("an impact of a rocking block takes energy and books where it went" * doctest::test_suite("slow")) {
     struct Side {
         std::string name;
         Stone stone;

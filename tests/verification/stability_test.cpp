@@ -44,7 +44,7 @@ void check_tilt(const Stone& stone, std::size_t count, double degrees, double ma
 }  // namespace
 
 // Statics: a dry column of n equal blocks turns over as one at atan(B/(nH)), or slides at atan μ, whichever is less.
-TEST_CASE("a tilted column stands below its overturning angle and gives way above it") {
+TEST_CASE("a tilted column stands below its overturning angle and gives way above it" * doctest::test_suite("slow")) {
     // Near the limit the base joint leans by the kernel angle over the square of what is missing to the limit, 5e-7 n/m² rad with a margin
     // m, at the stiffness of wood; a hundred times that stiffness keeps it below a tenth of m B/(nH) for m = 3 %, n up to 5. Above the
     // limit the column needs acosh(1 + 1/(4 m))/p to lean by a quarter of the balancing angle.
