@@ -109,7 +109,7 @@ void add_bench_command(CLI::App& app, Action& action) {
         ->needs(record);
     command->add_flag("--quick", options->quick, "Few settings and a low tower: seconds instead of minutes");
     command->add_option("--threads", options->threads, "Runs side by side; errors are the same for any number (default: all cores)")
-        ->check(CLI::NonNegativeNumber);
+        ->check(not_negative());
     add_json_option(*command, options->json);
     command->footer(
         "Examples:\n"

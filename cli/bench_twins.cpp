@@ -170,7 +170,7 @@ void add_bench_twins_command(CLI::App& bench, Action& action) {
                      "Instead of models, copies whose blocks are moved by these parts of their height, e.g. 1e-13,1e-12,1e-11")
         ->type_name("LIST")
         ->delimiter(',')
-        ->check(CLI::PositiveNumber);
+        ->check(above_zero());
     add_format_option(*command, options->style, "Form of the tables");
     add_threads_option(*command, options->threads);
     add_json_option(*command, options->json);

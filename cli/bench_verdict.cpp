@@ -234,7 +234,7 @@ void add_bench_verdict_command(CLI::App& bench, Action& action) {
     command->add_option("--sizes", options->sizes, "Their sizes [-] (default 1e-8,1e-7,1e-6)")
         ->type_name("LIST")
         ->delimiter(',')
-        ->check(CLI::PositiveNumber);
+        ->check(above_zero());
     add_count("--images", plan.images, "Wrong models of each error and size", 1);
     command->add_option("--duration", options->duration, "Simulated time [s] of the prototypes, instead of the scenes'")
         ->type_name("NUMBER");

@@ -214,7 +214,7 @@ void add_ensemble_command(CLI::App& app, Action& action) {
     CLI::Option* list = command->add_flag("--list", options->list, "Name the members and how far they are; run nothing");
     command->add_option("--only", options->only, "Run this member alone (1 to N), without a summary: a job of a cluster")
         ->type_name("INDEX")
-        ->check(CLI::PositiveNumber)
+        ->check(above_zero())
         ->excludes(list);
     command->add_option("--axis", options->axis, "Axis of the main motion (default: along which the base moves most)")
         ->check(CLI::IsMember({"x", "y", "z"}));

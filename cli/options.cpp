@@ -222,20 +222,32 @@ CLI::Option* add_format_option(CLI::App& command, scaling::ReportStyle& style, c
         ->default_str("text");
 }
 
+CLI::Validator above_zero() {
+    return {[](const std::string& text) {
+                Number number;
+                return lexical_cast(text, number) && number > 0.0 ? std::string() : text + " is not above zero";
+            },
+            "POSITIVE"};
+}
+
+CLI::Validator not_negative() {
+    return {[](const std::string& text) {
+                Number number;
+                return lexical_cast(text, number) && number >= 0.0 ? std::string() : text + " is negative";
+            },
+            "NONNEGATIVE"};
+}
+
 void add_checkpoint_interval_option(CLI::App& command, Number& seconds) {
     command
         .add_option("--checkpoint-interval", seconds,
                     "Seconds of wall time between two checkpoints in DIR, 0 for one per sample (default 60)")
         ->type_name("SECONDS")
-        ->check([](const std::string& text) {
-            Number number;
-            return lexical_cast(text, number) && number >= 0.0 ? std::string() : text + " is negative";
-        });
+        ->check(not_negative());
 }
 
 void add_threads_option(CLI::App& command, int& threads) {
-    command.add_option("--threads", threads, "Threads; results are the same for any number (default: all cores)")
-        ->check(CLI::NonNegativeNumber);
+    command.add_option("--threads", threads, "Threads; results are the same for any number (default: all cores)")->check(not_negative());
 }
 
 }  // namespace musim::cli

@@ -114,6 +114,10 @@ CLI::Option* add_format_option(CLI::App& command, scaling::ReportStyle& style, c
 /// Adds --checkpoint-interval [s of wall time].
 void add_checkpoint_interval_option(CLI::App& command, Number& seconds);
 
+/// Checks of a number on the command line, in one short line: above zero, or not below.
+CLI::Validator above_zero();
+CLI::Validator not_negative();
+
 /// Adds --threads; 0 means all cores.
 void add_threads_option(CLI::App& command, int& threads);
 

@@ -153,7 +153,7 @@ void add_stochastic(CLI::App& make, Action& action) {
     command->add_option("--d5-95", options->d5_95, "Significant duration [s], met within 1 % (default: free)")->type_name("NUMBER");
     add_number(*command, "--duration", options->duration, "Duration [s]");
     command->add_option("--seed", options->seed, "Another seed, another motion")
-        ->check(CLI::NonNegativeNumber)
+        ->check(not_negative())
         ->capture_default_str()
         ->type_name("INTEGER");
     options->common.add_to(*command);

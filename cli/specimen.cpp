@@ -173,7 +173,7 @@ void add_specimen_command(CLI::App& app, Action& action) {
         ->check(CLI::IsMember(scene::placing_names()));
     command->add_option("--seeds", options->seeds, "Specimens with as many seeds, from the scene's on")
         ->type_name("N")
-        ->check(CLI::PositiveNumber)
+        ->check(above_zero())
         ->capture_default_str();
     add_checkpoint_interval_option(*command, options->checkpoint_interval);
     add_threads_option(*command, options->threads);

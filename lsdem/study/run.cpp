@@ -1,11 +1,14 @@
 #include "lsdem/study/run.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "lsdem/scene/build_model.hpp"
 #include "lsdem/scene/motions.hpp"
+#include "lsdem/scene/scene_error.hpp"
 #include "lsdem/study/equilibrium.hpp"
 #include "lsdem/study/specimen_file.hpp"
 
@@ -31,8 +34,11 @@ void let_listed_stand(const scene::Scene& scene, Specimen& specimen) {
     if (starts && base_moves(scene)) put_in_equilibrium(specimen, scene::compute_time_step(scene, specimen.model).value());
 }
 
-/// Nearest whole number, one at least.
-std::uint64_t round_count(double value) { return static_cast<std::uint64_t>(std::max(1.0, std::round(value))); }
+/// Steps that a double counts one by one, and samples of which histories are some hundred gigabytes.
+constexpr double kMostSteps = 0x1p53, kMostSamples = 1e9;
+
+/// Nearest whole number, one at least and kMostSteps at most.
+std::uint64_t round_count(double value) { return static_cast<std::uint64_t>(std::clamp(std::round(value), 1.0, kMostSteps)); }
 
 }  // namespace
 
@@ -103,7 +109,15 @@ TimePlan make_time_plan(const scene::Scene& scene, const Model& model) {
         }
     }
     const double sample_interval = static_cast<double>(plan.steps_per_sample) * plan.time_step;
-    plan.samples = round_count(scene.time.duration.value() / sample_interval);
+    const double samples = scene.time.duration.value() / sample_interval;
+    if (!(samples <= kMostSamples) || !(samples * static_cast<double>(plan.steps_per_sample) <= kMostSteps)) {
+        throw scene::SceneError(fmt::format(
+            "scene \"{}\": {:.3g} s in steps of {:.3g} s are {:.1g} steps and {:.1g} samples (at most {:.0g} and {:.0g} can be counted and "
+            "kept); give a shorter \"duration\", or a lower \"spine_rate\"",
+            scene.name, scene.time.duration.value(), plan.time_step, samples * static_cast<double>(plan.steps_per_sample), samples,
+            kMostSteps, kMostSamples));
+    }
+    plan.samples = round_count(samples);
     if (scene.output.frame_rate) plan.samples_per_frame = round_count(1.0 / (scene.output.frame_rate->value() * sample_interval));
     return plan;
 }

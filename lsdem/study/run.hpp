@@ -33,7 +33,7 @@ RunSettings keep_places(RunSettings settings, const Specimen& specimen);
 ///
 /// "step": "auto" takes at most safety·compute_critical_time_step(model), shortened until a sampling interval of the spine is a whole
 /// number of steps. A step given in the scene is kept; the interval becomes the nearest multiple. The duration is rounded to whole samples,
-/// one at least.
+/// one at least. Throws scene::SceneError for more steps or samples than can be counted and kept.
 TimePlan make_time_plan(const scene::Scene& scene, const Model& model);
 
 /// Runs a scene. Throws as make_specimen does, and SceneError for one with a list of motions.

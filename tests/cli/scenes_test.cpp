@@ -130,6 +130,25 @@ TEST_CASE("pair agrees in every bit at 1:16 and within the yardstick at 1:107, a
     CHECK(here.read("out/spine.svg").starts_with("<svg"));
 }
 
+TEST_CASE("what cannot be counted is refused in one short line") {
+    const Workplace here;
+    here.write("scene.json", SceneText().text());
+    SceneText tiny;
+    tiny.step = "1e-300";
+    here.write("tiny.json", tiny.text());
+    for (const char* arguments : {"run scene.json --duration 1e18", "run tiny.json", "pair scene.json --duration 1e18"}) {
+        const Outcome outcome = here.run(arguments);
+        CHECK_MESSAGE(outcome.exit_code == 3, arguments);
+        CHECK(outcome.has_one_error_line());
+        CHECK(outcome.err.find("steps") != std::string::npos);
+    }
+    for (const char* arguments : {"run scene.json --threads -1", "bench twins scene.json --perturb 0"}) {
+        const Outcome outcome = here.run(arguments);
+        CHECK_MESSAGE(outcome.exit_code == 2, arguments);
+        CHECK(outcome.err.size() < 120);
+    }
+}
+
 TEST_CASE("pair prints a table with a verdict for every run") {
     const Workplace here;
     here.write("scene.json", SceneText().text());
