@@ -28,9 +28,6 @@ namespace {
 
 using scaling::Similitude;
 
-/// A scale within this of a preset's is that scale: 1/25 typed as 0.04 is meant. Only chooses a default material.
-constexpr double kSameScale = 1e-6;
-
 /// A model's scene with its similitude to the prototype and what that distorts.
 struct ScaledScene {
     scene::Scene scene;
@@ -240,7 +237,8 @@ class OtherSpecimens {
 std::string make_scale_label(double length) {
     const double inverse = 1.0 / length;
     const double whole = std::round(inverse);
-    return whole >= 1.0 && std::abs(inverse / whole - 1.0) < kSameScale ? fmt::format("1:{:.0f}", whole) : fmt::format("x{:.6g}", length);
+    const bool is_whole = whole >= 1.0 && std::abs(inverse / whole - 1.0) < scaling::kFactorRounding;
+    return is_whole ? fmt::format("1:{:.0f}", whole) : fmt::format("x{}", length);
 }
 
 ScenePair pair_scene(const scene::Scene& prototype, const std::vector<ModelChoice>& models, Materials materials,

@@ -50,7 +50,7 @@ struct ScenePair {
     bool resumed = false;  ///< it was there already
 };
 
-/// Name of a scale: "1:107", or "x0.3" when it is no whole fraction.
+/// Name of a scale: "1:107", or "x0.3" when it is no whole fraction, in as many digits as read back the same.
 std::string make_scale_label(double length);
 
 /// Runs a scene as prototype and models, and judges the models by twins.

@@ -45,6 +45,14 @@ PairStudy run_own(const scene::Scene& prototype) {
 
 }  // namespace
 
+TEST_CASE("a scale is named so that who reads it has it") {
+    CHECK(make_scale_label(1.0 / 25.0) == "1:25");
+    CHECK(make_scale_label(0.17 / 4.25) == "1:25");
+    CHECK(make_scale_label(0.3) == "x0.3");
+    CHECK(make_scale_label(0.040000001) == "x0.040000001");
+    CHECK(make_scale_label(1.0 / 33.3) == "x0.030030030030030033");
+}
+
 TEST_CASE("a material that similitude asks for has no property that differs") {
     scene::Scene prototype = make_prototype();
     prototype.time.duration = 1.0 * musim::scaling::si::second;  // before rounding has grown to what can be seen
