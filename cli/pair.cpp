@@ -359,7 +359,7 @@ void add_pair_command(CLI::App& app, Action& action) {
         "Twins are the prototype in other units, or with coordinates moved by one unit in the last place: what rounding alone may do. A\n"
         "model differs when it parts from the prototype earlier than they do, or its peaks, residuals or losses lie outside their "
         "scatter.\n"
-        "With -o, specimens and runs are kept in DIR until the results are written: after a kill the same command goes on.\n"
+        "With -o, specimens and runs are kept in DIR until the results are written: the same command resumes an interrupted pair.\n"
         "Models of their own material are distorted, and their specimen is one of many: their differences are held against twins and "
         "other\n"
         "specimens of the prototype. Exit code 5: a model with exact materials differs, or nothing could be decided; 6: --accept.");

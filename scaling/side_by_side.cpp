@@ -8,6 +8,14 @@
 
 namespace musim::scaling {
 
+namespace {
+
+std::size_t count_threads(int threads) {
+    return threads > 0 ? static_cast<std::size_t>(threads) : std::max(1U, std::thread::hardware_concurrency());
+}
+
+}  // namespace
+
 void run_side_by_side(const std::vector<std::function<void()>>& jobs, int threads, const std::function<void(double)>& on_progress) {
     std::atomic<std::size_t> next{0}, done{0};
     std::vector<std::exception_ptr> failures(jobs.size());
@@ -21,7 +29,7 @@ void run_side_by_side(const std::vector<std::function<void()>>& jobs, int thread
             if (on_progress) on_progress(static_cast<double>(++done) / static_cast<double>(jobs.size()));
         }
     };
-    const std::size_t wanted = threads > 0 ? static_cast<std::size_t>(threads) : std::max(1U, std::thread::hardware_concurrency());
+    const std::size_t wanted = count_threads(threads);
     {
         std::vector<std::jthread> others;
         for (std::size_t t = 1; t < std::min(wanted, jobs.size()); ++t) others.emplace_back(work);
@@ -30,6 +38,10 @@ void run_side_by_side(const std::vector<std::function<void()>>& jobs, int thread
     for (const std::exception_ptr& failure : failures) {
         if (failure) std::rethrow_exception(failure);
     }
+}
+
+int threads_of_each(int threads, std::size_t jobs) {
+    return static_cast<int>(std::max<std::size_t>(1, count_threads(threads) / std::max<std::size_t>(1, jobs)));
 }
 
 }  // namespace musim::scaling

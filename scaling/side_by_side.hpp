@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <vector>
 
@@ -9,5 +10,9 @@ namespace musim::scaling {
 /// given, is called with the fraction done, from any of the threads. When jobs throw, the others are still done, then the exception of the
 /// first of them in order is thrown again.
 void run_side_by_side(const std::vector<std::function<void()>>& jobs, int threads, const std::function<void(double)>& on_progress = {});
+
+/// What each of so many jobs may use of `threads` (0: all cores) when run_side_by_side does them: those that are left over are shared, one
+/// at least.
+int threads_of_each(int threads, std::size_t jobs);
 
 }  // namespace musim::scaling

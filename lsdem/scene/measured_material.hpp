@@ -9,9 +9,8 @@ namespace musim::lsdem::scene {
 /// A measured material by name or from a file:
 ///
 /// - a preset (find_material_preset),
-/// - a material file, {"schema": "musim-material/1", "name": ..., "block": [b, w, H], "material": as in a scene}: the block is the one
-/// whose
-///   whole face has the stiffnesses,
+/// - a material file, {"schema": "musim-material/1", "name": ..., "block": [b, w, H], "material": as in a scene}: the block is the
+///   one whose whole face has the stiffnesses,
 /// - a scene file: its material and block.
 ///
 /// Throws SceneError, also for what is neither a preset nor a file.

@@ -9,15 +9,16 @@ namespace musim::lsdem::study {
 
 /// Errors that a program could make when it scales a structure, put into a model on purpose to see whether they are found.
 enum class ModelError {
-    normal_stiffness,    ///< this and the next six: a factor 1 + size too large
-    shear_stiffness,     ///<
-    friction,            ///<
-    restitution,         ///<
-    mass,                ///<
-    gravity,             ///<
-    record_step,         ///<
-    absolute_tolerance,  ///< places rounded to whole multiples of size · 1 mm, whatever the scale
-    lost_friction        ///< of every contact number n/2 of n: what it bore is dropped, whatever the size
+    // a property is 1 + size times what it should be
+    normal_stiffness,
+    shear_stiffness,
+    friction,
+    restitution,
+    mass,
+    gravity,
+    record_step,
+    absolute_tolerance,  ///< places rounded to whole multiples of size · 1 mm, whatever the scale: the mistake itself
+    lost_friction        ///< what friction bore in the middle one of the contacts is dropped, whatever the size
 };
 
 /// "normal_stiffness" and so on.

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <functional>
 #include <iterator>
-#include <thread>
 
 #include "lsdem/study/detail/shared_progress.hpp"
 #include "lsdem/study/pair_text.hpp"
@@ -35,7 +34,8 @@ std::string describe_quantity(const PairStudy& study, const OwnQuantity& quantit
     return text + fmt::format(" ({}: {})", join_words(chance), quantity.beyond_chance ? "more than chance" : "chance may do that");
 }
 
-std::string describe_acceptance(double tolerance, const OwnJudgement& judgement) {
+std::string describe_acceptance(double tolerance, const OwnJudgement& judgement, const PairedRun& model) {
+    if (model.run.status == RunStatus::diverged) return " NOT accepted: it diverged.";
     const std::string limit = format_percent(tolerance);
     if (*judgement.accepted) return fmt::format(" Accepted: all within {}, as is what chance does.", limit);
     const auto farthest = std::max_element(judgement.quantities.begin(), judgement.quantities.end(),
@@ -51,8 +51,7 @@ std::string describe_acceptance(double tolerance, const OwnJudgement& judgement)
 std::vector<RunTrace> run_other_specimens(const scene::Scene& scene, const RunResult& prototype, std::size_t count,
                                           const RunSettings& settings) {
     std::vector<RunTrace> traces(count);
-    const int available = settings.threads > 0 ? settings.threads : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-    const int each = std::max(1, available / static_cast<int>(std::max<std::size_t>(count, 1)));
+    const int each = scaling::threads_of_each(settings.threads, count);
     detail::SharedProgress progress(count, settings.on_progress);
     std::vector<std::function<void()>> jobs;
     for (std::size_t i = 0; i < count; ++i) {
@@ -75,7 +74,7 @@ std::vector<RunTrace> run_other_specimens(const scene::Scene& scene, const RunRe
             progress.update(i, 1.0);
         });
     }
-    scaling::run_side_by_side(jobs, available);
+    scaling::run_side_by_side(jobs, settings.threads);
     return traces;
 }
 
@@ -107,7 +106,7 @@ std::string describe_own(const PairStudy& study, const PairedRun& model) {
     std::vector<std::string> parts;
     for (const OwnQuantity& quantity : judgement.quantities) parts.push_back(describe_quantity(study, quantity));
     std::string text = fmt::format("Model {} of {}: {}.", model.label, model.material, join_words(parts));
-    if (judgement.accepted) text += describe_acceptance(*study.tolerance, judgement);
+    if (judgement.accepted) text += describe_acceptance(*study.tolerance, judgement, model);
     return text;
 }
 

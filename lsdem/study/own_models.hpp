@@ -18,7 +18,8 @@ std::vector<RunTrace> run_other_specimens(const scene::Scene& scene, const RunRe
                                           const RunSettings& settings);
 
 /// What a difference of an own model comes from: more than chance when twins, and other specimens, are so far from each other with a
-/// probability below this, for one of the quantities that are judged [-].
+/// probability below this, for one of the quantities that are judged [-]. The usual level: of five specimens a smaller one would ask for
+/// six standard deviations.
 inline constexpr double kBeyondChance = 0.05;
 
 /// One of the quantities an own model is judged by: peak velocity of the top, its residual displacement, and all losses.

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <thread>
 #include <utility>
 
 #include "lsdem/study/detail/shared_progress.hpp"
@@ -37,9 +36,6 @@ std::optional<CheckpointSettings> checkpoint_of(const RunSettings& settings, con
 /// Runs all, as many side by side as there are threads: separate runs need no barriers, so this beats sharing one run's blocks. Progress
 /// goes from `from` to `to`.
 void run_all(std::vector<Job>& jobs, const RunSettings& settings, double from, double to) {
-    const std::size_t available =
-        settings.threads > 0 ? static_cast<std::size_t>(settings.threads) : std::max<std::size_t>(1, std::thread::hardware_concurrency());
-    const std::size_t workers = std::min(available, jobs.size());
     const std::function<void(double)> tell = [&](double part) {
         if (settings.on_progress) settings.on_progress(from + (to - from) * part);
     };
@@ -47,14 +43,14 @@ void run_all(std::vector<Job>& jobs, const RunSettings& settings, double from, d
     std::vector<std::function<void()>> work;
     for (std::size_t j = 0; j < jobs.size(); ++j) {
         work.emplace_back([&, j] {
-            const RunSettings own{.threads = static_cast<int>(available / workers),
+            const RunSettings own{.threads = scaling::threads_of_each(settings.threads, jobs.size()),
                                   .on_progress = [&progress, j](double part) { progress.update(j, part); },
                                   .checkpoint = checkpoint_of(settings, *jobs[j].member)};
             jobs[j].result = run_member(*jobs[j].member, own);
             progress.update(j, 1.0);
         });
     }
-    scaling::run_side_by_side(work, static_cast<int>(workers));
+    scaling::run_side_by_side(work, settings.threads);
 }
 
 bool has_diverged(const RunResult& run) { return run.status == RunStatus::diverged; }

@@ -95,11 +95,19 @@ ScaledScene take_as_model(const scene::Scene& prototype, const scene::Scene& mod
     const Similitude similitude(factors, scaling::Law::mu);
     ScaledScene scaled{model, similitude, {}, "scene \"" + model.name + "\""};
     scaled.scene.time.duration = prototype.time.duration * similitude.time();
+    scaled.scene.time.step.reset();
     scaled.scene.output = prototype.output;
     if (scaled.scene.output.spine_rate.value() > 0.0) scaled.scene.output.spine_rate *= similitude.frequency();
     if (scaled.scene.output.frame_rate) *scaled.scene.output.frame_rate *= similitude.frequency();
     scaled.distortions = find_own_distortions(prototype, scaled.scene, similitude);
     return scaled;
+}
+
+/// Runs that take steps of their own are compared at the prototype's samples, also when its scene names no rate.
+void sample_as(const TimePlan& prototype, const Similitude& similitude, scene::Scene& scene) {
+    if (scene.output.spine_rate.value() > 0.0) return;
+    const double interval = static_cast<double>(prototype.steps_per_sample) * prototype.time_step * similitude.time();
+    scene.output.spine_rate = scaling::Frequency::from_value(1.0 / interval);
 }
 
 /// That each block of a model has its like in the prototype.
@@ -262,6 +270,7 @@ ScenePair pair_scene(const scene::Scene& prototype, const std::vector<ModelChoic
     for (std::size_t m = 0; m < models.size(); ++m) {
         const ModelChoice& choice = models[m];
         ScaledScene& scaled = scaled_scenes[m];
+        if (materials == Materials::own || choice.scene) sample_as(original.plan, scaled.similitude, scaled.scene);
         const std::string label = make_label(scaled.similitude.length(), members);
         const auto lay = [&](const std::string& name, const scene::Scene& scene, const Similitude& similitude) {
             return lay_member(name, scene, similitude, kept.settings_of(name, plain));
@@ -276,13 +285,16 @@ ScenePair pair_scene(const scene::Scene& prototype, const std::vector<ModelChoic
         if (materials == Materials::exact) members.back().plan = original.plan.scaled(scaled.similitude.time());
         const bool alone = how.each_alone && materials == Materials::own && !choice.scene;
         lone_scenes.push_back(alone ? find_lone_scenes(prototype, scaled) : std::vector<LoneScene>{});
-        for (const LoneScene& lone : lone_scenes.back()) {
+        for (LoneScene& lone : lone_scenes.back()) {
+            sample_as(original.plan, lone.similitude, lone.scene);
             lone_members.push_back(lay(label + ", " + lone.property, lone.scene, lone.similitude));
         }
         pair.models.push_back(std::move(scaled.scene));
     }
     members.insert(members.end(), std::make_move_iterator(lone_members.begin()), std::make_move_iterator(lone_members.end()));
-    const OtherSpecimens others(prototype, materials, how, members.size() + kMostTwins);
+    scene::Scene sampled = prototype;
+    sample_as(original.plan, original.similitude, sampled);
+    const OtherSpecimens others(sampled, materials, how, members.size() + kMostTwins);
     pair.study = run_pair(original, members, materials, others.settings_of_pair(kept.settings_of_all(settings)), how.judging);
     pair.study.specimen_traces = others.run(pair.study.prototype, kept.settings_of_all(settings));
     pair.study.tolerance = how.accept;

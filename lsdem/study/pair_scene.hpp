@@ -18,7 +18,8 @@ struct ModelChoice {
     std::string material = {};
     std::optional<scaling::Similitude> similitude = {};  ///< for Materials::exact: scaled by this, not by law `exact`
     /// A scene of its own instead: as many blocks in as many layers as the prototype's. Its scale, density, friction and gravity are those
-    /// of its first block over the prototype's; duration and sampling are the prototype's, scaled.
+    /// of its first block over the prototype's; duration and sampling are the prototype's, scaled, its
+    /// step is automatic.
     std::optional<scene::Scene> scene = {};
 };
 

@@ -6,7 +6,6 @@
 #include <chrono>
 #include <mutex>
 #include <numeric>
-#include <thread>
 #include <variant>
 
 #include "lsdem/scene/build_model.hpp"
@@ -39,12 +38,6 @@ class BatchProgress {
     std::mutex mutex_;
     std::vector<double> done_;
 };
-
-/// Cores that are left over when each specimen has one go to the specimens.
-int threads_of_each(const SpecimenBatch& batch) {
-    const int threads = batch.threads > 0 ? batch.threads : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-    return std::max(1, threads / static_cast<int>(batch.seeds.size()));
-}
 
 /// What a preparation of the same specimen that was killed has left.
 std::optional<PreparationState> find_unfinished(const SpecimenBatch& batch, const CheckpointSettings& checkpoint) {
@@ -82,7 +75,7 @@ SpecimenReport make_specimen_file(const SpecimenBatch& batch, std::size_t index,
         return report;
     }
     RunSettings settings;
-    settings.threads = threads_of_each(batch);
+    settings.threads = scaling::threads_of_each(batch.threads, batch.seeds.size());
     settings.on_progress = [&](double fraction) { progress.update(index, fraction); };
     settings.checkpoint = CheckpointSettings{.file = report.file.string() + ".checkpoint",
                                              .scene = inputs,

@@ -226,6 +226,7 @@ std::optional<FoundSize> find_size(const VerdictBench& bench, ModelError error, 
     for (const double value : x) mean += value / count;
     for (const double value : x) spread += (value - mean) * (value - mean);
     const double sd = line.slope_error * std::sqrt(spread);
+    // quantiles of the normal distribution: 95 % on one side, 95 % between both
     constexpr double kOf95 = 1.645, kBothSides = 1.96;
     const double at = (kPartsTooEarly + kOf95 * sd - line.intercept) / line.slope;
     const double error_of_at = sd * std::sqrt(1.0 / count + (at - mean) * (at - mean) / spread) / line.slope;

@@ -69,6 +69,20 @@ TEST_CASE("a model of a tenth of the friction is distorted, more than other spec
     CHECK(describe_own(pair.study, model).find("NOT accepted") != std::string::npos);
 }
 
+TEST_CASE("a scene without a rate is compared at the prototype's times, whatever step its model takes") {
+    scene::Scene prototype = make_pushed_wall();
+    prototype.output.spine_rate = {};
+    scene::Scene stiff = prototype;
+    stiff.material.normal_stiffness *= 4.0;
+    stiff.material.shear_stiffness *= 4.0;
+    const ScenePair pair = pair_scene(prototype, {{.scene = stiff}}, Materials::own, {.threads = 2}, accept(0.05, 1));
+    const RunResult &run = pair.study.prototype, &model = pair.study.models[0].run;
+    CHECK(model.time_step < 0.6 * run.time_step);
+    REQUIRE(model.history.samples() == run.history.samples());
+    CHECK(model.history.time.back() == doctest::Approx(run.history.time.back()).epsilon(1e-9));
+    CHECK(pair.study.specimen_traces[0].running.size() == run.history.samples());
+}
+
 TEST_CASE("other structures are no models, and structures without drawn heights have no other specimens") {
     scene::Scene taller = make_pushed_wall();
     std::get<scene::Wall>(taller.structure).layers = 3;
