@@ -72,11 +72,6 @@ inline double overlap_over_height_deviation(int layers, IsMass auto block_mass, 
     return static_cast<double>(layers) * block_mass.value() * g.value() / (normal.value() * height_deviation.value());
 }
 
-/// Restoring force number R_F^N = v/√(l F_R/m) for any force F_R that resists inertia (derived; named by [Rosakis21]).
-inline double restoring_force_number(IsVelocity auto v, IsLength auto l, IsForce auto restoring, IsMass auto mass) {
-    return v.value() / std::sqrt(l.value() * restoring.value() / mass.value());
-}
-
 /// Angular velocity after over before the impact of a slender rigid block that does not bounce: 1 - 1.5 sin²α [Housner63].
 inline double rocking_restitution(double slenderness) {
     const double tan_squared = slenderness * slenderness;

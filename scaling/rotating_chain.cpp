@@ -38,8 +38,6 @@ std::array<double, 2> RotatingChain::frequencies(double wavenumber) const {
     return {std::sqrt(equation.lower_squared()), std::sqrt(equation.upper_squared())};
 }
 
-double RotatingChain::phase_speed(double wavenumber) const { return frequencies(wavenumber)[0] / wavenumber; }
-
 double RotatingChain::group_speed(double wavenumber) const {
     const Characteristic equation = find_characteristic(*this, wavenumber);
     const double squared = equation.lower_squared();

@@ -21,9 +21,6 @@ struct RotatingChain {
     /// ω/√(k_s/m) of both branches, the lower one first: bending and shear, rotation of each block against its neighbours.
     std::array<double, 2> frequencies(double wavenumber) const;
 
-    /// Phase speed of the lower branch over c_e: H ω/q.
-    double phase_speed(double wavenumber) const;
-
     /// Group speed of the lower branch over c_e: H dω/dq. q below π.
     double group_speed(double wavenumber) const;
 };

@@ -35,11 +35,4 @@ std::optional<RotatingChain> find_rotating_chain(const StructureFacts& facts, Di
                          .stiffness_ratio = *facts.normal_stiffness / *facts.shear_stiffness};
 }
 
-RequiredStiffness find_required_stiffness(const StructureFacts& prototype, const Similitude& similitude) {
-    RequiredStiffness required;
-    if (prototype.normal_stiffness) required.normal = similitude.stiffness_static() * *prototype.normal_stiffness;
-    if (prototype.shear_stiffness) required.shear = similitude.to_model(*prototype.shear_stiffness);
-    return required;
-}
-
 }  // namespace musim::scaling

@@ -34,13 +34,4 @@ StructuralSpeeds find_structural_speeds(const StructureFacts& facts);
 /// A single column of the structure's blocks that turn as they sway in one direction; nothing unless both stiffnesses are known.
 std::optional<RotatingChain> find_rotating_chain(const StructureFacts& facts, Direction direction);
 
-/// Face stiffnesses that a model needs for similarity of speed and of overlap; absent where the prototype's are.
-struct RequiredStiffness {
-    std::optional<Stiffness> normal = {};  ///< λ_ρ λ_l² λ_g k_n: a similar overlap under dead weight
-    std::optional<Stiffness> shear = {};   ///< λ_m/λ_t² k_s, which is λ_ρ λ_l² λ_μ λ_g k_s by the mu law: λ_c = λ_v
-};
-
-/// By the law of the similitude (derived).
-RequiredStiffness find_required_stiffness(const StructureFacts& prototype, const Similitude& similitude);
-
 }  // namespace musim::scaling

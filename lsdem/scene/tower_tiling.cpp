@@ -290,10 +290,4 @@ TowerTiling parse_tiling(std::string_view json_text, const std::string& origin) 
 
 TowerTiling read_tiling(const std::filesystem::path& path) { return parse_tiling(detail::read_text(path), path.string()); }
 
-std::string write_tiling(const TowerTiling& tiling) {
-    nlohmann::json list = nlohmann::json::array();
-    for (const Domino& domino : tiling.dominoes) list.push_back({domino.i, domino.j, domino.along_x ? "x" : "y"});
-    return list.dump();
-}
-
 }  // namespace musim::lsdem::scene

@@ -92,7 +92,4 @@ TowerTiling parse_tiling(std::string_view json_text, const std::string& origin);
 /// parse_tiling of a file. Throws SceneError also when the file cannot be read.
 TowerTiling read_tiling(const std::filesystem::path& path);
 
-/// JSON text that parse_tiling reads back to the same tiling.
-std::string write_tiling(const TowerTiling& tiling);
-
 }  // namespace musim::lsdem::scene

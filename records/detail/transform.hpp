@@ -6,8 +6,7 @@
 
 namespace musim::records::detail {
 
-/// Discrete Fourier transform of real samples, X_k = Σ x_j e^{−2πijk/n} for k = 0 ... n/2, by FFTW; plans are made one at a time, so that
-/// records can be transformed on several threads.
+/// Discrete Fourier transform of real samples, X_k = Σ x_j e^{−2πijk/n} for k = 0 ... n/2, of any size in a time of order n log n.
 class Transform {
   public:
     explicit Transform(std::span<const double> samples);

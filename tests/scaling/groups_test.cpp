@@ -85,27 +85,6 @@ TEST_CASE("slenderness angles and radii of the prototype block agree with their 
     CHECK_EXPECTED(centrifuge.frequency(), 15.0);
 }
 
-TEST_CASE("the restoring force number becomes the number of each force") {
-    const Velocity v = 0.424 * si::meters_per_second;
-    const Length l = 161.5 * si::meter;
-    const Mass mass = 37815.07 * si::kilogram;
-    const Force weight = mass * kStandardGravity;
-    const auto number = [&](const Force& force) { return groups::restoring_force_number(v, l, force, mass); };
-    CHECK_EXPECTED(number(weight), groups::froude_number(v, kStandardGravity, l));
-    CHECK_EXPECTED(number(kThin * weight), v.value() / std::sqrt(kStandardGravity.value() * l.value() * kThin));
-    // a spring k l: v/(l √(k/m))
-    const Stiffness spring = Stiffness::from_value(1e9);
-    CHECK_EXPECTED(number(spring * l), v.value() / (l.value() * std::sqrt(spring.value() / mass.value())));
-    // elasticity E l² and cohesion c l², m = ρ l³: v/√(E/ρ)
-    const Mass solid = 2320.0 * si::kilograms_per_cubic_meter * l * l * l;
-    const Stress modulus = Stress::from_value(29.2e9);
-    CHECK_EXPECTED(groups::restoring_force_number(v, l, modulus * l * l, solid), v.value() / std::sqrt(29.2e9 / 2320.0));
-    // friction and cohesion together: v/√(μ g l + c/ρ)
-    const Stress cohesion = Stress::from_value(1e5);
-    CHECK_EXPECTED(groups::restoring_force_number(v, l, 0.59 * solid * kStandardGravity + cohesion * l * l, solid),
-                   v.value() / std::sqrt(0.59 * kStandardGravity.value() * l.value() + 1e5 / 2320.0));
-}
-
 TEST_CASE("the structural speed number of the 1:25 concrete model and of its prototype agree with their reference values") {
     // measured model: 170.53 mm, 2.42771 kg, 1000 MN/m; by its own height it stands for 4.25 m at 1:24.92
     const Length model_height = 170.53e-3 * si::meter;
@@ -120,13 +99,11 @@ TEST_CASE("the structural speed number of the 1:25 concrete model and of its pro
                    "113.2");
 }
 
-TEST_CASE("the mu number is the Froude number over the root of friction and the restoring force number of friction") {
+TEST_CASE("the mu number is the Froude number over the root of friction") {
     const Velocity v = 0.424 * si::meters_per_second;
     const Length l = 161.5 * si::meter;
-    const Mass mass = 37815.07 * si::kilogram;
     const double mu_number = groups::mu_number(v, 0.59, kStandardGravity, l);
     CHECK_EXPECTED(mu_number, groups::froude_number(v, kStandardGravity, l) / std::sqrt(0.59));
-    CHECK_EXPECTED(mu_number, groups::restoring_force_number(v, l, 0.59 * mass * kStandardGravity, mass));
     CHECK_EXPECTED(groups::sliding_time(l / v, 0.59, kStandardGravity, l), 1.0 / mu_number);
 }
 

@@ -169,9 +169,7 @@ TEST_CASE("a ring without a tiling is refused with the reason") {
     check_message(error_of([] { find_tiling_preset("ring_15"); }), {"\"ring_15\"", "ring_14"});
 }
 
-TEST_CASE("a tiling written to text is read back, wherever its grid starts") {
-    const TowerTiling tiling = make_tower_tiling(find_tiling_preset("ring_18"));
-    CHECK(parse_tiling(write_tiling(tiling), "text") == tiling);
+TEST_CASE("a tiling is read from text wherever its grid starts") {
     CHECK(parse_tiling(R"([[5, 7, "x"], [5, 8, "x"]])", "text") == TowerTiling{2, {{0, 0, true}, {0, 1, true}}});
 }
 
