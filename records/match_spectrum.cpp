@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "records/detail/adjustment_wavelet.hpp"
 #include "records/detail/cholesky.hpp"
+#include "records/detail/oscillator_walk.hpp"
 #include "records/detail/rest_correction.hpp"
 #include "records/intensity.hpp"
 #include "records/response_spectrum.hpp"
@@ -29,37 +29,43 @@ constexpr std::size_t kMemory = 5;
 /// Swings of an oscillator that reach this fraction of its largest get wavelets of their own, and must not rise above the target.
 constexpr double kRival = 0.9;
 
-double find_theta(scaling::Time period, scaling::Time dt) { return 2.0 * std::numbers::pi * (dt.value() / period.value()); }
-
 /// One swing of an oscillator.
 struct Swing {
     std::size_t oscillator = 0;
-    std::size_t sample = 0;  ///< of its peak
-    double psa = 0.0;        ///< ω²|u| there [m/s²]
-    double sign = 1.0;       ///< of u
+    double time = 0.0;  ///< of its peak [steps]
+    double psa = 0.0;   ///< ω²|u| there [m/s²]
+    double sign = 1.0;  ///< of u
 };
 
 /// The largest responses of one oscillator: swings that take the lead when another falls a little.
 struct Response {
     double psa = 0.0;           ///< of the largest [m/s²]
-    std::size_t peak = 0;       ///< its sample
+    double peak = 0.0;          ///< its time [steps]
     std::vector<Swing> swings;  ///< it and its rivals
 };
 
 Response find_response(const TimeSeries& acceleration, const TargetSpectrum& target, std::size_t oscillator) {
-    const scaling::Time period = target.period[oscillator];
-    const TimeSeries displacement = compute_oscillator_response(acceleration, period, target.damping);
-    const std::span<const double> u = displacement.samples();
-    const double omega = 2.0 * std::numbers::pi / period.value();
-    const auto peak = std::max_element(u.begin(), u.end(), [](double first, double second) { return std::abs(first) < std::abs(second); });
-    Response response{omega * omega * std::abs(*peak), static_cast<std::size_t>(peak - u.begin()), {}};
-    for (std::size_t i = 1; i < u.size(); ++i) {
-        const double size = std::abs(u[i]);
-        const bool is_peak = size > std::abs(u[i - 1]) && (i + 1 == u.size() || size >= std::abs(u[i + 1]));
-        if (is_peak && size >= kRival * std::abs(*peak)) {
-            response.swings.push_back({oscillator, i, omega * omega * size, u[i] < 0.0 ? -1.0 : 1.0});
-        }
+    const double theta = detail::find_theta(target.period[oscillator], acceleration.dt());
+    detail::OscillatorWalk walk(acceleration.samples(), theta, target.damping);
+    Response response;
+    const auto keep = [&](double u, double time) {
+        const double psa = theta * theta * std::abs(u);
+        if (psa < kRival * response.psa) return;
+        response.swings.push_back({oscillator, time, psa, u < 0.0 ? -1.0 : 1.0});
+        if (psa <= response.psa) return;
+        response.psa = psa;
+        response.peak = time;
+    };
+    // extremes between the samples, and the end of the motion
+    const double substeps = static_cast<double>(walk.substeps().count);
+    while (walk.next()) {
+        const double start = static_cast<double>(walk.step()) + static_cast<double>(walk.substep()) / substeps;
+        const detail::Cubic u = walk.displacement();
+        for (const double share : u.find_extremes())
+            if (share > 0.0) keep(u.at(share), start + share / substeps);
     }
+    keep(walk.displacement().value1, static_cast<double>(acceleration.size() - 1));
+    std::erase_if(response.swings, [&](const Swing& swing) { return swing.psa < kRival * response.psa; });
     return response;
 }
 
@@ -111,14 +117,14 @@ Linearization linearize(const TimeSeries& motion, const TargetSpectrum& target, 
     const std::size_t n = swings.size();
     Linearization linear{{}, {}, detail::SquareMatrix(n), std::vector<double>(n, 0.0), 0.0};
     for (const Swing& swing : swings) {
-        const double theta = find_theta(target.period[swing.oscillator], motion.dt());
-        linear.wavelets.push_back(detail::make_adjustment_wavelet(theta, target.damping, swing.sample, motion.size()));
+        const double theta = detail::find_theta(target.period[swing.oscillator], motion.dt());
+        linear.wavelets.push_back(detail::make_adjustment_wavelet(theta, target.damping, swing.time, motion.size()));
         linear.unit.push_back(target.psa[swing.oscillator].value());
     }
     std::vector<double> row(n);
     for (const Swing& swing : swings) {
-        const double theta = find_theta(target.period[swing.oscillator], motion.dt()), aim = target.psa[swing.oscillator].value();
-        const std::vector<double> influence = detail::make_influence(theta, target.damping, swing.sample);
+        const double theta = detail::find_theta(target.period[swing.oscillator], motion.dt()), aim = target.psa[swing.oscillator].value();
+        const std::vector<double> influence = detail::make_influence(theta, target.damping, swing.time);
         for (std::size_t j = 0; j < n; ++j) {
             row[j] = swing.sign * theta * theta * detail::respond(influence, linear.wavelets[j]) * (linear.unit[j] / aim);
         }
@@ -126,7 +132,7 @@ Linearization linearize(const TimeSeries& motion, const TargetSpectrum& target, 
         const double beyond = (1.0 - responses[swing.oscillator].psa / aim) / tolerance, weight = std::max(1.0, beyond * beyond);
         // a rival only has to stay below
         const double left = 1.0 - swing.psa / aim;
-        const double wanted = swing.sample == responses[swing.oscillator].peak ? left : std::min(0.0, left);
+        const double wanted = swing.time == responses[swing.oscillator].peak ? left : std::min(0.0, left);
         for (std::size_t j = 0; j < n; ++j) {
             linear.right[j] += weight * row[j] * wanted;
             for (std::size_t k = 0; k <= j; ++k) linear.normal.at(j, k) += weight * row[j] * row[k];

@@ -15,11 +15,11 @@ struct RotatedPeaks {
 };
 
 /// Peaks of x·cos θ + y·sin θ over the samples for θ = 0, 1, ... 179 degrees [Boore10]: the least, the median (mean of the two in the
-/// middle) and the largest. With responses of oscillators times ω², RotD00, RotD50 and RotD100 of PSA. Throws ProcessingError unless both
-/// have as many samples, at least one.
+/// middle) and the largest. Throws ProcessingError unless both have as many samples, at least one.
 RotatedPeaks find_rotated_peaks(std::span<const double> x, std::span<const double> y);
 
-/// RotD of PSA [m/s²], one per period: of two horizontal components on one clock. Throws ProcessingError when they are not on one clock,
+/// RotD of PSA [m/s²], one per period: of two horizontal components on one clock, with the peaks between the samples as
+/// compute_response_spectrum finds them. Throws ProcessingError when they are not on one clock,
 /// or as compute_response_spectrum does.
 std::vector<RotatedPeaks> compute_rotated_spectrum(const TimeSeries& first, const TimeSeries& second,
                                                    std::span<const scaling::Time> periods, double damping = 0.05);

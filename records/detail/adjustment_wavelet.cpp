@@ -27,9 +27,9 @@ double fade(double k, double steps) {
 
 }  // namespace
 
-Wavelet make_adjustment_wavelet(double theta, double damping, std::size_t peak, std::size_t size) {
+Wavelet make_adjustment_wavelet(double theta, double damping, double peak, std::size_t size) {
     const double root = std::sqrt(1.0 - damping * damping), damped = theta * root;
-    const double middle = static_cast<double>(peak) - std::atan2(root, damping) / damped;
+    const double middle = peak - std::atan2(root, damping) / damped;
     const double width = kWidth * 2.0 * pi / theta, steps = static_cast<double>(size - 1);
     const auto first = static_cast<std::size_t>(std::max(0.0, std::ceil(middle - kReach * width)));
     const auto last = static_cast<std::size_t>(std::clamp(std::floor(middle + kReach * width), 0.0, steps));
@@ -41,12 +41,17 @@ Wavelet make_adjustment_wavelet(double theta, double damping, std::size_t peak, 
     return wavelet;
 }
 
-std::vector<double> make_influence(double theta, double damping, std::size_t peak) {
+std::vector<double> make_influence(double theta, double damping, double peak) {
+    // the step that the peak lies in, up to the peak
+    const auto last = static_cast<std::size_t>(std::ceil(peak));
+    const OscillatorStep end = make_part_of_step(theta, damping, peak - static_cast<double>(last - 1));
+    std::vector<double> influence(last + 1, 0.0);
+    influence[last] = end.u_1;
+    influence[last - 1] = end.u_0;
+    // how u at the peak depends on u and u̇ at sample i
     const OscillatorStep step = make_oscillator_step(theta, damping);
-    std::vector<double> influence(peak + 1, 0.0);
-    // how u at the peak depends on u and u̇ at step i
-    double on_u = 1.0, on_v = 0.0;
-    for (std::size_t i = peak; i > 0; --i) {
+    double on_u = end.u_u, on_v = end.u_v;
+    for (std::size_t i = last - 1; i > 0; --i) {
         influence[i] += on_u * step.u_1 + on_v * step.v_1;
         influence[i - 1] += on_u * step.u_0 + on_v * step.v_0;
         const double before_u = on_u * step.u_u + on_v * step.v_u;

@@ -62,4 +62,15 @@ OscillatorStep make_oscillator_step(double theta, double damping) {
     return step;
 }
 
+OscillatorStep make_part_of_step(double theta, double damping, double share) {
+    // a step of its own, s times as long; its load ends at (1 − s)a₀ + s·a₁
+    const OscillatorStep part = make_oscillator_step(share * theta, damping);
+    const double square = share * share;
+    OscillatorStep step{.u_u = part.u_u, .u_v = share * part.u_v};
+    step.u_0 = square * (part.u_0 + part.u_1 * (1.0 - share));
+    step.u_1 = square * part.u_1 * share;
+    step.v_v = 0.0;
+    return step;
+}
+
 }  // namespace musim::records::detail

@@ -162,6 +162,12 @@ TEST_CASE("influences give the response to a wavelet, and the wavelet peaks it t
     // rounding of 1000 steps
     CHECK(kDt * kDt * detail::respond(detail::make_influence(theta, 0.05, 1000), wavelet) ==
           doctest::Approx(at(u, 1000)).scale(0.0).epsilon(1e-10));
+    // between the samples likewise: of the same motion given twice as often
+    std::vector<double> twice{samples[0]};
+    for (std::size_t i = 1; i < samples.size(); ++i) twice.insert(twice.end(), {0.5 * (samples[i - 1] + samples[i]), samples[i]});
+    const TimeSeries often = compute_oscillator_response({SampleQuantity::acceleration, {}, 0.5 * kDt * seconds, twice}, kPeriod * seconds);
+    CHECK(kDt * kDt * detail::respond(detail::make_influence(theta, 0.05, 999.5), wavelet) ==
+          doctest::Approx(at(often, 1999)).scale(0.0).epsilon(1e-10));
     // the response is largest within a step of one of its swings at the sample asked for
     CHECK(std::abs(at(u, 1000)) > std::abs(at(u, 998)));
     CHECK(std::abs(at(u, 1000)) > std::abs(at(u, 1002)));

@@ -1,6 +1,5 @@
 #include <doctest/doctest.h>
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <fstream>
@@ -15,10 +14,12 @@
 #include "records/response_spectrum.hpp"
 #include "records/rotated_peaks.hpp"
 #include "tests/records/reference_table.hpp"
+#include "tests/records/sampled_spectrum.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/shared_records.hpp"
 
-/// Spectra against those of other programs: Boore's SMC2PSA, the SCEC Broadband Platform, Chiou's RotD50, CSMIP, eqsig, SeismoSignal.
+/// Spectra against those of other programs: Boore's SMC2PSA, the SCEC Broadband Platform, Chiou's RotD50, CSMIP, eqsig, SeismoSignal. All
+/// take their peaks at samples, of the record or of straight lines between.
 namespace musim::records {
 namespace {
 
@@ -26,6 +27,9 @@ using lsdem::tests::relative;
 using scaling::si::seconds;
 using tests::find_range;
 using tests::half_unit;
+using tests::look_ten_times;
+using tests::sampled_rotated;
+using tests::sampled_spectrum;
 
 /// eqsig's g, and that of the platform's spectra [m/s²]: both come out 3.4e-4 off with 9.80665.
 constexpr double kRoundGravity = 9.81;
@@ -34,11 +38,7 @@ TimeSeries load(const std::string& file, std::size_t component = 0) {
     return read_record(tests::shared_records() / file).components.at(component).series;
 }
 
-ResponseSpectrum spectrum_at(const TimeSeries& series, double period) {
-    return compute_response_spectrum(series, std::array{period * seconds});
-}
-
-double psa_at(const TimeSeries& series, double period) { return spectrum_at(series, period).pseudo_acceleration()[0]; }
+double psa_at(const TimeSeries& series, double period) { return sampled_spectrum(series, period).pseudo_acceleration()[0]; }
 
 /// The words of the table's row of A-CAT090 and A-CAT180, in cm and s.
 std::vector<std::string> read_boore_row() {
@@ -63,15 +63,15 @@ TEST_CASE("every spectral value of Boore's SMC2PSA for Carson-Catskill comes bac
         const auto printed = [&](std::size_t column) { return std::stod(row[at + column]); };
         const double period = printed(0);
         CAPTURE(period);
-        const auto rotated = [&](double t) { return compute_rotated_spectrum(first, second, std::array{t * seconds})[0]; };
+        const auto rotated = [&](double t) { return sampled_rotated(first, second, t); };
         const auto check = [&](std::size_t column, auto&& response) {
             CAPTURE(column);
             const double value = printed(column);
             // periods have four decimals; values seven digits, of which single precision keeps six
             CHECK(find_range(period, 0.5e-4, response).distance(value) <= 1e-6 * value);
         };
-        check(2, [&](double t) { return 100.0 * spectrum_at(first, t).acceleration[0]; });
-        check(3, [&](double t) { return 100.0 * spectrum_at(second, t).acceleration[0]; });
+        check(2, [&](double t) { return 100.0 * sampled_spectrum(first, t).acceleration[0]; });
+        check(3, [&](double t) { return 100.0 * sampled_spectrum(second, t).acceleration[0]; });
         check(4, [&](double t) { return 100.0 * psa_at(first, t); });
         check(5, [&](double t) { return 100.0 * psa_at(second, t); });
         check(6, [&](double t) { return 100.0 * std::sqrt(psa_at(first, t) * psa_at(second, t)); });
@@ -130,21 +130,6 @@ TEST_CASE("Boore's peaks of Carson-Catskill come back to five digits") {
     }
 }
 
-/// The same motion, linear between its samples, looked at `parts` times as often.
-TimeSeries look_more_often(const TimeSeries& series, int parts) {
-    std::vector<double> samples;
-    for (std::size_t i = 0; i + 1 < series.size(); ++i)
-        for (int part = 0; part < parts; ++part)
-            samples.push_back(series.samples()[i] + (series.samples()[i + 1] - series.samples()[i]) * part / parts);
-    samples.push_back(series.samples().back());
-    return {series.quantity(), series.start(), series.dt() / static_cast<double>(parts), std::move(samples)};
-}
-
-/// As often as the Broadband Platform does: at least ten times a period. The tables' periods are 1/f rounded, 1/28 s among them.
-TimeSeries look_as_platform(const TimeSeries& series, double period) {
-    return look_more_often(series, std::max(1, static_cast<int>(std::ceil(10.0 * series.dt().value() / period * (1.0 - 1e-4)))));
-}
-
 TEST_CASE("spectra of the platform's synthetic motion are the platform's own") {
     if (!tests::have_shared_records()) return;
     const GroundMotion motion = read_record(tests::shared_records() / "bbp/accel_ts.bbp");
@@ -154,7 +139,7 @@ TEST_CASE("spectra of the platform's synthetic motion are the platform's own") {
         CAPTURE(row[0]);
         for (std::size_t component = 0; component < 3; ++component) {
             CAPTURE(component);
-            const double psa = psa_at(look_as_platform(motion.components[component].series, row[0]), row[0]) / kRoundGravity;
+            const double psa = psa_at(look_ten_times(motion.components[component].series, row[0]), row[0]) / kRoundGravity;
             // five digits of value and period, a motion of six digits; beyond 5 s, where PSA is 1e-3 g, single precision shows. The table
             // says cm/s² and means g
             CHECK(psa == relative(row[component + 1], row[0] <= 5.0 ? 1e-4 : 1.5e-3));
@@ -171,10 +156,7 @@ TEST_CASE("RotD50 of the platform's synthetic motion is Chiou's") {
     for (const std::vector<double>& row : rows) {
         CAPTURE(row[0]);
         const auto rotd50 = [&](double period) {
-            return compute_rotated_spectrum(look_as_platform(first, row[0]), look_as_platform(second, row[0]),
-                                            std::array{period * seconds})[0]
-                       .median /
-                   kRoundGravity;
+            return sampled_rotated(look_ten_times(first, row[0]), look_ten_times(second, row[0]), period).median / kRoundGravity;
         };
         // three digits; periods are rounded to five
         CHECK(find_range(row[0], half_unit(row[0], 5), rotd50).distance(row[1]) <= half_unit(row[1], 3));
@@ -222,7 +204,7 @@ TEST_CASE("spectra of Willow Creek are those of its CSMIP V3 file") {
             CAPTURE(channel);
             CAPTURE(period);
             // as the Broadband Platform: below ten steps more often than at the samples
-            const ResponseSpectrum ours = spectrum_at(look_as_platform(motion.components[channel].series, period), period);
+            const ResponseSpectrum ours = sampled_spectrum(look_ten_times(motion.components[channel].series, period), period);
             // "Sd,Sv,Sa,Pssv,ttSd,ttSv,ttSa": relative displacement and velocity, absolute acceleration, ω·Sd, and when they peak
             constexpr double kSlack = 1.05;  // for the four decimals of the samples
             const auto check = [&](std::size_t block, double value) {
@@ -247,7 +229,7 @@ TEST_CASE("pseudo-acceleration and displacement of eqsig's test motion are eqsig
         CAPTURE(row[0]);
         // five decimals of everything
         CHECK(find_range(row[0], 5e-6, [&](double t) { return psa_at(motion, t); }).distance(row[1]) <= 5.5e-6);
-        CHECK(find_range(row[0], 5e-6, [&](double t) { return spectrum_at(motion, t).displacement[0]; }).distance(row[2]) <= 5.5e-6);
+        CHECK(find_range(row[0], 5e-6, [&](double t) { return sampled_spectrum(motion, t).displacement[0]; }).distance(row[2]) <= 5.5e-6);
     }
     // by another program, at another step: no exact reference, least of all below 0.1 s (README of the records)
     const auto loose = tests::read_reference("reference/test_motion_true_spectra_acc.csv");
@@ -283,7 +265,7 @@ TEST_CASE("SeismoSignal's elastic spectra are ours where its step allows") {
         if (row.size() != 12 || row[0] == 0.0) continue;
         ++seen;
         CAPTURE(row[0]);
-        const ResponseSpectrum ours = spectrum_at(motion, row[0]);
+        const ResponseSpectrum ours = sampled_spectrum(motion, row[0]);
         // another method (0.02 s steps): half a per cent from 0.35 s on, 9 % below (README of the records)
         const double tolerance = row[0] >= 0.35 ? 0.006 : 0.09;
         CHECK(ours.acceleration[0] == relative(row[1], tolerance));
