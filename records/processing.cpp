@@ -24,6 +24,17 @@ double dot(const std::vector<double>& a, const std::vector<double>& b) {
     return sum;
 }
 
+double find_mean(std::span<const double> samples) {
+    return std::accumulate(samples.begin(), samples.end(), 0.0) / static_cast<double>(samples.size());
+}
+
+double find_rms_about_mean(std::span<const double> samples) {
+    const double mean = find_mean(samples);
+    double sum = 0.0;
+    for (const double sample : samples) sum += (sample - mean) * (sample - mean);
+    return std::sqrt(sum / static_cast<double>(samples.size()));
+}
+
 // subtracts from `vector` its part along the unit vector `direction`
 void remove_part(std::vector<double>& vector, const std::vector<double>& direction) {
     const double part = dot(vector, direction);
@@ -58,9 +69,18 @@ std::size_t find_initial_part(const TimeSeries& series) {
     return (series.size() - 1) / kPart + 1;
 }
 
+double find_initial_motion(const TimeSeries& series) {
+    const double whole = find_rms_about_mean(series.samples());
+    return whole > 0.0 ? find_rms_about_mean(series.samples().first(find_initial_part(series))) / whole : 0.0;
+}
+
+bool begins_in_motion(const TimeSeries& series) {
+    constexpr double kQuiet = 0.1;
+    return find_initial_motion(series) > kQuiet;
+}
+
 TimeSeries remove_initial_level(const TimeSeries& series) {
-    const std::span<const double> initial = series.samples().first(find_initial_part(series));
-    const double level = std::accumulate(initial.begin(), initial.end(), 0.0) / static_cast<double>(initial.size());
+    const double level = find_mean(begins_in_motion(series) ? series.samples() : series.samples().first(find_initial_part(series)));
     std::vector<double> samples(series.samples().begin(), series.samples().end());
     for (double& sample : samples) sample -= level;
     return series.with_samples(std::move(samples));

@@ -18,8 +18,15 @@ TimeSeries cut(const TimeSeries& series, const TimeWindow& window);
 /// How many samples are the beginning of a record: 1/64 of them.
 std::size_t find_initial_part(const TimeSeries& series);
 
-/// Subtracts the mean of the beginning: the zero level before the event in records with a pre-event part. One that begins in motion gets an
-/// offset; remove_baseline() of order 0 is for those.
+/// How strongly a record moves in its beginning: rms of that part about its mean, over the rms of all samples about theirs; 0 without
+/// motion.
+double find_initial_motion(const TimeSeries& series);
+
+/// True when a record has no part at rest to take its level from: more than 0.1 of its rms in its beginning.
+bool begins_in_motion(const TimeSeries& series);
+
+/// Subtracts the zero level: the mean of the beginning, that before the event in records with a pre-event part, or of all samples in one
+/// that begins in motion.
 TimeSeries remove_initial_level(const TimeSeries& series);
 
 /// Subtracts the polynomial of degree `order` (0: mean, 1: line, 2, 3) that fits best in the least-squares sense.

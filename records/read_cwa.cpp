@@ -109,6 +109,8 @@ GroundMotion parse_cwa(const TextFile& file, const ReadOptions& options) {
     motion.event = fmt::format("{} GMT+08, magnitude {} (Ml)", header.text("Origin Time(GMT+08)"), header.text("Magnitude(Ml)"));
     motion.station = fmt::format("{}, {}", header.require("StationCode").text, header.text("StationName"));
     motion.time_zero = header.find_time("StartTime(GMT+08)", kTaiwanHoursAhead);
+    // "DCoffset(corr)": a mean is taken off, the drift is not
+    motion.integration_corner = kUncorrectedCornerHz * scaling::si::hertz;
     motion.history.push_back(fmt::format("read {} from {}, unit {}", motion.format, file.path().filename().string(), unit.name));
     return motion;
 }

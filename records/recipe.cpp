@@ -154,12 +154,6 @@ Json to_json(const Step& step) {
                       step);
 }
 
-double find_rms(std::span<const double> samples) {
-    double sum = 0.0;
-    for (const double sample : samples) sum += sample * sample;
-    return std::sqrt(sum / static_cast<double>(samples.size()));
-}
-
 using SeriesStep = std::function<TimeSeries(const TimeSeries&)>;
 
 GroundMotion for_each(GroundMotion motion, const SeriesStep& change) {
@@ -178,18 +172,13 @@ GroundMotion cut_to_energy(const GroundMotion& motion, const step::EnergyWindow&
     });
 }
 
-/// Takes off the initial level; says so where the record does not begin quietly, for then that is no level.
+/// Takes off the initial level; says so where the record does not begin at rest, for then it is another.
 GroundMotion level(const GroundMotion& motion) {
-    constexpr double kQuiet = 0.1;  // of the rms of all samples
     GroundMotion leveled = for_each(motion, remove_initial_level);
-    for (const Component& component : leveled.components) {
-        const std::span<const double> samples = component.series.samples();
-        const double initial = find_rms(samples.first(find_initial_part(component.series))), whole = find_rms(samples);
-        if (initial > kQuiet * whole) {
-            leveled.history.push_back(
-                fmt::format("{} begins in motion ({:.2g} of its rms): level took the mean of its first {:.3g} s", component.name,
-                            initial / whole, static_cast<double>(find_initial_part(component.series)) * component.series.dt().value()));
-        }
+    for (const Component& component : motion.components) {
+        if (!begins_in_motion(component.series)) continue;
+        leveled.history.push_back(fmt::format("{} begins in motion ({:.2g} of its rms): level took the mean of all samples", component.name,
+                                              find_initial_motion(component.series)));
     }
     return leveled;
 }

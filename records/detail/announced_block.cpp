@@ -22,7 +22,7 @@ FixedColumns infer_columns(const TextFile& file, std::size_t line, std::size_t c
     return {.per_line = usual.per_line, .width = length / values};
 }
 
-SampleUnit read_unit(const TextFile& file, std::size_t index) {
+SampleUnit read_unit(const TextFile& file, std::size_t index, const std::optional<SampleUnit>& usual) {
     const std::string_view line = file.line(index);
     for (const std::string_view phrase :
          {std::string_view("UNITS OF"), std::string_view("UNITS:"), std::string_view("IN UNITS"), std::string_view(", IN ")}) {
@@ -33,6 +33,7 @@ SampleUnit read_unit(const TextFile& file, std::size_t index) {
         if (const std::optional<SampleUnit> unit = find_sample_unit(name)) return *unit;
         file.fail(index, fmt::format("unit {} is unknown (known: {})", quoted(name), sample_unit_names()), "correct the line");
     }
+    if (usual) return *usual;
     file.fail(index, "unit is missing (no 'units of')", "write e.g. 'in units of g'");
 }
 
@@ -42,9 +43,9 @@ bool announces_samples(std::string_view line) {
     return contains_ignoring_case(line, "ACCELEROGRAM POINTS AT") || contains_ignoring_case(line, "DATA EQUALLY SPACED AT");
 }
 
-BlockHeader read_block_header(const TextFile& file, std::size_t index) {
+BlockHeader read_block_header(const TextFile& file, std::size_t index, const std::optional<SampleUnit>& usual) {
     const std::string_view line = file.line(index);
-    BlockHeader header{.line = index, .unit = read_unit(file, index)};
+    BlockHeader header{.line = index, .unit = read_unit(file, index, usual)};
 
     std::string_view rest = line;
     const std::string_view count = take_token(rest);

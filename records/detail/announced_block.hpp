@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "records/detail/fixed_columns.hpp"
 #include "records/sample_unit.hpp"
 #include "scaling/units.hpp"
@@ -21,7 +23,7 @@ bool announces_samples(std::string_view line);
 
 /// Reads the line that announces a block: "32080 Accelerogram points at 100 pts/sec in units of g. Format: (8f9.6)" or
 /// " 7500 points of accel data equally spaced at  .010 sec, in cm/sec2. (8f10.6)". Throws ReadError when count, step, unit or columns are
-/// missing or unusable.
-BlockHeader read_block_header(const TextFile& file, std::size_t index);
+/// missing or unusable; the unit may be missing where `usual` is given, which is then taken.
+BlockHeader read_block_header(const TextFile& file, std::size_t index, const std::optional<SampleUnit>& usual = std::nullopt);
 
 }  // namespace musim::records::detail

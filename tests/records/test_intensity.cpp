@@ -1,11 +1,13 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
 #include <utility>
 
 #include "records/intensity.hpp"
+#include "records/processing.hpp"
 #include "tests/support/relative.hpp"
 
 namespace musim::records {
@@ -53,6 +55,23 @@ TEST_CASE("only uncorrected records are leveled before they are measured") {
     const TimeSeries series(SampleQuantity::acceleration, 0.0 * seconds, 0.01 * seconds, {1.0, 1.0, 3.0});
     CHECK(level_uncorrected(series, std::nullopt) == series);
     CHECK(level_uncorrected(series, 0.05 / seconds) == series.with_samples({0.0, 0.0, 2.0}));
+}
+
+// A sine from the first sample on: the mean of its first 1/64 is far from zero, that of all is not.
+TEST_CASE("the level of an uncorrected record that begins in motion is the mean of all samples") {
+    constexpr double kOffset = 3.0, kAmplitude = 2.0;
+    std::vector<double> samples;
+    for (int i = 0; i < 1600; ++i) samples.push_back(kOffset + kAmplitude * std::sin(2.0 * pi * i / 100.0));
+    const TimeSeries moving(SampleQuantity::acceleration, 0.0 * seconds, 0.01 * seconds, samples);
+    CHECK(begins_in_motion(moving));
+    CHECK(compute_intensity(moving, 0.05 / seconds).pga->value.value() == relative(kAmplitude, 1e-12));
+
+    // at rest first, whatever the mean of what follows
+    std::fill(samples.begin(), samples.begin() + 50, kOffset);
+    for (std::size_t i = 800; i < samples.size(); ++i) samples[i] += 0.5 * kAmplitude;
+    const TimeSeries quiet = moving.with_samples(samples);
+    CHECK_FALSE(begins_in_motion(quiet));
+    CHECK(compute_intensity(quiet, 0.05 / seconds).pga->value.value() == relative(1.5 * kAmplitude, 1e-12));
 }
 
 TEST_CASE("peaks keep their sign and the first of equals wins") {

@@ -58,7 +58,9 @@ TEST_CASE("every real record has its published length, time step, peak and time 
             peak = intensity.pgd->value.value();
             time = intensity.pgd->time;
         }
-        CHECK(std::abs(peak / si) == relative(std::abs(row.peak), kFiveDigits));
+        // USC's corrected files are integrated above their filter's corner, and PGA is above their level, which is 0.07 % of it
+        const double digits = motion.format == "USC corrected" ? 1e-3 : kFiveDigits;
+        CHECK(std::abs(peak / si) == relative(std::abs(row.peak), digits));
         if (row.time >= 0.0) {
             CHECK(peak * row.peak > 0.0);
             CHECK((time - series.start()).value() == relative(row.time, 1e-9));
