@@ -5,14 +5,17 @@
 #include <sstream>
 
 #include "records/error.hpp"
+#include "scaling/regular_file.hpp"
 
 namespace musim::cli {
 
 std::string read_input_file(const std::string& file, const std::string& wanted) {
-    std::ifstream in(file, std::ios::binary);
+    const std::string obstacle = scaling::find_obstacle(file);
+    std::ifstream in = scaling::open_regular_file(file);
     std::ostringstream text;
-    if (std::filesystem::is_directory(file) || !in || !(text << in.rdbuf())) {
-        throw records::ReadError(file + ": cannot be read (missing, a folder, or empty); give " + wanted);
+    if (!in || !(text << in.rdbuf())) {
+        throw records::ReadError(file + ": cannot be read (" + (obstacle.empty() ? "empty, or no permission" : obstacle) + "); give " +
+                                 wanted);
     }
     return std::move(text).str();
 }

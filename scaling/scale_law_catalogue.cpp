@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "scaling/detail/law_texts.hpp"
+#include "scaling/regular_file.hpp"
 #include "scaling/scale_law_json.hpp"
 
 namespace musim::scaling {
@@ -29,12 +30,13 @@ std::optional<ScaleLaw> find_scale_law(std::string_view name) {
 
 ScaleLaw load_scale_law(const std::string& name_or_file) {
     if (auto law = find_scale_law(name_or_file)) return *std::move(law);
+    const std::string obstacle = find_obstacle(name_or_file);
     std::error_code ignored;
-    if (std::filesystem::is_directory(name_or_file, ignored)) {
-        throw PiError(fmt::format("{}: is a folder; name the law file in it", name_or_file));
+    if (!obstacle.empty() && std::filesystem::exists(name_or_file, ignored)) {
+        throw PiError(fmt::format("{}: is {}; name a law file", name_or_file, obstacle));
     }
-    if (!std::filesystem::is_regular_file(name_or_file, ignored)) throw PiError(no_such_law(name_or_file) + ", or give a law file");
-    std::ifstream stream(name_or_file, std::ios::binary);
+    if (!obstacle.empty()) throw PiError(no_such_law(name_or_file) + ", or give a law file");
+    std::ifstream stream = open_regular_file(name_or_file);
     const std::string text{std::istreambuf_iterator<char>(stream), {}};
     if (!stream) throw PiError(name_or_file + ": cannot be read; check its permissions");
     return parse_scale_law(text, name_or_file);

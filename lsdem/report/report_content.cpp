@@ -15,6 +15,7 @@
 #include "lsdem/study/watched_folder.hpp"
 #include "records/error.hpp"
 #include "scaling/quantity_text.hpp"
+#include "scaling/regular_file.hpp"
 
 namespace musim::lsdem::report {
 namespace {
@@ -22,7 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string read_text(const fs::path& file) {
-    std::ifstream stream(file, std::ios::binary);
+    std::ifstream stream = scaling::open_regular_file(file);
     return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 

@@ -11,6 +11,7 @@
 #include "lsdem/state_fields.hpp"
 #include "lsdem/study/detail/leftovers.hpp"
 #include "records/atomic_file.hpp"
+#include "scaling/regular_file.hpp"
 
 // The fields that a checkpoint consists of, type by type. With a new one, the version in kKind is raised.
 namespace musim::lsdem {
@@ -101,7 +102,7 @@ void write_file(const CheckpointSettings& settings, Beside& beside, RunResult& r
 }  // namespace
 
 Checkpoint read_checkpoint(const fs::path& file, const std::string& program_version) {
-    std::ifstream in(file, std::ios::binary);
+    std::ifstream in = scaling::open_regular_file(file);
     if (!in) throw std::runtime_error(fmt::format("{}: there is no checkpoint to continue from; start the run anew", file.string()));
     Checkpoint c;
     try {

@@ -11,6 +11,7 @@
 
 #include "lsdem/study/read_results.hpp"
 #include "lsdem/study/sample_moments.hpp"
+#include "scaling/regular_file.hpp"
 
 namespace musim::lsdem::study {
 namespace {
@@ -103,7 +104,7 @@ double SpecimenSet::block_steps() const {
 
 SpecimenSet read_specimen_set(const std::filesystem::path& file) {
     SpecimenSet set{.name = file.string(), .specimens = {}};
-    std::ifstream in(file);
+    std::ifstream in = scaling::open_regular_file(file);
     if (!in) refuse(file, "cannot be opened; name what `musim specimen --json` printed");
     try {
         const nlohmann::json told = nlohmann::json::parse(in);

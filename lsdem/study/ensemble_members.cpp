@@ -15,6 +15,7 @@
 #include "lsdem/study/detail/content_name.hpp"
 #include "lsdem/study/specimen_batch.hpp"
 #include "records/error.hpp"
+#include "scaling/regular_file.hpp"
 
 namespace musim::lsdem::study {
 namespace {
@@ -53,7 +54,7 @@ void require_ensemble(const scene::Scene& scene) {
 }
 
 std::string name_file_content(const fs::path& path) {
-    std::ifstream file(path, std::ios::binary);
+    std::ifstream file = scaling::open_regular_file(path);
     const std::string bytes{std::istreambuf_iterator<char>(file), {}};
     if (!file) throw records::ReadError(fmt::format("{}: cannot be read (a file that the scene names); check the path", path.string()));
     return detail::name_content(bytes);

@@ -6,6 +6,7 @@
 
 #include "lsdem/study/detail/leftovers.hpp"
 #include "records/atomic_file.hpp"
+#include "scaling/regular_file.hpp"
 
 namespace musim::lsdem::study {
 namespace {
@@ -72,7 +73,7 @@ void LiveFile::write() {
 }
 
 std::optional<LiveState> read_live_file(const std::filesystem::path& directory) {
-    std::ifstream stream(directory / kLiveName);
+    std::ifstream stream = scaling::open_regular_file(directory / kLiveName);
     try {
         const nlohmann::json json = nlohmann::json::parse(stream);
         if (json.at("schema") != kLiveSchema) return std::nullopt;

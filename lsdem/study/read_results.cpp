@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lsdem/study/detail/hdf5_reader.hpp"
+#include "scaling/regular_file.hpp"
 
 namespace musim::lsdem::study {
 namespace {
@@ -162,7 +163,7 @@ void read_frames(const Hdf5Reader& file, StoredRun& run) {
 
 /// Status and collapse from the summary beside the file.
 void read_summary(const fs::path& path, StoredRun& run) {
-    std::ifstream file(path);
+    std::ifstream file = scaling::open_regular_file(path);
     const nlohmann::json summary = nlohmann::json::parse(file, nullptr, false);
     const std::string status = summary.is_object() ? summary.value("status", "") : std::string();
     if (status == "completed") {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "records/atomic_file.hpp"
+#include "scaling/regular_file.hpp"
 
 namespace musim::lsdem::study {
 namespace {
@@ -26,7 +27,7 @@ void write_trace(const std::filesystem::path& file, const RunTrace& trace) {
 }
 
 std::optional<RunTrace> read_trace(const std::filesystem::path& file) {
-    std::ifstream in(file);
+    std::ifstream in = scaling::open_regular_file(file);
     if (!in) return std::nullopt;
     try {
         const nlohmann::json object = nlohmann::json::parse(in);

@@ -14,6 +14,7 @@
 #include "lsdem/archive.hpp"
 #include "records/atomic_file.hpp"
 #include "records/csv_cell.hpp"
+#include "scaling/regular_file.hpp"
 
 namespace musim::lsdem::study {
 namespace {
@@ -67,7 +68,7 @@ void write_prototype(const fs::path& folder, TwinPrototype prototype, std::vecto
 }
 
 std::optional<std::vector<std::vector<Vector3>>> read_prototype(const fs::path& folder, TwinPrototype& prototype) {
-    std::ifstream in(folder / kPrototypeName, std::ios::binary);
+    std::ifstream in = scaling::open_regular_file(folder / kPrototypeName);
     if (!in) return std::nullopt;
     try {
         const std::string bytes = read_sealed(in, kTapeKind);
@@ -96,7 +97,7 @@ void write_twin(const fs::path& folder, const TwinRun& twin) {
 }
 
 bool read_twin(const fs::path& folder, TwinRun& twin) {
-    std::ifstream in(folder / twin_file_name(twin.choice));
+    std::ifstream in = scaling::open_regular_file(folder / twin_file_name(twin.choice));
     if (!in) return false;
     try {
         const nlohmann::json object = nlohmann::json::parse(in);

@@ -7,6 +7,7 @@
 
 #include "lsdem/study/checkpoint.hpp"
 #include "lsdem/study/detail/folder_lock.hpp"
+#include "scaling/regular_file.hpp"
 
 namespace musim::lsdem::study {
 namespace {
@@ -43,7 +44,7 @@ constexpr ResultFile kResultFiles[]{
     {"summary.json", "status"}, {"sequence.json", "status"}, {"pair.json", "consistent"}, {"ensemble.json", nullptr}};
 
 std::string read_status(const fs::path& file, const char* key) {
-    std::ifstream stream(file);
+    std::ifstream stream = scaling::open_regular_file(file);
     const nlohmann::json json = nlohmann::json::parse(stream, nullptr, false);
     if (key == nullptr || !json.is_object() || !json.contains(key)) return {};
     const nlohmann::json& value = json[key];

@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "records/detail/text.hpp"
+#include "scaling/regular_file.hpp"
 
 namespace musim::records::detail {
 namespace {
@@ -36,7 +37,7 @@ std::string read_bytes(const std::filesystem::path& path) {
                   "cut it into shorter records");
     }
     errno = 0;
-    std::ifstream stream(path, std::ios::binary);
+    std::ifstream stream = scaling::open_regular_file(path);
     if (!stream) fail_file(path, fmt::format("cannot be opened ({})", std::generic_category().message(errno)), "check its permissions");
     std::ostringstream bytes;
     if (stream.peek() != std::ifstream::traits_type::eof()) bytes << stream.rdbuf();

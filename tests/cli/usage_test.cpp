@@ -58,7 +58,7 @@ TEST_CASE("a quantity with a dimension needs its unit, and a bad value is told w
           Case{"scale --define E:furlong --set l=1/25 --hold 'v/sqrt(g*l)'", "--define E: \"furlong\": unknown unit"},
           Case{"scale --set l=1/2x", "--set l: \"1/2x\": "}, Case{table + "--payload '2 m'", "--payload: \"2 m\": a mass is wanted"},
           Case{table + "--payload 200", "--payload: \"200\": the unit is missing; a mass is wanted (such as \"10.66 g\")"},
-          Case{"scale --law . --set l=1/2", ".: is a folder; name the law file in it"}}) {
+          Case{"scale --law . --set l=1/2", ".: is a folder; name a law file"}}) {
         CAPTURE(bad.arguments);
         const Outcome outcome = here.run(bad.arguments);
         CHECK(outcome.exit_code == 3);

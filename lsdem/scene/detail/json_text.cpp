@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "lsdem/scene/scene_error.hpp"
+#include "scaling/regular_file.hpp"
 
 namespace musim::lsdem::scene::detail {
 
@@ -52,10 +53,9 @@ class DuplicateKeys {
 }  // namespace
 
 std::string read_text(const std::filesystem::path& path) {
-    if (std::filesystem::is_directory(path)) {
-        throw SceneError(fmt::format("{}: cannot be read (it is a folder); name a file in it", path.string()));
-    }
-    std::ifstream file(path, std::ios::binary);
+    const std::string obstacle = scaling::find_obstacle(path);
+    if (!obstacle.empty()) throw SceneError(fmt::format("{}: cannot be read ({}); name a file", path.string(), obstacle));
+    std::ifstream file = scaling::open_regular_file(path);
     if (!file) {
         throw SceneError(fmt::format("{}: cannot be read ({}); check the name and its permissions", path.string(),
                                      std::error_code(errno, std::generic_category()).message()));

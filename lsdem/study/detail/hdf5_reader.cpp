@@ -3,18 +3,22 @@
 #include <fmt/format.h>
 
 #include "lsdem/study/read_results.hpp"
+#include "scaling/regular_file.hpp"
 
 namespace musim::lsdem::study::detail {
 namespace {
 
 hid_t open_file(const std::filesystem::path& path) {
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-    const hid_t file = std::filesystem::is_regular_file(path) ? H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT) : hid_t{-1};
+    const std::string obstacle = scaling::find_obstacle(path);
+    const hid_t file = obstacle.empty() ? H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT) : hid_t{-1};
     if (file < 0) {
-        const char* why = std::filesystem::exists(path)
-                              ? "it is no HDF5 file, or damaged); make it again with the command that made it"
-                              : "there is no such file); name what `musim run -o DIR` or `musim specimen` has written";
-        throw ResultError(fmt::format("{}: cannot be read ({}", path.string(), why));
+        if (!obstacle.empty()) {
+            throw ResultError(fmt::format("{}: cannot be read ({}); name what `musim run -o DIR` or `musim specimen` has written",
+                                          path.string(), obstacle));
+        }
+        throw ResultError(
+            fmt::format("{}: cannot be read (it is no HDF5 file, or damaged); make it again with the command that made it", path.string()));
     }
     return file;
 }
