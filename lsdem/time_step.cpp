@@ -203,4 +203,12 @@ double compute_critical_time_step(const Model& model) {
     return limit;
 }
 
+std::optional<double> find_critical_time_step(const Model& model) {
+    try {
+        return compute_critical_time_step(model);
+    } catch (const std::invalid_argument&) {
+        return std::nullopt;
+    }
+}
+
 }  // namespace musim::lsdem

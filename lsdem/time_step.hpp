@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "lsdem/model.hpp"
 
 namespace musim::lsdem {
@@ -15,5 +17,8 @@ namespace musim::lsdem {
 /// Frequencies: similitude of the tower, lsdem/README.md. Throws std::invalid_argument when the model has no moving block or a stiffness is
 /// not positive.
 double compute_critical_time_step(const Model& model);
+
+/// The same; nothing for a model that has no critical step, such as one without moving blocks.
+std::optional<double> find_critical_time_step(const Model& model);
 
 }  // namespace musim::lsdem

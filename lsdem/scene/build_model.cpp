@@ -4,6 +4,7 @@
 
 #include <array>
 #include <map>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -181,8 +182,17 @@ BuiltModel build_model(const Scene& scene) {
 Model make_model(const Scene& scene) { return build_model(scene).model; }
 
 scaling::Time compute_time_step(const Scene& scene, const Model& model) {
-    if (scene.time.step) return *scene.time.step;
-    return scaling::Time::from_value(scene.time.safety * compute_critical_time_step(model));
+    if (!scene.time.step) return scaling::Time::from_value(scene.time.safety * compute_critical_time_step(model));
+    const std::optional<double> critical = find_critical_time_step(model);
+    if (critical && scene.time.step->value() > kLargestStep * *critical) {
+        throw SceneError(
+            fmt::format("scene \"{}\": the \"step\" {:.4g} s is {:.3g} times the critical one, {:.4g} s (blocks that can turn are stable "
+                        "up to {} times); take at "
+                        "most {:.4g} s, or \"auto\"",
+                        scene.name, scene.time.step->value(), scene.time.step->value() / *critical, *critical, kLargestStep,
+                        TimeSettings{}.safety * *critical));
+    }
+    return *scene.time.step;
 }
 
 }  // namespace musim::lsdem::scene

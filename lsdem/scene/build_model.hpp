@@ -40,7 +40,12 @@ BuiltModel build_model(const Scene& scene);
 /// The model of build_model.
 Model make_model(const Scene& scene);
 
-/// Time step of a run: the scene's own, or `safety` times the critical step of its model.
+/// Largest step that a scene may ask for over the critical one, which is a bound on the safe side for blocks that can turn: these were seen
+/// to be stable up to here (docs/stability.md), and a run between one and this ends with a warning [-].
+inline constexpr double kLargestStep = 1.5;
+
+/// Time step of a run: the scene's own, or `safety` times the critical step of its model. Throws SceneError for a step of the scene's own
+/// above kLargestStep times the critical one.
 scaling::Time compute_time_step(const Scene& scene, const Model& model);
 
 }  // namespace musim::lsdem::scene

@@ -68,6 +68,8 @@ PreparationSettings find_preparation(const scene::Scene& scene, const Specimen& 
 
 Specimen make_specimen(const scene::Scene& scene, const RunSettings& settings, const Checkpoint* from) {
     Specimen specimen = make_upright_specimen(scene);
+    // a plan that is refused is refused before anything is computed
+    static_cast<void>(make_time_plan(scene, specimen.model));
     if (!wants_preparation(scene, specimen)) {
         if (!scene.preparation) let_listed_stand(scene, specimen);
         return specimen;

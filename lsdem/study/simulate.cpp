@@ -94,15 +94,6 @@ std::optional<double> base_reaction_over_weight(const Simulation& simulation) {
     return -simulation.base_reaction().dot(model.gravity) / (gravity * gravity * mass);
 }
 
-/// Nothing for a model that has no critical step, such as one without moving blocks.
-std::optional<double> find_critical_time_step(const Model& model) {
-    try {
-        return compute_critical_time_step(model);
-    } catch (const std::invalid_argument&) {
-        return std::nullopt;
-    }
-}
-
 void finish(RunResult& run, const Simulation& simulation) {
     run.final = simulation.kinematics();
     run.statistics = simulation.statistics();

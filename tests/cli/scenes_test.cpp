@@ -244,12 +244,15 @@ TEST_CASE("a broken scene is one error line that names file and key, exit code 3
 TEST_CASE("a diverged run is exit code 4 with block and time, and its results are kept") {
     const Workplace here;
     SceneText scene;
-    scene.step = "\"0.05 s\"";
+    scene.restitution = "1";
     here.write("scene.json", scene.text());
-    const Outcome outcome = here.run("run scene.json --duration 50 -o out --json");
+    const double critical = here.run("run scene.json --json").json()["critical_dt_s"];
+    scene.step = "\"" + std::to_string(1e6 * 1.45 * critical) + " us\"";
+    here.write("scene.json", scene.text());
+    const Outcome outcome = here.run("run scene.json --duration 5 -o out --json");
     CHECK(outcome.exit_code == 4);
     CHECK(outcome.has_one_error_line());
-    for (const char* word : {"block ", " s, ", "time step 0.05 s", "critical", "take at most"})
+    for (const char* word : {"block ", " s, ", "time step 0.00264 s", "critical", "take at most"})
         CHECK_MESSAGE(outcome.err.find(word) != std::string::npos, word, " not in ", outcome.err);
     CHECK(outcome.json()["status"] == "diverged");
     CHECK(here.has("out/result.h5"));
@@ -262,6 +265,28 @@ TEST_CASE("a diverged run is exit code 4 with block and time, and its results ar
     CHECK(again.exit_code == 0);
     CHECK(again.err.empty());
     CHECK(again.json()["doubts"].empty());
+}
+
+TEST_CASE("a step far above the critical one is refused before anything is computed") {
+    const Workplace here;
+    SceneText scene;
+    here.write("scene.json", scene.text());
+    const double critical = here.run("run scene.json --json").json()["critical_dt_s"];
+    const auto write = [&](double over_critical) {
+        scene.step = "\"" + std::to_string(1e6 * over_critical * critical) + " us\"";
+        here.write("scene.json", scene.text());
+    };
+    write(1.51);
+    for (const char* command : {"run scene.json -o out", "pair scene.json --length 1/16 -o out", "bench twins scene.json"}) {
+        const Outcome outcome = here.run(command);
+        CAPTURE(outcome.err);
+        CHECK(outcome.exit_code == 3);
+        CHECK(outcome.has_one_error_line());
+        CHECK(outcome.err.find("1.51 times the critical one") != std::string::npos);
+        CHECK_FALSE(here.has("out"));
+    }
+    write(1.49);
+    CHECK(here.run("run scene.json").exit_code == 0);
 }
 
 TEST_CASE("a run that reached its end with too large a step is a warning that names the step to take") {
