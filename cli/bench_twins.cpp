@@ -53,6 +53,7 @@ scene::Scene read_prototype(const std::string& file, const BenchTwinsOptions& op
     scene::Scene prototype = read_scene(file);
     if (options.duration) prototype.time.duration = options.duration->value * scaling::si::seconds;
     scene::check_scene(prototype, file);
+    note_cut_motions(file, prototype);
     return prototype;
 }
 

@@ -62,6 +62,7 @@ study::VerdictBench measure(const std::string& file, const study::VerdictBenchPl
     scene::Scene prototype = read_scene(file);
     if (options.duration) prototype.time.duration = options.duration->value * scaling::si::seconds;
     scene::check_scene(prototype, file);
+    note_cut_motions(file, prototype);
     study::TwinSettings settings{.directory = options.out, .version = kVersion, .threads = options.threads};
     settings.on_warning = [](const std::string& why) { note("musim: warning: no checkpoint: {}\n", why); };
     ProgressInParts progress(prototype.name);

@@ -242,6 +242,7 @@ int run_pair(const PairOptions& options) {
     const std::vector<study::ModelChoice> choices = make_choices(options);
     std::optional<study::ResultFolder> folder;
     if (!options.out.empty()) folder.emplace(options.out);
+    note_cut_motions(options.scene, prototype);
 
     std::optional<study::ScenePair> pair;
     {

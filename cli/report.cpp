@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/output.hpp"
+#include "lsdem/scene/motions.hpp"
 #include "lsdem/scene/scene_json.hpp"
 #include "lsdem/study/verdict.hpp"
 
@@ -71,6 +72,10 @@ lsdem::scene::Scene read_scene(const std::filesystem::path& file) {
     lsdem::scene::Scene scene = lsdem::scene::read_scene(file);
     for (const std::string& remark : scene.remarks.lines) note("musim: warning: {}\n", remark);
     return scene;
+}
+
+void note_cut_motions(const std::string& where, const lsdem::scene::Scene& scene) {
+    for (const std::string& line : lsdem::scene::describe_cut_motions(scene)) note("musim: warning: {}: {}\n", where, line);
 }
 
 }  // namespace musim::cli

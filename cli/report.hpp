@@ -44,4 +44,7 @@ void report_doubts(const std::string& where, const lsdem::study::RunResult& run)
 /// The scene of a file; what is to be said about its text, on stderr, `musim: warning: ...`.
 lsdem::scene::Scene read_scene(const std::filesystem::path& file);
 
+/// One line on stderr, `musim: warning: ...`, for every motion of a scene that its duration cuts.
+void note_cut_motions(const std::string& where, const lsdem::scene::Scene& scene);
+
 }  // namespace musim::cli

@@ -142,6 +142,7 @@ int run_run(const RunOptions& options) {
         refuse_old_checkpoint(directory);
     }
     const scene::Scene scene = begin->scene;
+    if (!resumes) note_cut_motions(options.scene, scene);
     const std::string scene_text = begin->scene_text;
     const study::RunResult run = carry_out(std::move(*begin), options, directory);
     if (folder) {

@@ -46,7 +46,10 @@ study::SequenceSummary carry_out(const SequenceOptions& options) {
                                      .on_sample = progress.of_samples(),
                                      .on_no_checkpoint = [](const std::string& why) { note("musim: warning: no checkpoint: {}\n", why); }};
     std::optional<scene::Scene> scene;
-    if (!resumes) scene = read_scene(options.scene);
+    if (!resumes) {
+        scene = read_scene(options.scene);
+        note_cut_motions(options.scene, *scene);
+    }
     study::LiveFile live(options.directory(), scene ? scene->name : options.resume);
     live.listen_to(settings);
     return scene ? study::run_sequence(*scene, settings) : study::resume_sequence(settings);

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <optional>
 
 #include "lsdem/scene/base_components.hpp"
 #include "lsdem/scene/scene_error.hpp"
@@ -37,7 +39,38 @@ scaling::Time find_end(const BaseMotion& motion, const std::string& place) {
     return scaling::Time::from_value(end);
 }
 
+/// When the last component comes to rest for good, if it does so after `duration` by more than a sample [s].
+std::optional<double> find_end_beyond(const std::array<BaseComponent, 3>& motion, double duration) {
+    std::optional<double> end;
+    for (const BaseComponent& c : motion) {
+        // one sample alone is a velocity that is kept
+        if (c.velocity.size() < 2) continue;
+        const auto last = std::find_if(c.velocity.rbegin(), c.velocity.rend(), [](double v) { return v != 0.0; });
+        const double rest = c.start + static_cast<double>(c.velocity.rend() - last) * c.dt;
+        if (last != c.velocity.rend() && rest > duration + 2.0 * c.dt) end = std::max(end.value_or(0.0), rest);
+    }
+    return end;
+}
+
 }  // namespace
+
+std::vector<std::string> describe_cut_motions(const Scene& scene) {
+    std::vector<std::string> cut;
+    const auto look_at = [&](const BaseMotion& motion, double duration, const std::string& place) {
+        const std::optional<double> end = find_end_beyond(make_base_components(motion, place), duration);
+        if (end) {
+            cut.push_back(fmt::format("{}: the motion lasts {:.4g} s, and \"duration\" cuts it at {:.4g} s (what comes after is not run)",
+                                      place, *end, duration));
+        }
+    };
+    if (scene.motions.empty()) look_at(scene.base_motion, scene.time.duration.value(), "/base_motion");
+    for (std::size_t k = 0; k < scene.motions.size(); ++k) {
+        const MotionEntry& entry = scene.motions[k];
+        const double duration = entry.duration.value_or(scene.time.duration).value();
+        if (duration > 0.0) look_at(entry.base_motion, duration, fmt::format("/motions/{}/base_motion", k));
+    }
+    return cut;
+}
 
 std::vector<StageScene> expand_motions(const Scene& scene) {
     std::vector<StageScene> stages;

@@ -21,6 +21,10 @@ struct StageScene {
 /// make_base_components does, and SceneError for a motion without a length that is to give the duration.
 std::vector<StageScene> expand_motions(const Scene& scene);
 
+/// One line for each motion of a scene that still moves the base when its run ends, by more than a sample: how long it lasts, and where it
+/// is cut. Throws as make_base_components does.
+std::vector<std::string> describe_cut_motions(const Scene& scene);
+
 /// Throws SceneError for a scene with a list of motions, where only one can be used. `what` cannot: "musim pair".
 void require_single_motion(const Scene& scene, const std::string& what);
 

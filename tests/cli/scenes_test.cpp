@@ -26,7 +26,7 @@ struct SceneText {
    {"size": ["2 m", "2 m", "1 m"], "position": ["0 m", "0 m", "0.5 m"]},
    {"size": ["2 m", "2 m", "1 m"], "position": ["0 m", "0 m", )" +
                second_block_z + R"(]}]},
- "base_motion": {"signal": "sine", "direction": "x", "amplitude": "0.6 g", "frequency": "2 Hz", "cycles": 2},
+ "base_motion": {"signal": "sine", "direction": "x", "amplitude": "0.6 g", "frequency": "2 Hz", "cycles": 1},
  "time": {"duration": "0.5 s", "step": )" +
                step + R"(}, "output": {"spine_rate": "200 Hz"}})";
     }
@@ -77,7 +77,7 @@ TEST_CASE("settings that change nothing and old names get one line each, and cha
         CHECK_MESSAGE(old.err.find(place) != std::string::npos, old.err);
     }
     CHECK(old.json()["state_hash"] == plain.json()["state_hash"]);
-    CHECK(count_warnings(here.run("pair old.json --length 1/16 --duration 0.1")) == 4);
+    CHECK(count_warnings(here.run("pair old.json --length 1/16")) == 4);
     // by nodes these settings count, and nothing is said
     text = SceneText().text();
     text.insert(1, R"("shape": {"kind": "box", "nodes_per_face": 25}, "contact": {"faces": "nodes"}, "preparation": {}, )");
@@ -341,4 +341,21 @@ TEST_CASE("results that cannot be written leave nothing behind") {
         CHECK_MESSAGE(below_file.has_one_error_line(), below_file.err);
     }
     CHECK(here.count() == 1);
+}
+
+TEST_CASE("a motion that is cut by the duration is said in one line and one that is run to its end is not") {
+    const Workplace here;
+    here.write("scene.json", SceneText().text());
+    // one cycle of 2 Hz
+    for (const char* whole : {"run scene.json", "run scene.json --duration 0.6", "pair scene.json --length 1/16"}) {
+        CHECK(here.run(whole).err.empty());
+    }
+    for (const char* cut : {"run scene.json --duration 0.3", "pair scene.json --length 1/16 --duration 0.3"}) {
+        const Outcome outcome = here.run(cut);
+        CHECK(outcome.exit_code == 0);
+        CHECK_MESSAGE(
+            outcome.err.starts_with("musim: warning: scene.json: /base_motion: the motion lasts 0.5 s, and \"duration\" cuts it at 0.3 s"),
+            outcome.err);
+        CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
+    }
 }
