@@ -16,6 +16,7 @@
 #include "lsdem/report/record_sections.hpp"
 #include "lsdem/scene/scale_scene.hpp"
 #include "lsdem/scene/scene_json.hpp"
+#include "lsdem/study/detail/file_checksum.hpp"
 #include "lsdem/study/ensemble_files.hpp"
 #include "lsdem/study/run.hpp"
 #include "lsdem/study/run_members.hpp"
@@ -58,6 +59,14 @@ ReportContent read_places(const std::vector<std::filesystem::path>& places) {
 std::string make_report(const std::vector<std::filesystem::path>& folders) {
     const ReportContent content = read_places(folders);
     return make_page(content, make_sections(content), "test");
+}
+
+/// After a change by the HDF5 library, which cuts off what stands behind its own end.
+void renew_checksum(const std::filesystem::path& file) {
+    const std::string bytes = musim::tests::bytes_of(file);
+    std::vector<char> renewed(bytes.begin(), bytes.end());
+    study::detail::append_checksum(renewed);
+    std::ofstream(file, std::ios::binary).write(renewed.data(), static_cast<std::streamsize>(renewed.size()));
 }
 
 bool holds(const std::string& page, const std::string& text) { return page.find(text) != std::string::npos; }
@@ -158,6 +167,7 @@ TEST_CASE("of a result of another version what can be read is shown, and the res
     CHECK(H5Ldelete(file, "/energy/elastic", H5P_DEFAULT) >= 0);
     CHECK(H5Lcreate_hard(file, "/losses/ground", file, "/energy/elastic", H5P_DEFAULT, H5P_DEFAULT) >= 0);
     H5Fclose(file);
+    renew_checksum(place.path() / "out/result.h5");
     const ReportContent content = read_places({place.path() / "out"});
     REQUIRE(content.runs.size() == 1);
     CHECK(content.runs[0].run.frames.time.empty());

@@ -257,7 +257,7 @@ TEST_CASE("what is no result is refused in one line") {
     std::ofstream(folder.path() / "result.h5") << "not HDF5";
     CHECK_THROWS_WITH_AS(read_run(folder.path()),
                          ((folder.path() / "result.h5").string() +
-                          ": cannot be read (it is no HDF5 file, or damaged); make it again with the command that made it")
+                          ": is no file of musim, or cut off; remove it and make it again with the command that made it")
                              .c_str(),
                          ResultError);
 }

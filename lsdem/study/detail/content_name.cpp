@@ -2,14 +2,18 @@
 
 #include <fmt/format.h>
 
-#include <cstdint>
-
 namespace musim::lsdem::study::detail {
 
+void ContentHash::add(std::string_view piece) {
+    for (const char c : piece) hash_ = (hash_ ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
+}
+
+std::string ContentHash::name() const { return fmt::format("{:016x}", hash_); }
+
 std::string name_content(std::string_view content) {
-    std::uint64_t hash = 14695981039346656037ULL;
-    for (const char c : content) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
-    return fmt::format("{:016x}", hash);
+    ContentHash hash;
+    hash.add(content);
+    return hash.name();
 }
 
 }  // namespace musim::lsdem::study::detail

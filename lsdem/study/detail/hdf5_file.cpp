@@ -2,6 +2,8 @@
 
 #include <stdexcept>
 
+#include "lsdem/study/detail/file_checksum.hpp"
+
 namespace musim::lsdem::study::detail {
 namespace {
 
@@ -70,6 +72,7 @@ std::vector<char> Hdf5File::image() const {
     if (size < 0) throw std::runtime_error("HDF5 cannot size its file image");
     std::vector<char> bytes(static_cast<std::size_t>(size));
     if (H5Fget_file_image(file_, bytes.data(), bytes.size()) != size) throw std::runtime_error("HDF5 cannot copy its file image");
+    append_checksum(bytes);
     return bytes;
 }
 

@@ -39,7 +39,7 @@ class Hdf5File {
     /// Text attribute of the file itself.
     void write_attribute(const std::string& name, const std::string& text);
 
-    /// The file as bytes.
+    /// The file as bytes, with its checksum at the end (see append_checksum).
     std::vector<char> image() const;
 
   private:

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "lsdem/study/detail/file_checksum.hpp"
 #include "lsdem/study/read_results.hpp"
 #include "scaling/regular_file.hpp"
 
@@ -9,17 +10,16 @@ namespace musim::lsdem::study::detail {
 namespace {
 
 hid_t open_file(const std::filesystem::path& path) {
-    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
     const std::string obstacle = scaling::find_obstacle(path);
-    const hid_t file = obstacle.empty() ? H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT) : hid_t{-1};
-    if (file < 0) {
-        if (!obstacle.empty()) {
-            throw ResultError(fmt::format("{}: cannot be read ({}); name what `musim run -o DIR` or `musim specimen` has written",
-                                          path.string(), obstacle));
-        }
-        throw ResultError(
-            fmt::format("{}: cannot be read (it is no HDF5 file, or damaged); make it again with the command that made it", path.string()));
+    if (!obstacle.empty()) {
+        throw ResultError(fmt::format("{}: cannot be read ({}); name what `musim run -o DIR` or `musim specimen` has written", path.string(),
+                                      obstacle));
     }
+    // the library takes damaged numbers as they are, and damaged structure for anything
+    require_checksum(path);
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+    const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+    if (file < 0) throw ResultError(fmt::format("{}: is no HDF5 file; make it again with the command that made it", path.string()));
     return file;
 }
 

@@ -17,7 +17,7 @@ struct Hdf5Data {
     std::vector<Number> values;
 };
 
-/// An HDF5 file to read from. Throws ResultError, with the file's path in front.
+/// An HDF5 file of ours to read from: the one way to open it, its checksum first. Throws ResultError, with the file's path in front.
 class Hdf5Reader {
   public:
     explicit Hdf5Reader(const std::filesystem::path& path);

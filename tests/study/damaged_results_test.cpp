@@ -1,0 +1,89 @@
+#include <doctest/doctest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "lsdem/study/read_results.hpp"
+#include "lsdem/study/specimen_file.hpp"
+#include "lsdem/study/write_results.hpp"
+#include "tests/study/made_run.hpp"
+#include "tests/study/made_specimen.hpp"
+#include "tests/support/damage.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+using namespace musim::lsdem::study;
+using musim::tests::bytes_of;
+using musim::tests::TemporaryFolder;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// As many as MUSIM_DAMAGES says (scripts/damage), else so many that the test is quick.
+int count_tries() {
+    const char* wanted = std::getenv("MUSIM_DAMAGES");
+    return wanted == nullptr ? 100 : std::atoi(wanted);
+}
+
+/// How many of the damages of a file `read` takes without a ResultError; the file is whole again afterwards.
+int count_taken(const fs::path& file, const std::function<void()>& read) {
+    const std::string whole = bytes_of(file);
+    std::mt19937_64 random(1);
+    int taken = 0;
+    for (int i = 0; i < count_tries(); ++i) {
+        const std::string damaged = musim::tests::damage(whole, random);
+        std::ofstream(file, std::ios::binary) << damaged;
+        try {
+            read();
+            ++taken;
+        } catch (const ResultError&) {
+        }
+    }
+    std::ofstream(file, std::ios::binary) << whole;
+    return taken;
+}
+
+void write_made_run(const fs::path& directory) {
+    ResultFolder folder(directory);
+    folder.add_run("", make_made_run(20), {.scene = R"({"name":"made"})", .similitude = {}, .program_version = "9.9.9"});
+    folder.commit();
+}
+
+}  // namespace
+
+TEST_CASE("a damaged result is refused") {
+    const TemporaryFolder folder;
+    write_made_run(folder.path());
+    CHECK(count_taken(folder.path() / "result.h5", [&] { read_run(folder.path()); }) == 0);
+    CHECK_NOTHROW(read_run(folder.path()));
+}
+
+TEST_CASE("a damaged specimen is refused") {
+    const TemporaryFolder folder;
+    const Specimen column = make_column(3);
+    const fs::path file = folder.path() / "specimen.h5";
+    PreparedSpecimen prepared;
+    prepared.specimen = column;
+    prepared.tilt = prepared.force = std::vector<double>(3, 0.0);
+    write_specimen(file, prepared, "{}", "9.9.9");
+    CHECK(count_taken(file, [&] { read_specimen(file); }) == 0);
+    CHECK(count_taken(file, [&] { read_specimen_inputs(file); }) == 0);
+    CHECK_NOTHROW(read_specimen(file));
+}
+
+TEST_CASE("a file without its checksum is refused and the line says what to do") {
+    const TemporaryFolder folder;
+    write_made_run(folder.path());
+    const std::string whole = bytes_of(folder.path() / "result.h5");
+    folder.write("result.h5", whole.substr(0, whole.rfind("musim-checksum")));
+    CHECK_THROWS_WITH_AS(read_run(folder.path()),
+                         ((folder.path() / "result.h5").string() +
+                          ": has no checksum at its end (it is damaged, or an older musim wrote it); remove it and make it again with the "
+                          "command that made it")
+                             .c_str(),
+                         ResultError);
+}
