@@ -214,7 +214,7 @@ void write_study(study::ResultFolder& folder, const study::ScenePair& pair) {
     }
     folder.add_text("spine.svg", study::make_svg(study::make_spine_plot(study, pair.scales, pair.prototype.name)));
     folder.add_text("departure.svg", study::make_svg(study::make_departure_plot(study::find_departure(study), pair.prototype.name)));
-    folder.add_text("pair.json", study::to_json(study).dump(2) + "\n");
+    folder.add_json("pair.json", study::to_json(study));
     folder.commit();
 }
 

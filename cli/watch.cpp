@@ -102,6 +102,9 @@ int report_end(const study::WatchedFolder& watched, const std::string& directory
                         "`ensemble` (-o)",
                         directory));
     }
+    if (watched.status == "damaged") {
+        throw std::runtime_error(fmt::format("{}: finished, but its summary is damaged; give the command again that made it", directory));
+    }
     print("{}: finished{}{}\n", directory, watched.status.empty() ? "" : ", ", watched.status);
     return watched.status == "diverged" ? kNumericalFailure : kDone;
 }

@@ -10,6 +10,7 @@
 #include "lsdem/report/json_parts.hpp"
 #include "lsdem/report/record_figure.hpp"
 #include "lsdem/scene/scene_json.hpp"
+#include "lsdem/study/checked_json.hpp"
 #include "lsdem/study/checkpoint.hpp"
 #include "lsdem/study/pair.hpp"
 #include "lsdem/study/watched_folder.hpp"
@@ -25,12 +26,6 @@ namespace fs = std::filesystem;
 std::string read_text(const fs::path& file) {
     std::ifstream stream = scaling::open_regular_file(file);
     return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
-
-/// An object; empty when the file holds none.
-nlohmann::json read_object(const fs::path& file) {
-    nlohmann::json object = nlohmann::json::parse(read_text(file), nullptr, false);
-    return object.is_object() ? object : nlohmann::json::object();
 }
 
 std::string describe_material(const scene::BlockMaterial& material) {
@@ -64,6 +59,16 @@ class Reader {
 
     explicit Reader(const RecordReader& read_record) : read_record_(read_record) {}
 
+    /// What a command has written to be read back; empty, with a remark, when it is damaged.
+    nlohmann::json read_object(const fs::path& file) {
+        try {
+            return study::read_checked_json(file);
+        } catch (const study::ResultError& error) {
+            content.remarks.emplace_back(error.what());
+            return nlohmann::json::object();
+        }
+    }
+
     void add_run(const fs::path& folder, const std::string& label) {
         ReportedRun reported{.label = label, .folder = folder, .run = {}, .response = {}, .summary = {}, .scene_name = {}, .material = {}};
         try {
@@ -73,7 +78,7 @@ class Reader {
             return;
         }
         content.remarks.insert(content.remarks.end(), reported.run.gaps.begin(), reported.run.gaps.end());
-        reported.summary = read_object(folder / "summary.json");
+        if (reported.run.is_status_known) reported.summary = read_object(folder / "summary.json");
         try {
             reported.response = study::measure_response(reported.run);
         } catch (const std::runtime_error& error) {
@@ -90,13 +95,22 @@ class Reader {
         content.runs.push_back(std::move(reported));
     }
 
+    /// Of a pair. Its scale stands in its summary; without it the model's curves would be drawn at the prototype's.
+    void add_model(const fs::path& folder, const std::string& label) {
+        const std::size_t before = content.runs.size();
+        add_run(folder, label);
+        if (content.runs.size() == before || content.runs.back().run.is_status_known) return;
+        content.runs.pop_back();
+        content.remarks.push_back(fmt::format("{}: left out, its scale is not known without summary.json", label));
+    }
+
     void add_pair(const fs::path& folder) {
         content.kind = ReportKind::pair;
         content.summary = read_object(folder / "pair.json");
         add_run(folder / "prototype", "prototype");
         for (const nlohmann::json& model : find_list(content.summary, "pairs")) {
             const std::string name = study::name_folder(find_text(model, "label"));
-            if (!name.empty()) add_run(folder / name, name);
+            if (!name.empty()) add_model(folder / name, name);
         }
         // the largest first: the prototype, then models as they get smaller
         std::stable_sort(content.runs.begin(), content.runs.end(),
@@ -154,7 +168,9 @@ class Reader {
 
     void add_document(const fs::path& file) {
         nlohmann::json json = nlohmann::json::parse(read_text(file), nullptr, false);
-        if (json.is_object()) {
+        if (json.is_object() && json.contains("checksum") && !study::agrees_with_checksum(json)) {
+            content.remarks.push_back(fmt::format("{}: is damaged (its checksum does not match); make it again", file.string()));
+        } else if (json.is_object()) {
             content.documents.push_back({.label = file.filename().string(), .json = std::move(json)});
         } else {
             content.remarks.push_back(fmt::format(

@@ -167,7 +167,7 @@ StackedPlot make_ensemble_plot(const EnsembleSummary& summary) {
 }
 
 void add_ensemble(ResultFolder& folder, const EnsembleSummary& summary, const std::string& version) {
-    folder.add_text("ensemble.json", to_json(summary, version).dump(2) + "\n");
+    folder.add_json("ensemble.json", to_json(summary, version));
     if (summary.bands.samples() == 0) return;
     const std::vector<char> bytes = make_ensemble_hdf5(summary, version);
     folder.add_text("ensemble.h5", {bytes.data(), bytes.size()});

@@ -2,11 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "lsdem/study/checked_json.hpp"
 #include "lsdem/study/detail/hdf5_reader.hpp"
-#include "scaling/regular_file.hpp"
 
 namespace musim::lsdem::study {
 namespace {
@@ -161,11 +160,13 @@ void read_frames(const Hdf5Reader& file, StoredRun& run) {
     run.frames = std::move(frames);
 }
 
-/// Status and collapse from the summary beside the file.
-void read_summary(const fs::path& path, StoredRun& run) {
-    std::ifstream file = scaling::open_regular_file(path);
-    const nlohmann::json summary = nlohmann::json::parse(file, nullptr, false);
-    const std::string status = summary.is_object() ? summary.value("status", "") : std::string();
+/// Status and collapse from the summary beside the file of that checksum.
+void read_summary(const fs::path& path, const std::string& result, StoredRun& run) {
+    const nlohmann::json summary = read_checked_json(path);
+    if (summary.value("result_checksum", nlohmann::json()) != result) {
+        throw ResultError(fmt::format("{}: is of another run than result.h5 beside it; run the scene again", path.string()));
+    }
+    const nlohmann::json status = summary.value("status", nlohmann::json());
     if (status == "completed") {
         run.status = RunStatus::completed;
     } else if (status == "collapsed") {
@@ -173,7 +174,7 @@ void read_summary(const fs::path& path, StoredRun& run) {
     } else if (status == "diverged") {
         run.status = RunStatus::diverged;
     } else {
-        throw ResultError(fmt::format("{}: has no status of a run (it is missing or damaged); run the scene again", path.string()));
+        throw ResultError(fmt::format("{}: has no status of a run (it is of another version); run the scene again", path.string()));
     }
     if (summary.contains("collapse_time_s") && summary["collapse_time_s"].is_number()) run.collapse_time = summary["collapse_time_s"];
     try {
@@ -218,7 +219,7 @@ StoredRun read_run(const fs::path& directory, Reading reading) {
     run.is_status_known = false;
     run.status = run.falls.at_collapse.empty() ? RunStatus::completed : RunStatus::collapsed;
     take([&] {
-        read_summary(directory / "summary.json", run);
+        read_summary(directory / "summary.json", file.checksum(), run);
         run.is_status_known = true;
     });
     return run;

@@ -153,7 +153,7 @@ class Sequence {
         std::vector<StageFolder> folders;
         for (std::size_t k = 0; k < stages; ++k) folders.push_back({plan_.stages[k].name, plan_.stages[k].folder});
         SequenceSummary summary = summarize_sequence(settings_.directory, name_, plan_.stages.size(), folders);
-        folder_.add_text("sequence.json", to_json(summary).dump(2) + "\n");
+        folder_.add_json("sequence.json", to_json(summary));
         folder_.add_text("sequence.csv", make_sequence_csv(summary));
         folder_.add_text("sequence_levels.csv", make_sequence_levels_csv(summary));
         folder_.commit();

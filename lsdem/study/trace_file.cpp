@@ -1,12 +1,12 @@
 #include "lsdem/study/trace_file.hpp"
 
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "lsdem/study/checked_json.hpp"
+#include "lsdem/study/read_results.hpp"
 #include "records/atomic_file.hpp"
-#include "scaling/regular_file.hpp"
 
 namespace musim::lsdem::study {
 namespace {
@@ -23,14 +23,12 @@ void write_trace(const std::filesystem::path& file, const RunTrace& trace) {
     }
     const nlohmann::json object = {
         {"format", kFormat}, {"diverged", trace.diverged}, {"image", trace.image}, {"running", trace.running}, {"quantities", quantities}};
-    records::write_file_atomically(file, object.dump() + "\n");
+    records::write_file_atomically(file, make_checked_json(object));
 }
 
 std::optional<RunTrace> read_trace(const std::filesystem::path& file) {
-    std::ifstream in = scaling::open_regular_file(file);
-    if (!in) return std::nullopt;
     try {
-        const nlohmann::json object = nlohmann::json::parse(in);
+        const nlohmann::json object = read_checked_json(file);
         if (object.at("format") != kFormat) return std::nullopt;
         RunTrace trace;
         trace.diverged = object.at("diverged").get<bool>();
@@ -43,6 +41,8 @@ std::optional<RunTrace> read_trace(const std::filesystem::path& file) {
         }
         return trace;
     } catch (const nlohmann::json::exception&) {
+        return std::nullopt;
+    } catch (const ResultError&) {
         return std::nullopt;
     }
 }

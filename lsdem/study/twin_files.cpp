@@ -12,6 +12,8 @@
 #include <utility>
 
 #include "lsdem/archive.hpp"
+#include "lsdem/study/checked_json.hpp"
+#include "lsdem/study/read_results.hpp"
 #include "records/atomic_file.hpp"
 #include "records/csv_cell.hpp"
 #include "scaling/regular_file.hpp"
@@ -93,14 +95,12 @@ std::string twin_file_name(const TwinChoice& choice) {
 void write_twin(const fs::path& folder, const TwinRun& twin) {
     nlohmann::json object = to_json(twin.choice);
     object.update({{"format", kTwinFormat}, {"diverged", twin.diverged}, {"difference_m_s", twin.difference}});
-    records::write_file_atomically(folder / twin_file_name(twin.choice), object.dump() + "\n");
+    records::write_file_atomically(folder / twin_file_name(twin.choice), make_checked_json(object));
 }
 
 bool read_twin(const fs::path& folder, TwinRun& twin) {
-    std::ifstream in = scaling::open_regular_file(folder / twin_file_name(twin.choice));
-    if (!in) return false;
     try {
-        const nlohmann::json object = nlohmann::json::parse(in);
+        const nlohmann::json object = read_checked_json(folder / twin_file_name(twin.choice));
         const TwinChoice choice{object.at("length"), object.at("shift"), object.at("directions")};
         if (object.at("format") != kTwinFormat || choice != twin.choice) return false;
         const bool diverged = object.at("diverged");
@@ -108,6 +108,8 @@ bool read_twin(const fs::path& folder, TwinRun& twin) {
         twin.diverged = diverged;
         return true;
     } catch (const nlohmann::json::exception&) {
+        return false;
+    } catch (const ResultError&) {
         return false;
     }
 }

@@ -1,13 +1,13 @@
 #include "lsdem/study/watched_folder.hpp"
 
 #include <algorithm>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <system_error>
 
+#include "lsdem/study/checked_json.hpp"
 #include "lsdem/study/checkpoint.hpp"
 #include "lsdem/study/detail/folder_lock.hpp"
-#include "scaling/regular_file.hpp"
+#include "lsdem/study/read_results.hpp"
 
 namespace musim::lsdem::study {
 namespace {
@@ -44,9 +44,13 @@ constexpr ResultFile kResultFiles[]{
     {"summary.json", "status"}, {"sequence.json", "status"}, {"pair.json", "consistent"}, {"ensemble.json", nullptr}};
 
 std::string read_status(const fs::path& file, const char* key) {
-    std::ifstream stream = scaling::open_regular_file(file);
-    const nlohmann::json json = nlohmann::json::parse(stream, nullptr, false);
-    if (key == nullptr || !json.is_object() || !json.contains(key)) return {};
+    nlohmann::json json;
+    try {
+        json = read_checked_json(file);
+    } catch (const ResultError&) {
+        return "damaged";
+    }
+    if (key == nullptr || !json.contains(key)) return {};
     const nlohmann::json& value = json[key];
     if (value.is_boolean()) return value.get<bool>() ? "consistent" : "distorted";
     return value.is_string() ? value.get<std::string>() : std::string();

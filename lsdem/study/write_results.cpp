@@ -5,8 +5,11 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "lsdem/study/checked_json.hpp"
+#include "lsdem/study/detail/file_checksum.hpp"
 #include "lsdem/study/detail/hdf5_file.hpp"
 #include "lsdem/study/summary.hpp"
 
@@ -235,13 +238,18 @@ std::string make_spine_csv(const RunResult& run) {
 void ResultFolder::add_run(const std::filesystem::path& subfolder, const RunResult& run, const ResultHeader& header) {
     const std::vector<char> hdf5 = make_hdf5(run, header);
     nlohmann::json summary = make_summary(run);
+    summary["result_checksum"] = detail::find_checksum({hdf5.data(), hdf5.size()});
     summary["program_version"] = header.program_version;
     if (header.similitude) summary["similitude"] = to_json(*header.similitude);
 
     files_.write(subfolder / "result.h5", {hdf5.data(), hdf5.size()});
     files_.write(subfolder / "result.xdmf", make_xdmf(run));
     files_.write(subfolder / "spine.csv", make_spine_csv(run));
-    files_.write(subfolder / "summary.json", summary.dump(2) + "\n");
+    files_.write(subfolder / "summary.json", make_checked_json(std::move(summary)));
+}
+
+void ResultFolder::add_json(const std::filesystem::path& name, const nlohmann::json& object) {
+    files_.write(name, make_checked_json(object));
 }
 
 }  // namespace musim::lsdem::study

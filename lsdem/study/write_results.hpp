@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 
@@ -30,6 +31,9 @@ class ResultFolder {
 
     /// Adds a text file, such as a picture. Throws records::WriteError.
     void add_text(const std::filesystem::path& name, const std::string& text) { files_.write(name, text); }
+
+    /// Adds a JSON object that is read back, see make_checked_json(). Throws records::WriteError.
+    void add_json(const std::filesystem::path& name, const nlohmann::json& object);
 
     /// Lets everything appear, replacing older results; more may be added after that. Throws records::WriteError.
     void commit() { files_.commit(); }

@@ -34,7 +34,9 @@ TEST_CASE("a structure is shaken until it collapses, and every stage is a run th
     CHECK(outcome.exit_code == 0);
     CHECK(outcome.err.empty());
     const auto json = outcome.json();
-    CHECK(json == nlohmann::json::parse(here.read("whole/sequence.json")));
+    auto stored = nlohmann::json::parse(here.read("whole/sequence.json"));
+    stored.erase("checksum");
+    CHECK(json == stored);
     CHECK(json["status"] == "collapsed");
     CHECK(json["stages_run"] == 3);
     CHECK(json["motions"] == 4);

@@ -16,6 +16,7 @@
 #include "lsdem/report/record_sections.hpp"
 #include "lsdem/scene/scale_scene.hpp"
 #include "lsdem/scene/scene_json.hpp"
+#include "lsdem/study/checked_json.hpp"
 #include "lsdem/study/detail/file_checksum.hpp"
 #include "lsdem/study/ensemble_files.hpp"
 #include "lsdem/study/run.hpp"
@@ -67,6 +68,10 @@ void renew_checksum(const std::filesystem::path& file) {
     std::vector<char> renewed(bytes.begin(), bytes.end());
     study::detail::append_checksum(renewed);
     std::ofstream(file, std::ios::binary).write(renewed.data(), static_cast<std::streamsize>(renewed.size()));
+}
+
+void write_json(const std::filesystem::path& file, const nlohmann::json& object) {
+    std::ofstream(file) << study::make_checked_json(object);
 }
 
 bool holds(const std::string& page, const std::string& text) { return page.find(text) != std::string::npos; }
@@ -135,7 +140,8 @@ TEST_CASE("what is missing is told, and the rest shown") {
     // a model that has gone
     std::filesystem::create_directories(place.path() / "pair");
     std::filesystem::copy(place.path() / "out", place.path() / "pair/prototype", std::filesystem::copy_options::recursive);
-    std::ofstream(place.path() / "pair/pair.json") << R"({"pairs": [{"label": "1:25", "materials": "exact", "consistent": true}]})";
+    write_json(place.path() / "pair/pair.json",
+               nlohmann::json::parse(R"({"pairs": [{"label": "1:25", "materials": "exact", "consistent": true}]})"));
     const ReportContent pair = read_places({place.path() / "pair"});
     CHECK(pair.runs.size() == 1);
     CHECK(std::any_of(pair.remarks.begin(), pair.remarks.end(), [](const std::string& remark) { return holds(remark, "pair/1-25"); }));
@@ -143,14 +149,14 @@ TEST_CASE("what is missing is told, and the rest shown") {
     // how it ended is in summary.json, all else is not
     std::filesystem::remove(place.path() / "pair/prototype/summary.json");
     const std::string unknown = make_report({place.path() / "pair/prototype"});
-    CHECK(holds(unknown, "prototype/summary.json: has no status of a run"));
+    CHECK(holds(unknown, "prototype/summary.json: cannot be read (it is missing)"));
     CHECK(holds(unknown, "how it ended is not known"));
     CHECK(holds(unknown, "id=\"figure-spine_velocity\""));
 
     // an ensemble without members
     std::filesystem::create_directories(place.path() / "empty");
-    std::ofstream(place.path() / "empty/ensemble.json")
-        << R"({"members": [{"name": "member-1", "seed": 1, "status": "failed", "reason": "no disk"}]})";
+    write_json(place.path() / "empty/ensemble.json",
+               nlohmann::json::parse(R"({"members": [{"name": "member-1", "seed": 1, "status": "failed", "reason": "no disk"}]})"));
     const std::string ensemble = make_report({place.path() / "empty"});
     CHECK(holds(ensemble, "no member has results"));
     CHECK(holds(ensemble, "no disk"));
@@ -187,21 +193,23 @@ TEST_CASE("numbers and texts that are of another kind than they should be are le
     const TemporaryFolder place;
     run_column(place.path() / "pair/prototype", false);
     run_column(place.path() / "pair/1-25", false);
-    std::ofstream(place.path() / "pair/1-25/summary.json")
-        << R"({"status": "completed", "energy_closure": null, "similitude": null, "steps": "many", "doubts": []})";
-    std::ofstream(place.path() / "pair/pair.json")
-        << R"({"pairs": [{"label": "1:25", "materials": 3, "consistent": "yes", "distortions": {},
-        "alone": [7], "shadow_rms": null}, null]})";
+    nlohmann::json summary = study::read_checked_json(place.path() / "pair/1-25/summary.json");
+    summary.update({{"energy_closure", nullptr}, {"similitude", nullptr}, {"steps", "many"}, {"doubts", nlohmann::json::array()}});
+    write_json(place.path() / "pair/1-25/summary.json", summary);
+    write_json(place.path() / "pair/pair.json",
+               nlohmann::json::parse(R"({"pairs": [{"label": "1:25", "materials": 3, "consistent": "yes", "distortions": {},
+        "alone": [7], "shadow_rms": null}, null]})"));
     CHECK(holds(make_report({place.path() / "pair"}), "1-25: ran to its end"));
-    for (const char* pairs : {R"({"pairs": null})", R"({"pairs": {"label": 1}})", "[]"}) {
-        std::ofstream(place.path() / "pair/pair.json") << pairs;
+    for (const char* pairs : {R"({"pairs": null})", R"({"pairs": {"label": 1}})"}) {
+        write_json(place.path() / "pair/pair.json", nlohmann::json::parse(pairs));
         CHECK(holds(make_report({place.path() / "pair"}), "prototype: ran to its end"));
     }
     std::filesystem::create_directories(place.path() / "several");
-    std::ofstream(place.path() / "several/ensemble.json") << R"({"members": [{"name": 1, "seed": "x"}, 2]})";
+    write_json(place.path() / "several/ensemble.json", nlohmann::json::parse(R"({"members": [{"name": 1, "seed": "x"}, 2]})"));
     CHECK(holds(make_report({place.path() / "several"}), "no member has results"));
     std::filesystem::remove(place.path() / "several/ensemble.json");
-    std::ofstream(place.path() / "several/sequence.json") << R"({"stages": [{"name": null, "since_stage_start": 3}, "x"]})";
+    write_json(place.path() / "several/sequence.json",
+               nlohmann::json::parse(R"({"stages": [{"name": null, "since_stage_start": 3}, "x"]})"));
     CHECK(holds(make_report({place.path() / "several"}), "One motion after another"));
 }
 
@@ -340,7 +348,7 @@ TEST_CASE("ensembles stand beside each other with their bands and how far they a
     CHECK(holds(page, "<td class=\"number\">100</td><td class=\"number\">100</td>"));
     CHECK(holds(page, "widest half of the band"));
 
-    std::ofstream(place.path() / "first/pair.json") << R"({"pairs": []})";
+    write_json(place.path() / "first/pair.json", nlohmann::json::parse(R"({"pairs": []})"));
     std::filesystem::copy(place.path() / "second/members", place.path() / "members", std::filesystem::copy_options::recursive);
     const ReportContent second = read_places({place.path() / "second", place.path() / "first"});
     CHECK(second.ensembles.size() == 1);

@@ -4,10 +4,12 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <nlohmann/json.hpp>
 #include <random>
 #include <string>
 #include <vector>
 
+#include "lsdem/study/checked_json.hpp"
 #include "lsdem/study/read_results.hpp"
 #include "lsdem/study/specimen_file.hpp"
 #include "lsdem/study/write_results.hpp"
@@ -60,6 +62,44 @@ TEST_CASE("a damaged result is refused") {
     write_made_run(folder.path());
     CHECK(count_taken(folder.path() / "result.h5", [&] { read_run(folder.path()); }) == 0);
     CHECK_NOTHROW(read_run(folder.path()));
+}
+
+TEST_CASE("a damaged summary is refused or says the same") {
+    const TemporaryFolder folder;
+    write_made_run(folder.path());
+    const fs::path file = folder.path() / "summary.json";
+    const auto told = nlohmann::json::parse(bytes_of(file));
+    // white space may change
+    CHECK(count_taken(file, [&] {
+              if (read_checked_json(file) == told) throw ResultError("the same");
+          }) == 0);
+    CHECK(count_taken(file, [&] {
+              if (read_run(folder.path()).status == RunStatus::completed) throw ResultError("the same");
+          }) == 0);
+}
+
+TEST_CASE("a summary that was cut and closed again is refused") {
+    const TemporaryFolder folder;
+    write_made_run(folder.path());
+    auto summary = nlohmann::json::parse(bytes_of(folder.path() / "summary.json"));
+    summary.erase("doubts");
+    folder.write("summary.json", summary.dump());
+    CHECK_THROWS_WITH_AS(read_run(folder.path()), doctest::Contains("summary.json: is damaged (its checksum does not match)"), ResultError);
+    folder.write("summary.json", R"({"status": "completed"})");
+    CHECK_THROWS_WITH_AS(read_run(folder.path()), doctest::Contains("summary.json: has no checksum"), ResultError);
+}
+
+TEST_CASE("a summary of another run than the result beside it is refused") {
+    const TemporaryFolder folder;
+    write_made_run(folder.path());
+    const std::string summary = bytes_of(folder.path() / "summary.json");
+    ResultFolder other(folder.path());
+    other.add_run("", make_made_run(21), {.scene = R"({"name":"made"})", .similitude = {}, .program_version = "9.9.9"});
+    other.commit();
+    CHECK_NOTHROW(read_run(folder.path()));
+    folder.write("summary.json", summary);
+    CHECK_THROWS_WITH_AS(read_run(folder.path()), doctest::Contains("summary.json: is of another run than result.h5 beside it"),
+                         ResultError);
 }
 
 TEST_CASE("a damaged specimen is refused") {

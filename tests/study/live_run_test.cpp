@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "lsdem/study/checked_json.hpp"
 #include "lsdem/study/live_file.hpp"
 #include "lsdem/study/simulate.hpp"
 #include "lsdem/study/watched_folder.hpp"
@@ -95,7 +96,7 @@ TEST_CASE("a run tells where it stands in its folder while it goes on, and only 
         CHECK(watched.runs[0].state.fraction == 0.5);
         CHECK(watched.runs[0].state.left.value() > 0.0);
         CHECK(watched.runs[0].state.run == observe_run(run, plan));
-        folder.add_text("summary.json", R"({"status": "collapsed"})");
+        folder.add_json("summary.json", {{"status", "collapsed"}});
         folder.commit();
     }
     CHECK_FALSE(std::filesystem::exists(out / kLiveName));
@@ -106,7 +107,7 @@ TEST_CASE("a run tells where it stands in its folder while it goes on, and only 
 TEST_CASE("what a kill leaves behind is not taken for work, nor for results") {
     const musim::tests::TemporaryFolder place;
     place.write(kLiveName, R"({"schema": "musim-live/1", "name": "left", "phase": "running", "fraction": 0.5, "wall_s": 3})");
-    place.write("summary.json", R"({"status": "completed"})");
+    place.write("summary.json", make_checked_json({{"status", "completed"}}));
     const WatchedFolder watched = look_into(place.path());
     CHECK(watched.state == FolderState::killed);
     REQUIRE(watched.runs.size() == 1);
@@ -116,4 +117,7 @@ TEST_CASE("what a kill leaves behind is not taken for work, nor for results") {
     CHECK(look_into(place.path()).state == FolderState::finished);
     place.write(kLiveName, "{");
     CHECK(look_into(place.path()).state == FolderState::finished);
+    CHECK(look_into(place.path()).status == "completed");
+    place.write("summary.json", R"({"status": "completed"})");
+    CHECK(look_into(place.path()).status == "damaged");
 }

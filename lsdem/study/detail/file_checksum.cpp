@@ -13,7 +13,8 @@ namespace musim::lsdem::study::detail {
 namespace {
 
 constexpr std::string_view kLineStart = "musim-checksum ";
-constexpr std::size_t kLineSize = kLineStart.size() + 16 + 1;
+constexpr std::size_t kHashSize = 16;
+constexpr std::size_t kLineSize = kLineStart.size() + kHashSize + 1;
 
 /// Bytes read at once.
 constexpr std::size_t kPiece = std::size_t{1} << 20U;
@@ -31,7 +32,9 @@ void append_checksum(std::vector<char>& bytes) {
     bytes.insert(bytes.end(), line.begin(), line.end());
 }
 
-void require_checksum(const std::filesystem::path& file) {
+std::string find_checksum(std::string_view bytes) { return std::string(bytes.substr(bytes.size() - kHashSize - 1, kHashSize)); }
+
+std::string require_checksum(const std::filesystem::path& file) {
     std::ifstream in(file, std::ios::binary | std::ios::ate);
     const std::streamoff size = in.tellg();
     if (!in || size < static_cast<std::streamoff>(kLineSize)) refuse(file, "is no file of musim, or cut off");
@@ -48,6 +51,7 @@ void require_checksum(const std::filesystem::path& file) {
     if (!in) refuse(file, "cannot be read to its end");
     if (!line.starts_with(kLineStart)) refuse(file, "has no checksum at its end (it is damaged, or an older musim wrote it)");
     if (line != make_line(hash.name())) refuse(file, "is damaged (its checksum does not match)");
+    return hash.name();
 }
 
 }  // namespace musim::lsdem::study::detail

@@ -11,7 +11,10 @@ namespace musim::lsdem::study::detail {
 /// so such a file opens everywhere.
 void append_checksum(std::vector<char>& bytes);
 
-/// Reads a whole file against the line at its end. Throws ResultError: the file, what is wrong, and what to do.
-void require_checksum(const std::filesystem::path& file);
+/// HASH of a file's bytes that end with such a line.
+std::string find_checksum(std::string_view bytes);
+
+/// Reads a whole file against the line at its end; its HASH. Throws ResultError: the file, what is wrong, and what to do.
+std::string require_checksum(const std::filesystem::path& file);
 
 }  // namespace musim::lsdem::study::detail

@@ -9,14 +9,17 @@
 namespace musim::lsdem::study::detail {
 namespace {
 
-hid_t open_file(const std::filesystem::path& path) {
+/// The library takes damaged numbers as they are, and damaged structure for anything: the checksum comes first.
+std::string check_file(const std::filesystem::path& path) {
     const std::string obstacle = scaling::find_obstacle(path);
     if (!obstacle.empty()) {
         throw ResultError(fmt::format("{}: cannot be read ({}); name what `musim run -o DIR` or `musim specimen` has written", path.string(),
                                       obstacle));
     }
-    // the library takes damaged numbers as they are, and damaged structure for anything
-    require_checksum(path);
+    return require_checksum(path);
+}
+
+hid_t open_file(const std::filesystem::path& path) {
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
     const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
     if (file < 0) throw ResultError(fmt::format("{}: is no HDF5 file; make it again with the command that made it", path.string()));
@@ -25,7 +28,8 @@ hid_t open_file(const std::filesystem::path& path) {
 
 }  // namespace
 
-Hdf5Reader::Hdf5Reader(const std::filesystem::path& path) : path_(path), file_(open_file(path), H5Fclose, "open " + path.string()) {}
+Hdf5Reader::Hdf5Reader(const std::filesystem::path& path)
+    : path_(path), checksum_(check_file(path)), file_(open_file(path), H5Fclose, "open " + path.string()) {}
 
 void Hdf5Reader::fail(const std::string& what) const {
     const std::optional<std::string> version = find_text("program_version");

@@ -22,6 +22,9 @@ class Hdf5Reader {
   public:
     explicit Hdf5Reader(const std::filesystem::path& path);
 
+    /// Of the whole file, see append_checksum().
+    const std::string& checksum() const { return checksum_; }
+
     bool has(const std::string& path) const;
 
     /// Dataset of a given rank. Numbers are converted to the type asked for.
@@ -43,6 +46,7 @@ class Hdf5Reader {
     Hdf5Data<Number> read(const std::string& path, std::size_t rank, hid_t type) const;
 
     std::filesystem::path path_;
+    std::string checksum_;
     Hdf5Handle file_;
 };
 

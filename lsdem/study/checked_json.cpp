@@ -1,0 +1,49 @@
+#include "lsdem/study/checked_json.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "lsdem/study/detail/content_name.hpp"
+#include "lsdem/study/read_results.hpp"
+#include "scaling/regular_file.hpp"
+
+namespace musim::lsdem::study {
+namespace {
+
+constexpr const char* kChecksum = "checksum";
+
+std::string hash_rest(nlohmann::json object) {
+    object.erase(kChecksum);
+    // what is no UTF-8 is damage, not a mistake of ours
+    return detail::name_content(object.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+}
+
+[[noreturn]] void refuse_json(const std::filesystem::path& file, const std::string& what) {
+    throw ResultError(fmt::format("{}: {}; make it again with the command that made it", file.string(), what));
+}
+
+}  // namespace
+
+std::string make_checked_json(nlohmann::json object) {
+    object[kChecksum] = hash_rest(object);
+    return object.dump(2) + "\n";
+}
+
+bool agrees_with_checksum(const nlohmann::json& object) {
+    return object.is_object() && object.contains(kChecksum) && object[kChecksum] == hash_rest(object);
+}
+
+nlohmann::json read_checked_json(const std::filesystem::path& file) {
+    const std::string obstacle = scaling::find_obstacle(file);
+    std::ifstream stream = scaling::open_regular_file(file);
+    if (!stream) refuse_json(file, fmt::format("cannot be read ({})", obstacle.empty() ? "no permission" : obstacle));
+    nlohmann::json object = nlohmann::json::parse(stream, nullptr, false);
+    if (!object.is_object()) refuse_json(file, "is damaged (it is cut off, or no JSON object)");
+    if (!object.contains(kChecksum)) refuse_json(file, "has no checksum (it is damaged, or an older musim wrote it)");
+    if (!agrees_with_checksum(object)) refuse_json(file, "is damaged (its checksum does not match)");
+    return object;
+}
+
+}  // namespace musim::lsdem::study
