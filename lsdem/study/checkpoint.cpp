@@ -70,11 +70,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr ArchiveKind kKind{{'m', 'u', 's', 'i', 'm', 'R', 'U', 'N'}, 10, "checkpoint"};
+constexpr ArchiveKind kKind{{'m', 'u', 's', 'i', 'm', 'R', 'U', 'N'}, 11, "checkpoint"};
 
 /// The fields of a checkpoint beside its run, which need not be copied to be written.
 struct Beside {
-    std::string program_version, scene;
+    std::string program_version, build, scene;
     std::optional<PreparedPlaces> places;
     std::optional<PreparationState> preparation;
     TimePlan plan;
@@ -86,11 +86,12 @@ struct Beside {
 /// One list of what a checkpoint holds, for writing from where things are and for reading.
 template <class Fields>
 void exchange_all(Archive& archive, Fields& c, RunResult& run) {
-    archive(c.program_version, c.scene, c.places, c.preparation, c.plan, c.samples_done, run, c.quiet, c.state);
+    archive(c.program_version, c.build, c.scene, c.places, c.preparation, c.plan, c.samples_done, run, c.quiet, c.state);
 }
 
 void write_file(const CheckpointSettings& settings, Beside& beside, RunResult& run) {
     beside.program_version = settings.program_version;
+    beside.build = settings.build;
     beside.scene = settings.scene;
     std::ostringstream out;
     Archive archive;
@@ -108,9 +109,9 @@ Checkpoint read_checkpoint(const fs::path& file, const std::string& program_vers
     try {
         const std::string bytes = read_sealed(in, kKind);
         Archive archive{std::string_view(bytes)};
-        // the version comes first: of another one the rest may mean something else
-        archive(c.program_version);
-        if (c.program_version == program_version) {
+        // version and build come first: of another one the rest may mean something else
+        archive(c.program_version, c.build);
+        if (c.program_version == program_version && c.build == describe_build()) {
             archive = Archive{std::string_view(bytes)};
             exchange_all(archive, c, c.run);
             archive.finish();
@@ -122,6 +123,12 @@ Checkpoint read_checkpoint(const fs::path& file, const std::string& program_vers
         throw std::runtime_error(
             fmt::format("{}: the run was begun by musim {}, this is {}; continue it with that version or start it anew", file.string(),
                         c.program_version, program_version));
+    }
+    if (c.build != describe_build()) {
+        throw std::runtime_error(fmt::format(
+            "{}: the run was begun by another build ({}; this is {}), whose bits may differ; continue it with that one or start "
+            "it anew",
+            file.string(), c.build, describe_build()));
     }
     return c;
 }

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "lsdem/build.hpp"
 #include "lsdem/simulation.hpp"
 #include "lsdem/study/history.hpp"
 #include "lsdem/study/preparation_state.hpp"
@@ -17,10 +18,11 @@ namespace musim::lsdem::study {
 /// Where and how often a run writes what it needs to go on after it was killed.
 struct CheckpointSettings {
     std::filesystem::path file;
-    std::string scene;            ///< as JSON text, for whoever resumes
-    std::string program_version;  ///< only the same one may resume
-    double interval = 60.0;       ///< wall time between two checkpoints [s]; 0: one after every sample
-    std::uint64_t samples = 0;    ///< when positive: one after so many samples, or looks while it settles, whatever the wall time
+    std::string scene;                     ///< as JSON text, for whoever resumes
+    std::string program_version;           ///< only the same one may resume
+    std::string build = describe_build();  ///< likewise
+    double interval = 60.0;                ///< wall time between two checkpoints [s]; 0: one after every sample
+    std::uint64_t samples = 0;             ///< when positive: one after so many samples, or looks while it settles, whatever the wall time
     std::optional<PreparedPlaces> places = {};  ///< of a specimen that was prepared, so that it need not be again
     /// Told why a checkpoint could not be written; the run goes on, and the checkpoint before stays.
     std::function<void(const std::string&)> on_failure = {};
@@ -38,6 +40,7 @@ struct QuietState {
 /// A run as far as it had come. Of `run` it holds all but what follows from specimen and plan, and a divergence.
 struct Checkpoint {
     std::string program_version;
+    std::string build;                            ///< see lsdem::describe_build
     std::string scene;                            ///< as JSON text
     std::optional<PreparedPlaces> places;         ///< of a specimen that has been prepared
     std::optional<PreparationState> preparation;  ///< of one that was being prepared: what follows is then empty
@@ -51,8 +54,8 @@ struct Checkpoint {
 /// The name of the checkpoint in a folder of results.
 inline constexpr const char* kCheckpointName = "checkpoint";
 
-/// Reads a checkpoint of this program version. Throws std::runtime_error `FILE: what; what to do` when there is none, it is damaged, or it
-/// was written by another version.
+/// Reads a checkpoint of this program version and build. Throws std::runtime_error `FILE: what; what to do` when there is none, it is
+/// damaged, or it was written by another version or build: the run would go on to other bits.
 Checkpoint read_checkpoint(const std::filesystem::path& file, const std::string& program_version);
 
 /// Removes a checkpoint, and what a kill left of one that was being written. Nothing happens when there is none.

@@ -10,6 +10,7 @@
 #include <system_error>
 #include <utility>
 
+#include "lsdem/build.hpp"
 #include "lsdem/scene/block_heights.hpp"
 #include "lsdem/scene/measured_material.hpp"
 #include "lsdem/scene/motions.hpp"
@@ -170,7 +171,7 @@ class KeptPair {
         if (!settings.checkpoint) return;
         // scenes are named by the files that they name, too; the number of twins decides on no run
         const std::string& version = settings.checkpoint->program_version;
-        std::string all = make_member(prototype, version).name;
+        std::string all = describe_build() + make_member(prototype, version).name;
         for (const ScaledScene& model : models) {
             const Similitude& s = model.similitude;
             all +=

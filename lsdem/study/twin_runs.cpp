@@ -10,6 +10,7 @@
 #include <optional>
 #include <utility>
 
+#include "lsdem/build.hpp"
 #include "lsdem/scene/motions.hpp"
 #include "lsdem/scene/scene_error.hpp"
 #include "lsdem/scene/scene_json.hpp"
@@ -174,7 +175,7 @@ class TwinWork {
 }  // namespace
 
 fs::path twin_folder(const fs::path& directory, const scene::Scene& scene, const std::string& version) {
-    return directory / ("twins-" + detail::name_content(make_member(with_rate(scene), version).name));
+    return directory / ("twins-" + detail::name_content(describe_build() + make_member(with_rate(scene), version).name));
 }
 
 Specimen lay_twin_specimen(const scene::Scene& scene, const fs::path& folder, const TwinSettings& settings) {

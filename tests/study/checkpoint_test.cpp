@@ -8,11 +8,13 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <random>
 #include <string>
 #include <vector>
 
 #include "lsdem/study/simulate.hpp"
 #include "tests/study/made_specimen.hpp"
+#include "tests/support/damage.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 using namespace musim::lsdem;
@@ -184,6 +186,29 @@ TEST_CASE("checkpoints that are missing, damaged, cut off or of another version 
     }
 }
 
+TEST_CASE("a checkpoint of another build is refused although its version is the same") {
+    const Slide slide;
+    const Folder folder;
+    RunSettings settings = slide.settings(folder, 20);
+    settings.checkpoint->build = "Clang 99 x86_64 -ffast-math";
+    simulate(slide.specimen, slide.plan, settings);
+    CHECK(refusal(folder.file()) == folder.file().string() + ": the run was begun by another build (Clang 99 x86_64 -ffast-math; this is " +
+                                        musim::lsdem::describe_build() +
+                                        "), whose bits may differ; continue it with that one or start it anew");
+}
+
+TEST_CASE("damaged checkpoints are refused or hold the same") {
+    const Slide slide;
+    const Folder folder;
+    simulate(slide.specimen, slide.plan, slide.settings(folder, 20));
+    const std::string good = bytes_of(folder.file()), state = read_checkpoint(folder.file(), "1.2").state;
+    std::mt19937_64 random(1);
+    for (int i = 0; i < musim::tests::count_damages(); ++i) {
+        write_bytes(folder.file(), musim::tests::damage(good, random));
+        CHECK_MESSAGE((!refusal(folder.file()).empty() || read_checkpoint(folder.file(), "1.2").state == state), "damage ", i);
+    }
+}
+
 TEST_CASE("a checkpoint of another format is refused with file, format and what to do") {
     const Slide slide;
     const Folder folder;
@@ -191,12 +216,12 @@ TEST_CASE("a checkpoint of another format is refused with file, format and what 
     std::string old = bytes_of(folder.file());
     // the head: a name of 8 bytes, the byte order in 4, the format in 4
     constexpr std::size_t kFormatAt = 12;
-    REQUIRE(old[kFormatAt] == 10);
-    old[kFormatAt] = 9;
+    REQUIRE(old[kFormatAt] == 11);
+    old[kFormatAt] = 10;
     write_bytes(folder.file(), old);
     CHECK(refusal(folder.file()) ==
           folder.file().string() +
-              ": the run cannot be continued (checkpoint: it has format 9, this program reads format 10; continue "
+              ": the run cannot be continued (checkpoint: it has format 10, this program reads format 11; continue "
               "it with the program that wrote it); start it anew");
 }
 

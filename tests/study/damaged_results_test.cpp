@@ -1,6 +1,5 @@
 #include <doctest/doctest.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -25,18 +24,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// As many as MUSIM_DAMAGES says (scripts/damage), else so many that the test is quick.
-int count_tries() {
-    const char* wanted = std::getenv("MUSIM_DAMAGES");
-    return wanted == nullptr ? 100 : std::atoi(wanted);
-}
-
 /// How many of the damages of a file `read` takes without a ResultError; the file is whole again afterwards.
 int count_taken(const fs::path& file, const std::function<void()>& read) {
     const std::string whole = bytes_of(file);
     std::mt19937_64 random(1);
     int taken = 0;
-    for (int i = 0; i < count_tries(); ++i) {
+    for (int i = 0; i < musim::tests::count_damages(); ++i) {
         const std::string damaged = musim::tests::damage(whole, random);
         std::ofstream(file, std::ios::binary) << damaged;
         try {

@@ -2,10 +2,17 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdlib>
 #include <random>
 #include <string>
 
 namespace musim::tests {
+
+/// How many damages a test tries: as many as MUSIM_DAMAGES says (scripts/damage), else so many that it is quick.
+inline int count_damages() {
+    const char* wanted = std::getenv("MUSIM_DAMAGES");
+    return wanted == nullptr ? 100 : std::atoi(wanted);
+}
 
 /// What may happen to a file: a bit flipped, its end cut off, a run of bytes zeroed or written twice. Kind, place and length are drawn; the
 /// bytes that come back differ from those given.

@@ -1,0 +1,11 @@
+#pragma once
+
+#include <string>
+
+namespace musim::lsdem {
+
+/// What the kernel's bits may depend on besides its source: compiler and version, processor family, options of the compiler other than
+/// warnings and debugging. Two builds of equal text give equal bits.
+std::string describe_build();
+
+}  // namespace musim::lsdem
