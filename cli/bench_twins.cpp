@@ -165,7 +165,8 @@ void add_bench_twins_command(CLI::App& bench, Action& action) {
         ->type_name("N")
         ->capture_default_str();
     command->add_option("--duration", options->duration, "Simulated time [s] of the prototypes, instead of the scenes'")
-        ->type_name("NUMBER");
+        ->type_name("NUMBER")
+        ->check(above_zero());
     command
         ->add_option("--perturb", options->shifts,
                      "Instead of models, copies whose blocks are moved by these parts of their height, e.g. 1e-13,1e-12,1e-11")

@@ -238,7 +238,8 @@ void add_bench_verdict_command(CLI::App& bench, Action& action) {
         ->check(above_zero());
     add_count("--images", plan.images, "Wrong models of each error and size", 1);
     command->add_option("--duration", options->duration, "Simulated time [s] of the prototypes, instead of the scenes'")
-        ->type_name("NUMBER");
+        ->type_name("NUMBER")
+        ->check(above_zero());
     add_format_option(*command, options->style, "Form of the tables");
     add_threads_option(*command, options->threads);
     add_json_option(*command, options->json);

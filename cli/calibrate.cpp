@@ -13,17 +13,27 @@ namespace scene = lsdem::scene;
 void SampleOptions::add_to(CLI::App& command) {
     command.add_option("--material", material, "Preset for block and contacts (`musim calibrate presets` lists them)")
         ->required()
-        ->type_name("PRESET");
+        ->type_name("PRESET")
+        ->check(CLI::IsMember(scene::material_preset_names()));
     command.add_option("--block", block, "Edge lengths b w H [m], instead of the preset's; its stiffnesses are fitted to them")
         ->expected(3)
-        ->type_name("NUMBER");
-    command.add_option("--density", density, "Density [kg/m^3], instead of the preset's")->type_name("NUMBER");
-    command.add_option("--normal-stiffness", normal_stiffness, "k_n of a whole face [N/m], instead of the preset's")->type_name("NUMBER");
-    command.add_option("--shear-stiffness", shear_stiffness, "k_s of a whole face [N/m], instead of the preset's")->type_name("NUMBER");
-    command.add_option("--friction", friction, "Friction coefficient, instead of the preset's")->type_name("NUMBER");
+        ->type_name("NUMBER")
+        ->check(above_zero());
+    command.add_option("--density", density, "Density [kg/m^3], instead of the preset's")->type_name("NUMBER")->check(above_zero());
+    command.add_option("--normal-stiffness", normal_stiffness, "k_n of a whole face [N/m], instead of the preset's")
+        ->type_name("NUMBER")
+        ->check(above_zero());
+    command.add_option("--shear-stiffness", shear_stiffness, "k_s of a whole face [N/m], instead of the preset's")
+        ->type_name("NUMBER")
+        ->check(not_negative());
+    command.add_option("--friction", friction, "Friction coefficient, instead of the preset's")->type_name("NUMBER")->check(not_negative());
     command.add_option("--ground-friction", ground_friction, "Friction coefficient of block on ground (default: that of block on block)")
-        ->type_name("NUMBER");
-    command.add_option("--restitution", restitution, "Coefficient of restitution, instead of the preset's")->type_name("NUMBER");
+        ->type_name("NUMBER")
+        ->check(not_negative());
+    command.add_option("--restitution", restitution, "Coefficient of restitution, instead of the preset's")
+        ->type_name("NUMBER")
+        ->check(above_zero())
+        ->check(between(0.0, 1.0));
 }
 
 study::BlockSample SampleOptions::sample() const {

@@ -83,7 +83,8 @@ void add_friction_command(CLI::App& calibrate, Action& action) {
     options->test.add_to(*command, "friction.csv");
     command->add_option("--resolution", options->resolution, "Interval in which the angle is enclosed [degrees]")
         ->default_str("0.001")
-        ->type_name("NUMBER");
+        ->type_name("NUMBER")
+        ->check(above_zero());
     command->footer(
         "Examples:\n"
         "  musim calibrate friction --material wood\n"

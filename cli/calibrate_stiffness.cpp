@@ -167,17 +167,20 @@ void add_stiffness_command(CLI::App& calibrate, Action& action) {
     command->add_flag("--raw", options->raw, "The target is the speed by the criterion, not the effective one without its bias");
     command->add_flag("--damped", options->damped, "Contacts with the material's restitution (default: springs only)");
     command->add_option("--speed-normal", options->speed_normal, "Wanted speed of the normal wave [m/s]: k_n is searched")
-        ->type_name("NUMBER");
+        ->type_name("NUMBER")
+        ->check(above_zero());
     command->add_option("--speed-shear", options->speed_shear, "Wanted speed of the shear wave [m/s]: k_s is searched")
-        ->type_name("NUMBER");
+        ->type_name("NUMBER")
+        ->check(above_zero());
     CLI::Option* youngs =
         command
             ->add_option("--youngs-modulus", options->youngs_modulus, "E [Pa]: the wanted normal speed is that of a bar, sqrt(E/density)")
-            ->type_name("NUMBER");
+            ->type_name("NUMBER")
+            ->check(above_zero());
     command->add_option("--poisson", options->poisson, "nu, with E: the wanted shear speed is sqrt(G/density), G = E/(2(1 + nu))")
         ->type_name("NUMBER")
         ->needs(youngs)
-        ->check(CLI::Range(-0.999, 0.5));
+        ->check(between(-0.999, 0.5));
     command->footer(
         "Examples:\n"
         "  musim calibrate stiffness --material wood\n"

@@ -9,9 +9,9 @@ namespace musim::cli {
 /// What the program returns.
 enum ExitCode : int {
     kDone = 0,
-    kInternalError = 1,  ///< a mistake of ours
-    kUsageError = 2,
-    kInputError = 3,        ///< unusable file or value, results that cannot be written
+    kInternalError = 1,     ///< a mistake of ours
+    kUsageError = 2,        ///< the command line alone shows that it is wrong
+    kInputError = 3,        ///< unusable file, values that do not go together, results that cannot be written
     kNumericalFailure = 4,  ///< a run diverged
     kCheckFailed = 5,       ///< a requested check did not hold
     kNotAccepted = 6,       ///< a model of its own material differs by more than was to be accepted

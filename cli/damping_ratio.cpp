@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/options.hpp"
 #include "records/error.hpp"
 #include "records/response_spectrum.hpp"
 
@@ -13,12 +14,20 @@ constexpr double kMostDamping = 2.0;
 
 }  // namespace
 
-void require_damping_ratio(double damping) {
-    records::require_damping(damping);
-    if (damping > kMostDamping) {
-        throw records::ProcessingError(fmt::format("--damping: {:g} is {:g} % of critical (at most {:g} %); write 0.05 for 5 %", damping,
-                                                   100.0 * damping, 100.0 * kMostDamping));
-    }
+CLI::Validator damping_ratio() {
+    return {[](const std::string& text) -> std::string {
+                Number damping;
+                lexical_cast(text, damping);
+                try {
+                    records::require_damping(damping);
+                } catch (const records::ProcessingError& error) {
+                    return error.what();
+                }
+                if (damping <= kMostDamping) return "";
+                return fmt::format("{} is {:g} % of critical (at most {:g} %); write 0.05 for 5 %", text, 100.0 * damping,
+                                   100.0 * kMostDamping);
+            },
+            ""};
 }
 
 }  // namespace musim::cli

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <CLI/Validators.hpp>
+
 namespace musim::cli {
 
-/// Checks a --damping: throws records::ProcessingError as records::require_damping() does, and above 2, where percent were meant.
-void require_damping_ratio(double damping);
+/// Checks a --damping: one of an oscillator, and not above 2, where percent were meant.
+CLI::Validator damping_ratio();
 
 }  // namespace musim::cli

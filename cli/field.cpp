@@ -49,13 +49,9 @@ std::vector<double> choose_times(const study::StoredRun& run, const FieldCommand
 /// Where colours end [m/s]; 0: at what is seen.
 double read_limit(const std::string& text) {
     if (text.empty()) return 0.0;
-    try {
-        const double limit = scaling::parse_si(text, scaling::dimension_of<scaling::Velocity>());
-        if (limit > 0.0) return limit;
-    } catch (const scaling::ParseError& error) {
-        throw std::runtime_error(fmt::format("--limit: {}", error.what()));
-    }
-    throw std::runtime_error(fmt::format("--limit {}: colours end at a velocity above zero; give one, e.g. \"5 cm/s\"", text));
+    const double limit = read_option("--limit", [&] { return scaling::parse_si(text, scaling::dimension_of<scaling::Velocity>()); });
+    if (limit > 0.0) return limit;
+    throw CLI::ValidationError("--limit", fmt::format("{}: colours end at a velocity above zero; give one, e.g. \"5 cm/s\"", text));
 }
 
 study::FieldPicture make_picture(const FieldCommand& options, study::CameraSide side) {
@@ -99,7 +95,7 @@ std::vector<std::size_t> choose_frames(const study::StoredRun& run, const FieldC
     const std::size_t first = study::find_frame(run, options.window[0]), last = study::find_frame(run, options.window[1]);
     std::vector<std::size_t> frames;
     for (std::size_t i = first; i <= last; ++i) frames.push_back(i);
-    if (frames.empty()) throw std::runtime_error("--window: it ends before it begins; give FROM TO in seconds");
+    if (frames.empty()) throw CLI::ValidationError("--window", "it ends before it begins; give FROM TO in seconds");
     return frames;
 }
 
@@ -133,7 +129,7 @@ int run_field(FieldCommand options) {
         options.formats = study::can_write_png() ? std::vector<std::string>{"svg", "png"} : std::vector<std::string>{"svg"};
     }
     for (const std::string& format : options.formats) study::require_picture_name("field." + format);
-    if (!(options.rate > 0.0)) throw std::runtime_error("--rate: a film has more than zero pictures a second; give e.g. 25");
+    read_limit(options.limit);  // a bad one is told before anything is read
     const study::StoredRun run = study::read_run(options.directory);
     study::require_frames(run);
     const study::CameraSettings camera = options.look.camera(study::find_strongest_axis(run.history));
@@ -173,7 +169,11 @@ void add_field_command(CLI::App& app, Action& action) {
     CLI::Option* film = command->add_option("--film", options->film, "All frames, one picture each; mp4 and gif need ffmpeg");
     film->check(CLI::IsMember({"png", "mp4", "gif"}))->excludes(at)->excludes(format);
     command->add_option("--window", options->window, "Part of the run that is filmed [s]")->expected(2)->type_name("FROM TO")->needs(film);
-    command->add_option("--rate", options->rate, "Pictures of the film a second")->default_str("25")->type_name("NUMBER")->needs(film);
+    command->add_option("--rate", options->rate, "Pictures of the film a second")
+        ->default_str("25")
+        ->type_name("NUMBER")
+        ->check(above_zero())
+        ->needs(film);
     add_threads_option(*command, options->threads);
     add_json_option(*command, options->json);
     command->footer(

@@ -8,6 +8,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/output.hpp"
+#include "cli/usage.hpp"
 #include "cli/version.hpp"
 
 namespace musim::cli {
@@ -19,17 +20,6 @@ int report(const std::string& message, int exit_code) {
     std::replace(line.begin(), line.end(), '\n', ' ');
     std::fprintf(stderr, "musim: error: %s\n", line.c_str());
     return exit_code;
-}
-
-/// The help a user should turn to: that of the deepest subcommand given.
-std::string help_hint(const CLI::App& app) {
-    std::string command = app.get_name();
-    const CLI::App* deepest = &app;
-    for (auto given = app.get_subcommands(); !given.empty(); given = deepest->get_subcommands()) {
-        deepest = given.front();
-        command += " " + deepest->get_name();
-    }
-    return "; see " + command + " --help";
 }
 
 int run(int argc, char** argv) {
@@ -58,6 +48,8 @@ int run(int argc, char** argv) {
     add_watch_command(app, action);
     add_pi_command(app, action);
 
+    refuse_empty_values(app);
+
     try {
         app.parse(argc, argv);
         const int exit_code = action();
@@ -67,7 +59,7 @@ int run(int argc, char** argv) {
     } catch (const CLI::Success& help_or_version) {
         return app.exit(help_or_version);
     } catch (const CLI::ParseError& error) {
-        return report(error.what() + help_hint(app), kUsageError);
+        return report(describe_usage_error(app, error), kUsageError);
     }
 }
 

@@ -182,7 +182,7 @@ std::vector<scaling::UncertainFactor> parse_factors(const std::vector<std::strin
     std::vector<scaling::UncertainFactor> list;
     for (const std::string& text : texts) {
         const auto [name, number] = split_option("--set", text, '=', "NAME=NUMBER, e.g. l=1/25");
-        list.push_back({name, name_place("--set " + name, [&text = number] { return scaling::parse_uncertain_ratio(text); })});
+        list.push_back({name, read_option("--set " + name, [&text = number] { return parse_factor(text); })});
     }
     return list;
 }
@@ -223,19 +223,16 @@ CLI::Option* add_format_option(CLI::App& command, scaling::ReportStyle& style, c
 }
 
 CLI::Validator above_zero() {
-    return {[](const std::string& text) {
-                Number number;
-                return lexical_cast(text, number) && number > 0.0 ? std::string() : text + " is not above zero";
-            },
-            "POSITIVE"};
+    return check_number([](double number) { return number > 0.0; }, " is not above zero");
 }
 
 CLI::Validator not_negative() {
-    return {[](const std::string& text) {
-                Number number;
-                return lexical_cast(text, number) && number >= 0.0 ? std::string() : text + " is negative";
-            },
-            "NONNEGATIVE"};
+    return check_number([](double number) { return number >= 0.0; }, " is negative");
+}
+
+CLI::Validator between(double low, double high) {
+    return check_number([low, high](double number) { return number >= low && number <= high; },
+                        fmt::format(" is not from {:g} to {:g}", low, high));
 }
 
 void add_checkpoint_interval_option(CLI::App& command, Number& seconds) {

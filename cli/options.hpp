@@ -1,6 +1,9 @@
 #pragma once
 
 #include <CLI/App.hpp>
+#include <CLI/Error.hpp>
+#include <CLI/Validators.hpp>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -80,7 +83,7 @@ void note_overruled(const scaling::SolvedLaw& solved);
 /// end. Throws scaling::SimilitudeError.
 scaling::Similitude solve_similitude(const std::string& law, const std::vector<scaling::GivenFactor>& given);
 
-/// Texts of --set, "NAME=NUMBER", with or without uncertainties. Throws CLI::ValidationError for another form, scaling::ParseError.
+/// Texts of --set, "NAME=NUMBER", with or without uncertainties. Throws CLI::ValidationError for another form.
 std::vector<scaling::UncertainFactor> parse_factors(const std::vector<std::string>& texts);
 
 /// A remark at the end when one of the factors is uncertain: for commands that use their values alone.
@@ -89,13 +92,14 @@ void note_values_used(const std::vector<scaling::UncertainFactor>& factors);
 /// The two sides of "NAME=REST", the mark being `=`. Throws CLI::ValidationError `option: 'text' is not WANTED`.
 std::pair<std::string, std::string> split_option(const std::string& option, const std::string& text, char mark, const std::string& wanted);
 
-/// What `read` returns; what it refuses begins with the place, such as "--set l: ". Throws scaling::ParseError.
+/// What `read` makes of an option's value; what it refuses is a wrong use of the command line. Throws CLI::ValidationError that begins with
+/// the place, such as "--set l: ".
 template <class Read>
-auto name_place(const std::string& place, const Read& read) {
+auto read_option(const std::string& place, const Read& read) {
     try {
         return read();
-    } catch (const scaling::SimilitudeError& error) {
-        throw scaling::ParseError(place + ": " + error.what());
+    } catch (const std::runtime_error& error) {
+        throw CLI::ValidationError(place, error.what());
     }
 }
 
@@ -114,9 +118,20 @@ CLI::Option* add_format_option(CLI::App& command, scaling::ReportStyle& style, c
 /// Adds --checkpoint-interval [s of wall time].
 void add_checkpoint_interval_option(CLI::App& command, Number& seconds);
 
-/// Checks of a number on the command line, in one short line: above zero, or not below.
+/// A check of a number on the command line: refused, with a line that ends with `what`, unless `accepts(number)`.
+template <class Accept>
+CLI::Validator check_number(const Accept& accepts, const std::string& what) {
+    return {[accepts, what](const std::string& text) {
+                Number number;
+                return lexical_cast(text, number) && accepts(number.value) ? std::string() : text + what;
+            },
+            ""};
+}
+
+/// Such checks: above zero, not below it, from `low` to `high`.
 CLI::Validator above_zero();
 CLI::Validator not_negative();
+CLI::Validator between(double low, double high);
 
 /// Adds --threads; 0 means all cores.
 void add_threads_option(CLI::App& command, int& threads);

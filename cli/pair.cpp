@@ -292,6 +292,7 @@ void add_pair_command(CLI::App& app, Action& action) {
             ->type_name("MODEL.json...");
     command->add_option("--length", options->lengths, "Length factor of a model; repeat for several (default 1/25 and 1/107)")
         ->type_name("NUMBER")
+        ->check(above_zero())
         ->excludes(models);
     command
         ->add_option("--materials", options->materials,
@@ -327,7 +328,7 @@ void add_pair_command(CLI::App& app, Action& action) {
     command->add_option("--twins", options->twins, "Twins to judge by; 0: none (default: none when models agree to rounding, else 2 or 8)")
         ->type_name("N")
         ->check(CLI::Range(0, 1000));
-    command->add_option("--seed", options->seed, "Of the twins")->type_name("N")->capture_default_str();
+    command->add_option("--seed", options->seed, "Of the twins")->type_name("N")->check(not_negative())->capture_default_str();
     command
         ->add_option("--specimen", options->specimen,
                      "one: exact models start from the prototype's specimen; each: every scale lays its own")
@@ -343,7 +344,8 @@ void add_pair_command(CLI::App& app, Action& action) {
         ->needs(record);
     command->add_option("-o,--out", options->out, "Directory: a folder per run, spine.svg, departure.svg, pair.json")->type_name("DIR");
     command->add_option("--duration", options->duration, "Simulated time of the prototype [s], instead of the scene's")
-        ->type_name("NUMBER");
+        ->type_name("NUMBER")
+        ->check(above_zero());
     add_checkpoint_interval_option(*command, options->checkpoint_interval);
     add_threads_option(*command, options->threads);
     add_json_option(*command, options->json);

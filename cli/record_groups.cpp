@@ -11,28 +11,21 @@
 namespace musim::cli {
 namespace {
 
-void require_positive(const char* option, const std::optional<Number>& number) {
-    if (number && !(number->value > 0.0)) {
-        throw records::ProcessingError(fmt::format("{} is {} (must be above 0); change it", option, number->value));
-    }
+CLI::Validator below_right_angle() {
+    return check_number([](double degrees) { return degrees < 90.0; }, " is not below 90");
 }
 
 }  // namespace
 
 void StructureOptions::add_to(CLI::App& command) {
-    command.add_option("--friction", friction, "Friction coefficient of a structure, for groups and sliding")->type_name("MU");
-    command.add_option("--length", length, "Length [m] of a structure, for groups")->type_name("L");
+    command.add_option("--friction", friction, "Friction coefficient of a structure, for groups and sliding")
+        ->type_name("MU")
+        ->check(above_zero());
+    command.add_option("--length", length, "Length [m] of a structure, for groups")->type_name("L")->check(above_zero());
     command.add_option("--slenderness", slenderness, "Angle [deg] between a block's diagonal and its height, for groups")
-        ->type_name("ALPHA");
-}
-
-void StructureOptions::require_valid() const {
-    require_positive("--friction", friction);
-    require_positive("--length", length);
-    require_positive("--slenderness", slenderness);
-    if (slenderness && !(slenderness->value < 90.0)) {
-        throw records::ProcessingError(fmt::format("--slenderness is {} deg (must be below 90); change it", slenderness->value));
-    }
+        ->type_name("ALPHA")
+        ->check(above_zero())
+        ->check(below_right_angle());
 }
 
 std::vector<NamedValue> compute_record_groups(const records::TimeSeries& leveled, const records::Intensity& intensity,

@@ -18,9 +18,6 @@ struct StructureOptions {
 
     void add_to(CLI::App& command);
     bool any() const { return friction || length || slenderness; }
-
-    /// Throws records::ProcessingError for numbers that no structure has.
-    void require_valid() const;
 };
 
 /// How strong a record is for a structure in standard gravity, in dimensionless groups, and how far a Newmark block slides (its largest

@@ -29,14 +29,14 @@ struct MakeOptions {
     bool json = false;
 
     void add_to(CLI::App& command) {
-        command.add_option("--dt", dt, "Time step [s] (default 0.005)")->type_name("NUMBER");
+        command.add_option("--dt", dt, "Time step [s] (default 0.005)")->type_name("NUMBER")->check(above_zero());
         output.add_to(command);
         add_json_option(command, json);
     }
 };
 
-void add_number(CLI::App& command, const std::string& name, Number& number, const std::string& help) {
-    command.add_option(name, number, help + fmt::format(" (default {:g})", number.value))->type_name("NUMBER");
+CLI::Option* add_number(CLI::App& command, const std::string& name, Number& number, const std::string& help) {
+    return command.add_option(name, number, help + fmt::format(" (default {:g})", number.value))->type_name("NUMBER");
 }
 
 /// Makes, writes and tells.
@@ -64,8 +64,8 @@ struct RickerOptions {
 void add_ricker(CLI::App& make, Action& action) {
     auto options = std::make_shared<RickerOptions>();
     CLI::App* command = make.add_subcommand("ricker", "Ricker acceleration pulse, two periods to each side of its peak");
-    add_number(*command, "--frequency", options->frequency, "Peak frequency [Hz]");
-    add_number(*command, "--pga", options->pga, "Peak acceleration [g]");
+    add_number(*command, "--frequency", options->frequency, "Peak frequency [Hz]")->check(above_zero());
+    add_number(*command, "--pga", options->pga, "Peak acceleration [g]")->check(above_zero());
     options->common.add_to(*command);
     command->callback([&action, options] {
         action = [options] {
@@ -87,9 +87,10 @@ struct PulseOptions {
 void add_pulse(CLI::App& make, Action& action) {
     auto options = std::make_shared<PulseOptions>();
     CLI::App* command = make.add_subcommand("pulse", "Near-fault velocity pulse of Mavroeidis and Papageorgiou (2003)");
-    add_number(*command, "--frequency", options->frequency, "Prevailing frequency f_p [Hz]");
-    add_number(*command, "--amplitude", options->amplitude, "Amplitude A of the velocity's envelope [cm/s]");
-    add_number(*command, "--cycles", options->cycles, "Length of the envelope in periods, gamma, above 1");
+    add_number(*command, "--frequency", options->frequency, "Prevailing frequency f_p [Hz]")->check(above_zero());
+    add_number(*command, "--amplitude", options->amplitude, "Amplitude A of the velocity's envelope [cm/s]")->check(above_zero());
+    add_number(*command, "--cycles", options->cycles, "Length of the envelope in periods, gamma, above 1")
+        ->check(check_number([](double cycles) { return cycles > 1.0; }, " is not above 1"));
     add_number(*command, "--phase", options->phase, "Phase nu [degrees]; 90 is antisymmetric");
     command->add_flag("--return-home", options->return_home, "End without displacement; by default the pulse's own residual stays");
     options->common.add_to(*command);
@@ -115,11 +116,12 @@ struct SweepOptions {
 void add_sweep(CLI::App& make, Action& action) {
     auto options = std::make_shared<SweepOptions>();
     CLI::App* command = make.add_subcommand("sweep", "Sine sweep, logarithmic in time unless --linear");
-    add_number(*command, "--from", options->from, "First frequency [Hz]");
-    add_number(*command, "--to", options->to, "Last frequency [Hz]");
-    add_number(*command, "--amplitude", options->amplitude, "Amplitude of the acceleration [g]");
-    add_number(*command, "--duration", options->duration, "Duration [s]");
-    add_number(*command, "--taper", options->taper, "Part that each end fades over [fraction of the duration, 0 to 0.5]");
+    add_number(*command, "--from", options->from, "First frequency [Hz]")->check(above_zero());
+    add_number(*command, "--to", options->to, "Last frequency [Hz]")->check(above_zero());
+    add_number(*command, "--amplitude", options->amplitude, "Amplitude of the acceleration [g]")->check(above_zero());
+    add_number(*command, "--duration", options->duration, "Duration [s]")->check(above_zero());
+    add_number(*command, "--taper", options->taper, "Part that each end fades over [fraction of the duration, 0 to 0.5]")
+        ->check(between(0.0, 0.5));
     command->add_flag("--linear", options->linear, "Equal time per Hz instead of per octave");
     options->common.add_to(*command);
     command->callback([&action, options] {
@@ -148,10 +150,12 @@ struct StochasticOptions {
 void add_stochastic(CLI::App& make, Action& action) {
     auto options = std::make_shared<StochasticOptions>();
     CLI::App* command = make.add_subcommand("stochastic", "Filtered noise that has PGA, PGV and, if wanted, D5-95");
-    add_number(*command, "--pga", options->pga, "Peak acceleration [g]");
-    add_number(*command, "--pgv", options->pgv, "Peak velocity [cm/s]");
-    command->add_option("--d5-95", options->d5_95, "Significant duration [s], met within 1 % (default: free)")->type_name("NUMBER");
-    add_number(*command, "--duration", options->duration, "Duration [s]");
+    add_number(*command, "--pga", options->pga, "Peak acceleration [g]")->check(above_zero());
+    add_number(*command, "--pgv", options->pgv, "Peak velocity [cm/s]")->check(above_zero());
+    command->add_option("--d5-95", options->d5_95, "Significant duration [s], met within 1 % (default: free)")
+        ->type_name("NUMBER")
+        ->check(above_zero());
+    add_number(*command, "--duration", options->duration, "Duration [s]")->check(above_zero());
     command->add_option("--seed", options->seed, "Another seed, another motion")
         ->check(not_negative())
         ->capture_default_str()

@@ -57,7 +57,6 @@ int run_record_match(const RecordMatchOptions& options) {
     std::vector<std::string> inputs = options.source.find_files({options.file});
     inputs.push_back(options.target);
     refuse_overwriting(inputs, {options.output.out});
-    require_damping_ratio(options.damping);
     const records::TargetSpectrum target =
         read_target_spectrum(options.target, options.column, {options.band.at(0), options.band.at(1)}, options.damping);
     const records::GroundMotion motion = options.source.load(options.file);
@@ -103,9 +102,15 @@ void add_record_match_command(CLI::App& record, Action& action) {
         ->type_name("SPECTRUM.csv");
     command->add_option("--target-column", options->column, "Column of the PSA [g], e.g. rotd50_psa_g")->capture_default_str();
     command->add_option("--damping", options->damping, "Damping ratio of the target, fraction of critical (default 0.05)")
-        ->type_name("NUMBER");
-    command->add_option("--band", options->band, "Periods to match [s] (default: all of the target)")->type_name("T1 T2")->expected(2);
-    command->add_option("--tolerance", options->tolerance, "Largest |ln(PSA/target)| over the band (default 0.05)")->type_name("NUMBER");
+        ->type_name("NUMBER")
+        ->check(damping_ratio());
+    command->add_option("--band", options->band, "Periods to match [s] (default: all of the target)")
+        ->type_name("T1 T2")
+        ->expected(2)
+        ->check(not_negative());
+    command->add_option("--tolerance", options->tolerance, "Largest |ln(PSA/target)| over the band (default 0.05)")
+        ->type_name("NUMBER")
+        ->check(above_zero());
     options->output.add_to(*command);
     command->get_option("--component")->description("Component to match, e.g. 360 (default: the only one)");
     options->source.add_to(*command);

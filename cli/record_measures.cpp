@@ -17,10 +17,13 @@ std::optional<double> in_units(const std::optional<Quantity>& quantity) {
 }  // namespace
 
 void MeasureSettings::add_to(CLI::App& command) {
-    command.add_option("--bracket", bracket, "Threshold [g] of the bracketed duration (default 0.05)")->type_name("NUMBER");
+    command.add_option("--bracket", bracket, "Threshold [g] of the bracketed duration (default 0.05)")
+        ->type_name("NUMBER")
+        ->check(above_zero());
     command.add_option("--mean-period-band", mean_period_band, "Frequencies [Hz] of the mean period (default 0.25 20)")
         ->type_name("LOW HIGH")
-        ->expected(2);
+        ->expected(2)
+        ->check(above_zero());
 }
 
 std::vector<NamedValue> measure_record(const records::TimeSeries& leveled, const records::Intensity& intensity,

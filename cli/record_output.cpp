@@ -34,7 +34,10 @@ std::string_view find_format(const RecordOutputOptions& options) {
             !wanted.empty() && std::find(format.extensions.begin(), format.extensions.end(), wanted) != format.extensions.end();
         if (known || wanted == format.name) return format.name;
     }
-    throw records::WriteError(options.out + ": the format is not told by the extension; add --format csv, at2, cosmos or mseed");
+    throw CLI::ValidationError(
+        options.format.empty() ? "--out" : "--format",
+        fmt::format("\"{}\" tells no format; {}csv, at2, cosmos or mseed", options.format.empty() ? options.out : options.format,
+                    options.format.empty() ? "add --format " : "write "));
 }
 
 /// miniSEED has no room for how a record is integrated.

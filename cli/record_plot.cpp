@@ -38,7 +38,6 @@ struct RecordPlotOptions {
 };
 
 records::CurveRequest make_request(const RecordPlotOptions& options) {
-    require_damping_ratio(options.damping);
     records::CurveRequest request{.damping = options.damping, .window = {}};
     if (!options.window.empty()) {
         request.window = {options.window.at(0).value * scaling::si::seconds, options.window.at(1).value * scaling::si::seconds};
@@ -82,7 +81,7 @@ void require_looks(const std::vector<records::GroundMotion>& motions, bool with_
 
 int run_record_plot(const RecordPlotOptions& options) {
     // what is asked for is looked at before anything is computed
-    lsdem::study::require_picture_name(options.out);
+    read_option("--out", [&] { lsdem::study::require_picture_name(options.out); });
     refuse_overwriting(options.source.find_files(options.files), {options.out, options.csv});
     options.scales.note_values_used();
     const records::CurveRequest request = make_request(options);
@@ -126,7 +125,7 @@ void add_record_plot_command(CLI::App& record, Action& action) {
         ->add_option("--highpass", options->highpass,
                      "Corner [Hz] of the zero-phase high-pass before integration, a prototype's (default: as record info)")
         ->type_name("NUMBER");
-    command->add_option("--damping", options->damping, "Damping ratio of PSA (default 0.05)")->type_name("NUMBER");
+    command->add_option("--damping", options->damping, "Damping ratio of PSA (default 0.05)")->type_name("NUMBER")->check(damping_ratio());
     command->add_option("--window", options->window, "Part of the histories to show [s of the prototype]")
         ->expected(2)
         ->type_name("FROM TO");

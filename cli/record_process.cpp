@@ -42,13 +42,22 @@ records::Recipe load_recipe(const std::string& file) {
                              "give the record that was processed, or a recipe (JSON)");
 }
 
+/// Those of --step.
+records::Recipe read_steps(const std::string& list) {
+    try {
+        return records::parse_recipe(R"({"schema": "musim-recipe/1", "steps": [)" + list + "]}", "--step");
+    } catch (const records::ReadError& error) {
+        throw CLI::ValidationError(error.what());
+    }
+}
+
 records::Recipe find_recipe(const RecordProcessOptions& options) {
     records::Recipe recipe;
     if (!options.recipe.empty()) recipe = load_recipe(options.recipe);
     if (!options.steps.empty()) {
         std::string list;
         for (const std::string& step : options.steps) list += (list.empty() ? "" : ", ") + step;
-        const records::Recipe more = records::parse_recipe(R"({"schema": "musim-recipe/1", "steps": [)" + list + "]}", "--step");
+        const records::Recipe more = read_steps(list);
         recipe.insert(recipe.end(), more.begin(), more.end());
     }
     if (recipe.empty()) throw CLI::ValidationError("record process", "there is nothing to do: give --recipe FILE or --step JSON");

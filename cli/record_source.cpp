@@ -2,8 +2,10 @@
 
 #include <CLI/Error.hpp>
 #include <CLI/Option.hpp>
+#include <CLI/Validators.hpp>
 
 #include "cli/input_file.hpp"
+#include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "records/read_record.hpp"
 #include "records/read_text.hpp"
@@ -15,17 +17,29 @@ namespace {
 /// Names the record that needs no file.
 constexpr const char* kBuiltInRecord = "synthetic";
 
+std::string check_quantity(const std::string& text) {
+    return records::find_sample_quantity(text) ? "" : "\"" + text + "\" is none of acceleration, velocity, displacement";
+}
+
+std::string check_unit(const std::string& text) {
+    return records::find_sample_unit(text) ? "" : "\"" + text + "\" is no unit of a record (known: " + records::sample_unit_names() + ")";
+}
+
 }  // namespace
 
 void RecordSourceOptions::add_to(CLI::App& command) {
-    command.add_option("--dt", dt, "Time step [s] of a text file without a time column")->type_name("NUMBER");
-    command.add_option("--unit", unit, "Unit of a plain text file, e.g. g or cm/s^2 (default SI)")->type_name("UNIT");
+    command.add_option("--dt", dt, "Time step [s] of a text file without a time column")->type_name("NUMBER")->check(above_zero());
+    command.add_option("--unit", unit, "Unit of a plain text file, e.g. g or cm/s^2 (default SI)")
+        ->type_name("UNIT")
+        ->check(CLI::Validator(check_unit, ""));
     command
         .add_option("--quantity", quantity,
                     "What a text file holds, or which series to take of a file with several: acceleration, velocity or displacement")
-        ->type_name("NAME");
+        ->type_name("NAME")
+        ->check(CLI::Validator(check_quantity, ""));
     command.add_option("--sensitivity", sensitivity, "Of miniSEED counts: counts per m/s^2 (or m/s, m, as the instrument has it)")
-        ->type_name("NUMBER");
+        ->type_name("NUMBER")
+        ->check(above_zero());
     command.add_option("--station-xml", station_xml, "StationXML file that tells the sensitivity of miniSEED counts")->type_name("FILE");
 }
 
@@ -41,12 +55,7 @@ records::GroundMotion RecordSourceOptions::load(const std::string& source) const
     if (dt) options.dt = dt->value * scaling::si::seconds;
     if (sensitivity) options.sensitivity = sensitivity->value;
     if (!station_xml.empty()) options.station_xml = station_xml;
-    if (quantity) {
-        options.quantity = records::find_sample_quantity(*quantity);
-        if (!options.quantity) {
-            throw CLI::ValidationError("--quantity", "'" + *quantity + "' is none of acceleration, velocity, displacement");
-        }
-    }
+    if (quantity) options.quantity = records::find_sample_quantity(*quantity);
     records::GroundMotion motion = records::read_record(source, options);
     for (const std::string& line : motion.history)
         if (line.find(records::kUnitNotTold) != std::string::npos) note_at_end("musim: note: " + line + "; add --unit if that is wrong");

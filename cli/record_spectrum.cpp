@@ -40,15 +40,14 @@ SpectrumRequest make_request(const RecordSpectrumOptions& options) {
     SpectrumRequest request{.periods = {}, .dampings = {}, .component = options.component, .rotd = {}};
     const double count = options.periods.at(2);
     if (!(count >= 2.0 && count <= kMostPeriods && count == std::floor(count))) {
-        throw records::ProcessingError(
-            fmt::format("--periods: COUNT is {} (must be a whole number from 2 to {}); change it", count, kMostPeriods));
+        throw CLI::ValidationError("--periods",
+                                   fmt::format("COUNT is {} (must be a whole number from 2 to {}); change it", count, kMostPeriods));
     }
-    request.periods = records::make_periods(options.periods.at(0).value * scaling::si::seconds,
-                                            options.periods.at(1).value * scaling::si::seconds, static_cast<std::size_t>(count));
-    for (const Number& damping : options.damping) {
-        require_damping_ratio(damping);
-        request.dampings.push_back(damping);
-    }
+    request.periods = read_option("--periods", [&] {
+        return records::make_periods(options.periods.at(0).value * scaling::si::seconds, options.periods.at(1).value * scaling::si::seconds,
+                                     static_cast<std::size_t>(count));
+    });
+    request.dampings.assign(options.damping.begin(), options.damping.end());
     const std::size_t comma = options.rotd.find(',');
     if (comma != std::string::npos) request.rotd = {options.rotd.substr(0, comma), options.rotd.substr(comma + 1)};
     return request;
@@ -61,7 +60,7 @@ OutFormat find_out_format(const std::string& out) {
     const std::string extension = find_extension(out);
     if (extension == "csv") return OutFormat::csv;
     if (extension == "svg") return OutFormat::svg;
-    throw records::WriteError(out + ": the format is not told by the extension; name it .csv or .svg");
+    throw CLI::ValidationError("--out", out + ": the format is not told by the extension; name it .csv or .svg");
 }
 
 int run_record_spectrum(const RecordSpectrumOptions& options) {
@@ -105,11 +104,13 @@ void add_record_spectrum_command(CLI::App& record, Action& action) {
     options->source.add_to(*command);
     command->add_option("--damping", options->damping, "Damping ratios, fractions of critical: 0.02,0.05 or repeated (default 0.05)")
         ->type_name("NUMBER,...")
+        ->check(damping_ratio())
         ->delimiter(',')
         ->take_all()
         ->allow_extra_args(false);
     command->add_option("--periods", options->periods, "Periods [s] in even steps of the logarithm (default 0.01 10 100)")
         ->type_name("FIRST LAST COUNT")
+        ->check(above_zero())
         ->expected(3);
     CLI::Option* component = command->add_option("--component", options->component, "This component only, e.g. 360");
     component->type_name("NAME");

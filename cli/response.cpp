@@ -140,7 +140,8 @@ void add_response_command(CLI::App& app, Action& action) {
         ->check(CLI::IsMember({"x", "y", "z"}));
     command->add_option("--threshold", options->threshold, "Velocity that counts as arrival, over the base's peak")
         ->default_str("0.1")
-        ->type_name("NUMBER");
+        ->type_name("NUMBER")
+        ->check(above_zero());
     command->add_option("--window", options->window, "Part of the histories for the speeds [s]")->expected(2)->type_name("FROM TO");
     command->add_option("--field", options->fields, "Times at which the velocity field is drawn [s]; needs frames")
         ->type_name("TIME")

@@ -172,7 +172,7 @@ void add_run_command(CLI::App& app, Action& action) {
     CLI::Option* out = command->add_option("-o,--out", options->out, "Directory for result.h5, result.xdmf, spine.csv and summary.json");
     out->type_name("DIR");
     CLI::Option* duration = command->add_option("--duration", options->duration, "Simulated time [s], instead of the scene's");
-    duration->type_name("NUMBER");
+    duration->type_name("NUMBER")->check(above_zero());
     command->add_option("--resume", options->resume, "Continue the run that was killed while it worked on DIR")
         ->type_name("DIR")
         ->excludes(scene_file)

@@ -93,7 +93,7 @@ SolvedWithValues ScaleLawOptions::solve(const std::string& name, const std::vect
     for (std::size_t i = 0; i < quantities.size(); ++i) {
         const auto [symbol, unit] = split_option("--define", quantities[i], ':', "NAME:UNIT, e.g. E:GPa");
         const auto make = [&name = symbol, &of = unit] { return scaling::make_pi_quantity(name, of); };
-        LawQuantity quantity{.quantity = name_place("--define " + symbol, make), .unit = unit, .meaning = {}};
+        LawQuantity quantity{.quantity = read_option("--define " + symbol, make), .unit = unit, .meaning = {}};
         add_quantity(law, std::move(quantity), is_free ? i : law.quantities.size());
     }
     for (const std::string& text : watched) watch(law, text);
@@ -109,11 +109,12 @@ SolvedWithValues ScaleLawOptions::solve(const std::string& name, const std::vect
         const auto [symbol, value] = split_option("--value", text, '=', "NAME=QUANTITY, e.g. \"E=29.2 GPa\"");
         const std::string place = "--value " + symbol;
         const std::vector<scaling::PiQuantity> known = scaling::quantities_of(law);
-        const std::size_t position = name_place(place, [&known, &name = symbol] { return scaling::find_quantity(known, name, "the law"); });
+        const std::size_t position =
+            read_option(place, [&known, &name = symbol] { return scaling::find_quantity(known, name, "the law"); });
         scaling::PiQuantity& quantity = law.quantities[position].quantity;
         const scaling::Uncertain uncertain =
-            name_place(place, [&quantity, &text = value] { return scaling::parse_uncertain_value(text, quantity); });
-        if (quantity.value) throw scaling::PiError(fmt::format("--value: {} is told twice; give it once", symbol));
+            read_option(place, [&quantity, &text = value] { return scaling::parse_uncertain_value(text, quantity); });
+        if (quantity.value) throw CLI::ValidationError("--value", symbol + " is told twice; give it once");
         quantity.value = uncertain.value;
         prototype.push_back({symbol, uncertain});
         named.push_back(symbol);

@@ -58,7 +58,7 @@ template <class Quantity>
 Quantity parse(const char* option, const std::string& text) {
     if (text.empty()) return Quantity::from_value(0.0);
     const auto read = [&] { return Quantity::from_value(scaling::parse_si_with_unit(text, scaling::dimension_of<Quantity>())); };
-    const auto quantity = name_place(option, read);
+    const auto quantity = read_option(option, read);
     if (!(quantity.value() >= 0.0)) throw CLI::ValidationError(option, "\"" + text + "\" is below zero; give zero or more");
     return quantity;
 }

@@ -4,8 +4,10 @@
 
 #include <CLI/Error.hpp>
 #include <CLI/Option.hpp>
+#include <CLI/Validators.hpp>
 #include <cmath>
 
+#include "cli/options.hpp"
 #include "scaling/number.hpp"
 
 namespace musim::cli {
@@ -28,11 +30,24 @@ CLI::Option* add_read_option(CLI::App& command, const std::string& name, const s
 /// A whole number of samples, also as 1e5.
 std::size_t read_samples(const std::string& text) {
     const double number = scaling::parse_number(text);
-    if (number != std::floor(number) || !(number >= 0.0 && number <= static_cast<double>(scaling::kMostSamples))) {
+    if (number != std::floor(number) ||
+        !(number >= static_cast<double>(scaling::kFewestSamples) && number <= static_cast<double>(scaling::kMostSamples))) {
         throw scaling::ParseError(fmt::format("\"{}\": is no number of samples; write a whole one from {} to {}", text,
                                               scaling::kFewestSamples, scaling::kMostSamples));
     }
     return static_cast<std::size_t>(number);
+}
+
+void require_above_zero(double value, const std::string& text) {
+    if (value > 0.0) return;
+    throw scaling::ParseError(fmt::format("\"{}\": the value must be positive; correct it, or leave the option out", text));
+}
+
+/// A number above zero.
+scaling::Uncertain parse_positive(const std::string& text) {
+    const scaling::Uncertain number = scaling::parse_uncertain(text);
+    require_above_zero(number.value, text);
+    return number;
 }
 
 template <class Quantity>
@@ -40,27 +55,30 @@ void add_quantity_option(CLI::App& command, const std::string& name, std::option
                          const std::string& help, const char* type) {
     add_read_option(command, name, help, type, [&quantity](const std::string& text) {
         quantity = scaling::parse_uncertain_quantity<Quantity>(text);
-        if (quantity->value.value() > 0.0) return;
-        throw scaling::ParseError(fmt::format("\"{}\": the value must be positive; correct it, or leave the option out", text));
+        require_above_zero(quantity->value.value(), text);
     });
 }
 
 }  // namespace
 
+scaling::UncertainRatio parse_factor(const std::string& text) {
+    const scaling::UncertainRatio factor = scaling::parse_uncertain_ratio(text);
+    require_above_zero(factor.value(), text);
+    return factor;
+}
+
 CLI::Option* add_uncertain_option(CLI::App& command, const std::string& name, scaling::UncertainRatio& ratio, const std::string& help) {
-    return add_read_option(command, name, help, "NUMBER",
-                           [&ratio](const std::string& text) { ratio = scaling::parse_uncertain_ratio(text); });
+    return add_read_option(command, name, help, "NUMBER", [&ratio](const std::string& text) { ratio = parse_factor(text); });
 }
 
 CLI::Option* add_uncertain_option(CLI::App& command, const std::string& name, std::optional<scaling::Uncertain>& number,
                                   const std::string& help) {
-    return add_read_option(command, name, help, "NUMBER", [&number](const std::string& text) { number = scaling::parse_uncertain(text); });
+    return add_read_option(command, name, help, "NUMBER", [&number](const std::string& text) { number = parse_positive(text); });
 }
 
 CLI::Option* add_uncertain_option(CLI::App& command, const std::string& name, std::vector<scaling::Uncertain>& numbers,
                                   const std::string& help) {
-    return add_read_option(command, name, help, "NUMBER",
-                           [&numbers](const std::string& text) { numbers.push_back(scaling::parse_uncertain(text)); })
+    return add_read_option(command, name, help, "NUMBER", [&numbers](const std::string& text) { numbers.push_back(parse_positive(text)); })
         ->expected(1, CLI::detail::expected_max_vector_size)
         ->allow_extra_args();
 }
@@ -106,6 +124,7 @@ void MonteCarloOptions::add_to(CLI::App& command) {
             ->expected(0, 1);
     command.add_option("--seed", settings.seed, fmt::format("Seed of the samples (default {})", settings.seed))
         ->type_name("S")
+        ->check(not_negative())
         ->needs(samples);
     command
         .add_option("--distribution", distribution,
@@ -113,6 +132,7 @@ void MonteCarloOptions::add_to(CLI::App& command) {
                                 "deviation (default {})",
                                 distribution))
         ->type_name("NAME")
+        ->check(CLI::IsMember({"normal", "lognormal", "uniform"}))
         ->needs(samples);
 }
 

@@ -12,7 +12,10 @@
 
 namespace musim::cli {
 
-/// Options that take values with standard uncertainties; errors name the option.
+/// A scale factor, model/prototype, with or without an uncertainty. Throws scaling::ParseError, also for one that is not above zero.
+scaling::UncertainRatio parse_factor(const std::string& text);
+
+/// Options that take values above zero with standard uncertainties; errors name the option.
 CLI::Option* add_uncertain_option(CLI::App& command, const std::string& name, scaling::UncertainRatio& ratio, const std::string& help);
 CLI::Option* add_uncertain_option(CLI::App& command, const std::string& name, std::optional<scaling::Uncertain>& number,
                                   const std::string& help);

@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "scaling/detail/law_texts.hpp"
+#include "scaling/nearest_name.hpp"
 #include "scaling/regular_file.hpp"
 #include "scaling/scale_law_json.hpp"
 
@@ -43,7 +44,8 @@ ScaleLaw load_scale_law(const std::string& name_or_file) {
 }
 
 std::string no_such_law(std::string_view name) {
-    return fmt::format("there is no law \"{}\"; choose one of {}", name, fmt::join(scale_law_names(), ", "));
+    return fmt::format("there is no law \"{}\"{}; choose one of {}", name, hint_at_name(name, scale_law_names()),
+                       fmt::join(scale_law_names(), ", "));
 }
 
 }  // namespace musim::scaling

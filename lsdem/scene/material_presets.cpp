@@ -7,6 +7,7 @@
 
 #include "lsdem/scene/detail/json_text.hpp"
 #include "lsdem/scene/scene_error.hpp"
+#include "scaling/nearest_name.hpp"
 
 namespace musim::lsdem::scene {
 
@@ -68,8 +69,8 @@ const std::vector<MaterialPreset>& presets() {
 const MaterialPreset& find_material_preset(std::string_view name) {
     const auto found = std::find_if(presets().begin(), presets().end(), [&](const MaterialPreset& preset) { return preset.name == name; });
     if (found == presets().end()) {
-        throw SceneError(fmt::format("\"{}\" is not a known material (presets are {}); use one of them or give the properties",
-                                     std::string(name), detail::join(material_preset_names())));
+        throw SceneError(fmt::format("\"{}\" is not a known material{} (presets are {}); use one of them or give the properties", name,
+                                     scaling::hint_at_name(name, material_preset_names()), detail::join(material_preset_names())));
     }
     return *found;
 }

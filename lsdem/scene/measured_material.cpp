@@ -14,6 +14,7 @@
 #include "lsdem/scene/scale_scene.hpp"
 #include "lsdem/scene/scene_error.hpp"
 #include "lsdem/scene/scene_json.hpp"
+#include "scaling/nearest_name.hpp"
 
 namespace musim::lsdem::scene {
 namespace {
@@ -49,8 +50,8 @@ MeasuredMaterial find_measured_material(const std::string& preset_or_file) {
     }
     if (!std::filesystem::exists(preset_or_file)) {
         throw SceneError(
-            fmt::format("\"{}\" is neither a known material nor a file (presets are {}); name a preset, a material file or a scene",
-                        preset_or_file, detail::join(names)));
+            fmt::format("\"{}\" is neither a known material nor a file{} (presets are {}); name a preset, a material file or a scene",
+                        preset_or_file, scaling::hint_at_name(preset_or_file, names), detail::join(names)));
     }
     const nlohmann::json root = detail::parse_json(detail::read_text(preset_or_file), preset_or_file);
     if (!root.is_object() || !root.contains("structure")) return parse_material_file(root, preset_or_file);

@@ -7,6 +7,7 @@
 #include "lsdem/scene/detail/json_text.hpp"
 #include "lsdem/scene/detail/parse_material.hpp"
 #include "lsdem/scene/scene_json.hpp"
+#include "scaling/nearest_name.hpp"
 #include "scaling/scale_law_catalogue.hpp"
 
 namespace musim::lsdem::scene {
@@ -141,7 +142,7 @@ std::string parse_kind(const json& value, const JsonPlace& place, const std::str
     }
     std::string kind = detail::to_text(value.at(key), place.at(key));
     if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) {
-        fail(place.at(key), fmt::format("\"{}\" is not known; {}", kind, detail::suggest(kind, kinds)));
+        fail(place.at(key), fmt::format("\"{}\" is not known; {}", kind, scaling::suggest_name(kind, kinds)));
     }
     return kind;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "scaling/nearest_name.hpp"
 #include "scaling/uncertain.hpp"
 
 namespace musim::records::detail {
@@ -98,7 +99,9 @@ void JsonFields::refuse_unknown_keys() const {
     for (const auto& [key, value] : object_.items()) {
         const std::string& name = key;
         if (std::find(used_.begin(), used_.end(), name) == used_.end()) {
-            fail(fmt::format("\"{}\" is none of its settings", name), "remove it, or correct its name");
+            const std::string nearest = scaling::find_nearest_name(name, used_);
+            fail(fmt::format("\"{}\" is none of its settings", name),
+                 nearest.empty() ? "remove it, or correct its name" : fmt::format("did you mean \"{}\"?", nearest));
         }
     }
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "scaling/nearest_name.hpp"
 #include "scaling/uncertain.hpp"
 
 namespace musim::scaling::detail {
@@ -25,7 +26,7 @@ Json parse_json(std::string_view text, std::string_view origin) {
 void refuse_unknown_keys(const Json& object, std::initializer_list<std::string_view> known, std::string_view where) {
     for (const auto& [key, value] : object.items()) {
         if (std::find(known.begin(), known.end(), key) != known.end()) continue;
-        fail_at(where, fmt::format("unknown key {}; known are {}", Json(key).dump(), fmt::join(known, ", ")));
+        fail_at(where, fmt::format("unknown key {}; {}", Json(key).dump(), suggest_name(key, {known.begin(), known.end()})));
     }
 }
 

@@ -167,10 +167,16 @@ TEST_CASE("more curves than look different are refused") {
 TEST_CASE("what record plot cannot draw is one error line and no file") {
     const Workplace here;
     here.write("a.csv", make_csv());
-    for (const char* wrong : {"-o a.gif", "-o a", "-o a.svg --component Up", "-o a.svg --window 1 6", "-o a.svg --window 2 1",
-                              "-o a.svg --damping -1", "-o a.svg --length 0", "-o a.svg --highpass 70"}) {
-        const Outcome outcome = here.run(std::string("record plot a.csv ") + wrong);
-        CHECK_MESSAGE(outcome.exit_code == 3, wrong);
+    struct Case {
+        const char* arguments;
+        int exit_code;
+    };
+    for (const Case& wrong : {Case{"-o a.gif", 2}, Case{"-o a", 2}, Case{"-o a.svg --component Up", 3}, Case{"-o a.svg --window 1 6", 3},
+                              Case{"-o a.svg --window 2 1", 3}, Case{"-o a.svg --damping -1", 2}, Case{"-o a.svg --length 0", 2},
+                              Case{"-o a.svg --highpass 70", 3}}) {
+        CAPTURE(wrong.arguments);
+        const Outcome outcome = here.run(std::string("record plot a.csv ") + wrong.arguments);
+        CHECK(outcome.exit_code == wrong.exit_code);
         CHECK_MESSAGE(outcome.has_one_error_line(), outcome.err);
         CHECK_FALSE(here.has("a.svg"));
     }

@@ -82,7 +82,7 @@ TEST_CASE("rescale writes PEER files, and asks for a format it can't tell") {
     CHECK(here.run("record info model.at2 --json").json()["components"][0]["format"] == "PEER AT2");
     CHECK(here.run("rescale synthetic --length 1/25 -o model --format csv").exit_code == 0);
     const Outcome unknown = here.run("rescale synthetic --length 1/25 -o model.xyz");
-    CHECK(unknown.exit_code == 3);
+    CHECK(unknown.exit_code == 2);
     CHECK(unknown.has_one_error_line());
     CHECK_FALSE(here.has("model.xyz"));
 }
@@ -112,7 +112,7 @@ TEST_CASE("an unknown unit is refused with the known ones") {
     here.write("a.txt", "0.0 1.0\n0.1 2.0\n0.2 1.0\n0.3 0.5\n");
     CHECK(here.run("record info a.txt --unit g").exit_code == 0);
     const Outcome outcome = here.run("record info a.txt --unit furlong");
-    CHECK(outcome.exit_code == 3);
+    CHECK(outcome.exit_code == 2);
     CHECK(outcome.has_one_error_line());
     CHECK(outcome.err.find("furlong") != std::string::npos);
 }
@@ -198,8 +198,7 @@ TEST_CASE("what record process cannot do is said in one line, and nothing is wri
           Case{"--recipe missing.json -o x.csv", "missing.json: cannot be read"},
           Case{"-o x.csv", "there is nothing to do: give --recipe FILE or --step JSON"},
           Case{R"(--step '{"step": "cut", "window": [900, 901]}' -o x.csv)", "step 1 (cut): window 900 s to 901 s does not fit"},
-          Case{R"(--step '{"step": "level"}' -o x.xyz)",
-               "x.xyz: the format is not told by the extension; add --format csv, at2, cosmos or mseed"}}) {
+          Case{R"(--step '{"step": "level"}' -o x.xyz)", "--out: \"x.xyz\" tells no format; add --format csv, at2, cosmos or mseed"}}) {
         CAPTURE(wanted.arguments);
         const Outcome outcome = here.run("record process synthetic " + wanted.arguments);
         CHECK(outcome.exit_code != 0);

@@ -177,7 +177,7 @@ TEST_CASE("wrong input to the facts is told in one line") {
     error("--facts facts.json --friction-prototype 0.3", 2);
     error("--facts facts.json --format html", 2);
     error("--unit g", 2);
-    CHECK(here.run("scale --length 0 --facts facts.json").exit_code == 3);
+    CHECK(here.run("scale --length 0 --facts facts.json").exit_code == 2);
 }
 
 TEST_CASE("uncertain facts give intervals on groups and say which regimes are open") {

@@ -144,10 +144,9 @@ TEST_CASE("laws as data are refused in one line when they cannot be, exit code 3
     here.write("key.json", R"({"schema": "musim-law/1", "name": "n", "title": "t", "quantity": []})");
     for (const char* arguments :
          {"scale --law nonsense --set l=1/25", "scale --law missing.json --set l=1/25", "scale --law broken.json --set l=1/25",
-          "scale --law key.json --set l=1/25", "scale --law froude --set x=1", "scale --law froude --set l=0",
-          "scale --law froude --set rho=1", "scale --law froude --set l=1/25 --hold v/l",
-          "scale --law froude --set l=1/25 --value 'v=3 kg'", "scale --set l=1/25 --hold 'v/sqrt(g*l)/x'",
-          "scale --set l=1/25 --set x=1 --hold 'v/sqrt(g*l)'", "scale --length 1/25 --set l=1/25", "scale --law froude --set l=a",
+          "scale --law key.json --set l=1/25", "scale --law froude --set x=1", "scale --law froude --set rho=1",
+          "scale --law froude --set l=1/25 --hold v/l", "scale --set l=1/25 --hold 'v/sqrt(g*l)/x'",
+          "scale --set l=1/25 --set x=1 --hold 'v/sqrt(g*l)'", "scale --length 1/25 --set l=1/25",
           "scale --law exact --set l=1/25 --set mu=2", "rescale synthetic --length 1/25 --law two_lengths.json -o x.csv",
           "rescale synthetic --length 1/25 --law restoring_force -o x.csv",
           "table synthetic --limits " MUSIM_SOURCE_DIR "/examples/tables/outdoor.json --length 1/25 --law restoring_force"}) {
@@ -156,8 +155,10 @@ TEST_CASE("laws as data are refused in one line when they cannot be, exit code 3
         CHECK_MESSAGE(outcome.has_one_error_line(), outcome.err);
         CHECK_MESSAGE(outcome.out.empty(), arguments);
     }
-    for (const char* arguments : {"scale --set l", "scale --set =3", "scale --set l=1/25 --define E", "scale --law froude --format html",
-                                  "scale --law froude --set l=1/25 --slenderness 0.3"}) {
+    for (const char* arguments :
+         {"scale --law froude --set l=0", "scale --law froude --set l=a", "scale --law froude --set l=1/25 --value 'v=3 kg'",
+          "scale --set l", "scale --set =3", "scale --set l=1/25 --define E", "scale --law froude --format html",
+          "scale --law froude --set l=1/25 --slenderness 0.3"}) {
         const Outcome outcome = here.run(arguments);
         CHECK_MESSAGE(outcome.exit_code == 2, arguments, " gave ", outcome.err);
         CHECK_MESSAGE(outcome.has_one_error_line(), outcome.err);

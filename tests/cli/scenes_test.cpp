@@ -103,7 +103,7 @@ TEST_CASE("a duration given as a fraction replaces the scene's") {
     const Workplace here;
     here.write("scene.json", SceneText().text());
     CHECK(here.run("run scene.json --json --duration 1/4").json()["duration_s"].get<double>() == doctest::Approx(0.25).epsilon(1e-9));
-    CHECK(here.run("run scene.json --duration -1").exit_code == 3);
+    CHECK(here.run("run scene.json --duration -1").exit_code == 2);
 }
 
 TEST_CASE("pair agrees in every bit at 1:16 and within the yardstick at 1:107, and draws it") {

@@ -194,7 +194,7 @@ TEST_CASE("wrong input to table is told in one line") {
     CHECK(error("synthetic --limits bare.json --length 1/25 --drive d.csv", 3).find("bare.json: has no controller") != std::string::npos);
     CHECK(error("synthetic --limits table.json --length 1/25 --axis x", 2).find("\"x\" is no COMPONENT=AXIS") != std::string::npos);
     CHECK(error("synthetic --limits table.json --length 1/25 --axis 1=q", 3).find("no axis \"q\"") != std::string::npos);
-    CHECK(error("synthetic --limits table.json --length 1/25 --payload '3 m'", 3).find("a mass is wanted") != std::string::npos);
+    CHECK(error("synthetic --limits table.json --length 1/25 --payload '3 m'", 2).find("a mass is wanted") != std::string::npos);
     CHECK(error("synthetic --limits table.json --length 1/25 --payload '-3 kg'", 2).find("is below zero") != std::string::npos);
     CHECK(error("synthetic --limits table.json --length 1/25 --payload '3 kg' --prototype-mass '3 t'", 2).find("contradicts") !=
           std::string::npos);

@@ -56,16 +56,20 @@ TEST_CASE("a quantity with a dimension needs its unit, and a bad value is told w
           Case{"scale --law froude --set l=1/25 --value E=x", "--value E: \"x\": "},
           Case{"scale --law froude --set l=1/25 --value zz=3m", "--value zz: \"zz\" is no quantity of the law"},
           Case{"scale --define E:furlong --set l=1/25 --hold 'v/sqrt(g*l)'", "--define E: \"furlong\": unknown unit"},
-          Case{"scale --set l=1/2x", "--set l: \"1/2x\": "}, Case{table + "--payload '2 m'", "--payload: \"2 m\": a mass is wanted"},
-          Case{table + "--payload 200", "--payload: \"200\": the unit is missing; a mass is wanted (such as \"10.66 g\")"},
-          Case{"scale --law . --set l=1/2", ".: is a folder; name a law file"}}) {
+          Case{"scale --set l=1/2x", "--set l: \"1/2x\": "}, Case{"scale --length -1", "--length: \"-1\": the value must be positive"},
+          Case{"scale --length 0", "--length: \"0\": the value must be positive"},
+          Case{table + "--payload '2 m'", "--payload: \"2 m\": a mass is wanted"},
+          Case{table + "--payload 200", "--payload: \"200\": the unit is missing; a mass is wanted (such as \"10.66 g\")"}}) {
         CAPTURE(bad.arguments);
         const Outcome outcome = here.run(bad.arguments);
-        CHECK(outcome.exit_code == 3);
+        CHECK(outcome.exit_code == 2);
         CHECK_MESSAGE(outcome.has_one_error_line(), outcome.err);
         CHECK_MESSAGE(outcome.err.starts_with("musim: error: " + bad.message), outcome.err);
         CHECK(outcome.out.empty());
     }
+    const Outcome folder = here.run("scale --law . --set l=1/2");
+    CHECK(folder.exit_code == 3);
+    CHECK_MESSAGE(folder.err.starts_with("musim: error: .: is a folder; name a law file"), folder.err);
     // plain numbers have no unit to forget
     CHECK(here.run("scale --law mu --set l=1/25 --set mu=2 --value mu=0.59").exit_code == 0);
 }
@@ -127,10 +131,10 @@ TEST_CASE("scale reports the regime change of aluminium as an error, and exact s
     CHECK(here.run("scale --length 1/107 --law exact --json").json()["distortions"].empty());
 }
 
-TEST_CASE("a factor that cannot be is bad input") {
+TEST_CASE("a law that there is not or factors that contradict it are bad input") {
     const Workplace here;
-    for (const char* arguments : {"scale --length -1", "scale --length 0", "scale --length 1/25 --law nonsense",
-                                  "scale --length 1/25 --law exact --friction 0.5"}) {
+    for (const char* arguments :
+         {"scale --length 1/25 --law nonsense", "scale --length 1/25 --law exact --friction 0.5", "scale --law . --set l=1/2"}) {
         const Outcome outcome = here.run(arguments);
         CHECK_MESSAGE(outcome.exit_code == 3, arguments);
         CHECK_MESSAGE(outcome.has_one_error_line(), outcome.err);

@@ -361,7 +361,7 @@ TEST_CASE("a law file is refused with file and key") {
         R"(, "quantities": [{"name": "l", "unit": "m"}, {"name": "v", "unit": "m/s"}, {"name": "g", "unit": "gn"}])";
     CHECK(refusal(quantities + R"-(, "held": ["v/sqrt(g*l)"])-").empty());
     CHECK(refusal("") == "my.json: no quantities; list those that the problem depends on");
-    CHECK(refusal(quantities + R"(, "helt": [])").find("my.json: unknown key \"helt\"; known are schema") == 0);
+    CHECK(refusal(quantities + R"(, "helt": [])").find("my.json: unknown key \"helt\"; did you mean \"held\"?") == 0);
     CHECK(refusal(quantities + R"(, "held": ["v/l"])").find("my.json: \"v/l\" is not dimensionless: it is a frequency") == 0);
     CHECK(refusal(quantities + R"(, "held": [3])").find("my.json: /held: 3 is no text") == 0);
     CHECK(refusal(quantities + R"(, "held": "v")").find("my.json: \"held\" is no list") == 0);

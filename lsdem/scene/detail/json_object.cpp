@@ -5,33 +5,18 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 #include "lsdem/scene/detail/json_text.hpp"
 #include "lsdem/scene/scene_error.hpp"
 #include "lsdem/scene/scene_json.hpp"
 #include "scaling/error.hpp"
+#include "scaling/nearest_name.hpp"
 #include "scaling/number.hpp"
 
 namespace musim::lsdem::scene::detail {
 
 namespace {
-
-/// Number of letters to insert, remove or replace to make `a` into `b` [Levenshtein66].
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-    std::vector<std::size_t> row(b.size() + 1);
-    std::iota(row.begin(), row.end(), std::size_t{0});
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        std::size_t diagonal = std::exchange(row[0], i + 1);
-        for (std::size_t j = 0; j < b.size(); ++j) {
-            const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
-            diagonal = row[j + 1];
-            row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
-        }
-    }
-    return row.back();
-}
 
 std::string type_name(const nlohmann::json& value) {
     return value.is_null() ? "null" : fmt::format("{} {}", value.type_name(), value.is_structured() ? "" : value.dump());
@@ -57,24 +42,6 @@ double parse_at(const JsonPlace& place, const Parse& parse) {
 
 void fail(const JsonPlace& place, const std::string& message) {
     throw SceneError(fmt::format("{}: {}: {}", place.origin, place.path.empty() ? "/" : place.path, message));
-}
-
-std::string find_nearest(std::string_view name, const std::vector<std::string>& known) {
-    std::string nearest;
-    std::size_t best = std::numeric_limits<std::size_t>::max();
-    for (const std::string& candidate : known) {
-        const std::size_t distance = edit_distance(name, candidate);
-        if (distance < best && 3 * distance <= std::max(candidate.size(), name.size())) {
-            best = distance;
-            nearest = candidate;
-        }
-    }
-    return nearest;
-}
-
-std::string suggest(std::string_view name, const std::vector<std::string>& known) {
-    const std::string nearest = find_nearest(name, known);
-    return nearest.empty() ? fmt::format("known are {}", join(known)) : fmt::format("did you mean \"{}\"?", nearest);
 }
 
 double to_number(const nlohmann::json& value, const JsonPlace& place) {
@@ -118,7 +85,7 @@ JsonObject::JsonObject(const nlohmann::json& value, JsonPlace place, const std::
     const std::vector<std::string>& known = scene_keys().at(kind);
     for (const auto& [key, unused] : value.items()) {
         if (std::find(known.begin(), known.end(), key) == known.end()) {
-            fail(place_.at(key), fmt::format("unknown key \"{}\"; {}", key, suggest(key, known)));
+            fail(place_.at(key), fmt::format("unknown key \"{}\"; {}", key, scaling::suggest_name(key, known)));
         }
     }
 }
@@ -155,9 +122,7 @@ std::size_t JsonObject::choice(const std::string& key, const std::vector<std::st
     const std::string name = text(key);
     const auto found = std::find(names.begin(), names.end(), name);
     if (found == names.end()) {
-        const std::string nearest = find_nearest(name, names);
-        fail(place(key), fmt::format("\"{}\" is not known; {}use one of {}", name,
-                                     nearest.empty() ? "" : fmt::format("did you mean \"{}\"? ", nearest), join(names)));
+        fail(place(key), fmt::format("\"{}\" is not known{}; use one of {}", name, scaling::hint_at_name(name, names), join(names)));
     }
     return static_cast<std::size_t>(found - names.begin());
 }

@@ -25,12 +25,6 @@ struct JsonPlace {
 /// Throws SceneError "origin: /path: message".
 [[noreturn]] void fail(const JsonPlace& place, const std::string& message);
 
-/// The name in `known` that is nearest to `name`, when at most a third of its letters differ; else empty.
-std::string find_nearest(std::string_view name, const std::vector<std::string>& known);
-
-/// `; did you mean "friction"?` or, without a near name, `; known are a, b, c`.
-std::string suggest(std::string_view name, const std::vector<std::string>& known);
-
 /// Number, or text with a number or fraction. Throws SceneError.
 double to_number(const nlohmann::json& value, const JsonPlace& place);
 

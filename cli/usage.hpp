@@ -1,0 +1,16 @@
+#pragma once
+
+#include <CLI/App.hpp>
+#include <CLI/Error.hpp>
+#include <string>
+
+namespace musim::cli {
+
+/// Makes every option and argument of a command and its subcommands refuse an empty value, such as -o "".
+void refuse_empty_values(CLI::App& app);
+
+/// What is wrong with a command line, in one line that begins with the word at fault and ends with the help to turn to. A mistyped command
+/// or option comes first, with the nearest known one: what else is missing often follows from it. `app` has been given the command line.
+std::string describe_usage_error(const CLI::App& app, const CLI::ParseError& error);
+
+}  // namespace musim::cli

@@ -1,0 +1,112 @@
+#include <doctest/doctest.h>
+
+#include <string>
+#include <vector>
+
+#include "tests/cli/program.hpp"
+
+using namespace musim::cli;
+
+namespace {
+
+/// A command with the arguments that it cannot do without, but for the file that it reads.
+struct Command {
+    std::string name;
+    std::string needs;   ///< besides its input
+    std::string number;  ///< an option that takes a number
+};
+
+const std::vector<Command>& commands() {
+    static const std::vector<Command> kCommands{
+        {"run", "", "--duration"},
+        {"pair", "", "--length"},
+        {"sequence", "-o out", "--checkpoint-interval"},
+        {"ensemble", "-o out", "--members"},
+        {"specimen", "-o out", "--seeds"},
+        {"bench twins", "", "--models"},
+        {"bench verdict", "", "--sets"},
+        {"response", "", "--threshold"},
+        {"report", "", ""},
+        {"field", "-o out", "--rate"},
+        {"watch", "--once", ""},
+        {"pi", "", "--limit"},
+        {"design", "", "--monte-carlo"},
+        {"rescale", "--length 1/25 -o out.csv", "--friction"},
+        {"table", "--limits table.json --length 1/25", "--accept"},
+        {"record info", "", "--friction"},
+        {"record plot", "-o out.svg", "--damping"},
+        {"record process", R"(--step '{"step": "level"}' -o out.csv)", "--dt"},
+        {"record match", "--target target.csv -o out.csv", "--tolerance"},
+        {"record spectrum", "", "--damping"},
+    };
+    return kCommands;
+}
+
+/// With a file that no command can use, and others that commands need besides.
+struct FilledWorkplace : Workplace {
+    FilledWorkplace() {
+        write("noise", "\x01\x02 no input of any command\n");
+        write("table.json", R"({"schema": "musim-table/1", "axes": [{"names": ["x"]}]})");
+        write("target.csv", "0.5,0.3\n0.6,0.3\n");
+    }
+};
+
+void check_refusal(const Workplace& here, const std::string& arguments, int exit_code, const std::string& message) {
+    CAPTURE(arguments);
+    const Outcome outcome = here.run(arguments);
+    CHECK(outcome.exit_code == exit_code);
+    CHECK_MESSAGE(outcome.has_one_error_line(), outcome.err);
+    CHECK_MESSAGE(outcome.err.find(message) != std::string::npos, outcome.err);
+    CHECK(outcome.err.size() < 500);
+    CHECK(outcome.out.empty());
+    CHECK(here.count() == 3);
+}
+
+}  // namespace
+
+TEST_CASE("a file that is missing or is no input is bad input to every command and is named") {
+    const FilledWorkplace here;
+    for (const Command& command : commands()) {
+        check_refusal(here, command.name + " lost.file " + command.needs, 3, "lost.file");
+        check_refusal(here, command.name + " noise " + command.needs, 3, "noise");
+    }
+}
+
+TEST_CASE("an unknown option or a value that is no number is wrong usage of every command and is named") {
+    const FilledWorkplace here;
+    for (const Command& command : commands()) {
+        check_refusal(here, command.name + " noise --jsn " + command.needs, 2,
+                      "--jsn: musim " + command.name + " has no such option (did you mean \"--json\"?); see musim " + command.name);
+        if (command.number.empty()) continue;
+        check_refusal(here, command.name + " noise " + command.needs + " " + command.number + "=x", 2, command.number + ": ");
+    }
+}
+
+TEST_CASE("an empty name is wrong usage of every command and changes nothing") {
+    const FilledWorkplace here;
+    for (const Command& command : commands()) check_refusal(here, command.name + " '' " + command.needs, 2, ": is empty; give a value");
+    for (const std::string command : {"run noise", "pair noise", "response noise", "report noise", "bench accuracy", "bench similitude",
+                                      "calibrate friction --material wood", "record spectrum noise", "record plot noise"}) {
+        check_refusal(here, command + " -o ''", 2, "--out: is empty; give a value");
+    }
+}
+
+TEST_CASE("a mistyped command or option gets the nearest known one also where something else is missing") {
+    const FilledWorkplace here;
+    struct Case {
+        std::string arguments, message;
+    };
+    for (const Case& wrong :
+         {Case{"rum noise", "\"rum\": musim has no such command; did you mean \"run\"?; see musim --help"},
+          Case{"recrd", "did you mean \"record\"?"},
+          Case{"record inffo noise --json", "\"inffo\": musim record has no such command; did you mean \"info\"?"},
+          Case{"record make ricket -o x.csv", "did you mean \"ricker\"?"},
+          Case{"scale --lenght 1/25", "--lenght: musim scale has no such option (did you mean \"--length\"?)"},
+          Case{"scale --lenght=1/25", "did you mean \"--length\"?"},
+          Case{"run --duratoin 2 noise", "--duratoin: musim run has no such option (did you mean \"--duration\"?)"},
+          Case{"bench speed", "known are "}, Case{"scale --length 1/25 --q", "--q: musim scale has no such option; see"},
+          Case{"run noise noise", "\"noise\": musim run takes no further argument"}}) {
+        check_refusal(here, wrong.arguments, 2, wrong.message);
+    }
+    check_refusal(here, "scale --length 1/25 --law frode", 3, "there is no law \"frode\" (did you mean \"froude\"?)");
+}
