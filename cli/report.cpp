@@ -70,7 +70,11 @@ void report_doubts(const std::string& where, const study::RunResult& run) {
 
 lsdem::scene::Scene read_scene(const std::filesystem::path& file) {
     lsdem::scene::Scene scene = lsdem::scene::read_scene(file);
-    for (const std::string& remark : scene.remarks.lines) note("musim: warning: {}\n", remark);
+    for (const std::string& remark : scene.text.remarks) note("musim: warning: {}\n", remark);
+    if (!scene.text.plain_number.empty()) {
+        note("musim: note: {}: {}: a number without a unit is taken as SI, here and elsewhere in the file; write text with a unit\n",
+             scene.text.origin, scene.text.plain_number);
+    }
     return scene;
 }
 

@@ -137,7 +137,7 @@ std::array<BaseComponent, 3> make_base_components(const BaseMotion& motion, cons
         scale(components, motion.factors);
         return components;
     } catch (const records::ProcessingError& error) {
-        throw SceneError(fmt::format("scene: {}: {}", place, error.what()));
+        throw SceneError(fmt::format("{}: {}", place, error.what()));
     }
 }
 

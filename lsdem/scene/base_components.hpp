@@ -15,6 +15,6 @@ namespace musim::lsdem::scene {
 /// come last, one multiplication a sample, so that factors that are powers of two are exact.
 /// Throws records::ReadError for a record that cannot be used, and SceneError, which names the motion's `place` in the scene, for one that
 /// cannot be processed as asked.
-std::array<BaseComponent, 3> make_base_components(const BaseMotion& motion, const std::string& place = "/base_motion");
+std::array<BaseComponent, 3> make_base_components(const BaseMotion& motion, const std::string& place = "scene: /base_motion");
 
 }  // namespace musim::lsdem::scene

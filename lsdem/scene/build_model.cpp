@@ -23,8 +23,6 @@ namespace {
 using detail::Placement;
 
 /// Where a scene that is not read from a file is to blame.
-std::string origin_of(const Scene& scene) { return fmt::format("scene \"{}\"", scene.name); }
-
 /// A block as messages call it: its place in an explicit list, or its number and layer.
 std::string name_block(const Scene& scene, const std::vector<Placement>& blocks, std::size_t index) {
     if (std::holds_alternative<BlockList>(scene.structure)) return fmt::format("/structure/blocks/{}", index);
@@ -131,8 +129,8 @@ void refuse_overlaps(const Scene& scene, const std::vector<Placement>& blocks) {
     const std::vector<detail::Body> bodies = make_bodies(scene, blocks);
     if (const auto overlap = detail::find_deepest_overlap(bodies)) {
         throw SceneError(fmt::format("{}: {} and {} overlap by {} at the start (blocks may touch, not overlap); move them apart",
-                                     origin_of(scene), name_block(scene, blocks, overlap->first),
-                                     name_block(scene, blocks, overlap->second), format_length(overlap->depth)));
+                                     scene.place(), name_block(scene, blocks, overlap->first), name_block(scene, blocks, overlap->second),
+                                     format_length(overlap->depth)));
     }
     if (!scene.ground.present) return;
     for (std::size_t k = 0; k < bodies.size(); ++k) {
@@ -142,7 +140,7 @@ void refuse_overlaps(const Scene& scene, const std::vector<Placement>& blocks) {
         const double depth = reach - body.center.z();
         if (depth > detail::kTouchingTolerance * 2.0 * body.half.minCoeff()) {
             throw SceneError(fmt::format("{}: {} reaches {} below the ground at the start (the ground is the plane z = 0); lift it",
-                                         origin_of(scene), name_block(scene, blocks, k), format_length(depth)));
+                                         scene.place(), name_block(scene, blocks, k), format_length(depth)));
         }
     }
 }
@@ -150,7 +148,7 @@ void refuse_overlaps(const Scene& scene, const std::vector<Placement>& blocks) {
 }  // namespace
 
 BuiltModel build_model(const Scene& scene) {
-    check_scene(scene, origin_of(scene));
+    check_scene(scene, scene.place());
     const detail::Arrangement arrangement = detail::arrange(scene);
     refuse_overlaps(scene, arrangement.blocks);
 
@@ -161,14 +159,14 @@ BuiltModel build_model(const Scene& scene) {
     try {
         for (const Placement& placement : arrangement.blocks) builder.add(placement);
     } catch (const std::invalid_argument& error) {
-        throw SceneError(fmt::format("{}: /shape: {}", origin_of(scene), error.what()));
+        throw SceneError(fmt::format("{}: /shape: {}", scene.place(), error.what()));
     }
 
     // the ground is as stiff as the first block's faces
     model.ground.present = scene.ground.present;
     model.ground.material = make_material(scene.material, builder.face_area(arrangement.blocks.front()));
     model.ground.material.friction = scene.ground.friction.value_or(scene.material.friction);
-    model.ground.motion = make_base_components(scene.base_motion);
+    model.ground.motion = make_base_components(scene.base_motion, scene.place() + ": /base_motion");
     model.gravity = detail::to_vector(scene.gravity);
     model.contact_nodes = scene.contact_nodes;
     model.stiffness_sharing = scene.stiffness_sharing;

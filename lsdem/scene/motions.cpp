@@ -81,10 +81,10 @@ std::vector<StageScene> expand_motions(const Scene& scene) {
         stage.scene.base_motion = entry.base_motion;
         scaling::Time& duration = stage.scene.time.duration;
         if (entry.duration) duration = *entry.duration;
-        if (!(duration.value() > 0.0)) duration = find_end(entry.base_motion, fmt::format("/motions/{}/base_motion", k));
+        if (!(duration.value() > 0.0)) duration = find_end(entry.base_motion, fmt::format("{}: /motions/{}/base_motion", scene.place(), k));
         if (!(duration.value() > 0.0)) {
-            throw SceneError(fmt::format(
-                "scene \"{}\": /motions/{}: the motion has no end that could give its duration; give a \"duration\"", scene.name, k));
+            throw SceneError(
+                fmt::format("{}: /motions/{}: the motion has no end that could give its duration; give a \"duration\"", scene.place(), k));
         }
         for (int i = 0; i < entry.repeat; ++i) stages.push_back(stage);
     }
@@ -93,10 +93,10 @@ std::vector<StageScene> expand_motions(const Scene& scene) {
 
 void require_single_motion(const Scene& scene, const std::string& what) {
     if (scene.motions.empty()) return;
-    throw SceneError(fmt::format(
-        "scene \"{}\": /motions: {} takes one motion (this is a list of them, for one structure); use `musim sequence`, or give a "
-        "\"base_motion\" instead",
-        scene.name, what));
+    throw SceneError(
+        fmt::format("{}: /motions: {} takes one motion (this is a list of them, for one structure); use `musim sequence`, or give a "
+                    "\"base_motion\" instead",
+                    scene.place(), what));
 }
 
 }  // namespace musim::lsdem::scene

@@ -373,7 +373,7 @@ void read_contact(const JsonObject& object, Scene& scene) {
 /// Says which settings of a scene change nothing, and which name is an old one.
 void remark_settings(const JsonObject& object, const JsonPlace& place, Scene& scene) {
     const auto remark = [&](const JsonPlace& at, const char* why) {
-        scene.remarks.lines.push_back(fmt::format("{}: {}: {}", at.origin, at.path, why));
+        scene.text.remarks.push_back(fmt::format("{}: {}: {}", at.origin, at.path, why));
     };
     const bool has_nodes = scene.has_contact_nodes();
     if (object.has("shape") && object.get("shape").contains("nodes_per_face") && !has_nodes) {
@@ -416,14 +416,15 @@ void collect_materials(Scene& scene, const JsonPlace& place) {
 
 Scene parse_scene(std::string_view json_text, const std::filesystem::path& origin) {
     const json root = detail::parse_json(json_text, origin.string());
-    const JsonPlace place{origin.string(), ""};
+    Scene scene;
+    scene.text.origin = origin.string();
+    const JsonPlace place{origin.string(), "", &scene.text.plain_number};
     const JsonObject object(root, place, "scene");
     if (object.text("schema") != kSchemaName) {
         fail(place.at("schema"),
              fmt::format("\"{}\" is not a known format; write \"{}\"", object.text("schema"), std::string(kSchemaName)));
     }
 
-    Scene scene;
     object.read("name", scene.name);
     read_accuracy(object, scene);
     read_gravity(object, scene.gravity);

@@ -93,7 +93,7 @@ Scene scale_scene(const Scene& scene, const scaling::Similitude& similitude) {
     scaler.scale(scaled.time.step);
     scaler.scale(scaled.output.spine_rate);
     scaler.scale(scaled.output.frame_rate);
-    check_scene(scaled, fmt::format("scene \"{}\" at 1:{:.6g}", scene.name, 1.0 / similitude.length()));
+    check_scene(scaled, fmt::format("{} at 1:{:.6g}", scene.place(), 1.0 / similitude.length()));
     return scaled;
 }
 

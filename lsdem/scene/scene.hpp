@@ -245,10 +245,12 @@ struct OutputSettings {
 /// How a scene names the ways in which boxes meet, in the order of FaceContact.
 const std::vector<std::string>& face_contact_names();
 
-/// What a reader should know about the text of a scene, a line each; no part of what the scene is.
-struct Remarks {
-    std::vector<std::string> lines;
-    bool operator==(const Remarks& /*other*/) const { return true; }
+/// About the text that a scene was read from. Scenes that mean the same are equal, whatever their texts.
+struct SceneText {
+    std::string origin;                ///< the file, as messages name it; empty for a scene that was made
+    std::vector<std::string> remarks;  ///< about settings that change nothing and old names, with their places
+    std::string plain_number;          ///< JSON path of the first quantity that is a number without a unit; empty: there is none
+    bool operator==(const SceneText& /*other*/) const { return true; }
 };
 
 /// Everything a simulation needs. Complete and consistent when it comes from read_scene, parse_scene or scale_scene.
@@ -269,8 +271,10 @@ struct Scene {
     std::optional<Accuracy> accuracy;  ///< what the scene asked for; its consequences stand in the other settings
     TimeSettings time;
     OutputSettings output;
-    Remarks remarks;
+    SceneText text;
 
+    /// Where it comes from, to begin messages with: its file, or `scene "name"`.
+    std::string place() const { return text.origin.empty() ? "scene \"" + name + "\"" : text.origin; }
     /// Is there a contact by surface nodes: of spheres, grids, or boxes that ask for it?
     bool has_contact_nodes() const;
     bool operator==(const Scene&) const = default;

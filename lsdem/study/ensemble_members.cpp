@@ -38,18 +38,18 @@ void require_ensemble(const scene::Scene& scene) {
         throw scene::SceneError(
             fmt::format("{}: all members would be the same (its blocks are of one height); give a column, tower or wall a "
                         "\"height_deviation\"",
-                        scene.name));
+                        scene.place()));
     }
     if (scene.preparation && scene.preparation->specimen) {
         throw scene::SceneError(fmt::format(
             "{}: names one specimen, {} (members have blocks of other heights); leave \"preparation.specimen\" out, each is then "
             "laid by itself, or comes from the folder of --specimens",
-            scene.name, scene.preparation->specimen->string()));
+            scene.place(), scene.preparation->specimen->string()));
     }
     if (!scene.time.step && !(scene.output.spine_rate.value() > 0.0)) {
         throw scene::SceneError(fmt::format(
             "{}: members would be sampled at different times (an automatic step depends on the blocks); give an \"output.spine_rate\"",
-            scene.name));
+            scene.place()));
     }
 }
 

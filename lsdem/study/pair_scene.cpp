@@ -112,15 +112,15 @@ void sample_as(const TimePlan& prototype, const Similitude& similitude, scene::S
 }
 
 /// That each block of a model has its like in the prototype.
-void require_same_structure(const Specimen& prototype, const Specimen& model, const std::string& name) {
+void require_same_structure(const Specimen& prototype, const Specimen& model, const std::string& place) {
     const std::size_t wanted = prototype.model.blocks.size(), has = model.model.blocks.size();
     if (has != wanted) {
         throw scene::SceneError(
-            fmt::format("scene \"{}\": {} blocks where the prototype has {}; a pair needs similar structures", name, has, wanted));
+            fmt::format("{}: {} blocks where the prototype has {}; a pair needs similar structures", place, has, wanted));
     }
     if (model.layer != prototype.layer || model.spine.block != prototype.spine.block) {
         throw scene::SceneError(
-            fmt::format("scene \"{}\": its layers are not the prototype's; a pair needs similar structures, block by block", name));
+            fmt::format("{}: its layers are not the prototype's; a pair needs similar structures, block by block", place));
     }
 }
 
@@ -217,9 +217,9 @@ class OtherSpecimens {
             scene::find_height_variation(prototype).has_value() && !(prototype.preparation && prototype.preparation->specimen);
         if (how.specimens.value_or(0) > 0 && !drawn) {
             throw scene::SceneError(
-                fmt::format("scene \"{}\": its block heights are not drawn (height_deviation), so it has one specimen only; leave "
+                fmt::format("{}: its block heights are not drawn (height_deviation), so it has one specimen only; leave "
                             "--specimens out",
-                            prototype.name));
+                            prototype.place()));
         }
         if (materials == Materials::own && drawn) count_ = how.specimens.value_or(kOtherSpecimens);
         share_ = static_cast<double>(runs) / static_cast<double>(runs + 2 * count_);
@@ -281,7 +281,7 @@ ScenePair pair_scene(const scene::Scene& prototype, const std::vector<ModelChoic
                                                                          : lay(label, scaled.scene, scaled.similitude));
         members.back().distortions = scaled.distortions;
         members.back().material = scaled.material;
-        if (choice.scene) require_same_structure(original.specimen, members.back().specimen, choice.scene->name);
+        if (choice.scene) require_same_structure(original.specimen, members.back().specimen, choice.scene->place());
         // an exact model steps as its prototype does
         if (materials == Materials::exact) members.back().plan = original.plan.scaled(scaled.similitude.time());
         const bool alone = how.each_alone && materials == Materials::own && !choice.scene;

@@ -114,9 +114,9 @@ TimePlan make_time_plan(const scene::Scene& scene, const Model& model) {
     const double samples = scene.time.duration.value() / sample_interval;
     if (!(samples <= kMostSamples) || !(samples * static_cast<double>(plan.steps_per_sample) <= kMostSteps)) {
         throw scene::SceneError(fmt::format(
-            "scene \"{}\": {:.3g} s in steps of {:.3g} s are {:.1g} steps and {:.1g} samples (at most {:.0g} and {:.0g} can be counted and "
+            "{}: {:.3g} s in steps of {:.3g} s are {:.1g} steps and {:.1g} samples (at most {:.0g} and {:.0g} can be counted and "
             "kept); give a shorter \"duration\", or a lower \"spine_rate\"",
-            scene.name, scene.time.duration.value(), plan.time_step, samples * static_cast<double>(plan.steps_per_sample), samples,
+            scene.place(), scene.time.duration.value(), plan.time_step, samples * static_cast<double>(plan.steps_per_sample), samples,
             kMostSteps, kMostSamples));
     }
     plan.samples = round_count(samples);

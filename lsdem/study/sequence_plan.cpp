@@ -48,17 +48,17 @@ void check_seam(const scene::Scene& scene, const SequenceStage& before, std::siz
     const Vector3 end = BaseMotion(before.motion).velocity(before.plan.duration());
     if (after.settle) {
         if (end.isZero(0.0) || find_peak_acceleration(before.motion) > 0.0) return;
-        throw scene::SceneError(fmt::format(
-            "scene \"{}\": /motions/{}: at the end of {} the base still has the velocity that it took at once (nothing says how it is "
-            "to stop for {}); use a motion that ends at rest",
-            scene.name, entry, name(before), name(after)));
+        throw scene::SceneError(
+            fmt::format("{}: /motions/{}: at the end of {} the base still has the velocity that it took at once (nothing says how it is "
+                        "to stop for {}); use a motion that ends at rest",
+                        scene.place(), entry, name(before), name(after)));
     }
     const double jump = (BaseMotion(after.motion).velocity(0.0) - end).norm();
     if (jump <= kSeamlessVelocity * std::max(find_peak_velocity(before.motion), find_peak_velocity(after.motion))) return;
-    throw scene::SceneError(fmt::format(
-        "scene \"{}\": /motions/{}: the base would jump by {:.3g} m/s from {} to {} (without a quiet phase between them one must begin "
-        "with the velocity that the other ends with); leave \"settle\": false out, or give the first a longer \"duration\"",
-        scene.name, entry, jump, name(before), name(after)));
+    throw scene::SceneError(
+        fmt::format("{}: /motions/{}: the base would jump by {:.3g} m/s from {} to {} (without a quiet phase between them one must begin "
+                    "with the velocity that the other ends with); leave \"settle\": false out, or give the first a longer \"duration\"",
+                    scene.place(), entry, jump, name(before), name(after)));
 }
 
 }  // namespace
@@ -66,8 +66,8 @@ void check_seam(const scene::Scene& scene, const SequenceStage& before, std::siz
 SequencePlan plan_sequence(const scene::Scene& scene) {
     std::vector<scene::StageScene> scenes = scene::expand_motions(scene);
     if (scenes.empty()) {
-        throw scene::SceneError(fmt::format(
-            "scene \"{}\": has no list of motions (one motion is a plain run); use `musim run`, or give \"motions\"", scene.name));
+        throw scene::SceneError(
+            fmt::format("{}: has no list of motions (one motion is a plain run); use `musim run`, or give \"motions\"", scene.place()));
     }
     SequencePlan plan;
     plan.specimen = make_upright_specimen(scenes.front().scene);
@@ -79,7 +79,8 @@ SequencePlan plan_sequence(const scene::Scene& scene) {
                             .scene = std::move(scenes[k].scene),
                             .motion = {},
                             .plan = {}};
-        stage.motion = scene::make_base_components(stage.scene.base_motion, fmt::format("/motions/{}/base_motion", scenes[k].entry));
+        stage.motion = scene::make_base_components(stage.scene.base_motion,
+                                                   fmt::format("{}: /motions/{}/base_motion", scene.place(), scenes[k].entry));
         stage.plan = make_time_plan(stage.scene, plan.specimen.model);
         if (k > 0) check_seam(scene, plan.stages.back(), scenes[k].entry, stage);
         plan.stages.push_back(std::move(stage));

@@ -107,7 +107,9 @@ scene::Scene with_seed(scene::Scene scene, std::uint64_t seed) {
             if constexpr (requires { structure.seed; }) {
                 structure.seed = seed;
             } else {
-                throw scene::SceneError("specimens are made of columns, towers and walls (single blocks are placed as they are)");
+                throw scene::SceneError(
+                    scene.place() +
+                    ": specimens are made of columns, towers and walls (single blocks are placed as they are); name such a scene");
             }
         },
         scene.structure);
@@ -126,7 +128,7 @@ std::uint64_t seed_of(const scene::Scene& scene) {
 std::vector<SpecimenReport> make_specimens(const SpecimenBatch& batch) {
     if (batch.scene.preparation && batch.scene.preparation->none) {
         throw scene::SceneError(
-            fmt::format("scene \"{}\": \"preparation\" is \"none\", so there is no specimen to lay; leave it out", batch.scene.name));
+            fmt::format("{}: \"preparation\" is \"none\", so there is no specimen to lay; leave it out", batch.scene.place()));
     }
     std::error_code error;
     std::filesystem::create_directories(batch.folder, error);

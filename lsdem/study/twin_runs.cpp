@@ -196,10 +196,10 @@ TwinStudy run_twins(const scene::Scene& scene, const std::vector<TwinChoice>& ch
     TwinStudy study = TwinWork(sampled, choices, settings).run();
     const TwinPrototype& prototype = study.prototype;
     if (prototype.peak > kLeastMotion * std::sqrt(prototype.gravity * prototype.height)) return study;
-    throw scene::SceneError(fmt::format(
-        "scene \"{}\": no block moves relative to the base (differences are measured by how fast one does); give a base motion, or a "
-        "longer duration",
-        scene.name));
+    throw scene::SceneError(
+        fmt::format("{}: no block moves relative to the base (differences are measured by how fast one does); give a base motion, or a "
+                    "longer duration",
+                    scene.place()));
 }
 
 }  // namespace musim::lsdem::study

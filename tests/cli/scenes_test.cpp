@@ -99,6 +99,41 @@ TEST_CASE("the state hash is the same for any number of threads") {
     CHECK(hash("4") == one);
 }
 
+TEST_CASE("numbers without a unit are noted once for each file by the first key; zeros and units are not") {
+    const Workplace here;
+    here.write("plain.json", SceneText{.density = "2320", .second_block_z = "1.5"}.text());
+    here.write("clear.json", SceneText{.second_block_z = "\"1.5 m\""}.text());
+    const std::string note =
+        "musim: note: plain.json: /material/density: a number without a unit is taken as SI, here and elsewhere in the "
+        "file; write text with a unit\n";
+    const Outcome plain = here.run("run plain.json --duration 0.01 --json"), clear = here.run("run clear.json --duration 0.01 --json");
+    CHECK(plain.exit_code == 0);
+    CHECK(plain.err == note);
+    CHECK(clear.err.empty());
+    CHECK(plain.json()["state_hash"] == clear.json()["state_hash"]);
+}
+
+TEST_CASE("what is wrong with a scene begins with its file and place in every command") {
+    const Workplace here;
+    here.write("b.json", SceneText().text());
+    const std::string overlapping = SceneText{.second_block_z = "\"1.2 m\""}.text();
+    here.write("deep.json", overlapping);
+    struct Case {
+        std::string arguments, message;
+    };
+    for (const Case& wrong : {Case{"run deep.json", "deep.json: "}, Case{"pair deep.json --length 1/4", "deep.json: "},
+                              Case{"sequence b.json -o out", "b.json: has no list of motions"},
+                              Case{"ensemble b.json -o out", "b.json: all members would be the same"},
+                              Case{"specimen b.json -o out", "b.json: specimens are made of columns"},
+                              Case{"run b.json --duration 1e18", "b.json: 1e+18 s in steps of"}}) {
+        CAPTURE(wrong.arguments);
+        const Outcome outcome = here.run(wrong.arguments);
+        CHECK(outcome.exit_code == 3);
+        CHECK_MESSAGE(outcome.has_one_error_line(), outcome.err);
+        CHECK_MESSAGE(outcome.err.starts_with("musim: error: " + wrong.message), outcome.err);
+    }
+}
+
 TEST_CASE("a duration given as a fraction replaces the scene's") {
     const Workplace here;
     here.write("scene.json", SceneText().text());

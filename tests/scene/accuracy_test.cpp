@@ -74,7 +74,7 @@ TEST_CASE("boxes meet by their overlap unless a scene asks for nodes") {
     for (const char* contact : {R"({"faces": "nodes"})", R"({"stiffness": "per_contact"})", R"({"nodes": "both", "faces": "nodes"})"}) {
         const Scene scene = parse(nodes + contact);
         CHECK(scene.has_contact_nodes());
-        CHECK(scene.remarks.lines.empty());
+        CHECK(scene.text.remarks.empty());
         CHECK(std::get<BoxShape>(scene.shape).nodes_per_face == 12);
         const Model model = make_model(scene);
         CHECK_FALSE(meets_by_overlap(model, model.blocks.front()));
@@ -106,18 +106,18 @@ TEST_CASE("settings of nodes where there are none, and old names, get one warnin
     for (const Case& c : cases) {
         CAPTURE(c.more);
         const Scene scene = parse(c.more);
-        REQUIRE(scene.remarks.lines.size() == c.places.size());
-        for (std::size_t i = 0; i < c.places.size(); ++i) check_message(scene.remarks.lines[i], {"dir/tower.json: " + c.places[i] + ": "});
+        REQUIRE(scene.text.remarks.size() == c.places.size());
+        for (std::size_t i = 0; i < c.places.size(); ++i) check_message(scene.text.remarks[i], {"dir/tower.json: " + c.places[i] + ": "});
         CHECK(scene == plain);
         CHECK(write_scene(scene) == write_scene(plain));
         CHECK(hash_model(make_model(scene), 1.0) == hash_model(make_model(plain), 1.0));
         // what is written has nothing to remark on
-        CHECK(parse_scene(write_scene(scene)).remarks.lines.empty());
+        CHECK(parse_scene(write_scene(scene)).text.remarks.empty());
     }
     // with nodes only the spacing is idle
     const Scene nodes = parse(shape + R"(, "contact": {"nodes": "both", "faces": "nodes", "spacing": "even"})");
-    REQUIRE(nodes.remarks.lines.size() == 1);
-    check_message(nodes.remarks.lines[0], {"/contact/spacing"});
+    REQUIRE(nodes.text.remarks.size() == 1);
+    check_message(nodes.text.remarks[0], {"/contact/spacing"});
 }
 
 TEST_CASE("a bad accuracy or face is refused with its place and what is known") {

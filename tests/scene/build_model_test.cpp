@@ -172,7 +172,7 @@ TEST_CASE("nodes that do not fit the face are refused with a number that does") 
                       make_model(parse_scene(make_scene_text(kColumn, R"(, "shape": {"kind": "box", "nodes_per_face": 43},
                                                                               "contact": {"faces": "nodes"})")));
                   }),
-                  {"scene \"test\": /shape", "43", "use "});
+                  {"scene: /shape", "43", "use "});
 }
 
 TEST_CASE("blocks that overlap at the start are refused: which two, and by how much") {

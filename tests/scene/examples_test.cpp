@@ -58,6 +58,13 @@ bool has_record(const Scene& scene) { return std::holds_alternative<RecordMotion
 
 }  // namespace
 
+TEST_CASE("every quantity in the example scenes carries its unit") {
+    for (const auto& file : list_examples()) {
+        CAPTURE(file.string());
+        CHECK(read_scene(file).text.plain_number.empty());
+    }
+}
+
 TEST_CASE("every example obeys the schema, is read, and comes back from its own text") {
     REQUIRE(list_examples().size() >= 5);
     for (const auto& file : list_examples()) {
@@ -68,7 +75,7 @@ TEST_CASE("every example obeys the schema, is read, and comes back from its own 
         CHECK(validates(json::parse(written)));
         CHECK(parse_scene(written) == scene);
         // nothing that is idle, no old name
-        CHECK(scene.remarks.lines.empty());
+        CHECK(scene.text.remarks.empty());
         CHECK_FALSE(scene.name.empty());
     }
 }

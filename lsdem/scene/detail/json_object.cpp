@@ -51,7 +51,11 @@ double to_number(const nlohmann::json& value, const JsonPlace& place) {
 }
 
 double to_si(const nlohmann::json& value, const JsonPlace& place, scaling::Dimension wanted) {
-    if (value.is_number()) return value.get<double>();
+    if (value.is_number()) {
+        // zero is the same in every unit
+        if (place.plain_number != nullptr && place.plain_number->empty() && value != 0) *place.plain_number = place.path;
+        return value.get<double>();
+    }
     if (!value.is_string()) fail_type(place, value, "an SI number or a text with its unit");
     return parse_at(place, [&] { return scaling::parse_si(value.get_ref<const std::string&>(), wanted); });
 }

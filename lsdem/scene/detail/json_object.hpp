@@ -15,10 +15,11 @@ namespace musim::lsdem::scene::detail {
 
 /// Where a value stands, for messages.
 struct JsonPlace {
-    std::string origin;  ///< file
-    std::string path;    ///< JSON path, "/material/density"; empty for the whole text
+    std::string origin;                   ///< file
+    std::string path;                     ///< JSON path, "/material/density"; empty for the whole text
+    std::string* plain_number = nullptr;  ///< takes the path of the first quantity that is a number without a unit, where that is asked
 
-    JsonPlace at(const std::string& key) const { return {origin, path + "/" + key}; }
+    JsonPlace at(const std::string& key) const { return {origin, path + "/" + key, plain_number}; }
     JsonPlace at(std::size_t index) const { return at(std::to_string(index)); }
 };
 
