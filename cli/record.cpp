@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <memory>
@@ -16,6 +17,7 @@
 #include "cli/record_peaks.hpp"
 #include "cli/record_source.hpp"
 #include "records/intensity.hpp"
+#include "records/processing.hpp"
 
 namespace musim::cli {
 namespace {
@@ -57,6 +59,12 @@ Measures measure(const records::Intensity& intensity) {
     return measures;
 }
 
+/// When a component begins, where its file tells.
+std::optional<records::UtcTime> find_first_sample(const ComponentInfo& info) {
+    if (!info.motion.time_zero) return std::nullopt;
+    return records::find_instant(*info.motion.time_zero, info.component.series.start());
+}
+
 nlohmann::json to_json(const ComponentInfo& info) {
     const records::TimeSeries& series = info.component.series;
     const Measures measures = measure(info.intensity);
@@ -74,6 +82,11 @@ nlohmann::json to_json(const ComponentInfo& info) {
                           {"pgd_cm", or_null(measures.pgd_cm)},
                           {"arias_m_s", or_null(measures.arias_m_s)},
                           {"d5_95_s", or_null(measures.d5_95_s)}};
+    object["start_s"] = series.start().value();
+    const auto first = find_first_sample(info);
+    object["first_sample_utc"] = first ? nlohmann::json(records::to_string(*first)) : nlohmann::json();
+    object["begins_in_motion"] = info.corner && records::begins_in_motion(series);
+    object["history"] = info.motion.history;
     add_to_json(object, info.measures);
     if (!info.groups.empty()) add_to_json(object["groups"], info.groups);
     return object;
@@ -88,6 +101,17 @@ void print_peaks(const ComponentInfo& info) {
           describe_integration(info.corner ? std::optional(info.corner->value()) : std::nullopt));
 }
 
+/// When components begin, what was done to their samples since the file, sensitivities included, and levels that are not taken from rest.
+void print_origin(std::span<const ComponentInfo> infos) {
+    for (const ComponentInfo& info : infos) {
+        const auto first = find_first_sample(info);
+        print("{:<10} starts at {:.9g} s{}{}\n", info.component.name, info.component.series.start().value(),
+              first ? ", " + records::to_string(*first) + " UTC" : "",
+              info.corner && records::begins_in_motion(info.component.series) ? ", in motion: its level is the mean of all samples" : "");
+    }
+    for (const std::string& step : infos.front().motion.history) print("{:<10} {}\n", "", step);
+}
+
 /// The components of one file: peaks, measures, and groups if there are.
 void print_tables(std::span<const ComponentInfo> infos) {
     const records::GroundMotion& motion = infos.front().motion;
@@ -95,6 +119,7 @@ void print_tables(std::span<const ComponentInfo> infos) {
     print("{:<10} {:<12} {:>9} {:>7} {:>8} {:>9} {:>8} {:>9} {:>8}  {}\n", "component", "quantity", "dt [ms]", "npts", "PGA [g]",
           "PGV [cm/s]", "PGD [cm]", "Ia [m/s]", "D5-95 [s]", "integrated");
     for (const ComponentInfo& info : infos) print_peaks(info);
+    print_origin(infos);
     print_titles("component", infos.front().measures);
     for (const ComponentInfo& info : infos) print_row(info.component.name, info.measures);
     if (infos.front().groups.empty()) return;
@@ -113,24 +138,47 @@ ComponentInfo make_info(const RecordInfoOptions& options, const std::string& fil
     return info;
 }
 
-int run_record_info(const RecordInfoOptions& options) {
-    // everything is read before anything is printed
-    std::vector<records::GroundMotion> motions;
-    for (const std::string& file : options.files) motions.push_back(options.source.load(file));
-    std::vector<std::vector<ComponentInfo>> infos(motions.size());
-    for (std::size_t i = 0; i < motions.size(); ++i) {
-        for (const records::Component& component : motions[i].components)
-            infos[i].push_back(make_info(options, options.files[i], motions[i], component));
+/// A file and its components, or what is wrong with it.
+struct FileInfo {
+    std::optional<records::GroundMotion> motion;
+    std::vector<ComponentInfo> components;
+    std::string error;
+};
+
+/// Fills in one file; the components refer to the motion beside them.
+void read_info(const RecordInfoOptions& options, const std::string& file, FileInfo& info) {
+    try {
+        info.motion = options.source.load(file);
+        for (const records::Component& component : info.motion->components)
+            info.components.push_back(make_info(options, file, *info.motion, component));
+    } catch (const records::ReadError& error) {
+        info.error = error.what();
+    } catch (const records::ProcessingError& error) {
+        info.error = file + ": " + error.what();
     }
-    if (options.json) {
+    if (!info.error.empty()) info.components.clear();
+}
+
+int run_record_info(const RecordInfoOptions& options) {
+    std::vector<FileInfo> infos(options.files.size());
+    for (std::size_t i = 0; i < infos.size(); ++i) read_info(options, options.files[i], infos[i]);
+    const bool any = std::any_of(infos.begin(), infos.end(), [](const FileInfo& info) { return info.error.empty(); });
+    if (options.json && any) {
         nlohmann::json list = nlohmann::json::array();
-        for (const auto& of_file : infos)
-            for (const ComponentInfo& info : of_file) list.push_back(to_json(info));
+        for (const FileInfo& of_file : infos)
+            for (const ComponentInfo& info : of_file.components) list.push_back(to_json(info));
         print_json({{"components", list}});
     } else {
-        for (const auto& of_file : infos) print_tables(of_file);
+        for (const FileInfo& of_file : infos)
+            if (!of_file.components.empty()) print_tables(of_file.components);
     }
-    return kDone;
+    int code = kDone;
+    for (const FileInfo& of_file : infos) {
+        if (of_file.error.empty()) continue;
+        note("musim: error: {}\n", of_file.error);
+        code = kInputError;
+    }
+    return code;
 }
 
 }  // namespace
@@ -160,7 +208,10 @@ void add_record_command(CLI::App& app, Action& action) {
         "T mean: of the Fourier amplitudes; T PSA and T PSV: of the largest 5 % PSA and PSV among 200 periods from 4 dt to the duration, "
         "with\n"
         "as long a rest behind the record; of uncorrected records to a quarter of it or 1/corner. Measures of uncorrected records are of "
-        "the samples above their initial level.");
+        "the samples above their initial level.\n"
+        "SI: Housner's spectrum intensity, the area below PSV at 5 % from 0.1 to 2.5 s. A file that cannot be used is an error line, the "
+        "others\n"
+        "are shown (exit code 3).");
     info->callback([&action, options] { action = [options] { return run_record_info(*options); }; });
     add_record_plot_command(*command, action);
     add_record_process_command(*command, action);

@@ -24,16 +24,24 @@ void MeasureSettings::add_to(CLI::App& command) {
         ->type_name("LOW HIGH")
         ->expected(2)
         ->check(above_zero());
+    command.add_option("--intensity-band", intensity_band, "Periods [s] of Housner's spectrum intensity (default 0.1 2.5)")
+        ->type_name("FIRST LAST")
+        ->expected(2)
+        ->check(above_zero());
 }
 
 std::vector<NamedValue> measure_record(const records::TimeSeries& leveled, const records::Intensity& intensity,
                                        const std::optional<scaling::Frequency>& corner, const MeasureSettings& settings) {
-    std::optional<double> d5_75, cav, rms, bracketed, vmax_over_amax, mean_period, predominant_period, pulse_period;
+    std::optional<double> d5_75, cav, rms, bracketed, housner, vmax_over_amax, mean_period, predominant_period, pulse_period;
     if (leveled.quantity() == records::SampleQuantity::acceleration) {
         d5_75 = records::compute_significant_duration(leveled, 0.05, 0.75).value();
         cav = records::compute_cumulative_absolute_velocity(leveled).value();
         rms = records::compute_rms_acceleration(leveled) / scaling::kStandardGravity;
         bracketed = in_units(records::compute_bracketed_duration(leveled, settings.bracket.value * scaling::kStandardGravity));
+        housner = records::compute_spectrum_intensity(leveled, settings.intensity_band.at(0).value * scaling::si::seconds,
+                                                      settings.intensity_band.at(1).value * scaling::si::seconds)
+                      .value() /
+                  0.01;
         mean_period = in_units(records::compute_mean_period(records::compute_fourier_amplitudes(leveled),
                                                             settings.mean_period_band.at(0).value / scaling::si::seconds,
                                                             settings.mean_period_band.at(1).value / scaling::si::seconds));
@@ -48,6 +56,7 @@ std::vector<NamedValue> measure_record(const records::TimeSeries& leveled, const
             {"cav_m_s", "CAV [m/s]", cav},
             {"rms_g", "RMS [g]", rms},
             {"bracketed_s", "bracketed [s]", bracketed},
+            {"housner_cm", "SI [cm]", housner},
             {"vmax_over_amax_s", "PGV/PGA [s]", vmax_over_amax},
             {"mean_period_s", "T mean [s]", mean_period},
             {"predominant_period_s", "T PSA [s]", predominant_period},

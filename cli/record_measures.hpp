@@ -10,10 +10,11 @@
 
 namespace musim::cli {
 
-/// What measures of a record depend on, as options --bracket, --mean-period-band.
+/// What measures of a record depend on, as options --bracket, --mean-period-band, --intensity-band.
 struct MeasureSettings {
     Number bracket{0.05};                                ///< threshold of the bracketed duration [g]
     std::vector<Number> mean_period_band{{0.25}, {20}};  ///< lowest and highest frequency of the mean period [Hz]
+    std::vector<Number> intensity_band{{0.1}, {2.5}};    ///< first and last period of the spectrum intensity [s]
 
     void add_to(CLI::App& command);
 };

@@ -49,6 +49,19 @@ std::optional<scaling::Time> compute_bracketed_duration(const TimeSeries& accele
     return static_cast<double>((a.rend() - last) - 1 - (first - a.begin())) * acceleration.dt();
 }
 
+scaling::Length compute_spectrum_intensity(const TimeSeries& acceleration, scaling::Time first, scaling::Time last, double damping) {
+    constexpr std::size_t kSteps = 240;
+    if (!(first.value() > 0.0 && last > first && std::isfinite(last.value()))) {
+        throw ProcessingError(fmt::format("the spectrum intensity cannot be taken from {} to {} s (0 < first < last); change them",
+                                          first.value(), last.value()));
+    }
+    const scaling::Time step = (last - first) / static_cast<double>(kSteps);
+    std::vector<scaling::Time> periods;
+    for (std::size_t i = 0; i <= kSteps; ++i) periods.push_back(first + static_cast<double>(i) * step);
+    const std::vector<double> psv = compute_response_spectrum(acceleration, periods, damping).pseudo_velocity();
+    return scaling::Length::from_value(detail::cumulative_trapezoid(psv, step.value()).back());
+}
+
 FourierAmplitudes compute_fourier_amplitudes(const TimeSeries& acceleration) {
     require_quantity(acceleration, SampleQuantity::acceleration, "the Fourier amplitudes");
     const detail::Transform transform(acceleration.samples());

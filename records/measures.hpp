@@ -18,6 +18,10 @@ scaling::Acceleration compute_rms_acceleration(const TimeSeries& acceleration);
 /// From the first to the last sample with |a| ≥ threshold; nothing when there is none. Throws ProcessingError unless threshold > 0.
 std::optional<scaling::Time> compute_bracketed_duration(const TimeSeries& acceleration, scaling::Acceleration threshold);
 
+/// Spectrum intensity ∫ PSV(T) dT [m] from `first` to `last` by trapezoids of 240 even steps: 0.1 to 2.5 s in [Housner52], for a model
+/// these are to be scaled like any time. Throws ProcessingError unless 0 < first < last, both finite.
+scaling::Length compute_spectrum_intensity(const TimeSeries& acceleration, scaling::Time first, scaling::Time last, double damping = 0.05);
+
 /// Amplitudes |∫ a e^{−2πift} dt| at f = 0, step, 2·step, ... up to the Nyquist frequency.
 struct FourierAmplitudes {
     scaling::Frequency step;

@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "records/detail/integration_corner.hpp"
+#include "records/detail/own_titles.hpp"
 #include "records/detail/parsers.hpp"
 #include "records/detail/text.hpp"
 #include "records/detail/values.hpp"
@@ -19,6 +19,7 @@ struct At2Header {
     scaling::Time dt;
     std::optional<SampleUnit> unit;
     std::optional<scaling::Frequency> integration_corner;
+    scaling::Time start;
     std::string event;
     std::string station;
     std::string component;
@@ -60,9 +61,11 @@ void read_counts(const TextFile& file, At2Header& header) {
     header.dt = checked_dt(file, header.counts_line, *seconds);
 }
 
-// "ACCELERATION TIME SERIES IN UNITS OF G. FILTER ..." or "The units are (g)"; musim's own tell an integration corner behind the unit
+// "ACCELERATION TIME SERIES IN UNITS OF G. FILTER ..." or "The units are (g)"; musim's own tell an integration corner and a start
+// time behind the unit
 void read_unit(const TextFile& file, std::size_t index, At2Header& header) {
     if (const auto corner = find_integration_corner(file, index)) header.integration_corner = corner;
+    if (const auto start = find_start_time(file, index)) header.start = *start;
     const std::string_view line = file.line(index);
     for (const std::string_view phrase : {std::string_view("UNITS OF"), std::string_view("UNITS ARE")}) {
         if (!contains_ignoring_case(line, phrase)) continue;
@@ -130,7 +133,7 @@ GroundMotion parse_at2(const TextFile& file, const ReadOptions& options) {
     motion.integration_corner = header.integration_corner;
     motion.components.push_back({.name = header.component,
                                  .azimuth_deg = find_azimuth_deg(header.component),
-                                 .series = {unit.quantity, 0.0 * scaling::si::seconds, header.dt, read_samples(file, header, unit.si)}});
+                                 .series = {unit.quantity, header.start, header.dt, read_samples(file, header, unit.si)}});
     motion.history.push_back(fmt::format("read {} from {}, unit {}", motion.format, file.path().filename().string(), unit.name));
     return motion;
 }

@@ -6,8 +6,8 @@
 
 #include "records/detail/direction.hpp"
 #include "records/detail/header_checks.hpp"
-#include "records/detail/integration_corner.hpp"
 #include "records/detail/numeric_header.hpp"
+#include "records/detail/own_titles.hpp"
 #include "records/detail/parsers.hpp"
 #include "records/detail/text.hpp"
 
@@ -32,6 +32,7 @@ struct Channel {
     std::size_t start = 0;                                      ///< its first line
     std::size_t data = 0;                                       ///< the line that announces its samples
     std::optional<scaling::Frequency> integration_corner = {};  ///< that musim wrote
+    std::optional<scaling::Time> start_time = {};               ///< likewise
     Direction direction = {};
     std::optional<UtcTime> first_sample = {};
     SampleUnit unit = {};
@@ -167,8 +168,9 @@ Channel read_channel(const TextFile& file, std::size_t& index) {
     const NumericHeader integers = read_announced_header(file, index + text_lines, "Integer-header", "integer-header value");
     const NumericHeader reals = read_announced_header(file, integers.end(), "Real-header", "real-header value");
     channel.data = skip_comments(file, reals.end());
-    for (std::size_t line = reals.end(); line < channel.data && !channel.integration_corner; ++line) {
-        channel.integration_corner = find_integration_corner(file, line);
+    for (std::size_t line = reals.end(); line < channel.data; ++line) {
+        if (!channel.integration_corner) channel.integration_corner = find_integration_corner(file, line);
+        if (!channel.start_time) channel.start_time = find_start_time(file, line);
     }
 
     constexpr std::size_t kTitleLine = 8;
@@ -183,7 +185,7 @@ Channel read_channel(const TextFile& file, std::size_t& index) {
         checked_dt(file, reals.line_of(kStepInMilliseconds), 1e-3 * reals.find(kStepInMilliseconds).value_or(kUnknown));
     std::vector<double> samples = read_samples(file, channel, reals, dt);
     index = channel.data + 1 + lines_of(samples.size(), stated_columns(file, channel.data));
-    channel.series.emplace(channel.unit.quantity, 0.0 * scaling::si::seconds, dt, std::move(samples));
+    channel.series.emplace(channel.unit.quantity, channel.start_time.value_or(scaling::Time()), dt, std::move(samples));
 
     if (find_ignoring_case(file.line(index), "END-OF-DATA") != 0 && !file.line(index).starts_with("/&")) {
         file.fail(std::min(index, file.size() - 1),
@@ -238,9 +240,9 @@ GroundMotion parse_cosmos(const TextFile& file, const ReadOptions& options) {
     for (Channel& channel : channels) {
         if (channel.unit.quantity != quantity) continue;
         refuse_contradictions(file, options, channel.unit, channel.series->dt());
-        if (motion.components.empty()) motion.time_zero = channel.first_sample;
         TimeSeries& series = *channel.series;
-        if (motion.time_zero && channel.first_sample) {
+        if (motion.components.empty() && channel.first_sample) motion.time_zero = find_instant(*channel.first_sample, -series.start());
+        if (motion.time_zero && channel.first_sample && !channel.start_time) {
             const double start = std::chrono::duration<double>(*channel.first_sample - *motion.time_zero).count();
             series = TimeSeries(quantity, start * scaling::si::seconds, series.dt(), {series.samples().begin(), series.samples().end()});
         }

@@ -294,7 +294,9 @@ GroundMotion parse_miniseed(const BinaryFile& file, const ReadOptions& options) 
     GroundMotion motion{.source = file.path().string(), .format = "miniSEED"};
     const auto earliest =
         std::min_element(streams.begin(), streams.end(), [](const Stream& a, const Stream& b) { return a.first < b.first; });
-    motion.time_zero = earliest->first;
+    // what has no clock counts from 1970, as the writer does
+    const UtcTime zero = is_clockless(earliest->first) ? UtcTime{} : earliest->first;
+    if (zero != UtcTime{}) motion.time_zero = zero;
     motion.station = streams.front().codes.network + '.' + streams.front().codes.station;
     std::string sensitivities;
     for (Stream& stream : streams) {
@@ -309,7 +311,7 @@ GroundMotion parse_miniseed(const BinaryFile& file, const ReadOptions& options) 
                 file.fail(fmt::format("a sample of {} overflows (sensitivity {})", to_string(stream.codes), response.sensitivity),
                           "correct the sensitivity");
         }
-        const double start = std::chrono::duration<double>(stream.first - *motion.time_zero).count();
+        const double start = std::chrono::duration<double>(stream.first - zero).count();
         sensitivities += fmt::format(", {} {} counts per {}", stream.codes.channel, response.sensitivity, si_unit_name(response.quantity));
         motion.components.push_back({.name = component_name(stream, streams),
                                      .azimuth_deg = response.azimuth_deg,

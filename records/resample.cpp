@@ -110,6 +110,10 @@ TimeSeries resample(const TimeSeries& series, scaling::Time dt, Between between)
     }
     // the last step counts when it is whole but for rounding
     const auto count = static_cast<std::size_t>(std::floor(steps * (1.0 + 1e-12) + 1e-9)) + 1;
+    if (count < 2 && series.size() > 1) {
+        throw ProcessingError(fmt::format("new step is {:.6g} s (longer than the record of {:.6g} s); give a shorter one", dt.value(),
+                                          series.duration().value()));
+    }
     return {series.quantity(), series.start(), dt, sample_at(series.samples(), 0.0, ratio, count, between)};
 }
 

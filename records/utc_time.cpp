@@ -18,6 +18,14 @@ std::optional<UtcTime> make_utc_time(int year, int month, int day, int hour, int
            microseconds(3600.0 * hours_ahead);
 }
 
+std::optional<UtcTime> find_instant(UtcTime zero, scaling::Time later) {
+    constexpr UtcTime kFirst = std::chrono::sys_days(std::chrono::year(1) / 1 / 1),
+                      kEnd = std::chrono::sys_days(std::chrono::year(10000) / 1 / 1);
+    const std::chrono::duration<double> seconds(later.value());
+    if (!(seconds >= kFirst - zero && seconds < kEnd - zero)) return std::nullopt;
+    return zero + std::chrono::microseconds(std::llround(1e6 * seconds.count()));
+}
+
 std::string to_string(UtcTime time) {
     const auto day = std::chrono::floor<std::chrono::days>(time);
     const std::chrono::year_month_day date(day);

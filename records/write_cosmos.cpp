@@ -7,7 +7,7 @@
 #include <iterator>
 
 #include "records/atomic_file.hpp"
-#include "records/detail/integration_corner.hpp"
+#include "records/detail/own_titles.hpp"
 #include "records/detail/station_codes.hpp"
 #include "records/detail/text.hpp"
 #include "records/write_record.hpp"
@@ -42,11 +42,12 @@ struct Calendar {
 
 std::optional<Calendar> first_sample(const GroundMotion& motion, const TimeSeries& series) {
     if (!motion.time_zero) return std::nullopt;
-    const UtcTime instant = *motion.time_zero + std::chrono::microseconds(std::llround(1e6 * series.start().value()));
-    const auto day = std::chrono::floor<std::chrono::days>(instant);
+    const std::optional<UtcTime> instant = find_instant(*motion.time_zero, series.start());
+    if (!instant) return std::nullopt;
+    const auto day = std::chrono::floor<std::chrono::days>(*instant);
     const std::chrono::year_month_day date(day);
     const auto new_year = std::chrono::sys_days(date.year() / std::chrono::January / 1);
-    return Calendar{date, static_cast<int>((day - new_year).count()) + 1, std::chrono::hh_mm_ss(instant - day)};
+    return Calendar{date, static_cast<int>((day - new_year).count()) + 1, std::chrono::hh_mm_ss(*instant - day)};
 }
 
 // 15 letters with six decimals; unknown when they do not hold the number to four digits
@@ -150,8 +151,11 @@ std::string real_header(const GroundMotion& motion, const TimeSeries& series) {
 std::string data_block(const GroundMotion& motion, const TimeSeries& series, std::size_t ordinal) {
     const CosmosUnit& unit = cosmos_unit(series.quantity());
     const std::optional<scaling::Frequency>& corner = motion.integration_corner;
-    std::string text = fmt::format("{:4} Comment line(s) follow, each starting with a \"|\":\n| Written by musim\n", corner ? 2 : 1);
-    if (corner) text += fmt::format("| {}= {} HZ\n", detail::kCornerTitle, corner->value());
+    std::string comments = "| Written by musim\n";
+    if (corner) comments += fmt::format("| {}= {} HZ\n", detail::kCornerTitle, corner->value());
+    if (series.start().value() != 0.0) comments += fmt::format("| {}= {} SEC\n", detail::kStartTitle, series.start().value());
+    std::string text = fmt::format("{:4} Comment line(s) follow, each starting with a \"|\":\n{}",
+                                   std::count(comments.begin(), comments.end(), '\n'), comments);
     text += fmt::format("{:8} {} pts, approx {:4.0f} secs, units={}({:02}),Format=(3E25.16)\n", series.size(), unit.name,
                         static_cast<double>(series.size()) * series.dt().value(), unit.unit, unit.unit_code);
     constexpr std::size_t kPerLine = 3;

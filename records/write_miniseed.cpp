@@ -58,6 +58,15 @@ void require_rate(const std::filesystem::path& path, const Component& component)
                     path.string(), rate, component.name));
 }
 
+/// The first sample's instant; without a clock its start counts from 1970.
+UtcTime find_start(const std::filesystem::path& path, const GroundMotion& motion, const Component& component) {
+    const std::optional<UtcTime> start = find_instant(motion.time_zero.value_or(UtcTime{}), component.series.start());
+    if (start && detail::is_clockless(*start) != motion.time_zero.has_value()) return *start;
+    throw WriteError(
+        fmt::format("{}: start {} s of '{}' cannot be held (miniSEED has a date, or less than a day of an unknown clock); write CSV",
+                    path.string(), component.series.start().value(), component.name));
+}
+
 void append_record(char* record, int length, void* bytes) {
     static_cast<std::string*>(bytes)->append(record, static_cast<std::size_t>(length));
 }
@@ -68,7 +77,13 @@ void copy_code(const std::string& code, std::span<char> field) {
     field[length] = '\0';
 }
 
-void append_stream(const std::filesystem::path& path, const GroundMotion& motion, const TimeSeries& series, const std::string& channel,
+/// What a stream is told by besides its station.
+struct StreamTitle {
+    std::string channel;
+    UtcTime start;
+};
+
+void append_stream(const std::filesystem::path& path, const GroundMotion& motion, const TimeSeries& series, const StreamTitle& title,
                    std::string& bytes) {
     const auto station = detail::split_station(motion.station, "MUSIM");
     detail::catch_mseed_complaints();
@@ -76,9 +91,8 @@ void append_stream(const std::filesystem::path& path, const GroundMotion& motion
     if (!record) throw std::bad_alloc();
     copy_code(station.network, record->network);
     copy_code(station.station, record->station);
-    copy_code(channel, record->channel);
-    const UtcTime start = motion.time_zero.value_or(UtcTime{}) + std::chrono::microseconds(std::llround(1e6 * series.start().value()));
-    record->starttime = start.time_since_epoch().count();
+    copy_code(title.channel, record->channel);
+    record->starttime = title.start.time_since_epoch().count();
     record->samprate = 1.0 / series.dt().value();
     record->dataquality = 'D';
     record->reclen = kRecordBytes;
@@ -100,7 +114,7 @@ void append_stream(const std::filesystem::path& path, const GroundMotion& motion
     record->datasamples = nullptr;
     if (records < 0 || packed != static_cast<std::int64_t>(series.size())) {
         throw WriteError(
-            fmt::format("{}: {} cannot be packed ({}); write CSV or AT2", path.string(), channel, detail::last_mseed_complaint()));
+            fmt::format("{}: {} cannot be packed ({}); write CSV or AT2", path.string(), title.channel, detail::last_mseed_complaint()));
     }
 }
 
@@ -118,7 +132,7 @@ void write_miniseed(const std::filesystem::path& path, const GroundMotion& motio
         }
         codes.push_back(code);
         require_rate(path, component);
-        append_stream(path, motion, component.series, code, bytes);
+        append_stream(path, motion, component.series, {code, find_start(path, motion, component)}, bytes);
     }
     write_file_atomically(path, bytes);
 }

@@ -7,8 +7,8 @@
 #include <iterator>
 
 #include "records/atomic_file.hpp"
-#include "records/detail/integration_corner.hpp"
 #include "records/detail/musim_csv.hpp"
+#include "records/detail/own_titles.hpp"
 
 namespace musim::records {
 namespace {
@@ -75,6 +75,7 @@ void write_at2(const std::filesystem::path& path, const GroundMotion& motion, st
         fmt::format("PEER FORMAT TIME SERIES, WRITTEN BY MUSIM\n{}, {}, {}\n{} TIME SERIES IN UNITS OF {}", one_line(motion.event, true),
                     one_line(motion.station, false), one_line(component.name, false), title, unit);
     if (motion.integration_corner) text += fmt::format(", {}= {} HZ", detail::kCornerTitle, motion.integration_corner->value());
+    if (series.start().value() != 0.0) text += fmt::format(", {}= {} SEC", detail::kStartTitle, series.start().value());
     text += '\n';
     text += fmt::format("NPTS= {:6}, DT= {:#} SEC\n", series.size(), series.dt().value());
     constexpr std::size_t kPerLine = 5;

@@ -2,8 +2,11 @@
 
 #include <libmseed.h>
 
+#include <chrono>
 #include <memory>
 #include <string>
+
+#include "records/utc_time.hpp"
 
 /// What reading and writing with libmseed share.
 namespace musim::records::detail {
@@ -12,6 +15,9 @@ struct FreeMseedRecord {
     void operator()(MSRecord* record) const { msr_free(&record); }
 };
 using MseedRecord = std::unique_ptr<MSRecord, FreeMseedRecord>;
+
+/// True for an instant that stands for a start on an unknown clock: the writer counts it from 1970, when nobody recorded miniSEED.
+inline bool is_clockless(UtcTime first) { return std::chrono::abs(first.time_since_epoch()) < std::chrono::days(1); }
 
 /// From here on libmseed's complaints are kept, not printed; those of this thread so far are forgotten.
 void catch_mseed_complaints();

@@ -47,6 +47,61 @@ TEST_CASE("record info measures a constant acceleration as the closed forms do")
     CHECK(info(here, "a.csv --mean-period-band 51 60")["mean_period_s"].is_null());
 }
 
+TEST_CASE("record info shows the files that it can use beside those that it cannot") {
+    const Workplace here;
+    here.write("good.csv", make_csv([](double) { return 3.0; }));
+    here.write("bad.at2", "no record\n");
+    for (const std::string files : {"good.csv bad.at2 good.csv", "bad.at2 good.csv good.csv"}) {
+        const Outcome outcome = here.run("record info " + files);
+        CHECK(outcome.exit_code == 3);
+        CHECK(outcome.out.find("good.csv: musim CSV") != outcome.out.rfind("good.csv: musim CSV"));
+        CHECK(outcome.err.starts_with("musim: error: bad.at2"));
+        const Outcome json = here.run("record info --json " + files);
+        CHECK(json.exit_code == 3);
+        CHECK(json.json()["components"].size() == 2);
+    }
+}
+
+TEST_CASE("record info names the start, the clock and what turned the file into motion") {
+    const Workplace here;
+    std::string text = make_csv([](double t) { return std::sin(8.0 * t); }, true);
+    text.replace(text.find("# start_s: 0"), 12, "# start_s: 12.5\n# time_zero_utc: 2019/07/06 03:16:08.000000");
+    text.replace(text.find("\n0,"), 3, "\n12.5,");
+    for (int i = 1; i <= 1000; ++i) {
+        const std::string old = fmt::format("\n{},", 0.01 * i);
+        text.replace(text.find(old), old.size(), fmt::format("\n{},", 12.5 + 0.01 * i));
+    }
+    here.write("a.csv", text);
+    const auto a = info(here, "a.csv");
+    CHECK(number(a, "start_s") == 12.5);
+    CHECK(a.at("first_sample_utc") == "2019/07/06 03:16:20.500000");
+    CHECK(a.at("begins_in_motion") == true);
+    const Outcome shown = here.run("record info a.csv");
+    CHECK(shown.out.find("starts at 12.5 s, 2019/07/06 03:16:20.500000 UTC, in motion: its level is the mean of all samples") !=
+          std::string::npos);
+
+    // written as miniSEED and read with a sensitivity: that is named
+    here.write("r.json", R"({"schema": "musim-recipe/1", "steps": [{"step": "amplify", "factor": 1}]})");
+    REQUIRE(here.run("record process a.csv --recipe r.json -o a.mseed").exit_code == 0);
+    const Outcome counts = here.run("record info a.mseed --sensitivity 2");
+    CHECK(counts.out.find("2019/07/06 03:16:20.500000 UTC") != std::string::npos);
+    CHECK(counts.out.find(" 2 counts per m/s^2") != std::string::npos);
+}
+
+// [Housner52]: the area below PSV. A constant acceleration A moves an undamped oscillator by 2A/ω²: PSV = 2A/ω = A T/π, at 5 % damping
+// (1 + e^{−ζπ/√(1−ζ²)})/2 of it; its area from T₁ to T₂ is A (T₂² − T₁²)/(2π) of the same.
+TEST_CASE("record info has Housner's spectrum intensity") {
+    const Workplace here;
+    here.write("a.csv", make_csv([](double) { return 3.0; }));
+    const double overshoot = 0.5 * (1.0 + std::exp(-0.05 * std::numbers::pi / std::sqrt(1.0 - 0.05 * 0.05)));
+    const auto expected = [&](double first, double last) {
+        return 100.0 * 3.0 * (last * last - first * first) / (2.0 * std::numbers::pi) * overshoot;
+    };
+    CHECK(number(info(here, "a.csv"), "housner_cm") == doctest::Approx(expected(0.1, 2.5)).epsilon(1e-4));
+    CHECK(number(info(here, "a.csv --intensity-band 0.05 1"), "housner_cm") == doctest::Approx(expected(0.05, 1.0)).epsilon(1e-4));
+    CHECK(here.run("record info a.csv --intensity-band 1 0.5").exit_code == 3);
+}
+
 TEST_CASE("record info finds the period of a sine") {
     const Workplace here;
     here.write("a.csv", make_csv([](double t) { return 2.0 * std::sin(4.0 * std::numbers::pi * t); }));

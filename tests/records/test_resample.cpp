@@ -67,6 +67,9 @@ TEST_CASE("samples that fall on samples stay to the bit, and the ends are kept")
     for (std::size_t i = 0; i < series.size(); ++i) CHECK(finer.samples()[2 * i] == series.samples()[i]);
     CHECK(resample(series, 0.01 * seconds) == series);
     CHECK(resample(series, 0.03 * seconds).size() == 667);
+    // one sample is no record
+    CHECK_THROWS_WITH_AS(resample(series, 1e9 * seconds), "new step is 1e+09 s (longer than the record of 20 s); give a shorter one",
+                         ProcessingError);
 }
 
 TEST_CASE("a clock shifted by a part of a step shows the motion there") {

@@ -57,7 +57,7 @@ TEST_CASE("a COSMOS section has its headers in the places that readers look at")
     CHECK(lines.at(8) == "Sta Chan   1: 45 deg (Rcrdr Chan   1)");
     CHECK(lines.at(kIntegers) == " 100 Integer-header values follow on  10 lines, Format= (10I8)");
     CHECK(lines.at(kReals) == " 100 Real-header values follow on  20 lines, Format= (5F15.6)");
-    CHECK(lines.at(kComments) == "   1 Comment line(s) follow, each starting with a \"|\":");
+    CHECK(lines.at(kComments) == "   2 Comment line(s) follow, each starting with a \"|\":");
     for (std::size_t i = 1; i <= 10; ++i) CHECK(lines.at(kIntegers + i).size() == 80);
     for (std::size_t i = 1; i <= 20; ++i) CHECK(lines.at(kReals + i).size() == 75);
 
@@ -77,18 +77,18 @@ TEST_CASE("a COSMOS section has its headers in the places that readers look at")
         CHECK(real_of(lines, row.number) == row.value);
     }
 
-    CHECK(lines.at(47) == "       4 acceleration pts, approx    0 secs, units=cm/sec2(04),Format=(3E25.16)");
-    CHECK(lines.at(48).size() == 75);
-    CHECK(std::stod(lines.at(48).substr(0, 25)) == 1.0 / 3.0 * 100.0);
-    CHECK(std::stod(lines.at(48).substr(25, 25)) == -50.0);
-    CHECK(std::stod(lines.at(49)) == 12.5);
-    CHECK(lines.at(50) == "End-of-data for Chan   1 acceleration");
+    CHECK(lines.at(48) == "       4 acceleration pts, approx    0 secs, units=cm/sec2(04),Format=(3E25.16)");
+    CHECK(lines.at(49).size() == 75);
+    CHECK(std::stod(lines.at(49).substr(0, 25)) == 1.0 / 3.0 * 100.0);
+    CHECK(std::stod(lines.at(49).substr(25, 25)) == -50.0);
+    CHECK(std::stod(lines.at(50)) == 12.5);
+    CHECK(lines.at(51) == "End-of-data for Chan   1 acceleration");
 
-    CHECK(lines.at(51) == "Corrected displacement    (Format v01.20 with 13 text lines)");
-    CHECK(lines.at(51 + 8) == "Sta Chan   2: Up (Rcrdr Chan   2)");
-    CHECK(header_value(lines, 51 + kIntegers, 10, 8, 54) == "     400");
-    CHECK(lines.at(51 + 47) == "       1 displacement pts, approx    0 secs, units=cm(06),Format=(3E25.16)");
-    CHECK(lines.size() == 51 + 50);
+    CHECK(lines.at(52) == "Corrected displacement    (Format v01.20 with 13 text lines)");
+    CHECK(lines.at(52 + 8) == "Sta Chan   2: Up (Rcrdr Chan   2)");
+    CHECK(header_value(lines, 52 + kIntegers, 10, 8, 54) == "     400");
+    CHECK(lines.at(52 + 47) == "       1 displacement pts, approx    0 secs, units=cm(06),Format=(3E25.16)");
+    CHECK(lines.size() == 52 + 50);
 }
 
 TEST_CASE("an uncorrected motion is written as V1, and unknown times stay unknown") {

@@ -50,7 +50,8 @@ TEST_CASE("displacement comes back when it is asked for, and a channel code is k
 
     CHECK(back.station == "XX.MUSIM");
     CHECK(back.component_names() == "LYX");
-    CHECK(back.time_zero == make_utc_time(1970, 1, 1, 0, 0, 1.5));
+    CHECK_FALSE(back.time_zero);
+    CHECK(back.components[0].series.start().value() == 1.5);
     CHECK(back.components[0].series.samples()[1] == 0.2);
 }
 

@@ -197,5 +197,47 @@ TEST_CASE("writing replaces a file and follows a symbolic link") {
     CHECK(folder.count() == 2);
 }
 
+TEST_CASE("the start time comes back from every format, with a clock and without") {
+    const tests::TemporaryFolder folder;
+    // a stretch of a record that begins 230 s after its first sample, and one of an own clock that begins before zero
+    for (const double start : {230.5, -2.25}) {
+        for (const std::optional<UtcTime>& zero : {std::optional<UtcTime>(), make_utc_time(2019, 7, 6, 3, 16, 8.25)}) {
+            CAPTURE(start);
+            CAPTURE(zero.has_value());
+            GroundMotion motion{.format = "test", .event = "Quake", .station = "CI.CLC", .components = {}, .time_zero = zero};
+            motion.components.push_back(
+                {"360",
+                 360.0,
+                 {SampleQuantity::acceleration, start * scaling::si::seconds, 0.25 * scaling::si::seconds, {0.5, -1.0, 0.25}}});
+            write_csv(folder.path() / "a.csv", motion);
+            write_cosmos(folder.path() / "a.v2", motion);
+            write_miniseed(folder.path() / "a.mseed", motion);
+            write_at2(folder.path() / "a.at2", motion, "360");
+            for (const std::string name : {"a.csv", "a.v2", "a.mseed", "a.at2"}) {
+                CAPTURE(name);
+                const bool is_miniseed = name == "a.mseed";
+                const GroundMotion back = read_record(folder.path() / name, is_miniseed ? ReadOptions{.sensitivity = 1.0} : ReadOptions{});
+                const TimeSeries& series = back.components.at(0).series;
+                // miniSEED has one date for each stream: the first sample's
+                const bool is_first_sample = is_miniseed && zero;
+                CHECK(series.start().value() == (is_first_sample ? 0.0 : start));
+                if (!zero) CHECK_FALSE(back.time_zero);
+                if (zero && name != "a.at2") {
+                    REQUIRE(back.time_zero);
+                    CHECK(find_instant(*back.time_zero, series.start()) == find_instant(*zero, start * scaling::si::seconds));
+                }
+            }
+        }
+    }
+    GroundMotion far{.format = "test", .event = "", .station = ""};
+    far.components.push_back(
+        {"360", 360.0, {SampleQuantity::acceleration, 1e7 * scaling::si::seconds, 0.25 * scaling::si::seconds, {0.5}}});
+    CHECK_THROWS_WITH_AS(
+        write_miniseed("far.mseed", far),
+        "far.mseed: start 10000000 s of '360' cannot be held (miniSEED has a date, or less than a day of an unknown clock); "
+        "write CSV",
+        WriteError);
+}
+
 }  // namespace
 }  // namespace musim::records
