@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "lsdem/study/lay_specimen.hpp"
-#include "lsdem/study/run.hpp"
 #include "lsdem/study/scale_specimen.hpp"
 
 namespace musim::lsdem::study {
@@ -43,15 +42,15 @@ std::string name_folder(std::string label) {
 }
 
 PairMember lay_member(const std::string& label, const scene::Scene& scene, const scaling::Similitude& similitude,
-                      const RunSettings& settings) {
+                      const RunSettings& settings, Sampling sampling) {
     std::optional<StagedMotion> staged;
     if (!scene.motions.empty()) {
-        SequencePlan plan = plan_sequence(scene);
+        SequencePlan plan = plan_sequence(scene, sampling);
         staged = StagedMotion{std::move(plan.stages), plan.quiet};
     }
     const scene::Scene& first = staged ? staged->stages.front().scene : scene;
     LaidSpecimen laid = lay_specimen(first, settings);
-    const TimePlan plan = make_time_plan(first, laid.specimen.model);
+    const TimePlan plan = make_time_plan(first, laid.specimen.model, sampling);
     return {label, std::move(laid.specimen), plan, similitude, {}, laid.rest, {}, std::move(staged)};
 }
 

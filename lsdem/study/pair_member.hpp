@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lsdem/scene/scene.hpp"
+#include "lsdem/study/run.hpp"
 #include "lsdem/study/simulate.hpp"
 #include "lsdem/study/staged_run.hpp"
 #include "scaling/distortion.hpp"
@@ -27,9 +28,10 @@ struct PairMember {
 /// The folder of a model's results: its label, ':' written '-'.
 std::string name_folder(std::string label);
 
-/// A scene laid (lay_specimen), with its motion or motions, that steps as its own stiffness asks. Throws as that and plan_sequence do.
+/// A scene laid (lay_specimen), with its motion or motions, that steps as its own stiffness asks and is sampled as `sampling` says. Throws
+/// as lay_specimen and plan_sequence do.
 PairMember lay_member(const std::string& label, const scene::Scene& scene, const scaling::Similitude& similitude,
-                      const RunSettings& settings = {});
+                      const RunSettings& settings = {}, Sampling sampling = Sampling::at_rate);
 
 /// The exact image of a member: the same counts in other units.
 PairMember make_image(const PairMember& member, const std::string& label, const scaling::Similitude& similitude);

@@ -104,11 +104,15 @@ ScaledScene take_as_model(const scene::Scene& prototype, const scene::Scene& mod
     return scaled;
 }
 
-/// Runs that take steps of their own are compared at the prototype's samples, also when its scene names no rate.
-void sample_as(const TimePlan& prototype, const Similitude& similitude, scene::Scene& scene) {
-    if (scene.output.spine_rate.value() > 0.0) return;
-    const double interval = static_cast<double>(prototype.steps_per_sample) * prototype.time_step * similitude.time();
-    scene.output.spine_rate = scaling::Frequency::from_value(1.0 / interval);
+/// Runs that take steps of their own are compared at the prototype's samples, which need not be those of its scene's rate.
+void sample_as(const PairMember& prototype, const Similitude& similitude, scene::Scene& scene) {
+    const auto differ = [](double a, double b) { return !(std::abs(a - b) <= scaling::kFactorRounding * std::abs(b)); };
+    const TimePlan& plan = prototype.staged ? prototype.staged->stages.front().plan : prototype.plan;
+    const double rate = 1.0 / (static_cast<double>(plan.steps_per_sample) * plan.time_step * similitude.time());
+    if (differ(scene.output.spine_rate.value(), rate)) scene.output.spine_rate = scaling::Frequency::from_value(rate);
+    if (prototype.staged) return;
+    const double duration = plan.duration() * similitude.time();
+    if (differ(scene.time.duration.value(), duration)) scene.time.duration = scaling::Time::from_value(duration);
 }
 
 /// That each block of a model has its like in the prototype.
@@ -256,8 +260,8 @@ ScenePair pair_scene(const scene::Scene& prototype, const std::vector<ModelChoic
     scaled_scenes.reserve(models.size());
     for (const ModelChoice& choice : models) scaled_scenes.push_back(make_scaled(prototype, choice, materials));
     const KeptPair kept(prototype, scaled_scenes, materials, how, settings);
-    const PairMember original =
-        lay_member("prototype", prototype, Similitude({}, scaling::Law::exact), kept.settings_of("prototype", settings));
+    const PairMember original = lay_member("prototype", prototype, Similitude({}, scaling::Law::exact),
+                                           kept.settings_of("prototype", settings), Sampling::every_step);
     const RunSettings plain{.threads = settings.threads, .checkpoint = settings.checkpoint};
 
     ScenePair pair{.prototype = prototype,
@@ -271,7 +275,7 @@ ScenePair pair_scene(const scene::Scene& prototype, const std::vector<ModelChoic
     for (std::size_t m = 0; m < models.size(); ++m) {
         const ModelChoice& choice = models[m];
         ScaledScene& scaled = scaled_scenes[m];
-        if (materials == Materials::own || choice.scene) sample_as(original.plan, scaled.similitude, scaled.scene);
+        if (materials == Materials::own || choice.scene) sample_as(original, scaled.similitude, scaled.scene);
         const std::string label = make_label(scaled.similitude.length(), members);
         const auto lay = [&](const std::string& name, const scene::Scene& scene, const Similitude& similitude) {
             return lay_member(name, scene, similitude, kept.settings_of(name, plain));
@@ -287,14 +291,14 @@ ScenePair pair_scene(const scene::Scene& prototype, const std::vector<ModelChoic
         const bool alone = how.each_alone && materials == Materials::own && !choice.scene;
         lone_scenes.push_back(alone ? find_lone_scenes(prototype, scaled) : std::vector<LoneScene>{});
         for (LoneScene& lone : lone_scenes.back()) {
-            sample_as(original.plan, lone.similitude, lone.scene);
+            sample_as(original, lone.similitude, lone.scene);
             lone_members.push_back(lay(label + ", " + lone.property, lone.scene, lone.similitude));
         }
         pair.models.push_back(std::move(scaled.scene));
     }
     members.insert(members.end(), std::make_move_iterator(lone_members.begin()), std::make_move_iterator(lone_members.end()));
     scene::Scene sampled = prototype;
-    sample_as(original.plan, original.similitude, sampled);
+    sample_as(original, original.similitude, sampled);
     const OtherSpecimens others(sampled, materials, how, members.size() + kMostTwins);
     pair.study = run_pair(original, members, materials, others.settings_of_pair(kept.settings_of_all(settings)), how.judging);
     pair.study.specimen_traces = others.run(pair.study.prototype, kept.settings_of_all(settings));

@@ -40,6 +40,30 @@ constexpr double kMostSteps = 0x1p53, kMostSamples = 1e9;
 /// Nearest whole number, one at least and kMostSteps at most.
 std::uint64_t round_count(double value) { return static_cast<std::uint64_t>(std::clamp(std::round(value), 1.0, kMostSteps)); }
 
+/// Samples that a rate gives are whole when they are so to within this part [-].
+constexpr double kWhole = 1e-9;
+
+/// Time between samples of the spine, 0 for one a step: the rate's own, when the duration is a whole number of them, else so much shorter
+/// that it is [s].
+double find_sample_interval(const scene::Scene& scene) {
+    const double rate = scene.output.spine_rate.value(), duration = scene.time.duration.value();
+    if (!(rate > 0.0)) return 0.0;
+    const double samples = duration * rate, whole = std::round(samples);
+    if (whole >= 1.0 && std::abs(samples - whole) <= kWhole * whole) return 1.0 / rate;
+    return duration / std::max(1.0, std::ceil(samples));
+}
+
+/// The number up to `most`, above half of it, that leaves least when it divides `all`; of several the largest.
+std::uint64_t divide_evenly(std::uint64_t all, std::uint64_t most) {
+    constexpr std::uint64_t kMostTries = 10000;
+    const std::uint64_t largest = std::min(most, all), tries = std::min(kMostTries, (largest + 1) / 2);
+    std::uint64_t best = largest;
+    for (std::uint64_t k = largest; k > largest - tries && all % best > 0; --k) {
+        if (all % k < all % best) best = k;
+    }
+    return best;
+}
+
 }  // namespace
 
 Specimen make_upright_specimen(const scene::Scene& scene) {
@@ -98,29 +122,31 @@ RunSettings keep_places(RunSettings settings, const Specimen& specimen) {
     return settings;
 }
 
-TimePlan make_time_plan(const scene::Scene& scene, const Model& model) {
-    TimePlan plan{.time_step = scene::compute_time_step(scene, model).value()};
-    const double spine_rate = scene.output.spine_rate.value();
-    if (spine_rate > 0.0) {
-        const double interval = 1.0 / spine_rate;
-        if (scene.time.step) {
-            plan.steps_per_sample = round_count(interval / plan.time_step);
-        } else {
-            plan.steps_per_sample = round_count(std::ceil(interval / plan.time_step));
-            plan.time_step = interval / static_cast<double>(plan.steps_per_sample);
-        }
-    }
-    const double sample_interval = static_cast<double>(plan.steps_per_sample) * plan.time_step;
-    const double samples = scene.time.duration.value() / sample_interval;
-    if (!(samples <= kMostSamples) || !(samples * static_cast<double>(plan.steps_per_sample) <= kMostSteps)) {
+TimePlan make_time_plan(const scene::Scene& scene, const Model& model, Sampling sampling) {
+    const double limit = scene::compute_time_step(scene, model).value();
+    const double interval = find_sample_interval(scene);
+    // an automatic step fits the samples, a given one is kept
+    const bool fits = !scene.time.step && interval > 0.0 && (interval > limit || sampling == Sampling::at_rate);
+    return make_time_plan(scene, fits ? interval / std::ceil(interval / limit) : limit);
+}
+
+TimePlan make_time_plan(const scene::Scene& scene, double time_step) {
+    const double duration = scene.time.duration.value(), steps = duration / time_step;
+    const double per_sample = std::max(1.0, std::round(find_sample_interval(scene) / time_step));
+    if (!(steps <= kMostSteps) || !(steps / per_sample <= kMostSamples)) {
         throw scene::SceneError(fmt::format(
             "{}: {:.3g} s in steps of {:.3g} s are {:.1g} steps and {:.1g} samples (at most {:.0g} and {:.0g} can be counted and "
             "kept); give a shorter \"duration\", or a lower \"spine_rate\"",
-            scene.place(), scene.time.duration.value(), plan.time_step, samples * static_cast<double>(plan.steps_per_sample), samples,
-            kMostSteps, kMostSamples));
+            scene.place(), duration, time_step, steps, steps / per_sample, kMostSteps, kMostSamples));
     }
-    plan.samples = round_count(samples);
-    if (scene.output.frame_rate) plan.samples_per_frame = round_count(1.0 / (scene.output.frame_rate->value() * sample_interval));
+    TimePlan plan{.time_step = time_step};
+    const std::uint64_t all = round_count(steps);
+    plan.steps_per_sample = divide_evenly(all, round_count(per_sample));
+    plan.samples = all / plan.steps_per_sample;
+    if (scene.output.frame_rate) {
+        const double sample_interval = static_cast<double>(plan.steps_per_sample) * time_step;
+        plan.samples_per_frame = round_count(1.0 / (scene.output.frame_rate->value() * sample_interval));
+    }
     return plan;
 }
 

@@ -29,12 +29,21 @@ Specimen make_specimen(const scene::Scene& scene, const RunSettings& settings = 
 /// The settings of a run whose checkpoints hold where the blocks of its specimen are, when it was prepared.
 RunSettings keep_places(RunSettings settings, const Specimen& specimen);
 
-/// Steps, samples and frames of a scene's run.
+/// What an automatic step does when the spine's rate asks for more than one sample a step: every step is a sample; or steps are shortened,
+/// so that runs with steps of their own are sampled at the same times.
+enum class Sampling { every_step, at_rate };
+
+/// Steps, samples and frames of a scene's run. The spine's rate decides when samples are taken, not how long the run is.
 ///
-/// "step": "auto" takes at most safety·compute_critical_time_step(model), shortened until a sampling interval of the spine is a whole
-/// number of steps. A step given in the scene is kept; the interval becomes the nearest multiple. The duration is rounded to whole samples,
-/// one at least. Throws scene::SceneError for more steps or samples than can be counted and kept.
-TimePlan make_time_plan(const scene::Scene& scene, const Model& model);
+/// Samples are 1/rate apart, or so much closer that the duration is a whole number of them. "step": "auto" takes at most
+/// safety·compute_critical_time_step(model), shortened until the time between samples is a whole number of steps. A step given in the scene
+/// is kept: the run has as many as the duration holds, rounded, one at least; up to as many of them as the rate asks for, no fewer than
+/// half, make a sample, such that as few as can be, mostly none, are left over and not run.
+/// Throws scene::SceneError for more steps or samples than can be counted and kept.
+TimePlan make_time_plan(const scene::Scene& scene, const Model& model, Sampling sampling = Sampling::every_step);
+
+/// The same with a given time step [s].
+TimePlan make_time_plan(const scene::Scene& scene, double time_step);
 
 /// Runs a scene. Throws as make_specimen does, and SceneError for one with a list of motions.
 RunResult run_scene(const scene::Scene& scene, const RunSettings& settings = {});

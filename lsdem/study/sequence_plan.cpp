@@ -10,7 +10,6 @@
 #include "lsdem/scene/base_components.hpp"
 #include "lsdem/scene/motions.hpp"
 #include "lsdem/scene/scene_error.hpp"
-#include "lsdem/study/run.hpp"
 
 namespace musim::lsdem::study {
 namespace {
@@ -63,7 +62,7 @@ void check_seam(const scene::Scene& scene, const SequenceStage& before, std::siz
 
 }  // namespace
 
-SequencePlan plan_sequence(const scene::Scene& scene) {
+SequencePlan plan_sequence(const scene::Scene& scene, Sampling sampling) {
     std::vector<scene::StageScene> scenes = scene::expand_motions(scene);
     if (scenes.empty()) {
         throw scene::SceneError(
@@ -81,9 +80,16 @@ SequencePlan plan_sequence(const scene::Scene& scene) {
                             .plan = {}};
         stage.motion = scene::make_base_components(stage.scene.base_motion,
                                                    fmt::format("{}: /motions/{}/base_motion", scene.place(), scenes[k].entry));
-        stage.plan = make_time_plan(stage.scene, plan.specimen.model);
-        if (k > 0) check_seam(scene, plan.stages.back(), scenes[k].entry, stage);
         plan.stages.push_back(std::move(stage));
+    }
+    // one step for all, that fits the samples of the shortest
+    const auto shortest = std::min_element(plan.stages.begin(), plan.stages.end(), [](const SequenceStage& a, const SequenceStage& b) {
+        return a.scene.time.duration.value() < b.scene.time.duration.value();
+    });
+    const double time_step = make_time_plan(shortest->scene, plan.specimen.model, sampling).time_step;
+    for (std::size_t k = 0; k < plan.stages.size(); ++k) {
+        plan.stages[k].plan = make_time_plan(plan.stages[k].scene, time_step);
+        if (k > 0) check_seam(scene, plan.stages[k - 1], scenes[k].entry, plan.stages[k]);
     }
     return plan;
 }

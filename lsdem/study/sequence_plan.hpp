@@ -7,6 +7,7 @@
 
 #include "lsdem/model.hpp"
 #include "lsdem/scene/scene.hpp"
+#include "lsdem/study/run.hpp"
 #include "lsdem/study/settle.hpp"
 #include "lsdem/study/simulate.hpp"
 #include "lsdem/study/time_plan.hpp"
@@ -40,7 +41,7 @@ inline constexpr double kSeamlessVelocity = 1e-6;
 /// Throws SceneError for a scene without a list of motions; for a motion without a quiet phase before it that does not begin with the
 /// velocity that the one before it ends with; for a base that keeps a velocity it took in a jump, before a quiet phase, since nothing says
 /// how it stops. Else as make_upright_specimen does.
-SequencePlan plan_sequence(const scene::Scene& scene);
+SequencePlan plan_sequence(const scene::Scene& scene, Sampling sampling = Sampling::every_step);
 
 /// How the base comes to rest from `velocity` [m/s] before a quiet phase: at the largest acceleration of the motion it ends, no harder than
 /// the motion itself. Requires that the motion has an acceleration.

@@ -60,7 +60,7 @@ ScaledRun run_model(const SimilitudeCase& wanted, const scene::Scene& prototype)
     const scene::Scene scene = make_model_scene(wanted.scene, wanted.scales, wanted.broken);
     const Specimen specimen = make_upright_specimen(scene);
     const TimePlan plan = wanted.broken.shifts_frequencies()
-                              ? make_time_plan(scene, specimen.model)
+                              ? make_time_plan(scene, specimen.model, Sampling::at_rate)
                               : make_time_plan(prototype, make_upright_specimen(prototype).model).scaled(wanted.scales.similitude.time());
     return run_scaled(specimen, plan, wanted.scene, wanted.broken.of(BrokenGroup::duration) * find_start(prototype), wanted.scales);
 }
