@@ -10,6 +10,8 @@
 
 #include "lsdem/scene/build_model.hpp"
 #include "lsdem/scene/scene_error.hpp"
+#include "lsdem/study/detail/folder_lock.hpp"
+#include "lsdem/study/detail/leftovers.hpp"
 #include "lsdem/study/fallen_blocks.hpp"
 #include "lsdem/study/read_results.hpp"
 #include "lsdem/study/run.hpp"
@@ -39,6 +41,8 @@ class BatchProgress {
     std::vector<double> done_;
 };
 
+std::filesystem::path checkpoint_of(const std::filesystem::path& file) { return file.string() + ".checkpoint"; }
+
 /// What a preparation of the same specimen that was killed has left.
 std::optional<PreparationState> find_unfinished(const SpecimenBatch& batch, const CheckpointSettings& checkpoint) {
     if (!std::filesystem::exists(checkpoint.file)) return std::nullopt;
@@ -49,6 +53,15 @@ std::optional<PreparationState> find_unfinished(const SpecimenBatch& batch, cons
         if (batch.on_warning) batch.on_warning(error.what());
     }
     return std::nullopt;
+}
+
+/// Of a specimen that is not there yet: it is this process's, and what killed ones have left beside it, besides the checkpoint, is gone.
+std::optional<detail::FileLock> keep_missing(const std::filesystem::path& file) {
+    std::optional<detail::FileLock> lock;
+    if (std::filesystem::exists(file)) return lock;
+    lock.emplace(file);
+    if (!std::filesystem::exists(file)) detail::remove_with_leftovers(file);
+    return lock;
 }
 
 /// `files`: one file at a time, since the HDF5 library need not be built for threads.
@@ -72,12 +85,14 @@ SpecimenReport make_specimen_file(const SpecimenBatch& batch, std::size_t index,
         const StoredSpecimen stored = read_specimen(report.file);
         report.fallen = count_fallen(stored.size, stored.layer, stored.places);
         report.reused = true;
+        // a kill between the last two steps of making it
+        remove_checkpoint(checkpoint_of(report.file));
         return report;
     }
     RunSettings settings;
     settings.threads = scaling::threads_of_each(batch.threads, batch.seeds.size());
     settings.on_progress = [&](double fraction) { progress.update(index, fraction); };
-    settings.checkpoint = CheckpointSettings{.file = report.file.string() + ".checkpoint",
+    settings.checkpoint = CheckpointSettings{.file = checkpoint_of(report.file),
                                              .scene = inputs,
                                              .program_version = batch.version,
                                              .interval = batch.checkpoint_interval,
@@ -135,6 +150,10 @@ std::vector<SpecimenReport> make_specimens(const SpecimenBatch& batch) {
     if (error) {
         throw records::WriteError(fmt::format("{}: cannot be made ({}); choose another folder", batch.folder.string(), error.message()));
     }
+    // all are kept, or refused, before the first is computed
+    std::vector<std::optional<detail::FileLock>> locks;
+    for (const std::uint64_t seed : batch.seeds)
+        locks.push_back(keep_missing(batch.folder / specimen_file_of(with_seed(batch.scene, seed))));
     std::mutex files;
     BatchProgress progress(batch);
     std::vector<SpecimenReport> reports(batch.seeds.size());

@@ -123,3 +123,25 @@ TEST_CASE("what cannot be a specimen is refused in one line") {
     refused("sudden.json", 3);
     refused("wall.json -o file/below", 3);
 }
+
+TEST_CASE("a specimen that another process makes is refused, and what killed ones left is removed") {
+    const Workplace here;
+    here.write("wall.json", make_scene(kWall));
+    const std::string command = "specimen wall.json -o out --json";
+    const std::string file = here.run(command).json()["specimens"][0]["file"];
+    const std::string hidden = "out/." + file.substr(4);
+    here.shell("rm " + file);
+    const Outcome second = here.run(command, "exec 9>" + hidden + ".lock; flock 9;");
+    CHECK(second.exit_code == 3);
+    CHECK(second.has_one_error_line());
+    CHECK_MESSAGE(second.err.find(file + ": another musim is making it") != std::string::npos, second.err);
+    // the lock went with its process, its file and what was half-written did not
+    here.shell("touch " + hidden + ".17.1.tmp " + hidden + ".checkpoint.17.2.tmp");
+    CHECK(here.has(hidden + ".lock"));
+    CHECK(here.run(command).exit_code == 0);
+    CHECK(here.count("out") == 1);
+    // nor is a checkpoint left that a kill left beside the finished file
+    here.shell("touch " + file + ".checkpoint");
+    CHECK(here.run(command).json()["specimens"][0]["reused"] == true);
+    CHECK(here.count("out") == 1);
+}

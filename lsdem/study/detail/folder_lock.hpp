@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <utility>
 
 namespace musim::lsdem::study::detail {
 
@@ -17,6 +18,21 @@ class FolderLock {
 
   private:
     int descriptor_;
+};
+
+/// Keeps a file that is to be made to one process, as FolderLock a directory, by a hidden file beside it, which goes with the lock. A kill
+/// leaves that file behind, unlocked, for the next to take.
+class FileLock {
+  public:
+    /// Throws records::WriteError when another process holds it, or nothing can be written beside the file.
+    explicit FileLock(const std::filesystem::path& file);
+    FileLock(FileLock&& other) noexcept : path_(std::move(other.path_)), descriptor_(std::exchange(other.descriptor_, -1)) {}
+    FileLock& operator=(FileLock&&) = delete;
+    ~FileLock();
+
+  private:
+    std::filesystem::path path_;
+    int descriptor_ = -1;
 };
 
 /// Does a process hold a directory now? Nothing on file systems that cannot tell.
