@@ -7,6 +7,7 @@
 #include <string>
 
 #include "cli/commands.hpp"
+#include "cli/interruption.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/progress_line.hpp"
@@ -116,7 +117,7 @@ void add_bench_command(CLI::App& app, Action& action) {
         "  musim bench accuracy --record CICLC.v1 --component 360 -o out/accuracy\n"
         "  musim bench accuracy --quick --json\n"
         "Run times are processor time of the stepping thread; docs/accuracy.md explains the problems.");
-    command->callback([&action, options] { action = [options] { return run_bench_accuracy(*options); }; });
+    command->callback([&action, options] { action = [options] { return run_whole([&] { return run_bench_accuracy(*options); }); }; });
 }
 
 }  // namespace musim::cli

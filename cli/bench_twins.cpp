@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cli/commands.hpp"
+#include "cli/interruption.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/progress_line.hpp"
@@ -185,7 +186,8 @@ void add_bench_twins_command(CLI::App& bench, Action& action) {
         "maximum counts. A twin parts where that exceeds 1e-3; growth below is over 0.015 sqrt(H/g). Specimens are laid once.\n"
         "Runs go side by side, one thread each. The same command again, killed or not, runs what is missing in DIR; another build should\n"
         "have another DIR. Exit code 4: a run diverged.");
-    command->callback([&action, options] { action = [options] { return run_bench_twins(*options); }; });
+    command->callback(
+        [&action, options] { action = [options] { return run_again([&] { return run_bench_twins(*options); }, options->out); }; });
 }
 
 }  // namespace musim::cli

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "cli/commands.hpp"
+#include "cli/interruption.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/progress_line.hpp"
@@ -253,7 +254,8 @@ void add_bench_verdict_command(CLI::App& bench, Action& action) {
         "1 + size of a property; absolute_tolerance rounds places to size x 1 mm at every scale; lost_friction drops what one contact "
         "bore.\n"
         "The same command again, killed or not, runs what is missing in DIR; another build should have another DIR.");
-    command->callback([&action, options] { action = [options] { return run_bench_verdict(*options); }; });
+    command->callback(
+        [&action, options] { action = [options] { return run_again([&] { return run_bench_verdict(*options); }, options->out); }; });
 }
 
 }  // namespace musim::cli

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "cli/interruption.hpp"
 #include "cli/output.hpp"
 #include "cli/progress_line.hpp"
 #include "lsdem/study/calibration_files.hpp"
@@ -92,7 +93,7 @@ void add_friction_command(CLI::App& calibrate, Action& action) {
         "A block lying on its largest face slips at atan(mu); one that stands upright topples first when its base is narrower than mu "
         "times\n"
         "its height. Every angle is a run of its own.");
-    command->callback([&action, options] { action = [options] { return run_friction(*options); }; });
+    command->callback([&action, options] { action = [options] { return run_whole([&] { return run_friction(*options); }); }; });
 }
 
 }  // namespace musim::cli

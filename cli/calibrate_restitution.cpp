@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/interruption.hpp"
 #include "cli/output.hpp"
 #include "cli/progress_line.hpp"
 #include "lsdem/study/calibration_files.hpp"
@@ -179,7 +180,7 @@ void add_restitution_command(CLI::App& calibrate, Action& action) {
         "  musim calibrate restitution --material wood -o out/rocking\n"
         "  musim calibrate restitution --material wood --support two_blocks --angles 22 --target 0.6\n"
         "Angles at which a side overturns are left out there. A rigid block without bounce keeps (1 - 1.5 sin^2 alpha)^2 (Housner).");
-    command->callback([&action, options] { action = [options] { return run_restitution(*options); }; });
+    command->callback([&action, options] { action = [options] { return run_whole([&] { return run_restitution(*options); }); }; });
 }
 
 }  // namespace musim::cli

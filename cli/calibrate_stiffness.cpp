@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/interruption.hpp"
 #include "cli/output.hpp"
 #include "cli/progress_line.hpp"
 #include "lsdem/scene/material_presets.hpp"
@@ -190,7 +191,7 @@ void add_stiffness_command(CLI::App& calibrate, Action& action) {
         "time between the layers 5 and 30 of 38. By half of the velocity an ideal chain shows 0.9885 of its c0, by the displacement "
         "1.0083;\n"
         "the effective speed is without that.");
-    command->callback([&action, options] { action = [options] { return run_stiffness(*options); }; });
+    command->callback([&action, options] { action = [options] { return run_whole([&] { return run_stiffness(*options); }); }; });
 }
 
 }  // namespace musim::cli

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "cli/commands.hpp"
+#include "cli/interruption.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/progress_line.hpp"
@@ -174,14 +175,15 @@ int run_ensemble(const EnsembleOptions& options) {
     study::make_upright_specimen(members.front().scene);
     note_cut_motions(options.scene, scene);
     if (options.only > 0) members = {members[static_cast<std::size_t>(options.only - 1)]};
+    std::optional<study::ResultFolder> folder;
+    if (options.only == 0) folder.emplace(options.out);
     if (!options.specimens.empty()) take_specimens(options, members);
     if (options.only > 0) return run_one(options, members.front());
 
-    study::ResultFolder folder(options.out);
     const std::vector<study::MemberReport> reports = carry_out(options, members);
     const study::EnsembleSummary summary = study::summarize_ensemble(options.out, members, reports, options.axis_index());
-    study::add_ensemble(folder, summary, kVersion);
-    folder.commit();
+    study::add_ensemble(*folder, summary, kVersion);
+    folder->commit();
     if (options.json) {
         print_json(study::to_json(summary, kVersion));
     } else {
@@ -241,7 +243,7 @@ void add_ensemble_command(CLI::App& app, Action& action) {
         if (options->only > options->members) {
             throw CLI::ValidationError("--only", fmt::format("there is no member {} of {}", options->only, options->members));
         }
-        action = [options] { return run_ensemble(*options); };
+        action = [options] { return run_again([&] { return run_ensemble(*options); }, options->out); };
     });
 }
 

@@ -7,6 +7,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/field_options.hpp"
+#include "cli/interruption.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/progress_line.hpp"
@@ -185,7 +186,7 @@ void add_field_command(CLI::App& app, Action& action) {
         "for "
         "them:\n"
         "\"output\": {\"frame_rate\": \"100 Hz\"}.");
-    command->callback([&action, options] { action = [options] { return run_field(*options); }; });
+    command->callback([&action, options] { action = [options] { return run_whole([&] { return run_field(*options); }); }; });
 }
 
 }  // namespace musim::cli

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -68,6 +69,8 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
     using namespace musim::cli;
+    // a file above the limit of its size is an error of writing it
+    std::signal(SIGXFSZ, SIG_IGN);
     try {
         return run(argc, argv);
     } catch (const std::bad_alloc&) {

@@ -238,7 +238,7 @@ CLI::Validator between(double low, double high) {
 void add_checkpoint_interval_option(CLI::App& command, Number& seconds) {
     command
         .add_option("--checkpoint-interval", seconds,
-                    "Seconds of wall time between two checkpoints in DIR, 0 for one per sample (default 60)")
+                    "Seconds of wall time between two checkpoints in DIR, the first after 5 at most; 0 for one per sample (default 60)")
         ->type_name("SECONDS")
         ->check(not_negative());
 }

@@ -31,6 +31,8 @@ Notes& notes() {
 
 }  // namespace
 
+void write_text(std::FILE* stream, std::string_view text) { std::fwrite(text.data(), 1, text.size(), stream); }
+
 void note_at_end(std::string line) { notes().add(std::move(line)); }
 
 void print_notes() {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "cli/commands.hpp"
+#include "cli/interruption.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/progress_line.hpp"
@@ -366,7 +367,7 @@ void add_pair_command(CLI::App& app, Action& action) {
         "Models of their own material are distorted, and their specimen is one of many: their differences are held against twins and "
         "other\n"
         "specimens of the prototype. Exit code 5: a model with exact materials differs, or nothing could be decided; 6: --accept.");
-    command->callback([&action, options] { action = [options] { return run_pair(*options); }; });
+    command->callback([&action, options] { action = [options] { return run_again([&] { return run_pair(*options); }, options->out); }; });
 }
 
 }  // namespace musim::cli

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "cli/commands.hpp"
+#include "cli/interruption.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/progress_line.hpp"
@@ -84,8 +85,8 @@ void require_checkpoint(const std::string& directory) {
     throw std::runtime_error(fmt::format("{}: {}", directory,
                                          finished
                                              ? "the run here has finished; there is nothing to resume"
-                                             : "there is no checkpoint to resume from (a run leaves its first after --checkpoint-interval "
-                                               "seconds); start the run anew"));
+                                             : "there is no checkpoint to resume from (a run leaves its first after 5 seconds); start the "
+                                               "run anew"));
 }
 
 Begin begin_from(const std::string& directory) {
@@ -186,15 +187,18 @@ void add_run_command(CLI::App& app, Action& action) {
         "  musim run examples/tower_prototype.json -o out/tower\n"
         "  musim run examples/tower_prototype.json --duration 1/2 --threads 1 --json\n"
         "  musim run --resume out/tower\n"
-        "A run with -o writes checkpoints into DIR. After a kill, --resume continues from the last one; the results are the same to the "
-        "last\n"
-        "bit. The scene is the checkpoint's; a record it names must be unchanged. A finished run leaves no checkpoint.\n"
-        "Exit code 4: the run diverged; results up to then are written all the same. A doubtful run (step above the critical one, blocks "
+        "A run with -o writes checkpoints into DIR, a last one on SIGINT (Ctrl-C) and SIGTERM. --resume continues from it; the results "
+        "are\n"
+        "the same to the last bit. The scene is the checkpoint's; a record it names must be unchanged. A finished run leaves no "
+        "checkpoint.\n"
+        "Exit code 130, 143: stopped by SIGINT, SIGTERM; 4: the run diverged; results up to then are written all the same. A doubtful run "
+        "(step above the critical one, blocks "
         "deep\n"
         "in each other, open energy balance) is a warning on stderr.");
     command->callback([&action, options] {
         if (options->scene.empty() && options->resume.empty()) throw CLI::RequiredError("scene (or --resume)");
-        action = [options] { return run_run(*options); };
+        const std::string& directory = options->resume.empty() ? options->out : options->resume;
+        action = [options, directory] { return run_resumable([&] { return run_run(*options); }, "musim run", directory); };
     });
 }
 

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "cli/commands.hpp"
+#include "cli/interruption.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/progress_line.hpp"
@@ -128,7 +129,7 @@ void add_sequence_command(CLI::App& app, Action& action) {
     command->callback([&action, options] {
         if (options->scene.empty() && options->resume.empty()) throw CLI::RequiredError("scene (or --resume)");
         if (options->resume.empty() && options->out.empty()) throw CLI::RequiredError("--out");
-        action = [options] { return run_sequence(*options); };
+        action = [options] { return run_resumable([&] { return run_sequence(*options); }, "musim sequence", options->directory()); };
     });
 }
 

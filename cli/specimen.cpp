@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cli/commands.hpp"
+#include "cli/interruption.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/progress_line.hpp"
@@ -188,7 +189,7 @@ void add_specimen_command(CLI::App& app, Action& action) {
         "Exit code 4: a specimen did not come to rest.");
     command->callback([&action, options] {
         if (options->compare.empty() && options->scene.empty()) throw CLI::RequiredError("scene (or --compare)");
-        action = [options] { return run_specimen(*options); };
+        action = [options] { return run_again([&] { return run_specimen(*options); }, options->out); };
     });
 }
 

@@ -6,6 +6,8 @@
 #include <exception>
 #include <thread>
 
+#include "scaling/interruption.hpp"
+
 namespace musim::scaling {
 
 namespace {
@@ -22,6 +24,7 @@ void run_side_by_side(const std::vector<std::function<void()>>& jobs, int thread
     const auto work = [&] {
         for (std::size_t job = next++; job < jobs.size(); job = next++) {
             try {
+                stop_if_interrupted();
                 jobs[job]();
             } catch (...) {
                 failures[job] = std::current_exception();
@@ -35,6 +38,7 @@ void run_side_by_side(const std::vector<std::function<void()>>& jobs, int thread
         for (std::size_t t = 1; t < std::min(wanted, jobs.size()); ++t) others.emplace_back(work);
         work();
     }
+    stop_if_interrupted();
     for (const std::exception_ptr& failure : failures) {
         if (failure) std::rethrow_exception(failure);
     }

@@ -12,6 +12,7 @@
 #include "lsdem/study/simulate.hpp"
 #include "lsdem/time_step.hpp"
 #include "records/synthetic.hpp"
+#include "scaling/interruption.hpp"
 
 namespace musim::lsdem::study {
 namespace {
@@ -178,6 +179,7 @@ TopMotion MiniTower::run(const AccuracySetting& setting, bool shadow) const {
         MeteredSimulation run(specimen.model, interval / static_cast<double>(per_sample));
         TopVelocity velocity;
         for (std::uint64_t k = 0; k < kTopSamples && !run.simulation().divergence(); ++k) {
+            scaling::stop_if_interrupted();
             run.simulation().advance(per_sample);
             velocity.push_back(find_top_velocity(run.simulation(), specimen.layer, courses_));
         }

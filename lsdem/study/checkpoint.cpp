@@ -11,6 +11,7 @@
 #include "lsdem/state_fields.hpp"
 #include "lsdem/study/detail/leftovers.hpp"
 #include "records/atomic_file.hpp"
+#include "scaling/interruption.hpp"
 #include "scaling/regular_file.hpp"
 
 // The fields that a checkpoint consists of, type by type. With a new one, the version in kKind is raised.
@@ -167,18 +168,32 @@ void CheckpointWriter::after_sample(std::uint64_t done, const TimePlan& plan, Ru
     // after the last sample come the results
     if (done == plan.samples || !is_due(done)) return;
     write_checkpoint(settings_, done, plan, run, simulation);
-    last_ = Clock::now();
+    note_written();
+}
+
+void CheckpointWriter::between_samples(std::uint64_t done, const TimePlan& plan, RunResult& run, const Simulation& simulation) {
+    const bool by_time = settings_.samples == 0 && settings_.interval > 0.0 && is_time();
+    if (!by_time && !scaling::is_interrupted()) return;
+    write_checkpoint(settings_, done, plan, run, simulation);
+    note_written();
 }
 
 void CheckpointWriter::after_look(const std::function<void(const CheckpointSettings&)>& write) {
     if (!is_due(++looks_)) return;
     write(settings_);
-    last_ = Clock::now();
+    note_written();
 }
 
 bool CheckpointWriter::is_due(std::uint64_t done) const {
-    if (settings_.samples > 0) return done % settings_.samples == 0;
-    return std::chrono::duration<double>(Clock::now() - last_).count() >= settings_.interval;
+    if (scaling::is_interrupted()) return true;
+    return settings_.samples > 0 ? done % settings_.samples == 0 : is_time();
+}
+
+bool CheckpointWriter::is_time() const { return std::chrono::duration<double>(Clock::now() - last_).count() >= wait_; }
+
+void CheckpointWriter::note_written() {
+    last_ = Clock::now();
+    wait_ = settings_.interval;
 }
 
 }  // namespace musim::lsdem::study

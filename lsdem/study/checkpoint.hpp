@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
@@ -21,7 +22,7 @@ struct CheckpointSettings {
     std::string scene;                     ///< as JSON text, for whoever resumes
     std::string program_version;           ///< only the same one may resume
     std::string build = describe_build();  ///< likewise
-    double interval = 60.0;                ///< wall time between two checkpoints [s]; 0: one after every sample
+    double interval = 60.0;                ///< wall time between two checkpoints, see kFirstCheckpoint [s]; 0: one after every sample
     std::uint64_t samples = 0;             ///< when positive: one after so many samples, or looks while it settles, whatever the wall time
     std::optional<PreparedPlaces> places = {};  ///< of a specimen that was prepared, so that it need not be again
     /// Told why a checkpoint could not be written; the run goes on, and the checkpoint before stays.
@@ -51,6 +52,10 @@ struct Checkpoint {
     std::string state;                ///< Simulation::save
 };
 
+/// The first checkpoint of a run, a stage or a preparation comes after this wall time, when the interval is longer [s]: whoever notices a
+/// mistake early, or is killed early, has lost little.
+inline constexpr double kFirstCheckpoint = 5.0;
+
 /// The name of the checkpoint in a folder of results.
 inline constexpr const char* kCheckpointName = "checkpoint";
 
@@ -61,7 +66,7 @@ Checkpoint read_checkpoint(const std::filesystem::path& file, const std::string&
 /// Removes a checkpoint, and what a kill left of one that was being written. Nothing happens when there is none.
 void remove_checkpoint(const std::filesystem::path& file) noexcept;
 
-/// Writes a checkpoint of a run whose sample `done` has just been taken, or of the quiet phase after it; the file changes from the one
+/// Writes a checkpoint of a run whose last sample is `done`, or of the quiet phase after it; the file changes from the one
 /// before in one step. One that cannot be written is told to CheckpointSettings::on_failure. `run` is not changed.
 void write_checkpoint(const CheckpointSettings& settings, std::uint64_t done, const TimePlan& plan, RunResult& run,
                       const Simulation& simulation, const std::optional<QuietState>& quiet = {});
@@ -69,13 +74,17 @@ void write_checkpoint(const CheckpointSettings& settings, std::uint64_t done, co
 /// The same of a preparation.
 void write_checkpoint(const CheckpointSettings& settings, PreparationState preparation);
 
-/// Writes the checkpoints of one run as they fall due; the file changes from one to the next in one step.
+/// Writes the checkpoints of one run as they fall due, and at once when the program is asked to stop (scaling::is_interrupted); the file
+/// changes from one to the next in one step.
 class CheckpointWriter {
   public:
     explicit CheckpointWriter(CheckpointSettings settings) : settings_(std::move(settings)) {}
 
     /// Sample `done` has just been taken.
     void after_sample(std::uint64_t done, const TimePlan& plan, RunResult& run, const Simulation& simulation);
+
+    /// Some steps have been taken since sample `done`, which may last long.
+    void between_samples(std::uint64_t done, const TimePlan& plan, RunResult& run, const Simulation& simulation);
 
     /// Something that settles has just been looked at; `write` is called when a checkpoint is due.
     void after_look(const std::function<void(const CheckpointSettings&)>& write);
@@ -84,8 +93,11 @@ class CheckpointWriter {
     using Clock = std::chrono::steady_clock;
 
     bool is_due(std::uint64_t done) const;
+    bool is_time() const;
+    void note_written();
 
     CheckpointSettings settings_;
+    double wait_ = std::min(settings_.interval, kFirstCheckpoint);  ///< from the last one to the next [s]
     std::uint64_t looks_ = 0;
     Clock::time_point last_ = Clock::now();
 };

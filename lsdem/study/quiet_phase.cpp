@@ -3,6 +3,8 @@
 #include <chrono>
 #include <cmath>
 
+#include "lsdem/study/detail/advance_in_pieces.hpp"
+
 namespace musim::lsdem::study {
 namespace {
 
@@ -18,7 +20,8 @@ QuietState begin_quiet(Simulation& simulation, const SequenceStage& stage, const
         state.moved = simulation.base().displacement;
         const std::array<BaseComponent, 3> stop = make_stop(stage.motion, state.stop);
         simulation.begin_motion(stop);
-        simulation.advance(static_cast<std::uint64_t>(std::ceil(stop[0].dt / simulation.time_step())));
+        detail::advance_in_pieces(simulation, static_cast<std::uint64_t>(std::ceil(stop[0].dt / simulation.time_step())),
+                                  [](std::uint64_t /*taken*/) {});
     }
     simulation.begin_preparation(quiet.damping_rate);
     return state;

@@ -12,6 +12,7 @@
 #include "lsdem/scene/scene.hpp"
 #include "lsdem/simulation.hpp"
 #include "lsdem/time_step.hpp"
+#include "scaling/interruption.hpp"
 #include "scaling/side_by_side.hpp"
 
 namespace musim::lsdem::study {
@@ -92,6 +93,7 @@ RockingResult run_rocking_test(const BlockSample& given, const RockingCase& test
     const double most_time = (2.0 * std::acosh(1.0 / (1.0 - test.start / alpha)) * (kMostImpacts + 2) + 4.0) / p;
     for (bool struck = false; result.impacts < kMostImpacts && simulation.time() < most_time;) {
         simulation.advance();
+        scaling::stop_if_interrupted();
         if (simulation.divergence()) throw std::runtime_error("rocking test: the run diverged; take a smaller step");
         const double tilt = find_tilt(simulation, block);
         if ((tilt > 0.0) == (last_tilt > 0.0)) {

@@ -7,6 +7,7 @@
 #include "lsdem/study/live_file.hpp"
 #include "lsdem/study/run.hpp"
 #include "lsdem/study/write_results.hpp"
+#include "scaling/interruption.hpp"
 #include "scaling/side_by_side.hpp"
 
 namespace musim::lsdem::study {
@@ -71,6 +72,8 @@ std::vector<MemberReport> run_members(const std::vector<EnsembleMember>& members
             try {
                 run_member(
                     members[i], settings, [&, job](double fraction) { progress.update(job, fraction); }, reports[i]);
+            } catch (const scaling::Interrupted&) {
+                throw;
             } catch (const std::exception& error) {
                 reports[i].error = error.what();
             }

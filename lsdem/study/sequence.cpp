@@ -190,8 +190,8 @@ void require_checkpoint(const fs::path& directory) {
     const bool finished = fs::exists(directory / "sequence.json");
     throw ResultError(fmt::format("{}: {}", directory.string(),
                                   finished ? "the sequence here has finished; there is nothing to resume"
-                                           : "there is no checkpoint to resume from (a sequence leaves its first after "
-                                             "--checkpoint-interval seconds, or when its first stage ends); start it anew"));
+                                           : "there is no checkpoint to resume from (a sequence leaves its first after 5 "
+                                             "seconds, or when its first stage ends); start it anew"));
 }
 
 }  // namespace

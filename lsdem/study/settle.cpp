@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lsdem/block_height.hpp"
+#include "scaling/interruption.hpp"
 
 namespace musim::lsdem::study {
 namespace {
@@ -67,6 +68,7 @@ Rest settle(Simulation& simulation, const Settling& settling, const SettlingWatc
         rest.at_rest = state.quiet_looks == kLooksInARow;
         if (rest.at_rest) break;
         if (watch.on_state) watch.on_state(state);
+        scaling::stop_if_interrupted();
     }
     rest.steps = state.steps;
     if (watch.on_progress) watch.on_progress(1.0);

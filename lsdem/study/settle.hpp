@@ -50,7 +50,8 @@ struct SettlingWatch {
 };
 
 /// Brings a simulation that is in preparation (Simulation::begin_preparation) to rest, or carries that on from `state`. The part that is
-/// done is guessed from the decay of the liveliest block's energy. Ends early, not at rest, when the simulation diverges.
+/// done is guessed from the decay of the liveliest block's energy. Ends early, not at rest, when the simulation diverges. Throws
+/// scaling::Interrupted when the program is asked to stop, after telling where it stands.
 Rest settle(Simulation& simulation, const Settling& settling, const SettlingWatch& watch = {}, SettlingState state = {});
 
 }  // namespace musim::lsdem::study

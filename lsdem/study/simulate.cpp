@@ -11,8 +11,10 @@
 #include "lsdem/block_height.hpp"
 #include "lsdem/fallen.hpp"
 #include "lsdem/rotation.hpp"
+#include "lsdem/study/detail/advance_in_pieces.hpp"
 #include "lsdem/study/fallen_blocks.hpp"
 #include "lsdem/time_step.hpp"
+#include "scaling/interruption.hpp"
 
 namespace musim::lsdem::study {
 namespace {
@@ -113,21 +115,33 @@ void describe(RunResult& run, const Specimen& specimen, const TimePlan& plan) {
     run.blocks = make_block_table(specimen);
 }
 
-/// From sample `done` to the end of the plan. `start`: when this part of the run began.
+/// From sample `done`, or some steps after it, to the end of the plan. `start`: when this part of the run began.
 void carry_on(RunResult& run, Simulation& simulation, const TimePlan& plan, std::uint64_t done, Clock::time_point start,
               const RunSettings& settings) {
     const double wall_time_before = run.wall_time;
     std::optional<CheckpointWriter> checkpoints;
     if (settings.checkpoint) checkpoints.emplace(*settings.checkpoint);
+    const auto tell = [&](std::uint64_t steps) {
+        if (settings.on_progress) settings.on_progress(static_cast<double>(steps) / static_cast<double>(plan.steps()));
+    };
+    std::uint64_t steps = simulation.statistics().steps;
     for (std::uint64_t k = done + 1; k <= plan.samples; ++k) {
-        simulation.advance(plan.steps_per_sample);
+        const auto between = [&](std::uint64_t taken) {
+            run.wall_time = wall_time_before + std::chrono::duration<double>(Clock::now() - start).count();
+            if (checkpoints) checkpoints->between_samples(k - 1, plan, run, simulation);
+            tell(steps + taken);
+        };
+        detail::advance_in_pieces(simulation, k * plan.steps_per_sample - steps, between);
         if (simulation.divergence()) break;
+        steps = k * plan.steps_per_sample;
         add_sample(run, simulation);
         if (plan.samples_per_frame > 0 && k % plan.samples_per_frame == 0) add_frame(run, simulation);
         run.wall_time = wall_time_before + std::chrono::duration<double>(Clock::now() - start).count();
         if (checkpoints) checkpoints->after_sample(k, plan, run, simulation);
         if (settings.on_sample) settings.on_sample(run, plan);
-        if (settings.on_progress) settings.on_progress(static_cast<double>(k) / static_cast<double>(plan.samples));
+        tell(steps);
+        // a run that has come to its end has results
+        if (k < plan.samples) scaling::stop_if_interrupted();
     }
     finish(run, simulation);
     run.wall_time = wall_time_before + std::chrono::duration<double>(Clock::now() - start).count();
@@ -224,7 +238,7 @@ RunResult resume(Simulation& simulation, const Specimen& specimen, Checkpoint ch
     RunResult run = std::move(checkpoint.run);
     describe(run, specimen, checkpoint.plan);
     const bool same_step = checkpoint.plan.time_step == simulation.time_step() &&
-                           simulation.statistics().steps == checkpoint.samples_done * checkpoint.plan.steps_per_sample;
+                           simulation.statistics().steps / checkpoint.plan.steps_per_sample == checkpoint.samples_done;
     if (!same_step || !fits(checkpoint.plan, checkpoint.samples_done, run)) {
         throw std::runtime_error("checkpoint: its histories do not fit its state");
     }

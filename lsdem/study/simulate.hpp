@@ -23,7 +23,7 @@ struct Specimen {
 /// How to carry out a run; none of it changes the results.
 struct RunSettings {
     int threads = 1;                                  ///< 0: all cores
-    std::function<void(double)> on_progress = {};     ///< called now and then with the fraction done, 0 to 1, from the thread that runs
+    std::function<void(double)> on_progress = {};     ///< called every few steps with the fraction done, 0 to 1, from the thread that runs
     std::function<void(double)> on_preparation = {};  ///< likewise, while a specimen is being prepared
     std::function<void(const RunResult&, const TimePlan&)> on_sample = {};  ///< called after every sample with what there is so far
     std::optional<CheckpointSettings> checkpoint = {};                      ///< none: a run that is killed is lost
@@ -49,7 +49,8 @@ struct RunStart {
 /// prepared is at rest within a few hundred steps.
 std::optional<Rest> settle_specimen(Simulation& simulation, const Specimen& specimen);
 
-/// Runs a simulation of `specimen` that is at t = 0 to the end of a plan, or until it diverges; the simulation is then at that end.
+/// Runs a simulation of `specimen` that is at t = 0 to the end of a plan, or until it diverges; the simulation is then at that end. Throws
+/// scaling::Interrupted, after a last checkpoint, when the program is asked to stop.
 RunResult simulate(Simulation& simulation, const Specimen& specimen, const TimePlan& plan, RunStart begin, const RunSettings& settings);
 
 /// The simulation of a specimen as a checkpoint has it. Throws std::runtime_error as Simulation::restore does.

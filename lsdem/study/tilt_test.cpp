@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "lsdem/simulation.hpp"
+#include "lsdem/study/detail/advance_in_pieces.hpp"
 #include "lsdem/time_step.hpp"
 
 namespace musim::lsdem::study {
@@ -113,9 +114,9 @@ std::optional<TiltEvent> watch(const BlockSample& sample, const TiltCase& test, 
     const auto steps = static_cast<std::uint64_t>(std::ceil(quarter / step));
     Simulation simulation(model, step);
     std::array<Stance, 3> stance{};
-    simulation.advance(steps);
+    detail::advance_in_pieces(simulation, steps, [](std::uint64_t /*taken*/) {});
     for (Stance& now : stance) {
-        simulation.advance(steps);
+        detail::advance_in_pieces(simulation, steps, [](std::uint64_t /*taken*/) {});
         now = find_stance(simulation, slope);
     }
     if (simulation.divergence()) throw std::runtime_error("tilt test: the run diverged; are the stiffnesses consistent?");

@@ -14,6 +14,7 @@
 #include "lsdem/scene/motions.hpp"
 #include "lsdem/scene/scene_error.hpp"
 #include "lsdem/scene/scene_json.hpp"
+#include "lsdem/study/detail/advance_in_pieces.hpp"
 #include "lsdem/study/detail/content_name.hpp"
 #include "lsdem/study/detail/shared_progress.hpp"
 #include "lsdem/study/detail/velocity_tape.hpp"
@@ -22,6 +23,7 @@
 #include "lsdem/study/run.hpp"
 #include "lsdem/study/twin_files.hpp"
 #include "lsdem/study/twin_specimen.hpp"
+#include "scaling/interruption.hpp"
 #include "scaling/side_by_side.hpp"
 
 namespace musim::lsdem::study {
@@ -107,7 +109,8 @@ class TwinWork {
     bool run_samples(const Specimen& specimen, double time_step, const AtSample& at_sample) const {
         Simulation simulation(specimen.model, time_step, 1);
         for (std::uint64_t k = 0; k <= plan_.samples; ++k) {
-            if (k > 0) simulation.advance(plan_.steps_per_sample);
+            if (k > 0) detail::advance_in_pieces(simulation, plan_.steps_per_sample, [](std::uint64_t /*taken*/) {});
+            scaling::stop_if_interrupted();
             if (simulation.divergence()) return false;
             if (!at_sample(simulation, k)) break;
         }

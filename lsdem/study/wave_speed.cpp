@@ -13,6 +13,7 @@
 #include "lsdem/study/detail/no_slip.hpp"
 #include "lsdem/study/line_fit.hpp"
 #include "lsdem/time_step.hpp"
+#include "scaling/interruption.hpp"
 
 namespace musim::lsdem::study {
 namespace {
@@ -147,6 +148,7 @@ WaveHistory run_wave_test(const BlockSample& given, WaveKind kind, const WaveSet
     history.velocity.resize(n);
     Simulation simulation(model, step);
     for (const double end = (settings.layers + kAfter) / omega; simulation.time() < end; simulation.advance()) {
+        scaling::stop_if_interrupted();
         if (simulation.divergence()) throw std::runtime_error("wave test: the run diverged; are the stiffnesses consistent?");
         history.time.push_back(simulation.time());
         for (std::size_t i = 0; i < n; ++i) {

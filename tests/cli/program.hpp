@@ -38,8 +38,17 @@ class Workplace {
         const std::string command = "cd '" + folder_.path().string() + "' && { " + shell + " " + MUSIM_PROGRAM + " " + arguments +
                                     "; } >'" + out.string() + "' 2>'" + err.string() + "'";
         const int status = std::system(command.c_str());
-        return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, musim::tests::bytes_of(out),
-                std::regex_replace(musim::tests::bytes_of(err), std::regex("[^\n]*: [0-9]+ %, [^\n]* left\n"), "")};
+        return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, musim::tests::bytes_of(out), without_progress(musim::tests::bytes_of(err))};
+    }
+
+    /// Starts `musim ARGUMENTS` and sends it a signal once the shell's condition `halfway` is met.
+    Outcome interrupt(const std::string& arguments, const std::string& signal, const std::string& halfway) const {
+        // what a shell puts in the background ignores SIGINT, unless it is told otherwise
+        write("interrupt.sh", "env --default-signal=INT " MUSIM_PROGRAM " " + arguments + " >.stdout 2>.stderr &\n" + "until " + halfway +
+                                  " >/dev/null 2>&1 || ! kill -0 $!; do sleep 0.01; done\nkill -" + signal + " $!\nwait $!\n");
+        const int status = std::system(("cd '" + folder_.path().string() + "' && sh interrupt.sh 2>/dev/null").c_str());
+        std::filesystem::remove(folder_.path() / "interrupt.sh");
+        return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read(".stdout"), without_progress(read(".stderr"))};
     }
 
     /// Runs commands of the shell.
@@ -88,10 +97,14 @@ rm -rf kept started kill.sh
     }
 
   private:
+    static std::string without_progress(const std::string& text) {
+        return std::regex_replace(text, std::regex("[^\n]*: [0-9]+ %, [^\n]* left\n"), "");
+    }
+
     musim::tests::TemporaryFolder folder_;
 };
 
 /// Stands in for a full disk: no file may grow beyond 4 KiB.
-inline constexpr const char* kFullDisk = "trap '' XFSZ; ulimit -f 4;";
+inline constexpr const char* kFullDisk = "ulimit -f 4;";
 
 }  // namespace musim::cli

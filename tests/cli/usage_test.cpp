@@ -147,4 +147,13 @@ TEST_CASE("output that cannot be written is an error") {
     const Outcome outcome = here.run("scale --length 1/25 >/dev/full");
     CHECK(outcome.exit_code == 3);
     CHECK(outcome.has_one_error_line());
+    CHECK(outcome.err.find("standard output") != std::string::npos);
+}
+
+TEST_CASE("remarks that nobody can read end no command") {
+    const Workplace here;
+    here.shell("mkdir out");
+    const Outcome silent = here.run("scale --length 25 2>/dev/full");
+    CHECK(silent.exit_code == 0);
+    CHECK(silent.out == here.run("scale --length 25").out);
 }

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
@@ -153,6 +154,28 @@ TEST_CASE("by wall time, an interval of zero is every sample and a long one is n
         CHECK(fs::exists(folder.file()) == (interval == 0.0));
         if (interval == 0.0) CHECK(read_checkpoint(folder.file(), "1.2").samples_done == 59);
     }
+}
+
+TEST_CASE("a run with few samples tells its progress and leaves checkpoints between them") {
+    Slide slide;
+    slide.plan = {.time_step = slide.plan.time_step, .steps_per_sample = 600, .samples = 2};
+    const RunResult whole = simulate(slide.specimen, slide.plan);
+    const Folder folder;
+    RunSettings settings = slide.settings(folder, 0);
+    settings.checkpoint->interval = 1e-9;
+    std::vector<double> told;
+    settings.on_progress = [&](double part) { told.push_back(part); };
+    check_same(simulate(slide.specimen, slide.plan, settings), whole);
+    CHECK(told.size() > 10);
+    CHECK(std::is_sorted(told.begin(), told.end()));
+    CHECK(told.back() == 1.0);
+    // the last one is of some steps after the first of two samples
+    const Checkpoint checkpoint = read_checkpoint(folder.file(), "1.2");
+    CHECK(checkpoint.samples_done == 1);
+    check_same(resume(slide.specimen, checkpoint, {.threads = 2}), whole);
+    Checkpoint before = checkpoint;
+    before.samples_done = 0;
+    CHECK_THROWS_AS(resume(slide.specimen, std::move(before)), std::runtime_error);
 }
 
 TEST_CASE("a checkpoint that cannot be written is told, and the run goes on") {

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "lsdem/simulation.hpp"
+#include "scaling/interruption.hpp"
+
+namespace musim::lsdem::study::detail {
+
+/// Steps between two looks at what else is to be done: progress, checkpoints, a request to stop. So many cost far more than the look.
+inline constexpr std::uint64_t kPiece = 64;
+
+/// Takes so many steps, or fewer when the simulation diverges, to the same bits as all at once. Between pieces, not at the end, `between`
+/// is called with the steps taken so far, and then scaling::Interrupted thrown when the program is asked to stop.
+template <class Between>
+void advance_in_pieces(Simulation& simulation, std::uint64_t steps, const Between& between) {
+    for (std::uint64_t taken = 0; true;) {
+        const std::uint64_t piece = std::min(steps - taken, kPiece);
+        simulation.advance(piece);
+        taken += piece;
+        if (taken == steps || simulation.divergence()) return;
+        between(taken);
+        scaling::stop_if_interrupted();
+    }
+}
+
+}  // namespace musim::lsdem::study::detail
