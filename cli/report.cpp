@@ -7,6 +7,7 @@
 #include "lsdem/scene/motions.hpp"
 #include "lsdem/scene/scene_json.hpp"
 #include "lsdem/study/verdict.hpp"
+#include "scaling/solid_elasticity.hpp"
 
 namespace musim::cli {
 
@@ -44,9 +45,18 @@ scaling::TextTable make_factors_table(const std::string& title, const std::vecto
     return table;
 }
 
+std::vector<std::string> describe_elasticity(const scaling::ModelScales& scales) {
+    const double factor = scaling::find_solid_elasticity(scales);
+    if (!scaling::find_severity(factor)) return {};
+    return {
+        fmt::format("note: elasticity of the blocks themselves is not among these groups: in the same solid E/(rho*g*l) is off by a factor "
+                    "{:.4g}; it is kept by a solid with {:.4g} times the E",
+                    factor, 1.0 / factor)};
+}
+
 std::vector<std::string> describe_distortions(const std::vector<scaling::Distortion>& distortions) {
-    if (distortions.empty()) return {"No distortion: every known group is kept."};
     std::vector<std::string> lines;
+    if (distortions.empty()) lines.emplace_back("No distortion: every known group of rigid blocks in contact is kept.");
     for (const scaling::Distortion& distortion : distortions) {
         lines.push_back(fmt::format("{}: {} is off by a factor {:.4g}: {}", scaling::to_string(distortion.severity), distortion.group,
                                     distortion.factor, distortion.effect));

@@ -35,6 +35,10 @@ scaling::TextTable make_factors_table(const std::string& title, const std::vecto
 std::vector<std::string> describe_distortions(const std::vector<scaling::Distortion>& distortions);
 void print_distortions(const std::vector<scaling::Distortion>& distortions);
 
+/// A line that names the elasticity of the blocks themselves, which is no group of rigid blocks in contact, where the same solid does not
+/// keep it; else nothing.
+std::vector<std::string> describe_elasticity(const scaling::ModelScales& scales);
+
 /// If the run diverged, says so on stderr in one line with block, time and the step that would work, and returns true.
 bool report_divergence(const std::string& where, const lsdem::study::RunResult& run);
 

@@ -16,6 +16,7 @@
 #include "cli/uncertain_options.hpp"
 #include "records/scale_record.hpp"
 #include "records/table_axes.hpp"
+#include "scaling/solid_elasticity.hpp"
 
 namespace musim::cli {
 namespace {
@@ -73,12 +74,14 @@ int run_rescale(const RescaleOptions& options) {
         object["out"] = options.output.out;
         object["components"] = components;
         object["distortions"] = study::to_json(distortions);
+        object["solid_elasticity"] = scaling::find_solid_elasticity(scales);
         add_to_json(object, uncertain);
         print_json(object);
     } else {
         print_uncertain_rescale(uncertain);
         print("\n");
         print_distortions(distortions);
+        for (const std::string& line : describe_elasticity(scales)) print("{}\n", line);
         print("\nWritten to {}\n", options.output.out);
     }
     return kDone;

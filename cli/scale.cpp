@@ -14,6 +14,7 @@
 #include "cli/scale_uncertainty.hpp"
 #include "cli/uncertain_options.hpp"
 #include "scaling/distortion.hpp"
+#include "scaling/solid_elasticity.hpp"
 #include "scaling/text_table.hpp"
 
 namespace musim::cli {
@@ -64,6 +65,7 @@ int run_similitude(const ScaleOptions& options) {
         nlohmann::json object = study::to_json(similitude);
         object["groups"] = to_json(groups);
         object["distortions"] = study::to_json(distortions);
+        object["solid_elasticity"] = scaling::find_solid_elasticity(similitude);
         add_to_json(object, uncertain);
         print_json(object);
         return kDone;
@@ -82,7 +84,9 @@ int run_similitude(const ScaleOptions& options) {
             text += make_table(table, style) + "\n";
         }
     }
-    print("{}{}{}", text, make_structure_and_measures(uncertain, style), make_lines(describe_distortions(distortions), style));
+    std::vector<std::string> lines = describe_distortions(distortions);
+    for (std::string& line : describe_elasticity(similitude)) lines.push_back(std::move(line));
+    print("{}{}{}", text, make_structure_and_measures(uncertain, style), make_lines(lines, style));
     return kDone;
 }
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "tests/cli/program.hpp"
 
@@ -228,4 +229,17 @@ TEST_CASE("a law whose heights and widths scale apart rescales a record, its ver
         here.run("rescale both.csv --length 1/107+/-1% --friction 0.18/0.59 --law mu_vertical_distortion -o m.csv --json").json();
     const auto time = uncertain["uncertainty"]["factors"]["time"];
     CHECK(time["standard_uncertainty"].get<double>() / time["value"].get<double>() == doctest::Approx(0.005).epsilon(1e-9));
+}
+
+TEST_CASE("a law that keeps the groups of rigid blocks names the elasticity that the same solid does not keep") {
+    const Workplace here;
+    // E unchanged, lambda_rho = lambda_g = 1: E/(rho g l) grows as 1/lambda_l
+    const std::string said = here.run("scale --length 1/25").out;
+    CHECK(said.find("No distortion: every known group of rigid blocks in contact is kept.") != std::string::npos);
+    CHECK(said.find("in the same solid E/(rho*g*l) is off by a factor 25; it is kept by a solid with 0.04 times the E") !=
+          std::string::npos);
+    CHECK(here.run("scale --length 1/25 --json").json().at("solid_elasticity").get<double>() == doctest::Approx(25.0).epsilon(1e-12));
+    // a centrifuge keeps it
+    CHECK(here.run("scale --length 1/25 --gravity 25").out.find("E/(rho*g*l)") == std::string::npos);
+    CHECK(here.run("rescale synthetic --length 1/25 -o model.csv").out.find("is off by a factor 25") != std::string::npos);
 }
