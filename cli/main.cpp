@@ -11,13 +11,15 @@
 #include "cli/output.hpp"
 #include "cli/usage.hpp"
 #include "cli/version.hpp"
+#include "scaling/shorten.hpp"
 
 namespace musim::cli {
 namespace {
 
 /// Every error is one line on stderr.
 int report(const std::string& message, int exit_code) {
-    std::string line = message;
+    constexpr std::size_t kLongest = 1000;  // letters: whatever a message echoes, a line of it can be read
+    std::string line = scaling::shorten(message, kLongest);
     std::replace(line.begin(), line.end(), '\n', ' ');
     std::fprintf(stderr, "musim: error: %s\n", line.c_str());
     return exit_code;

@@ -216,8 +216,7 @@ std::string name_of(const Step& step) { return to_json(step)["step"].get<std::st
 }  // namespace
 
 Recipe parse_recipe(std::string_view json, const std::string& source) {
-    const Json object = Json::parse(json, nullptr, false);
-    if (object.is_discarded()) throw ReadError(source + ": is no JSON; write {\"schema\": \"musim-recipe/1\", \"steps\": [...]}");
+    const Json object = detail::parse_json(json, source, R"(write {"schema": "musim-recipe/1", "steps": [...]})");
     if (!object.is_object() || !object.contains("schema") || object["schema"] != kSchema) {
         throw ReadError(fmt::format("{}: is no recipe; add \"schema\": \"{}\"", source, kSchema));
     }
@@ -259,10 +258,7 @@ Recipe recipe_of(const GroundMotion& motion) {
     Recipe recipe;
     for (const std::string& line : motion.history) {
         if (!line.starts_with(kHistoryMark)) continue;
-        const Json object = Json::parse(line, nullptr, false);
-        if (object.is_discarded()) {
-            throw ReadError(fmt::format("{}: a step of the history is damaged; process the record anew", motion.source));
-        }
+        const Json object = detail::parse_json(line, motion.source + ": a step of the history", "process the record anew");
         recipe.push_back(read_step(object, fmt::format("{}: step {} of the history", motion.source, recipe.size() + 1)));
     }
     return recipe;

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "records/detail/json_fields.hpp"
+#include "scaling/shorten.hpp"
 
 namespace musim::records {
 namespace {
@@ -117,7 +118,7 @@ std::vector<DriveColumn> read_columns(JsonFields& fields) {
     std::vector<DriveColumn> columns;
     if (!fields["columns"].is_array() || fields["columns"].empty()) fields.fail("columns is no list", "write [\"time\", \"displacement\"]");
     for (const Json& entry : fields["columns"]) {
-        const std::string name = entry.is_string() ? entry.get<std::string>() : entry.dump();
+        const std::string name = entry.is_string() ? entry.get<std::string>() : scaling::shorten(entry.dump(), scaling::kEchoed);
         const auto* const found = std::find(std::begin(kNames), std::end(kNames), name);
         if (found == std::end(kNames)) {
             fields.fail(fmt::format("\"{}\" is no column", name), "take time, displacement, velocity, acceleration");
@@ -163,8 +164,7 @@ const TableAxis& ShakeTable::find_axis(std::string_view wanted) const {
 }
 
 ShakeTable parse_shake_table(std::string_view json, const std::string& source, scaling::UncertainReading* reading) {
-    const Json object = Json::parse(json, nullptr, false);
-    if (object.is_discarded()) throw ReadError(source + ": is no JSON; write {\"schema\": \"musim-table/1\", \"axes\": [...]}");
+    const Json object = detail::parse_json(json, source, R"(write {"schema": "musim-table/1", "axes": [...]})");
     if (!object.is_object() || !object.contains("schema") || object["schema"] != kSchema) {
         throw ReadError(fmt::format("{}: is no shake table; add \"schema\": \"{}\"", source, kSchema));
     }

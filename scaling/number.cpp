@@ -8,6 +8,7 @@
 #include <string>
 
 #include "scaling/detail/number_text.hpp"
+#include "scaling/shorten.hpp"
 
 namespace musim::scaling {
 
@@ -47,7 +48,8 @@ double decimal_to_double(std::string_view number, std::string_view text) {
     if (number[0] == '+') number.remove_prefix(1);
     double value = 0.0;
     if (std::from_chars(number.data(), number.data() + number.size(), value).ec != std::errc()) {
-        throw ParseError(fmt::format("\"{}\": the number is too large or too small for a double; check its exponent", text));
+        throw ParseError(
+            fmt::format("\"{}\": the number is too large or too small for a double; check its exponent", shorten(text, kEchoed)));
     }
     return value;
 }
@@ -64,7 +66,8 @@ NumberText split_number(std::string_view text) {
     const std::string_view trimmed = trim(text);
     NumberText number{.numerator = trimmed.substr(0, number_length(trimmed)), .denominator = {}, .rest = {}};
     if (number.numerator.empty()) {
-        throw ParseError(fmt::format("\"{}\": does not begin with a finite number; write one such as 0.18, 1e-3 or 1/107", text));
+        throw ParseError(
+            fmt::format("\"{}\": does not begin with a finite number; write one such as 0.18, 1e-3 or 1/107", shorten(text, kEchoed)));
     }
     number.rest = trim(trimmed.substr(number.numerator.size()));
 
@@ -81,10 +84,11 @@ double to_double(const NumberText& number, int decimal_shift, std::string_view t
     const double numerator = decimal_to_double(shift_decimal(number.numerator, decimal_shift), text);
     if (number.denominator.empty()) return numerator;
     const double denominator = decimal_to_double(number.denominator, text);
-    if (denominator == 0.0) throw ParseError(fmt::format("\"{}\": division by zero; give a nonzero denominator", text));
+    if (denominator == 0.0) throw ParseError(fmt::format("\"{}\": division by zero; give a nonzero denominator", shorten(text, kEchoed)));
     const double value = numerator / denominator;
     if (!std::isfinite(value) || (value == 0.0 && numerator != 0.0)) {
-        throw ParseError(fmt::format("\"{}\": the fraction is too large or too small for a double; check both numbers", text));
+        throw ParseError(
+            fmt::format("\"{}\": the fraction is too large or too small for a double; check both numbers", shorten(text, kEchoed)));
     }
     return value;
 }
@@ -95,7 +99,7 @@ double parse_number(std::string_view text) {
     const detail::NumberText number = detail::split_number(text);
     if (!number.rest.empty()) {
         throw ParseError(fmt::format("\"{}\": unexpected \"{}\" after the number; a plain number or one fraction is wanted, such as 1/107",
-                                     text, number.rest));
+                                     shorten(text, kEchoed), shorten(number.rest, kEchoed)));
     }
     return detail::to_double(number, 0, text);
 }

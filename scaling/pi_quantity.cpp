@@ -13,6 +13,7 @@
 #include "scaling/detail/unit_text.hpp"
 #include "scaling/detail/wide_product.hpp"
 #include "scaling/quantity_text.hpp"
+#include "scaling/shorten.hpp"
 
 namespace musim::scaling {
 
@@ -25,9 +26,11 @@ PiQuantity make_pi_quantity(std::string_view name, std::string_view unit_text, s
                                                               unit_text.find("deg") != std::string_view::npos || unit_text == "°");
     if (!value) return quantity;
     const detail::NumberText number = detail::split_number(*value);
-    if (!number.rest.empty()) throw ParseError(fmt::format("\"{}\": a number is wanted; its unit stands in \"unit\"", *value));
+    if (!number.rest.empty())
+        throw ParseError(fmt::format("\"{}\": a number is wanted; its unit stands in \"unit\"", shorten(*value, kEchoed)));
     quantity.value = detail::to_double(number, unit.decimal_exponent, *value) * unit.numerator / unit.denominator;
-    if (!std::isfinite(*quantity.value)) throw ParseError(fmt::format("\"{}\": too large for a double; check number and unit", *value));
+    if (!std::isfinite(*quantity.value))
+        throw ParseError(fmt::format("\"{}\": too large for a double; check number and unit", shorten(*value, kEchoed)));
     return quantity;
 }
 
@@ -38,8 +41,8 @@ double parse_value(std::string_view text, const PiQuantity& quantity) {
     const std::string_view unit = number.rest.empty() ? "1" : number.rest;
     const PiQuantity read = make_pi_quantity(quantity.name, unit, number.rest.empty() ? text : digits);
     if (number.rest.empty() || read.dimension == quantity.dimension) return *read.value;
-    throw ParseError(fmt::format("\"{}\": a quantity in {} is wanted, this is {}", text, detail::base_units(quantity.dimension),
-                                 detail::describe(read.dimension)));
+    throw ParseError(fmt::format("\"{}\": a quantity in {} is wanted, this is {}", shorten(text, kEchoed),
+                                 detail::base_units(quantity.dimension), detail::describe(read.dimension)));
 }
 
 std::string format_value(double value, const PiQuantity& quantity, int digits) {

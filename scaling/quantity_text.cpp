@@ -7,6 +7,7 @@
 #include "scaling/detail/dimension_names.hpp"
 #include "scaling/detail/number_text.hpp"
 #include "scaling/detail/unit_text.hpp"
+#include "scaling/shorten.hpp"
 
 namespace musim::scaling {
 
@@ -18,7 +19,8 @@ detail::Unit parse_unit_for(std::string_view unit_text, Dimension wanted, std::s
     if (unit.dimension == RationalDimension(wanted)) return unit;
     const detail::Unit with_gravity = detail::parse_unit(unit_text, detail::GramOrGravity::gravity, text);
     if (with_gravity.dimension == RationalDimension(wanted)) return with_gravity;
-    throw ParseError(fmt::format("\"{}\": {}, this is {}", text, detail::describe_wish(wanted), detail::describe(unit.dimension)));
+    throw ParseError(
+        fmt::format("\"{}\": {}, this is {}", shorten(text, kEchoed), detail::describe_wish(wanted), detail::describe(unit.dimension)));
 }
 
 }  // namespace
@@ -28,14 +30,15 @@ double parse_si(std::string_view text, Dimension wanted) {
     if (number.rest.empty()) return detail::to_double(number, 0, text);
     const detail::Unit unit = parse_unit_for(number.rest, wanted, text);
     const double value = detail::to_double(number, unit.decimal_exponent, text) * unit.numerator / unit.denominator;
-    if (!std::isfinite(value)) throw ParseError(fmt::format("\"{}\": the value is too large for a double; check number and unit", text));
+    if (!std::isfinite(value))
+        throw ParseError(fmt::format("\"{}\": the value is too large for a double; check number and unit", shorten(text, kEchoed)));
     return value;
 }
 
 double parse_si_with_unit(std::string_view text, Dimension wanted) {
     const double value = parse_si(text, wanted);
     if (wanted == Dimension{} || !detail::split_number(text).rest.empty()) return value;
-    throw ParseError(fmt::format("\"{}\": {}", text, refuse_plain_number(wanted)));
+    throw ParseError(fmt::format("\"{}\": {}", shorten(text, kEchoed), refuse_plain_number(wanted)));
 }
 
 std::string refuse_plain_number(const RationalDimension& wanted) {

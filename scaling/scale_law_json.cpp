@@ -7,6 +7,7 @@
 #include "scaling/detail/json_reading.hpp"
 #include "scaling/number.hpp"
 #include "scaling/scale_law_catalogue.hpp"
+#include "scaling/shorten.hpp"
 
 namespace musim::scaling {
 
@@ -27,7 +28,7 @@ const Json& list_at(const Json& law, const char* key, std::string_view origin, s
 void read_texts(const Json& law, const char* key, std::string_view origin, std::string_view example, std::vector<std::string>& texts) {
     for (const Json& text : list_at(law, key, origin, example)) {
         if (!text.is_string()) {
-            detail::fail_at(origin, fmt::format("/{}: {} is no text; write \"{}\": {}", key, text.dump(), key, example));
+            detail::fail_at(origin, fmt::format("/{}: {} is no text; write \"{}\": {}", key, shorten(text.dump(), kEchoed), key, example));
         }
         texts.push_back(text.get<std::string>());
     }

@@ -10,6 +10,7 @@
 #include "scaling/number.hpp"
 #include "scaling/pi_quantity.hpp"
 #include "scaling/quantity_text.hpp"
+#include "scaling/shorten.hpp"
 
 namespace musim::scaling {
 
@@ -29,7 +30,9 @@ std::optional<Marked> split_at_mark(std::string_view text) {
     return std::nullopt;
 }
 
-[[noreturn]] void fail(std::string_view text, std::string_view why) { throw ParseError(fmt::format("\"{}\": {}", text, why)); }
+[[noreturn]] void fail(std::string_view text, std::string_view why) {
+    throw ParseError(fmt::format("\"{}\": {}", shorten(text, kEchoed), why));
+}
 
 /// What stands behind the mark: a number, perhaps "%", perhaps a unit.
 struct UncertaintyText {

@@ -8,10 +8,7 @@ namespace musim::design::detail {
 
 Json parse_object(std::string_view json, const std::string& source, std::string_view schema, std::string_view what,
                   std::string_view example) {
-    Json object = Json::parse(json, nullptr, false);
-    if (object.is_discarded()) {
-        throw records::ReadError(fmt::format(R"({}: is no JSON; write {{"schema": "{}", {}}})", source, schema, example));
-    }
+    Json object = records::detail::parse_json(json, source, fmt::format(R"(write {{"schema": "{}", {}}})", schema, example));
     if (!object.is_object() || !object.contains("schema") || object["schema"] != schema) {
         throw records::ReadError(fmt::format("{}: is no {}; add \"schema\": \"{}\"", source, what, schema));
     }

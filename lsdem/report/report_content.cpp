@@ -15,6 +15,8 @@
 #include "lsdem/study/pair.hpp"
 #include "lsdem/study/watched_folder.hpp"
 #include "records/error.hpp"
+#include "scaling/error.hpp"
+#include "scaling/json_text.hpp"
 #include "scaling/quantity_text.hpp"
 #include "scaling/regular_file.hpp"
 
@@ -26,6 +28,15 @@ namespace fs = std::filesystem;
 std::string read_text(const fs::path& file) {
     std::ifstream stream = scaling::open_regular_file(file);
     return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+/// What a file holds; null when it is no JSON.
+nlohmann::json read_json(const fs::path& file) {
+    try {
+        return scaling::parse_json_text(read_text(file));
+    } catch (const scaling::ParseError&) {
+        return nullptr;
+    }
 }
 
 std::string describe_material(const scene::BlockMaterial& material) {
@@ -167,7 +178,7 @@ class Reader {
     }
 
     void add_document(const fs::path& file) {
-        nlohmann::json json = nlohmann::json::parse(read_text(file), nullptr, false);
+        nlohmann::json json = read_json(file);
         if (json.is_object() && json.contains("checksum") && !study::agrees_with_checksum(json)) {
             content.remarks.push_back(fmt::format("{}: is damaged (its checksum does not match); make it again", file.string()));
         } else if (json.is_object()) {

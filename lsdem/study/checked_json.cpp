@@ -3,10 +3,13 @@
 #include <fmt/format.h>
 
 #include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "lsdem/study/detail/content_name.hpp"
 #include "lsdem/study/read_results.hpp"
+#include "scaling/error.hpp"
+#include "scaling/json_text.hpp"
 #include "scaling/regular_file.hpp"
 
 namespace musim::lsdem::study {
@@ -39,7 +42,13 @@ nlohmann::json read_checked_json(const std::filesystem::path& file) {
     const std::string obstacle = scaling::find_obstacle(file);
     std::ifstream stream = scaling::open_regular_file(file);
     if (!stream) refuse_json(file, fmt::format("cannot be read ({})", obstacle.empty() ? "no permission" : obstacle));
-    nlohmann::json object = nlohmann::json::parse(stream, nullptr, false);
+    const std::string text{std::istreambuf_iterator<char>(stream), {}};
+    nlohmann::json object;
+    try {
+        object = scaling::parse_json_text(text);
+    } catch (const scaling::ParseError&) {
+        // no object, which is said below
+    }
     if (!object.is_object()) refuse_json(file, "is damaged (it is cut off, or no JSON object)");
     if (!object.contains(kChecksum)) refuse_json(file, "has no checksum (it is damaged, or an older musim wrote it)");
     if (!agrees_with_checksum(object)) refuse_json(file, "is damaged (its checksum does not match)");

@@ -4,10 +4,20 @@
 
 #include <algorithm>
 
+#include "scaling/json_text.hpp"
 #include "scaling/nearest_name.hpp"
+#include "scaling/shorten.hpp"
 #include "scaling/uncertain.hpp"
 
 namespace musim::records::detail {
+
+nlohmann::ordered_json parse_json(std::string_view text, const std::string& source, std::string_view what_to_do) {
+    try {
+        return scaling::parse_json_text<nlohmann::ordered_json>(text);
+    } catch (const scaling::ParseError& error) {
+        throw ReadError(fmt::format("{}: is no JSON ({}); {}", source, error.what(), what_to_do));
+    }
+}
 
 JsonFields::JsonFields(const Json& object, std::string place, scaling::UncertainReading* reading, PlainNumbers plain_numbers)
     : object_(object), place_(std::move(place)), reading_(reading), plain_numbers_(plain_numbers) {
@@ -72,7 +82,8 @@ double JsonFields::to_si(const Json& value, const char* key, std::string_view pa
     const bool takes_number = plain_numbers_ == PlainNumbers::are_si || dimension == scaling::Dimension{};
     if (value.is_number() && takes_number) return value.get<double>();
     if (value.is_number())
-        throw ReadError(fmt::format("{}: {}: {}: {}", place_, key, value.dump(), scaling::refuse_plain_number(dimension)));
+        throw ReadError(fmt::format("{}: {}: {}: {}", place_, key, scaling::shorten(value.dump(), scaling::kEchoed),
+                                    scaling::refuse_plain_number(dimension)));
     if (!value.is_string()) fail(fmt::format("{} is no quantity", key), "write text with a unit, such as \"0.05 Hz\"");
     try {
         const auto text = value.get<std::string>();
@@ -100,7 +111,7 @@ void JsonFields::refuse_unknown_keys() const {
         const std::string& name = key;
         if (std::find(used_.begin(), used_.end(), name) == used_.end()) {
             const std::string nearest = scaling::find_nearest_name(name, used_);
-            fail(fmt::format("\"{}\" is none of its settings", name),
+            fail(fmt::format("\"{}\" is none of its settings", scaling::shorten(name, scaling::kEchoed)),
                  nearest.empty() ? "remove it, or correct its name" : fmt::format("did you mean \"{}\"?", nearest));
         }
     }

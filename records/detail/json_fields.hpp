@@ -16,6 +16,10 @@ namespace musim::records::detail {
 /// What a plain number stands for where a quantity has a dimension: nothing, or SI as in files that musim writes.
 enum class PlainNumbers { refused, are_si };
 
+/// Parses JSON, in the order of its keys. Throws ReadError, `source: is no JSON (why); what_to_do`, also for numbers beyond doubles and for
+/// absurdly deep nesting.
+nlohmann::ordered_json parse_json(std::string_view text, const std::string& source, std::string_view what_to_do);
+
 /// The fields of one JSON object in a file, with the place for messages. Knows which keys were asked for; all but has() and
 /// refuse_unknown_keys() throw ReadError `place: what (why); what to do`.
 class JsonFields {

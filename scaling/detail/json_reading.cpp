@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <optional>
 
+#include "scaling/json_text.hpp"
 #include "scaling/nearest_name.hpp"
+#include "scaling/shorten.hpp"
 #include "scaling/uncertain.hpp"
 
 namespace musim::scaling::detail {
@@ -14,19 +16,16 @@ void fail_at(std::string_view where, std::string_view message) { throw PiError(f
 
 Json parse_json(std::string_view text, std::string_view origin) {
     try {
-        return Json::parse(text);
-    } catch (const Json::exception& error) {
-        // "[json.exception.parse_error.101] parse error at line 1, column 2: ..."
-        const std::string_view message = error.what();
-        const std::size_t bracket = message.find("] ");
-        fail_at(origin, fmt::format("{}; correct the JSON", message.substr(bracket == std::string_view::npos ? 0 : bracket + 2)));
+        return parse_json_text(text);
+    } catch (const ParseError& error) {
+        fail_at(origin, fmt::format("{}; correct the JSON", error.what()));
     }
 }
 
 void refuse_unknown_keys(const Json& object, std::initializer_list<std::string_view> known, std::string_view where) {
     for (const auto& [key, value] : object.items()) {
         if (std::find(known.begin(), known.end(), key) != known.end()) continue;
-        fail_at(where, fmt::format("unknown key {}; {}", Json(key).dump(), suggest_name(key, {known.begin(), known.end()})));
+        fail_at(where, fmt::format("unknown key {}; {}", shorten(Json(key).dump(), kEchoed), suggest_name(key, {known.begin(), known.end()})));
     }
 }
 

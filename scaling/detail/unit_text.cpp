@@ -14,6 +14,7 @@
 #include "scaling/detail/edit_distance.hpp"
 #include "scaling/detail/text_cursor.hpp"
 #include "scaling/error.hpp"
+#include "scaling/shorten.hpp"
 #include "scaling/units.hpp"
 
 namespace musim::scaling::detail {
@@ -123,7 +124,7 @@ class UnitReader : private TextCursor {
 
   private:
     [[noreturn]] void fail(std::string_view why) const {
-        throw ParseError(fmt::format("\"{}\": {}; write a unit such as \"m\", \"MN/m\" or \"kN*s/m\"", text_, why));
+        throw ParseError(fmt::format("\"{}\": {}; write a unit such as \"m\", \"MN/m\" or \"kN*s/m\"", shorten(text_, kEchoed), why));
     }
 
     Unit read_product() {

@@ -243,3 +243,33 @@ TEST_CASE("a law that keeps the groups of rigid blocks names the elasticity that
     CHECK(here.run("scale --length 1/25 --gravity 25").out.find("E/(rho*g*l)") == std::string::npos);
     CHECK(here.run("rescale synthetic --length 1/25 -o model.csv").out.find("is off by a factor 25") != std::string::npos);
 }
+
+TEST_CASE("files nested without end and values without end are refused in a short line") {
+    const Workplace here;
+    const std::string nested = std::string(100'000, '[') + std::string(100'000, ']');
+    here.write("law.json", R"({"schema": "musim-law/1", "name": "x", "title": "t", "held": [)" + nested + "]}");
+    here.write("scene.json", R"({"schema": "musim-scene/1", "name": )" + nested + "}");
+    here.write("big.json", R"({"schema": "musim-scene/1", "name": 1e999})");
+    const std::string nines(500, '9');
+    const std::vector<std::string> commands{"scale --law law.json --length 1/25",
+                                            "pi law.json",
+                                            "design law.json",
+                                            "run scene.json",
+                                            "run big.json",
+                                            "scale --length " + nines,
+                                            "run scene.json --threads " + nines,
+                                            "scale --length 1" + std::string(500, 'x'),
+                                            "record process synthetic -o a.csv --recipe law.json"};
+    for (const std::string& command : commands) {
+        const Outcome outcome = here.run(command);
+        CAPTURE(command.substr(0, 60));
+        CHECK(outcome.exit_code >= 2);
+        CHECK(outcome.exit_code <= 3);
+        CHECK(outcome.has_one_error_line());
+        CHECK(outcome.err.size() < 400);
+        CHECK(outcome.err.find("internal") == std::string::npos);
+    }
+    // a page of what can be shown
+    const Outcome page = here.run("report law.json -o page.html");
+    CHECK((page.exit_code == 0 || page.exit_code == 3));
+}

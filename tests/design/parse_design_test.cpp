@@ -95,7 +95,9 @@ TEST_CASE("a peak that a limit needs must be given, others not") {
 }
 
 TEST_CASE("wrong designs are refused with the place and what to do") {
-    CHECK(musim::tests::message_of<records::ReadError>([] { parse_design("{", "d.json", {}); }).find("d.json: is no JSON; write ") == 0);
+    CHECK(musim::tests::message_of<records::ReadError>([] {
+              parse_design("{", "d.json", {});
+          }).find("d.json: is no JSON (parse error at line 1, column 2:") == 0);
     CHECK(musim::tests::message_of<records::ReadError>([] { parse_design("{}", "d.json", {}); }) ==
           R"(d.json: is no design; add "schema": "musim-design/1")");
     check_refused(kMaterials, R"(d.json: prototype is missing; add {"block": [...], "height", "density", "friction"})");

@@ -98,8 +98,10 @@ TEST_CASE("motions are peaks or records, a table is frequencies or an axis") {
 }
 
 TEST_CASE("wrong facts are refused with the place and what to do") {
-    CHECK(musim::tests::message_of<records::ReadError>([] { parse_facts("{", "f.json", {}, 1.0); }) ==
-          R"(f.json: is no JSON; write {"schema": "musim-facts/1", "prototype": {...}, "model": {...}})");
+    CHECK(
+        musim::tests::message_of<records::ReadError>([] { parse_facts("{", "f.json", {}, 1.0); }) ==
+        R"(f.json: is no JSON (parse error at line 1, column 2: syntax error while parsing object key - unexpected end of input; expected )"
+        R"(string literal); write {"schema": "musim-facts/1", "prototype": {...}, "model": {...}})");
     CHECK(musim::tests::message_of<records::ReadError>([] { parse_facts(R"({"schema": "musim-design/1"})", "f.json", {}, 1.0); }) ==
           R"(f.json: is no file of facts; add "schema": "musim-facts/1")");
     check_refused(kPrototype, R"(f.json: model is missing; add {"preset" or "density" and "friction", "block", "layers", ...})");

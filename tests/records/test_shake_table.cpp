@@ -77,7 +77,8 @@ TEST_CASE("a shake table is read with all its limits") {
 }
 
 TEST_CASE("a damaged shake table is refused in one line that names the place") {
-    CHECK(error_of("{") == "t.json: is no JSON; write {\"schema\": \"musim-table/1\", \"axes\": [...]}");
+    CHECK(error_of("{").starts_with("t.json: is no JSON (parse error at line 1, column 2:"));
+    CHECK(error_of("{").ends_with("); write {\"schema\": \"musim-table/1\", \"axes\": [...]}"));
     CHECK(error_of("[]") == "t.json: is no shake table; add \"schema\": \"musim-table/1\"");
     CHECK(error_of(R"({"schema": "musim-table/1"})") == "t.json: has no axes; add \"axes\": [...]");
     CHECK(error_of(R"({"schema": "musim-table/1", "axes": [{}]})") ==

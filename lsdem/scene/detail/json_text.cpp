@@ -10,7 +10,9 @@
 #include <system_error>
 
 #include "lsdem/scene/scene_error.hpp"
+#include "scaling/json_text.hpp"
 #include "scaling/regular_file.hpp"
+#include "scaling/shorten.hpp"
 
 namespace musim::lsdem::scene::detail {
 
@@ -65,7 +67,10 @@ std::string read_text(const std::filesystem::path& path) {
 
 nlohmann::json parse_json(std::string_view text, const std::string& origin) {
     DuplicateKeys keys(origin);
-    const auto check = [&](int /*depth*/, nlohmann::json::parse_event_t event, nlohmann::json& value) {
+    const auto check = [&](int depth, nlohmann::json::parse_event_t event, nlohmann::json& value) {
+        if (depth >= scaling::kMostJsonLevels) {
+            throw SceneError(fmt::format("{}: nested in more than {} levels; correct the JSON", origin, scaling::kMostJsonLevels));
+        }
         keys.see(event, value);
         return true;
     };
@@ -73,7 +78,10 @@ nlohmann::json parse_json(std::string_view text, const std::string& origin) {
         return nlohmann::json::parse(text, check);
     } catch (const nlohmann::json::parse_error& error) {
         const std::size_t byte = error.byte > 0 ? error.byte - 1 : 0;
-        throw SceneError(fmt::format("{}:{}: not valid JSON ({}); correct the text there", origin, locate(text, byte), reason(error)));
+        throw SceneError(
+            fmt::format("{}:{}: not valid JSON ({}); correct the text there", origin, locate(text, byte), scaling::shorten(reason(error))));
+    } catch (const nlohmann::json::out_of_range& error) {
+        throw SceneError(fmt::format("{}: not valid JSON ({}); correct the number", origin, scaling::describe_json_error(error)));
     }
 }
 
