@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cli/commands.hpp"
+#include "cli/drive_effect.hpp"
 #include "cli/input_file.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
@@ -222,11 +223,18 @@ int run_table(TableOptions options) {
     if (is_made && !options.save_recipe.empty())
         records::write_file_atomically(options.save_recipe, records::write_recipe(records::make_drive_recipe(task.model, settings)));
 
+    std::vector<DriveEffect> effects;
+    if (is_made) effects = find_drive_effects(task.model, settings, find_periods(options, scales, verdict.uses));
+
     if (!is_made) options.drive.clear();
-    if (options.json)
-        print_json(describe(options, table, verdict, scales));
-    else
+    if (options.json) {
+        nlohmann::json object = describe(options, table, verdict, scales);
+        object["drive_effects"] = to_json(effects);
+        print_json(object);
+    } else {
         print_verdict(table, verdict, scales);
+        if (is_made) print_drive_effects(effects);
+    }
     if (!is_made) {
         note("musim: error: {}: the table cannot make it{}\n", options.record, advise(options, verdict));
         return kCheckFailed;

@@ -55,6 +55,15 @@ TEST_CASE("table says that a record fits, at which scales, and writes the drive 
     CHECK(object["table"] == "test table");
     CHECK(object["corrections"].empty());
     CHECK(object["drive"] == "drive.csv");
+    // what taper and rest do to the record is told: little to its peaks, all of them of the motion that is written
+    const auto& effect = object["drive_effects"].at(0);
+    CHECK(effect["pga_g"].at(1).get<double>() == relative(effect["pga_g"].at(0).get<double>(), 0.05));
+    CHECK(effect["pgv_cm_s"].at(0).get<double>() == relative(42.4 / 5.0, 0.01));
+    CHECK(effect["mean_psa_factor"].get<double>() >= 1.0);
+    CHECK(effect["mean_psa_factor"].get<double>() < 1.1);
+    const std::string said = here.run(std::string(kArguments)).out;
+    CHECK(said.find("tapered over 2 % of its length at each end") != std::string::npos);
+    CHECK(said.find("PSA by a factor ") != std::string::npos);
     const auto& component = object["components"].at(0);
     CHECK(component["axis"] == "x");
     // the built-in record has 42.4 cm/s, the scale 1/25 a fifth of it; tapers and the controller's step move it a little
