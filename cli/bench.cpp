@@ -10,6 +10,7 @@
 #include "cli/interruption.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
+#include "cli/overwriting.hpp"
 #include "cli/progress_line.hpp"
 #include "lsdem/study/accuracy_plot.hpp"
 #include "lsdem/study/accuracy_sweep.hpp"
@@ -26,6 +27,7 @@ struct BenchAccuracyOptions {
     std::string component;
     bool quick = false;
     bool json = false;
+    OverwritingOption overwriting;
     int threads = 0;
 };
 
@@ -66,7 +68,7 @@ void print_sweep(const study::AccuracySweep& sweep) {
 
 int run_bench_accuracy(const BenchAccuracyOptions& options) {
     std::optional<study::ResultFolder> folder;
-    if (!options.out.empty()) folder.emplace(options.out);
+    if (!options.out.empty()) folder.emplace(options.out, options.overwriting.origin_with_options(), options.overwriting.choice());
 
     study::SweepOptions wanted{.record = options.record, .components = {}, .quick = options.quick, .threads = options.threads};
     if (!options.component.empty()) wanted.components[0] = options.component;
@@ -111,6 +113,7 @@ void add_bench_command(CLI::App& app, Action& action) {
     command->add_flag("--quick", options->quick, "Few settings and a low tower: seconds instead of minutes");
     command->add_option("--threads", options->threads, "Runs side by side; errors are the same for any number (default: all cores)")
         ->check(not_negative());
+    options->overwriting.add_to(*command);
     add_json_option(*command, options->json);
     command->footer(
         "Examples:\n"

@@ -11,6 +11,7 @@
 #include "cli/interruption.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
+#include "cli/overwriting.hpp"
 #include "cli/progress_line.hpp"
 #include "lsdem/study/similitude_bench.hpp"
 #include "lsdem/study/similitude_figure.hpp"
@@ -27,6 +28,7 @@ struct BenchSimilitudeOptions {
     std::string law;
     scaling::ReportStyle style = scaling::ReportStyle::plain;
     bool json = false;
+    OverwritingOption overwriting;
     int threads = 0;
 };
 
@@ -86,7 +88,7 @@ scaling::TextTable make_table(const std::vector<study::SimilitudeOutcome>& outco
 int run_bench_similitude(const BenchSimilitudeOptions& options) {
     const std::vector<study::SimilitudeCase> cases = study::make_similitude_cases(options.law);
     std::optional<study::ResultFolder> folder;
-    if (!options.out.empty()) folder.emplace(options.out);
+    if (!options.out.empty()) folder.emplace(options.out, options.overwriting.origin_with_options(), options.overwriting.choice());
 
     std::vector<study::SimilitudeOutcome> outcomes;
     {
@@ -120,6 +122,7 @@ void add_bench_similitude_command(CLI::App& bench, Action& action) {
     command->add_option("--law", options->law, "Only this law (default: all)")->check(CLI::IsMember(study::similitude_law_names()));
     add_format_option(*command, options->style, "Form of the table");
     add_threads_option(*command, options->threads);
+    options->overwriting.add_to(*command);
     add_json_option(*command, options->json);
     command->footer(
         "Examples:\n"

@@ -11,6 +11,7 @@
 #include "cli/interruption.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
+#include "cli/overwriting.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/report.hpp"
 #include "cli/version.hpp"
@@ -36,6 +37,7 @@ struct BenchTwinsOptions {
     std::uint64_t seed = 1;
     scaling::ReportStyle style = scaling::ReportStyle::plain;
     bool json = false;
+    OverwritingOption overwriting;
     int threads = 0;
 };
 
@@ -133,7 +135,11 @@ int run_bench_twins(const BenchTwinsOptions& options) {
     std::vector<scene::Scene> prototypes;
     for (const std::string& file : options.scenes) prototypes.push_back(read_prototype(file, options));
     std::optional<study::ResultFolder> folder;
-    if (!options.out.empty()) folder.emplace(options.out);
+    if (!options.out.empty()) {
+        study::ResultOrigin origin = options.overwriting.origin_with_options();
+        for (const scene::Scene& prototype : prototypes) origin.add(prototype, prototype.name + ": ");
+        folder.emplace(options.out, std::move(origin), options.overwriting.choice());
+    }
 
     std::vector<Measured> all;
     bool diverged = false;
@@ -176,6 +182,7 @@ void add_bench_twins_command(CLI::App& bench, Action& action) {
         ->check(above_zero());
     add_format_option(*command, options->style, "Form of the tables");
     add_threads_option(*command, options->threads);
+    options->overwriting.add_to(*command);
     add_json_option(*command, options->json);
     command->footer(
         "Examples:\n"

@@ -13,6 +13,7 @@
 #include "cli/interruption.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
+#include "cli/overwriting.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/report.hpp"
 #include "cli/version.hpp"
@@ -38,6 +39,7 @@ struct BenchVerdictOptions {
     std::vector<Number> sizes;
     scaling::ReportStyle style = scaling::ReportStyle::plain;
     bool json = false;
+    OverwritingOption overwriting;
     int threads = 0;
 };
 
@@ -59,10 +61,15 @@ study::VerdictBenchPlan make_plan(const BenchVerdictOptions& options) {
     return plan;
 }
 
-study::VerdictBench measure(const std::string& file, const study::VerdictBenchPlan& plan, const BenchVerdictOptions& options) {
+scene::Scene read_prototype(const std::string& file, const BenchVerdictOptions& options) {
     scene::Scene prototype = read_scene(file);
     if (options.duration) prototype.time.duration = options.duration->value * scaling::si::seconds;
     scene::check_scene(prototype, file);
+    return prototype;
+}
+
+study::VerdictBench measure(const std::string& file, const study::VerdictBenchPlan& plan, const BenchVerdictOptions& options) {
+    const scene::Scene prototype = read_prototype(file, options);
     note_cut_motions(file, prototype);
     study::TwinSettings settings{.directory = options.out, .version = kVersion, .threads = options.threads};
     settings.on_warning = [](const std::string& why) { note("musim: warning: no checkpoint: {}\n", why); };
@@ -199,7 +206,11 @@ void print_benches(const std::vector<study::VerdictBench>& benches, scaling::Rep
 int run_bench_verdict(const BenchVerdictOptions& options) {
     const study::VerdictBenchPlan plan = make_plan(options);
     std::optional<study::ResultFolder> folder;
-    if (!options.out.empty()) folder.emplace(options.out);
+    if (!options.out.empty()) {
+        study::ResultOrigin origin = options.overwriting.origin_with_options();
+        for (const std::string& file : options.scenes) origin.add(read_prototype(file, options), file + ": ");
+        folder.emplace(options.out, std::move(origin), options.overwriting.choice());
+    }
     std::vector<study::VerdictBench> benches;
     for (const std::string& file : options.scenes) benches.push_back(measure(file, plan, options));
     if (folder) {
@@ -243,6 +254,7 @@ void add_bench_verdict_command(CLI::App& bench, Action& action) {
         ->check(above_zero());
     add_format_option(*command, options->style, "Form of the tables");
     add_threads_option(*command, options->threads);
+    options->overwriting.add_to(*command);
     add_json_option(*command, options->json);
     command->footer(
         "Examples:\n"

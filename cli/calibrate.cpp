@@ -58,12 +58,14 @@ study::BlockSample SampleOptions::sample() const {
 void TestOptions::add_to(CLI::App& command, const char* files) {
     sample.add_to(command);
     command.add_option("-o,--out", out, std::string("Directory for ") + files)->type_name("DIR");
+    overwriting.add_to(command);
     add_threads_option(command, threads);
     add_json_option(command, json);
 }
 
 std::optional<study::ResultFolder> TestOptions::make_folder() const {
-    return out.empty() ? std::optional<study::ResultFolder>() : std::optional<study::ResultFolder>(std::in_place, out);
+    if (out.empty()) return std::optional<study::ResultFolder>();
+    return std::optional<study::ResultFolder>(std::in_place, out, overwriting.origin_with_options(), overwriting.choice());
 }
 
 nlohmann::json describe_sample(const study::BlockSample& sample) {

@@ -8,6 +8,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
+#include "cli/overwriting.hpp"
 #include "lsdem/study/block_sample.hpp"
 #include "lsdem/study/write_results.hpp"
 #include "scaling/angle.hpp"
@@ -34,6 +35,7 @@ struct TestOptions {
     std::string out;
     int threads = 0;
     bool json = false;
+    OverwritingOption overwriting;
 
     void add_to(CLI::App& command, const char* files);
     std::optional<lsdem::study::ResultFolder> make_folder() const;

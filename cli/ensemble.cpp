@@ -15,6 +15,7 @@
 #include "cli/interruption.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
+#include "cli/overwriting.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/report.hpp"
 #include "cli/specimen_batch.hpp"
@@ -44,6 +45,7 @@ struct EnsembleOptions {
     Number checkpoint_interval{60.0};
     int threads = 0;
     bool json = false;
+    OverwritingOption overwriting;
 
     std::optional<int> axis_index() const {
         if (axis.empty()) return std::nullopt;
@@ -174,9 +176,13 @@ int run_ensemble(const EnsembleOptions& options) {
     // what would be wrong with every member is one error, and found before any runs
     study::make_upright_specimen(members.front().scene);
     note_cut_motions(options.scene, scene);
-    if (options.only > 0) members = {members[static_cast<std::size_t>(options.only - 1)]};
     std::optional<study::ResultFolder> folder;
-    if (options.only == 0) folder.emplace(options.out);
+    if (options.only == 0) {
+        study::ResultOrigin origin = options.overwriting.origin();
+        origin.add(scene);
+        folder.emplace(options.out, std::move(origin), options.overwriting.choice());
+    }
+    if (options.only > 0) members = {members[static_cast<std::size_t>(options.only - 1)]};
     if (!options.specimens.empty()) take_specimens(options, members);
     if (options.only > 0) return run_one(options, members.front());
 
@@ -222,6 +228,7 @@ void add_ensemble_command(CLI::App& app, Action& action) {
     command->add_option("--axis", options->axis, "Axis of the main motion (default: along which the base moves most)")
         ->check(CLI::IsMember({"x", "y", "z"}));
     add_checkpoint_interval_option(*command, options->checkpoint_interval);
+    options->overwriting.add_to(*command);
     add_threads_option(*command, options->threads);
     add_json_option(*command, options->json);
     command->footer(
@@ -235,6 +242,7 @@ void add_ensemble_command(CLI::App& app, Action& action) {
         "is\n"
         "missing, continues what was killed, and sums up: to the same bytes. Names follow from content (scene, record, specimen, program\n"
         "version).\n"
+        "An ensemble of another scene or version in DIR is not overwritten without --force (exit code 3); more members may be added.\n"
         "Diverged and unsettled members, and those without results, are reported and left out of all means; collapsed ones count until\n"
         "they collapse. Exit code 4: a member diverged or did not come to rest; 3: a member could not be run.");
     command->callback([&action, options] {

@@ -13,6 +13,7 @@
 #include "cli/interruption.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
+#include "cli/overwriting.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/report.hpp"
 #include "cli/version.hpp"
@@ -55,6 +56,7 @@ struct PairOptions {
     Number checkpoint_interval{60.0};
     int threads = 0;
     bool json = false;
+    OverwritingOption overwriting;
 };
 
 /// "x=360 y=90" as names along the axes.
@@ -242,7 +244,14 @@ int run_pair(const PairOptions& options) {
     const scene::Scene prototype = make_prototype(options);
     const std::vector<study::ModelChoice> choices = make_choices(options);
     std::optional<study::ResultFolder> folder;
-    if (!options.out.empty()) folder.emplace(options.out);
+    if (!options.out.empty()) {
+        study::ResultOrigin origin = options.overwriting.origin_with_options();
+        origin.add(prototype);
+        for (const study::ModelChoice& choice : choices) {
+            if (choice.scene) origin.add(*choice.scene, choice.scene->name + ": ");
+        }
+        folder.emplace(options.out, std::move(origin), options.overwriting.choice());
+    }
     note_cut_motions(options.scene, prototype);
 
     std::optional<study::ScenePair> pair;
@@ -348,6 +357,7 @@ void add_pair_command(CLI::App& app, Action& action) {
         ->type_name("NUMBER")
         ->check(above_zero());
     add_checkpoint_interval_option(*command, options->checkpoint_interval);
+    options->overwriting.add_to(*command);
     add_threads_option(*command, options->threads);
     add_json_option(*command, options->json);
     command->footer(
@@ -364,6 +374,7 @@ void add_pair_command(CLI::App& app, Action& action) {
         "model differs when it parts from the prototype earlier than they do, or its peaks, residuals or losses lie outside their "
         "scatter.\n"
         "With -o, specimens and runs are kept in DIR until the results are written: the same command resumes an interrupted pair.\n"
+        "Results of another scene, version or options in DIR are not overwritten without --force (exit code 3).\n"
         "Models of their own material are distorted, and their specimen is one of many: their differences are held against twins and "
         "other\n"
         "specimens of the prototype. Exit code 5: a model with exact materials differs, or nothing could be decided; 6: --accept.");

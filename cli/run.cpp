@@ -13,6 +13,7 @@
 #include "cli/interruption.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
+#include "cli/overwriting.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/report.hpp"
 #include "cli/version.hpp"
@@ -36,6 +37,7 @@ struct RunOptions {
     Number checkpoint_interval{60.0};
     int threads = 0;
     bool json = false;
+    OverwritingOption overwriting;
 };
 
 void print_run(const scene::Scene& scene, const study::RunResult& run) {
@@ -136,11 +138,12 @@ int run_run(const RunOptions& options) {
     std::optional<Begin> begin;
     if (!resumes) begin = begin_anew(options);
     std::optional<study::ResultFolder> folder;
-    if (!directory.empty()) folder.emplace(directory);
-    if (resumes) {
-        begin = begin_from(directory);
-    } else if (folder) {
-        refuse_old_checkpoint(directory);
+    if (resumes) begin = begin_from(directory);
+    if (!directory.empty()) {
+        study::ResultOrigin origin = options.overwriting.origin();
+        origin.add(begin->scene);
+        folder.emplace(directory, std::move(origin), resumes ? study::Overwriting::resume : options.overwriting.choice());
+        if (!resumes) refuse_old_checkpoint(directory);
     }
     const scene::Scene scene = begin->scene;
     if (!resumes) note_cut_motions(options.scene, scene);
@@ -180,6 +183,7 @@ void add_run_command(CLI::App& app, Action& action) {
         ->excludes(out)
         ->excludes(duration);
     add_checkpoint_interval_option(*command, options->checkpoint_interval);
+    options->overwriting.add_to(*command);
     add_threads_option(*command, options->threads);
     add_json_option(*command, options->json);
     command->footer(
@@ -191,6 +195,7 @@ void add_run_command(CLI::App& app, Action& action) {
         "are\n"
         "the same to the last bit. The scene is the checkpoint's; a record it names must be unchanged. A finished run leaves no "
         "checkpoint.\n"
+        "Results of another scene or version in DIR are not overwritten without --force (exit code 3).\n"
         "Exit code 130, 143: stopped by SIGINT, SIGTERM; 4: the run diverged; results up to then are written all the same. A doubtful run "
         "(step above the critical one, blocks "
         "deep\n"

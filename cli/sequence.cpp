@@ -11,6 +11,7 @@
 #include "cli/interruption.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
+#include "cli/overwriting.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/report.hpp"
 #include "cli/version.hpp"
@@ -31,6 +32,7 @@ struct SequenceOptions {
     Number checkpoint_interval{60.0};
     int threads = 0;
     bool json = false;
+    OverwritingOption overwriting;
 
     const std::string& directory() const { return resume.empty() ? out : resume; }
 };
@@ -41,6 +43,7 @@ study::SequenceSummary carry_out(const SequenceOptions& options) {
     study::SequenceSettings settings{.directory = options.directory(),
                                      .version = kVersion,
                                      .threads = options.threads,
+                                     .force = options.overwriting.force,
                                      .checkpoint_interval = options.checkpoint_interval,
                                      .on_progress = progress.of_run(),
                                      .on_preparation = progress.of_preparation(),
@@ -113,6 +116,7 @@ void add_sequence_command(CLI::App& app, Action& action) {
         ->excludes(scene_file)
         ->excludes(out);
     add_checkpoint_interval_option(*command, options->checkpoint_interval);
+    options->overwriting.add_to(*command);
     add_threads_option(*command, options->threads);
     add_json_option(*command, options->json);
     command->footer(
@@ -125,6 +129,7 @@ void add_sequence_command(CLI::App& app, Action& action) {
         "instead of \"base_motion\"; \"factors\": { \"velocity\": 1.5 } in a base_motion makes it 1.5 times as strong. The structure keeps "
         "its\n"
         "positions, damage and contacts; between motions it comes to rest unless \"settle\" is false. Every stage is stored as a run.\n"
+        "Results of another scene or version in DIR are not overwritten without --force (exit code 3).\n"
         "Exit code 4: a stage diverged; what was done is stored all the same.");
     command->callback([&action, options] {
         if (options->scene.empty() && options->resume.empty()) throw CLI::RequiredError("scene (or --resume)");

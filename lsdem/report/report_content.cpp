@@ -12,6 +12,7 @@
 #include "lsdem/scene/scene_json.hpp"
 #include "lsdem/study/checked_json.hpp"
 #include "lsdem/study/checkpoint.hpp"
+#include "lsdem/study/folder_contents.hpp"
 #include "lsdem/study/pair.hpp"
 #include "lsdem/study/watched_folder.hpp"
 #include "records/error.hpp"
@@ -221,6 +222,12 @@ class Reader {
     void add_folder(const fs::path& folder) {
         const std::string label = folder.filename().empty() ? folder.parent_path().filename().string() : folder.filename().string();
         const bool unfinished = note_unfinished(folder);
+        try {
+            study::require_complete(folder);
+        } catch (const study::ResultError& error) {
+            content.remarks.emplace_back(error.what());
+            return;
+        }
         if (fs::exists(folder / "pair.json")) return has_room(folder, ReportKind::pair) ? add_pair(folder) : void();
         if (fs::exists(folder / "sequence.json")) return has_room(folder, ReportKind::sequence) ? add_sequence(folder) : void();
         if (fs::exists(folder / "ensemble.json")) return has_room(folder, ReportKind::ensemble) ? add_ensemble(folder, label) : void();

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lsdem/study/detail/hdf5_reader.hpp"
+#include "lsdem/study/folder_contents.hpp"
 #include "lsdem/study/read_results.hpp"
 #include "lsdem/study/response.hpp"
 #include "lsdem/study/spine_plot.hpp"
@@ -46,6 +47,7 @@ std::vector<Vector3> to_vectors(const std::vector<double>& values, double unit) 
 }  // namespace
 
 DimensionlessBands read_bands(const std::filesystem::path& directory) {
+    require_complete(directory);
     const detail::Hdf5Reader file(directory / "ensemble.h5");
     const auto summary = nlohmann::json::parse(file.attribute("summary"), nullptr, false);
     if (!summary.is_object() || summary.value("format", "") != "musim-ensemble/1" || !summary["scales"].is_object()) {

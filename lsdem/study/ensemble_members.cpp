@@ -13,6 +13,7 @@
 #include "lsdem/scene/scene_json.hpp"
 #include "lsdem/study/checkpoint.hpp"
 #include "lsdem/study/detail/content_name.hpp"
+#include "lsdem/study/folder_contents.hpp"
 #include "lsdem/study/specimen_batch.hpp"
 #include "records/error.hpp"
 #include "scaling/regular_file.hpp"
@@ -63,7 +64,11 @@ std::string name_file_content(const fs::path& path) {
 /// The scene with every path of a file replaced by what `name` makes of it.
 template <class Name>
 scene::Scene rename_files(scene::Scene scene, const Name& name) {
-    if (auto* record = std::get_if<scene::RecordMotion>(&scene.base_motion.source)) record->file = name(record->file);
+    const auto rename_record = [&](scene::BaseMotion& motion) {
+        if (auto* record = std::get_if<scene::RecordMotion>(&motion.source)) record->file = name(record->file);
+    };
+    rename_record(scene.base_motion);
+    for (auto& entry : scene.motions) rename_record(entry.base_motion);
     if (auto* tower = std::get_if<scene::Tower>(&scene.structure); tower != nullptr && tower->tiling_file) {
         tower->tiling_file = name(*tower->tiling_file);
     }
@@ -73,12 +78,14 @@ scene::Scene rename_files(scene::Scene scene, const Name& name) {
 
 }  // namespace
 
+scene::Scene with_file_contents(const scene::Scene& scene) { return rename_files(scene, name_file_content); }
+
 EnsembleMember make_member(scene::Scene scene, const std::string& version) {
     EnsembleMember member;
     member.seed = seed_of(scene);
     member.scene = std::move(scene);
     member.scene_text = scene::write_scene(member.scene);
-    const std::string content = scene::write_scene(rename_files(member.scene, name_file_content));
+    const std::string content = scene::write_scene(with_file_contents(member.scene));
     member.name = "member-" + detail::name_content(nlohmann::json{content, version}.dump());
     return member;
 }
@@ -111,7 +118,7 @@ MemberState find_state(const fs::path& directory, const EnsembleMember& member) 
     const fs::path folder = member_folder(directory, member);
     // a checkpoint goes last: results beside one may be the half of them
     if (fs::exists(folder / kCheckpointName)) return MemberState::unfinished;
-    return fs::exists(folder / "result.h5") && fs::exists(folder / "summary.json") ? MemberState::finished : MemberState::waiting;
+    return is_complete(folder) ? MemberState::finished : MemberState::waiting;
 }
 
 bool is_scene_of(const std::string& scene_text, const EnsembleMember& member) {

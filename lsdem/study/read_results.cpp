@@ -6,6 +6,7 @@
 
 #include "lsdem/study/checked_json.hpp"
 #include "lsdem/study/detail/hdf5_reader.hpp"
+#include "lsdem/study/folder_contents.hpp"
 
 namespace musim::lsdem::study {
 namespace {
@@ -195,6 +196,7 @@ StoredRun read_run(const fs::path& directory, Reading reading) {
             fmt::format("{}: is no directory of results (there is none of that name); name one that `musim run -o DIR` has written",
                         directory.string()));
     }
+    require_complete(directory);
     StoredRun run;
     run.directory = directory;
     const Hdf5Reader file(directory / "result.h5");

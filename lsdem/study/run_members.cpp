@@ -30,7 +30,9 @@ void run_member(const EnsembleMember& member, const MemberSettings& settings, co
     const fs::path directory = member_folder(settings.directory, member);
     const fs::path checkpoint = directory / kCheckpointName;
     // the folder first: it keeps other processes off the member
-    ResultFolder folder(directory);
+    // its name follows from all that it is made from, so what is there is of the same
+    ResultFolder folder(directory, {.command = "ensemble", .program_version = settings.version, .parts = {{"member", member.name}}},
+                        Overwriting::force);
     double prepared = 0.0;
     LiveFile live(directory, member.scene.name);
     RunSettings run_settings{.threads = 1,

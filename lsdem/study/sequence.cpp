@@ -169,20 +169,20 @@ class Sequence {
     double work_ = 0.0;  ///< of all stages [samples]
 };
 
-/// Refuses to write over an older sequence.
-void refuse_old_results(const fs::path& directory) {
+/// Refuses to write over an unfinished sequence.
+void refuse_old_checkpoint(const fs::path& directory) {
     if (fs::exists(directory / kCheckpointName)) {
         throw ResultError(
             fmt::format("{0}: an unfinished run left its checkpoint here; continue it with `musim sequence --resume {0}`, or "
                         "remove {1} and the stages to start anew",
                         directory.string(), (directory / kCheckpointName).string()));
     }
-    for (const auto& entry : fs::directory_iterator(directory)) {
-        if (!entry.path().filename().string().starts_with("stage-")) continue;
-        throw ResultError(
-            fmt::format("{}: holds {} of an older sequence (stages are not written over); choose another directory, or remove it",
-                        directory.string(), entry.path().filename().string()));
-    }
+}
+
+ResultOrigin find_origin(const scene::Scene& scene, const SequenceSettings& settings) {
+    ResultOrigin origin{.command = "sequence", .program_version = settings.version, .parts = {}};
+    origin.add(scene);
+    return origin;
 }
 
 void require_checkpoint(const fs::path& directory) {
@@ -198,15 +198,14 @@ void require_checkpoint(const fs::path& directory) {
 
 SequenceSummary run_sequence(const scene::Scene& scene, const SequenceSettings& settings) {
     SequencePlan plan = plan_sequence(scene);
-    ResultFolder folder(settings.directory);
-    refuse_old_results(settings.directory);
+    ResultFolder folder(settings.directory, find_origin(scene, settings), settings.force ? Overwriting::force : Overwriting::refuse);
+    refuse_old_checkpoint(settings.directory);
     plan.specimen = make_specimen(plan.stages.front().scene, find_run_settings(scene, settings));
     return Sequence(scene, std::move(plan), folder, settings).run();
 }
 
 SequenceSummary resume_sequence(const SequenceSettings& settings) {
     require_checkpoint(settings.directory);
-    ResultFolder folder(settings.directory);
     const fs::path file = settings.directory / kCheckpointName;
     Checkpoint checkpoint = read_checkpoint(file, settings.version);
     const scene::Scene scene = scene::parse_scene(checkpoint.scene, file);
@@ -214,6 +213,7 @@ SequenceSummary resume_sequence(const SequenceSettings& settings) {
         throw ResultError(fmt::format("{}: the checkpoint is of a single run; continue it with `musim run --resume {}`", file.string(),
                                       settings.directory.string()));
     }
+    ResultFolder folder(settings.directory, find_origin(scene, settings), Overwriting::resume);
     SequencePlan plan = plan_sequence(scene);
     plan.specimen = make_specimen(plan.stages.front().scene, find_run_settings(scene, settings), &checkpoint);
     Sequence sequence(scene, std::move(plan), folder, settings);

@@ -16,6 +16,7 @@ struct SequenceSettings {
     std::filesystem::path directory;                  ///< of all results
     std::string version;                              ///< of the program
     int threads = 1;                                  ///< 0: all cores
+    bool force = false;                               ///< older results of another scene are replaced
     double checkpoint_interval = 60.0;                ///< wall time between two checkpoints [s]; 0: one after every sample
     std::function<void(double)> on_progress = {};     ///< called now and then with the fraction done, 0 to 1
     std::function<void(double)> on_preparation = {};  ///< likewise, while the specimen is being prepared
@@ -33,8 +34,8 @@ struct SequenceSettings {
 /// (StageOrigin) and are looked for while the structure comes to rest, too: such a fall belongs to the stage before, at a time after its
 /// end.
 ///
-/// Throws as plan_sequence does; records::WriteError when the directory cannot be used; ResultError when it holds an older sequence, which
-/// is never written over.
+/// Throws as plan_sequence does; records::WriteError when the directory cannot be used; ResultError when it holds an unfinished
+/// sequence, or results of another origin and `force` is not set.
 SequenceSummary run_sequence(const scene::Scene& scene, const SequenceSettings& settings);
 
 /// Continues a sequence that was killed, from its checkpoint, to the same results as without the interruption but for the wall times.

@@ -7,6 +7,7 @@
 #include "lsdem/study/checked_json.hpp"
 #include "lsdem/study/checkpoint.hpp"
 #include "lsdem/study/detail/folder_lock.hpp"
+#include "lsdem/study/folder_contents.hpp"
 #include "lsdem/study/read_results.hpp"
 
 namespace musim::lsdem::study {
@@ -71,7 +72,8 @@ WatchedFolder look_into(const fs::path& directory) {
         watched.state = FolderState::working;
         return watched;
     }
-    if (!watched.runs.empty() || fs::exists(directory / kCheckpointName)) {
+    if (!watched.runs.empty() || fs::exists(directory / kCheckpointName) ||
+        (fs::exists(directory / kContentsName) && !is_complete(directory))) {
         watched.state = FolderState::killed;
         return watched;
     }

@@ -27,7 +27,8 @@ enum class FolderState {
 struct WatchedFolder {
     FolderState state = FolderState::empty;
     std::vector<WatchedRun> runs;  ///< those that told where they stand, by name
-    std::string status;  ///< of results that have one: "completed", "collapsed", "diverged", "consistent", "distorted"; "damaged"; else empty
+    std::string
+        status;  ///< of results that have one: "completed", "collapsed", "diverged", "consistent", "distorted"; "damaged"; else empty
 };
 
 /// Looks into a folder: who holds it (a lock that goes with its process; on file systems without locks, who has told something in the last

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <string_view>
@@ -11,6 +12,7 @@
 #include "lsdem/study/checked_json.hpp"
 #include "lsdem/study/detail/file_checksum.hpp"
 #include "lsdem/study/detail/hdf5_file.hpp"
+#include "lsdem/study/detail/leftovers.hpp"
 #include "lsdem/study/summary.hpp"
 
 namespace musim::lsdem::study {
@@ -233,6 +235,13 @@ std::string make_spine_csv(const RunResult& run) {
     return csv;
 }
 
+/// A file of a folder, and what folders it leaves empty.
+void remove_file(const std::filesystem::path& directory, const std::filesystem::path& name) {
+    std::error_code ignored;
+    std::filesystem::remove(directory / name, ignored);
+    for (auto part = name.parent_path(); !part.empty(); part = part.parent_path()) std::filesystem::remove(directory / part, ignored);
+}
+
 }  // namespace
 
 void ResultFolder::add_run(const std::filesystem::path& subfolder, const RunResult& run, const ResultHeader& header) {
@@ -246,6 +255,34 @@ void ResultFolder::add_run(const std::filesystem::path& subfolder, const RunResu
     files_.write(subfolder / "result.xdmf", make_xdmf(run));
     files_.write(subfolder / "spine.csv", make_spine_csv(run));
     files_.write(subfolder / "summary.json", make_checked_json(std::move(summary)));
+}
+
+ResultFolder::ResultFolder(const std::filesystem::path& directory, ResultOrigin origin, Overwriting overwriting)
+    : files_(directory), contents_(FolderContents{.origin = std::move(origin), .complete = true, .files = {}}) {
+    if (overwriting == Overwriting::refuse) refuse_other_results(directory, contents_->origin);
+    detail::remove_leftovers(directory / kContentsName);
+    const bool goes_on = overwriting == Overwriting::resume && is_of(directory, contents_->origin);
+    (goes_on ? contents_->files : older_) = list_results(directory);
+}
+
+void ResultFolder::commit() {
+    if (!contents_) return files_.commit();
+    std::vector<std::string>& files = contents_->files;
+    for (const std::filesystem::path& name : files_.names()) files.push_back(name.string());
+    std::sort(files.begin(), files.end());
+    files.erase(std::unique(files.begin(), files.end()), files.end());
+
+    // a kill from here on leaves a folder that says it is not complete, and lists whatever is in it
+    FolderContents between = *contents_;
+    between.complete = false;
+    between.files.insert(between.files.end(), older_.begin(), older_.end());
+    write_contents(files_.directory(), between);
+    for (const std::string& old : older_) {
+        if (!std::binary_search(files.begin(), files.end(), old)) remove_file(files_.directory(), old);
+    }
+    older_.clear();
+    files_.commit();
+    write_contents(files_.directory(), *contents_);
 }
 
 void ResultFolder::add_json(const std::filesystem::path& name, const nlohmann::json& object) {

@@ -99,7 +99,7 @@ TEST_CASE("bench twins measures how models and moved copies part, goes on where 
 
     // the same again is read, and of three models two are there
     CHECK(here.run(command + " --json").json() == outcome.json());
-    const Outcome three = here.run("bench twins wall.json --duration 1/20 --models 3 -o out --json");
+    const Outcome three = here.run("bench twins wall.json --duration 1/20 --models 3 -o out --json --force");
     CHECK(three.json()["scenes"][0]["twins"][1] == scene["twins"][1]);
     const Outcome text = here.run("bench twins wall.json --duration 1/20 --models 1 --perturb 1e-11,1e-9");
     CHECK_MESSAGE(text.out.find("Directions 1: difference over shift differs") != std::string::npos, text.out);

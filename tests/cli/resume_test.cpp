@@ -60,7 +60,7 @@ TEST_CASE("a run that is killed twice and resumed has the results of one that wa
     CHECK(outcome.json()["state_hash"] == nlohmann::json::parse(here.read("whole/summary.json"))["state_hash"]);
     check_same_results(here);
     // nothing but results is left
-    CHECK(here.count("out") == 4);
+    CHECK(here.count("out") == 5);
 
     const Outcome again = here.run("run --resume out");
     CHECK(again.exit_code == 3);

@@ -345,7 +345,7 @@ TEST_CASE("a sequence killed anywhere and resumed has the files of one that was 
     }
 }
 
-TEST_CASE("a sequence is resumed with the same records only, where there is one, and never written over") {
+TEST_CASE("a sequence is resumed with the same records only, where there is one, and written over by the same scene only") {
     const TemporaryFolder folder;
     const fs::path record = folder.write("record.csv", "0 0 0\n0.01 1 0\n0.02 -1 0\n0.03 0 0\n0.04 0 0\n0.05 0 0\n");
     const std::string motion = R"({"base_motion": {"record": "record.csv", "components": {"x": "1"}}, "duration": "0.05 s"})";
@@ -362,7 +362,17 @@ TEST_CASE("a sequence is resumed with the same records only, where there is one,
     folder.write("record.csv", "0 0 0\n0.01 1 0\n0.02 -1 0\n0.03 0 0\n0.04 0 0\n0.05 0 0\n");
     CHECK(resume_sequence(settings_for(out)).stages.size() == 2);
     CHECK(message_of<std::runtime_error>([&] { resume_sequence(settings_for(out)); }).find("has finished") != std::string::npos);
-    CHECK(message_of<std::runtime_error>([&] { shake(scene, out); }).find("of an older sequence") != std::string::npos);
+    const SequenceSummary again = shake(scene, out);
+    REQUIRE(again.stages.size() == 2);
+    const fs::path second = out / again.stages[1].where.folder;
+    const scene::Scene shorter = make_scene(kColumn, sine("0.1 g"));
+    CHECK(message_of<ResultError>([&] { shake(shorter, out); }).find("contents.json: here are results of another scene") !=
+          std::string::npos);
+    CHECK(fs::exists(second));
+    SequenceSettings settings = settings_for(out);
+    settings.force = true;
+    CHECK(run_sequence(shorter, settings).stages.size() == 1);
+    CHECK_FALSE(fs::exists(second));
 }
 
 TEST_CASE("motions that the base could only join by a jump are refused before anything runs") {

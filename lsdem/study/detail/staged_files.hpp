@@ -27,6 +27,11 @@ class StagedFiles {
     /// Moves all files to their places, replacing older ones; more may be written and moved after that. Throws records::WriteError.
     void commit();
 
+    const std::filesystem::path& directory() const { return directory_; }
+
+    /// Written since the last commit().
+    const std::vector<std::filesystem::path>& names() const { return names_; }
+
   private:
     void remove_all() noexcept;
 

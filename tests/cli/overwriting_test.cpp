@@ -1,0 +1,76 @@
+#include <doctest/doctest.h>
+
+#include <string>
+#include <vector>
+
+#include "tests/cli/program.hpp"
+
+using musim::cli::Outcome;
+using musim::cli::Workplace;
+
+namespace {
+
+/// Two or three wood blocks that are shaken for 10 ms, one of uneven height.
+std::string make_scene(const std::string& blocks, const std::string& motion) {
+    return R"({"schema": "musim-scene/1", "name": "column", "material": "wood", "time": {"duration": "10 ms"},
+        "structure": {"kind": "column", "layers": )" +
+           blocks + R"(, "block": ["12.710 mm", "26.355 mm", "39.780 mm"], "height_deviation": "0.1 mm"}, )" + motion +
+           R"(, "output": {"spine_rate": "1 kHz"}})";
+}
+
+const std::string kJolt = R"({"signal": "ricker", "direction": "x", "amplitude": "0.2 g", "frequency": "200 Hz"})";
+
+/// A command that writes a folder `out`, and the same for other results.
+struct Command {
+    std::string first, other;
+};
+
+void check_command(const Workplace& here, const Command& command) {
+    here.shell("rm -rf out");
+    REQUIRE_MESSAGE(here.run(command.first + " -o out").exit_code == 0, command.first);
+    CHECK_MESSAGE(here.run(command.first + " -o out").exit_code == 0, command.first);
+    const std::string before = here.read("out/contents.json");
+    const Outcome refused = here.run(command.other + " -o out");
+    CHECK_MESSAGE(refused.exit_code == 3, command.other);
+    CHECK(refused.has_one_error_line());
+    CHECK_MESSAGE(refused.err.find("out/contents.json: here are results of ") != std::string::npos, refused.err);
+    CHECK_MESSAGE(refused.err.find("--force") != std::string::npos, refused.err);
+    CHECK(here.read("out/contents.json") == before);
+    CHECK_MESSAGE(here.run(command.other + " -o out --force").exit_code == 0, command.other);
+    CHECK_MESSAGE(here.run(command.other + " -o out").exit_code == 0, command.other);
+}
+
+}  // namespace
+
+TEST_CASE("commands do not write over results of another scene or other options unless they are forced to") {
+    const Workplace here;
+    here.write("two.json", make_scene("2", "\"base_motion\": " + kJolt));
+    here.write("three.json", make_scene("3", "\"base_motion\": " + kJolt));
+    here.write("one_motion.json", make_scene("2", "\"motions\": [{\"base_motion\": " + kJolt + "}]"));
+    here.write("two_motions.json", make_scene("2", "\"motions\": [{\"base_motion\": " + kJolt + ", \"repeat\": 2}]"));
+    const std::string pair = "pair two.json --twins 0 --no-half-step ";
+    for (const Command& command : std::vector<Command>{
+             {"run two.json", "run three.json"},
+             {"run two.json", "run two.json --duration 0.005"},
+             {"run two.json", pair + "--length 1/4"},
+             {pair + "--length 1/4", pair + "--length 1/16"},
+             {"sequence two_motions.json", "sequence one_motion.json"},
+             {"ensemble two.json --members 2", "ensemble three.json --members 2"},
+             {"bench twins two.json --models 1", "bench twins two.json --models 2"},
+             {"calibrate friction --material wood --resolution 5", "calibrate friction --material concrete --resolution 5"}}) {
+        check_command(here, command);
+    }
+}
+
+TEST_CASE("a record that has changed makes other results and the path to the scene does not") {
+    const Workplace here;
+    here.write("record.csv", "0 0 0\n0.01 1 0\n0.02 -1 0\n0.03 0 0\n");
+    here.write("scene.json", make_scene("2", R"("base_motion": {"record": "record.csv", "components": {"x": "1"}})"));
+    REQUIRE(here.run("run scene.json -o out").exit_code == 0);
+    here.shell("mkdir moved && cp scene.json record.csv moved");
+    CHECK(here.run("run moved/scene.json -o out").exit_code == 0);
+    here.write("record.csv", "0 0 0\n0.01 2 0\n0.02 -2 0\n0.03 0 0\n");
+    const Outcome refused = here.run("run scene.json -o out");
+    CHECK(refused.exit_code == 3);
+    CHECK_MESSAGE(refused.err.find("these differ: base_motion") != std::string::npos, refused.err);
+}
