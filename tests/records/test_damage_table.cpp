@@ -15,7 +15,7 @@
 #include "tests/support/shared_records.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-/// docs/damaged_records.md says what a reader answers to each damage; here each file is made, read, and the answer compared.
+/// docs/validation/damaged_records.md says what a reader answers to each damage; here each file is made, read, and the answer compared.
 namespace musim::records {
 namespace {
 
@@ -212,7 +212,7 @@ std::vector<std::string> make_rows() {
 }
 
 std::vector<std::string> read_documented_rows() {
-    std::ifstream file(std::filesystem::path(MUSIM_SOURCE_DIR) / "docs/damaged_records.md");
+    std::ifstream file(std::filesystem::path(MUSIM_SOURCE_DIR) / "docs/validation/damaged_records.md");
     std::vector<std::string> rows;
     for (std::string line; std::getline(file, line);)
         if (line.starts_with("| ") && !line.starts_with("| file |")) rows.push_back(line);
@@ -225,7 +225,7 @@ TEST_CASE("every damaged file of docs is answered as it says there") {
     CHECK(rows.size() == documented.size());
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const std::string expected = i < documented.size() ? documented[i] : std::string();
-        CHECK_MESSAGE(rows[i] == expected, "docs/damaged_records.md should say\n", rows[i], "\nand says\n", expected);
+        CHECK_MESSAGE(rows[i] == expected, "docs/validation/damaged_records.md should say\n", rows[i], "\nand says\n", expected);
     }
 }
 
