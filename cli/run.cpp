@@ -21,6 +21,7 @@
 #include "lsdem/scene/scene_json.hpp"
 #include "lsdem/study/failure.hpp"
 #include "lsdem/study/live_file.hpp"
+#include "lsdem/study/outcome.hpp"
 #include "lsdem/study/write_results.hpp"
 
 namespace musim::cli {
@@ -40,18 +41,26 @@ struct RunOptions {
     OverwritingOption overwriting;
 };
 
+/// The similitude by which the scene's record was made that of a model; nothing for other scenes.
+std::optional<scaling::Similitude> find_similitude(const scene::Scene& scene) {
+    const auto* record = std::get_if<scene::RecordMotion>(&scene.base_motion.source);
+    if (record == nullptr || !record->scale) return std::nullopt;
+    return scene::make_similitude(*record->scale);
+}
+
 void print_run(const scene::Scene& scene, const study::RunResult& run) {
     print("{}: {}\n", scene.name, study::to_string(run.status));
-    print("  {} blocks, {} steps of {:.6g} s, {:.6g} s simulated in {:.2f} s\n", run.blocks.mass.size(), run.steps, run.time_step,
-          run.final.time, run.wall_time);
-    const std::size_t contacts = run.statistics.contacts;
-    print("  {} contact{}, largest overlap {:.3g} of a block height\n", contacts, contacts == 1 ? "" : "s",
-          run.statistics.max_overlap_over_height);
-    print("  energy balance closes to {:.3g}", run.energy_closure);
-    if (run.base_reaction_over_weight) print(", base reaction {:.6f} of the weight at the end", *run.base_reaction_over_weight);
-    print("\n  state hash {}\n", run.state_hash);
+    const study::Outcome outcome = study::find_outcome(run);
+    for (const std::string& line : study::describe(outcome)) print("  {}\n", line);
+    if (const auto similitude = find_similitude(scene)) {
+        print("  as in the prototype, of which this is a model at 1:{:.6g} by law {}:\n", 1.0 / similitude->length(),
+              similitude->law_name());
+        for (const std::string& line : study::describe(study::scale_back(outcome, *similitude))) print("    {}\n", line);
+    }
     if (run.collapse_time) print("  collapsed at {:.4g} s\n", *run.collapse_time);
     if (const auto failure = study::find_failure(run)) print("  {}\n", study::describe(*failure));
+    print("  {:.6g} s simulated in {:.2f} s, {} steps of {:.3g} s; energy balance closes to {:.2g}; state {}\n", run.final.time,
+          run.wall_time, run.steps, run.time_step, run.energy_closure, run.state_hash);
 }
 
 fs::path checkpoint_in(const std::string& directory) { return fs::path(directory) / study::kCheckpointName; }

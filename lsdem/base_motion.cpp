@@ -78,6 +78,19 @@ Vector3 BaseMotion::acceleration(double time) const {
     return result;
 }
 
+Vector3 BaseMotion::peak_acceleration(double end) const {
+    Vector3 peak = Vector3::Zero();
+    for (int a = 0; a < 3; ++a) {
+        const BaseComponent& c = axes_[static_cast<std::size_t>(a)].samples;
+        for (std::size_t k = 1; k < c.velocity.size(); ++k) {
+            const double begins = c.start + static_cast<double>(k - 1) * c.dt;
+            if (begins >= end || begins + c.dt <= 0.0) continue;
+            peak[a] = std::max(peak[a], std::abs(c.velocity[k] - c.velocity[k - 1]) / c.dt);
+        }
+    }
+    return peak;
+}
+
 double BaseMotion::still_until(double time) const {
     double until = std::numeric_limits<double>::infinity();
     for (const Axis& axis : axes_) {

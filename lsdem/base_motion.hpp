@@ -17,6 +17,9 @@ class BaseMotion {
     Vector3 displacement(double time) const;  ///< [m]
     Vector3 velocity(double time) const;      ///< [m/s]
     Vector3 acceleration(double time) const;  ///< right-hand limit [m/s²]
+    /// Largest absolute acceleration of each component from t = 0 to `end` [m/s²]: that of the straight lines between velocity samples,
+    /// exactly. A jump of the velocity has none.
+    Vector3 peak_acceleration(double end) const;
     /// The time up to which the base has no velocity, from `time` on [s]: `time` itself while it moves, infinite when it moves no more.
     double still_until(double time) const;
 

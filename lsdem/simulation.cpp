@@ -159,6 +159,8 @@ Kinematics Simulation::kinematics() const {
     return all;
 }
 
+Vector3 Simulation::peak_base_acceleration() const { return implementation_->motion.peak_acceleration(time()); }
+
 BaseState Simulation::base() const {
     const BaseMotion& motion = implementation_->motion;
     const Vector3 displacement = implementation_->base.displacement - implementation_->base_origin;

@@ -181,6 +181,8 @@ class Simulation {
     Vector3 velocity(std::size_t block) const;          ///< time-centred [m/s]
     Vector3 angular_velocity(std::size_t block) const;  ///< time-centred [rad/s]
     BaseState base() const;
+    /// Largest absolute acceleration of each component of the base from the start of its motion until now [m/s²].
+    Vector3 peak_base_acceleration() const;
     Vector3 base_reaction() const;                     ///< force of the ground on the blocks now [N]
     Vector3 contact_force(std::size_t block) const;    ///< sum of all contact forces on a block now [N]
     Vector3 contact_torque(std::size_t block) const;   ///< of these about its centre of mass, world frame [N·m]

@@ -128,7 +128,7 @@ std::string name(const ComponentCurves& component, bool many_files, bool models)
 
 template <class Peak>
 std::string write_peak(const std::optional<Peak>& peak, double unit) {
-    return peak ? fmt::format("{:.4g} at {:.5g} s", peak->value.value() / unit, peak->time.value()) : "-";
+    return peak ? fmt::format("{:.4g} at {:.5g} s", std::abs(peak->value.value()) / unit, peak->time.value()) : "-";
 }
 
 template <class Quantity>

@@ -70,6 +70,15 @@ GroundMotion make_motion(const ReportedRun& reported, const ModelScales& over) {
     return motion;
 }
 
+/// Gives a component the PGA of the run: samples of the base may miss the peak of its acceleration.
+void name_peak(records::ComponentCurves& curves, const ReportedRun& reported, const ModelScales& over) {
+    const auto axis = std::find(kAxes.begin(), kAxes.end(), curves.component) - kAxes.begin();
+    if (axis == 3 || !curves.intensity.pga) return;
+    const scaling::Shaking direction = axis == 2 ? scaling::Shaking::vertical : scaling::Shaking::horizontal;
+    const double peak = reported.run.peak_base_acceleration[axis] / over.shaking(direction).acceleration;
+    if (peak > 0.0) curves.intensity.pga->value = scaling::Acceleration::from_value(peak);
+}
+
 ReportFigure make_base_figure(const ReportedRun& reported, const std::optional<ModelScales>& scales, std::size_t number) {
     RecordFigure figure{.components = {},
                         .damping = records::CurveRequest{}.damping,
@@ -81,7 +90,10 @@ ReportFigure make_base_figure(const ReportedRun& reported, const std::optional<M
     const GroundMotion model = make_motion(reported, ModelScales{});
     for (std::size_t i = 0; i < prototype.components.size(); ++i) {
         figure.components.push_back(records::compute_curves(prototype, prototype.components[i], {}));
-        if (scales) figure.components.push_back(records::compute_curves(model, model.components[i], {}, scales));
+        name_peak(figure.components.back(), reported, scales.value_or(ModelScales{}));
+        if (!scales) continue;
+        figure.components.push_back(records::compute_curves(model, model.components[i], {}, scales));
+        name_peak(figure.components.back(), reported, ModelScales{});
     }
     return make_figure(fmt::format("base_motion_{}", number), figure);
 }

@@ -54,7 +54,8 @@ static void exchange(Archive& archive, StageOrigin& o) { archive(o.stage, o.time
 
 static void exchange(Archive& archive, RunResult& r) {
     archive(r.status, r.collapse_time, r.origin, r.rest, r.steps, r.initial, r.history, r.frames, r.falls, r.final, r.statistics, r.losses);
-    archive(r.state_hash, r.energy_closure, r.start_reaction_over_weight, r.base_reaction_over_weight, r.wall_time);
+    archive(r.state_hash, r.energy_closure, r.start_reaction_over_weight, r.base_reaction_over_weight, r.peak_base_acceleration,
+            r.wall_time);
 }
 
 static void exchange(Archive& archive, SettlingState& s) { archive(s.steps, s.quiet_looks, s.liveliest); }

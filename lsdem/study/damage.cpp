@@ -166,6 +166,7 @@ Damage assess_damage(const StoredRun& run) {
         const double corner = 0.5 * std::hypot(standing[b].extent.x(), standing[b].extent.y()) * rotation.angle();
         const double index = fallen ? 1.0 : std::min(1.0, (slip[b].spread().mean + corner) / side);
 
+        damage.each.push_back({fallen, rotation.angle()});
         LevelSums& sums = levels[run.blocks.layer[b]];
         ++sums.blocks;
         sums.fallen += fallen ? 1 : 0;

@@ -18,6 +18,12 @@ struct Joint {
     double slip = 0.0;  ///< horizontal distance, at the end, of the two points that met in the middle of the joint at the start [m]
 };
 
+/// What a block has come to at the end.
+struct BlockDamage {
+    bool fallen = false;
+    double rotation = 0.0;  ///< residual, whole angle, relative to the start [rad]
+};
+
 /// A mean and a largest value.
 struct Spread {
     double mean = 0.0;
@@ -43,6 +49,7 @@ struct LevelDamage {
 
 struct Damage {
     std::vector<Joint> joints;
+    std::vector<BlockDamage> each;    ///< of all blocks
     std::vector<LevelDamage> levels;  ///< from the lowest up
     std::size_t blocks = 0;
     std::size_t fallen = 0;

@@ -121,6 +121,11 @@ std::string to_string(FailureMode mode) {
 
 std::string describe(const Failure& failure) {
     const FailureMeasures& m = failure.measures;
+    if (!failure.surrounds_axis) {
+        return fmt::format(
+            "collapse of {} block{}: no failure mode is told, since peeling and buckling are those of structures around an axis", m.fallen,
+            m.fallen == 1 ? "" : "s");
+    }
     const std::string why = failure.why.empty() ? std::string() : fmt::format(" ({})", failure.why);
     return fmt::format(
         "failure mode {}{}: {:.3g}% by mass of {} fallen blocks went outward; the level at {:.2g} of the height bulged by {:.3g} thin "
@@ -129,10 +134,14 @@ std::string describe(const Failure& failure) {
 }
 
 Failure find_failure(const FailureData& data) {
-    Failure failure{.mode = FailureMode::undecided, .time = data.collapse_time, .measures = {}, .why = {}};
+    Failure failure;
+    failure.time = data.collapse_time;
     const std::vector<Vector3> outward = find_outward(data);
     if (!surround_axis(outward)) {
         failure.why = "the structure does not surround an axis, so that nothing is outward";
+        failure.surrounds_axis = false;
+        failure.measures.fallen = static_cast<std::size_t>(
+            std::count_if(data.falls.time.begin(), data.falls.time.end(), [](double time) { return !std::isnan(time); }));
         return failure;
     }
     failure.measures = measure(data, outward);

@@ -7,7 +7,7 @@
 
 #include "lsdem/study/history.hpp"
 
-/// How a tower failed, told from the way its blocks moved.
+/// How a structure failed, told from the way its blocks moved.
 namespace musim::lsdem::study {
 
 /// Failure modes of towers [Harmon23, section 6, Fig. 9].
@@ -48,10 +48,11 @@ struct Failure {
     FailureMode mode = FailureMode::undecided;
     double time = 0.0;  ///< of the collapse [s]
     FailureMeasures measures;
-    std::string why;  ///< when undecided
+    std::string why;             ///< when undecided
+    bool surrounds_axis = true;  ///< false for columns, walls, single blocks: then only the number of fallen blocks is measured
 };
 
-/// One line: mode, and the measures, or why there is none.
+/// One line: mode and measures; of a structure that does not surround an axis, that it collapsed and by how many blocks.
 std::string describe(const Failure& failure);
 
 /// What there is to judge by.

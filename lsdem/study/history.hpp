@@ -102,6 +102,7 @@ struct RunResult {
     double energy_closure = 0.0;                       ///< see compute_energy_closure
     std::optional<double> start_reaction_over_weight;  ///< at t = 0, as below
     std::optional<double> base_reaction_over_weight;   ///< at the end, along gravity; nothing without ground or gravity
+    Vector3 peak_base_acceleration = Vector3::Zero();  ///< PGA of each component of the motion that the base was given, absolute [m/s²]
     double wall_time = 0.0;                            ///< [s]
 
     /// Centres of mass where falls are counted from [m].

@@ -7,6 +7,7 @@
 #include "lsdem/study/checked_json.hpp"
 #include "lsdem/study/detail/hdf5_reader.hpp"
 #include "lsdem/study/folder_contents.hpp"
+#include "scaling/units.hpp"
 
 namespace musim::lsdem::study {
 namespace {
@@ -183,6 +184,10 @@ void read_summary(const fs::path& path, const std::string& result, StoredRun& ru
         if (run.status == RunStatus::diverged) run.divergence = divergence.value("what", "diverged");
         run.doubts = summary.value("doubts", std::vector<std::string>{});
         run.at_rest = summary.value("rest", nlohmann::json::object()).value("at_rest", true);
+        const auto pga = summary.value("outcome", nlohmann::json::object()).value("pga_g", std::vector<double>{});
+        for (std::size_t axis = 0; axis < pga.size() && axis < 3; ++axis) {
+            run.peak_base_acceleration[static_cast<int>(axis)] = pga[axis] * scaling::kStandardGravity.value();
+        }
     } catch (const nlohmann::json::exception& error) {
         throw ResultError(fmt::format("{}: {} (it is damaged, or of another version); run the scene again", path.string(), error.what()));
     }
@@ -217,6 +222,9 @@ StoredRun read_run(const fs::path& directory, Reading reading) {
     take([&] { read_frames(file, run); });
     take([&] { run.scene = file.attribute("scene"); });
     take([&] { run.state_hash = file.attribute("state_hash"); });
+    for (const BaseState& base : run.history.base) {
+        run.peak_base_acceleration = run.peak_base_acceleration.cwiseMax(base.acceleration.cwiseAbs());
+    }
     run.final.time = run.history.time.back();
     run.is_status_known = false;
     run.status = run.falls.at_collapse.empty() ? RunStatus::completed : RunStatus::collapsed;

@@ -20,12 +20,13 @@ class ResultError : public std::runtime_error {
 struct StoredRun {
     std::filesystem::path directory;
     RunStatus status = RunStatus::completed;
-    std::optional<double> collapse_time;  ///< [s]
-    std::string divergence;               ///< why it diverged, in one sentence; empty when it did not
-    bool at_rest = true;                  ///< false: it was to settle before t = 0 and did not
-    std::vector<std::string> doubts;      ///< see find_doubts; empty in results of versions before they were kept
-    std::string state_hash;               ///< of the final state
-    std::string scene;                    ///< as JSON text
+    std::optional<double> collapse_time;               ///< [s]
+    std::string divergence;                            ///< why it diverged, in one sentence; empty when it did not
+    Vector3 peak_base_acceleration = Vector3::Zero();  ///< see RunResult; of older results that at the samples [m/s²]
+    bool at_rest = true;                               ///< false: it was to settle before t = 0 and did not
+    std::vector<std::string> doubts;                   ///< see find_doubts; empty in results of versions before they were kept
+    std::string state_hash;                            ///< of the final state
+    std::string scene;                                 ///< as JSON text
     BlockTable blocks;
     Spine spine;
     History history;                    ///< energy of all springs as that of normal ones; no energies in results without them

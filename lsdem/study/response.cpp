@@ -128,6 +128,21 @@ PlotSeries make_profile(const std::string& label, const Response& response, cons
     return series;
 }
 
+/// A tenth more than the elastic speed: arrivals by a threshold come a few percent early [-].
+constexpr double kFastest = 1.1;
+
+/// Leaves no speed faster than elastic waves: nothing travels faster, motion arrives everywhere at once then.
+void drop_impossible(std::vector<SpeedEstimate>& speeds, const SpeedScales& scales) {
+    for (SpeedEstimate& estimate : speeds) {
+        if (!estimate.speed || !(scales.elastic_speed > 0.0) || *estimate.speed <= kFastest * scales.elastic_speed) continue;
+        estimate.why = fmt::format(
+            "{:.3g} m/s would be above the elastic speed of {:.3g} m/s (motion arrives everywhere at once, as far as "
+            "the samples show)",
+            *estimate.speed, scales.elastic_speed);
+        estimate.speed.reset();
+    }
+}
+
 }  // namespace
 
 int find_strongest_axis(const History& history) {
@@ -180,6 +195,7 @@ Response measure_response(const StoredRun& run, const ResponseSettings& settings
     speed.threshold = settings.threshold;
     if (base_peak > 0.0) speed.reference_peak = base_peak;
     response.speeds = estimate_speeds(make_receivers(run, response.axis, samples), speed);
+    drop_impossible(response.speeds, response.scales);
     response.spine = measure_spine(run, response.axis);
     response.damage = assess_damage(run);
     response.status = run.status;

@@ -45,7 +45,7 @@ struct SpeedScales {
 
 struct Response {
     int axis = 0;
-    std::vector<SpeedEstimate> speeds;
+    std::vector<SpeedEstimate> speeds;  ///< none faster than elastic waves, see `why`
     SpeedScales scales;
     std::vector<SpineLevel> spine;
     Damage damage;

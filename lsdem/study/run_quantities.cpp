@@ -4,8 +4,6 @@
 #include <cstddef>
 #include <utility>
 
-#include "lsdem/study/damage.hpp"
-
 namespace musim::lsdem::study {
 namespace {
 
@@ -19,7 +17,9 @@ std::vector<double> largest_of_spine(const RunResult& run, std::size_t first_sam
     return largest;
 }
 
-Damage assess(const RunResult& run) {
+}  // namespace
+
+Damage assess_damage(const RunResult& run) {
     StoredRun view;
     view.blocks = run.blocks;
     view.history.base = {run.history.base.back()};
@@ -29,8 +29,6 @@ Damage assess(const RunResult& run) {
     view.losses = run.losses;
     return assess_damage(view);
 }
-
-}  // namespace
 
 std::vector<QuantityFamily> find_quantities(const RunResult& run, const scaling::Similitude& similitude) {
     const History& h = run.history;
@@ -53,7 +51,7 @@ std::vector<QuantityFamily> find_quantities(const RunResult& run, const scaling:
     add_spine("residual_displacement", "residual displacement", "m", largest_of_spine(run, last, displacement));
     add_spine("residual_rotation", "residual rotation", "rad", largest_of_spine(run, last, rotation));
 
-    const Damage damage = assess(run);
+    const Damage damage = assess_damage(run);
     QuantityFamily slip{"slip", "slip", "m", {}, {}}, loss{"loss", "loss of a level", "J", {}, {}};
     for (const LevelDamage& level : damage.levels) {
         slip.level.push_back(level.level), loss.level.push_back(level.level);

@@ -35,8 +35,8 @@ StageSummary summarize_stage(const StoredRun& run, const StageFolder& where, con
     stage.axis = find_strongest_axis(run.history);
     for (const BaseState& base : run.history.base) {
         stage.peak_velocity = std::max(stage.peak_velocity, base.velocity.norm());
-        stage.peak_acceleration = std::max(stage.peak_acceleration, base.acceleration.norm());
     }
+    stage.peak_acceleration = run.peak_base_acceleration.maxCoeff();
     stage.at_rest = run.at_rest;
     for (const double time : run.falls.time) {
         if (std::isnan(time)) continue;

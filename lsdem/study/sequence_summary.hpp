@@ -33,7 +33,7 @@ struct StageSummary {
     double duration = 0.0;                ///< [s]
     int axis = 0;                         ///< along which the base moved most
     double peak_velocity = 0.0;           ///< of the base, largest absolute value of its vector at the samples [m/s]
-    double peak_acceleration = 0.0;       ///< likewise [m/s²]
+    double peak_acceleration = 0.0;       ///< of its largest component, see RunResult::peak_base_acceleration [m/s²]
     bool at_rest = true;                  ///< false: the structure had not come to rest before it, as it was to
     std::size_t fallen_before = 0;        ///< blocks that had fallen before it, the quiet phase included
     std::size_t fallen = 0;               ///< at its end, since the start of the first stage; a quiet phase after it included

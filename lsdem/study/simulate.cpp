@@ -1,5 +1,6 @@
 #include "lsdem/study/simulate.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstddef>
@@ -11,6 +12,7 @@
 #include "lsdem/block_height.hpp"
 #include "lsdem/fallen.hpp"
 #include "lsdem/rotation.hpp"
+#include "lsdem/scene/levels.hpp"
 #include "lsdem/study/detail/advance_in_pieces.hpp"
 #include "lsdem/study/fallen_blocks.hpp"
 #include "lsdem/time_step.hpp"
@@ -29,6 +31,16 @@ BlockTable make_block_table(const Specimen& specimen) {
     }
     table.layer = specimen.layer;
     table.layer.resize(table.mass.size(), 0);
+    // blocks that are listed one by one: by their heights
+    if (std::all_of(table.layer.begin(), table.layer.end(), [](int layer) { return layer == 0; })) {
+        std::vector<Vector3> position, extent;
+        for (std::size_t b = 0; b < table.size.size(); ++b) {
+            const Block& block = specimen.model.blocks[b];
+            position.push_back(block.position);
+            extent.emplace_back(block.orientation.toRotationMatrix().cwiseAbs() * table.size[b]);
+        }
+        table.layer = scene::find_levels(position, extent);
+    }
     return table;
 }
 
@@ -100,6 +112,7 @@ void finish(RunResult& run, const Simulation& simulation) {
     run.final = simulation.kinematics();
     run.statistics = simulation.statistics();
     run.steps = run.statistics.steps;
+    run.peak_base_acceleration = simulation.peak_base_acceleration();
     run.losses = simulation.losses();
     run.state_hash = simulation.state_hash();
     run.energy_closure = compute_energy_closure(run.history.energy);

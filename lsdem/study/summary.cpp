@@ -8,6 +8,7 @@
 #include <string>
 
 #include "lsdem/study/departure_plot.hpp"
+#include "lsdem/study/outcome.hpp"
 #include "lsdem/study/own_models.hpp"
 #include "lsdem/study/pair_text.hpp"
 #include "lsdem/study/verdict.hpp"
@@ -49,6 +50,7 @@ nlohmann::json make_summary(const RunResult& run) {
                            {"base_reaction_over_weight", run.rest->reaction_over_weight},
                            {"fallen", run.rest->fallen}};
     }
+    summary["outcome"] = to_json(find_outcome(run));
     summary["doubts"] = find_doubts(run);
     if (run.divergence) {
         summary["divergence"] = {{"kind", std::string(name_of(run.divergence->kind))},

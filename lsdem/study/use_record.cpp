@@ -34,8 +34,8 @@ std::vector<std::string> use_record(scene::Scene& scene, const std::filesystem::
         const records::Component& component = motion.find_component(*source.components[axis]);
         source.components[axis] = component.name;
         if (first == nullptr) first = &component;
-        steps.push_back(fmt::format("component {} of {} along {}, peak {:.4g} g", component.name, motion.component_names(), "xyz"[axis],
-                                    peak_acceleration(component) / scaling::kStandardGravity.value()));
+        steps.push_back(fmt::format("component {} of {} along {}, the record's own peak {:.4g} g", component.name, motion.component_names(),
+                                    "xyz"[axis], peak_acceleration(component) / scaling::kStandardGravity.value()));
     }
 
     const records::TimeWindow window = records::find_strong_motion(first->series);

@@ -39,6 +39,15 @@ TEST_CASE("a single sample is a step of the velocity") {
     CHECK(motion.displacement(1.25).x() == 3.0);
 }
 
+TEST_CASE("the peak acceleration is that of the steepest line between samples up to a time, without sign") {
+    std::array<BaseComponent, 3> components;
+    components[0] = {0.0, 0.5, {0.0, 1.0, -1.0, 0.0}};   // 2, -4, 2
+    components[2] = {-1.0, 0.5, {0.0, 9.0, 9.0, 10.0}};  // 18 before t = 0, 0, 2
+    const BaseMotion motion(components);
+    CHECK(motion.peak_acceleration(10.0) == Vector3(4.0, 0.0, 2.0));
+    CHECK(motion.peak_acceleration(0.25) == Vector3(2.0, 0.0, 2.0));
+}
+
 TEST_CASE("base motion refuses samples that make no sense") {
     std::array<BaseComponent, 3> components;
     components[0] = {0.0, 0.0, {0.0, 1.0}};

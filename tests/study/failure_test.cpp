@@ -154,6 +154,10 @@ TEST_CASE("what is neither, or has no outward, stays undecided and says why") {
     MadeTower half(peel);
     for (std::size_t b = 0; b < half.start.size(); ++b) half.start[b].y() = std::abs(half.start[b].y());
     CHECK(half.failure().why.find("does not surround an axis") != std::string::npos);
+    // of walls and single blocks nothing is said of rings
+    const std::string said = describe(half.failure());
+    CHECK(said.find("no failure mode is told") != std::string::npos);
+    for (const char* const of_towers : {"went outward", "bulged", "0%"}) CHECK(said.find(of_towers) == std::string::npos);
 }
 
 TEST_CASE("modes and measures of a tower a quarter as large are the same bits") {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "lsdem/scene/block_heights.hpp"
+#include "lsdem/scene/levels.hpp"
 #include "lsdem/scene/tower_tiling.hpp"
 
 namespace musim::lsdem::scene::detail {
@@ -48,12 +49,18 @@ Arrangement arrange(const BlockList& list, const ShapeSettings& shape) {
         block.material = entry.material;
         arrangement.blocks.push_back(std::move(block));
     }
+    std::vector<Vector3> position, extent;
+    for (const Placement& block : arrangement.blocks) {
+        position.push_back(block.position);
+        extent.emplace_back(block.orientation.toRotationMatrix().cwiseAbs() * block.size);
+    }
+    const std::vector<int> levels = find_levels(position, extent);
     const std::size_t count = list.blocks.size();
     const std::size_t kept = std::min(count, kLargestSpine);
     for (std::size_t k = 0; k < kept; ++k) {
         const std::size_t block = k * count / kept;
         arrangement.spine.block.push_back(block);
-        arrangement.spine.level.push_back(static_cast<int>(block) + 1);
+        arrangement.spine.level.push_back(levels[block]);
     }
     return arrangement;
 }
