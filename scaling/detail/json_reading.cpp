@@ -25,7 +25,8 @@ Json parse_json(std::string_view text, std::string_view origin) {
 void refuse_unknown_keys(const Json& object, std::initializer_list<std::string_view> known, std::string_view where) {
     for (const auto& [key, value] : object.items()) {
         if (std::find(known.begin(), known.end(), key) != known.end()) continue;
-        fail_at(where, fmt::format("unknown key {}; {}", shorten(Json(key).dump(), kEchoed), suggest_name(key, {known.begin(), known.end()})));
+        fail_at(where,
+                fmt::format("unknown key {}; {}", shorten(Json(key).dump(), kEchoed), suggest_name(key, {known.begin(), known.end()})));
     }
 }
 

@@ -50,7 +50,8 @@ TEST_CASE("a problem that cannot be is refused in one line that names the culpri
     for (const char* name : {"", "2v", "v/l", "a*b", "v ", "(v)", "a,b", "v^2"}) {
         CHECK_MESSAGE(!refusal("[{\"name\": \"" + std::string(name) + "\", \"unit\": \"m\"}]").empty(), name);
     }
-    CHECK(pi_error([] { parse_pi_problem(R"({"quantity": []})", "p.json"); }) == "p.json: unknown key \"quantity\"; did you mean \"quantities\"?");
+    CHECK(pi_error([] { parse_pi_problem(R"({"quantity": []})", "p.json"); }) ==
+          "p.json: unknown key \"quantity\"; did you mean \"quantities\"?");
     CHECK(pi_error([] { parse_pi_problem("[]", "p.json"); }).find("p.json: not an object") == 0);
 }
 
