@@ -1,0 +1,52 @@
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include "records/recipe.hpp"
+#include "records/shake_table.hpp"
+#include "scaling/pi_problem.hpp"
+#include "scaling/scale_law_json.hpp"
+
+/// Any bytes are a law, a Pi problem, a table or a recipe, or a std::runtime_error of one short line. MUSIM_READER names which.
+namespace {
+
+using namespace musim;
+
+struct Reader {
+    std::string_view name;
+    void (*read)(const std::string& text);
+};
+
+constexpr Reader kReaders[] = {
+    {"law", [](const std::string& text) { scaling::parse_scale_law(text, "fuzzed"); }},
+    {"pi", [](const std::string& text) { scaling::parse_pi_problem(text, "fuzzed"); }},
+    {"table", [](const std::string& text) { records::parse_shake_table(text, "fuzzed", nullptr); }},
+    {"recipe", [](const std::string& text) { records::parse_recipe(text, "fuzzed"); }},
+};
+
+const Reader& chosen_reader() {
+    const char* const asked = std::getenv("MUSIM_READER");
+    const std::string_view name = asked == nullptr ? "law" : asked;
+    for (const Reader& reader : kReaders)
+        if (reader.name == name) return reader;
+    std::fprintf(stderr, "MUSIM_READER is '%s' (known:", asked);
+    for (const Reader& reader : kReaders) std::fprintf(stderr, " %s", reader.name.data());
+    std::fprintf(stderr, "); name one of these\n");
+    std::exit(2);
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    static const Reader& reader = chosen_reader();
+    try {
+        reader.read(std::string(reinterpret_cast<const char*>(data), size));
+    } catch (const std::runtime_error& error) {
+        if (std::string_view(error.what()).find('\n') != std::string_view::npos) __builtin_trap();
+    }
+    return 0;
+}
