@@ -82,8 +82,10 @@ lsdem::scene::Scene read_scene(const std::filesystem::path& file) {
     lsdem::scene::Scene scene = lsdem::scene::read_scene(file);
     for (const std::string& remark : scene.text.remarks) note("musim: warning: {}\n", remark);
     if (!scene.text.plain_number.empty()) {
-        note("musim: note: {}: {}: a number without a unit is taken as SI, here and elsewhere in the file; write text with a unit\n",
-             scene.text.origin, scene.text.plain_number);
+        note_at_end(
+            fmt::format("musim: note: {}: {}: a number without a unit is taken as SI, here and elsewhere in the file; write text with "
+                        "a unit",
+                        scene.text.origin, scene.text.plain_number));
     }
     return scene;
 }
