@@ -227,7 +227,11 @@ TEST_CASE("a specimen is made once from the same inputs, and again from others")
     scene::Scene renamed = scene;
     renamed.name = "other name, same wall";
     renamed.time.duration = 2.0 * scene.time.duration;
+    // as a kill leaves it between the specimen and the end
+    const std::filesystem::path checkpoint = first[0].file.string() + ".checkpoint";
+    std::ofstream(checkpoint) << "left";
     const auto second = make_specimens(make_batch(folder.path(), renamed));
+    CHECK_FALSE(std::filesystem::exists(checkpoint));
     CHECK(second[0].reused);
     CHECK(second[0].file == first[0].file);
     scene::Scene slippery = scene;
