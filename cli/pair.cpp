@@ -256,8 +256,9 @@ int run_pair(const PairOptions& options) {
 
     std::optional<study::ScenePair> pair;
     {
-        ProgressLine progress(prototype.name);
-        study::RunSettings settings{.threads = options.threads, .on_progress = [&](double fraction) { progress.update(fraction); }};
+        ProgressInParts progress(prototype.name);
+        study::RunSettings settings{
+            .threads = options.threads, .on_progress = progress.of_run(), .on_preparation = progress.of_preparation()};
         if (folder) {
             settings.checkpoint = study::CheckpointSettings{
                 .file = options.out,

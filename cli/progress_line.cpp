@@ -70,30 +70,32 @@ void ProgressLine::update(double fraction) {
     next_ = now + (terminal_ ? Clock::duration(200ms) : Clock::duration(10s));
 }
 
+void ProgressLine::name(const std::string& what) {
+    const std::lock_guard lock(mutex_);
+    what_ = what;
+}
+
 void ProgressLine::see(const lsdem::study::RunResult& run, const lsdem::study::TimePlan& plan) {
     const std::lock_guard lock(mutex_);
     if (Clock::now() >= next_) seen_ = lsdem::study::observe_run(run, plan);
 }
 
-ProgressLine& ProgressInParts::run_line() {
-    preparation_.reset();
-    if (!run_) run_.emplace(what_, continues_);
-    return *run_;
-}
-
 std::function<void(double)> ProgressInParts::of_preparation() {
     return [this](double fraction) {
-        if (!preparation_) preparation_.emplace(what_ + ", preparing");
-        preparation_->update(fraction);
+        line_.name(what_ + ", preparing");
+        line_.update(joined_.after_preparing(fraction));
     };
 }
 
 std::function<void(double)> ProgressInParts::of_run() {
-    return [this](double fraction) { run_line().update(fraction); };
+    return [this](double fraction) {
+        line_.name(what_);
+        line_.update(joined_.after_running(fraction));
+    };
 }
 
 std::function<void(const lsdem::study::RunResult&, const lsdem::study::TimePlan&)> ProgressInParts::of_samples() {
-    return [this](const lsdem::study::RunResult& run, const lsdem::study::TimePlan& plan) { run_line().see(run, plan); };
+    return [this](const lsdem::study::RunResult& run, const lsdem::study::TimePlan& plan) { line_.see(run, plan); };
 }
 
 }  // namespace musim::cli

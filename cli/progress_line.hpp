@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "lsdem/study/joined_progress.hpp"
 #include "lsdem/study/live_run.hpp"
 
 namespace musim::cli {
@@ -22,6 +23,9 @@ class ProgressLine {
 
     /// `fraction` done, 0 to 1. May be called from any thread, as often as one likes.
     void update(double fraction);
+
+    /// What the lines from now on begin with.
+    void name(const std::string& what);
 
     /// Where the run stands, for the lines from now on. As often as one likes: looked at only when a line falls due.
     void see(const lsdem::study::RunResult& run, const lsdem::study::TimePlan& plan);
@@ -40,11 +44,11 @@ class ProgressLine {
     std::mutex mutex_;
 };
 
-/// The progress of a preparation, and then that of a run: two lines one after the other.
+/// The progress of a preparation and of the runs after it, as one scale on one line.
 class ProgressInParts {
   public:
-    /// `continues`: the run does, see ProgressLine.
-    explicit ProgressInParts(std::string what, bool continues = false) : what_(std::move(what)), continues_(continues) {}
+    /// `continues`: what was done before is not counted in the time left, see ProgressLine.
+    explicit ProgressInParts(const std::string& what, bool continues = false) : what_(what), line_(what, continues) {}
 
     std::function<void(double)> of_preparation();
     std::function<void(double)> of_run();
@@ -52,11 +56,9 @@ class ProgressInParts {
     std::function<void(const lsdem::study::RunResult&, const lsdem::study::TimePlan&)> of_samples();
 
   private:
-    ProgressLine& run_line();
-
     std::string what_;
-    bool continues_;
-    std::optional<ProgressLine> preparation_, run_;
+    ProgressLine line_;
+    lsdem::study::JoinedProgress joined_;
 };
 
 }  // namespace musim::cli

@@ -46,7 +46,8 @@ LiveFile::~LiveFile() { detail::remove_with_leftovers(file_); }
 
 void LiveFile::tell(bool prepares, double fraction) {
     const Clock::time_point now = Clock::now();
-    if (!first_fraction_ || prepares != state_.prepares) {
+    fraction = prepares ? joined_.after_preparing(fraction) : joined_.after_running(fraction);
+    if (!first_fraction_) {
         first_fraction_ = fraction;
         first_told_ = now;
     }

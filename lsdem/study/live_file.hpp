@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "lsdem/study/joined_progress.hpp"
 #include "lsdem/study/live_run.hpp"
 
 namespace musim::lsdem::study {
@@ -15,9 +16,9 @@ namespace musim::lsdem::study {
 struct LiveState {
     std::string name;            ///< of the scene
     bool prepares = false;       ///< its specimen is being prepared; nothing moves yet
-    double fraction = 0.0;       ///< done of the preparation, or of the run, 0 to 1
+    double fraction = 0.0;       ///< done of preparation and run together, 0 to 1
     double wall_time = 0.0;      ///< since it began, or was resumed [s]
-    std::optional<double> left;  ///< wall time that the preparation, or the run, will still take if it goes on as up to now [s]
+    std::optional<double> left;  ///< wall time that both will still take if work goes on as up to now [s]
     std::optional<LiveRun> run;  ///< at its last sample
 };
 
@@ -72,7 +73,8 @@ class LiveFile {
     LiveState state_;
     Clock::duration interval_;
     Clock::time_point start_ = Clock::now(), next_;
-    std::optional<double> first_fraction_;  ///< told of the present phase
+    JoinedProgress joined_;
+    std::optional<double> first_fraction_;
     Clock::time_point first_told_;
 };
 

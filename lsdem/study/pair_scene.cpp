@@ -260,8 +260,10 @@ ScenePair pair_scene(const scene::Scene& prototype, const std::vector<ModelChoic
     scaled_scenes.reserve(models.size());
     for (const ModelChoice& choice : models) scaled_scenes.push_back(make_scaled(prototype, choice, materials));
     const KeptPair kept(prototype, scaled_scenes, materials, how, settings);
-    const PairMember original = lay_member("prototype", prototype, Similitude({}, scaling::Law::exact),
-                                           kept.settings_of("prototype", settings), Sampling::every_step);
+    RunSettings laying = kept.settings_of("prototype", settings);
+    // with the models, the half step and the quarter
+    laying.runs_to_follow = static_cast<double>(models.size() + 3 + how.judging.twins.value_or(kMostTwins));
+    const PairMember original = lay_member("prototype", prototype, Similitude({}, scaling::Law::exact), laying, Sampling::every_step);
     const RunSettings plain{.threads = settings.threads, .checkpoint = settings.checkpoint};
 
     ScenePair pair{.prototype = prototype,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -20,6 +21,24 @@ constexpr double kEarlyReaction = 1e-3;
 
 /// Where a preparation stands, for progress: the layers are worth this much of it, the last settling the rest.
 constexpr double kLayersWorth = 0.9;
+
+/// And so much of it comes before the blocks' own inertia may be needed.
+constexpr double kAddedWorth = 0.95;
+
+/// The work of a preparation and what follows it, told as the part that is done, which never falls.
+class WorkDone {
+  public:
+    WorkDone(const RunSettings& settings, double to_follow) : settings_(settings), to_follow_(to_follow) {}
+    /// Work that is done and that is left of the preparation [block steps].
+    void tell(double done, double left) {
+        part_ = std::max(part_, done / (done + left + to_follow_));
+        if (settings_.on_progress) settings_.on_progress(part_);
+    }
+
+  private:
+    const RunSettings& settings_;
+    double to_follow_, part_ = 0.0;
+};
 
 scene::BoxPose box_of(const Model& model, const Block& block) {
     return {2.0 * half_extents(model, block), block.position, block.orientation};
@@ -60,14 +79,17 @@ class Preparation {
           resumes_(from && !from->simulation.empty()),
           simulation_(begin(upright, (adds_inertia() ? settings.stride : 1.0) * time_step, threads)) {}
 
-    void run(const RunSettings& settings, PreparedSpecimen& prepared) {
+    void run(const RunSettings& settings, PreparedSpecimen& prepared, WorkDone& work) {
+        const double before = static_cast<double>(state_.block_steps);
         CheckpointWriter checkpoints(settings.checkpoint.value_or(CheckpointSettings{}));
         for (; state_.round < layer_rounds() + settings_.whole_rounds; ++state_.round, state_.settling = {}) {
             if (!resumes_) begin_round();
             resumes_ = false;
             SettlingWatch watch;
-            watch.on_progress = [&](double part) {
-                if (settings.on_progress) settings.on_progress(progress(part));
+            watch.on_progress = [&](double part, std::uint64_t steps) {
+                const double done = static_cast<double>(state_.block_steps + steps * blocks_in_round());
+                const double own = progress(part);
+                work.tell(done, own > 0.0 ? (done - before) * (1.0 - own) / own : std::numeric_limits<double>::infinity());
             };
             if (settings.checkpoint) {
                 watch.on_state = [&](const SettlingState& now) {
@@ -167,9 +189,11 @@ class Preparation {
     double progress(double part) const {
         const double whole_worth = by_layers() ? 1.0 - kLayersWorth : 1.0;
         const auto rounds_left = static_cast<double>(layer_rounds() + settings_.whole_rounds - state_.round);
-        if (!in_layers()) return 1.0 - whole_worth * (rounds_left - part) / static_cast<double>(settings_.whole_rounds);
+        // what is not at rest with inertia added goes on with its own
+        const double end = adds_inertia() ? kAddedWorth : 1.0;
+        if (!in_layers()) return end * (1.0 - whole_worth * (rounds_left - part) / static_cast<double>(settings_.whole_rounds));
         const double done = (static_cast<double>(state_.round) + part) / static_cast<double>(layer_rounds());
-        return kLayersWorth * done * done;
+        return (adds_inertia() ? kAddedWorth : 1.0) * kLayersWorth * done * done;
     }
 
     void add_layer(std::size_t k) {
@@ -240,7 +264,8 @@ void describe(const Simulation& simulation, PreparedSpecimen& prepared) {
 }  // namespace
 
 PreparedSpecimen prepare(const Specimen& upright, double time_step, const PreparationSettings& preparation, const RunSettings& settings,
-                         const std::optional<PreparationState>& from) {
+                         const std::optional<PreparationState>& from, double to_follow) {
+    WorkDone progress(settings, to_follow);
     PreparedSpecimen prepared;
     prepared.specimen = upright;
     const auto finish = [&](const Simulation& simulation, double overlap_before) {
@@ -255,7 +280,7 @@ PreparedSpecimen prepare(const Specimen& upright, double time_step, const Prepar
         Specimen placed = upright;
         if (preparation.from_equilibrium) put_in_equilibrium(placed, time_step, settings.threads);
         Preparation work(placed, time_step, preparation, settings.threads, from);
-        work.run(settings, prepared);
+        work.run(settings, prepared, progress);
         if (!work.wants_own_inertia(prepared.rest)) return finish(work.simulation(), 0.0);
         own = work.begin_again();
     }
@@ -264,7 +289,7 @@ PreparedSpecimen prepare(const Specimen& upright, double time_step, const Prepar
     standing.placing = scene::Placing::as_drawn;
     standing.whole_rounds = 1;
     Preparation work(prepared.specimen, time_step, standing, settings.threads, own);
-    work.run(settings, prepared);
+    work.run(settings, prepared, progress);
     return finish(work.simulation(), own->max_overlap);
 }
 

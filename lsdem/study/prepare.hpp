@@ -57,9 +57,10 @@ struct PreparedSpecimen {
 /// Prepares a specimen whose blocks stand upright at their places in plan (make_specimen of a scene), or goes on from where a preparation
 /// of the same specimen was, to the same bits. Where it stands is written to settings.checkpoint as it falls due. Throws
 /// std::invalid_argument as Simulation does, and for blocks without layers that are to be placed, std::runtime_error when `from` is of
-/// another specimen; a preparation that diverges says so in `rest`.
+/// another specimen; a preparation that diverges says so in `rest`. Progress is counted in block steps; `to_follow` of them come after the
+/// preparation.
 PreparedSpecimen prepare(const Specimen& upright, double time_step, const PreparationSettings& preparation,
-                         const RunSettings& settings = {}, const std::optional<PreparationState>& from = {});
+                         const RunSettings& settings = {}, const std::optional<PreparationState>& from = {}, double to_follow = 0.0);
 
 /// Where the blocks of a simulation are, and what they hold.
 PreparedPlaces find_places(const Simulation& simulation);

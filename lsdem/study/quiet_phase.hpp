@@ -12,8 +12,8 @@ namespace musim::lsdem::study {
 
 /// What is told in a quiet phase, at every look; either may be empty.
 struct QuietWatch {
-    std::function<void(double)> on_progress = {};          ///< a guess of the part that is done, 0 to 1
-    std::function<void(const QuietState&)> on_state = {};  ///< where it stands
+    std::function<void(double, std::uint64_t)> on_progress = {};  ///< a guess of the part that is done, 0 to 1, and the steps taken
+    std::function<void(const QuietState&)> on_state = {};         ///< where it stands
 };
 
 /// How a quiet phase ended.

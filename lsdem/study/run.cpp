@@ -93,7 +93,7 @@ PreparationSettings find_preparation(const scene::Scene& scene, const Specimen& 
 Specimen make_specimen(const scene::Scene& scene, const RunSettings& settings, const Checkpoint* from) {
     Specimen specimen = make_upright_specimen(scene);
     // a plan that is refused is refused before anything is computed
-    static_cast<void>(make_time_plan(scene, specimen.model));
+    const TimePlan plan = make_time_plan(scene, specimen.model);
     if (!wants_preparation(scene, specimen)) {
         if (!scene.preparation) let_listed_stand(scene, specimen);
         return specimen;
@@ -111,7 +111,9 @@ Specimen make_specimen(const scene::Scene& scene, const RunSettings& settings, c
         const double time_step = scene::compute_time_step(scene, specimen.model).value();
         RunSettings own = settings;
         own.on_progress = settings.on_preparation;
-        specimen = prepare(specimen, time_step, preparation, own, from != nullptr ? from->preparation : std::nullopt).specimen;
+        const double to_follow =
+            settings.runs_to_follow * static_cast<double>(plan.steps()) * static_cast<double>(specimen.model.blocks.size());
+        specimen = prepare(specimen, time_step, preparation, own, from != nullptr ? from->preparation : std::nullopt, to_follow).specimen;
     }
     specimen.settling = preparation.settling;
     return specimen;

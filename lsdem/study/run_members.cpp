@@ -4,6 +4,7 @@
 #include <mutex>
 
 #include "lsdem/study/detail/shared_progress.hpp"
+#include "lsdem/study/joined_progress.hpp"
 #include "lsdem/study/live_file.hpp"
 #include "lsdem/study/run.hpp"
 #include "lsdem/study/write_results.hpp"
@@ -14,10 +15,6 @@ namespace musim::lsdem::study {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// What preparing a specimen counts in the progress of its member. A guess: a tall tower of unequal blocks takes about as long to prepare
-/// as to shake.
-constexpr double kPreparationWorth = 0.5;
 
 /// The HDF5 library need not be one for several threads.
 std::mutex& result_file_mutex() {
@@ -33,15 +30,11 @@ void run_member(const EnsembleMember& member, const MemberSettings& settings, co
     // its name follows from all that it is made from, so what is there is of the same
     ResultFolder folder(directory, {.command = "ensemble", .program_version = settings.version, .parts = {{"member", member.name}}},
                         Overwriting::force);
-    double prepared = 0.0;
+    JoinedProgress joined;
     LiveFile live(directory, member.scene.name);
     RunSettings run_settings{.threads = 1,
-                             .on_progress = [&](double fraction) { on_progress(prepared + (1.0 - prepared) * fraction); },
-                             .on_preparation =
-                                 [&](double fraction) {
-                                     prepared = kPreparationWorth;
-                                     on_progress(prepared * fraction);
-                                 },
+                             .on_progress = [&](double fraction) { on_progress(joined.after_running(fraction)); },
+                             .on_preparation = [&](double fraction) { on_progress(joined.after_preparing(fraction)); },
                              .checkpoint = CheckpointSettings{.file = checkpoint,
                                                               .scene = member.scene_text,
                                                               .program_version = settings.version,

@@ -24,14 +24,24 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-/// What coming to rest after a stage counts in the progress of a sequence, in lengths of that stage. A guess: a structure that has tilted
-/// sways for long.
-constexpr double kQuietWorth = 0.5;
+/// How long a structure that stands takes to come to rest, over 1/α, until it has been seen: its energy decays by about that rate, from
+/// what shaking leaves to Settling::rest, 1e-6 of it [-].
+constexpr double kQuietLength = 14.0;
+
+/// Part of a decay from which on its length is extrapolated [-].
+constexpr double kClearDecay = 0.1;
+
+double steps_of(const SequencePlan& plan) {
+    double steps = 0.0;
+    for (const SequenceStage& stage : plan.stages) steps += static_cast<double>(stage.plan.steps());
+    return steps;
+}
 
 /// How its specimen is prepared and where its checkpoints go.
-RunSettings find_run_settings(const scene::Scene& scene, const SequenceSettings& settings) {
+RunSettings find_run_settings(const scene::Scene& scene, const SequencePlan& plan, const SequenceSettings& settings) {
     return {.threads = settings.threads,
             .on_preparation = settings.on_preparation,
+            .runs_to_follow = steps_of(plan) / static_cast<double>(plan.stages.front().plan.steps()),
             .checkpoint = CheckpointSettings{.file = settings.directory / kCheckpointName,
                                              .scene = scene::write_scene(scene),
                                              .program_version = settings.version,
@@ -45,10 +55,10 @@ class Sequence {
     Sequence(const scene::Scene& scene, SequencePlan plan, ResultFolder& folder, const SequenceSettings& settings)
         : name_(scene.name),
           plan_(std::move(plan)),
-          checkpoint_(keep_places(find_run_settings(scene, settings), plan_.specimen).checkpoint),
+          checkpoint_(keep_places(find_run_settings(scene, plan_, settings), plan_.specimen).checkpoint),
           folder_(folder),
           settings_(settings) {
-        for (std::size_t k = 0; k < plan_.stages.size(); ++k) work_ += motion_work(k) + quiet_work(k);
+        quiet_length_ = kQuietLength / (plan_.quiet.damping_rate * plan_.stages.front().plan.time_step);
     }
 
     SequenceSummary run() {
@@ -109,34 +119,42 @@ class Sequence {
         const CheckpointSettings checkpoint = *settings_of(stage).checkpoint;
         if (!from) write_checkpoint(checkpoint, plan.samples, plan, run, simulation);
         CheckpointWriter checkpoints(checkpoint);
-        const double before = work_before(stage) + motion_work(stage), own = quiet_work(stage);
+        const double before = work_before(stage) + motion_work(stage);
         QuietWatch watch;
-        watch.on_progress = [&](double part) { report(before + own * part); };
+        watch.on_progress = [this, stage, before](double part, std::uint64_t steps) {
+            const auto taken = static_cast<double>(steps);
+            if (part > kClearDecay) quiet_length_ = taken / part;
+            report(before + taken, quiet_work(stage) - taken + work_after(stage));
+        };
         watch.on_state = [&](const QuietState& state) {
             checkpoints.after_look([&](const CheckpointSettings& to) { write_checkpoint(to, plan.samples, plan, run, simulation, state); });
         };
         return come_to_rest(simulation, plan_.stages[stage], plan_.quiet, run, watch, from);
     }
 
-    /// Work in samples: of the motion of a stage, of coming to rest after it, and of all before it.
-    double motion_work(std::size_t stage) const { return static_cast<double>(plan_.stages[stage].plan.samples); }
+    /// Work in steps: of the motion of a stage, of coming to rest after it, of all before it, and of all after it.
+    double motion_work(std::size_t stage) const { return static_cast<double>(plan_.stages[stage].plan.steps()); }
     double quiet_work(std::size_t stage) const {
         const bool comes_to_rest = stage + 1 < plan_.stages.size() && plan_.stages[stage + 1].settle;
-        return comes_to_rest ? kQuietWorth * motion_work(stage) : 0.0;
+        return comes_to_rest ? quiet_length_ : 0.0;
     }
-    double work_before(std::size_t stage) const {
+    double work_of(std::size_t first, std::size_t last) const {
         double work = 0.0;
-        for (std::size_t k = 0; k < stage; ++k) work += motion_work(k) + quiet_work(k);
+        for (std::size_t k = first; k < last; ++k) work += motion_work(k) + quiet_work(k);
         return work;
     }
-    void report(double done) const {
-        if (settings_.on_progress) settings_.on_progress(done / work_);
+    double work_before(std::size_t stage) const { return work_of(0, stage); }
+    double work_after(std::size_t stage) const { return work_of(stage + 1, plan_.stages.size()); }
+    /// What is left is known better and better: the part that is told never falls for that.
+    void report(double done, double left) {
+        done_ = std::max(done_, done / (done + std::max(left, 0.0)));
+        if (settings_.on_progress) settings_.on_progress(done_);
     }
 
-    RunSettings settings_of(std::size_t stage) const {
-        const double before = work_before(stage), own = motion_work(stage);
+    RunSettings settings_of(std::size_t stage) {
+        const double before = work_before(stage), own = motion_work(stage), after = quiet_work(stage) + work_after(stage);
         return {.threads = settings_.threads,
-                .on_progress = [this, before, own](double fraction) { report(before + own * fraction); },
+                .on_progress = [this, before, own, after](double part) { report(before + own * part, own * (1.0 - part) + after); },
                 .on_sample = settings_.on_sample,
                 .checkpoint = checkpoint_};
     }
@@ -166,7 +184,8 @@ class Sequence {
     std::optional<CheckpointSettings> checkpoint_;
     ResultFolder& folder_;
     const SequenceSettings& settings_;
-    double work_ = 0.0;  ///< of all stages [samples]
+    double quiet_length_ = 0.0;  ///< steps in which the structure comes to rest, as far as is known
+    double done_ = 0.0;          ///< part of the whole
 };
 
 /// Refuses to write over an unfinished sequence.
@@ -200,7 +219,7 @@ SequenceSummary run_sequence(const scene::Scene& scene, const SequenceSettings& 
     SequencePlan plan = plan_sequence(scene);
     ResultFolder folder(settings.directory, find_origin(scene, settings), settings.force ? Overwriting::force : Overwriting::refuse);
     refuse_old_checkpoint(settings.directory);
-    plan.specimen = make_specimen(plan.stages.front().scene, find_run_settings(scene, settings));
+    plan.specimen = make_specimen(plan.stages.front().scene, find_run_settings(scene, plan, settings));
     return Sequence(scene, std::move(plan), folder, settings).run();
 }
 
@@ -215,7 +234,7 @@ SequenceSummary resume_sequence(const SequenceSettings& settings) {
     }
     ResultFolder folder(settings.directory, find_origin(scene, settings), Overwriting::resume);
     SequencePlan plan = plan_sequence(scene);
-    plan.specimen = make_specimen(plan.stages.front().scene, find_run_settings(scene, settings), &checkpoint);
+    plan.specimen = make_specimen(plan.stages.front().scene, find_run_settings(scene, plan, settings), &checkpoint);
     Sequence sequence(scene, std::move(plan), folder, settings);
     return checkpoint.preparation ? sequence.run() : sequence.resume(std::move(checkpoint));
 }

@@ -52,6 +52,7 @@ Rest settle(Simulation& simulation, const Settling& settling, const SettlingWatc
     const Weight weight(simulation.model());
     Rest rest;
     if (!weight.exists()) return rest;
+    double part = 0.0;
     const double most_steps = settling.patience / (settling.damping_rate * simulation.time_step());
     while (static_cast<double>(state.steps) < most_steps) {
         simulation.advance(kLookInterval);
@@ -62,8 +63,10 @@ Rest settle(Simulation& simulation, const Settling& settling, const SettlingWatc
         const bool quiet = rest.kinetic <= settling.rest && std::abs(rest.reaction_over_weight - 1.0) <= settling.reaction;
         state.quiet_looks = quiet ? state.quiet_looks + 1 : 0;
         state.liveliest = std::max(state.liveliest, rest.kinetic);
-        if (watch.on_progress && state.liveliest > settling.rest)
-            watch.on_progress(std::clamp(std::log(rest.kinetic / state.liveliest) / std::log(settling.rest / state.liveliest), 0.0, 1.0));
+        if (state.liveliest > settling.rest) {
+            part = std::clamp(std::log(rest.kinetic / state.liveliest) / std::log(settling.rest / state.liveliest), part, 1.0);
+        }
+        if (watch.on_progress) watch.on_progress(part, state.steps);
         if (watch.give_up && watch.give_up()) break;
         rest.at_rest = state.quiet_looks == kLooksInARow;
         if (rest.at_rest) break;
@@ -71,7 +74,7 @@ Rest settle(Simulation& simulation, const Settling& settling, const SettlingWatc
         scaling::stop_if_interrupted();
     }
     rest.steps = state.steps;
-    if (watch.on_progress) watch.on_progress(1.0);
+    if (watch.on_progress) watch.on_progress(1.0, state.steps);
     return rest;
 }
 

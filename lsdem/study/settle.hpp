@@ -44,7 +44,8 @@ struct SettlingState {
 
 /// What is told and asked while a simulation comes to rest, at every look, in this order; any may be empty.
 struct SettlingWatch {
-    std::function<void(double)> on_progress = {};             ///< told a guess of the part that is done, 0 to 1
+    /// Told a guess of the part that is done, 0 to 1, never less than before, and the steps taken.
+    std::function<void(double, std::uint64_t)> on_progress = {};
     std::function<bool()> give_up = {};                       ///< ends the settling, not at rest, when it says so
     std::function<void(const SettlingState&)> on_state = {};  ///< told where it stands, unless it has ended
 };

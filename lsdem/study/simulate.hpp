@@ -22,9 +22,12 @@ struct Specimen {
 
 /// How to carry out a run; none of it changes the results.
 struct RunSettings {
-    int threads = 1;                                  ///< 0: all cores
-    std::function<void(double)> on_progress = {};     ///< called every few steps with the fraction done, 0 to 1, from the thread that runs
-    std::function<void(double)> on_preparation = {};  ///< likewise, while a specimen is being prepared
+    int threads = 1;                               ///< 0: all cores
+    std::function<void(double)> on_progress = {};  ///< called every few steps with the fraction done, 0 to 1, from the thread that runs
+    /// Likewise, while a specimen is being prepared: the part that is done of it and of the runs that follow, so that progress is one
+    /// scale.
+    std::function<void(double)> on_preparation = {};
+    double runs_to_follow = 1.0;  ///< how many runs of its scene, by their work, follow a preparation; for its progress
     std::function<void(const RunResult&, const TimePlan&)> on_sample = {};  ///< called after every sample with what there is so far
     std::optional<CheckpointSettings> checkpoint = {};                      ///< none: a run that is killed is lost
 };

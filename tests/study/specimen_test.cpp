@@ -260,6 +260,8 @@ TEST_CASE("specimens made side by side are those made one by one") {
     // not only when one is done
     CHECK(progress.size() > 4 * batch.seeds.size());
     CHECK(progress.back() == doctest::Approx(1.0));
+    // forward only, also in the final settling
+    CHECK(std::is_sorted(progress.begin(), progress.end()));
     batch.on_progress = {};
     batch.folder = apart.path();
     batch.threads = 1;

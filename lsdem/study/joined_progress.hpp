@@ -1,0 +1,24 @@
+#pragma once
+
+#include <algorithm>
+
+namespace musim::lsdem::study {
+
+/// Preparation and runs as one scale from 0 to 1 that never falls.
+class JoinedProgress {
+  public:
+    /// From what RunSettings::on_preparation is told.
+    double after_preparing(double part_of_all) {
+        prepared_ = std::max(prepared_, part_of_all);
+        return advance_to(part_of_all);
+    }
+    /// From the part of the runs that is done: what the preparation was worth comes before it.
+    double after_running(double part_of_runs) { return advance_to(prepared_ + (1.0 - prepared_) * part_of_runs); }
+
+  private:
+    double advance_to(double part) { return done_ = std::clamp(part, done_, 1.0); }
+
+    double prepared_ = 0.0, done_ = 0.0;
+};
+
+}  // namespace musim::lsdem::study
