@@ -65,8 +65,8 @@ Rest settle(Simulation& simulation, const Settling& settling, const SettlingWatc
         state.liveliest = std::max(state.liveliest, rest.kinetic);
         if (state.liveliest > settling.rest) {
             part = std::clamp(std::log(rest.kinetic / state.liveliest) / std::log(settling.rest / state.liveliest), part, 1.0);
+            if (watch.on_progress) watch.on_progress(part, state.steps);
         }
-        if (watch.on_progress) watch.on_progress(part, state.steps);
         if (watch.give_up && watch.give_up()) break;
         rest.at_rest = state.quiet_looks == kLooksInARow;
         if (rest.at_rest) break;
