@@ -175,13 +175,13 @@ int run_ensemble(const EnsembleOptions& options) {
 
     // what would be wrong with every member is one error, and found before any runs
     study::make_upright_specimen(members.front().scene);
-    note_cut_motions(options.scene, scene);
     std::optional<study::ResultFolder> folder;
     if (options.only == 0) {
         study::ResultOrigin origin = options.overwriting.origin();
         origin.add(scene);
         folder.emplace(options.out, std::move(origin), options.overwriting.choice());
     }
+    note_cut_motions(options.scene, scene);
     if (options.only > 0) members = {members[static_cast<std::size_t>(options.only - 1)]};
     if (!options.specimens.empty()) take_specimens(options, members);
     if (options.only > 0) return run_one(options, members.front());

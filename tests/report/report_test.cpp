@@ -149,7 +149,7 @@ TEST_CASE("what is missing is told, and the rest shown") {
     // how it ended is in summary.json, all else is not
     std::filesystem::remove(place.path() / "pair/prototype/summary.json");
     const std::string unknown = make_report({place.path() / "pair/prototype"});
-    CHECK(holds(unknown, "prototype/summary.json: cannot be read (it is missing)"));
+    CHECK(holds(unknown, "prototype/summary.json: cannot be read (no such file)"));
     CHECK(holds(unknown, "how it ended is not known"));
     CHECK(holds(unknown, "id=\"figure-spine_velocity\""));
 

@@ -82,9 +82,9 @@ TEST_CASE("a run tells where it stands in its folder while it goes on, and only 
         REQUIRE(look_into(out).runs.size() == 1);
         CHECK(look_into(out).runs[0].state.prepares);
         CHECK_FALSE(look_into(out).runs[0].state.run);
-        settings.on_sample(run, plan);
-        settings.on_progress(0.25);
         CHECK_FALSE(look_into(out).runs[0].state.left);
+        settings.on_sample(run, plan);
+        // what follows the preparation shares the rest of one scale
         settings.on_progress(0.5);
         CHECK(heard == 0.5);
         const WatchedFolder watched = look_into(out);
@@ -93,7 +93,7 @@ TEST_CASE("a run tells where it stands in its folder while it goes on, and only 
         CHECK(watched.runs[0].works);
         CHECK(watched.runs[0].state.name == "made");
         CHECK_FALSE(watched.runs[0].state.prepares);
-        CHECK(watched.runs[0].state.fraction == 0.5);
+        CHECK(watched.runs[0].state.fraction == 0.625);
         CHECK(watched.runs[0].state.left.value() > 0.0);
         CHECK(watched.runs[0].state.run == observe_run(run, plan));
         folder.add_json("summary.json", {{"status", "collapsed"}});
