@@ -1,5 +1,6 @@
 #pragma once
 
+#include <CLI/Error.hpp>
 #include <CLI/Validators.hpp>
 
 namespace musim::cli {

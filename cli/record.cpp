@@ -149,8 +149,9 @@ struct FileInfo {
 void read_info(const RecordInfoOptions& options, const std::string& file, FileInfo& info) {
     try {
         info.motion = options.source.load(file);
-        for (const records::Component& component : info.motion->components)
+        for (const records::Component& component : info.motion->components) {
             info.components.push_back(make_info(options, file, *info.motion, component));
+        }
     } catch (const records::ReadError& error) {
         info.error = error.what();
     } catch (const records::ProcessingError& error) {
@@ -165,12 +166,14 @@ int run_record_info(const RecordInfoOptions& options) {
     const bool any = std::any_of(infos.begin(), infos.end(), [](const FileInfo& info) { return info.error.empty(); });
     if (options.json && any) {
         nlohmann::json list = nlohmann::json::array();
-        for (const FileInfo& of_file : infos)
+        for (const FileInfo& of_file : infos) {
             for (const ComponentInfo& info : of_file.components) list.push_back(to_json(info));
+        }
         print_json({{"components", list}});
     } else {
-        for (const FileInfo& of_file : infos)
+        for (const FileInfo& of_file : infos) {
             if (!of_file.components.empty()) print_tables(of_file.components);
+        }
     }
     int code = kDone;
     for (const FileInfo& of_file : infos) {

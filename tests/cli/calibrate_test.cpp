@@ -60,9 +60,8 @@ TEST_CASE("calibrate refuses what cannot be, in one line") {
                                     {2, "calibrate friction --material wood --friction -1"},
                                     {3, "calibrate restitution --material wood --angles 80"},
                                     {2, "calibrate restitution --material wood --restitutions 2"}}) {
-        CAPTURE(std::string(bad));
         const Outcome outcome = place.run(bad);
-        CHECK(outcome.exit_code == code);
+        CHECK_MESSAGE(outcome.exit_code == code, outcome.err);
         CHECK(outcome.has_one_error_line());
     }
     CHECK(place.run("calibrate").exit_code == 2);

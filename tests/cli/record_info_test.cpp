@@ -173,15 +173,16 @@ TEST_CASE("a velocity record has no measures of acceleration") {
 
 TEST_CASE("settings of record info that make no sense are one error line") {
     const Workplace here;
-    for (const auto& [code, wrong] : {std::pair{2, "--bracket 0"},
-                                      {2, "--bracket -1"},
-                                      {3, "--mean-period-band 20 0.25"},
-                                      {2, "--mean-period-band 0 20"},
-                                      {2, "--friction 0"},
-                                      {2, "--length -2"},
-                                      {2, "--slenderness 0"},
-                                      {2, "--slenderness 90"}}) {
-        const Outcome outcome = here.run(std::string("record info synthetic ") + wrong);
+    for (const auto& [code, arguments] : {std::pair{2, "--bracket 0"},
+                                          {2, "--bracket -1"},
+                                          {3, "--mean-period-band 20 0.25"},
+                                          {2, "--mean-period-band 0 20"},
+                                          {2, "--friction 0"},
+                                          {2, "--length -2"},
+                                          {2, "--slenderness 0"},
+                                          {2, "--slenderness 90"}}) {
+        const std::string wrong = arguments;
+        const Outcome outcome = here.run("record info synthetic " + wrong);
         CHECK_MESSAGE(outcome.exit_code == code, wrong);
         CHECK_MESSAGE(outcome.has_one_error_line(), outcome.err);
         CHECK(outcome.out.empty());

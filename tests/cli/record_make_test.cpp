@@ -90,15 +90,16 @@ TEST_CASE("record info finds the period of a short pulse") {
 
 TEST_CASE("what record make cannot do is one error line") {
     const Workplace here;
-    for (const auto& [code, wrong] : {std::pair{2, "ricker --frequency 0 -o a.csv"},
-                                      {3, "ricker --frequency 100 -o a.csv"},
-                                      {2, "pulse --cycles 1 -o a.csv"},
-                                      {3, "sweep --from 5 --to 5 -o a.csv"},
-                                      {2, "sweep --taper 0.7 -o a.csv"},
-                                      {3, "stochastic --d5-95 39 -o a.csv"},
-                                      {2, "ricker -o a.xyz"},
-                                      {3, "ricker -o nowhere/a.csv"}}) {
-        const Outcome outcome = here.run(std::string("record make ") + wrong);
+    for (const auto& [code, arguments] : {std::pair{2, "ricker --frequency 0 -o a.csv"},
+                                          {3, "ricker --frequency 100 -o a.csv"},
+                                          {2, "pulse --cycles 1 -o a.csv"},
+                                          {3, "sweep --from 5 --to 5 -o a.csv"},
+                                          {2, "sweep --taper 0.7 -o a.csv"},
+                                          {3, "stochastic --d5-95 39 -o a.csv"},
+                                          {2, "ricker -o a.xyz"},
+                                          {3, "ricker -o nowhere/a.csv"}}) {
+        const std::string wrong = arguments;
+        const Outcome outcome = here.run("record make " + wrong);
         CHECK_MESSAGE(outcome.exit_code == code, wrong);
         CHECK_MESSAGE(outcome.has_one_error_line(), wrong, " gave ", outcome.err);
         CHECK_FALSE(here.has("a.csv"));

@@ -6,12 +6,16 @@
 #include <string>
 #include <string_view>
 
+#include "design/parse_design.hpp"
+#include "design/parse_facts.hpp"
+#include "lsdem/scene/scene_json.hpp"
 #include "records/recipe.hpp"
 #include "records/shake_table.hpp"
 #include "scaling/pi_problem.hpp"
 #include "scaling/scale_law_json.hpp"
 
-/// Any bytes are a law, a Pi problem, a table or a recipe, or a std::runtime_error of one short line. MUSIM_READER names which.
+/// Any bytes are a scene, a law, a design or what else MUSIM_READER names, or a std::runtime_error of one short line. A scene that is
+/// one is written as text that is read back to an equal scene.
 namespace {
 
 using namespace musim;
@@ -21,7 +25,16 @@ struct Reader {
     void (*read)(const std::string& text);
 };
 
+void read_scene(const std::string& text) {
+    const lsdem::scene::Scene scene = lsdem::scene::parse_scene(text, "fuzzed");
+    lsdem::scene::check_scene(scene, "fuzzed");
+    if (lsdem::scene::parse_scene(lsdem::scene::write_scene(scene), "fuzzed") != scene) __builtin_trap();
+}
+
 constexpr Reader kReaders[] = {
+    {"scene", read_scene},
+    {"design", [](const std::string& text) { design::parse_design(text, "fuzzed", {}); }},
+    {"facts", [](const std::string& text) { design::parse_facts(text, "fuzzed", {}, 0.04); }},
     {"law", [](const std::string& text) { scaling::parse_scale_law(text, "fuzzed"); }},
     {"pi", [](const std::string& text) { scaling::parse_pi_problem(text, "fuzzed"); }},
     {"table", [](const std::string& text) { records::parse_shake_table(text, "fuzzed", nullptr); }},
