@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <complex>
+#include <initializer_list>
 #include <numbers>
 #include <random>
 #include <vector>
@@ -20,7 +21,7 @@ std::vector<double> make_noise(std::size_t n) {
 
 TEST_CASE("the transform is the sum that defines it, and its inverse gives the samples back, of any size") {
     // powers of two, other small factors, primes, and a prime times them
-    for (const std::size_t n : {1, 2, 3, 8, 13, 17, 60, 97, 101, 128, 194, 1009, 1020}) {
+    for (const std::size_t n : std::initializer_list<std::size_t>{1, 2, 3, 8, 13, 17, 60, 97, 101, 128, 194, 1009, 1020}) {
         CAPTURE(n);
         const std::vector<double> samples = make_noise(n);
         const detail::Transform transform(samples);
@@ -41,7 +42,7 @@ TEST_CASE("the transform is the sum that defines it, and its inverse gives the s
 }
 
 TEST_CASE("a factor applied to a spectrum is a filter of the samples: a delay turns phases") {
-    for (const std::size_t n : {24, 31}) {
+    for (const std::size_t n : std::initializer_list<std::size_t>{24, 31}) {
         const std::vector<double> samples = make_noise(n);
         detail::Transform transform(samples);
         // three samples later; of an even size the last frequency stays real
