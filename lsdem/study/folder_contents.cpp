@@ -119,8 +119,9 @@ void refuse_other_results(const fs::path& directory, const ResultOrigin& origin)
         }
         return;
     }
-    if (there->origin.command != origin.command)
+    if (there->origin.command != origin.command) {
         refuse_overwriting(file, fmt::format("here are results of `musim {}`", there->origin.command));
+    }
     if (there->origin.program_version != origin.program_version) {
         refuse_overwriting(file,
                            fmt::format("here are results of musim {}, this is {}", there->origin.program_version, origin.program_version));

@@ -116,13 +116,15 @@ std::vector<std::string> describe(const Outcome& outcome) {
     if (outcome.top_level > 0) {
         std::string line = fmt::format("top (level {}) against the base: peak {}, residual {}", outcome.top_level,
                                        write<scaling::Length>(outcome.top_peak), write<scaling::Length>(outcome.top_residual));
-        if (outcome.drift_level > 0)
+        if (outcome.drift_level > 0) {
             line += fmt::format("; largest drift {:.3g} % (below level {})", 100.0 * outcome.drift, outcome.drift_level);
+        }
         lines.push_back(line);
     }
     std::string left;
-    if (outcome.slip)
+    if (outcome.slip) {
         left = fmt::format("largest slip left {} ({})", write<scaling::Length>(outcome.slip->value), name_place(*outcome.slip));
+    }
     if (outcome.rotation) {
         left += fmt::format("{}largest rotation left {:.3g} deg ({})", left.empty() ? "" : "; ", outcome.rotation->value / scaling::kDegree,
                             name_place(*outcome.rotation));

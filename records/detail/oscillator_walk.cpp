@@ -35,8 +35,9 @@ std::array<double, 2> Cubic::find_extremes() const {
 
 double Cubic::find_peak() const {
     double peak = 0.0;
-    for (const double share : find_extremes())
+    for (const double share : find_extremes()) {
         if (share > 0.0) peak = std::max(peak, std::abs(at(share)));
+    }
     return peak;
 }
 
