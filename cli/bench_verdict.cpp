@@ -68,8 +68,8 @@ scene::Scene read_prototype(const std::string& file, const BenchVerdictOptions& 
     return prototype;
 }
 
-study::VerdictBench measure(const std::string& file, const study::VerdictBenchPlan& plan, const BenchVerdictOptions& options) {
-    const scene::Scene prototype = read_prototype(file, options);
+study::VerdictBench measure(const std::string& file, const scene::Scene& prototype, const study::VerdictBenchPlan& plan,
+                            const BenchVerdictOptions& options) {
     note_cut_motions(file, prototype);
     study::TwinSettings settings{.directory = options.out, .version = kVersion, .threads = options.threads};
     settings.on_warning = [](const std::string& why) { note("musim: warning: no checkpoint: {}\n", why); };
@@ -205,14 +205,16 @@ void print_benches(const std::vector<study::VerdictBench>& benches, scaling::Rep
 
 int run_bench_verdict(const BenchVerdictOptions& options) {
     const study::VerdictBenchPlan plan = make_plan(options);
+    std::vector<scene::Scene> prototypes;
+    for (const std::string& file : options.scenes) prototypes.push_back(read_prototype(file, options));
     std::optional<study::ResultFolder> folder;
     if (!options.out.empty()) {
         study::ResultOrigin origin = options.overwriting.origin_with_options();
-        for (const std::string& file : options.scenes) origin.add(read_prototype(file, options), file + ": ");
+        for (std::size_t k = 0; k < prototypes.size(); ++k) origin.add(prototypes[k], options.scenes[k] + ": ");
         folder.emplace(options.out, std::move(origin), options.overwriting.choice());
     }
     std::vector<study::VerdictBench> benches;
-    for (const std::string& file : options.scenes) benches.push_back(measure(file, plan, options));
+    for (std::size_t k = 0; k < prototypes.size(); ++k) benches.push_back(measure(options.scenes[k], prototypes[k], plan, options));
     if (folder) {
         folder->add_text("verdicts.json", to_json(benches).dump(2) + "\n");
         folder->commit();

@@ -130,7 +130,7 @@ int run_field(FieldCommand options) {
         options.formats = study::can_write_png() ? std::vector<std::string>{"svg", "png"} : std::vector<std::string>{"svg"};
     }
     for (const std::string& format : options.formats) study::require_picture_name("field." + format);
-    read_limit(options.limit);  // a bad one is told before anything is read
+    read_limit(options.limit);  // a bad one is refused before anything is read
     const study::StoredRun run = study::read_run(options.directory);
     study::require_frames(run);
     const study::CameraSettings camera = options.look.camera(study::find_strongest_axis(run.history));

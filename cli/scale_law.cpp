@@ -114,7 +114,7 @@ SolvedWithValues ScaleLawOptions::solve(const std::string& name, const std::vect
         scaling::PiQuantity& quantity = law.quantities[position].quantity;
         const scaling::Uncertain uncertain =
             read_option(place, [&quantity, &text = value] { return scaling::parse_uncertain_value(text, quantity); });
-        if (quantity.value) throw CLI::ValidationError("--value", symbol + " is told twice; give it once");
+        if (quantity.value) throw CLI::ValidationError("--value", symbol + " is given twice; give it once");
         quantity.value = uncertain.value;
         prototype.push_back({symbol, uncertain});
         named.push_back(symbol);

@@ -77,7 +77,7 @@ void copy_code(const std::string& code, std::span<char> field) {
     field[length] = '\0';
 }
 
-/// What a stream is told by besides its station.
+/// What names a stream besides its station.
 struct StreamTitle {
     std::string channel;
     UtcTime start;

@@ -123,7 +123,7 @@ std::string describe(const Failure& failure) {
     const FailureMeasures& m = failure.measures;
     if (!failure.surrounds_axis) {
         return fmt::format(
-            "collapse of {} block{}: no failure mode is told, since peeling and buckling are those of structures around an axis", m.fallen,
+            "collapse of {} block{}: no failure mode is given, since peeling and buckling are those of structures around an axis", m.fallen,
             m.fallen == 1 ? "" : "s");
     }
     const std::string why = failure.why.empty() ? std::string() : fmt::format(" ({})", failure.why);

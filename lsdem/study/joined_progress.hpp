@@ -7,7 +7,7 @@ namespace musim::lsdem::study {
 /// Preparation and runs as one scale from 0 to 1 that never falls.
 class JoinedProgress {
   public:
-    /// From what RunSettings::on_preparation is told.
+    /// From the argument of RunSettings::on_preparation.
     double after_preparing(double part_of_all) {
         prepared_ = std::max(prepared_, part_of_all);
         return advance_to(part_of_all);

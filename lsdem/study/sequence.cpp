@@ -145,7 +145,7 @@ class Sequence {
     }
     double work_before(std::size_t stage) const { return work_of(0, stage); }
     double work_after(std::size_t stage) const { return work_of(stage + 1, plan_.stages.size()); }
-    /// What is left is known better and better: the part that is told never falls for that.
+    /// What is left is known better and better: the part that is reported never falls for that.
     void report(double done, double left) {
         done_ = std::max(done_, done / (done + std::max(left, 0.0)));
         if (settings_.on_progress) settings_.on_progress(done_);

@@ -83,8 +83,6 @@ SpecimenReport make_specimen_file(const SpecimenBatch& batch, std::size_t index,
             throw ResultError(report.file.string() + ": made from other inputs (a damaged file, or a rare accident of names); move it");
         }
         const StoredSpecimen stored = read_specimen(report.file);
-        // of a process that was killed between the two
-        remove_checkpoint(report.file.string() + ".checkpoint");
         report.fallen = count_fallen(stored.size, stored.layer, stored.places);
         report.reused = true;
         // a kill between the last two steps of making it

@@ -43,7 +43,7 @@ class Workplace {
 
     /// Starts `musim ARGUMENTS` and sends it a signal once the shell's condition `halfway` is met.
     Outcome interrupt(const std::string& arguments, const std::string& signal, const std::string& halfway) const {
-        // what a shell puts in the background ignores SIGINT, unless it is told otherwise
+        // what a shell puts in the background ignores SIGINT, unless it is set otherwise
         write("interrupt.sh", "env --default-signal=INT " MUSIM_PROGRAM " " + arguments + " >.stdout 2>.stderr &\n" + "until " + halfway +
                                   " >/dev/null 2>&1 || ! kill -0 $!; do sleep 0.01; done\nkill -" + signal + " $!\nwait $!\n");
         const int status = std::system(("cd '" + folder_.path().string() + "' && sh interrupt.sh 2>/dev/null").c_str());

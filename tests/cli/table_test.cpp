@@ -55,7 +55,7 @@ TEST_CASE("table says that a record fits, at which scales, and writes the drive 
     CHECK(object["table"] == "test table");
     CHECK(object["corrections"].empty());
     CHECK(object["drive"] == "drive.csv");
-    // what taper and rest do to the record is told: little to its peaks, all of them of the motion that is written
+    // what taper and rest do to the record is reported: little to its peaks, all of them of the motion that is written
     const auto& effect = object["drive_effects"].at(0);
     CHECK(effect["pga_g"].at(1).get<double>() == relative(effect["pga_g"].at(0).get<double>(), 0.05));
     CHECK(effect["pgv_cm_s"].at(0).get<double>() == relative(42.4 / 5.0, 0.01));

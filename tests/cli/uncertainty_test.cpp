@@ -298,5 +298,5 @@ TEST_CASE("uncertainties of laws as data that cannot be are one line") {
     CHECK(error("--length 1/25 --pgd '-3 cm'").find("--pgd: \"-3 cm\": the value must be positive") != std::string::npos);
     CHECK(error("--length 1/25 --height '0 m'").find("--height: \"0 m\": the value must be positive") != std::string::npos);
     CHECK(error("--length 1/25 --pgv '42 furlong'").find("unknown unit \"furlong\"; write") != std::string::npos);
-    CHECK(error("--law true_replica --set l=1/25 --value 'E=2 GPa' --value 'E=3 GPa'").find("E is told twice") != std::string::npos);
+    CHECK(error("--law true_replica --set l=1/25 --value 'E=2 GPa' --value 'E=3 GPa'").find("E is given twice") != std::string::npos);
 }

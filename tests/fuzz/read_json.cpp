@@ -1,7 +1,5 @@
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -13,6 +11,7 @@
 #include "records/shake_table.hpp"
 #include "scaling/pi_problem.hpp"
 #include "scaling/scale_law_json.hpp"
+#include "tests/fuzz/choose_reader.hpp"
 
 /// Any bytes are a scene, a law, a design or what else MUSIM_READER names, or a std::runtime_error of one short line. A scene that is
 /// one is written as text that is read back to an equal scene.
@@ -41,21 +40,10 @@ constexpr Reader kReaders[] = {
     {"recipe", [](const std::string& text) { records::parse_recipe(text, "fuzzed"); }},
 };
 
-const Reader& chosen_reader() {
-    const char* const asked = std::getenv("MUSIM_READER");
-    const std::string_view name = asked == nullptr ? "law" : asked;
-    for (const Reader& reader : kReaders)
-        if (reader.name == name) return reader;
-    std::fprintf(stderr, "MUSIM_READER is '%s' (known:", asked);
-    for (const Reader& reader : kReaders) std::fprintf(stderr, " %s", reader.name.data());
-    std::fprintf(stderr, "); name one of these\n");
-    std::exit(2);
-}
-
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    static const Reader& reader = chosen_reader();
+    static const Reader& reader = musim::tests::choose_reader<Reader>(kReaders, "law");
     try {
         reader.read(std::string(reinterpret_cast<const char*>(data), size));
     } catch (const std::runtime_error& error) {

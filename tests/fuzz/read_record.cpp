@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "records/detail/parsers.hpp"
+#include "tests/fuzz/choose_reader.hpp"
 
 /// Any bytes are a record or a ReadError of one line, whatever the options. MUSIM_READER names the reader that gets them, without asking
 /// what they look like; "record", also when it is not set, is read_record's choice among all.
@@ -50,17 +51,6 @@ constexpr Reader kReaders[] = {
     {"usc", read_text_with<detail::parse_usc>},
 };
 
-const Reader& chosen_reader() {
-    const char* const asked = std::getenv("MUSIM_READER");
-    const std::string_view name = asked == nullptr ? "record" : asked;
-    for (const Reader& reader : kReaders)
-        if (reader.name == name) return reader;
-    std::fprintf(stderr, "MUSIM_READER is '%s' (known:", asked);
-    for (const Reader& reader : kReaders) std::fprintf(stderr, " %s", reader.name.data());
-    std::fprintf(stderr, "); name one of these\n");
-    std::exit(2);
-}
-
 void read(const Reader& reader, const std::string& bytes, const ReadOptions& options) {
     try {
         if (reader.read(bytes, options).components.empty()) __builtin_trap();
@@ -72,7 +62,7 @@ void read(const Reader& reader, const std::string& bytes, const ReadOptions& opt
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    static const Reader& reader = chosen_reader();
+    static const Reader& reader = musim::tests::choose_reader<Reader>(kReaders, "record");
     const std::string bytes(reinterpret_cast<const char*>(data), size);
     ReadOptions counts, units;
     counts.sensitivity = 1.0;

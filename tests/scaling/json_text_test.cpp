@@ -28,7 +28,7 @@ TEST_CASE("JSON nested deeper than people write is refused and not run through")
           "law.json: nested in more than 100 levels; correct the JSON");
 }
 
-TEST_CASE("numbers beyond doubles and broken JSON are told in a short line") {
+TEST_CASE("numbers beyond doubles and broken JSON are reported in a short line") {
     CHECK(message_of("[1e999]") == "number overflow parsing '1e999'");
     CHECK(message_of("{").starts_with("parse error at line 1, column 2: "));
     const std::string many = message_of("[" + std::string(5000, '9') + "]");

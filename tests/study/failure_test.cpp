@@ -156,7 +156,7 @@ TEST_CASE("what is neither, or has no outward, stays undecided and says why") {
     CHECK(half.failure().why.find("does not surround an axis") != std::string::npos);
     // of walls and single blocks nothing is said of rings
     const std::string said = describe(half.failure());
-    CHECK(said.find("no failure mode is told") != std::string::npos);
+    CHECK(said.find("no failure mode is given") != std::string::npos);
     for (const char* const of_towers : {"went outward", "bulged", "0%"}) CHECK(said.find(of_towers) == std::string::npos);
 }
 
