@@ -9,7 +9,7 @@
 
 namespace musim::cli {
 
-/// What the uncertain factors and values of a law as data give.
+/// What the uncertain factors and values of a law give.
 struct UncertainLaw {
     scaling::UncertainLawReport report;
     std::optional<scaling::MonteCarloSettings> monte_carlo;

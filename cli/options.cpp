@@ -21,39 +21,31 @@
 namespace musim::cli {
 namespace {
 
-/// A factor with an option of its own, and the quantity of laws as data that it belongs to.
-struct FourFactor {
-    const char* option;
-    const char* quantity;
-    scaling::UncertainRatio SimilitudeOptions::*ratio;
-    double scaling::ScaleFactors::*value;
-};
-
-constexpr FourFactor kFourFactors[] = {{"--length", "l", &SimilitudeOptions::length, &scaling::ScaleFactors::length},
-                                       {"--friction", "mu", &SimilitudeOptions::friction, &scaling::ScaleFactors::friction},
-                                       {"--gravity", "g", &SimilitudeOptions::gravity, &scaling::ScaleFactors::gravity},
-                                       {"--density", "rho", &SimilitudeOptions::density, &scaling::ScaleFactors::density}};
+/// What the options of scaling::kChosenScales give, in their order.
+constexpr scaling::UncertainRatio SimilitudeOptions::*kRatios[] = {&SimilitudeOptions::length, &SimilitudeOptions::friction,
+                                                                   &SimilitudeOptions::gravity, &SimilitudeOptions::density};
 
 /// One of them that is given, with the quantity of the law at hand.
 struct GivenOption {
-    FourFactor factor;
+    scaling::UncertainRatio SimilitudeOptions::*ratio;
+    double scaling::ScaleFactors::*value;
     std::string quantity;
 };
 
 /// Those of a command line with the factors of --set.
 std::vector<GivenOption> find_given(const SimilitudeOptions& options, const std::vector<scaling::UncertainFactor>& set) {
     std::vector<GivenOption> list;
-    for (const FourFactor& factor : kFourFactors) {
-        if (options.command->count(factor.option) > 0) list.push_back({factor, factor.quantity});
+    for (std::size_t i = 0; i < std::size(kRatios); ++i) {
+        const scaling::ChosenScale& scale = scaling::kChosenScales[i];
+        if (options.command->count(fmt::format("--{}", scale.name)) > 0) list.push_back({kRatios[i], scale.factor, scale.quantity});
     }
-    const bool has_length = options.command->count("--length") > 0;
-    if (has_length && !scaling::is_law(options.law)) {
+    if (options.command->count("--length") > 0) {
         list.front().quantity = find_length_name(scaling::load_scale_law(options.law), scaling::values_of(set));
     }
     return list;
 }
 
-/// A law as data with the given factors; a default of it that these overrule is a warning at the end.
+/// A law with the given factors; a default of it that these overrule is a warning at the end.
 scaling::SolvedLaw solve_noting(const std::string& law, const std::vector<scaling::GivenFactor>& given) {
     scaling::SolvedLaw solved = scaling::solve_law(scaling::load_scale_law(law), given);
     note_overruled(solved);
@@ -99,37 +91,26 @@ void SimilitudeOptions::add_to(CLI::App& app, LengthOption length_option) {
         ->take_all();
 }
 
-bool SimilitudeOptions::is_plain() const { return factors.empty() && scaling::is_law(law); }
-
 std::vector<scaling::UncertainFactor> SimilitudeOptions::given() const {
     const std::vector<scaling::UncertainFactor> set = parse_factors(factors);
     std::vector<scaling::UncertainFactor> list;
-    for (const GivenOption& option : find_given(*this, set)) list.push_back({option.quantity, this->*option.factor.ratio});
+    for (const GivenOption& option : find_given(*this, set)) list.push_back({option.quantity, this->*option.ratio});
     list.insert(list.end(), set.begin(), set.end());
     return list;
 }
 
-scaling::Similitude SimilitudeOptions::similitude() const {
-    if (is_plain()) return scaling::Similitude(scales().factors(), scaling::parse_law(law));
-    return solve_similitude(law, scaling::values_of(given()));
-}
+scaling::Similitude SimilitudeOptions::similitude() const { return solve_similitude(law, scaling::values_of(given())); }
 
 scaling::ModelScales SimilitudeOptions::model_scales() const {
-    if (is_plain()) return similitude();
     const scaling::LawFormulas formulas(solve_noting(law, scaling::values_of(given())));
     return scaling::make_model_scales(formulas, formulas.solved().problem.chosen);
 }
 
 scaling::MakeModelScales SimilitudeOptions::make_scales() const {
-    if (is_plain()) {
-        return [named = scaling::parse_law(law)](const scaling::ScaleFactors& values, const std::vector<scaling::GivenFactor>& /*others*/) {
-            return scaling::Similitude(values, named);
-        };
-    }
     const std::vector<GivenOption> named = find_given(*this, parse_factors(factors));
     const scaling::LawFormulas formulas(scaling::solve_law(scaling::load_scale_law(law), scaling::values_of(given())));
     return [named, formulas](const scaling::ScaleFactors& values, std::vector<scaling::GivenFactor> others) {
-        for (const GivenOption& option : named) others.push_back({option.quantity, values.*option.factor.value});
+        for (const GivenOption& option : named) others.push_back({option.quantity, values.*option.value});
         return scaling::make_model_scales(formulas, formulas.choose(others));
     };
 }

@@ -40,28 +40,25 @@ enum class LengthOption { required, optional };
 struct SimilitudeOptions {
     scaling::UncertainRatio length, friction, gravity, density;
     std::string law = "mu";
-    std::vector<std::string> factors;   ///< of other quantities of a law as data, "NAME=NUMBER", perhaps with an uncertainty
+    std::vector<std::string> factors;   ///< of other quantities of the law, "NAME=NUMBER", perhaps with an uncertainty
     const CLI::App* command = nullptr;  ///< that has the options
 
     /// Adds the options to a command.
     void add_to(CLI::App& app, LengthOption length_option = LengthOption::required);
 
-    /// Whether laws as data are not asked for: no --set, and a law of scaling::Law.
-    bool is_plain() const;
-
-    /// What the options give of a law as data: --length is what scaling::find_length_name() says, --friction mu, --gravity g, --density
+    /// What the options give of the law: --length is what scaling::find_length_name() says, --friction mu, --gravity g, --density
     /// rho. Throws CLI::ValidationError for a --set that is not NAME=NUMBER, scaling::ParseError, scaling::SimilitudeError.
     std::vector<scaling::UncertainFactor> given() const;
 
-    /// The similitude of the factors' values by scaling::Law, or by a law as data that settles length, time and mass. Throws
+    /// The similitude of the factors' values by a law that settles length, time and mass. Throws
     /// scaling::SimilitudeError, as given() does.
     scaling::Similitude similitude() const;
 
-    /// The model scales of the factors' values by scaling::Law, or by a law as data; heights and widths may scale apart. Throws as
+    /// The model scales of the factors' values by the law; heights and widths may scale apart. Throws as
     /// similitude().
     scaling::ModelScales model_scales() const;
 
-    /// Makes model scales of other factors by the same law, as long as these options live; a law as data is read once. Throws
+    /// Makes model scales of other factors by the same law, as long as these options live; the law is read once. Throws
     /// scaling::SimilitudeError, now and when called.
     scaling::MakeModelScales make_scales() const;
 
@@ -79,7 +76,7 @@ struct SimilitudeOptions {
 /// Warnings at the end for defaults of a law that given factors overrule.
 void note_overruled(const scaling::SolvedLaw& solved);
 
-/// The similitude of a law as data, by name or file, with the given factors. A default of the law that these overrule is a warning at the
+/// The similitude of a law, by name or file, with the given factors. A default of the law that these overrule is a warning at the
 /// end. Throws scaling::SimilitudeError.
 scaling::Similitude solve_similitude(const std::string& law, const std::vector<scaling::GivenFactor>& given);
 

@@ -49,7 +49,17 @@ void note_rejected_draws(const UncertainScale& scale) {
         rejected, scale.monte_carlo->samples, scaling::to_string(scale.monte_carlo->distribution)));
 }
 
-/// The law of scaling::Similitude: mu, froude, exact, cauchy, with all their options.
+/// Laws that are reported by the factors of a similitude and the groups of a block structure, unless --set or a product asks for more; all
+/// others by the quantities that they name.
+constexpr std::string_view kLawsOfStructures[] = {"mu", "froude", "exact", "cauchy"};
+
+bool wants_similitude(const ScaleOptions& options) {
+    const bool is_one =
+        std::find(std::begin(kLawsOfStructures), std::end(kLawsOfStructures), options.scales.law) != std::end(kLawsOfStructures);
+    return is_one && options.scales.factors.empty() && !options.data.name_products();
+}
+
+/// One of kLawsOfStructures, with all its options.
 int run_similitude(const ScaleOptions& options) {
     const scaling::Similitude similitude = options.scales.similitude();
     const scaling::ModelFacts facts = options.structure.facts();
@@ -94,7 +104,7 @@ int run_scale(const ScaleOptions& options) {
     if (options.data.lists_laws) return list_scale_laws(options.data.style, options.json);
     const CLI::App& command = *options.scales.command;
     const bool by_facts = options.facts.is_given() && !options.data.name_products();
-    if (by_facts || (options.scales.is_plain() && !options.data.name_products())) {
+    if (by_facts || wants_similitude(options)) {
         if (command.count("--length") == 0) {
             throw CLI::RequiredError(by_facts ? "--length (of the model, whatever the law; --set takes its other factors)"
                                               : "--length (or --set for a law as data)");

@@ -14,6 +14,8 @@
 #include "cli/progress_line.hpp"
 #include "design/facts_law.hpp"
 #include "design/parse_facts.hpp"
+#include "scaling/kept_numbers.hpp"
+#include "scaling/law_similitude.hpp"
 #include "scaling/scale_law_catalogue.hpp"
 #include "scaling/uncertain_regimes.hpp"
 
@@ -42,7 +44,6 @@ design::DesignLaw find_law(const CLI::App& command, const SimilitudeOptions& sca
         }
         return *told;
     }
-    if (scales.is_plain()) return scaling::parse_law(scales.law);
     return {scaling::load_scale_law(scales.law), scaling::values_of(parse_factors(scales.factors))};
 }
 
@@ -54,17 +55,18 @@ class FactsFiles {
           scales_(scales),
           options_(options),
           // the model's default size needs a length scale that makes sense
-          length_(scaling::Similitude({.length = scales.scales().factors().length}).length()),
+          length_(scaling::make_similitude("exact", {.length = scales.scales().factors().length}).length()),
           json_(read_input_file(options.file, "what is known of prototype and model (musim-facts/1)")),
           presets_(make_preset_materials()) {}
 
     struct Read {
         std::string name;
         scaling::PairFacts pair;
-        design::FactsLaw law;
+        scaling::Similitude similitude;
     };
 
-    /// Facts, and the similitude that they ask for; the motion of a model that was not given one is left open.
+    /// Facts, and the similitude that they ask for; the motion of a model that was not given one is left open. The law is solved at the
+    /// first call, others may come from any thread.
     Read read(scaling::UncertainReading& reading) {
         const design::Facts facts = design::parse_facts(json_, options_.file, presets_, length_, &reading);
         scaling::PairFacts pair{.prototype = facts.prototype,
@@ -76,11 +78,17 @@ class FactsFiles {
         return {facts.name, pair, apply_law(facts, pair, reading)};
     }
 
+    /// Of the first call of read().
+    const scaling::SolvedLaw& solved() const { return formulas_->solved(); }
+
   private:
-    design::FactsLaw apply_law(const design::Facts& facts, const scaling::PairFacts& pair, const scaling::UncertainReading& reading) const {
-        const design::DesignLaw law = find_law(command_, scales_, options_.file, facts.law);
+    scaling::Similitude apply_law(const design::Facts& facts, const scaling::PairFacts& pair, const scaling::UncertainReading& reading) {
+        if (!law_) law_ = find_law(command_, scales_, options_.file, facts.law);
+        // a law of the file may have set another value by now
+        const design::DesignLaw& law = facts.law ? *facts.law : *law_;
         try {
-            return design::apply_law(law, pair, length_);
+            if (!formulas_) formulas_ = design::solve_for(law, pair, length_);
+            return design::apply_law(law, *formulas_, pair, length_);
         } catch (const scaling::SimilitudeError& error) {
             const scaling::UncertainInput* const moved = reading.moved_input();
             if (moved == nullptr) throw scaling::SimilitudeError(fmt::format("{}: {}", options_.file, error.what()));
@@ -114,12 +122,14 @@ class FactsFiles {
     double length_;
     std::string json_;
     std::vector<design::Material> presets_;
+    std::optional<design::DesignLaw> law_;
+    std::optional<scaling::LawFormulas> formulas_;
     std::optional<scaling::MotionFacts> measured_motion_, measured_model_motion_;
 };
 
 /// Facts whose model is shaken as it was told, or else by `shaken`.
 scaling::FactsAndLaw with_motion(const FactsFiles::Read& read, const scaling::Similitude& shaken) {
-    scaling::FactsAndLaw facts{read.pair, read.law.similitude};
+    scaling::FactsAndLaw facts{read.pair, read.similitude};
     if (facts.facts.motion && !facts.facts.model_motion) facts.facts.model_motion = to_model(*facts.facts.motion, shaken);
     return facts;
 }
@@ -171,10 +181,11 @@ int run_scale_facts(const CLI::App& command, const SimilitudeOptions& scales, co
     require_agreement(command, options.file, "--friction", typed.friction, told.friction);
     require_agreement(command, options.file, "--gravity", typed.gravity, told.gravity);
     require_agreement(command, options.file, "--density", typed.density, told.density);
-    if (read.law.solved) note_overruled(*read.law.solved);
-    const scaling::FactsAndLaw facts = with_motion(read, read.law.similitude);
-    scaling::RegimeReport regimes = make_regime_report(facts.facts, facts.similitude, read.law.kept);
-    const scaling::UncertainRegimes uncertain = find_uncertain_regimes(files, reading, facts, read.law.kept, monte_carlo, regimes);
+    note_overruled(files.solved());
+    const scaling::FactsAndLaw facts = with_motion(read, read.similitude);
+    const scaling::KeptNumbers kept = find_kept_numbers(files.solved());
+    scaling::RegimeReport regimes = make_regime_report(facts.facts, facts.similitude, kept);
+    const scaling::UncertainRegimes uncertain = find_uncertain_regimes(files, reading, facts, kept, monte_carlo, regimes);
     const FactsReport report{read.name, facts.facts, facts.similitude, regimes, uncertain, monte_carlo};
     if (json) {
         print_json(to_json(report));

@@ -16,7 +16,7 @@ struct SolvedWithValues {
     std::vector<scaling::UncertainPrototype> prototype;
 };
 
-/// `musim scale` for laws as data: options --hold, --watch, --define, --value, --format, --laws.
+/// `musim scale` by the quantities of a law: options --hold, --watch, --define, --value, --format, --laws.
 struct ScaleLawOptions {
     std::vector<std::string> held;
     std::vector<std::string> watched;
@@ -27,7 +27,7 @@ struct ScaleLawOptions {
 
     void add_to(CLI::App& command);
 
-    /// Whether --hold, --watch, --define or --value is given, which only laws as data take.
+    /// Whether --hold, --watch, --define or --value is given, which ask for a report by the quantities of the law.
     bool name_products() const;
 
     /// Solves `law` (a name or file; empty for none, quantities then come from --define and, by their usual names, from mechanics) with

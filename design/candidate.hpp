@@ -21,7 +21,7 @@ std::vector<std::string> default_groups();
 /// Every group that scaling::group_factors() can tell.
 std::vector<std::string> known_groups();
 
-/// δ of a group; the name is its own, as a law as data names products itself.
+/// δ of a group; the name is its own, as a law names products itself.
 struct GroupFactor {
     std::string name;
     double value = 1.0;
@@ -32,7 +32,7 @@ struct ModelState {
     double length = 1.0;  ///< λ_l
     scaling::ModelScales scales = {};
     std::vector<Use> uses = {};
-    std::vector<GroupFactor> groups;  ///< every group that is known, then of a law as data's own products
+    std::vector<GroupFactor> groups;  ///< every group that is known, then of the law's own products
     std::vector<scaling::Distortion> distortions;
     double measure = 0.0;             ///< Σ |ln δ| over the groups that the design weighs
     scaling::Mass mass{};             ///< with what a law adds
@@ -77,7 +77,7 @@ std::optional<Conflict> find_conflict(const std::vector<LimitRanges>& limits);
 /// One material by one law.
 struct Candidate {
     Material material;
-    DesignLaw law = scaling::Law::mu;
+    DesignLaw law;
     std::vector<LimitRanges> limits;
     std::vector<FeasibleRange> ranges;
     std::optional<Conflict> conflict = {};  ///< when nothing is feasible and a pair is to blame

@@ -76,7 +76,7 @@ struct Design {
     Limits limits;
     std::vector<Material> materials;
     std::vector<DesignLaw> laws;
-    std::optional<double> gravity = {};  ///< λ_g; none: 1, or what a law as data finds
+    std::optional<double> gravity = {};  ///< λ_g; none: 1, or what the law finds
     std::optional<double> length = {};   ///< λ_l that one has in mind
     std::vector<std::string> groups;     ///< that the ranking weighs (names of scaling::group_factors())
 };

@@ -6,7 +6,7 @@
 namespace musim::design {
 namespace {
 
-/// How laws as data write groups that scaling::group_factors() tells by name.
+/// How laws write groups that scaling::group_factors() tells by name.
 struct CommonGroup {
     const char* name;
     const char* product;
@@ -47,12 +47,10 @@ std::map<std::string, std::string> find_common_names(const scaling::ScaleLaw& la
 
 }  // namespace
 
-DesignLaw::DesignLaw(scaling::Law law) : name_(to_string(law)), plain_(law) {}
-
 DesignLaw::DesignLaw(scaling::ScaleLaw law, std::vector<scaling::GivenFactor> set) : name_(law.name), set_(std::move(set)) {
     check_law(law);
     common_names_ = find_common_names(law);
-    data_ = std::make_shared<const scaling::ScaleLaw>(std::move(law));
+    law_ = std::make_shared<const scaling::ScaleLaw>(std::move(law));
 }
 
 bool DesignLaw::sets(std::string_view quantity) const {
@@ -60,12 +58,12 @@ bool DesignLaw::sets(std::string_view quantity) const {
 }
 
 bool DesignLaw::expects(std::string_view quantity) const {
-    const std::vector<scaling::LawChoice>& choices = data_->choices;
+    const std::vector<scaling::LawChoice>& choices = law_->choices;
     return std::any_of(choices.begin(), choices.end(), [&](const scaling::LawChoice& choice) { return choice.name == quantity; });
 }
 
 bool DesignLaw::has(std::string_view quantity) const {
-    const std::vector<scaling::LawQuantity>& quantities = data_->quantities;
+    const std::vector<scaling::LawQuantity>& quantities = law_->quantities;
     return std::any_of(quantities.begin(), quantities.end(), [&](const auto& each) { return each.quantity.name == quantity; });
 }
 
@@ -76,8 +74,7 @@ std::optional<std::string> DesignLaw::find_common_name(const std::string& produc
 
 bool DesignLaw::operator==(const DesignLaw& other) const {
     const auto same = [](const scaling::GivenFactor& a, const scaling::GivenFactor& b) { return a.name == b.name && a.factor == b.factor; };
-    return name_ == other.name_ && plain_ == other.plain_ &&
-           std::equal(set_.begin(), set_.end(), other.set_.begin(), other.set_.end(), same);
+    return name_ == other.name_ && std::equal(set_.begin(), set_.end(), other.set_.begin(), other.set_.end(), same);
 }
 
 }  // namespace musim::design

@@ -8,29 +8,23 @@
 #include <vector>
 
 #include "scaling/scale_law.hpp"
-#include "scaling/similitude.hpp"
 
 namespace musim::design {
 
-/// A law by which models are looked for: one of scaling::Law, or a law as data with factors of its own.
+/// A law by which models are searched, with factors of its own.
 class DesignLaw {
   public:
-    DesignLaw(scaling::Law law);  // NOLINT(google-explicit-constructor): it is one
-
     /// `set` are factors that are the same at every length. Throws PiError as check_law() does.
-    DesignLaw(scaling::ScaleLaw law, std::vector<scaling::GivenFactor> set);
+    DesignLaw(scaling::ScaleLaw law, std::vector<scaling::GivenFactor> set = {});  // NOLINT(google-explicit-constructor): it is one
 
     const std::string& name() const { return name_; }
 
-    /// None for a law as data.
-    std::optional<scaling::Law> plain() const { return plain_; }
-
-    /// The law as data, null for a plain one; its texts stay where they are as long as a copy of this lives.
-    const std::shared_ptr<const scaling::ScaleLaw>& data() const { return data_; }
+    /// Its texts stay where they are as long as a copy of this lives.
+    const scaling::ScaleLaw& law() const { return *law_; }
 
     const std::vector<scaling::GivenFactor>& set() const { return set_; }
 
-    /// Whether a law as data sets a factor, expects one to be chosen, and has a quantity.
+    /// Whether the law sets a factor, expects one to be chosen, and has a quantity.
     bool sets(std::string_view quantity) const;
     bool expects(std::string_view quantity) const;
     bool has(std::string_view quantity) const;
@@ -44,8 +38,7 @@ class DesignLaw {
 
   private:
     std::string name_;
-    std::optional<scaling::Law> plain_;
-    std::shared_ptr<const scaling::ScaleLaw> data_;
+    std::shared_ptr<const scaling::ScaleLaw> law_;
     std::vector<scaling::GivenFactor> set_;
     std::map<std::string, std::string> common_names_;  ///< by the law's own texts
 };

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <utility>
 
 #include "design/known_factors.hpp"
 #include "scaling/distortion.hpp"
@@ -51,17 +50,15 @@ void require_gravity(const DesignLaw& law, double told) {
 
 }  // namespace
 
-FactsLaw apply_law(const DesignLaw& law, const scaling::PairFacts& facts, double length) {
-    if (law.plain()) {
-        return {scaling::Similitude(make_scale_factors(facts, length), *law.plain()), scaling::find_kept_numbers(*law.plain())};
-    }
+scaling::LawFormulas solve_for(const DesignLaw& law, const scaling::PairFacts& facts, double length) {
     require_single_length(law);
+    return scaling::LawFormulas(solve_law(law.law(), give_factors(law, find_known(facts, length))));
+}
+
+scaling::Similitude apply_law(const DesignLaw& law, const scaling::LawFormulas& formulas, const scaling::PairFacts& facts, double length) {
     const KnownFactors known = find_known(facts, length);
     require_gravity(law, *known.gravity);
-    scaling::SolvedLaw solved = solve_law(*law.data(), give_factors(law, known));
-    scaling::Similitude similitude = make_similitude(solved);
-    const scaling::KeptNumbers kept = find_kept_numbers(solved);
-    return {std::move(similitude), kept, std::move(solved)};
+    return make_similitude(formulas, formulas.choose(give_factors(law, known)));
 }
 
 }  // namespace musim::design

@@ -21,7 +21,7 @@ struct KnownFactors {
     std::vector<KnownProperty> properties = {};  ///< E, e, k_s
 };
 
-/// What a law as data is given of it, under the names of scaling/laws: the law's own factors; the length as
+/// What a law is given of it, under the names of scaling/laws: the law's own factors; the length as
 /// scaling::find_length_name() has it; mu;
 /// the density as rho_s where the law has one, else as rho; g where it is known; and properties that the law expects to be chosen. What the
 /// law sets goes before g and properties. Throws SimilitudeError as find_length_name().

@@ -23,9 +23,12 @@ std::optional<double> times(const std::optional<double>& ratio, double factor) {
 }  // namespace
 
 Models::Models(const Design& design, const Material& material, const DesignLaw& law)
-    : prototype_(design.prototype), gravity_(design.gravity), material_(material), law_(law) {
-    // any length will do for the formulas
-    if (law.data()) formulas_.emplace(solve_law(*law.data(), give(design.length.value_or(1.0))));
+    : prototype_(design.prototype),
+      gravity_(design.gravity),
+      material_(material),
+      law_(law),
+      // any length will do for the formulas
+      formulas_(solve_law(law.law(), give(design.length.value_or(1.0)))) {
     at(design.length.value_or(1.0));
 }
 
@@ -43,20 +46,12 @@ std::vector<scaling::GivenFactor> Models::give(double length) const {
                                .properties = properties(length)});
 }
 
-scaling::ModelScales Models::at(double length) const {
-    if (formulas_) return make_model_scales(*formulas_, formulas_->choose(give(length)));
-    return scaling::Similitude({.length = length,
-                                .friction = material_.friction / prototype_.friction,
-                                .gravity = gravity_.value_or(1.0),
-                                .density = (material_.density / prototype_.density).value()},
-                               *law_.plain());
-}
+scaling::ModelScales Models::at(double length) const { return make_model_scales(formulas_, formulas_.choose(give(length))); }
 
 std::vector<scaling::NamedFactor> Models::own_groups(double length) const {
     std::vector<scaling::NamedFactor> groups;
-    if (!formulas_) return groups;
-    const scaling::ChosenFactors chosen = formulas_->choose(give(length));
-    const scaling::ScaleProblem& problem = formulas_->solved().problem;
+    const scaling::ChosenFactors chosen = formulas_.choose(give(length));
+    const scaling::ScaleProblem& problem = formulas_.solved().problem;
     const auto add = [&](const scaling::ScaleProduct& product, std::optional<double> delta, const std::string& text) {
         for (const KnownProperty& property : properties(length)) {
             if (!law_.has(property.name) || law_.sets(property.name)) continue;
@@ -64,20 +59,20 @@ std::vector<scaling::NamedFactor> Models::own_groups(double length) const {
             const scaling::Rational& exponent = product.exponents[j];
             if (exponent == 0) continue;
             // what the material has in place of what the law asks for
-            const auto asked = formulas_->factor(j, chosen);
+            const auto asked = formulas_.factor(j, chosen);
             const double power = static_cast<double>(exponent.numerator()) / static_cast<double>(exponent.denominator());
             delta = delta && asked && property.factor ? std::optional(*delta * std::pow(*property.factor / *asked, power)) : std::nullopt;
         }
         if (delta) groups.push_back({text, *delta});
     };
     // the law's own texts outlast this object
-    std::size_t held = problem.held.size() - law_.data()->held.size();
-    for (const std::string& text : law_.data()->held) {
-        add(problem.held[held], formulas_->held(held, chosen), text);
+    std::size_t held = problem.held.size() - law_.law().held.size();
+    for (const std::string& text : law_.law().held) {
+        add(problem.held[held], formulas_.held(held, chosen), text);
         ++held;
     }
     for (std::size_t i = 0; i < problem.watched.size(); ++i) {
-        add(problem.watched[i], formulas_->watched(i, chosen), law_.data()->watched[i]);
+        add(problem.watched[i], formulas_.watched(i, chosen), law_.law().watched[i]);
     }
     return groups;
 }

@@ -12,7 +12,7 @@ namespace musim::design {
 
 /// The models of one material by one law, at any length scale.
 ///
-/// A law as data gets what a design knows as give_factors() has it: g where the design tells it, and E, e and the stiffness of a face
+/// The law gets what a design knows as give_factors() has it: g where the design tells it, and E, e and the stiffness of a face
 /// k_s = E_shear A/H, hence ∝ λ_l, where both materials tell them.
 class Models {
   public:
@@ -26,8 +26,8 @@ class Models {
     /// Throws SimilitudeError as solve_law() and Similitude do.
     scaling::ModelScales at(double length) const;
 
-    /// δ of the products that a law as data holds or watches, definitions apart, by the properties that the material really has; those that
-    /// need one that is not told are left out. Empty for a plain law.
+    /// δ of the products that the law holds or watches, definitions apart, by the properties that the material really has; those that
+    /// need one that is not told are left out.
     std::vector<scaling::NamedFactor> own_groups(double length) const;
 
     /// What the model has beside its scales.
@@ -44,7 +44,7 @@ class Models {
     std::optional<double> gravity_;
     Material material_;
     DesignLaw law_;
-    std::optional<scaling::LawFormulas> formulas_;  ///< of a law as data
+    scaling::LawFormulas formulas_;
 };
 
 }  // namespace musim::design

@@ -10,6 +10,7 @@
 #include "design/detail/law_fields.hpp"
 #include "design/detail/material_fields.hpp"
 #include "design/models.hpp"
+#include "scaling/scale_law_catalogue.hpp"
 
 namespace musim::design {
 namespace {
@@ -144,7 +145,7 @@ void check_limits(const JsonFields& fields, const Design& design) {
 }
 
 std::vector<DesignLaw> read_laws(JsonFields& fields, const std::string& source) {
-    if (!fields.has("laws")) return {scaling::Law::mu};
+    if (!fields.has("laws")) return {scaling::load_scale_law("mu")};
     std::vector<DesignLaw> laws;
     for (const Json& entry : require_list(fields, "laws", R"(["mu", {"law": "gravity_distorted", "set": {"a": 2}}])")) {
         if (!entry.is_string() && !entry.is_object()) fields.fail("an entry of laws is no text", "write it in quotes");
@@ -177,9 +178,11 @@ std::vector<std::string> read_groups(JsonFields& fields, const std::vector<Desig
     if (!fields.has("groups")) return default_groups();
     std::vector<std::string> known = known_groups();
     for (const DesignLaw& law : laws) {
-        if (!law.data()) continue;
-        known.insert(known.end(), law.data()->held.begin(), law.data()->held.end());
-        known.insert(known.end(), law.data()->watched.begin(), law.data()->watched.end());
+        for (const auto* products : {&law.law().held, &law.law().watched}) {
+            for (const std::string& product : *products) {
+                if (std::find(known.begin(), known.end(), product) == known.end()) known.push_back(product);
+            }
+        }
     }
     std::vector<std::string> names = read_names(fields, "groups", R"(["mu^N", "omega/p"])");
     for (const std::string& name : names) {

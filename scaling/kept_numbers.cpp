@@ -23,20 +23,6 @@ bool is_kept(const SolvedLaw& solved, const std::string& number, const std::vect
 
 }  // namespace
 
-KeptNumbers find_kept_numbers(Law law) {
-    switch (law) {
-        case Law::mu:
-            return {.mu = true};
-        case Law::froude:
-            return {.froude = true};
-        case Law::cauchy:
-            return {.cauchy = true};
-        case Law::exact:
-            break;
-    }
-    return {.mu = true, .froude = true, .cauchy = true};
-}
-
 KeptNumbers find_kept_numbers(const SolvedLaw& solved) {
     // squares of the numbers, with the acceleration l/t² that such a law has in one form or the other
     const bool by_time = has_quantity(solved, "t");

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "scaling/scale_law.hpp"
-#include "scaling/similitude.hpp"
 
 namespace musim::scaling {
 
@@ -12,10 +11,7 @@ struct KeptNumbers {
     bool cauchy = false;  ///< v/√(E/ρ)
 };
 
-/// Those of a law of the code; `exact` keeps all.
-KeptNumbers find_kept_numbers(Law law);
-
-/// Those of a law as data, which speaks of l, of t or a, and of mu, g, rho, E as far as it has them: a number is kept where its δ is a
+/// Those of a law, which speaks of l, of t or a, and of mu, g, rho, E as far as it has them: a number is kept where its δ is a
 /// product of no chosen factor at all. A law that has not the quantities of a number does not keep it.
 KeptNumbers find_kept_numbers(const SolvedLaw& solved);
 

@@ -1,14 +1,33 @@
 #include "scaling/law_similitude.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 #include <optional>
+#include <vector>
 
 #include "scaling/detail/law_shaking.hpp"
 #include "scaling/detail/named_factors.hpp"
+#include "scaling/scale_law_catalogue.hpp"
 
 namespace musim::scaling {
 
 Similitude make_similitude(const SolvedLaw& solved) { return make_similitude(LawFormulas(solved), solved.problem.chosen); }
+
+Similitude make_similitude(std::string_view name, const ScaleFactors& chosen) {
+    const std::optional<ScaleLaw> law = find_scale_law(name);
+    if (!law) throw SimilitudeError(fmt::format("similitude: {}", no_such_law(name)));
+    std::vector<GivenFactor> given;
+    for (const ChosenScale& scale : kChosenScales) {
+        const auto is_it = [&](const LawChoice& choice) { return choice.name == scale.quantity; };
+        const bool is_expected = std::any_of(law->choices.begin(), law->choices.end(), is_it);
+        const double factor = chosen.*scale.factor;
+        // a factor that the law settles by itself is given where it asks for more than the law's default
+        if (is_expected || factor != 1.0) given.push_back({scale.quantity, factor});
+    }
+    return make_similitude(solve_law(*law, given));
+}
 
 Similitude make_similitude(const LawFormulas& formulas, const ChosenFactors& chosen) {
     const detail::NamedFactors factors(formulas, chosen);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string_view>
+
 #include "scaling/law_formulas.hpp"
 #include "scaling/similitude.hpp"
 
@@ -10,6 +12,12 @@ namespace musim::scaling {
 /// horizontal one. Throws SimilitudeError: a quantity is missing, of another dimension
 /// or open, or the law does not keep a t²/l and m/(ρ l³).
 Similitude make_similitude(const SolvedLaw& solved);
+
+/// The similitude of a law that comes with musim (scaling/laws/), by its name: its l, μ, g and ρ as chosen, its other choices at their
+/// defaults. Throws SimilitudeError as solve_law() does, and for a name that is unknown.
+Similitude make_similitude(std::string_view law, const ScaleFactors& chosen);
+
+/// The similitude of a law solved once, with the factors chosen of it.
 Similitude make_similitude(const LawFormulas& formulas, const ChosenFactors& chosen);
 
 }  // namespace musim::scaling

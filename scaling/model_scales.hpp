@@ -69,7 +69,7 @@ inline constexpr ModelScale kModelScales[] = {{"height", &ModelScales::height},
                                               {"friction", &ModelScales::friction},
                                               {"mass", &ModelScales::mass}};
 
-/// Those of a law as data: of its similitude where it has a length l. Else the height is H, or the length that find_length_name() says,
+/// Those of a law: of its similitude where it has a length l. Else the height is H, or the length that find_length_name() says,
 /// the width b, or else as the height; further t, or else u and a; of u, v, a and of u_v, v_v, a_v those that the law has, at least one
 /// for the horizontal, as the time settles the others; without any for the vertical it moves as the horizontal; m, or else rho; mu and
 /// g, 1 in a law without them. Throws SimilitudeError when a quantity is missing, of another dimension or open, or when those of one

@@ -55,12 +55,18 @@ std::vector<FirstOrder> propagate_first_order(const std::vector<UncertainInput>&
     std::vector<std::vector<double>> exponents(results.size());
 
     for (std::size_t i = 0; i < inputs.size(); ++i) {
-        const double value = values[i];
-        values[i] = 2.0 * value;
-        const std::vector<double> doubled = evaluate(values);
-        values[i] = 0.5 * value;
-        const std::vector<double> halved = evaluate(values);
-        values[i] = value;
+        const auto evaluate_at = [&](double factor) {
+            std::vector<double> moved = values;
+            moved[i] *= factor;
+            try {
+                return evaluate(moved);
+            } catch (const SimilitudeError& error) {
+                throw SimilitudeError(
+                    fmt::format("{} is uncertain, and the law admits its value alone ({}); give the value alone, or choose another law",
+                                inputs[i].name, error.what()));
+            }
+        };
+        const std::vector<double> doubled = evaluate_at(2.0), halved = evaluate_at(0.5);
         for (std::size_t r = 0; r < results.size(); ++r) {
             const double exponent = find_exponent(doubled[r], results[r]);
             if (exponent != find_exponent(results[r], halved[r])) {

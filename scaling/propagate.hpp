@@ -37,7 +37,8 @@ FirstOrder make_first_order(double value, std::vector<double> exponents, const s
 
 /// Propagates standard uncertainties to first order: for a product of powers the relative variances of independent inputs add, each times
 /// the square of its exponent [JCGM100] 5.1.6. The exponents are exact, not differences: x_i doubled multiplies the result by 2^n_i, and
-/// what rounding adds to n_i is taken off (multiples of 1/12). Throws std::logic_error for a result that is no product of powers.
+/// what rounding adds to n_i is taken off (multiples of 1/12). Throws std::logic_error for a result that is no product of
+/// powers, and SimilitudeError, which names the input, when a law refuses it moved.
 std::vector<FirstOrder> propagate_first_order(const std::vector<UncertainInput>& inputs, const Evaluation& evaluate);
 
 /// By how much, as a factor or its inverse, find_first_order() wants an input moved [-]. Smaller: rounding, 1e-16 over its logarithm,

@@ -58,14 +58,6 @@ double GroupComparison::factor() const {
     return prototype == 0.0 ? std::numeric_limits<double>::infinity() : model / prototype;
 }
 
-RegimeReport make_regime_report(const PairFacts& facts, const Similitude& similitude) {
-    if (!similitude.law()) {
-        throw SimilitudeError(
-            fmt::format("law {}: what it requires of groups is not known; choose mu, froude, exact or cauchy", similitude.law_name()));
-    }
-    return make_regime_report(facts, similitude, find_kept_numbers(*similitude.law()));
-}
-
 RegimeReport make_regime_report(const PairFacts& facts, const Similitude& similitude, const KeptNumbers& kept) {
     check(facts);
     PairFacts pair = facts;

@@ -58,9 +58,6 @@ struct RegimeReport {
 /// What the law requires is what the numbers that it keeps ask for. Throws SimilitudeError as check(PairFacts).
 RegimeReport make_regime_report(const PairFacts& facts, const Similitude& similitude, const KeptNumbers& kept);
 
-/// The same for a law of the code; throws SimilitudeError for another, too.
-RegimeReport make_regime_report(const PairFacts& facts, const Similitude& similitude);
-
 /// Contacts count as rigid while the static overlap at the base is below this share of the height deviation, and while normal contact waves
 /// are faster than the motion by its inverse [-]. Why this value: an overlap of a tenth moves the number of carrying contacts by about as
 /// much as one block more or less in ten; the papers' wood, concrete and prototype have 8.5e-4, 1.7e-3 and 0.043. Changes labels only.

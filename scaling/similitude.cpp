@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <utility>
@@ -12,38 +10,10 @@ namespace musim::scaling {
 
 namespace {
 
-constexpr std::array<std::pair<Law, std::string_view>, 4> kLawNames{{
-    {Law::mu, "mu"},
-    {Law::froude, "froude"},
-    {Law::exact, "exact"},
-    {Law::cauchy, "cauchy"},
-}};
-
 void check_factor(std::string_view name, double value) {
     if (std::isfinite(value) && value > 0.0) return;
     throw SimilitudeError(fmt::format(
         "similitude: the {} factor is {} (model/prototype must be positive and finite); give a number such as 0.04 or 1/25", name, value));
-}
-
-void check_chosen(const ScaleFactors& chosen) {
-    check_factor("length", chosen.length);
-    check_factor("friction", chosen.friction);
-    check_factor("gravity", chosen.gravity);
-    check_factor("density", chosen.density);
-}
-
-/// λ_a of a law: the acceleration of the force that governs.
-double acceleration_factor(const ScaleFactors& chosen, Law law) {
-    switch (law) {
-        case Law::mu:
-            return chosen.friction * chosen.gravity;
-        case Law::cauchy:
-            return 1.0 / (chosen.density * chosen.length);
-        case Law::froude:
-        case Law::exact:
-            break;
-    }
-    return chosen.gravity;
 }
 
 /// Product of powers whose exponents are quarters, with one root at the end of each kind: √(1/8 · 2) is exact, √(1/8) · √2 is not.
@@ -74,55 +44,17 @@ class PowerProduct {
 
 }  // namespace
 
-Law parse_law(std::string_view name) {
-    std::string known;
-    for (const auto& [law, law_name] : kLawNames) {
-        if (law_name == name) return law;
-        known += fmt::format("{}{}", known.empty() ? "" : ", ", law_name);
-    }
-    throw SimilitudeError(fmt::format("similitude: there is no law \"{}\"; choose one of {}", name, known));
-}
-
-bool is_law(std::string_view name) {
-    return std::any_of(kLawNames.begin(), kLawNames.end(), [&](const auto& known) { return known.second == name; });
-}
-
-std::string_view to_string(Law law) {
-    for (const auto& [known, name] : kLawNames) {
-        if (known == law) return name;
-    }
-    return "unknown";
-}
-
-Similitude::Similitude(const ScaleFactors& chosen, Law law)
-    : chosen_(chosen),
-      law_(law),
-      law_name_(to_string(law)),
-      acceleration_(acceleration_factor(chosen, law)),
-      acceleration_vertical_(law == Law::cauchy ? acceleration_ : chosen.gravity) {
-    check_chosen(chosen);
-    if (law == Law::exact && chosen.friction != 1.0) {
-        throw SimilitudeError(
-            fmt::format("similitude: the friction factor is {} under law \"exact\" (must be 1: friction is a dimensionless group of its "
-                        "own); choose law "
-                        "\"mu\" or \"froude\", or give the model the prototype's friction",
-                        chosen.friction));
-    }
-    check();
-}
-
 Similitude::Similitude(const ScaleFactors& chosen, double acceleration, std::string law_name, std::optional<double> acceleration_vertical)
     : chosen_(chosen),
       law_name_(std::move(law_name)),
       acceleration_(acceleration),
       acceleration_vertical_(acceleration_vertical.value_or(chosen.gravity)) {
-    check_chosen(chosen);
-    check_factor("acceleration", acceleration);
+    check_factor("length", chosen.length);
+    check_factor("friction", chosen.friction);
+    check_factor("gravity", chosen.gravity);
+    check_factor("density", chosen.density);
+    check_factor("acceleration", acceleration_);
     check_factor("vertical acceleration", acceleration_vertical_);
-    check();
-}
-
-void Similitude::check() const {
     for (const NamedFactor& derived : factors()) {
         if (std::isnormal(derived.value)) continue;
         throw SimilitudeError(

@@ -11,23 +11,6 @@
 
 namespace musim::scaling {
 
-/// Which force governs, hence how acceleration scales; time follows as λ_t = √(λ_l/λ_a). README.md derives each.
-enum class Law {
-    mu,  ///< sliding friction, λ_a = λ_μ λ_g: keeps the mu number v/√(μ g l) for rigid blocks that slide [Andrade22], [Rosakis21]
-    froude,  ///< weight, λ_a = λ_g whatever λ_μ is: keeps v/√(g l) and a/g
-    exact,   ///< every group equal, λ_a = λ_g; needs λ_μ = 1 and stiffness, damping and time step scaled too [FengOwen14]
-    cauchy,  ///< elasticity of the same solid (λ_E = 1), gravity neglected, λ_a = 1/(λ_ρ λ_l) [MoncarzKrawinkler81]
-};
-
-/// The law called `name` ("mu", "froude", "exact" or "cauchy"); throws SimilitudeError, which lists them, for any other.
-Law parse_law(std::string_view name);
-
-/// Whether parse_law() knows a law of this name.
-bool is_law(std::string_view name);
-
-/// Name of a law, as parse_law() reads it.
-std::string_view to_string(Law law);
-
 /// The factors one chooses, each λ = model/prototype [-].
 struct ScaleFactors {
     double length = 1.0;    ///< λ_l
@@ -35,6 +18,17 @@ struct ScaleFactors {
     double gravity = 1.0;   ///< λ_g, above 1 in a centrifuge
     double density = 1.0;   ///< λ_ρ
 };
+
+/// One of them, as files and options call it, and the quantity of laws whose factor it is.
+struct ChosenScale {
+    const char* name;
+    const char* quantity;
+    double ScaleFactors::*factor;
+};
+inline constexpr ChosenScale kChosenScales[] = {{"length", "l", &ScaleFactors::length},
+                                                {"friction", "mu", &ScaleFactors::friction},
+                                                {"gravity", "g", &ScaleFactors::gravity},
+                                                {"density", "rho", &ScaleFactors::density}};
 
 /// A derived factor and the key it has in files.
 struct NamedFactor {
@@ -51,15 +45,16 @@ struct NamedFactor {
 /// weighs scales with λ_g alone and the type cannot tell; those factors have names of their own (..._vertical, ..._static, ...).
 class Similitude {
   public:
-    /// Throws SimilitudeError when a factor is not positive and finite, when derived factors leave the range of doubles, or when the
-    /// law does not admit them (`exact` with λ_μ ≠ 1).
-    explicit Similitude(const ScaleFactors& chosen, Law law = Law::mu);
+    /// The prototype itself, by law "exact": every factor is 1.
+    Similitude() : Similitude({}, 1.0, "exact") {}
 
-    /// λ_a given directly, by a law called `law_name` that is none of Law, and that of vertical shaking, by default λ_g. Throws
-    /// SimilitudeError as the other.
+    /// What a law called `law_name` makes of the chosen factors (make_similitude()): λ_a, and that of vertical shaking, by default λ_g.
+    /// Throws SimilitudeError when a factor is not positive and finite, or when derived factors leave the range of doubles.
     Similitude(const ScaleFactors& chosen, double acceleration, std::string law_name, std::optional<double> acceleration_vertical = {});
 
-    std::optional<Law> law() const { return law_; }
+    /// Whether the law is "exact": contacts and damping scale, too, so that a state of the prototype has an exact image.
+    bool is_exact() const { return law_name_ == "exact"; }
+
     const std::string& law_name() const { return law_name_; }
     const ScaleFactors& chosen() const { return chosen_; }
 
@@ -124,10 +119,7 @@ class Similitude {
     std::vector<NamedFactor> factors() const;
 
   private:
-    void check() const;
-
     ScaleFactors chosen_;
-    std::optional<Law> law_;
     std::string law_name_;
     double acceleration_;
     double acceleration_vertical_;

@@ -250,11 +250,6 @@ bool UncertainScales::is_uncertain() const {
 UncertainReport propagate(const UncertainScales& scales, const MakeModelScales& make_scales, const ModelFacts& facts,
                           const std::optional<MonteCarloSettings>& monte_carlo) {
     const ModelScales shaken = make_scales(scales.factors(), values_of(scales.others));
-    if (shaken.similitude && shaken.similitude->law() == Law::exact && scales.friction.is_uncertain()) {
-        throw SimilitudeError(
-            "similitude: the friction factor is uncertain under law \"exact\" (which holds for a factor of 1 alone); choose law \"mu\" or "
-            "\"froude\"");
-    }
     Quantities quantities;
     const Places places = add_all(quantities, scales);
     const auto find_entries = [&](std::span<const double> drawn) {

@@ -27,7 +27,7 @@ struct UncertainMotion {
 /// A similitude whose inputs are uncertain.
 struct UncertainScales {
     UncertainRatio length, friction, gravity, density;  ///< λ, or values of model and prototype as a fraction
-    std::vector<UncertainFactor> others;                ///< of quantities that only a law as data knows
+    std::vector<UncertainFactor> others;                ///< of quantities that have no option of their own
 
     std::optional<Uncertain> friction_prototype;      ///< μ of the prototype; else the denominator of `friction`, if it has one
     std::vector<Uncertain> slenderness;               ///< tan α of each direction
@@ -62,7 +62,7 @@ struct UncertainReport {
 /// μ^N and a/(μ g) in `structure` say what a test has that is shaken with the factors' values, as one does: there u(μ^N)² = u(v)² +
 /// (u(l)² + u(μ)² + u(g)²)/4, relative, and u(a/(μ g))² = u(a)² + u(μ)² + u(g)². A vertical motion has one group, a/g.
 ///
-/// Throws SimilitudeError when the factors cannot be a similitude, when law `exact` meets an uncertain friction factor (it must be 1), when
+/// Throws SimilitudeError when the factors cannot be a similitude, when the law holds a factor that is uncertain, when
 /// friction_prototype contradicts the denominator of `friction`, and as run_monte_carlo() does.
 UncertainReport propagate(const UncertainScales& scales, const MakeModelScales& make_scales, const ModelFacts& facts,
                           const std::optional<MonteCarloSettings>& monte_carlo);

@@ -40,8 +40,7 @@ DesignLaw read_law(const Json& entry, const JsonFields& fields, const std::strin
     try {
         if (entry.is_object()) return read_law_object(JsonFields(entry, place, fields.reading()), source);
         const auto name = entry.get<std::string>();
-        if (scaling::is_law(name)) return scaling::parse_law(name);
-        return {load_law(name, source), {}};
+        return load_law(name, source);
     } catch (const scaling::SimilitudeError& error) {
         throw records::ReadError(fmt::format("{}: {}", place, error.what()));
     }

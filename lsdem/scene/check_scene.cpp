@@ -271,13 +271,7 @@ bool Scene::has_contact_nodes() const {
     return !meet_by_overlap || !std::holds_alternative<BoxShape>(shape);
 }
 
-bool RecordScale::operator==(const RecordScale& other) const {
-    return law == other.law && set == other.set && factors.length == other.factors.length && factors.friction == other.factors.friction &&
-           factors.gravity == other.factors.gravity && factors.density == other.factors.density;
-}
-
 scaling::Similitude make_similitude(const RecordScale& scale) {
-    if (scale.set.empty() && scaling::is_law(scale.law)) return scaling::Similitude(scale.factors, scaling::parse_law(scale.law));
     std::vector<scaling::GivenFactor> given;
     for (const auto& [name, factor] : scale.set) given.push_back({name, factor});
     return scaling::make_similitude(scaling::solve_law(scaling::load_scale_law(scale.law), given));

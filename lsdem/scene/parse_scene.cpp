@@ -156,25 +156,13 @@ Structure parse_structure(const json& value, const JsonPlace& place, const std::
     return parse_tower(object, origin);
 }
 
-/// Laws of scaling::Law take the four factors; another law takes them as l, mu, g and rho, and any in "set".
 RecordScale parse_record_scale(const json& value, const JsonPlace& place, const std::filesystem::path& origin) {
     const JsonObject object(value, place, "scale");
     RecordScale scale;
     object.read("law", scale.law);
-    object.read("length", scale.factors.length);
-    object.read("friction", scale.factors.friction);
-    object.read("gravity", scale.factors.gravity);
-    object.read("density", scale.factors.density);
-    if (!object.has("set") && scaling::is_law(scale.law)) return scale;
-
-    const auto give = [&](const char* key, const char* quantity, double factor) {
-        if (object.has(key)) scale.set.emplace(quantity, factor);
-    };
-    give("length", "l", scale.factors.length);
-    give("friction", "mu", scale.factors.friction);
-    give("gravity", "g", scale.factors.gravity);
-    give("density", "rho", scale.factors.density);
-    scale.factors = {};
+    for (const scaling::ChosenScale& chosen : scaling::kChosenScales) {
+        if (object.has(chosen.name)) object.read(chosen.name, scale.set[chosen.quantity]);
+    }
     if (object.has("set")) {
         const json& set = object.get("set");
         const JsonPlace where = object.place("set");

@@ -112,11 +112,10 @@ scaling::Length default_pitch(const Triple<scaling::Length>& block);
 
 /// Scale factors that a scene applies to its own record.
 struct RecordScale {
-    std::string law = "mu";             ///< of scaling::Law; or else a law as data, by name or absolute path
-    scaling::ScaleFactors factors;      ///< for a law of scaling::Law
-    std::map<std::string, double> set;  ///< factors by quantity, for a law as data; empty for a law of scaling::Law
+    std::string law = "mu";             ///< one that comes with musim, by name, or a file by its absolute path
+    std::map<std::string, double> set;  ///< factors by quantity; what is not in it has the law's default
 
-    bool operator==(const RecordScale& other) const;
+    bool operator==(const RecordScale&) const = default;
 };
 
 /// The similitude of a record's scale. Throws scaling::SimilitudeError.

@@ -121,14 +121,12 @@ ordered_json to_json(const RecordMotion& motion) {
     if (motion.window) object["window"] = {(*motion.window)[0].value(), (*motion.window)[1].value()};
     put(object, "highpass", motion.highpass_corner);
     if (motion.scale) {
-        const auto& [law, factors, set] = *motion.scale;
-        object["scale"] = {{"law", law}};
-        if (set.empty()) {
-            object["scale"].update(
-                {{"length", factors.length}, {"friction", factors.friction}, {"gravity", factors.gravity}, {"density", factors.density}});
-        } else {
-            object["scale"]["set"] = set;
+        auto [law, set] = *motion.scale;
+        ordered_json& scale = object["scale"] = {{"law", law}};
+        for (const scaling::ChosenScale& chosen : scaling::kChosenScales) {
+            if (const auto given = set.extract(chosen.quantity)) scale[chosen.name] = given.mapped();
         }
+        if (!set.empty()) scale["set"] = set;
     }
     return object;
 }

@@ -13,6 +13,7 @@
 #include "lsdem/time_step.hpp"
 #include "records/synthetic.hpp"
 #include "scaling/interruption.hpp"
+#include "scaling/law_similitude.hpp"
 
 namespace musim::lsdem::study {
 namespace {
@@ -27,7 +28,7 @@ constexpr std::uint64_t kTopSamples = 300;
 constexpr std::size_t kCompared = 180;
 
 const scaling::Similitude& mini_scale() {
-    static const scaling::Similitude kScale({.length = 1.0 / 107.0}, scaling::Law::mu);
+    static const scaling::Similitude kScale = scaling::make_similitude("mu", {.length = 1.0 / 107.0});
     return kScale;
 }
 

@@ -65,7 +65,7 @@ std::vector<RunTrace> run_other_specimens(const scene::Scene& scene, const RunRe
             };
             RunSettings laying = settings_of("specimen");
             laying.on_preparation = [&](double part) { progress.update(i, kLaying * part); };
-            PairMember member = lay_member("other", other, scaling::Similitude({}, scaling::Law::exact), laying);
+            PairMember member = lay_member("other", other, scaling::Similitude(), laying);
             drop_frames(member);
             RunSettings running = settings_of("checkpoint");
             running.on_progress = [&](double part) { progress.update(i, kLaying + (1.0 - kLaying) * part); };

@@ -8,6 +8,7 @@
 
 #include "lsdem/study/detail/shared_progress.hpp"
 #include "lsdem/study/twin_specimen.hpp"
+#include "scaling/law_similitude.hpp"
 #include "scaling/random_bits.hpp"
 #include "scaling/side_by_side.hpp"
 
@@ -73,7 +74,7 @@ PairMember make_half_step(const PairMember& prototype) {
 }
 
 PairMember make_twin_member(const PairMember& prototype, const std::string& label, const TwinChoice& choice) {
-    const scaling::Similitude similitude({.length = choice.length}, scaling::Law::exact);
+    const scaling::Similitude similitude = scaling::make_similitude("exact", {.length = choice.length});
     PairMember twin = make_image(prototype, label, similitude);
     twin.specimen = make_twin(prototype.specimen, choice);
     drop_frames(twin);

@@ -23,6 +23,7 @@
 #include "lsdem/study/run.hpp"
 #include "lsdem/study/scale_specimen.hpp"
 #include "lsdem/study/twin_files.hpp"
+#include "scaling/law_similitude.hpp"
 
 namespace musim::lsdem::study {
 namespace {
@@ -46,7 +47,7 @@ struct LoneScene {
 };
 
 ScaledScene scale_by_law(const scene::Scene& prototype, const ModelChoice& choice) {
-    const Similitude similitude = choice.similitude ? *choice.similitude : Similitude({.length = choice.length}, scaling::Law::exact);
+    const Similitude similitude = choice.similitude ? *choice.similitude : scaling::make_similitude("exact", {.length = choice.length});
     return {scene::scale_scene(prototype, similitude), similitude, scaling::find_distortions(similitude)};
 }
 
@@ -73,7 +74,7 @@ ScaledScene scale_with_own(const scene::Scene& prototype, const ModelChoice& cho
                                         .friction = own.material.friction / prototype.material.friction,
                                         .gravity = 1.0,
                                         .density = own.material.density / prototype.material.density};
-    const Similitude similitude(factors, scaling::Law::mu);
+    const Similitude similitude = scaling::make_similitude("mu", factors);
     ScaledScene scaled{scene::scale_with_own_material(prototype, similitude, own), similitude, {}, own.name};
     scaled.distortions = find_own_distortions(prototype, scaled.scene, similitude);
     return scaled;
@@ -93,7 +94,7 @@ ScaledScene take_as_model(const scene::Scene& prototype, const scene::Scene& mod
                                         .friction = model.material.friction / prototype.material.friction,
                                         .gravity = strength(model) / strength(prototype),
                                         .density = model.material.density / prototype.material.density};
-    const Similitude similitude(factors, scaling::Law::mu);
+    const Similitude similitude = scaling::make_similitude("mu", factors);
     ScaledScene scaled{model, similitude, {}, "scene \"" + model.name + "\""};
     scaled.scene.time.duration = prototype.time.duration * similitude.time();
     scaled.scene.time.step.reset();
@@ -130,7 +131,7 @@ void require_same_structure(const Specimen& prototype, const Specimen& model, co
 
 /// One scene for every property in which `own` is not what its similitude asks for.
 std::vector<LoneScene> find_lone_scenes(const scene::Scene& prototype, const ScaledScene& own) {
-    const Similitude exact({.length = own.similitude.length(), .density = own.similitude.density()}, scaling::Law::exact);
+    const Similitude exact = scaling::make_similitude("exact", {.length = own.similitude.length(), .density = own.similitude.density()});
     const scene::Scene by_law = scene::scale_scene(prototype, own.similitude), twin = scene::scale_scene(prototype, exact);
     const scene::BlockMaterial &has = own.scene.material, &asked = by_law.material;
     std::vector<LoneScene> scenes;
@@ -263,7 +264,7 @@ ScenePair pair_scene(const scene::Scene& prototype, const std::vector<ModelChoic
     RunSettings laying = kept.settings_of("prototype", settings);
     // with the models, the half step and the quarter
     laying.runs_to_follow = static_cast<double>(models.size() + 3 + how.judging.twins.value_or(kMostTwins));
-    const PairMember original = lay_member("prototype", prototype, Similitude({}, scaling::Law::exact), laying, Sampling::every_step);
+    const PairMember original = lay_member("prototype", prototype, Similitude(), laying, Sampling::every_step);
     const RunSettings plain{.threads = settings.threads, .checkpoint = settings.checkpoint};
 
     ScenePair pair{.prototype = prototype,
@@ -282,7 +283,7 @@ ScenePair pair_scene(const scene::Scene& prototype, const std::vector<ModelChoic
         const auto lay = [&](const std::string& name, const scene::Scene& scene, const Similitude& similitude) {
             return lay_member(name, scene, similitude, kept.settings_of(name, plain));
         };
-        const bool has_image = !choice.scene && materials == Materials::exact && scaled.similitude.law() == scaling::Law::exact;
+        const bool has_image = !choice.scene && materials == Materials::exact && scaled.similitude.is_exact();
         members.push_back(has_image && how.specimen == PairSpecimen::one ? make_image(original, label, scaled.similitude)
                                                                          : lay(label, scaled.scene, scaled.similitude));
         members.back().distortions = scaled.distortions;

@@ -93,7 +93,7 @@ class Scaler {
 }  // namespace
 
 Specimen scale_specimen(const Specimen& specimen, const scaling::Similitude& similitude) {
-    if (similitude.law() != scaling::Law::exact) {
+    if (!similitude.is_exact()) {
         throw scaling::SimilitudeError(fmt::format(
             "similitude: law \"{}\" gives a specimen no image (friction, gravity or contacts become another part of its weight); take law "
             "\"exact\", or scale the scene and prepare its specimen",

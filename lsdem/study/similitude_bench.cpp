@@ -121,7 +121,7 @@ bool all_hold(const std::vector<SimilitudeOutcome>& outcomes) {
 
 std::vector<SimilitudeOutcome> run_similitude_cases(const std::vector<SimilitudeCase>& cases, int threads,
                                                     const std::function<void(double)>& on_progress) {
-    const TwinScales whole{scaling::Similitude({})};
+    const TwinScales whole{scaling::Similitude()};
     std::map<BenchScene, PrototypeRuns> prototypes;
     for (const SimilitudeCase& wanted : cases) prototypes[wanted.scene].scene = make_bench_scene(wanted.scene);
 

@@ -20,7 +20,7 @@ struct SimilitudeCase {
     bool collapses = false;  ///< every group that matters is equal: the curves are to be one, and `prediction` is 1
 };
 
-/// The laws as data that are tried: all that come with musim but "mechanics", which says nothing about forces.
+/// The laws that are tried: all that come with musim but "mechanics", which says nothing about forces.
 const std::vector<std::string>& similitude_law_names();
 
 /// The cases of a law, or of all when the name is empty. Throws scaling::SimilitudeError for another name.

@@ -17,7 +17,7 @@ struct TwinScales {
     double heights = 1.0;            ///< λ of heights over λ of widths [-]; angles scale by 1/heights
 };
 
-/// The scales that a law as data (scaling/laws/) gives for these factors. Its lengths are l, or else widths b; heights over
+/// The scales that a law (scaling/laws/) gives for these factors. Its lengths are l, or else widths b; heights over
 /// widths are scaled by 1/tan_alpha, 1 in a law without that quantity. Throws scaling::SimilitudeError as solve_law() and make_similitude()
 /// do.
 TwinScales make_twin_scales(const std::string& law, const std::vector<scaling::GivenFactor>& given);

@@ -97,7 +97,7 @@ StackedPlot make_spine_plot(const PairStudy& study, const MotionScales& scales, 
 
     const std::vector<std::size_t> rows = choose_rows(study.prototype.spine.size());
     for (const std::size_t row : rows) plot.row_labels.push_back(fmt::format("level {}", study.prototype.spine.level[row]));
-    plot.runs.push_back(make_curves("prototype", study.prototype, scaling::Similitude({}, scaling::Law::exact), units, rows));
+    plot.runs.push_back(make_curves("prototype", study.prototype, scaling::Similitude(), units, rows));
     if (const std::optional<TwinBand> band = find_twin_band(study)) {
         plot.runs.back().label = "prototype, band of its twins";
         plot.runs.back().spread = band->half_width;

@@ -24,6 +24,7 @@
 #include "lsdem/study/twin_files.hpp"
 #include "lsdem/study/twin_specimen.hpp"
 #include "scaling/interruption.hpp"
+#include "scaling/law_similitude.hpp"
 #include "scaling/side_by_side.hpp"
 
 namespace musim::lsdem::study {
@@ -147,7 +148,7 @@ class TwinWork {
 
     template <class Tell>
     void run_twin(TwinRun& twin, const Tell& tell) {
-        const scaling::Similitude similitude({.length = twin.choice.length}, scaling::Law::exact);
+        const scaling::Similitude similitude = scaling::make_similitude("exact", {.length = twin.choice.length});
         const double velocity = similitude.velocity();
         const double time_step = plan_.scaled(similitude.time()).time_step;
         twin.diverged = !run_samples(make_twin(specimen_, twin.choice), time_step, [&](const Simulation& simulation, auto k) {

@@ -6,6 +6,7 @@
 
 #include "lsdem/block_height.hpp"
 #include "lsdem/study/scale_specimen.hpp"
+#include "scaling/law_similitude.hpp"
 #include "scaling/random_bits.hpp"
 
 namespace musim::lsdem::study {
@@ -59,7 +60,7 @@ Specimen make_twin(const Specimen& prototype, const TwinChoice& choice) {
             block.position += last_place(block.position) * random.next().array().round().matrix();
         }
     }
-    return scale_specimen(twin, scaling::Similitude({.length = choice.length}, scaling::Law::exact));
+    return scale_specimen(twin, scaling::make_similitude("exact", {.length = choice.length}));
 }
 
 }  // namespace musim::lsdem::study

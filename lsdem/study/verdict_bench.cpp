@@ -16,6 +16,7 @@
 #include "lsdem/study/trace_file.hpp"
 #include "lsdem/study/twin_files.hpp"
 #include "lsdem/study/twin_specimen.hpp"
+#include "scaling/law_similitude.hpp"
 #include "scaling/random_bits.hpp"
 #include "scaling/side_by_side.hpp"
 
@@ -130,7 +131,7 @@ class BenchWork {
     }
 
     void run_trial(Trial& trial, const std::function<void(double)>& on_progress) const {
-        const scaling::Similitude similitude({.length = trial.choice.length}, scaling::Law::exact);
+        const scaling::Similitude similitude = scaling::make_similitude("exact", {.length = trial.choice.length});
         Specimen specimen = make_twin(specimen_, trial.choice);
         if (trial.error) inject(*trial.error, trial.size, specimen.model);
         const RunResult run = simulate(specimen, time_plan_.scaled(similitude.time()), {.on_progress = on_progress});

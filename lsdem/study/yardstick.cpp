@@ -126,7 +126,7 @@ RunTrace trace_run(const RunResult& prototype, const RunResult& run, const scali
 }
 
 Yardstick::Yardstick(const RunResult& prototype, std::vector<RunTrace> twins)
-    : twins_(std::move(twins)), prototype_(find_quantities(prototype, scaling::Similitude({}, scaling::Law::exact))) {
+    : twins_(std::move(twins)), prototype_(find_quantities(prototype, scaling::Similitude())) {
     samples_ = prototype.history.samples();
     interval_ = samples_ > 1 ? prototype.history.time[1] - prototype.history.time[0] : 0.0;
     if (samples_ > 1) steps_per_sample_ = static_cast<double>(prototype.steps) / static_cast<double>(samples_ - 1);

@@ -37,7 +37,7 @@ TEST_CASE("a design has defaults for all but prototype and materials") {
     CHECK(design.prototype.block[1] == 2.82 * si::meters);
     CHECK(design.prototype.friction == 0.59);
     CHECK(design.prototype.mass_center == 0.5 * design.prototype.height);
-    CHECK(design.laws == std::vector<DesignLaw>{scaling::Law::mu});
+    CHECK(design.laws == std::vector{by("mu")});
     CHECK_FALSE(design.gravity.has_value());
     CHECK_FALSE(design.length.has_value());
     CHECK(design.groups == default_groups());
@@ -80,7 +80,7 @@ TEST_CASE("record, limits, laws and groups are read") {
     CHECK(record.axes == std::vector{std::pair<std::string, std::string>("360", "x")});
     CHECK(record.high_pass->value() == 0.05);
     CHECK(design.limits.camera_rate->value() == 4800.0);
-    CHECK(design.laws == std::vector<DesignLaw>{scaling::Law::froude, scaling::Law::cauchy});
+    CHECK(design.laws == std::vector{by("froude"), by("cauchy")});
     CHECK(*design.length == 1.0 / 25.0);
     CHECK(design.groups == std::vector<std::string>{"kappa_n"});
 }
@@ -127,7 +127,8 @@ TEST_CASE("wrong designs are refused with the place and what to do") {
     check_refused(
         kPrototype + ", " + kMaterials + R"(, "groups": ["x"])",
         "d.json: groups: \"x\" is no group; take some of mu^N, t*sqrt(mu*g/l), a/(mu*g), a/g, a/(g*tan(alpha)), a_vertical/g, omega/p, "
-        "Fr^N, mu/tan(alpha), mu, kappa_n, C^N, S_e^N, k_s/k_n, c_res, sigma_H/H, delta_w/sigma_H, e_r");
+        "Fr^N, mu/tan(alpha), mu, kappa_n, C^N, S_e^N, k_s/k_n, c_res, sigma_H/H, delta_w/sigma_H, e_r, "
+        "v/sqrt(mu*g*l), v/sqrt(g*l), E/(rho*g*l)");
     const std::string law =
         musim::tests::message_of<records::ReadError>([] { parse(kPrototype + ", " + kMaterials + R"(, "laws": ["x"])"); });
     CHECK(law.find("d.json: laws: ") == 0);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "design/candidate.hpp"
+#include "scaling/scale_law_catalogue.hpp"
 
 /// The papers' tower and materials (shared similitude.md, sections 4 and 8).
 namespace musim::design::tests {
@@ -14,6 +15,9 @@ inline Material make_material(const char* name, double density, double friction,
             .restitution = restitution,
             .deviation = deviation * si::meters};
 }
+
+/// A law that comes with musim.
+inline DesignLaw by(const char* name) { return scaling::load_scale_law(name); }
 
 inline Material wood() { return make_material("wood", 800.0, 0.63, 0.3, 0.155e-3); }
 inline Material concrete() { return make_material("concrete", 2320.0, 0.59, 0.5, 0.5e-3); }
@@ -38,7 +42,7 @@ inline Setting make_setting(const records::TableAxis& axis) {
                                 .restitution = 0.5,
                                 .deviation = 12.5e-3 * si::meters};
     setting.design.materials = {concrete()};
-    setting.design.laws = {scaling::Law::mu};
+    setting.design.laws = {by("mu")};
     setting.design.groups = default_groups();
     setting.loads = {{axis,
                       {0.2 * si::meters, 0.2 * si::meters, 0.424 * si::meters_per_second, 0.511 * scaling::kStandardGravity,

@@ -159,7 +159,7 @@ TEST_CASE("groups, factors and shares of a model have uncertainties at the lengt
     }
 }
 
-TEST_CASE("uncertain factors and gravity of laws as data are inputs, too") {
+TEST_CASE("uncertain factors and gravity of laws are inputs, too") {
     const Answer answer = find_answer(
         R"-(, "length": "1/60", "laws": [{"law": "gravity_distorted", "set": {"a": "1.5 +/- 3%"}}], "gravity": "(2+/-1%)/(1+/-2%)")-");
     // λ_t = √(λ_l/λ_a) at a length that is certain

@@ -9,6 +9,7 @@
 #include "records/recipe.hpp"
 #include "records/response_spectrum.hpp"
 #include "records/scale_record.hpp"
+#include "scaling/law_similitude.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/shared_records.hpp"
 
@@ -79,7 +80,8 @@ TEST_CASE("processing and rescaling can be exchanged, to the last bit for factor
     for (const std::pair<double, double>& row : {std::pair(1.0 / 16.0, 0.0), std::pair(1.0 / 107.0, 1e-9)}) {
         const double length = row.first, tolerance = row.second;
         CAPTURE(length);
-        const scaling::Similitude law({.length = length, .friction = length == 1.0 / 16.0 ? 1.0 : 0.63 / 0.59}, scaling::Law::mu);
+        const scaling::Similitude law =
+            scaling::make_similitude("mu", {.length = length, .friction = length == 1.0 / 16.0 ? 1.0 : 0.63 / 0.59});
         const GroundMotion one = rescale(process(motion, recipe), law), two = process(rescale(motion, law), rescale(recipe, law));
         for (std::size_t c = 0; c < 2; ++c) {
             const TimeSeries &a = one.components[c].series, &b = two.components[c].series;
@@ -99,7 +101,7 @@ TEST_CASE("the spectrum of a model at scaled periods is the prototype's times th
     const TimeSeries motion = make_motion().components[0].series;
     const std::vector<scaling::Time> periods = make_periods(0.05 * seconds, 5.0 * seconds, 15);
     for (const double length : {1.0 / 25.0, 1.0 / 107.0}) {
-        const scaling::Similitude law({.length = length, .friction = 0.63 / 0.59}, scaling::Law::mu);
+        const scaling::Similitude law = scaling::make_similitude("mu", {.length = length, .friction = 0.63 / 0.59});
         std::vector<scaling::Time> scaled;
         for (const scaling::Time& period : periods) scaled.push_back(law.to_model(period));
         const std::vector<double> one = compute_response_spectrum(motion, periods).pseudo_acceleration(),

@@ -5,6 +5,7 @@
 #include "records/intensity.hpp"
 #include "records/scale_record.hpp"
 #include "records/synthetic.hpp"
+#include "scaling/law_similitude.hpp"
 #include "scaling/scale_law_catalogue.hpp"
 #include "tests/support/relative.hpp"
 
@@ -12,13 +13,13 @@ namespace musim::records {
 namespace {
 
 using lsdem::tests::relative;
-using scaling::Law;
+using scaling::make_similitude;
 using scaling::Similitude;
 
 // [Andrade22] eq. (3) at 1:107 in wood: dt 0.4677716 ms, 40 s become 3.742173 s, PGV 4.235632 cm/s, PGA 0.5456441 g
 TEST_CASE("the prototype's record becomes the wood model's by the mu law") {
     const GroundMotion prototype = make_synthetic_record();
-    const Similitude wood({.length = 1.0 / 107.0, .friction = 0.63 / 0.59}, Law::mu);
+    const Similitude wood = make_similitude("mu", {.length = 1.0 / 107.0, .friction = 0.63 / 0.59});
 
     const GroundMotion model = rescale(prototype, wood);
 
@@ -39,7 +40,7 @@ TEST_CASE("velocity and displacement records scale with their own factors, and t
     prototype.components.push_back({"d", {}, {SampleQuantity::displacement, 8.0 * scaling::si::seconds, dt, {2.0}}});
     prototype.integration_corner = 0.05 * scaling::si::hertz;
 
-    const GroundMotion model = rescale(prototype, Similitude({.length = 1.0 / 16.0}, Law::froude));
+    const GroundMotion model = rescale(prototype, make_similitude("froude", {.length = 1.0 / 16.0}));
 
     CHECK(model.find_component("v").series.samples()[0] == 0.5);
     CHECK(model.find_component("d").series.samples()[0] == 0.125);
@@ -50,7 +51,7 @@ TEST_CASE("velocity and displacement records scale with their own factors, and t
 
 TEST_CASE("the intensity of a record scaled by powers of two is the scaled intensity, bit for bit") {
     const TimeSeries prototype = make_synthetic_record().components.front().series;
-    const TimeSeries model = rescale(prototype, Similitude({.length = 1.0 / 64.0}, Law::exact));
+    const TimeSeries model = rescale(prototype, make_similitude("exact", {.length = 1.0 / 64.0}));
 
     const Intensity full = compute_intensity(prototype, 0.1 * scaling::si::hertz);
     const Intensity small = compute_intensity(model, 0.8 * scaling::si::hertz);
@@ -87,20 +88,20 @@ double peak_ratio(const GroundMotion& model, const GroundMotion& prototype, cons
 // scaling/README.md, vertical shaking: a_v/g is kept, whatever friction does to the horizontal
 TEST_CASE("a vertical component is scaled by gravity, on the clock of the horizontal ones") {
     const GroundMotion prototype = make_two_components();
-    const Similitude aluminium({.length = 1.0 / 107.0, .friction = 0.18 / 0.59, .gravity = 2.0}, Law::mu);
+    const Similitude aluminium = make_similitude("mu", {.length = 1.0 / 107.0, .friction = 0.18 / 0.59, .gravity = 2.0});
     const GroundMotion model = rescale(prototype, aluminium);
     CHECK(peak_ratio(model, prototype, "360") == relative(2.0 * 0.18 / 0.59, 1e-15));
     CHECK(peak_ratio(model, prototype, "Up") == 2.0);
     CHECK(model.find_component("Up").series.dt() == model.find_component("360").series.dt());
     CHECK(model.history.back().find("vertical acceleration 2") != std::string::npos);
-    CHECK(rescale(prototype, Similitude({.length = 0.04}, Law::froude)).history.back().find("vertical") == std::string::npos);
+    CHECK(rescale(prototype, make_similitude("froude", {.length = 0.04})).history.back().find("vertical") == std::string::npos);
 }
 
 TEST_CASE("a record with a vertical component comes back to the bit at powers of two") {
     const GroundMotion prototype = make_two_components();
-    for (const Law law : {Law::mu, Law::froude, Law::cauchy}) {
-        const Similitude there({.length = 1.0 / 16.0, .friction = 0.25, .gravity = 4.0}, law);
-        const Similitude back({.length = 16.0, .friction = 4.0, .gravity = 0.25}, law);
+    for (const char* law : {"mu", "froude", "cauchy"}) {
+        const Similitude there = make_similitude(law, {.length = 1.0 / 16.0, .friction = 0.25, .gravity = 4.0});
+        const Similitude back = make_similitude(law, {.length = 16.0, .friction = 4.0, .gravity = 0.25});
         const GroundMotion same = rescale(rescale(prototype, there), back);
         for (const Component& component : prototype.components) CHECK(same.find_component(component.name).series == component.series);
     }
@@ -123,7 +124,7 @@ TEST_CASE("the mu law with vertical distortion moves the ground horizontally by 
     CHECK(model.find_component("Z").series.dt().value() == relative(0.01 * std::sqrt(length), 1e-15));
 
     const GroundMotion alike = rescale(prototype, make_distorted(length, 1.0)),
-                       exact = rescale(prototype, Similitude({.length = length}, Law::exact));
+                       exact = rescale(prototype, make_similitude("exact", {.length = length}));
     for (const Component& component : alike.components) CHECK(component.series == exact.find_component(component.name).series);
 }
 

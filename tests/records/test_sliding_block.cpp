@@ -5,6 +5,7 @@
 
 #include "records/scale_record.hpp"
 #include "records/sliding_block.hpp"
+#include "scaling/law_similitude.hpp"
 #include "tests/support/relative.hpp"
 
 namespace musim::records {
@@ -81,7 +82,7 @@ TEST_CASE("sliding scales with the law that holds its groups, to the last bit fo
     std::vector<double> motion;
     for (int i = 0; i < 300; ++i) motion.push_back(6.0 * std::sin(0.21 * i));
     const TimeSeries prototype = make_acceleration(motion, 0.01);
-    const scaling::Similitude law({.length = 1.0 / 16.0}, scaling::Law::froude);
+    const scaling::Similitude law = scaling::make_similitude("froude", {.length = 1.0 / 16.0});
     const Sliding one = compute_sliding(prototype, 2.0 * meters_per_second_squared);
     const Sliding model = compute_sliding(rescale(prototype, law), 2.0 * meters_per_second_squared);
     CHECK(model.largest.value() == one.largest.value() / 16.0);

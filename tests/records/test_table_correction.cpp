@@ -6,6 +6,7 @@
 #include "records/scale_record.hpp"
 #include "records/synthetic.hpp"
 #include "records/table_correction.hpp"
+#include "scaling/law_similitude.hpp"
 #include "tests/support/relative.hpp"
 
 namespace musim::records {
@@ -97,7 +98,7 @@ TEST_CASE("a model on a table scaled like it is judged and corrected alike, to t
     const TableDemand asked = demand(check_task(task));
     task.axes[0].displacement = 0.7 * asked.displacement;
     task.axes[0].acceleration = {{0.0 * si::kilograms, 0.9 * asked.acceleration}};
-    const scaling::Similitude similitude({.length = 1.0 / 16.0});
+    const scaling::Similitude similitude = scaling::make_similitude("mu", {.length = 1.0 / 16.0});
     TableTask model = task;
     model.model = rescale(task.model, similitude);
     model.axes[0].displacement = similitude.to_model(*task.axes[0].displacement);

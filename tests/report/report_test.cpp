@@ -24,6 +24,7 @@
 #include "lsdem/study/specimen_batch.hpp"
 #include "lsdem/study/write_results.hpp"
 #include "records/read_record.hpp"
+#include "scaling/law_similitude.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 using namespace musim::lsdem;
@@ -298,8 +299,7 @@ TEST_CASE("what a command printed as JSON is told whole, its distortions first")
 TEST_CASE("the base motion of a model is shown before and after it was rescaled") {
     const TemporaryFolder place;
     const scene::Scene prototype = scene::parse_scene(kColumn);
-    const scene::Scene model =
-        scene::scale_scene(prototype, musim::scaling::Similitude({.length = 1.0 / 16.0}, musim::scaling::Law::exact));
+    const scene::Scene model = scene::scale_scene(prototype, musim::scaling::make_similitude("exact", {.length = 1.0 / 16.0}));
     study::ResultFolder results(place.path() / "out");
     results.add_run("", study::run_scene(model), {.scene = scene::write_scene(model), .similitude = {}, .program_version = "test"});
     results.commit();

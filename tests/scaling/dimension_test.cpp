@@ -5,7 +5,7 @@
 #include <boost/units/pow.hpp>
 #include <cmath>
 
-#include "scaling/similitude.hpp"
+#include "scaling/law_similitude.hpp"
 #include "scaling/units.hpp"
 #include "tests/scaling/expected.hpp"
 
@@ -36,10 +36,10 @@ TEST_CASE("roots of quantities scale by the root of their factor") {
     using RootTime = units::root_typeof_helper<Time, units::static_rational<2>>::type;
     CHECK(dimension_of<RootLength>() == Dimension{.length = 1});
 
-    const Similitude similitude{{.length = 1.0 / 107.0, .friction = 0.63 / 0.59}};
+    const Similitude similitude = make_similitude("mu", {.length = 1.0 / 107.0, .friction = 0.63 / 0.59});
     CHECK_EXPECTED(similitude.factor<RootLength>(), std::sqrt(similitude.length()));
     CHECK_EXPECTED(similitude.factor<RootTime>(), std::sqrt(similitude.time()));
-    CHECK(Similitude{{.length = 1.0 / 256.0}}.factor<RootTime>() == 0.25);
+    CHECK(make_similitude("mu", {.length = 1.0 / 256.0}).factor<RootTime>() == 0.25);
 }
 
 }  // namespace musim::scaling::tests

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "scaling/law_similitude.hpp"
 #include "tests/scaling/expected.hpp"
 
 namespace musim::scaling::tests {
@@ -62,26 +63,26 @@ TEST_CASE("distortions of aluminium and wood under Froude and mu input agree wit
     };
     for (const DistortionRow& row : rows) {
         CAPTURE(row.name);
-        CHECK_EXPECTED(group(shake_alike(Similitude(kAluminium, Law::froude)), row.name), row.froude_aluminium);
-        CHECK_EXPECTED(group(shake_alike(Similitude(kWood, Law::froude)), row.name), row.froude_wood);
-        CHECK_EXPECTED(group(shake_alike(Similitude(kAluminium, Law::mu)), row.name), row.mu_aluminium);
-        CHECK_EXPECTED(group(shake_alike(Similitude(kWood, Law::mu)), row.name), row.mu_wood);
+        CHECK_EXPECTED(group(shake_alike(make_similitude("froude", kAluminium)), row.name), row.froude_aluminium);
+        CHECK_EXPECTED(group(shake_alike(make_similitude("froude", kWood)), row.name), row.froude_wood);
+        CHECK_EXPECTED(group(shake_alike(make_similitude("mu", kAluminium)), row.name), row.mu_aluminium);
+        CHECK_EXPECTED(group(shake_alike(make_similitude("mu", kWood)), row.name), row.mu_wood);
         // the laws' own vertical shaking keeps its group
-        const double by_law = row.name == "a_vertical/g" ? 1.0 : group(shake_alike(Similitude(kWood, Law::mu)), row.name);
-        CHECK(group(Similitude(kWood, Law::mu), row.name) == by_law);
+        const double by_law = row.name == "a_vertical/g" ? 1.0 : group(shake_alike(make_similitude("mu", kWood)), row.name);
+        CHECK(group(make_similitude("mu", kWood), row.name) == by_law);
     }
 }
 
 TEST_CASE("only groups that differ beyond rounding are distortions, in the order of the groups") {
     std::vector<std::string> names;
-    for (const Distortion& distortion : find_distortions(shake_alike(Similitude{kAluminium}))) names.push_back(distortion.group);
+    for (const Distortion& distortion : find_distortions(shake_alike(make_similitude("mu", kAluminium)))) names.push_back(distortion.group);
     CHECK(names == std::vector<std::string>{"a/g", "a/(g*tan(alpha))", "a_vertical/g", "omega/p", "Fr^N", "mu/tan(alpha)", "mu"});
-    CHECK(find(find_distortions(Similitude{kAluminium}), "a_vertical/g") == nullptr);
+    CHECK(find(find_distortions(make_similitude("mu", kAluminium)), "a_vertical/g") == nullptr);
 }
 
 TEST_CASE("an exact similitude with scaled contacts has no distortion at any length") {
     for (int denominator = 1; denominator <= 200; ++denominator) {
-        const Similitude similitude{{.length = 1.0 / denominator, .gravity = 1.3, .density = 0.7}, Law::exact};
+        const Similitude similitude = make_similitude("exact", {.length = 1.0 / denominator, .gravity = 1.3, .density = 0.7});
         const ModelFacts facts{.friction_prototype = 0.59,
                                .slenderness = {kThin, kWide},
                                .normal_stiffness = similitude.stiffness_static(),
@@ -101,7 +102,7 @@ TEST_CASE("friction that falls below the slenderness is an error that names the 
                            .restitution = {},
                            .height_deviation = {}};
 
-    const std::vector<Distortion> aluminium = find_distortions(Similitude{kAluminium}, facts);
+    const std::vector<Distortion> aluminium = find_distortions(make_similitude("mu", kAluminium), facts);
     const Distortion* change = find(aluminium, "mu/tan(alpha)");
     REQUIRE(change != nullptr);
     CHECK(change->severity == Severity::error);
@@ -110,20 +111,20 @@ TEST_CASE("friction that falls below the slenderness is an error that names the 
     CHECK(change->effect.find("0.6635") == std::string::npos);
 
     // wood stays on its side in both directions, 6.8 % off
-    const std::vector<Distortion> wood = find_distortions(Similitude{kWood}, facts);
+    const std::vector<Distortion> wood = find_distortions(make_similitude("mu", kWood), facts);
     const Distortion* shift = find(wood, "mu/tan(alpha)");
     REQUIRE(shift != nullptr);
     CHECK(shift->severity == Severity::note);
 
     // without the prototype's friction nothing can be said of the regime
-    const std::vector<Distortion> unknown = find_distortions(Similitude{kAluminium});
+    const std::vector<Distortion> unknown = find_distortions(make_similitude("mu", kAluminium));
     REQUIRE(find(unknown, "mu/tan(alpha)") != nullptr);
     CHECK(find(unknown, "mu/tan(alpha)")->severity == Severity::warning);
 }
 
 TEST_CASE("the same solid at 1:25 is too stiff under gravity by 25 and too fast in structural speed by 5") {
     const double length = 1.0 / 25.0;
-    const Similitude similitude{{.length = length}};
+    const Similitude similitude = make_similitude("mu", {.length = length});
     const ModelFacts same_solid{.friction_prototype = {},
                                 .slenderness = {},
                                 .normal_stiffness = length,
@@ -150,13 +151,13 @@ TEST_CASE("the same solid at 1:25 is too stiff under gravity by 25 and too fast 
 TEST_CASE("blocks of the prototype's stiffness raise the structural speed number of a 1:107 model about ten times") {
     ModelFacts same_solid;
     same_solid.shear_stiffness = 1.0 / 107.0;
-    const double factor = group(Similitude{{.length = 1.0 / 107.0, .friction = 0.63 / 0.59}}, "S_e^N", same_solid);
+    const double factor = group(make_similitude("mu", {.length = 1.0 / 107.0, .friction = 0.63 / 0.59}), "S_e^N", same_solid);
     CHECK_EXPECTED(factor, 1.0 / std::sqrt(0.63 / 0.59 / 107.0));
     CHECK_EXPECTED(factor, "10.0");
 }
 
 TEST_CASE("the Cauchy law reports the gravity it neglects") {
-    const std::vector<Distortion> distortions = find_distortions(Similitude{{.length = 0.04}, Law::cauchy});
+    const std::vector<Distortion> distortions = find_distortions(make_similitude("cauchy", {.length = 0.04}));
     const Distortion* froude = find(distortions, "Fr^N");
     REQUIRE(froude != nullptr);
     CHECK_EXPECTED(froude->factor, 5.0);
@@ -166,15 +167,15 @@ TEST_CASE("the Cauchy law reports the gravity it neglects") {
 TEST_CASE("facts that cannot be are refused with the reason") {
     ModelFacts facts;
     facts.slenderness = {kThin, 0.0};
-    CHECK_THROWS_WITH_AS(find_distortions(Similitude{kWood}, facts),
+    CHECK_THROWS_WITH_AS(find_distortions(make_similitude("mu", kWood), facts),
                          "distortions: a slenderness tan(alpha) is 0 (must be positive and finite); correct it or leave it out",
                          SimilitudeError);
     facts = {};
     facts.normal_stiffness = -1.0;
-    CHECK_THROWS_AS(group_factors(Similitude{kWood}, facts), SimilitudeError);
+    CHECK_THROWS_AS(group_factors(make_similitude("mu", kWood), facts), SimilitudeError);
     facts = {};
     facts.friction_prototype = std::nan("");
-    CHECK_THROWS_AS(group_factors(Similitude{kWood}, facts), SimilitudeError);
+    CHECK_THROWS_AS(group_factors(make_similitude("mu", kWood), facts), SimilitudeError);
 }
 
 TEST_CASE("severities have names") {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "scaling/angle.hpp"
-#include "scaling/similitude.hpp"
+#include "scaling/law_similitude.hpp"
 #include "tests/scaling/expected.hpp"
 
 namespace musim::scaling::tests {
@@ -78,7 +78,7 @@ TEST_CASE("slenderness angles and radii of the prototype block agree with their 
     CHECK_EXPECTED(std::atan(kWide) / kDegree, "33.565");
     CHECK_EXPECTED(half_diagonal(2.82).value(), "2.5502");
 
-    const Similitude centrifuge{{.length = 1.0 / 25.0, .gravity = 9.0}, Law::froude};
+    const Similitude centrifuge = make_similitude("froude", {.length = 1.0 / 25.0, .gravity = 9.0});
     const Frequency prototype = groups::frequency_parameter(kStandardGravity, half_diagonal(1.36));
     const Frequency model = groups::frequency_parameter(9.0 * kStandardGravity, centrifuge.to_model(half_diagonal(1.36)));
     CHECK_EXPECTED(model / prototype, 15.0);
@@ -93,7 +93,7 @@ TEST_CASE("the structural speed number of the 1:25 concrete model and of its pro
     CHECK_EXPECTED(groups::structural_speed_number(model_stiffness, model_height, 38, 0.59, model_mass, kStandardGravity), "565.2");
 
     // face springs of the same solid scale with length (Cauchy), masses with its cube
-    const Similitude same_solid{{.length = model_height / kBlockHeight}, Law::cauchy};
+    const Similitude same_solid = make_similitude("cauchy", {.length = model_height / kBlockHeight});
     CHECK_EXPECTED(groups::structural_speed_number(same_solid.to_prototype(model_stiffness), kBlockHeight, 38, 0.59,
                                                    same_solid.to_prototype(model_mass), kStandardGravity),
                    "113.2");

@@ -264,7 +264,7 @@ TEST_CASE("special restoring forces are the generic law with their force") {
                          doctest::Contains("c_coh/(mu*rho*g*l)"), SimilitudeError);
 }
 
-TEST_CASE("laws as data agree with Similitude in every factor, to the bit at powers of two") {
+TEST_CASE("a similitude has the factors of its law, to the bit at powers of two") {
     const std::map<std::string_view, const char*> names{{"length", "l"},
                                                         {"time", "t"},
                                                         {"velocity", "v"},
@@ -307,13 +307,11 @@ TEST_CASE("laws as data agree with Similitude in every factor, to the bit at pow
                           {"exact", {.length = 1.0 / 16.0, .friction = 1.0, .gravity = 4.0, .density = 0.5}, 0.0}};
     for (const Case& each : cases) {
         CAPTURE(each.law);
-        const Similitude similitude(each.chosen, parse_law(each.law));
         std::vector<GivenFactor> given{{"l", each.chosen.length}, {"g", each.chosen.gravity}, {"rho", each.chosen.density}};
         if (each.chosen.friction != 1.0) given.push_back({"mu", each.chosen.friction});
         const SolvedLaw solved = solve(each.law, given);
-        const Similitude from_data = make_similitude(solved);
-        CHECK(from_data.law_name() == each.law);
-        CHECK_FALSE(from_data.law().has_value());
+        const Similitude similitude = make_similitude(solved);
+        CHECK(similitude.law_name() == each.law);
         std::size_t compared = 0;
         for (const NamedFactor& named : similitude.factors()) {
             const auto found = names.find(named.name);
@@ -323,9 +321,6 @@ TEST_CASE("laws as data agree with Similitude in every factor, to the bit at pow
             ++compared;
         }
         CHECK(compared == names.size());
-        for (std::size_t k = 0; k < similitude.factors().size(); ++k) {
-            CHECK(std::abs(from_data.factors()[k].value / similitude.factors()[k].value - 1.0) <= each.tolerance);
-        }
     }
 }
 

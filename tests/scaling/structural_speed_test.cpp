@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "scaling/groups.hpp"
+#include "scaling/law_similitude.hpp"
 #include "tests/scaling/expected.hpp"
 #include "tests/scaling/paper_towers.hpp"
 
@@ -47,7 +48,7 @@ TEST_CASE("with the required stiffness the speed scales as velocities do and the
     const StructureFacts prototype = concrete_prototype();
     StructureFacts model = wood_1_107();
     model.block = {prototype.block[0] / 107.0, prototype.block[1] / 107.0, prototype.block[2] / 107.0};
-    const Similitude similitude(make_scale_factors({prototype, model}, 1.0 / 107.0), Law::mu);
+    const Similitude similitude = make_similitude("mu", make_scale_factors({prototype, model}, 1.0 / 107.0));
     model.normal_stiffness = similitude.stiffness_static() * *prototype.normal_stiffness;
     model.shear_stiffness = similitude.to_model(*prototype.shear_stiffness);
     // λ_ρ λ_l² λ_μ of 8.3: 3.21605e-5

@@ -84,8 +84,8 @@ TEST_CASE("laws as data propagate what the laws of the code do, to first order a
         CAPTURE(law);
         const UncertainReport code = propagate(
             scales,
-            [law](const ScaleFactors& factors, const std::vector<GivenFactor>& /*others*/) { return Similitude(factors, parse_law(law)); },
-            {}, {});
+            [law](const ScaleFactors& factors, const std::vector<GivenFactor>& /*others*/) { return make_similitude(law, factors); }, {},
+            {});
         const Case data = propagate_case(law, {{"l", "1/107+/-0.4%"}, {"mu", kWood}, {"g", "1+/-0.2%"}, {"rho", "(800+/-1%)/(2320+/-2%)"}});
         REQUIRE(data.report.inputs.size() == code.inputs.size());
         for (const auto& name : names) {

@@ -10,6 +10,8 @@
 #include <span>
 #include <string>
 
+#include "scaling/law_similitude.hpp"
+#include "scaling/scale_law_catalogue.hpp"
 #include "scaling/uncertain_reading.hpp"
 #include "tests/scaling/expected.hpp"
 #include "tests/scaling/paper_towers.hpp"
@@ -50,10 +52,10 @@ struct Told {
 
 Told tell(const Say& say, const std::optional<MonteCarloSettings>& monte_carlo = {}) {
     constexpr double length = 1.0 / 107.0;
-    const KeptNumbers kept = find_kept_numbers(Law::mu);
+    const KeptNumbers kept = find_kept_numbers(solve_law(*find_scale_law("mu"), {{"l", length}}));
     const auto read = [&](UncertainReading& reading) {
         const PairFacts facts = say(reading);
-        return FactsAndLaw{facts, Similitude(make_scale_factors(facts, length), Law::mu)};
+        return FactsAndLaw{facts, make_similitude("mu", make_scale_factors(facts, length))};
     };
     UncertainReading reading("f.json");
     FactsAndLaw facts = read(reading);

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "scaling/groups.hpp"
-#include "scaling/similitude.hpp"
+#include "scaling/law_similitude.hpp"
 #include "tests/scaling/expected.hpp"
 
 // The mu law with heights by λ_V and horizontal sizes by U λ_V (shared similitude.md, 5.2): tan α, horizontal displacement and acceleration
@@ -101,7 +101,7 @@ Rocking make_model(const Similitude& similitude) {
 
 /// The prototype with heights by λ_V and widths and accelerations by U besides.
 Rocking make_distorted(double restitution) {
-    const Similitude heights{{.length = kLength}, Law::froude};
+    const Similitude heights = make_similitude("froude", {.length = kLength});
     Rocking model = make_model(heights);
     model.width *= kAluminium;
     model.strength *= kAluminium;
@@ -113,11 +113,11 @@ Rocking make_distorted(double restitution) {
 
 TEST_CASE("a model by the Froude law rocks like its prototype") {
     CHECK_EXPECTED(find_peak(make_prototype()), "0.38290");
-    CHECK_EXPECTED(find_peak(make_model(Similitude({.length = kLength}, Law::froude))), "0.38290");
+    CHECK_EXPECTED(find_peak(make_model(make_similitude("froude", {.length = kLength}))), "0.38290");
 }
 
 TEST_CASE("an aluminium model by the mu law does not rock at all") {
-    const Rocking model = make_model(Similitude({.length = kLength, .friction = kAluminium}, Law::mu));
+    const Rocking model = make_model(make_similitude("mu", {.length = kLength, .friction = kAluminium}));
     CHECK_EXPECTED(model.strength, "0.1525");
     CHECK(find_peak(model) == 0.0);
 }

@@ -9,6 +9,7 @@
 #include "lsdem/scene/scale_scene.hpp"
 #include "lsdem/scene/scene_json.hpp"
 #include "lsdem/time_step.hpp"
+#include "scaling/law_similitude.hpp"
 #include "tests/scene/made_scene.hpp"
 
 using namespace musim;
@@ -44,7 +45,7 @@ TEST_CASE("an accuracy sets the time step") {
         const Model model = make_model(scene);
         CHECK(compute_time_step(scene, model).value() == safety * compute_critical_time_step(model));
         CHECK(parse_scene(write_scene(scene)) == scene);
-        CHECK(scale_scene(scene, scaling::Similitude({.length = 0.25}, scaling::Law::exact)).accuracy == accuracy);
+        CHECK(scale_scene(scene, scaling::make_similitude("exact", {.length = 0.25})).accuracy == accuracy);
     }
     CHECK_FALSE(parse("").accuracy);
     CHECK(parse("").time.safety == 0.8);

@@ -10,6 +10,7 @@
 #include "lsdem/block_height.hpp"
 #include "lsdem/scene/build_model.hpp"
 #include "lsdem/scene/scale_scene.hpp"
+#include "scaling/law_similitude.hpp"
 #include "tests/scene/made_scene.hpp"
 
 using namespace musim;
@@ -102,7 +103,7 @@ TEST_CASE("a twin has the blocks of its prototype, bit for bit at powers of two"
     for (const std::string& structure : {kColumn, kTower, kWall}) {
         CAPTURE(structure);
         const Scene scene = varied_scene(structure);
-        const scaling::Similitude similitude({.length = 1.0 / 16.0}, scaling::Law::exact);
+        const scaling::Similitude similitude = scaling::make_similitude("exact", {.length = 1.0 / 16.0});
         const Scene twin = scale_scene(scene, similitude);
         const Model prototype = make_model(scene), model = make_model(twin);
         for (std::size_t i = 0; i < model.blocks.size(); ++i) {

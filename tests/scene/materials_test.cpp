@@ -7,6 +7,7 @@
 
 #include "lsdem/scene/scale_scene.hpp"
 #include "lsdem/scene/scene_json.hpp"
+#include "scaling/law_similitude.hpp"
 #include "tests/scene/made_scene.hpp"
 
 using namespace musim;
@@ -74,7 +75,7 @@ TEST_CASE("a step \"camera\" is the preset's, scales like a given one, and needs
     const Scene aluminium = parse(R"("al_printed")");
     CHECK(aluminium.time.step->value() == doctest::Approx(2.60416667e-6).epsilon(1e-8));
     // λ_t = √λ_l
-    const Scene twin = scale_scene(aluminium, scaling::Similitude({.length = 1.0 / 16.0}, scaling::Law::mu));
+    const Scene twin = scale_scene(aluminium, scaling::make_similitude("mu", {.length = 1.0 / 16.0}));
     CHECK(twin.time.step->value() == aluminium.time.step->value() / 4.0);
     CHECK(parse_scene(write_scene(aluminium)) == aluminium);
     CHECK_THROWS_WITH_AS(

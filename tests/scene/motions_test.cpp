@@ -8,6 +8,7 @@
 #include "lsdem/scene/base_components.hpp"
 #include "lsdem/scene/build_model.hpp"
 #include "lsdem/scene/scale_scene.hpp"
+#include "scaling/law_similitude.hpp"
 #include "tests/scene/made_scene.hpp"
 
 using namespace musim;
@@ -84,7 +85,7 @@ TEST_CASE("motions become scenes of their own, with names, repetitions and durat
 }
 
 TEST_CASE("the similar twin of a list of motions is the list of the twins of its motions") {
-    const scaling::Similitude similitude({.length = 1.0 / 16.0}, scaling::Law::exact);
+    const scaling::Similitude similitude = scaling::make_similitude("exact", {.length = 1.0 / 16.0});
     const Scene scene = make_scene(), twin = scale_scene(scene, similitude);
     CHECK(twin.motions[0].base_motion.factors.time == similitude.time());
     CHECK(twin.motions[1].base_motion.factors.velocity == similitude.velocity());

@@ -59,7 +59,7 @@ TEST_CASE("the scene of the contracts is read with its units") {
     CHECK(motion.components[0] == "360");
     CHECK_FALSE(motion.components[1]);
     CHECK(motion.scale->law == "mu");
-    CHECK(motion.scale->factors.length == 1.0 / 107.0);
+    CHECK(motion.scale->set == std::map<std::string, double>{{"l", 1.0 / 107.0}});
     CHECK(scene.time.duration.value() == 2.5);
     CHECK_FALSE(scene.time.step);
     CHECK(scene.time.safety == 0.8);

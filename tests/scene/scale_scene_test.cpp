@@ -6,13 +6,14 @@
 
 #include "lsdem/scene/base_components.hpp"
 #include "lsdem/scene/build_model.hpp"
+#include "scaling/law_similitude.hpp"
 #include "tests/scene/made_scene.hpp"
 
 using namespace musim;
 using namespace musim::lsdem;
 using namespace musim::lsdem::scene;
 using namespace musim::lsdem::scene::testing;
-using scaling::Law;
+using scaling::make_similitude;
 using scaling::Similitude;
 
 namespace {
@@ -116,11 +117,11 @@ TEST_CASE("the model of a twin is the scaled model, bit for bit in all fields, f
         make_scene_text(R"({"kind": "blocks", "blocks": [{"position": [0, 0, "0.1 m"], "velocity": [1, 2, 3]}]})", kSphere),
     };
     const std::vector<Similitude> similitudes{
-        Similitude({.length = 1.0 / 16.0}, Law::exact),
-        Similitude({.length = 1.0 / 64.0}, Law::exact),
-        Similitude({.length = 4.0, .gravity = 4.0, .density = 0.5}, Law::exact),
-        Similitude({.length = 1.0 / 16.0, .friction = 0.25}, Law::mu),
-        Similitude({.length = 1.0 / 16.0, .friction = 0.25}, Law::froude),
+        make_similitude("exact", {.length = 1.0 / 16.0}),
+        make_similitude("exact", {.length = 1.0 / 64.0}),
+        make_similitude("exact", {.length = 4.0, .gravity = 4.0, .density = 0.5}),
+        make_similitude("mu", {.length = 1.0 / 16.0, .friction = 0.25}),
+        make_similitude("froude", {.length = 1.0 / 16.0, .friction = 0.25}),
     };
     for (const std::string& text : texts) {
         const Scene scene = parse_scene(text);
@@ -136,7 +137,7 @@ TEST_CASE("the model of a twin is the scaled model, bit for bit in all fields, f
 TEST_CASE("times, rates and the time step of a twin are scaled") {
     Scene scene = parse_scene(make_scene_text(kColumn, R"(, "output": {"spine_rate": "100 Hz", "frame_rate": "25 Hz"})"));
     scene.time.step = scaling::Time::from_value(1e-4);
-    const Scene twin = scale_scene(scene, Similitude({.length = 1.0 / 16.0}, Law::exact));
+    const Scene twin = scale_scene(scene, make_similitude("exact", {.length = 1.0 / 16.0}));
     CHECK(twin.time.duration.value() == 0.25);
     CHECK(twin.time.step->value() == 0.25e-4);
     CHECK(twin.time.safety == scene.time.safety);
@@ -147,26 +148,27 @@ TEST_CASE("times, rates and the time step of a twin are scaled") {
 
 TEST_CASE("the automatic time step of a twin is the scaled one, bit for bit") {
     const Scene scene = parse_scene(make_scene_text(kTower));
-    const Similitude similitude({.length = 1.0 / 16.0}, Law::exact);
+    const Similitude similitude = make_similitude("exact", {.length = 1.0 / 16.0});
     const Scene twin = scale_scene(scene, similitude);
     CHECK(compute_time_step(twin, make_model(twin)).value() == compute_time_step(scene, make_model(scene)).value() * similitude.time());
 }
 
 TEST_CASE("scaling in two steps is scaling once, bit for bit") {
     const Scene scene = parse_scene(make_scene_text(kTower, kSynthetic));
-    const Similitude quarter({.length = 1.0 / 4.0}, Law::exact), sixteenth({.length = 1.0 / 16.0}, Law::exact);
+    const Similitude quarter = make_similitude("exact", {.length = 1.0 / 4.0}),
+                     sixteenth = make_similitude("exact", {.length = 1.0 / 16.0});
     CHECK(scale_scene(scale_scene(scene, quarter), quarter) == scale_scene(scene, sixteenth));
-    CHECK(scale_scene(scene, Similitude({})) == scene);
+    CHECK(scale_scene(scene, Similitude()) == scene);
 }
 
 TEST_CASE("a twin written to text is the same twin") {
-    const Scene twin = scale_scene(parse_scene(make_scene_text(kTower, kSynthetic)), Similitude({.length = 1.0 / 107.0}, Law::exact));
+    const Scene twin = scale_scene(parse_scene(make_scene_text(kTower, kSynthetic)), make_similitude("exact", {.length = 1.0 / 107.0}));
     CHECK(parse_scene(write_scene(twin)) == twin);
 }
 
 TEST_CASE("under the mu law friction, gravity and motion each follow their own factor") {
     const Scene scene = parse_scene(make_scene_text(kColumn, kSine + R"(, "ground": {"friction": 0.4})"));
-    const Similitude similitude({.length = 1.0 / 107.0, .friction = 0.5, .gravity = 2.0, .density = 3.0}, Law::mu);
+    const Similitude similitude = make_similitude("mu", {.length = 1.0 / 107.0, .friction = 0.5, .gravity = 2.0, .density = 3.0});
     const Scene model = scale_scene(scene, similitude);
     CHECK(model.material.friction == scene.material.friction * 0.5);
     CHECK(model.ground.friction == 0.2);
@@ -182,7 +184,7 @@ TEST_CASE("under the mu law friction, gravity and motion each follow their own f
 
 TEST_CASE("a twin moves along z by its own factor") {
     const std::string step = R"(, "base_motion": {"signal": "step", "velocity": "32 mm/s", "direction": ")";
-    const Similitude similitude({.length = 1.0 / 16.0, .friction = 0.25}, Law::mu);
+    const Similitude similitude = make_similitude("mu", {.length = 1.0 / 16.0, .friction = 0.25});
     const auto velocity = [&](const char* direction, std::size_t axis) {
         const Scene model = scale_scene(parse_scene(make_scene_text(kColumn, step + direction + R"("})")), similitude);
         return make_base_components(model.base_motion)[axis].velocity.front();
@@ -195,7 +197,7 @@ TEST_CASE("a twin of its own material keeps geometry and motion and takes the me
     Scene scene = parse_scene(make_scene_text(R"({"kind": "column", "layers": 2, "block": ["1.36 m", "2.82 m", "4.25 m"]})", kSine));
     scene.material.shear_damping_ratio = 0.1;
     scene.time.step = scaling::Time::from_value(1e-4);
-    const Similitude similitude({.length = 1.0 / 107.0, .friction = 0.63 / 0.59}, Law::mu);
+    const Similitude similitude = make_similitude("mu", {.length = 1.0 / 107.0, .friction = 0.63 / 0.59});
     const Scene twin = scale_with_own_material(scene, similitude, find_material_preset("wood"));
     const Scene exact = scale_scene(scene, similitude);
     CHECK(twin.structure == exact.structure);
@@ -211,6 +213,6 @@ TEST_CASE("a twin of its own material keeps geometry and motion and takes the me
 
 TEST_CASE("a scale that leaves the range of doubles is refused") {
     const Scene scene = parse_scene(make_scene_text(kColumn));
-    check_message(error_of([&] { scale_scene(scene, Similitude({.density = 1e305}, Law::exact)); }),
+    check_message(error_of([&] { scale_scene(scene, make_similitude("exact", {.density = 1e305})); }),
                   {"scene at 1:1: /material/normal_stiffness: inf"});
 }

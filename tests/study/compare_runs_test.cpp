@@ -6,16 +6,17 @@
 #include <limits>
 #include <stdexcept>
 
+#include "scaling/law_similitude.hpp"
 #include "tests/study/made_run.hpp"
 
 using namespace musim::lsdem;
 using namespace musim::lsdem::study;
-using musim::scaling::Law;
+using musim::scaling::make_similitude;
 using musim::scaling::Similitude;
 
 TEST_CASE("a similar run at a power of four scales back to the same bits") {
     const RunResult prototype = make_made_run(200);
-    const Similitude sixteenth({.length = 1.0 / 16.0}, Law::exact);
+    const Similitude sixteenth = make_similitude("exact", {.length = 1.0 / 16.0});
     const RunDifference difference = compare_runs(prototype, scale_run(prototype, sixteenth), sixteenth);
     CHECK(difference.bitwise_identical);
     CHECK(difference.rms_velocity == 0.0);
@@ -25,7 +26,7 @@ TEST_CASE("a similar run at a power of four scales back to the same bits") {
 
 TEST_CASE("a similar run at 1:107 differs by rounding only") {
     const RunResult prototype = make_made_run(200);
-    const Similitude small({.length = 1.0 / 107.0}, Law::exact);
+    const Similitude small = make_similitude("exact", {.length = 1.0 / 107.0});
     const RunDifference difference = compare_runs(prototype, scale_run(prototype, small), small);
     // two roundings per value, each of at most half a unit in the last place
     CHECK(difference.rms_velocity < 2.0 * std::numeric_limits<double>::epsilon());
@@ -34,7 +35,7 @@ TEST_CASE("a similar run at 1:107 differs by rounding only") {
 
 TEST_CASE("one changed bit anywhere breaks bitwise identity") {
     const RunResult prototype = make_made_run(20);
-    const Similitude same({}, Law::exact);
+    const Similitude same;
     REQUIRE(compare_runs(prototype, prototype, same).bitwise_identical);
     const auto next = [](double& value) { value = std::nextafter(value, 1e9); };
 
@@ -75,7 +76,7 @@ TEST_CASE("the difference is that of the worst spine block, relative to the same
     const RunResult prototype = make_made_run(300);
     RunResult model = prototype;
     for (std::size_t k = 0; k < 300; ++k) model.history.spine_velocity[2 * k + 1] *= 1.009;
-    const RunDifference difference = compare_runs(prototype, model, Similitude({}, Law::exact));
+    const RunDifference difference = compare_runs(prototype, model, Similitude());
     // every velocity of block 1 is 0.9 % too large, so both measures are 0.9 %, up to rounding of 1.009 v - v
     CHECK(difference.rms_velocity == doctest::Approx(0.009).epsilon(1e-10));
     CHECK(difference.max_velocity == doctest::Approx(0.009).epsilon(1e-10));
@@ -85,7 +86,7 @@ TEST_CASE("the difference is that of the worst spine block, relative to the same
 TEST_CASE("losses are compared level by level, as a part of all that the prototype dissipated") {
     // 0.5 J under level 1, nothing under level 2, 0.5 J at the ground
     const RunResult prototype = make_made_run(20);
-    const Similitude small({.length = 1.0 / 16.0}, Law::exact);
+    const Similitude small = make_similitude("exact", {.length = 1.0 / 16.0});
     RunResult model = scale_run(prototype, small);
     CHECK(compare_runs(prototype, model, small).losses == 0.0);
     model.losses.block[0].friction += 0.02 * small.energy();
@@ -105,7 +106,7 @@ TEST_CASE("losses are compared level by level, as a part of all that the prototy
 
 TEST_CASE("runs part when a velocity first differs by a thousandth of its peak") {
     const RunResult prototype = make_made_run(300);
-    const Similitude quarter({.length = 1.0 / 16.0}, Law::exact);
+    const Similitude quarter = make_similitude("exact", {.length = 1.0 / 16.0});
     RunResult model = scale_run(prototype, quarter);
     CHECK_FALSE(compare_runs(prototype, model, quarter).parting_time.has_value());
     // peaks lie between 0.3 and 0.3·√2 m/s, so that 0.0002 is below a thousandth of the peak and 0.001 above
@@ -120,14 +121,14 @@ TEST_CASE("a block that rests in the prototype is measured against the liveliest
     for (std::size_t k = 0; k < 300; ++k) prototype.history.spine_velocity[2 * k].setZero();
     RunResult model = prototype;
     for (std::size_t k = 0; k < 300; ++k) model.history.spine_velocity[2 * k] = 0.05 * prototype.history.spine_velocity[2 * k + 1];
-    const RunDifference difference = compare_runs(prototype, model, Similitude({}, Law::exact));
+    const RunDifference difference = compare_runs(prototype, model, Similitude());
     CHECK(difference.rms_velocity == doctest::Approx(0.05).epsilon(1e-10));
 }
 
 TEST_CASE("runs with spines of different length cannot be compared") {
     RunResult model = make_made_run(5);
     model.spine.block.pop_back();
-    CHECK_THROWS_AS(compare_runs(make_made_run(5), model, Similitude({}, Law::exact)), std::invalid_argument);
+    CHECK_THROWS_AS(compare_runs(make_made_run(5), model, Similitude()), std::invalid_argument);
 }
 
 TEST_CASE("the energy closure relates the drift of the balance to the energy in play") {

@@ -10,11 +10,12 @@
 #include "lsdem/scene/scene_json.hpp"
 #include "lsdem/study/run.hpp"
 #include "lsdem/study/scale_specimen.hpp"
+#include "scaling/law_similitude.hpp"
 #include "tests/study/made_specimen.hpp"
 
 using namespace musim::lsdem;
 using namespace musim::lsdem::study;
-using musim::scaling::Law;
+using musim::scaling::make_similitude;
 using musim::scaling::Similitude;
 
 namespace {
@@ -72,7 +73,7 @@ TEST_CASE("without preparation weight begins to act at once") {
 
 TEST_CASE("equilibrium is the same bits at scales that are powers of four") {
     Specimen first = make_upright_specimen(make_still(kWall));
-    Specimen other = scale_specimen(first, Similitude({.length = 0.25}, Law::exact));
+    Specimen other = scale_specimen(first, make_similitude("exact", {.length = 0.25}));
     put_in_equilibrium(first, 1e-4);
     put_in_equilibrium(other, 0.5e-4);
     CHECK(first.model.preload.size() > 0);

@@ -16,6 +16,7 @@
 #include "lsdem/study/run.hpp"
 #include "lsdem/study/summary.hpp"
 #include "lsdem/study/write_results.hpp"
+#include "scaling/law_similitude.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 using namespace musim::lsdem;
@@ -92,7 +93,7 @@ struct PushedTower {
 
 PushedTower push_tower(Push push, double length = 1.0) {
     scene::Scene scene = scene::parse_scene(kTower);
-    const scaling::Similitude similitude({.length = length}, scaling::Law::exact);
+    const scaling::Similitude similitude = scaling::make_similitude("exact", {.length = length});
     if (length != 1.0) scene = scene::scale_scene(scene, similitude);
     Specimen specimen = make_specimen(scene);
     specimen.settling.reset();  // it is pushed at once

@@ -13,13 +13,13 @@
 #include "lsdem/scene/scene_json.hpp"
 #include "lsdem/simulation.hpp"
 #include "scaling/distortion.hpp"
-#include "scaling/similitude.hpp"
+#include "scaling/law_similitude.hpp"
 
 namespace {
 
 using musim::lsdem::Simulation;
 using musim::lsdem::scene::Scene;
-using musim::scaling::Law;
+using musim::scaling::make_similitude;
 using musim::scaling::Similitude;
 
 constexpr double kPrototypeFriction = 0.59;
@@ -89,7 +89,7 @@ double distortion_of(const Similitude& similitude, const std::string& group) {
 TEST_CASE("slip histories of blocks with different friction collapse under the mu law") {
     for (const double friction : {0.18, 0.63}) {
         CAPTURE(friction);
-        const Similitude mu_law({.length = 1.0 / 107.0, .friction = friction / kPrototypeFriction}, Law::mu);
+        const Similitude mu_law = make_similitude("mu", {.length = 1.0 / 107.0, .friction = friction / kPrototypeFriction});
         CHECK(slip_difference(mu_law) < 1e-3);
         CHECK(distortion_of(mu_law, "mu^N") == 1.0);
         CHECK(distortion_of(mu_law, "a/(mu*g)") == 1.0);
@@ -103,7 +103,7 @@ TEST_CASE("under Froude input they do not, and the broken groups are named with 
     };
     for (const Case& c : {Case{0.18, 1.8105, 3.2778, 0.5}, Case{0.63, 0.9677, 0.9365, 0.02}}) {
         CAPTURE(c.friction);
-        const Similitude froude({.length = 1.0 / 107.0, .friction = c.friction / kPrototypeFriction}, Law::froude);
+        const Similitude froude = make_similitude("froude", {.length = 1.0 / 107.0, .friction = c.friction / kPrototypeFriction});
         CHECK(slip_difference(froude) > c.least_difference);
         CHECK(distortion_of(froude, "mu^N") == doctest::Approx(c.mu_number).epsilon(5e-5));
         CHECK(distortion_of(froude, "a/(mu*g)") == doctest::Approx(c.demand).epsilon(5e-5));

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "scaling/law_similitude.hpp"
 #include "tests/study/made_run.hpp"
 
 using namespace musim::lsdem;
@@ -59,7 +60,7 @@ TEST_CASE("a run ends with peak, residual, drift, slip, rotation and fallen bloc
 }
 
 TEST_CASE("the outcome of a model is scaled back to the prototype and ratios stay") {
-    const musim::scaling::Similitude similitude({.length = 1.0 / 16.0});
+    const musim::scaling::Similitude similitude = musim::scaling::make_similitude("mu", {.length = 1.0 / 16.0});
     const Outcome model = find_outcome(make_swing()), prototype = scale_back(model, similitude);
     CHECK(prototype.top_peak == 16.0 * model.top_peak);
     CHECK(prototype.pgv.x() == 4.0 * model.pgv.x());

@@ -9,12 +9,13 @@
 #include "lsdem/scene/scale_scene.hpp"
 #include "lsdem/scene/scene_error.hpp"
 #include "lsdem/study/pair_scene.hpp"
+#include "scaling/law_similitude.hpp"
 #include "tests/study/pushed_wall.hpp"
 
 using namespace musim::lsdem;
 using namespace musim::lsdem::study;
 using musim::lsdem::tests::make_pushed_wall;
-using musim::scaling::Law;
+using musim::scaling::make_similitude;
 using musim::scaling::Similitude;
 
 namespace {
@@ -30,7 +31,7 @@ PairSceneSettings accept(double tolerance, std::size_t specimens) {
 }  // namespace
 
 TEST_CASE("a scene that is the prototype's image is its model, to the last bit at a power of four") {
-    const scene::Scene image = scene::scale_scene(make_pushed_wall(), Similitude({.length = 1.0 / 16.0}, Law::exact));
+    const scene::Scene image = scene::scale_scene(make_pushed_wall(), make_similitude("exact", {.length = 1.0 / 16.0}));
     const ScenePair pair = run(image, {}, Materials::exact);
     REQUIRE(pair.study.models.size() == 1);
     CHECK(pair.study.models[0].label == "1:16");

@@ -7,12 +7,13 @@
 #include "lsdem/scene/material_presets.hpp"
 #include "lsdem/scene/scale_scene.hpp"
 #include "lsdem/scene/scene_json.hpp"
+#include "scaling/law_similitude.hpp"
 #include "tests/support/relative.hpp"
 
 using namespace musim::lsdem;
 using namespace musim::lsdem::study;
 using musim::lsdem::tests::relative;
-using musim::scaling::Law;
+using musim::scaling::make_similitude;
 using musim::scaling::Similitude;
 
 namespace {
@@ -28,7 +29,7 @@ scene::Scene make_prototype() {
                          "seed": 2 },
         "time": { "duration": "2 s" } })",
                                                 "pair_scene_test");
-    const Similitude enlarged({.length = 1.0 / kLength}, Law::exact);
+    const Similitude enlarged = make_similitude("exact", {.length = 1.0 / kLength});
     const scene::MaterialPreset& wood = scene::find_material_preset("wood");
     prototype.material = wood.material;
     prototype.material.normal_stiffness *= enlarged.stiffness();

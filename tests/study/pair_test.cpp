@@ -6,22 +6,23 @@
 #include <string>
 
 #include "lsdem/study/scale_specimen.hpp"
+#include "scaling/law_similitude.hpp"
 #include "tests/study/made_specimen.hpp"
 
 using namespace musim::lsdem;
 using namespace musim::lsdem::study;
-using musim::scaling::Law;
+using musim::scaling::make_similitude;
 using musim::scaling::Similitude;
 
 namespace {
 
 PairMember make_prototype(std::size_t cubes, double friction) {
     const Specimen column = make_column(cubes, friction);
-    return {"prototype", column, make_plan(column, 300), Similitude({}, Law::exact)};
+    return {"prototype", column, make_plan(column, 300), Similitude()};
 }
 
 PairMember make_model(const PairMember& prototype, double length, const std::string& label) {
-    const Similitude similitude({.length = length}, Law::exact);
+    const Similitude similitude = make_similitude("exact", {.length = length});
     return {label, scale_specimen(prototype.specimen, similitude), prototype.plan.scaled(similitude.time()), similitude};
 }
 

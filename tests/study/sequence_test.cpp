@@ -19,6 +19,7 @@
 #include "lsdem/study/run.hpp"
 #include "lsdem/study/sequence_plan.hpp"
 #include "lsdem/study/write_results.hpp"
+#include "scaling/law_similitude.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 using namespace musim::lsdem;
@@ -199,7 +200,7 @@ TEST_CASE("a sequence at 1:16 is the same bits in all stages and its summary") {
     const scene::Scene scene = make_scene(
         kColumn, sine("0.7 g") + ", " + R"({"base_motion": {"signal": "half_sine", "amplitude": "0.3 g", "duration": "0.06 s"}})" + ", " +
                      sine("0.5 g"));
-    const musim::scaling::Similitude similitude({.length = 1.0 / 16.0}, musim::scaling::Law::exact);
+    const musim::scaling::Similitude similitude = musim::scaling::make_similitude("exact", {.length = 1.0 / 16.0});
     const TemporaryFolder folder;
     const SequenceSummary large = shake(scene, folder.path() / "large");
     const SequenceSummary small = shake(scene::scale_scene(scene, similitude), folder.path() / "small");

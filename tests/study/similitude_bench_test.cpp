@@ -12,6 +12,7 @@
 #include "lsdem/study/closed_responses.hpp"
 #include "lsdem/study/similitude_figure.hpp"
 #include "scaling/error.hpp"
+#include "scaling/law_similitude.hpp"
 #include "scaling/scale_law_catalogue.hpp"
 #include "tests/support/relative.hpp"
 
@@ -153,7 +154,7 @@ TEST_CASE("a wrong prediction fails its verdict, and so does a broken group call
 }
 
 TEST_CASE("the predictions are exact numbers where groups enter by powers") {
-    const musim::scaling::Similitude twin({.length = 1.0 / 25.0}, musim::scaling::Law::exact);
+    const musim::scaling::Similitude twin = musim::scaling::make_similitude("exact", {.length = 1.0 / 25.0});
     // a few roundings
     CHECK(predict(BenchScene::slide, {twin}, {BrokenGroup::duration, 1.5}, Measure::peak).ratio == relative(2.25, 1e-14));
     CHECK(predict(BenchScene::chain, {twin}, {BrokenGroup::stiffness, 4.0}, Measure::peak_time).ratio == relative(0.5, 1e-14));

@@ -22,6 +22,7 @@
 #include "lsdem/study/run.hpp"
 #include "lsdem/study/specimen_batch.hpp"
 #include "lsdem/study/specimen_file.hpp"
+#include "scaling/law_similitude.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 using namespace musim;
@@ -295,7 +296,7 @@ TEST_CASE("a specimen serves other materials and scales" * doctest::test_suite("
     }
 
     // a power of four: the same bits
-    const scene::Scene small = scene::scale_scene(scene, scaling::Similitude({.length = 1.0 / 16.0}, scaling::Law::exact));
+    const scene::Scene small = scene::scale_scene(scene, scaling::make_similitude("exact", {.length = 1.0 / 16.0}));
     const Specimen scaled = make_specimen(small);
     for (std::size_t i = 0; i < taken.model.blocks.size(); ++i) {
         CHECK(scaled.model.blocks[i].position * 16.0 == taken.model.blocks[i].position);
@@ -392,7 +393,7 @@ TEST_CASE("what friction holds may be said of either block of a contact") {
 
 TEST_CASE("a scene with blocks of unequal height and its twin at 1:16 settle and run to the same bits") {
     const scene::Scene scene = make_wall_scene(3);
-    const scaling::Similitude similitude({.length = 1.0 / 16.0}, scaling::Law::exact);
+    const scaling::Similitude similitude = scaling::make_similitude("exact", {.length = 1.0 / 16.0});
     const RunResult large = run_scene(scene), small = run_scene(scene::scale_scene(scene, similitude));
     REQUIRE(large.rest->steps > 0);
     CHECK(large.rest->steps == small.rest->steps);
@@ -460,7 +461,7 @@ TEST_CASE("a preparation that a scene asks for is read, written, scaled and chec
     REQUIRE(scene.preparation.has_value());
     CHECK(scene.preparation->placing == scene::Placing::layers);
     CHECK(scene::parse_scene(scene::write_scene(scene)) == scene);
-    const auto twin = scene::scale_scene(scene, scaling::Similitude({.length = 1.0 / 16.0}, scaling::Law::exact));
+    const auto twin = scene::scale_scene(scene, scaling::make_similitude("exact", {.length = 1.0 / 16.0}));
     CHECK(twin.preparation->damping_rate->value() == 120.0);
     const auto refused = [](const std::string& more) { CHECK_THROWS_AS(make_wall_scene(3, more), scene::SceneError); };
     refused(R"(, "preparation": {"placing": "thrown"})");

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "records/error.hpp"
+#include "scaling/law_similitude.hpp"
 #include "tests/study/made_run.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -163,7 +164,7 @@ TEST_CASE("result.h5 gives back the numbers, quaternions with w first, and its o
     const TemporaryFolder scratch;
     const RunResult run = make_made_run(50);
     ResultHeader header = kHeader;
-    header.similitude.emplace(musim::scaling::ScaleFactors{.length = 0.25}, musim::scaling::Law::exact);
+    header.similitude = musim::scaling::make_similitude("exact", {.length = 0.25});
     write_results(scratch.path(), run, header);
 
     const fs::path path = scratch.path() / "result.h5";

@@ -10,12 +10,11 @@
 
 using namespace musim::lsdem;
 using namespace musim::lsdem::study;
-using musim::scaling::Law;
 using musim::scaling::Similitude;
 
 namespace {
 
-const Similitude kOne({}, Law::exact);
+const Similitude kOne;
 
 RunResult run_column() {
     const Specimen column = make_column(2, 0.15);
