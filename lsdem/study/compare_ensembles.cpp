@@ -5,12 +5,15 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "lsdem/study/detail/hdf5_reader.hpp"
 #include "lsdem/study/folder_contents.hpp"
 #include "lsdem/study/read_results.hpp"
 #include "lsdem/study/response.hpp"
 #include "lsdem/study/spine_plot.hpp"
+#include "scaling/error.hpp"
+#include "scaling/json_text.hpp"
 
 namespace musim::lsdem::study {
 namespace {
@@ -44,22 +47,40 @@ std::vector<Vector3> to_vectors(const std::vector<double>& values, double unit) 
     return vectors;
 }
 
+[[noreturn]] void refuse_other(const detail::Hdf5Reader& file) {
+    file.fail("is no ensemble that musim ensemble -o DIR has written; name another directory");
+}
+
+/// 0, 1, 2 for "x", "y", "z".
+int find_axis(const std::string& name) {
+    constexpr std::string_view kAxes = "xyz";
+    const std::size_t axis = name.size() == 1 ? kAxes.find(name) : std::string_view::npos;
+    if (axis == std::string_view::npos) throw scaling::ParseError("no axis");
+    return static_cast<int>(axis);
+}
+
 }  // namespace
 
 DimensionlessBands read_bands(const std::filesystem::path& directory) {
     require_complete(directory);
     const detail::Hdf5Reader file(directory / "ensemble.h5");
-    const auto summary = nlohmann::json::parse(file.attribute("summary"), nullptr, false);
-    if (!summary.is_object() || summary.value("format", "") != "musim-ensemble/1" || !summary["scales"].is_object()) {
-        file.fail("is no ensemble that musim ensemble -o DIR has written; name another directory");
+    DimensionlessBands ensemble;
+    ensemble.name = directory.string();
+    double speed = 0.0, height = 0.0;
+    try {
+        const auto summary = scaling::parse_json_text(file.attribute("summary"));
+        if (summary.at("format") != "musim-ensemble/1") throw scaling::ParseError("another format");
+        speed = summary.at("scales").value("sliding_speed_m_s", 0.0);
+        height = summary.at("scales").value("height_m", 0.0);
+        ensemble.axis = find_axis(summary.value("axis", "x"));
+    } catch (const scaling::ParseError&) {
+        refuse_other(file);
+    } catch (const nlohmann::json::exception&) {
+        refuse_other(file);
     }
-    const double speed = summary["scales"].value("sliding_speed_m_s", 0.0), height = summary["scales"].value("height_m", 0.0);
     if (!(speed > 0.0 && height > 0.0)) {
         file.fail("has no friction or gravity (velocities are compared over sqrt(mu g l)); name another one");
     }
-    DimensionlessBands ensemble;
-    ensemble.name = directory.string();
-    ensemble.axis = static_cast<int>(std::string("xyz").find(summary.value("axis", "x")));
     Bands& bands = ensemble.bands;
     for (const double t : file.doubles("/time", 1).values) bands.time.push_back(t * speed / height);
     for (const long long level : file.integers("/spine/level", 1).values) bands.level.push_back(static_cast<int>(level));

@@ -72,12 +72,14 @@ RunResult run_member(const PairMember& member, const RunSettings& settings) {
     std::optional<Checkpoint> kept = find_kept(settings.checkpoint);
     if (kept && kept->samples_done == whole.samples) {
         try {
+            require_plan(*kept, whole);
             return recall_finished(member.specimen, std::move(*kept));
         } catch (const std::runtime_error&) {
             kept.reset();
         }
     }
     const bool goes_on = kept && !member.staged;
+    if (goes_on) require_plan(*kept, whole);
     Simulation simulation =
         goes_on ? restore(member.specimen, *kept, settings.threads) : Simulation(member.specimen.model, whole.time_step, settings.threads);
     RunResult run = goes_on ? resume(simulation, member.specimen, std::move(*kept), settings) : run_anew(simulation, member, settings);

@@ -161,7 +161,9 @@ RunResult run_scene(const scene::Scene& scene, const RunSettings& settings) {
 RunResult resume_scene(const scene::Scene& scene, Checkpoint checkpoint, const RunSettings& settings) {
     const Specimen specimen = make_specimen(scene, settings, &checkpoint);
     const RunSettings with_places = keep_places(settings, specimen);
-    if (checkpoint.preparation) return simulate(specimen, make_time_plan(scene, specimen.model), with_places);
+    const TimePlan plan = make_time_plan(scene, specimen.model);
+    if (checkpoint.preparation) return simulate(specimen, plan, with_places);
+    require_plan(checkpoint, plan);
     return resume(specimen, std::move(checkpoint), with_places);
 }
 

@@ -83,6 +83,7 @@ class Sequence {
         try {
             if (stage >= plan_.stages.size()) throw std::runtime_error("checkpoint: it is of a stage that the scene does not have");
             const SequenceStage& now = plan_.stages[stage];
+            require_plan(checkpoint, now.plan);
             plan_.specimen.model.ground.motion = checkpoint.quiet ? find_motion(now, *checkpoint.quiet) : now.motion;
             Simulation simulation = restore(plan_.specimen, checkpoint, settings_.threads);
             RunResult run = checkpoint.quiet ? recall_finished(plan_.specimen, std::move(checkpoint))

@@ -246,11 +246,15 @@ Simulation restore(const Specimen& specimen, const Checkpoint& checkpoint, int t
     return Simulation::restore(specimen.model, state, threads);
 }
 
+void require_plan(const Checkpoint& checkpoint, const TimePlan& plan) {
+    if (!(checkpoint.plan == plan)) throw std::runtime_error("checkpoint: its steps and samples are not those of its scene");
+}
+
 RunResult resume(Simulation& simulation, const Specimen& specimen, Checkpoint checkpoint, const RunSettings& settings) {
     const Clock::time_point start = Clock::now();
     RunResult run = std::move(checkpoint.run);
     describe(run, specimen, checkpoint.plan);
-    const bool same_step = checkpoint.plan.time_step == simulation.time_step() &&
+    const bool same_step = checkpoint.plan.time_step == simulation.time_step() && checkpoint.plan.steps_per_sample > 0 &&
                            simulation.statistics().steps / checkpoint.plan.steps_per_sample == checkpoint.samples_done;
     if (!same_step || !fits(checkpoint.plan, checkpoint.samples_done, run)) {
         throw std::runtime_error("checkpoint: its histories do not fit its state");

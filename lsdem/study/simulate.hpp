@@ -59,6 +59,9 @@ RunResult simulate(Simulation& simulation, const Specimen& specimen, const TimeP
 /// The simulation of a specimen as a checkpoint has it. Throws std::runtime_error as Simulation::restore does.
 Simulation restore(const Specimen& specimen, const Checkpoint& checkpoint, int threads);
 
+/// Throws std::runtime_error unless the plan of a checkpoint is the one that its scene has.
+void require_plan(const Checkpoint& checkpoint, const TimePlan& plan);
+
 /// Carries a run on from a checkpoint with the simulation that restore() made of it. Throws std::runtime_error when they do not belong
 /// together.
 RunResult resume(Simulation& simulation, const Specimen& specimen, Checkpoint checkpoint, const RunSettings& settings);

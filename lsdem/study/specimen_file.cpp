@@ -22,6 +22,9 @@ constexpr std::string_view kFormat = "musim-specimen/5";
 /// Edge lengths that differ by less than this part are the same, written at another scale.
 constexpr double kSameLength = 1e-9;
 
+/// A quaternion whose length differs from 1 by more than this is no rotation.
+constexpr double kSameRotation = 1e-9;
+
 /// Parts of a scene that a specimen does not depend on.
 constexpr std::array kUnrelated{"schema", "name", "base_motion", "motions", "output", "preparation"};
 
@@ -208,6 +211,11 @@ void take_places(const std::filesystem::path& file, Specimen& specimen) {
         const double* q = &quaternion.values[4 * i];
         blocks[i].position = scale * Eigen::Map<const Vector3>(&position.values[3 * i]);
         blocks[i].orientation = Quaternion(q[0], q[1], q[2], q[3]);
+        if (!blocks[i].position.allFinite() || !(std::abs(blocks[i].orientation.norm() - 1.0) < kSameRotation)) {
+            refuse(file, fmt::format("the place of block {} is damaged (a number is not finite, or its quaternion is no rotation); prepare "
+                                     "it again",
+                                     i));
+        }
     }
     specimen.model.preload = read_preloads(reader, file, specimen.model);
 }

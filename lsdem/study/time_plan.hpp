@@ -11,6 +11,8 @@ struct TimePlan {
     std::uint64_t samples = 0;            ///< after the one at t = 0
     std::uint64_t samples_per_frame = 0;  ///< 0: no frames
 
+    bool operator==(const TimePlan&) const = default;
+
     std::uint64_t steps() const { return steps_per_sample * samples; }
     double duration() const { return static_cast<double>(steps()) * time_step; }  ///< [s]
 

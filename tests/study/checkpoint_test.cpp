@@ -271,3 +271,18 @@ TEST_CASE("removing a checkpoint takes what a kill left of another one along, an
     remove_checkpoint(folder.file());
     CHECK(folder.count() == 2);
 }
+
+TEST_CASE("a checkpoint whose plan is another is refused though its checksum is right") {
+    const Folder folder;
+    const Slide slide;
+    simulate(slide.specimen, slide.plan, slide.settings(folder, 20));
+    const Checkpoint whole = read_checkpoint(folder.file(), "1.2");
+    CHECK_NOTHROW(require_plan(whole, slide.plan));
+    CHECK_NOTHROW(resume(slide.specimen, whole));
+    Checkpoint without_steps = whole;
+    without_steps.plan.steps_per_sample = 0;
+    CHECK_THROWS_WITH(resume(slide.specimen, without_steps), "checkpoint: its histories do not fit its state");
+    Checkpoint endless = whole;
+    endless.plan.samples = std::uint64_t{1} << 60U;
+    CHECK_THROWS_WITH(require_plan(endless, slide.plan), "checkpoint: its steps and samples are not those of its scene");
+}

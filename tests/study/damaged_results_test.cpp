@@ -1,4 +1,5 @@
 #include <doctest/doctest.h>
+#include <hdf5.h>
 
 #include <filesystem>
 #include <fstream>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "lsdem/study/checked_json.hpp"
+#include "lsdem/study/detail/file_checksum.hpp"
 #include "lsdem/study/read_results.hpp"
 #include "lsdem/study/specimen_file.hpp"
 #include "lsdem/study/write_results.hpp"
@@ -119,4 +121,29 @@ TEST_CASE("a file without its checksum is refused and the line says what to do")
                           "command that made it")
                              .c_str(),
                          ResultError);
+}
+
+TEST_CASE("a result that says that it holds more than it does is refused and takes no memory") {
+    const TemporaryFolder folder;
+    write_made_run(folder.path());
+    const fs::path file = folder.path() / "result.h5";
+    const std::string whole = bytes_of(file);
+    folder.write("result.h5", whole.substr(0, whole.rfind("musim-checksum")));
+    const hid_t opened = H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+    REQUIRE(H5Ldelete(opened, "/time", H5P_DEFAULT) >= 0);
+    // pieces that nobody writes are not kept
+    const hsize_t claimed = hsize_t{1} << 60U, piece = 1;
+    const hid_t space = H5Screate_simple(1, &claimed, nullptr), creation = H5Pcreate(H5P_DATASET_CREATE);
+    H5Pset_chunk(creation, 1, &piece);
+    const hid_t set = H5Dcreate2(opened, "/time", H5T_IEEE_F64LE, space, H5P_DEFAULT, creation, H5P_DEFAULT);
+    REQUIRE(set >= 0);
+    H5Dclose(set);
+    H5Pclose(creation);
+    H5Sclose(space);
+    H5Fclose(opened);
+    const std::string changed = bytes_of(file);
+    std::vector<char> stamped(changed.begin(), changed.end());
+    detail::append_checksum(stamped);
+    folder.write("result.h5", {stamped.data(), stamped.size()});
+    CHECK_THROWS_WITH_AS(read_run(folder.path()), doctest::Contains("/time says that it holds more than there is"), ResultError);
 }

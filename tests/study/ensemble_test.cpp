@@ -11,6 +11,7 @@
 #include "lsdem/scene/scene_json.hpp"
 #include "lsdem/study/compare_ensembles.hpp"
 #include "lsdem/study/detail/content_name.hpp"
+#include "lsdem/study/detail/hdf5_file.hpp"
 #include "lsdem/study/ensemble_files.hpp"
 #include "lsdem/study/read_results.hpp"
 #include "tests/study/made_run.hpp"
@@ -235,4 +236,24 @@ TEST_CASE("overlap is the fraction of levels and times at which the other's mean
     // one that ends halfway is compared up to there, between its samples too
     CHECK(compare_bands(first, make({3.2, 3.4}, 0.75)).points == 4);
     CHECK_THROWS_AS(compare_bands(first, make({1.0}, 1.0)), ResultError);
+}
+
+TEST_CASE("bands whose summary is of another kind than is expected are refused") {
+    const musim::tests::TemporaryFolder folder;
+    const auto read = [&](const std::string& summary) {
+        detail::Hdf5File file;
+        file.write_attribute("summary", summary);
+        const std::vector<char> bytes = file.image();
+        folder.write("ensemble.h5", {bytes.data(), bytes.size()});
+        return read_bands(folder.path());
+    };
+    const std::string scales = R"("scales": {"sliding_speed_m_s": 1.0, "height_m": 1.0})";
+    for (const std::string& summary : {std::string("[]"), std::string(R"({"format": "musim-ensemble/1"})"),
+                                       R"({"format": 1, )" + scales + "}", std::string(R"({"format": "musim-ensemble/1", "scales": null})"),
+                                       std::string(R"({"format": "musim-ensemble/1", "scales": {"sliding_speed_m_s": "x"}})"),
+                                       R"({"format": "musim-ensemble/1", "axis": "q", )" + scales + "}",
+                                       R"({"format": "musim-ensemble/1", "axis": 0, )" + scales + "}"}) {
+        CAPTURE(summary);
+        CHECK_THROWS_WITH_AS(read(summary), doctest::Contains("is no ensemble that musim ensemble -o DIR has written"), ResultError);
+    }
 }

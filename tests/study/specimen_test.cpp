@@ -23,6 +23,7 @@
 #include "lsdem/study/specimen_batch.hpp"
 #include "lsdem/study/specimen_file.hpp"
 #include "scaling/law_similitude.hpp"
+#include "tests/study/made_specimen.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 using namespace musim;
@@ -319,6 +320,26 @@ TEST_CASE("a specimen serves other materials and scales" * doctest::test_suite("
     CHECK(large.couple == doctest::Approx(3e-5).epsilon(1e-12));
     CHECK(little.couple * std::pow(16.0, 4) == large.couple);
     CHECK(little.friction * std::pow(16.0, 3) == large.friction);
+}
+
+TEST_CASE("a specimen with a block in no place is refused though its checksum is right") {
+    const TemporaryFolder folder;
+    const Specimen column = make_column(3);
+    PreparedSpecimen prepared;
+    prepared.tilt = prepared.force = std::vector<double>(3, 0.0);
+    const std::filesystem::path file = folder.path() / "specimen.h5";
+    const auto write_changed = [&](const auto& change) {
+        prepared.specimen = column;
+        change(prepared.specimen.model.blocks[1]);
+        write_specimen(file, prepared, "{}", "9.9.9");
+        Specimen taken = column;
+        take_places(file, taken);
+    };
+    CHECK_NOTHROW(write_changed([](Block&) {}));
+    const char* const damaged = "specimen.h5: the place of block 1 is damaged";
+    CHECK_THROWS_WITH_AS(write_changed([](Block& block) { block.position.x() = std::numeric_limits<double>::quiet_NaN(); }),
+                         doctest::Contains(damaged), ResultError);
+    CHECK_THROWS_WITH_AS(write_changed([](Block& block) { block.orientation.coeffs() *= 0.5; }), doctest::Contains(damaged), ResultError);
 }
 
 TEST_CASE("a specimen from its file is that in memory: places to the bit, friction to its rounding, and at rest") {

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "lsdem/study/detail/file_checksum.hpp"
 #include "lsdem/study/read_results.hpp"
 #include "scaling/regular_file.hpp"
@@ -24,6 +26,19 @@ hid_t open_file(const std::filesystem::path& path) {
     const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
     if (file < 0) throw ResultError(fmt::format("{}: is no HDF5 file; make it again with the command that made it", path.string()));
     return file;
+}
+
+/// How many values a dataset of that shape holds; nothing when the file keeps fewer, as ours, which are not compressed, never do.
+std::optional<std::size_t> count_values(hid_t set, const std::vector<hsize_t>& shape) {
+    if (std::find(shape.begin(), shape.end(), 0) != shape.end()) return 0;
+    const Hdf5Handle type(H5Dget_type(set), H5Tclose, "describe a dataset");
+    const std::size_t kept = H5Dget_storage_size(set) / H5Tget_size(type);
+    std::size_t count = 1;
+    for (const hsize_t n : shape) {
+        if (count > kept / n) return std::nullopt;
+        count *= n;
+    }
+    return count;
 }
 
 }  // namespace
@@ -59,10 +74,10 @@ Hdf5Data<Number> Hdf5Reader::read(const std::string& path, std::size_t rank, hid
     Hdf5Data<Number> data;
     data.shape.resize(rank);
     H5Sget_simple_extent_dims(space, data.shape.data(), nullptr);
-    std::size_t count = 1;
-    for (const hsize_t n : data.shape) count *= n;
-    data.values.resize(count);
-    if (count > 0 && H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data.values.data()) < 0) {
+    const std::optional<std::size_t> count = count_values(set, data.shape);
+    if (!count) fail(fmt::format("{} says that it holds more than there is", path));
+    data.values.resize(*count);
+    if (*count > 0 && H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data.values.data()) < 0) {
         fail(fmt::format("{} cannot be read", path));
     }
     return data;
