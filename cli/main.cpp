@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <cstdio>
@@ -19,9 +18,7 @@ namespace {
 /// Every error is one line on stderr.
 int report(const std::string& message, int exit_code) {
     constexpr std::size_t kLongest = 1000;  // letters: whatever a message echoes, a line of it can be read
-    std::string line = scaling::shorten(message, kLongest);
-    std::replace(line.begin(), line.end(), '\n', ' ');
-    std::fprintf(stderr, "musim: error: %s\n", line.c_str());
+    std::fprintf(stderr, "musim: error: %s\n", scaling::make_line(scaling::shorten(message, kLongest)).c_str());
     return exit_code;
 }
 

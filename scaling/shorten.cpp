@@ -1,5 +1,8 @@
 #include "scaling/shorten.hpp"
 
+#include <algorithm>
+#include <cctype>
+
 namespace musim::scaling {
 namespace {
 
@@ -7,6 +10,12 @@ namespace {
 bool continues_letter(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U; }
 
 }  // namespace
+
+std::string make_line(std::string text) {
+    std::replace_if(
+        text.begin(), text.end(), [](char letter) { return std::iscntrl(static_cast<unsigned char>(letter)) != 0; }, ' ');
+    return text;
+}
 
 std::string shorten(std::string_view text, std::size_t most) {
     if (text.size() <= most) return std::string(text);

@@ -7,13 +7,14 @@
 #include <vector>
 
 #include "lsdem/study/history.hpp"
+#include "scaling/shorten.hpp"
 
 namespace musim::lsdem::study {
 
 /// A directory or file that holds no usable results: says where, what, why and what to do, in one line.
 class ResultError : public std::runtime_error {
   public:
-    using std::runtime_error::runtime_error;
+    explicit ResultError(const std::string& what) : std::runtime_error(scaling::make_line(what)) {}
 };
 
 /// What a result directory holds of a run.

@@ -36,6 +36,8 @@ TEST_CASE("numbers beyond doubles and broken JSON are reported in a short line")
     CHECK(many.size() == 160);
 }
 
+TEST_CASE("a line has no control characters, and other letters stay") { CHECK(make_line("a\nb\x1b[31m\x7f \u03bb") == "a b [31m  \u03bb"); }
+
 TEST_CASE("long texts keep beginning and end, and no letter is parted") {
     CHECK(shorten("short") == "short");
     const std::string text = "begin" + std::string(500, 'x') + "end", shown = shorten(text);

@@ -63,6 +63,14 @@ TEST_CASE("an unknown material is refused with the known ones") {
                                                 {"\"marble\"", "wood", "concrete", "aluminium"});
 }
 
+TEST_CASE("a name that holds control characters is refused in one line") {
+    const std::string told = musim::lsdem::scene::testing::error_of([] {
+        parse_scene(R"({"schema": "musim-scene/1", "material": "wood\n\u001b[31m",
+                 "structure": {"kind": "column", "layers": 1, "block": [1, 2, 3]}, "time": {"duration": 1}})");
+    });
+    CHECK_MESSAGE(told.find("\"wood  [31m\" is not a known material") != std::string::npos, told);
+}
+
 // The papers' steps are a camera's period over a whole number: 1/4800 s over 20 and 80, 1/2000 s over 34.
 TEST_CASE("a step \"camera\" is the preset's, scales like a given one, and needs a preset") {
     const auto parse = [](const std::string& material) {
