@@ -86,6 +86,7 @@ TEST_CASE("a damaged shake table is refused in one line that names the place") {
     CHECK(error_of(axis(R"("velocity": "80 cm")")).starts_with("t.json: axes 1: velocity: \"80 cm\""));
     CHECK(error_of(axis(R"("velocity": "-1 m/s")")) ==
           "t.json: axes 1: velocity is not above zero; give its magnitude, or remove it where there is no limit");
+    CHECK(error_of(axis(R"("str\noke": "1 m")")) == "t.json: axes 1: \"str oke\" is none of its settings; remove it, or correct its name");
     CHECK(error_of(axis(R"("stroke": "1 m")")) == "t.json: axes 1: \"stroke\" is none of its settings; remove it, or correct its name");
     CHECK(error_of(axis(R"("force": "1 kN")")) ==
           "t.json: axes 1: moving_mass is missing (force and oil column act on table and payload); add the mass of platen and rods");
