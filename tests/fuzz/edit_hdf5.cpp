@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <cstdlib>
+#include <cstring>
 #include <string>
 
 #include "lsdem/study/detail/file_checksum.hpp"
@@ -59,6 +60,14 @@ Data read(hid_t file, const std::string& path) {
     data.values.resize(count);
     if (count > 0) require(H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, data.values.data()));
     return data;
+}
+
+/// Does a dataset hold numbers, all that its shape says? One that was changed before need not.
+bool is_whole(hid_t file, const std::string& path) {
+    const Hdf5Handle set(H5Dopen2(file, path.c_str(), H5P_DEFAULT), H5Dclose, "open a dataset");
+    const Hdf5Handle type(H5Dget_type(set), H5Tclose, "describe a dataset");
+    const bool in_pieces = H5Dget_storage_size(set) == 0;
+    return !in_pieces && H5Tget_class(type) != H5T_STRING;
 }
 
 void change_number(hid_t file, const std::string& path, FuzzedDataProvider& draw) {
@@ -124,6 +133,7 @@ void edit(hid_t file, FuzzedDataProvider& draw) {
     const std::vector<std::string> paths = list_datasets(file);
     if (paths.empty()) return;
     const std::string& path = paths[draw.ConsumeIntegralInRange<std::size_t>(0, paths.size() - 1)];
+    if (!is_whole(file, path)) return;
     switch (draw.ConsumeIntegralInRange(0, 7)) {
         case 0:
             return require(H5Ldelete(file, path.c_str(), H5P_DEFAULT));
