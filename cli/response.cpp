@@ -51,7 +51,8 @@ void print_losses(const study::Damage& damage) {
 }
 
 void print_response(const study::Response& r) {
-    print("{}: motion along {}\n", study::to_string(r.status), study::axis_name(r.axis));
+    print("{}: motion along {}, {}\n", study::to_string(r.status), study::axis_name(r.axis),
+          study::describe_pga(r.pga[r.axis], r.source_pga[static_cast<std::size_t>(r.axis)]));
     if (r.collapse_time) print("  collapsed at {:.4g} s\n", *r.collapse_time);
     if (r.failure) print("  {}\n", study::describe(*r.failure));
     print("  elastic speed H sqrt(k/m) {:.5g} m/s, sqrt(mu g l) {:.5g} m/s\n", r.scales.elastic_speed, r.scales.sliding_speed());

@@ -72,6 +72,9 @@ void print_sequence(const study::SequenceSummary& summary) {
               stage.at_start ? stage.at_start->damage.index : 0.0, stage.of_stage.damage.index, stage.of_sequence.damage.index,
               stage.fallen, study::to_string(stage.status));
     }
+    for (const study::StageSummary& stage : summary.stages) {
+        if (!stage.pga.empty()) print("  {} {}\n", stage.where.folder, stage.pga);
+    }
     if (const auto time = summary.collapse_time()) {
         const study::StageSummary& last = summary.stages.back();
         print("  collapsed {:.4g} s after the start of {}{}, {:.4g} s of shaking in all\n", *last.collapse_time, last.where.folder,

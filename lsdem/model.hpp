@@ -38,6 +38,13 @@ struct Block {
     bool rotation_locked = false;                     ///< translates only; for wave-speed calibration and rigid-plastic limits
 };
 
+/// What a component of the base's motion was made from; for results, the kernel does not use it.
+struct MotionSource {
+    double peak_acceleration = 0.0;  ///< PGA of the whole record, or of the formula [m/s²]; 0: none, or not known
+    bool is_record = false;          ///< else a formula of the scene
+    bool is_processed = false;       ///< the record was cut or filtered
+};
+
 /// Prescribed velocity of the base along one world axis: samples v_k at t_k = start + k·dt, linear in between, so that the acceleration
 /// is stepwise constant and the displacement, its exact integral, is piecewise quadratic. Zero before `start`; the last sample holds after
 /// the end. A first sample that is not zero is a step in velocity.
@@ -45,6 +52,7 @@ struct BaseComponent {
     double start = 0.0;            ///< t_0 [s]
     double dt = 0.0;               ///< [s]; irrelevant with fewer than two samples
     std::vector<double> velocity;  ///< v_k [m/s]; empty: this axis does not move
+    MotionSource source = {};
 };
 
 /// The plane z = 0 that carries the structure and moves with the base.

@@ -79,6 +79,18 @@ void name_peak(records::ComponentCurves& curves, const ReportedRun& reported, co
     if (peak > 0.0) curves.intensity.pga->value = scaling::Acceleration::from_value(peak);
 }
 
+/// One line for each axis whose PGA is not that of its record or formula.
+std::string make_pga_notes(const ReportedRun& reported) {
+    std::string html;
+    for (std::size_t axis = 0; axis < kAxes.size(); ++axis) {
+        const double pga = reported.run.peak_base_acceleration[static_cast<int>(axis)];
+        const study::SourcePga& source = reported.run.source_pga[axis];
+        if (!source.differs_from(pga)) continue;
+        html += make_statement(Tone::note, fmt::format("{} along {}: {}", reported.label, kAxes[axis], study::describe_pga(pga, source)));
+    }
+    return html;
+}
+
 ReportFigure make_base_figure(const ReportedRun& reported, const std::optional<ModelScales>& scales, std::size_t number) {
     RecordFigure figure{.components = {},
                         .damping = records::CurveRequest{}.damping,
@@ -142,6 +154,7 @@ std::optional<ReportSection> make_base_motion_section(const ReportContent& conte
     ReportSection section{.id = "base", .title = "Base motion", .html = {}};
     for (const ReportedRun& run : content.runs) {
         if (make_motion(run, ModelScales{}).components.empty()) continue;
+        section.html += make_pga_notes(run);
         section.figures.push_back(make_base_figure(run, find_scales(run), section.figures.size() + 1));
     }
     if (section.figures.empty()) return std::nullopt;

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "lsdem/report/document_sections.hpp"
 #include "lsdem/report/json_parts.hpp"
 
 namespace musim::lsdem::report {
@@ -70,7 +71,12 @@ ReportSection make_sequence_section(const ReportContent& content) {
                               number_cell(find_number(stage, "fallen_blocks"), 9),
                               number_cell(find_number(stage, "collapse_time_s"))});
     }
-    return {.id = "stages", .title = "One motion after another", .html = to_html(table)};
+    std::string html = to_html(table);
+    for (const nlohmann::json& stage : find_list(content.summary, "stages")) {
+        const std::string pga = find_text(stage, "pga");
+        if (!pga.empty()) html += make_statement(Tone::note, fmt::format("{} {}", find_text(stage, "folder"), pga));
+    }
+    return {.id = "stages", .title = "One motion after another", .html = std::move(html)};
 }
 
 ReportSection make_ensemble_section(const ReportContent& content) {

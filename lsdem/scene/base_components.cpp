@@ -8,6 +8,7 @@
 
 #include "lsdem/scene/scene_error.hpp"
 #include "records/base_motion.hpp"
+#include "records/intensity.hpp"
 #include "records/read_record.hpp"
 #include "records/ricker.hpp"
 #include "records/synthetic.hpp"
@@ -40,6 +41,12 @@ double sample_step(const SignalMotion& motion, double period) { return motion.dt
 BaseComponent make_component(const StepSignal& signal, const SignalMotion& /*motion*/) {
     return {.start = 0.0, .dt = 0.0, .velocity = {signal.velocity.value()}};
 }
+
+double peak_of(const StepSignal& /*signal*/) { return 0.0; }
+double peak_of(const SineSignal& signal) { return std::abs(signal.amplitude.value()); }
+double peak_of(const HalfSineSignal& signal) { return std::abs(signal.amplitude.value()); }
+double peak_of(const RickerSignal& signal) { return std::abs(signal.amplitude.value()); }
+double peak_of(const SyntheticSignal& signal) { return signal.pga.value(); }
 
 BaseComponent make_component(const SineSignal& signal, const SignalMotion& motion) {
     const double period = 1.0 / signal.frequency.value();
@@ -84,7 +91,14 @@ std::array<BaseComponent, 3> make_components(const SignalMotion& motion) {
     BaseComponent& component = components[static_cast<std::size_t>(motion.axis)];
     component = std::visit([&](const auto& signal) { return make_component(signal, motion); }, motion.signal);
     component.start += motion.start.value();
+    component.source.peak_acceleration = std::visit([](const auto& signal) { return peak_of(signal); }, motion.signal);
     return components;
+}
+
+/// As `musim record info` has it: of the whole component. Only of accelerations.
+double peak_of(const records::GroundMotion& record, const records::TimeSeries& series) {
+    if (series.quantity() != records::SampleQuantity::acceleration) return 0.0;
+    return std::abs(records::find_peak_acceleration(records::level_uncorrected(series, record.integration_corner)).value.value());
 }
 
 /// Where the record's clock reads zero in the simulation.
@@ -112,6 +126,9 @@ std::array<BaseComponent, 3> make_components(const RecordMotion& motion) {
         if (!motion.components[axis]) continue;
         const records::BaseMotion base = records::make_base_motion(record, *motion.components[axis], settings);
         components[axis] = to_component(base.velocity, origin);
+        components[axis].source = {.peak_acceleration = peak_of(record, record.find_component(*motion.components[axis]).series),
+                                   .is_record = true,
+                                   .is_processed = motion.window || motion.highpass_corner || record.integration_corner};
     }
     return components;
 }
@@ -121,7 +138,9 @@ void scale(std::array<BaseComponent, 3>& components, const MotionFactors& factor
         BaseComponent& component = components[axis];
         component.start *= factors.time;
         component.dt *= factors.time;
-        for (double& v : component.velocity) v *= axis == 2 ? factors.velocity_vertical : factors.velocity;
+        const double velocity = axis == 2 ? factors.velocity_vertical : factors.velocity;
+        for (double& v : component.velocity) v *= velocity;
+        component.source.peak_acceleration *= velocity / factors.time;
     }
 }
 

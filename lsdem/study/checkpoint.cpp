@@ -52,10 +52,12 @@ static void exchange(Archive& archive, Falls& f) { archive(f.time, f.displacemen
 
 static void exchange(Archive& archive, StageOrigin& o) { archive(o.stage, o.time, o.base, o.position, o.orientation); }
 
+static void exchange(Archive& archive, SourcePga& p) { archive(p.acceleration, p.is_record, p.why); }
+
 static void exchange(Archive& archive, RunResult& r) {
     archive(r.status, r.collapse_time, r.origin, r.rest, r.steps, r.initial, r.history, r.frames, r.falls, r.final, r.statistics, r.losses);
     archive(r.state_hash, r.energy_closure, r.start_reaction_over_weight, r.base_reaction_over_weight, r.peak_base_acceleration,
-            r.wall_time);
+            r.source_pga, r.wall_time);
 }
 
 static void exchange(Archive& archive, SettlingState& s) { archive(s.steps, s.quiet_looks, s.liveliest); }
@@ -72,7 +74,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr ArchiveKind kKind{{'m', 'u', 's', 'i', 'm', 'R', 'U', 'N'}, 11, "checkpoint"};
+constexpr ArchiveKind kKind{{'m', 'u', 's', 'i', 'm', 'R', 'U', 'N'}, 12, "checkpoint"};
 
 /// The fields of a checkpoint beside its run, which need not be copied to be written.
 struct Beside {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -8,6 +9,7 @@
 
 #include "lsdem/simulation.hpp"
 #include "lsdem/study/settle.hpp"
+#include "lsdem/study/source_pga.hpp"
 #include "lsdem/types.hpp"
 
 /// Studies on scenes: single runs, paired runs at several scales, their results on disk and their picture.
@@ -103,6 +105,7 @@ struct RunResult {
     std::optional<double> start_reaction_over_weight;  ///< at t = 0, as below
     std::optional<double> base_reaction_over_weight;   ///< at the end, along gravity; nothing without ground or gravity
     Vector3 peak_base_acceleration = Vector3::Zero();  ///< PGA of each component of the motion that the base was given, absolute [m/s²]
+    std::array<SourcePga, 3> source_pga = {};          ///< likewise, of what that motion was made from
     double wall_time = 0.0;                            ///< [s]
 
     /// Centres of mass where falls are counted from [m].

@@ -79,6 +79,7 @@ Outcome find_outcome(const RunResult& run) {
     Outcome outcome;
     outcome.axis = find_strongest_axis(run.history);
     outcome.pga = run.peak_base_acceleration;
+    outcome.source_pga = run.source_pga;
     for (const BaseState& base : run.history.base) outcome.pgv = outcome.pgv.cwiseMax(base.velocity.cwiseAbs());
     measure_spine(run, outcome);
     const Damage damage = assess_damage(run);
@@ -97,6 +98,7 @@ Outcome find_outcome(const RunResult& run) {
 Outcome scale_back(Outcome outcome, const scaling::Similitude& similitude) {
     const double horizontal = similitude.acceleration(), vertical = similitude.acceleration_vertical();
     outcome.pga = outcome.pga.cwiseQuotient(Vector3(horizontal, horizontal, vertical));
+    for (std::size_t axis = 0; axis < 3; ++axis) outcome.source_pga[axis].acceleration /= axis == 2 ? vertical : horizontal;
     outcome.pgv = outcome.pgv.cwiseQuotient(Vector3(similitude.velocity(), similitude.velocity(), similitude.velocity_vertical()));
     outcome.top_peak /= similitude.length();
     outcome.top_residual /= similitude.length();
@@ -106,11 +108,11 @@ Outcome scale_back(Outcome outcome, const scaling::Similitude& similitude) {
 
 std::vector<std::string> describe(const Outcome& outcome) {
     std::vector<std::string> lines;
-    const double pga = outcome.pga[outcome.axis] / scaling::kStandardGravity.value();
     if (outcome.pgv.isZero(0.0)) {
         lines.emplace_back("base at rest");
     } else {
-        lines.push_back(fmt::format("base motion along {}: PGA {:.4g} g, PGV {}", axis_name(outcome.axis), pga,
+        lines.push_back(fmt::format("base motion along {}: {}, PGV {}", axis_name(outcome.axis),
+                                    describe_pga(outcome.pga[outcome.axis], outcome.source_pga[static_cast<std::size_t>(outcome.axis)]),
                                     write<scaling::Velocity>(outcome.pgv[outcome.axis])));
     }
     if (outcome.top_level > 0) {
@@ -142,6 +144,7 @@ nlohmann::json to_json(const Outcome& outcome) {
     }
     return {{"axis", axis_name(outcome.axis)},
             {"pga_g", {pga.x(), pga.y(), pga.z()}},
+            {"pga_source", to_json(outcome.source_pga)},
             {"pgv_m_s", {outcome.pgv.x(), outcome.pgv.y(), outcome.pgv.z()}},
             {"top", top},
             {"drift", {{"largest", outcome.drift}, {"level", outcome.drift_level}}},

@@ -184,10 +184,12 @@ void read_summary(const fs::path& path, const std::string& result, StoredRun& ru
         if (run.status == RunStatus::diverged) run.divergence = divergence.value("what", "diverged");
         run.doubts = summary.value("doubts", std::vector<std::string>{});
         run.at_rest = summary.value("rest", nlohmann::json::object()).value("at_rest", true);
-        const auto pga = summary.value("outcome", nlohmann::json::object()).value("pga_g", std::vector<double>{});
+        const nlohmann::json outcome = summary.value("outcome", nlohmann::json::object());
+        const auto pga = outcome.value("pga_g", std::vector<double>{});
         for (std::size_t axis = 0; axis < pga.size() && axis < 3; ++axis) {
             run.peak_base_acceleration[static_cast<int>(axis)] = pga[axis] * scaling::kStandardGravity.value();
         }
+        if (outcome.contains("pga_source")) run.source_pga = parse_source_pga(outcome["pga_source"]);
     } catch (const nlohmann::json::exception& error) {
         throw ResultError(fmt::format("{}: {} (it is damaged, or of another version); run the scene again", path.string(), error.what()));
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <stdexcept>
@@ -24,6 +25,7 @@ struct StoredRun {
     std::optional<double> collapse_time;               ///< [s]
     std::string divergence;                            ///< why it diverged, in one sentence; empty when it did not
     Vector3 peak_base_acceleration = Vector3::Zero();  ///< see RunResult; of older results that at the samples [m/s²]
+    std::array<SourcePga, 3> source_pga = {};          ///< likewise; unknown in older results
     bool at_rest = true;                               ///< false: it was to settle before t = 0 and did not
     std::vector<std::string> doubts;                   ///< see find_doubts; empty in results of versions before they were kept
     std::string state_hash;                            ///< of the final state

@@ -45,7 +45,9 @@ struct SpeedScales {
 
 struct Response {
     int axis = 0;
-    std::vector<SpeedEstimate> speeds;  ///< none faster than elastic waves, see `why`
+    Vector3 pga = Vector3::Zero();             ///< see RunResult::peak_base_acceleration [m/s²]
+    std::array<SourcePga, 3> source_pga = {};  ///< of what the base's motion was made from
+    std::vector<SpeedEstimate> speeds;         ///< none faster than elastic waves, see `why`
     SpeedScales scales;
     std::vector<SpineLevel> spine;
     Damage damage;

@@ -62,6 +62,7 @@ class Scaler {
     void scale_parts(BaseComponent& component) const {
         scale<scaling::Time>(component.start, component.dt);
         scale<scaling::Velocity>(component.velocity);
+        scale<scaling::Acceleration>(component.source.peak_acceleration);
     }
 
     void scale_parts(Preload& preload) const {

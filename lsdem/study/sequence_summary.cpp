@@ -36,7 +36,12 @@ StageSummary summarize_stage(const StoredRun& run, const StageFolder& where, con
     for (const BaseState& base : run.history.base) {
         stage.peak_velocity = std::max(stage.peak_velocity, base.velocity.norm());
     }
-    stage.peak_acceleration = run.peak_base_acceleration.maxCoeff();
+    int strongest = 0;
+    stage.peak_acceleration = run.peak_base_acceleration.maxCoeff(&strongest);
+    const SourcePga& source = run.source_pga[static_cast<std::size_t>(strongest)];
+    if (source.differs_from(stage.peak_acceleration)) {
+        stage.pga = fmt::format("along {}: {}", axis_name(strongest), describe_pga(stage.peak_acceleration, source));
+    }
     stage.at_rest = run.at_rest;
     for (const double time : run.falls.time) {
         if (std::isnan(time)) continue;
@@ -103,6 +108,7 @@ nlohmann::json to_json(const StageSummary& stage) {
                           {"axis", axis_name(stage.axis)},
                           {"peak_base_velocity_m_s", stage.peak_velocity},
                           {"peak_base_acceleration_m_s2", stage.peak_acceleration},
+                          {"pga", stage.pga},
                           {"at_rest_before", stage.at_rest},
                           {"fallen_blocks_before", stage.fallen_before},
                           {"fallen_blocks", stage.fallen},

@@ -84,6 +84,10 @@ void join(RunResult& whole, RunResult stage) {
     whole.final = std::move(stage.final);
     for (std::size_t b = 0; b < whole.losses.block.size(); ++b) whole.losses.block[b] += stage.losses.block[b];
     whole.losses.ground += stage.losses.ground;
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto a = static_cast<std::size_t>(axis);
+        if (stage.peak_base_acceleration[axis] > whole.peak_base_acceleration[axis]) whole.source_pga[a] = stage.source_pga[a];
+    }
     whole.peak_base_acceleration = whole.peak_base_acceleration.cwiseMax(stage.peak_base_acceleration);
     whole.state_hash = stage.state_hash;
     whole.energy_closure = std::max(whole.energy_closure, stage.energy_closure);

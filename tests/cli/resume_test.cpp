@@ -138,12 +138,12 @@ TEST_CASE("a run of an older format cannot be resumed: one line names file and f
     kill_halfway(here, "run scene.json -o out");
     REQUIRE(here.has("out/checkpoint"));
     std::string old = here.read("out/checkpoint");
-    old[12] = 10;  // the format, behind a name of eight bytes and the byte order
+    old[12] = 11;  // the format, behind a name of eight bytes and the byte order
     here.write("out/checkpoint", old);
     const Outcome outcome = here.run("run --resume out");
     CHECK(outcome.exit_code == 3);
     CHECK(outcome.has_one_error_line());
-    for (const char* part : {"out/checkpoint: ", "format 10", "format 11", "start it anew"}) {
+    for (const char* part : {"out/checkpoint: ", "format 11", "format 12", "start it anew"}) {
         CHECK_MESSAGE(outcome.err.find(part) != std::string::npos, outcome.err);
     }
 }

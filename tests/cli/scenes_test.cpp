@@ -54,6 +54,26 @@ TEST_CASE("run prints one JSON object with the keys of the contract and writes a
     CHECK(nlohmann::json::parse(here.read("out/run/summary.json"))["state_hash"] == object["state_hash"]);
 }
 
+TEST_CASE("a run whose base has another PGA than its record says both everywhere") {
+    const Workplace here;
+    // a triangle of 0.5 g at one sample: the base has means of two samples, half of it
+    here.write("motion.txt", "0 0\n0.1 0\n0.2 4.903325\n0.3 0\n0.4 -4.903325\n0.5 0\n0.6 0\n");
+    std::string text = SceneText().text();
+    const std::size_t begin = text.find(R"({"signal")"), end = text.find('}', begin);
+    here.write("scene.json", text.replace(begin, end - begin + 1, R"({"record": "motion.txt", "components": {"x": "1"}})"));
+    const std::string both = "at the base (0.5 g in the record: velocity linear between samples)";
+    const Outcome run = here.run("run scene.json -o out --duration 0.6");
+    CHECK_MESSAGE(run.out.find(both) != std::string::npos, run.out);
+    const auto summary = nlohmann::json::parse(here.read("out/summary.json"))["outcome"];
+    CHECK(summary["pga_source"][0]["pga_g"].get<double>() == doctest::Approx(0.5));
+    const Outcome response = here.run("response out");
+    CHECK_MESSAGE(response.out.find(both) != std::string::npos, response.out);
+    CHECK(here.run("response out --json").json()["pga_source"] == summary["pga_source"]);
+    CHECK(here.run("response out --json").json()["pga_g"] == summary["pga_g"]);
+    REQUIRE(here.run("report out -o page.html").exit_code == 0);
+    CHECK(here.read("page.html").find(both) != std::string::npos);
+}
+
 TEST_CASE("settings that change nothing and old names get one line each, and change nothing") {
     const Workplace here;
     here.write("scene.json", SceneText().text());

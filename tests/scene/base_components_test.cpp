@@ -18,6 +18,7 @@ using namespace musim;
 using namespace musim::lsdem::scene;
 using namespace musim::lsdem::scene::testing;
 using musim::lsdem::BaseComponent;
+using musim::lsdem::MotionSource;
 
 namespace {
 
@@ -113,6 +114,27 @@ TEST_CASE("a synthetic motion has its peak velocity and ends at rest") {
     CHECK(x.velocity.front() == 0.0);
     CHECK(x.velocity.back() == 0.0);
     CHECK(x.start == 0.0);
+}
+
+TEST_CASE("a component knows the peak acceleration of its record or formula at its own scale") {
+    const auto peak_of = [](const char* motion, const std::filesystem::path& place = "scene") {
+        return make_base_components(parse_motion(motion, place))[0].source;
+    };
+    CHECK(peak_of(R"({"signal": "half_sine", "amplitude": "-0.4 g", "duration": "50 ms"})").peak_acceleration ==
+          doctest::Approx(0.4 * 9.80665));
+    CHECK(peak_of(R"({"signal": "step", "velocity": "32 mm/s"})").peak_acceleration == 0.0);
+    const TextRecord record;
+    const MotionSource whole = peak_of(R"({"record": "motion.txt", "components": {"x": "1"}})", record.scene());
+    CHECK(whole.is_record);
+    CHECK_FALSE(whole.is_processed);
+    CHECK(whole.peak_acceleration > 0.0);
+    const MotionSource part = peak_of(R"({"record": "motion.txt", "components": {"x": "1"}, "window": ["1 s", "3 s"]})", record.scene());
+    CHECK(part.is_processed);
+    CHECK(part.peak_acceleration == whole.peak_acceleration);
+    // Froude: half the friction, half the acceleration; lengths do not matter
+    const MotionSource model = peak_of(
+        R"({"record": "motion.txt", "components": {"x": "1"}, "scale": {"law": "mu", "length": 0.25, "friction": 0.5}})", record.scene());
+    CHECK(model.peak_acceleration == doctest::Approx(0.5 * whole.peak_acceleration));
 }
 
 TEST_CASE("a record moves the axes it is asked to, and a window starts at time zero") {
