@@ -60,10 +60,9 @@ scene::Scene read_prototype(const std::string& file, const BenchTwinsOptions& op
     return prototype;
 }
 
-Measured measure_twins(const scene::Scene& prototype, const BenchTwinsOptions& options) {
+Measured measure_twins(const scene::Scene& prototype, const BenchTwinsOptions& options, ProgressInParts& progress) {
     study::TwinSettings settings{.directory = options.out, .version = kVersion, .threads = options.threads};
     settings.on_warning = [](const std::string& why) { note("musim: warning: no checkpoint: {}\n", why); };
-    ProgressInParts progress(prototype.name);
     settings.on_preparation = progress.of_preparation();
     settings.on_progress = progress.of_run();
     study::TwinStudy twins = study::run_twins(prototype, choose_twins(options), settings);
@@ -143,8 +142,11 @@ int run_bench_twins(const BenchTwinsOptions& options) {
 
     std::vector<Measured> all;
     bool diverged = false;
-    for (const scene::Scene& prototype : prototypes) {
-        const Measured& measured = all.emplace_back(measure_twins(prototype, options));
+    const std::vector<double> shares = study::share_work(prototypes);
+    ProgressInParts progress(prototypes.front().name);
+    for (std::size_t k = 0; k < prototypes.size(); ++k) {
+        progress.begin_part(prototypes[k].name, shares[k]);
+        const Measured& measured = all.emplace_back(measure_twins(prototypes[k], options, progress));
         diverged |= measured.study.prototype.diverged;
         for (const study::TwinRun& twin : measured.study.twins) diverged |= twin.diverged;
         if (!options.json) print_study(measured, options.style);

@@ -69,11 +69,10 @@ scene::Scene read_prototype(const std::string& file, const BenchVerdictOptions& 
 }
 
 study::VerdictBench measure(const std::string& file, const scene::Scene& prototype, const study::VerdictBenchPlan& plan,
-                            const BenchVerdictOptions& options) {
+                            const BenchVerdictOptions& options, ProgressInParts& progress) {
     note_cut_motions(file, prototype);
     study::TwinSettings settings{.directory = options.out, .version = kVersion, .threads = options.threads};
     settings.on_warning = [](const std::string& why) { note("musim: warning: no checkpoint: {}\n", why); };
-    ProgressInParts progress(prototype.name);
     settings.on_preparation = progress.of_preparation();
     settings.on_progress = progress.of_run();
     study::VerdictBench bench = study::run_verdict_bench(prototype, plan, settings);
@@ -214,7 +213,14 @@ int run_bench_verdict(const BenchVerdictOptions& options) {
         folder.emplace(options.out, std::move(origin), options.overwriting.choice());
     }
     std::vector<study::VerdictBench> benches;
-    for (std::size_t k = 0; k < prototypes.size(); ++k) benches.push_back(measure(options.scenes[k], prototypes[k], plan, options));
+    {
+        const std::vector<double> shares = study::share_work(prototypes);
+        ProgressInParts progress(prototypes.front().name);
+        for (std::size_t k = 0; k < prototypes.size(); ++k) {
+            progress.begin_part(prototypes[k].name, shares[k]);
+            benches.push_back(measure(options.scenes[k], prototypes[k], plan, options, progress));
+        }
+    }
     if (folder) {
         folder->add_text("verdicts.json", to_json(benches).dump(2) + "\n");
         folder->commit();

@@ -113,29 +113,28 @@ int list_members(const EnsembleOptions& options, const std::vector<study::Ensemb
     return kDone;
 }
 
-std::vector<study::MemberReport> carry_out(const EnsembleOptions& options, const std::vector<study::EnsembleMember>& members) {
-    ProgressLine progress(members.front().scene.name);
+std::vector<study::MemberReport> carry_out(const EnsembleOptions& options, const std::vector<study::EnsembleMember>& members,
+                                           ProgressInParts& progress) {
     const study::MemberSettings settings{
         .directory = options.out,
         .version = kVersion,
         .threads = options.threads,
         .checkpoint_interval = options.checkpoint_interval,
-        .on_progress = [&](double fraction) { progress.update(fraction); },
+        .on_progress = progress.of_run(),
         .on_no_checkpoint = [](const std::string& why) { note("musim: warning: no checkpoint: {}\n", why); }};
     return study::run_members(members, settings);
 }
 
 /// Has the members use what is in the folder of specimens, and prepares there what is missing.
-void take_specimens(const EnsembleOptions& options, std::vector<study::EnsembleMember>& members) {
+void take_specimens(const EnsembleOptions& options, std::vector<study::EnsembleMember>& members, ProgressInParts& progress) {
     study::SpecimenBatch batch = begin_batch(options.specimens, options.threads, options.checkpoint_interval);
-    ProgressLine progress(members.front().scene.name + ", specimens");
-    batch.on_progress = [&](double fraction) { progress.update(fraction); };
+    batch.on_progress = progress.of_preparation();
     for (const study::SpecimenReport& report : study::use_specimens(members, std::move(batch))) warn_of_fallen(report);
 }
 
 /// One member alone; the summary of the ensemble is for whoever runs them all.
-int run_one(const EnsembleOptions& options, const study::EnsembleMember& member) {
-    const std::vector<study::MemberReport> reports = carry_out(options, {member});
+int run_one(const EnsembleOptions& options, const study::EnsembleMember& member, ProgressInParts& progress) {
+    const std::vector<study::MemberReport> reports = carry_out(options, {member}, progress);
     const study::EnsembleSummary summary = study::summarize_ensemble(options.out, {member}, reports, options.axis_index());
     const study::MemberResult& result = summary.members.front();
     if (options.json) {
@@ -183,10 +182,13 @@ int run_ensemble(const EnsembleOptions& options) {
     }
     note_cut_motions(options.scene, scene);
     if (options.only > 0) members = {members[static_cast<std::size_t>(options.only - 1)]};
-    if (!options.specimens.empty()) take_specimens(options, members);
-    if (options.only > 0) return run_one(options, members.front());
-
-    const std::vector<study::MemberReport> reports = carry_out(options, members);
+    std::vector<study::MemberReport> reports;
+    {
+        ProgressInParts progress(scene.name);
+        if (!options.specimens.empty()) take_specimens(options, members, progress);
+        if (options.only > 0) return run_one(options, members.front(), progress);
+        reports = carry_out(options, members, progress);
+    }
     const study::EnsembleSummary summary = study::summarize_ensemble(options.out, members, reports, options.axis_index());
     study::add_ensemble(*folder, summary, kVersion);
     folder->commit();

@@ -32,4 +32,9 @@ std::string format_duration(double seconds) {
     return fmt::format("{} s", whole);
 }
 
+std::string describe_left(double least, double most) {
+    const std::string from = format_duration(least), to = format_duration(most);
+    return from == to ? to : from + " to " + to;
+}
+
 }  // namespace musim::cli

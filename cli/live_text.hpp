@@ -15,4 +15,7 @@ std::string draw_live(const lsdem::study::LiveRun& live);
 /// "1 h 05 min", "3 min 20 s" or "12 s".
 std::string format_duration(double seconds);
 
+/// A time that is left [s]: "12 s", or "12 s to 3 min 20 s" where it is known between bounds only.
+std::string describe_left(double least, double most);
+
 }  // namespace musim::cli

@@ -269,11 +269,15 @@ int run_pair(const PairOptions& options) {
         }
         std::optional<study::LiveFile> live;
         if (folder) live.emplace(options.out, prototype.name).listen_to(settings);
-        const study::PairSceneSettings how{.specimen = options.specimen == "each" ? study::PairSpecimen::each : study::PairSpecimen::one,
-                                           .judging = {.twins = options.twins, .seed = options.seed, .half_step = !options.no_half_step},
-                                           .each_alone = options.each_alone,
-                                           .specimens = options.specimens,
-                                           .accept = options.accept ? std::optional(options.accept->value) : std::nullopt};
+        study::PairSceneSettings how{.specimen = options.specimen == "each" ? study::PairSpecimen::each : study::PairSpecimen::one,
+                                     .judging = {.twins = options.twins, .seed = options.seed, .half_step = !options.no_half_step},
+                                     .each_alone = options.each_alone,
+                                     .specimens = options.specimens,
+                                     .accept = options.accept ? std::optional(options.accept->value) : std::nullopt};
+        how.judging.on_spare = [&, tell = progress.of_spare()](double part) {
+            tell(part);
+            if (live) live->tell_spare(part);
+        };
         pair = study::pair_scene(prototype, choices, find_materials(options), settings, how);
     }
     if (folder) {

@@ -20,14 +20,14 @@ constexpr auto kPatience = 2s;
 constexpr std::size_t kLeastOfName = 12;
 
 /// All of a line but the name.
-std::string compose_tail(double fraction, const std::optional<lsdem::study::LiveRun>& seen, double left) {
-    return fmt::format(": {:.0f} %, {}{} left", 100.0 * fraction, seen ? describe_live(*seen) + ", " : "", format_duration(left));
+std::string compose_tail(double fraction, const std::optional<lsdem::study::LiveRun>& seen, const std::string& left) {
+    return fmt::format(": {:.0f} %, {}{} left", 100.0 * fraction, seen ? describe_live(*seen) + ", " : "", left);
 }
 
 /// A line that leaves the last column free, since a terminal goes to the next line there: of the name as much as there is room for, and
 /// bars and state only where they fit.
-std::string compose_line(const std::string& name, double fraction, const std::optional<lsdem::study::LiveRun>& seen, double left,
-                         std::size_t columns) {
+std::string compose_line(const std::string& name, double fraction, const std::optional<lsdem::study::LiveRun>& seen,
+                         const std::string& left, std::size_t columns) {
     std::vector<std::string> tails;
     if (seen) tails = {compose_tail(fraction, seen, left) + draw_live(*seen), compose_tail(fraction, seen, left)};
     tails.push_back(compose_tail(fraction, std::nullopt, left));
@@ -59,7 +59,8 @@ void ProgressLine::update(double fraction) {
     }
     if (now < next_ || !(fraction > fraction_before_)) return;
     const double elapsed = std::chrono::duration<double>(now - start_).count();
-    const double left = elapsed * (1.0 - fraction) / (fraction - fraction_before_);
+    const double rate = (fraction - fraction_before_) / elapsed;
+    const std::string left = describe_left(std::max(0.0, 1.0 - spare_ - fraction) / rate, (1.0 - fraction) / rate);
     if (terminal_) {
         note("\r{}\x1b[K", compose_line(what_, fraction, seen_, left, count_columns(stderr)));
     } else {
@@ -70,6 +71,11 @@ void ProgressLine::update(double fraction) {
     next_ = now + (terminal_ ? Clock::duration(200ms) : Clock::duration(10s));
 }
 
+void ProgressLine::spare(double part) {
+    const std::lock_guard lock(mutex_);
+    spare_ = part;
+}
+
 void ProgressLine::name(const std::string& what) {
     const std::lock_guard lock(mutex_);
     what_ = what;
@@ -78,6 +84,15 @@ void ProgressLine::name(const std::string& what) {
 void ProgressLine::see(const lsdem::study::RunResult& run, const lsdem::study::TimePlan& plan) {
     const std::lock_guard lock(mutex_);
     if (Clock::now() >= next_) seen_ = lsdem::study::observe_run(run, plan);
+}
+
+void ProgressInParts::begin_part(const std::string& what, double share) {
+    what_ = what;
+    joined_.begin_part(share);
+}
+
+std::function<void(double)> ProgressInParts::of_spare() {
+    return [this](double part) { line_.spare(joined_.of_all(part)); };
 }
 
 std::function<void(double)> ProgressInParts::of_preparation() {

@@ -24,6 +24,9 @@ class ProgressLine {
     /// `fraction` done, 0 to 1. May be called from any thread, as often as one likes.
     void update(double fraction);
 
+    /// The part at the end, 0 to 1, that may not be needed: from now on the time left is a range.
+    void spare(double part);
+
     /// What the lines from now on begin with.
     void name(const std::string& what);
 
@@ -36,7 +39,7 @@ class ProgressLine {
     std::string what_;
     std::optional<lsdem::study::LiveRun> seen_;
     bool continues_;
-    double fraction_before_ = 0.0;
+    double fraction_before_ = 0.0, spare_ = 0.0;
     bool terminal_;
     bool shown_ = false;
     Clock::time_point start_ = Clock::now();
@@ -44,14 +47,19 @@ class ProgressLine {
     std::mutex mutex_;
 };
 
-/// The progress of a preparation and of the runs after it, as one scale on one line.
+/// The progress of preparations and of the runs after them, as one scale on one line.
 class ProgressInParts {
   public:
     /// `continues`: what was done before is not counted in the time left, see ProgressLine.
     explicit ProgressInParts(const std::string& what, bool continues = false) : what_(what), line_(what, continues) {}
 
+    /// Begins another preparation with its runs, called `what`, which are this share of all; without, one is all.
+    void begin_part(const std::string& what, double share);
+
     std::function<void(double)> of_preparation();
     std::function<void(double)> of_run();
+    /// The part of the runs, 0 to 1, that may not be needed.
+    std::function<void(double)> of_spare();
     /// What the run is at its samples; to be told before its fraction.
     std::function<void(const lsdem::study::RunResult&, const lsdem::study::TimePlan&)> of_samples();
 

@@ -34,7 +34,7 @@ std::string describe(const study::WatchedRun& run) {
     std::string text = fmt::format("{}: {}{:.0f} %", state.name, state.prepares ? "preparing, " : "", 100.0 * state.fraction);
     if (state.run) text += ", " + describe_live(*state.run);
     if (!run.works) return text + ", killed";
-    if (state.left) text += fmt::format(", {} left", format_duration(*state.left));
+    if (state.left) text += fmt::format(", {} left", describe_left(state.least_left.value_or(*state.left), *state.left));
     return text;
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "lsdem/study/read_results.hpp"
@@ -25,6 +26,11 @@ std::vector<SpecimenReport> use_specimens(std::vector<EnsembleMember>& members, 
     batch.scene = members.front().scene;
     batch.seeds.clear();
     for (const EnsembleMember& member : members) batch.seeds.push_back(member.seed);
+    const auto missing = std::count_if(members.begin(), members.end(), [&](const EnsembleMember& member) {
+        return !std::filesystem::exists(batch.folder / specimen_file_of(member.scene));
+    });
+    // those whose specimens are there follow, too
+    if (missing > 0) batch.runs_to_follow = static_cast<double>(members.size()) / static_cast<double>(missing);
     std::vector<SpecimenReport> reports = make_specimens(batch);
     for (std::size_t i = 0; i < members.size(); ++i) {
         if (reports[i].reused || reports[i].prepared.rest.at_rest) members[i] = with_specimen(members[i], reports[i].file, batch.version);

@@ -1,5 +1,6 @@
 #include "lsdem/study/live_file.hpp"
 
+#include <algorithm>
 #include <exception>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -20,6 +21,7 @@ LiveState parse_live_state(const nlohmann::json& json) {
     json.at("fraction").get_to(state.fraction);
     json.at("wall_s").get_to(state.wall_time);
     if (json.contains("left_s")) state.left = json["left_s"].get<double>();
+    if (json.contains("least_left_s")) state.least_left = json["least_left_s"].get<double>();
     if (json.contains("run")) state.run = parse_live_run(json["run"]);
     return state;
 }
@@ -33,6 +35,7 @@ nlohmann::json to_json(const LiveState& state) {
                         {"fraction", state.fraction},
                         {"wall_s", state.wall_time}};
     if (state.left) json["left_s"] = *state.left;
+    if (state.least_left) json["least_left_s"] = *state.least_left;
     if (state.run) json["run"] = to_json(*state.run);
     return json;
 }
@@ -55,7 +58,11 @@ void LiveFile::tell(bool prepares, double fraction) {
     state_.fraction = fraction;
     const double done = fraction - *first_fraction_;
     const double taken = std::chrono::duration<double>(now - first_told_).count();
-    state_.left = done > 0.0 ? std::optional(taken * (1.0 - fraction) / done) : std::nullopt;
+    const auto time_to = [&](double end) {
+        return done > 0.0 ? std::optional(taken * std::max(0.0, end - fraction) / done) : std::nullopt;
+    };
+    state_.left = time_to(1.0);
+    state_.least_left = spare_ > 0.0 ? time_to(1.0 - spare_) : std::nullopt;
     if (is_due()) write();
 }
 

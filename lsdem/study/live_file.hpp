@@ -18,11 +18,13 @@ struct LiveState {
     bool prepares = false;       ///< its specimen is being prepared; nothing moves yet
     double fraction = 0.0;       ///< done of preparation and run together, 0 to 1
     double wall_time = 0.0;      ///< since it began, or was resumed [s]
-    std::optional<double> left;  ///< wall time that both will still take if work goes on as up to now [s]
-    std::optional<LiveRun> run;  ///< at its last sample
+    std::optional<double> left;  ///< wall time that both will still take if work goes on as up to now; at most, where it is a range [s]
+    std::optional<double> least_left;  ///< likewise at least; nothing where it is no range [s]
+    std::optional<LiveRun> run;        ///< at its last sample
 };
 
-/// {"schema", "name", "phase": "preparing" or "running", "fraction", "wall_s", "left_s", "run"}; the last two only when known.
+/// {"schema", "name", "phase": "preparing" or "running", "fraction", "wall_s", "left_s", "least_left_s", "run"}; the last three only when
+/// known. It is for watching alone: nothing that is computed depends on it, so it carries no checksum.
 nlohmann::json to_json(const LiveState& state);
 
 /// The name of that file in a folder of results.
@@ -42,6 +44,7 @@ class LiveFile {
 
     void tell_preparation(double fraction) { tell(true, fraction); }
     void tell_progress(double fraction) { tell(false, fraction); }
+    void tell_spare(double part) { spare_ = joined_.of_all(part); }
     void tell_sample(const RunResult& run, const TimePlan& plan);
 
     /// Hears what a run, or a sequence, tells from now on, besides who hears it already. Outlives it.
@@ -76,6 +79,7 @@ class LiveFile {
     JoinedProgress joined_;
     std::optional<double> first_fraction_;
     Clock::time_point first_told_;
+    double spare_ = 0.0;
 };
 
 /// What the file in a folder says; nothing when there is none, or none that this program wrote.

@@ -21,9 +21,16 @@ constexpr double kSurelyInTime = 2.0;
 /// The image whose every number is a power of two of the prototype's: all of its bits must agree.
 constexpr double kExactLength = 0.25;
 
+/// A run at half the step has twice the steps.
+constexpr double kHalfStepWork = 2.0;
+
+/// With the image that must agree in all bits.
+std::size_t work_of_twins(std::size_t twins) { return twins > 0 ? twins + 1 : 0; }
+
 /// One simulation to carry out.
 struct Job {
     const PairMember* member;
+    double work = 1.0;  ///< in runs of the prototype
     RunResult result = {};
 };
 
@@ -40,7 +47,9 @@ void run_all(std::vector<Job>& jobs, const RunSettings& settings, double from, d
     const std::function<void(double)> tell = [&](double part) {
         if (settings.on_progress) settings.on_progress(from + (to - from) * part);
     };
-    detail::SharedProgress progress(jobs.size(), tell);
+    std::vector<double> work_of;
+    for (const Job& job : jobs) work_of.push_back(job.work);
+    detail::SharedProgress progress(work_of, tell);
     std::vector<std::function<void()>> work;
     for (std::size_t j = 0; j < jobs.size(); ++j) {
         work.emplace_back([&, j] {
@@ -88,14 +97,19 @@ class PairWork {
              PairStudy& study)
         : prototype_(prototype), models_(models), settings_(settings), judging_(judging), study_(study) {
         most_twins_ = judging.twins.value_or(kMostTwins);
-        expected_ = static_cast<double>(1 + models.size() + (judging.half_step ? 2 : 0) + most_twins_ + 1);
+        expected_ = static_cast<double>(count_runs(models.size(), judging));
+    }
+
+    /// No fewer twins than these are run from now on, see PairSettings::on_spare.
+    void expect_twins(std::size_t fewest) const {
+        if (judging_.on_spare) judging_.on_spare(static_cast<double>(work_of_twins(most_twins_) - work_of_twins(fewest)) / expected_);
     }
 
     void run_models() {
         const PairMember half = make_half_step(prototype_);
         std::vector<Job> jobs{{&prototype_}};
         for (const PairMember& model : models_) jobs.push_back({&model});
-        if (judging_.half_step) jobs.push_back({&half});
+        if (judging_.half_step) jobs.push_back({&half, kHalfStepWork});
         run(jobs);
         study_.prototype = std::move(jobs[0].result);
         for (std::size_t m = 0; m < models_.size(); ++m) {
@@ -147,7 +161,7 @@ class PairWork {
   private:
     void run(std::vector<Job>& jobs) {
         const double from = done_;
-        done_ += static_cast<double>(jobs.size()) / expected_;
+        for (const Job& job : jobs) done_ += job.work / expected_;
         run_all(jobs, settings_, std::min(from, 1.0), std::min(done_, 1.0));
     }
 
@@ -208,20 +222,30 @@ std::vector<TwinChoice> choose_twins(std::size_t twins, std::uint64_t seed) {
     return choices;
 }
 
+std::size_t count_runs(std::size_t models, const PairSettings& judging) {
+    const std::size_t half_step = judging.half_step ? static_cast<std::size_t>(kHalfStepWork) : 0;
+    return 1 + models + half_step + work_of_twins(judging.twins.value_or(kMostTwins));
+}
+
 PairStudy run_pair(const PairMember& prototype, const std::vector<PairMember>& models, Materials materials, const RunSettings& settings,
                    const PairSettings& judging) {
     PairStudy study{
         .materials = materials, .prototype = {}, .twins = {}, .twin_traces = {}, .same_bits = {}, .half_step = {}, .models = {}};
     PairWork work(prototype, models, settings, judging, study);
+    // exact models that agree within rounding need none
+    const std::size_t fewest = materials == Materials::exact && !models.empty() ? 0 : kFewestTwins;
+    work.expect_twins(judging.twins.value_or(fewest));
     work.run_models();
     work.judge();
     const bool exact = materials == Materials::exact && std::all_of(study.models.begin(), study.models.end(),
                                                                     [](const PairedRun& model) { return model.judgement.within_rounding; });
     const bool wants_twins = judging.twins ? *judging.twins > 0 : !(exact && !models.empty());
     if (!wants_twins || has_diverged(study.prototype)) return study;
+    work.expect_twins(judging.twins.value_or(kFewestTwins));
     work.run_twins(judging.twins ? *judging.twins : kFewestTwins);
     work.judge();
     if (judging.twins || is_decided(study)) return study;
+    work.expect_twins(work.most_twins());
     work.run_twins(work.most_twins());
     work.judge();
     return study;

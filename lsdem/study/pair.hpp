@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -55,8 +56,13 @@ struct PairSettings {
     std::optional<std::size_t> twins = {};  ///< nothing: none when models agree within rounding, else as many as decide, 2 to kMostTwins
     std::uint64_t seed = 1;                 ///< of the twins
     bool half_step = true;                  ///< run the prototype at half its step, too
+    /// Told, before progress, the part of all runs at the end that may not be needed: twins, where as many run as decide.
+    std::function<void(double)> on_spare = {};
 };
 inline constexpr std::size_t kFewestTwins = 2, kMostTwins = 8;
+
+/// The most that a pair of so many models runs, in runs of its prototype.
+std::size_t count_runs(std::size_t models, const PairSettings& judging);
 
 /// A prototype, its twins and its models.
 struct PairStudy {

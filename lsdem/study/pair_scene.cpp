@@ -230,6 +230,11 @@ class OtherSpecimens {
         share_ = static_cast<double>(runs) / static_cast<double>(runs + 2 * count_);
     }
     RunSettings settings_of_pair(const RunSettings& settings) const { return part_of(settings, 0.0, share_); }
+    PairSettings judging_of_pair(PairSettings judging) const {
+        if (!judging.on_spare) return judging;
+        judging.on_spare = [share = share_, tell = judging.on_spare](double part) { tell(share * part); };
+        return judging;
+    }
     std::vector<RunTrace> run(const RunResult& prototype, const RunSettings& settings) const {
         return run_other_specimens(scene_, prototype, count_, part_of(settings, share_, 1.0));
     }
@@ -262,8 +267,7 @@ ScenePair pair_scene(const scene::Scene& prototype, const std::vector<ModelChoic
     for (const ModelChoice& choice : models) scaled_scenes.push_back(make_scaled(prototype, choice, materials));
     const KeptPair kept(prototype, scaled_scenes, materials, how, settings);
     RunSettings laying = kept.settings_of("prototype", settings);
-    // with the models, the half step and the quarter
-    laying.runs_to_follow = static_cast<double>(models.size() + 3 + how.judging.twins.value_or(kMostTwins));
+    laying.runs_to_follow = static_cast<double>(count_runs(models.size(), how.judging));
     const PairMember original = lay_member("prototype", prototype, Similitude(), laying, Sampling::every_step);
     const RunSettings plain{.threads = settings.threads, .checkpoint = settings.checkpoint};
 
@@ -302,8 +306,10 @@ ScenePair pair_scene(const scene::Scene& prototype, const std::vector<ModelChoic
     members.insert(members.end(), std::make_move_iterator(lone_members.begin()), std::make_move_iterator(lone_members.end()));
     scene::Scene sampled = prototype;
     sample_as(original, original.similitude, sampled);
-    const OtherSpecimens others(sampled, materials, how, members.size() + kMostTwins);
-    pair.study = run_pair(original, members, materials, others.settings_of_pair(kept.settings_of_all(settings)), how.judging);
+    const OtherSpecimens others(sampled, materials, how, count_runs(members.size(), how.judging));
+    pair.study = run_pair(original, members, materials, others.settings_of_pair(kept.settings_of_all(settings)),
+                          others.judging_of_pair(how.judging));
+    if (how.judging.on_spare) how.judging.on_spare(0.0);
     pair.study.specimen_traces = others.run(pair.study.prototype, kept.settings_of_all(settings));
     pair.study.tolerance = how.accept;
 

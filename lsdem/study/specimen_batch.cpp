@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <chrono>
 #include <mutex>
-#include <numeric>
 #include <variant>
 
 #include "lsdem/scene/build_model.hpp"
 #include "lsdem/scene/scene_error.hpp"
 #include "lsdem/study/detail/folder_lock.hpp"
 #include "lsdem/study/detail/leftovers.hpp"
+#include "lsdem/study/detail/shared_progress.hpp"
 #include "lsdem/study/fallen_blocks.hpp"
 #include "lsdem/study/read_results.hpp"
 #include "lsdem/study/run.hpp"
@@ -24,22 +24,12 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// How far a batch is: the mean of its specimens.
-class BatchProgress {
-  public:
-    explicit BatchProgress(const SpecimenBatch& batch) : batch_(batch), done_(batch.seeds.size(), 0.0) {}
-    void update(std::size_t specimen, double fraction) {
-        if (!batch_.on_progress) return;
-        const std::lock_guard lock(mutex_);
-        done_[specimen] = fraction;
-        batch_.on_progress(std::accumulate(done_.begin(), done_.end(), 0.0) / static_cast<double>(done_.size()));
-    }
-
-  private:
-    const SpecimenBatch& batch_;
-    std::mutex mutex_;
-    std::vector<double> done_;
-};
+/// 1 for each specimen that is missing, 0 for each that is there.
+std::vector<double> find_work(const std::vector<std::optional<detail::FileLock>>& locks) {
+    std::vector<double> work;
+    for (const auto& lock : locks) work.push_back(lock ? 1.0 : 0.0);
+    return work;
+}
 
 std::filesystem::path checkpoint_of(const std::filesystem::path& file) { return file.string() + ".checkpoint"; }
 
@@ -65,7 +55,7 @@ std::optional<detail::FileLock> keep_missing(const std::filesystem::path& file) 
 }
 
 /// `files`: one file at a time, since the HDF5 library need not be built for threads.
-SpecimenReport make_specimen_file(const SpecimenBatch& batch, std::size_t index, std::mutex& files, BatchProgress& progress) {
+SpecimenReport make_specimen_file(const SpecimenBatch& batch, std::size_t index, std::mutex& files, detail::SharedProgress& progress) {
     const std::uint64_t seed = batch.seeds[index];
     const Clock::time_point start = Clock::now();
     const scene::Scene scene = with_seed(batch.scene, seed);
@@ -99,7 +89,9 @@ SpecimenReport make_specimen_file(const SpecimenBatch& batch, std::size_t index,
                                              .on_failure = batch.on_warning};
     const std::optional<PreparationState> from = find_unfinished(batch, *settings.checkpoint);
     report.resumed = from.has_value();
-    report.prepared = prepare(upright, scene::compute_time_step(scene, upright.model).value(), preparation, settings, from);
+    const double to_follow = batch.runs_to_follow * static_cast<double>(make_time_plan(scene, upright.model).steps()) *
+                             static_cast<double>(upright.model.blocks.size());
+    report.prepared = prepare(upright, scene::compute_time_step(scene, upright.model).value(), preparation, settings, from, to_follow);
     report.fallen = report.prepared.rest.fallen;
     if (report.prepared.rest.at_rest) {
         const std::lock_guard lock(files);
@@ -155,13 +147,13 @@ std::vector<SpecimenReport> make_specimens(const SpecimenBatch& batch) {
     for (const std::uint64_t seed : batch.seeds)
         locks.push_back(keep_missing(batch.folder / specimen_file_of(with_seed(batch.scene, seed))));
     std::mutex files;
-    BatchProgress progress(batch);
+    detail::SharedProgress progress(find_work(locks), batch.on_progress);
     std::vector<SpecimenReport> reports(batch.seeds.size());
     std::vector<std::function<void()>> jobs;
     for (std::size_t i = 0; i < batch.seeds.size(); ++i) {
         jobs.emplace_back([&, i] {
             reports[i] = make_specimen_file(batch, i, files, progress);
-            progress.update(i, 1.0);
+            if (batch.runs_to_follow == 0.0) progress.update(i, 1.0);
         });
     }
     scaling::run_side_by_side(jobs, batch.threads);

@@ -19,7 +19,8 @@ struct SpecimenBatch {
     std::string version;                ///< of the program, for the files
     int threads = 0;                    ///< specimens at a time; those left over are shared by the specimens; 0: all cores
     double checkpoint_interval = 60.0;  ///< wall time between two checkpoints of a specimen [s]
-    std::function<void(double)> on_progress = {};
+    double runs_to_follow = 0.0;        ///< how many runs of each missing specimen's scene, by their work, follow; for the progress
+    std::function<void(double)> on_progress = {};  ///< told the part that is done of what is missing and of the runs that follow it
     std::function<void(const std::string&)> on_warning = {};  ///< told why a checkpoint could not be written or used, from any thread
 };
 

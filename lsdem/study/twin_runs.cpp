@@ -88,7 +88,7 @@ class TwinWork {
 
   private:
     void run_missing(bool wants_prototype, const std::vector<std::size_t>& pending) {
-        specimen_ = lay_twin_specimen(scene_, folder_, settings_);
+        specimen_ = lay_twin_specimen(scene_, folder_, settings_, static_cast<double>(pending.size() + (wants_prototype ? 1 : 0)));
         plan_ = make_time_plan(scene_, specimen_.model);
         moving_ = find_moving(specimen_.model);
         if (wants_prototype) tape_ = std::make_unique<detail::VelocityTape>();
@@ -182,8 +182,8 @@ fs::path twin_folder(const fs::path& directory, const scene::Scene& scene, const
     return directory / ("twins-" + detail::name_content(describe_build() + make_member(with_rate(scene), version).name));
 }
 
-Specimen lay_twin_specimen(const scene::Scene& scene, const fs::path& folder, const TwinSettings& settings) {
-    RunSettings run_settings{.threads = settings.threads, .on_preparation = settings.on_preparation};
+Specimen lay_twin_specimen(const scene::Scene& scene, const fs::path& folder, const TwinSettings& settings, double runs_to_follow) {
+    RunSettings run_settings{.threads = settings.threads, .on_preparation = settings.on_preparation, .runs_to_follow = runs_to_follow};
     if (!folder.empty()) {
         run_settings.checkpoint = CheckpointSettings{.file = folder / kTwinSpecimenName,
                                                      .scene = scene::write_scene(scene),
@@ -192,6 +192,18 @@ Specimen lay_twin_specimen(const scene::Scene& scene, const fs::path& folder, co
                                                      .on_failure = settings.on_warning};
     }
     return lay_specimen(scene, std::move(run_settings)).specimen;
+}
+
+std::vector<double> share_work(const std::vector<scene::Scene>& scenes) {
+    std::vector<double> shares;
+    double all = 0.0;
+    for (const scene::Scene& scene : scenes) {
+        const Model model = make_upright_specimen(scene).model;
+        shares.push_back(static_cast<double>(make_time_plan(scene, model).steps()) * static_cast<double>(model.blocks.size()));
+        all += shares.back();
+    }
+    for (double& share : shares) share /= all;
+    return shares;
 }
 
 TwinStudy run_twins(const scene::Scene& scene, const std::vector<TwinChoice>& choices, const TwinSettings& settings) {

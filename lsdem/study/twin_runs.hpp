@@ -29,8 +29,9 @@ inline constexpr double kTwinRate = 100.0;
 std::filesystem::path twin_folder(const std::filesystem::path& directory, const scene::Scene& scene, const std::string& version);
 
 /// The specimen of a scene, laid now or taken from the folder of its twins, where it is left; nothing is left when `folder` is empty. See
-/// lay_specimen.
-Specimen lay_twin_specimen(const scene::Scene& scene, const std::filesystem::path& folder, const TwinSettings& settings);
+/// lay_specimen. `runs_to_follow`: for the progress, see RunSettings.
+Specimen lay_twin_specimen(const scene::Scene& scene, const std::filesystem::path& folder, const TwinSettings& settings,
+                           double runs_to_follow);
 
 /// Runs a scene as prototype, and twins of the same specimen, and compares the velocities of all blocks that move at every sample of the
 /// spine (kTwinRate when the scene has no rate).
@@ -42,5 +43,9 @@ Specimen lay_twin_specimen(const scene::Scene& scene, const std::filesystem::pat
 ///
 /// Throws as make_specimen and Simulation do, SceneError for a scene with a list of motions, records::WriteError.
 TwinStudy run_twins(const scene::Scene& scene, const std::vector<TwinChoice>& choices, const TwinSettings& settings = {});
+
+/// The share of each scene in the work of one run of all, in block steps: for one progress over several studies. Throws as
+/// make_upright_specimen does.
+std::vector<double> share_work(const std::vector<scene::Scene>& scenes);
 
 }  // namespace musim::lsdem::study

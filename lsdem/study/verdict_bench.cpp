@@ -116,11 +116,12 @@ class BenchWork {
         for (std::size_t i = 0; i < trials_.size(); ++i) {
             if (!trials_[i].known) pending.push_back(i);
         }
-        specimen_ = lay_twin_specimen(scene_, folder_, settings_);
+        specimen_ = lay_twin_specimen(scene_, folder_, settings_, static_cast<double>(1 + pending.size()));
         time_plan_ = make_time_plan(scene_, specimen_.model);
         time_plan_.samples_per_frame = 0;
-        prototype_ = simulate(specimen_, time_plan_, {.threads = settings_.threads});
-        detail::SharedProgress progress(pending.size(), settings_.on_progress);
+        detail::SharedProgress progress(1 + pending.size(), settings_.on_progress);
+        prototype_ = simulate(specimen_, time_plan_,
+                              {.threads = settings_.threads, .on_progress = [&](double part) { progress.update(pending.size(), part); }});
         std::vector<std::function<void()>> jobs;
         for (std::size_t j = 0; j < pending.size(); ++j) {
             jobs.emplace_back([this, &progress, &trial = trials_[pending[j]], j] {

@@ -4,24 +4,30 @@
 #include <functional>
 #include <mutex>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace musim::lsdem::study::detail {
 
-/// Progress of several jobs side by side as one fraction: their mean.
+/// Progress of several jobs side by side as one fraction: their mean, weighted by the work of each.
 class SharedProgress {
   public:
     /// `tell` may be empty; it must outlive this.
-    SharedProgress(std::size_t jobs, const std::function<void(double)>& tell) : done_(jobs, 0.0), tell_(tell) {}
+    SharedProgress(std::size_t jobs, const std::function<void(double)>& tell) : SharedProgress(std::vector<double>(jobs, 1.0), tell) {}
+    /// `work`: of every job, in any unit.
+    SharedProgress(std::vector<double> work, const std::function<void(double)>& tell)
+        : work_(std::move(work)), all_(std::accumulate(work_.begin(), work_.end(), 0.0)), done_(work_.size(), 0.0), tell_(tell) {}
 
     /// From any thread.
     void update(std::size_t job, double fraction) {
         const std::lock_guard lock(mutex_);
         done_[job] = fraction;
-        if (tell_) tell_(std::accumulate(done_.begin(), done_.end(), 0.0) / static_cast<double>(done_.size()));
+        if (tell_ && all_ > 0.0) tell_(std::inner_product(done_.begin(), done_.end(), work_.begin(), 0.0) / all_);
     }
 
   private:
+    std::vector<double> work_;
+    double all_;
     std::vector<double> done_;
     const std::function<void(double)>& tell_;
     std::mutex mutex_;
