@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <limits>
-#include <stdexcept>
 #include <utility>
 
 namespace musim::scaling {
@@ -13,16 +11,6 @@ namespace {
 
 /// Exponents are whole multiples of 1/kPartsOfExponent [-]: halves and quarters of roots, thirds of volumes.
 constexpr double kPartsOfExponent = 12.0;
-
-/// How far rounding may move an exponent [-]: logarithms of some twenty products and roots of doubles, 1e-16 each.
-constexpr double kExponentRounding = 1e-12;
-
-/// log2(larger/smaller) if that is an exponent up to rounding; else not a number.
-double find_exponent(double larger, double smaller) {
-    const double raw = std::log2(larger / smaller);
-    const double exact = std::round(raw * kPartsOfExponent) / kPartsOfExponent;
-    return std::abs(raw - exact) <= kExponentRounding ? exact : std::numeric_limits<double>::quiet_NaN();
-}
 
 /// How far rounding may move an exponent that is found with kMove [-]: some fifty roundings of 1e-16, over twice its logarithm.
 constexpr double kMovedRounding = 1e-10;
@@ -33,7 +21,7 @@ double find_moved_exponent(double below, double value, double above) {
     // logarithms are exact for products; a result that changes sign has none
     const bool has_logarithms = below / value > 0.0 && above / value > 0.0;
     const double raw = below == above ? 0.0 : has_logarithms ? std::log(above / below) / step : (above - below) / (step * value);
-    const double exact = std::round(raw * kPartsOfExponent) / kPartsOfExponent;
+    const double exact = std::round(raw * kPartsOfExponent) / kPartsOfExponent + 0.0;  // no -0
     return std::abs(raw - exact) <= kMovedRounding ? exact : raw;
 }
 
@@ -52,32 +40,22 @@ std::vector<FirstOrder> propagate_first_order(const std::vector<UncertainInput>&
     values.reserve(inputs.size());
     for (const UncertainInput& input : inputs) values.push_back(input.quantity.value);
     const std::vector<double> results = evaluate(values);
-    std::vector<std::vector<double>> exponents(results.size());
-
+    std::vector<MovedResults> moved;
     for (std::size_t i = 0; i < inputs.size(); ++i) {
-        const auto evaluate_at = [&](double factor) {
-            std::vector<double> moved = values;
-            moved[i] *= factor;
+        const auto evaluate_at = [&](double value) {
+            std::vector<double> values_there = values;
+            values_there[i] = value;
             try {
-                return evaluate(moved);
+                return evaluate(values_there);
             } catch (const SimilitudeError& error) {
                 throw SimilitudeError(
                     fmt::format("{} is uncertain, and the law admits its value alone ({}); give the value alone, or choose another law",
                                 inputs[i].name, error.what()));
             }
         };
-        const std::vector<double> doubled = evaluate_at(2.0), halved = evaluate_at(0.5);
-        for (std::size_t r = 0; r < results.size(); ++r) {
-            const double exponent = find_exponent(doubled[r], results[r]);
-            if (exponent != find_exponent(results[r], halved[r])) {
-                throw std::logic_error(fmt::format("propagate: result {} is no product of powers of {}", r, inputs[i].name));
-            }
-            exponents[r].push_back(exponent);
-        }
+        moved.push_back({evaluate_at(values[i] / kMove), evaluate_at(values[i] * kMove)});
     }
-    std::vector<FirstOrder> propagated;
-    for (std::size_t r = 0; r < results.size(); ++r) propagated.push_back(make_first_order(results[r], std::move(exponents[r]), inputs));
-    return propagated;
+    return find_first_order(results, inputs, moved);
 }
 
 std::vector<FirstOrder> find_first_order(const std::vector<double>& results, const std::vector<UncertainInput>& inputs,

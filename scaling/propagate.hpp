@@ -18,9 +18,8 @@ struct UncertainInput {
     RationalDimension dimension = {};
 };
 
-/// The results that follow from values of the inputs, in the order of the inputs. For first order every result must be a product of
-/// powers of the inputs, times a constant, and positive: scale factors and dimensionless groups are. An input that enters in several places
-/// enters by one value, so results are correlated as they should be.
+/// The results that follow from values of the inputs, in the order of the inputs. An input that enters in several places enters by one
+/// value, so results are correlated as they should be.
 using Evaluation = std::function<std::vector<double>(std::span<const double> values)>;
 
 /// A result and its uncertainty to first order, which needs no distribution.
@@ -35,13 +34,7 @@ struct FirstOrder {
 /// First order of value = c Π x_i^(n_i), whose exponents are known, one for each input.
 FirstOrder make_first_order(double value, std::vector<double> exponents, const std::vector<UncertainInput>& inputs);
 
-/// Propagates standard uncertainties to first order: for a product of powers the relative variances of independent inputs add, each times
-/// the square of its exponent [JCGM100] 5.1.6. The exponents are exact, not differences: x_i doubled multiplies the result by 2^n_i, and
-/// what rounding adds to n_i is taken off (multiples of 1/12). Throws std::logic_error for a result that is no product of
-/// powers, and SimilitudeError, which names the input, when a law refuses it moved.
-std::vector<FirstOrder> propagate_first_order(const std::vector<UncertainInput>& inputs, const Evaluation& evaluate);
-
-/// By how much, as a factor or its inverse, find_first_order() wants an input moved [-]. Smaller: rounding, 1e-16 over its logarithm,
+/// By how much, as a factor or its inverse, inputs are moved [-]. Smaller: rounding, 1e-16 over its logarithm,
 /// shows; larger: what is no product of powers is told with an error of its logarithm squared, 1e-6. Changes nothing where results are
 /// products.
 inline constexpr double kMove = 1.0 + 0x1p-10;
@@ -56,5 +49,9 @@ struct MovedResults {
 /// be zero. `moved` has one entry for each input.
 std::vector<FirstOrder> find_first_order(const std::vector<double>& results, const std::vector<UncertainInput>& inputs,
                                          const std::vector<MovedResults>& moved);
+
+/// The same where results can be evaluated at any values: relative variances of independent inputs add, each times the square of its
+/// exponent [JCGM100] 5.1.6. Throws SimilitudeError, which names the input, when a law refuses it moved.
+std::vector<FirstOrder> propagate_first_order(const std::vector<UncertainInput>& inputs, const Evaluation& evaluate);
 
 }  // namespace musim::scaling

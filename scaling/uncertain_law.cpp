@@ -2,170 +2,237 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 
-#include "scaling/detail/law_rows.hpp"
-#include "scaling/detail/portable_math.hpp"
+#include "scaling/detail/input_values.hpp"
+#include "scaling/distortion.hpp"
+#include "scaling/law_formulas.hpp"
 
 namespace musim::scaling {
 
 namespace {
 
-using detail::LawInputs;
-using detail::LawRows;
-using detail::Powers;
-using detail::Row;
-using detail::Term;
-using Place = std::optional<std::size_t>;
+using detail::InputValues;
+using detail::Place;
+using detail::RatioPlace;
+using detail::Values;
 
 /// What the law holds must follow from something that is solved, or be certain.
-void check_held(const SolvedLaw& solved, const LawInputs& inputs) {
-    for (std::size_t i = 0; i < solved.problem.held.size(); ++i) {
-        const std::vector<Rational>& exponents = solved.solution.held[i].exponents;
-        for (std::size_t j = 0; j < exponents.size(); ++j) {
-            if (exponents[j] == 0 || !inputs.is_uncertain(j)) continue;
+void check_held(const SolvedLaw& solved, const std::vector<UncertainFactor>& given) {
+    for (const auto& [name, ratio] : given) {
+        const std::size_t j = find_quantity(solved.problem.quantities, name);
+        for (std::size_t i = 0; i < solved.problem.held.size() && ratio.is_uncertain(); ++i) {
+            if (solved.solution.held[i].exponents[j] == 0) continue;
             const ScaleProduct& product = solved.problem.held[i];
             throw SimilitudeError(fmt::format(
                 "law {}: the factor of {} is uncertain, where {} {} (no other factor is left to keep it); take its value alone{}",
-                solved.law.name, solved.problem.quantities[j].name, product.text, product.is_definition ? "is 1 by definition" : "is held",
+                solved.law.name, name, product.text, product.is_definition ? "is 1 by definition" : "is held",
                 product.is_definition ? ", or release another factor in it" : fmt::format(", or watch {} instead", product.text)));
         }
     }
 }
 
-/// Where the rows of a report stand.
-struct Places {
-    struct Pair {
-        std::size_t quantity, prototype, model;
-    };
-    struct Addition {
-        Place factor, model;
-    };
-    std::vector<Place> factors, held, watched, shaken;
-    std::vector<Pair> values;
-    std::vector<Addition> additions;
+/// Both are the prototype's. The numbers of a fraction may be in any unit, those of a plain number are in none.
+void require_same(const PiQuantity& quantity, const Uncertain& value, const Uncertain& below) {
+    const bool same_value = !quantity.dimension.is_dimensionless() || std::abs(value.value / below.value - 1.0) <= kFactorRounding;
+    const bool same_share = !value.is_uncertain() || std::abs(value.relative() / below.relative() - 1.0) <= kFactorRounding;
+    if (same_value && same_share) return;
+    throw SimilitudeError(fmt::format(
+        "{} of the prototype is {:g} +/- {:.3g} %, and {:g} +/- {:.3g} % below the factor's fraction (both are the prototype's); leave "
+        "one out",
+        quantity.name, value.value, 100.0 * value.relative(), below.value, 100.0 * below.relative()));
+}
+
+/// Whether a quantity is made of length and time alone, and of time.
+bool is_motion(const PiQuantity& quantity) {
+    for (const BaseDimension base : kBaseDimensions) {
+        const bool may_be = base == BaseDimension::length || base == BaseDimension::time;
+        if (!may_be && quantity.dimension[base] != 0) return false;
+    }
+    return quantity.dimension[BaseDimension::time] != 0;
+}
+
+/// δ of a product in a test whose solved factors of motion are at their values.
+struct ShakenProduct {
+    const ScaleProduct& product;
+    double delta;                 ///< at the values
+    detail::RootedProduct moved;  ///< of the factors over their values, without those of motion
 };
 
-void add_products(Places& places, LawRows& rows, const SolvedLaw& solved) {
-    const ScaleProblem& problem = solved.problem;
-    const ScaleSolution& solution = solved.solution;
-    for (std::size_t j = 0; j < problem.quantities.size(); ++j) {
-        places.factors.push_back(rows.add_factor(problem.quantities[j].name, solution.quantities[j].factor));
-    }
-    for (std::size_t i = 0; i < problem.held.size(); ++i) {
-        places.held.push_back(rows.add_factor(problem.held[i].text, solution.held[i]));
-        if (!problem.held[i].is_definition) places.shaken.push_back(rows.add_shaken(problem.held[i], solution.held[i]));
-    }
-    for (std::size_t i = 0; i < problem.watched.size(); ++i) {
-        places.watched.push_back(rows.add_factor(problem.watched[i].text, solution.watched[i]));
-        places.shaken.push_back(rows.add_shaken(problem.watched[i], solution.watched[i]));
-    }
-}
+/// Where a value of the prototype stands, and what it is there, perhaps in another unit.
+struct PrototypePlace {
+    std::size_t place;
+    double value;
+};
 
-void add_values(Places& places, LawRows& rows, const SolvedLaw& solved, const LawInputs& inputs) {
-    for (std::size_t j = 0; j < solved.problem.quantities.size(); ++j) {
-        const PiQuantity& quantity = solved.problem.quantities[j];
-        const ScaleFactor& factor = solved.solution.quantities[j].factor;
-        if (!quantity.value || !factor.value) continue;
-        const std::size_t of_prototype = rows.add({quantity.name, rows.times_value({1.0, Powers(inputs.all().size())}, j), {}});
-        places.values.push_back({j, of_prototype, rows.add({quantity.name, rows.times_value(rows.make_term(factor), j), {}})});
+/// What is asked of a law, in one row of numbers for each set of values of its inputs. What is open has no number.
+class LawRows {
+  public:
+    LawRows(const SolvedLaw& solved, const std::vector<UncertainFactor>& given, const std::vector<UncertainPrototype>& prototype)
+        : formulas_(solved), factors_(quantities().size()), prototype_(quantities().size()) {
+        for (const auto& [name, ratio] : given) factors_[find_quantity(quantities(), name)] = add_ratio(inputs_, name, ratio);
+        for (const auto& [name, value] : prototype) {
+            const std::size_t j = find_quantity(quantities(), name);
+            const auto named = std::find_if(given.begin(), given.end(), [&](const UncertainFactor& each) { return each.name == name; });
+            if (named != given.end() && named->factor.denominator) {
+                require_same(quantities()[j], value, *named->factor.denominator);
+                prototype_[j] = {*factors_[j]->denominator, named->factor.denominator->value};
+            } else {
+                prototype_[j] = {inputs_.add(name + "_prototype", value, quantities()[j].dimension), value.value};
+            }
+        }
+        for (std::size_t i = 0; i < solved.problem.held.size(); ++i) {
+            if (!solved.problem.held[i].is_definition) add_shaken(solved.problem.held[i], solved.solution.held[i]);
+        }
+        for (std::size_t i = 0; i < solved.problem.watched.size(); ++i) add_shaken(solved.problem.watched[i], solved.solution.watched[i]);
     }
-}
 
-void add_additions(Places& places, LawRows& rows, const SolvedLaw& solved) {
-    const std::vector<PiQuantity>& quantities = solved.problem.quantities;
-    const auto find_term = [&](const std::string& name) {
-        return rows.make_term(solved.solution.quantities[find_quantity(quantities, name)].factor);
-    };
-    for (const LawAddition& addition : solved.law.additions) {
-        Places::Addition& place = places.additions.emplace_back();
-        if (!solved.added(addition)) continue;
-        const Term total = find_term(addition.total), own = find_term(addition.own);
-        place.factor = rows.add({addition.name, total, own});
-        const auto base = solved.find_base(addition);
-        if (base) place.model = rows.add({addition.name, rows.times_value(total, *base), rows.times_value(own, *base)});
-    }
-}
+    const std::vector<UncertainInput>& inputs() const { return inputs_.inputs(); }
+    const std::vector<ShakenProduct>& shaken() const { return shaken_; }
 
-/// Rows with what the samples say of each.
-struct Propagated {
-    const std::vector<Row>& rows;
-    const std::vector<UncertainInput>& inputs;
-    std::vector<std::optional<SampleSummary>> samples;
+    /// Factors, held and watched products that are settled; shaken ones; a pair for each value whose model is known; for each addition that
+    /// is settled the total factor, the own one and their difference, and these again times the prototype's value where that is known.
+    std::vector<double> evaluate(std::span<const double> drawn) const {
+        const Values values = inputs_.fill(drawn);
+        ChosenFactors chosen = solved().problem.chosen;
+        for (std::size_t j = 0; j < chosen.size(); ++j) {
+            if (factors_[j]) chosen[j] = factors_[j]->value(values);
+        }
+        std::vector<double> row;
+        const auto add = [&](const std::optional<double>& value) {
+            if (value) row.push_back(*value);
+        };
+        std::vector<std::optional<double>> factors, moved;
+        for (std::size_t j = 0; j < chosen.size(); ++j) {
+            factors.push_back(formulas_.factor(j, chosen));
+            const auto& at_value = solved().solution.quantities[j].factor.value;
+            moved.push_back(factors[j] ? std::optional(*factors[j] / *at_value) : std::nullopt);
+            add(factors[j]);
+        }
+        for (std::size_t i = 0; i < solved().problem.held.size(); ++i) add(formulas_.held(i, chosen));
+        for (std::size_t i = 0; i < solved().problem.watched.size(); ++i) add(formulas_.watched(i, chosen));
+        for (const ShakenProduct& product : shaken_)
+            row.push_back(product.delta * product.moved.value(moved).value_or(std::numeric_limits<double>::quiet_NaN()));
+        for (std::size_t j = 0; j < factors.size(); ++j) {
+            if (!quantities()[j].value || !factors[j]) continue;
+            row.insert(row.end(), {prototype(j, values), prototype(j, values) * *factors[j]});
+        }
+        for (const LawAddition& addition : solved().law.additions) {
+            if (!solved().added(addition)) continue;
+            const double total = *factors[find_quantity(quantities(), addition.total)],
+                         own = *factors[find_quantity(quantities(), addition.own)];
+            row.insert(row.end(), {total, own, total - own});
+            if (const auto base = solved().find_base(addition)) {
+                const double value = prototype(*base, values);
+                row.insert(row.end(), {value * total, value * own, value * total - value * own});
+            }
+        }
+        return row;
+    }
 
-    UncertainResult result(std::size_t i) const {
-        return {rows[i].name, make_first_order(rows[i].plus.value, rows[i].plus.powers, inputs), samples[i]};
+  private:
+    const SolvedLaw& solved() const { return formulas_.solved(); }
+    const std::vector<PiQuantity>& quantities() const { return solved().problem.quantities; }
+
+    double prototype(std::size_t quantity, const Values& values) const {
+        const auto& place = prototype_[quantity];
+        return *quantities()[quantity].value * (place ? values[place->place] / place->value : 1.0);
     }
-    std::optional<UncertainResult> result(const std::optional<std::size_t>& i) const {
-        return i ? std::optional(result(*i)) : std::nullopt;
+
+    void add_shaken(const ScaleProduct& product, const ScaleFactor& delta) {
+        if (!delta.value) return;
+        std::vector<Rational> exponents = product.exponents;
+        bool has_motion = false;
+        for (std::size_t j = 0; j < exponents.size(); ++j) {
+            const bool is_solved = solved().solution.quantities[j].state == ScaleState::solved;
+            if (exponents[j] == 0 || !is_solved || !is_motion(quantities()[j])) continue;
+            has_motion = true;
+            exponents[j] = 0;
+        }
+        if (has_motion) shaken_.push_back({product, *delta.value, detail::RootedProduct(exponents)});
     }
-    /// u² = Σ (Σ ± value power_i)² (u_i/x_i)² over the terms.
-    UncertainDifference difference(std::size_t i) const {
-        const auto& [name, plus, minus] = rows[i];
-        UncertainDifference difference{plus.value - minus->value, 0.0, samples[i]};
-        for (std::size_t k = 0; k < inputs.size(); ++k) {
-            const double slope = plus.value * plus.powers[k] - minus->value * minus->powers[k];
-            difference.uncertainty = std::hypot(difference.uncertainty, slope * inputs[k].quantity.relative());
+
+    LawFormulas formulas_;
+    InputValues inputs_;
+    std::vector<std::optional<RatioPlace>> factors_;        ///< of each quantity
+    std::vector<std::optional<PrototypePlace>> prototype_;  ///< of each quantity
+    std::vector<ShakenProduct> shaken_;
+};
+
+/// Takes results in the order of LawRows::evaluate().
+class ResultsInOrder {
+  public:
+    ResultsInOrder(std::vector<FirstOrder> results, const std::optional<MonteCarloRun>& run, const std::vector<UncertainInput>& inputs)
+        : results_(std::move(results)), run_(run), inputs_(inputs) {}
+
+    UncertainResult take(const std::string& name) {
+        UncertainResult result{name, std::move(results_[next_]), {}};
+        if (run_) result.samples = run_->results[next_];
+        ++next_;
+        return result;
+    }
+
+    std::optional<UncertainResult> take(const std::string& name, const ScaleFactor& factor) {
+        return factor.value ? std::optional(take(name)) : std::nullopt;
+    }
+
+    /// u² = Σ (Σ ± value power_i)² (u_i/x_i)² over both terms: a difference may be zero, where it has no powers of its own.
+    UncertainDifference take_difference(const std::string& name) {
+        const FirstOrder total = take(name).first_order, own = take(name).first_order;
+        UncertainDifference difference{total.value - own.value, 0.0, take(name).samples};
+        for (std::size_t k = 0; k < inputs_.size(); ++k) {
+            const double slope = total.value * total.exponents[k] - own.value * own.exponents[k];
+            difference.uncertainty = std::hypot(difference.uncertainty, slope * inputs_[k].quantity.relative());
         }
         return difference;
     }
+
+  private:
+    std::vector<FirstOrder> results_;
+    const std::optional<MonteCarloRun>& run_;
+    const std::vector<UncertainInput>& inputs_;
+    std::size_t next_ = 0;
 };
-
-/// What samples of the inputs make of the rows.
-MonteCarloRun draw(const std::vector<Row>& rows, const std::vector<UncertainInput>& inputs, const MonteCarloSettings& settings) {
-    const Evaluation evaluate = [&](std::span<const double> drawn) {
-        std::vector<double> logs;
-        for (std::size_t i = 0; i < drawn.size(); ++i) logs.push_back(detail::portable_log(drawn[i] / inputs[i].quantity.value));
-        std::vector<double> values;
-        values.reserve(rows.size());
-        for (const Row& row : rows) values.push_back(row.sample(logs));
-        return values;
-    };
-    return run_monte_carlo(inputs, evaluate, settings);
-}
-
-/// The rows as a report.
-void fill(UncertainLawReport& report, const Places& places, const Propagated& propagated, const SolvedLaw& solved) {
-    for (const Place& place : places.factors) report.factors.push_back(propagated.result(place));
-    for (const Place& place : places.held) report.held.push_back(propagated.result(place));
-    for (const Place& place : places.watched) report.watched.push_back(propagated.result(place));
-    for (const Place& place : places.shaken) {
-        if (place) report.shaken.push_back(propagated.result(*place));
-    }
-    for (const Places::Pair& pair : places.values) {
-        const PiQuantity& quantity = solved.problem.quantities[pair.quantity];
-        report.values.push_back({quantity.name, quantity.dimension, propagated.result(pair.prototype), propagated.result(pair.model)});
-    }
-    for (const Places::Addition& place : places.additions) {
-        std::optional<UncertainAddition>& addition = report.additions.emplace_back();
-        if (!place.factor) continue;
-        addition = UncertainAddition{propagated.difference(*place.factor), {}};
-        if (place.model) addition->model = propagated.difference(*place.model);
-    }
-}
 
 }  // namespace
 
 UncertainLawReport propagate(const SolvedLaw& solved, const std::vector<UncertainFactor>& given,
                              const std::vector<UncertainPrototype>& prototype, const std::optional<MonteCarloSettings>& monte_carlo) {
-    const LawInputs inputs(solved, given, prototype);
-    check_held(solved, inputs);
-    LawRows rows(solved, inputs);
-    Places places;
-    add_products(places, rows, solved);
-    add_values(places, rows, solved, inputs);
-    add_additions(places, rows, solved);
+    const LawRows rows(solved, given, prototype);
+    check_held(solved, given);
+    const Evaluation evaluate = [&](std::span<const double> drawn) { return rows.evaluate(drawn); };
+    std::optional<MonteCarloRun> run;
+    if (monte_carlo) run = run_monte_carlo(rows.inputs(), evaluate, *monte_carlo);
+    ResultsInOrder results(propagate_first_order(rows.inputs(), evaluate), run, rows.inputs());
 
     UncertainLawReport report;
-    report.inputs = inputs.all();
-    Propagated propagated{rows.all(), inputs.all(), std::vector<std::optional<SampleSummary>>(rows.all().size())};
-    if (monte_carlo) {
-        const MonteCarloRun run = draw(rows.all(), inputs.all(), *monte_carlo);
-        propagated.samples.assign(run.results.begin(), run.results.end());
-        report.rejected = run.rejected;
+    report.inputs = rows.inputs();
+    if (run) report.rejected = run->rejected;
+    const ScaleProblem& problem = solved.problem;
+    const ScaleSolution& solution = solved.solution;
+    for (std::size_t j = 0; j < problem.quantities.size(); ++j) {
+        report.factors.push_back(results.take(problem.quantities[j].name, solution.quantities[j].factor));
     }
-    fill(report, places, propagated, solved);
+    for (std::size_t i = 0; i < problem.held.size(); ++i) report.held.push_back(results.take(problem.held[i].text, solution.held[i]));
+    for (std::size_t i = 0; i < problem.watched.size(); ++i) {
+        report.watched.push_back(results.take(problem.watched[i].text, solution.watched[i]));
+    }
+    for (const ShakenProduct& product : rows.shaken()) report.shaken.push_back(results.take(product.product.text));
+    for (std::size_t j = 0; j < problem.quantities.size(); ++j) {
+        const PiQuantity& quantity = problem.quantities[j];
+        if (!quantity.value || !solution.quantities[j].factor.value) continue;
+        UncertainResult of_prototype = results.take(quantity.name);
+        report.values.push_back({quantity.name, quantity.dimension, std::move(of_prototype), results.take(quantity.name)});
+    }
+    for (const LawAddition& addition : solved.law.additions) {
+        std::optional<UncertainAddition>& entry = report.additions.emplace_back();
+        if (!solved.added(addition)) continue;
+        entry = UncertainAddition{results.take_difference(addition.name), {}};
+        if (solved.find_base(addition)) entry->model = results.take_difference(addition.name);
+    }
     return report;
 }
 

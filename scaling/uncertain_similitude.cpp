@@ -6,63 +6,26 @@
 #include <string_view>
 #include <utility>
 
+#include "scaling/detail/input_values.hpp"
 #include "scaling/groups.hpp"
 
 namespace musim::scaling {
 
 namespace {
 
-/// Values by place, the uncertain ones among them by their order as inputs.
-class Quantities {
-  public:
-    std::size_t add(const std::string& name, const Uncertain& quantity, Dimension dimension = {}) {
-        if (quantity.is_uncertain()) {
-            inputs_.push_back({name, quantity, dimension});
-            places_.push_back(values_.size());
-        }
-        values_.push_back(quantity.value);
-        return values_.size() - 1;
-    }
-
-    const std::vector<UncertainInput>& inputs() const { return inputs_; }
-
-    /// All values, with `drawn` in the places of the uncertain ones.
-    std::vector<double> fill(std::span<const double> drawn) const {
-        std::vector<double> values = values_;
-        for (std::size_t i = 0; i < places_.size(); ++i) values[places_[i]] = drawn[i];
-        return values;
-    }
-
-  private:
-    std::vector<double> values_;
-    std::vector<UncertainInput> inputs_;
-    std::vector<std::size_t> places_;
-};
-
-using Values = std::vector<double>;
-using Place = std::optional<std::size_t>;
-
-/// Where the one or two values of a ratio stand.
-struct RatioPlace {
-    std::size_t numerator = 0;
-    Place denominator;
-
-    double value(const Values& values) const { return denominator ? values[numerator] / values[*denominator] : values[numerator]; }
-};
-
-RatioPlace add_ratio(Quantities& quantities, const std::string& name, const UncertainRatio& ratio) {
-    if (!ratio.denominator) return {quantities.add(name, ratio.numerator), {}};
-    const std::size_t numerator = quantities.add(name + "_model", ratio.numerator);
-    return {numerator, quantities.add(name + "_prototype", *ratio.denominator)};
-}
+using detail::add_ratio;
+using detail::InputValues;
+using detail::Place;
+using detail::RatioPlace;
+using detail::Values;
 
 template <class Quantity>
-Place add_optional(Quantities& quantities, const std::string& name, const std::optional<UncertainQuantity<Quantity>>& quantity) {
+Place add_optional(InputValues& quantities, const std::string& name, const std::optional<UncertainQuantity<Quantity>>& quantity) {
     return quantity ? Place(quantities.add(name, quantity->si(), dimension_of<Quantity>())) : std::nullopt;
 }
 
 /// The prototype's friction coefficient: given, or the denominator of the friction factor, or both as one input.
-Place add_prototype_friction(Quantities& quantities, const RatioPlace& friction, const UncertainScales& scales) {
+Place add_prototype_friction(InputValues& quantities, const RatioPlace& friction, const UncertainScales& scales) {
     const std::optional<Uncertain>& given = scales.friction_prototype;
     if (!given) return friction.denominator;
     if (!friction.denominator) return quantities.add("friction_prototype", *given);
@@ -84,7 +47,7 @@ struct Places {
     std::vector<std::size_t> slenderness;
 };
 
-Places add_all(Quantities& quantities, const UncertainScales& scales) {
+Places add_all(InputValues& quantities, const UncertainScales& scales) {
     Places places;
     places.length = add_ratio(quantities, "length", scales.length);
     places.friction = add_ratio(quantities, "friction", scales.friction);
@@ -242,7 +205,7 @@ ScaleFactors UncertainScales::factors() const {
 }
 
 bool UncertainScales::is_uncertain() const {
-    Quantities quantities;
+    InputValues quantities;
     add_all(quantities, *this);
     return !quantities.inputs().empty();
 }
@@ -250,7 +213,7 @@ bool UncertainScales::is_uncertain() const {
 UncertainReport propagate(const UncertainScales& scales, const MakeModelScales& make_scales, const ModelFacts& facts,
                           const std::optional<MonteCarloSettings>& monte_carlo) {
     const ModelScales shaken = make_scales(scales.factors(), values_of(scales.others));
-    Quantities quantities;
+    InputValues quantities;
     const Places places = add_all(quantities, scales);
     const auto find_entries = [&](std::span<const double> drawn) {
         const Values values = quantities.fill(drawn);
