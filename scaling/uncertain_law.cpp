@@ -74,14 +74,15 @@ class LawRows {
     LawRows(const SolvedLaw& solved, const std::vector<UncertainFactor>& given, const std::vector<UncertainPrototype>& prototype)
         : formulas_(solved), factors_(quantities().size()), prototype_(quantities().size()) {
         for (const auto& [name, ratio] : given) factors_[find_quantity(quantities(), name)] = add_ratio(inputs_, name, ratio);
-        for (const auto& [name, value] : prototype) {
-            const std::size_t j = find_quantity(quantities(), name);
-            const auto named = std::find_if(given.begin(), given.end(), [&](const UncertainFactor& each) { return each.name == name; });
+        for (const UncertainPrototype& each : prototype) {
+            const Uncertain& value = each.value;
+            const std::size_t j = find_quantity(quantities(), each.name);
+            const auto named = std::find_if(given.begin(), given.end(), [&](const auto& factor) { return factor.name == each.name; });
             if (named != given.end() && named->factor.denominator) {
                 require_same(quantities()[j], value, *named->factor.denominator);
                 prototype_[j] = {*factors_[j]->denominator, named->factor.denominator->value};
             } else {
-                prototype_[j] = {inputs_.add(name + "_prototype", value, quantities()[j].dimension), value.value};
+                prototype_[j] = {inputs_.add(each.name + "_prototype", value, quantities()[j].dimension), value.value};
             }
         }
         for (std::size_t i = 0; i < solved.problem.held.size(); ++i) {

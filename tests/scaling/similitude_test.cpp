@@ -15,8 +15,6 @@ namespace musim::scaling::tests {
 
 namespace {
 
-constexpr const char* kAllLaws[] = {"mu", "froude", "exact", "cauchy"};
-
 bool is_power_of_two(double value) {
     int exponent = 0;
     return std::frexp(value, &exponent) == 0.5;
