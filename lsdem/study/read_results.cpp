@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "lsdem/study/checked_json.hpp"
@@ -77,6 +78,10 @@ void read_history(const Hdf5Reader& file, StoredRun& run) {
     history.time = std::move(time.values);
     const hsize_t nt = history.time.size();
     if (nt == 0) file.fail("holds no sample");
+    for (std::size_t k = 0; k < nt; ++k) {
+        const bool follows = k == 0 || history.time[k] > history.time[k - 1];
+        if (!follows || !std::isfinite(history.time[k])) file.fail(fmt::format("/time does not go on at sample {}", k));
+    }
 
     const auto displacement = read_vectors(file, "/base/displacement", {nt});
     const auto velocity = read_vectors(file, "/base/velocity", {nt});
@@ -84,13 +89,16 @@ void read_history(const Hdf5Reader& file, StoredRun& run) {
     for (std::size_t k = 0; k < nt; ++k) history.base.push_back({displacement[k], velocity[k], acceleration[k]});
 
     for (const long long block : file.integers("/spine/block", 1).values) run.spine.block.push_back(static_cast<std::size_t>(block));
-    for (const long long level : file.integers("/spine/level", 1).values) run.spine.level.push_back(static_cast<int>(level));
+    run.spine.level = file.layers("/spine/level", run.blocks.mass.size());
     const hsize_t ns = run.spine.block.size();
     if (run.spine.level.size() != ns) file.fail("/spine/level has another size than the rest");
     for (const std::size_t block : run.spine.block) {
         if (block >= run.blocks.mass.size()) file.fail("/spine/block names a block that is not there");
     }
     history.spine_position = read_vectors(file, "/spine/position", {nt, ns});
+    for (std::size_t s = 0; s < ns; ++s) {
+        if (!history.spine_position[s].allFinite()) file.fail(fmt::format("/spine/position has no place for level {} at first", s));
+    }
     history.spine_velocity = read_vectors(file, "/spine/velocity", {nt, ns});
     history.spine_rotation = read_vectors(file, "/spine/rotation_vector", {nt, ns});
 }
@@ -99,7 +107,7 @@ void read_blocks(const Hdf5Reader& file, StoredRun& run) {
     run.blocks.mass = file.doubles("/blocks/mass", 1).values;
     const hsize_t n = run.blocks.mass.size();
     run.blocks.size = read_vectors(file, "/blocks/size", {n});
-    for (const long long layer : file.integers("/blocks/layer", 1).values) run.blocks.layer.push_back(static_cast<int>(layer));
+    run.blocks.layer = file.layers("/blocks/layer", n);
     if (run.blocks.layer.size() != n) file.fail("/blocks/layer has another size than the rest");
     run.initial.position = read_vectors(file, "/blocks/initial_position", {n});
     run.final.position = read_vectors(file, "/blocks/final_position", {n});

@@ -165,15 +165,15 @@ StoredSpecimen read_specimen(const std::filesystem::path& file) {
     require_specimen(reader, file);
     const auto size = reader.doubles("/blocks/size", 2), position = reader.doubles("/blocks/position", 2);
     const auto quaternion = reader.doubles("/blocks/quaternion", 2), tilt = reader.doubles("/blocks/tilt", 1);
-    const auto layer = reader.integers("/blocks/layer", 1);
-    const std::size_t n = layer.values.size();
-    if (size.values.size() != 3 * n || position.values.size() != 3 * n || quaternion.values.size() != 4 * n || tilt.values.size() != n) {
+    const std::size_t n = tilt.values.size();
+    std::vector<int> layer = reader.layers("/blocks/layer", n);
+    if (size.values.size() != 3 * n || position.values.size() != 3 * n || quaternion.values.size() != 4 * n || layer.size() != n) {
         refuse(file, "the lists of its blocks differ in length (a damaged file); prepare it again");
     }
     StoredSpecimen specimen{.inputs = reader.attribute("inputs"),
                             .program_version = reader.attribute("program_version"),
                             .size = {},
-                            .layer = {layer.values.begin(), layer.values.end()},
+                            .layer = std::move(layer),
                             .places = {},
                             .tilt = tilt.values,
                             .force = reader.doubles("/contacts/normal_force_over_block_weight", 1).values};
@@ -191,22 +191,22 @@ void take_places(const std::filesystem::path& file, Specimen& specimen) {
     require_specimen(reader, file);
     const auto size = reader.doubles("/blocks/size", 2), position = reader.doubles("/blocks/position", 2);
     const auto quaternion = reader.doubles("/blocks/quaternion", 2);
-    const auto layer = reader.integers("/blocks/layer", 1);
     std::vector<Block>& blocks = specimen.model.blocks;
     const std::size_t n = blocks.size();
-    if (size.values.size() != 3 * n || position.values.size() != 3 * n || quaternion.values.size() != 4 * n || layer.values.size() != n) {
-        refuse(file, fmt::format("{} blocks where the scene has {} (a specimen of another structure); prepare one of this",
-                                 layer.values.size(), n));
+    const std::vector<int> layer = reader.layers("/blocks/layer", size.values.size() / 3);
+    if (size.values.size() != 3 * n || position.values.size() != 3 * n || quaternion.values.size() != 4 * n || layer.size() != n) {
+        refuse(file,
+               fmt::format("{} blocks where the scene has {} (a specimen of another structure); prepare one of this", layer.size(), n));
     }
     const double scale = 2.0 * half_extents(specimen.model, blocks[0]).z() / size.values[2];
     for (std::size_t i = 0; i < n; ++i) {
         const Vector3 here = 2.0 * half_extents(specimen.model, blocks[i]), there = Eigen::Map<const Vector3>(&size.values[3 * i]);
         const bool same = ((here - scale * there).cwiseAbs() - kSameLength * here).maxCoeff() <= 0.0;
-        if (!same || layer.values[i] != specimen.layer[i]) {
+        if (!same || layer[i] != specimen.layer[i]) {
             refuse(file, fmt::format("block {} is {:.6g} x {:.6g} x {:.6g} m in layer {} where the scene has {:.6g} x {:.6g} x {:.6g} m in "
                                      "layer {} (other heights, seed or tiling); prepare a specimen of this scene",
-                                     i, scale * there.x(), scale * there.y(), scale * there.z(), layer.values[i], here.x(), here.y(),
-                                     here.z(), specimen.layer[i]));
+                                     i, scale * there.x(), scale * there.y(), scale * there.z(), layer[i], here.x(), here.y(), here.z(),
+                                     specimen.layer[i]));
         }
         const double* q = &quaternion.values[4 * i];
         blocks[i].position = scale * Eigen::Map<const Vector3>(&position.values[3 * i]);

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <random>
 #include <string>
@@ -121,6 +122,24 @@ TEST_CASE("a file without its checksum is refused and the line says what to do")
                           "command that made it")
                              .c_str(),
                          ResultError);
+}
+
+TEST_CASE("a result of what no run is like is refused though its checksum is right") {
+    const auto refuses = [](const char* message, const auto& change) {
+        const TemporaryFolder directory;
+        RunResult run = make_made_run(20);
+        change(run);
+        ResultFolder folder(directory.path());
+        folder.add_run("", run, {.scene = R"({"name":"made"})", .similitude = {}, .program_version = "9.9.9"});
+        folder.commit();
+        CHECK_THROWS_WITH_AS(read_run(directory.path()), doctest::Contains(message), ResultError);
+    };
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    refuses("/blocks/layer has a layer -1", [](RunResult& run) { run.blocks.layer[1] = -1; });
+    refuses("/spine/level has a layer 3", [](RunResult& run) { run.spine.level[1] = 3; });
+    refuses("/time does not go on at sample 7", [](RunResult& run) { run.history.time[7] = run.history.time[6]; });
+    refuses("/time does not go on at sample 0", [](RunResult& run) { run.history.time[0] = kNone; });
+    refuses("/spine/position has no place for level 1", [](RunResult& run) { run.history.spine_position[1].z() = kNone; });
 }
 
 TEST_CASE("a result that says that it holds more than it does is refused and takes no memory") {

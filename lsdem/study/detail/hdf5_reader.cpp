@@ -91,6 +91,17 @@ Hdf5Data<long long> Hdf5Reader::integers(const std::string& path, std::size_t ra
     return read<long long>(path, rank, H5T_NATIVE_LLONG);
 }
 
+std::vector<int> Hdf5Reader::layers(const std::string& path, std::size_t blocks) const {
+    std::vector<int> layers;
+    for (const long long layer : integers(path, 1).values) {
+        if (layer < 0 || static_cast<unsigned long long>(layer) > blocks) {
+            fail(fmt::format("{} has a layer {} in a structure of {} blocks", path, layer, blocks));
+        }
+        layers.push_back(static_cast<int>(layer));
+    }
+    return layers;
+}
+
 std::optional<std::string> Hdf5Reader::find_text(const std::string& name) const {
     const Hdf5Handle root(H5Gopen2(file_, "/", H5P_DEFAULT), H5Gclose, "open the root group");
     if (H5Aexists(root, name.c_str()) <= 0) return std::nullopt;

@@ -32,6 +32,9 @@ class Hdf5Reader {
     Hdf5Data<float> floats(const std::string& path, std::size_t rank) const;
     Hdf5Data<long long> integers(const std::string& path, std::size_t rank) const;
 
+    /// Layers or levels of a structure of so many blocks, from 1; 0 for what is in none. Throws ResultError for any other.
+    std::vector<int> layers(const std::string& path, std::size_t blocks) const;
+
     /// Text attribute of the file itself.
     std::string attribute(const std::string& name) const;
 
