@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <Eigen/Cholesky>
 
 #include "records/detail/adjustment_wavelet.hpp"
-#include "records/detail/cholesky.hpp"
 #include "records/detail/oscillator_walk.hpp"
 #include "records/detail/rest_correction.hpp"
 #include "records/intensity.hpp"
@@ -105,53 +105,50 @@ double find_cost(const TargetSpectrum& target, const std::vector<Response>& resp
 /// units of the target of its own oscillator. Rows are weighted, W.
 struct Linearization {
     std::vector<detail::Wavelet> wavelets;
-    std::vector<double> unit;       ///< of the wavelets' amplitudes [m/s²]
-    detail::SquareMatrix normal;    ///< AᵀWA
-    std::vector<double> right;      ///< AᵀWr, r the wanted changes over the targets
-    double largest_diagonal = 0.0;  ///< of AᵀWA
+    std::vector<double> unit;  ///< of the wavelets' amplitudes [m/s²]
+    Eigen::MatrixXd normal;    ///< AᵀWA
+    Eigen::VectorXd right;     ///< AᵀWr, r the wanted changes over the targets
 };
 
 Linearization linearize(const TimeSeries& motion, const TargetSpectrum& target, const std::vector<Response>& responses, double tolerance) {
     std::vector<Swing> swings;
     for (const Response& response : responses) swings.insert(swings.end(), response.swings.begin(), response.swings.end());
-    const std::size_t n = swings.size();
-    Linearization linear{{}, {}, detail::SquareMatrix(n), std::vector<double>(n, 0.0), 0.0};
+    const auto n = static_cast<Eigen::Index>(swings.size());
+    Linearization linear{{}, {}, Eigen::MatrixXd::Zero(n, n), Eigen::VectorXd::Zero(n)};
     for (const Swing& swing : swings) {
         const double theta = detail::find_theta(target.period[swing.oscillator], motion.dt());
         linear.wavelets.push_back(detail::make_adjustment_wavelet(theta, target.damping, swing.time, motion.size()));
         linear.unit.push_back(target.psa[swing.oscillator].value());
     }
-    std::vector<double> row(n);
+    Eigen::VectorXd row(n);
     for (const Swing& swing : swings) {
         const double theta = detail::find_theta(target.period[swing.oscillator], motion.dt()), aim = target.psa[swing.oscillator].value();
         const std::vector<double> influence = detail::make_influence(theta, target.damping, swing.time);
-        for (std::size_t j = 0; j < n; ++j) {
-            row[j] = swing.sign * theta * theta * detail::respond(influence, linear.wavelets[j]) * (linear.unit[j] / aim);
+        for (std::size_t j = 0; j < swings.size(); ++j) {
+            row[static_cast<Eigen::Index>(j)] =
+                swing.sign * theta * theta * detail::respond(influence, linear.wavelets[j]) * (linear.unit[j] / aim);
         }
         // weights that make least squares the sum of fourth powers, for those beyond the tolerance
         const double beyond = (1.0 - responses[swing.oscillator].psa / aim) / tolerance, weight = std::max(1.0, beyond * beyond);
         // a rival only has to stay below
         const double left = 1.0 - swing.psa / aim;
         const double wanted = swing.time == responses[swing.oscillator].peak ? left : std::min(0.0, left);
-        for (std::size_t j = 0; j < n; ++j) {
-            linear.right[j] += weight * row[j] * wanted;
-            for (std::size_t k = 0; k <= j; ++k) linear.normal.at(j, k) += weight * row[j] * row[k];
-        }
+        linear.right += weight * wanted * row;
+        linear.normal.selfadjointView<Eigen::Lower>().rankUpdate(row, weight);
     }
-    for (std::size_t j = 0; j < n; ++j) linear.largest_diagonal = std::max(linear.largest_diagonal, linear.normal.at(j, j));
     return linear;
 }
 
 /// The motion with the wavelets added that damped least squares ask for.
 TimeSeries add_wavelets(const TimeSeries& motion, const Linearization& linear, double caution) {
-    detail::SquareMatrix damped = linear.normal;
-    for (std::size_t j = 0; j < damped.size; ++j) damped.at(j, j) += caution * linear.largest_diagonal;
-    const std::vector<double> amplitude = detail::solve_cholesky(std::move(damped), linear.right);
+    Eigen::MatrixXd damped = linear.normal;
+    damped.diagonal().array() += caution * linear.normal.diagonal().maxCoeff();
+    const Eigen::VectorXd amplitude = damped.llt().solve(linear.right);
 
     std::vector<double> added(motion.size(), 0.0);
-    for (std::size_t j = 0; j < amplitude.size(); ++j) {
+    for (std::size_t j = 0; j < linear.wavelets.size(); ++j) {
         const detail::Wavelet& wavelet = linear.wavelets[j];
-        const double size = amplitude[j] * linear.unit[j];
+        const double size = amplitude[static_cast<Eigen::Index>(j)] * linear.unit[j];
         for (std::size_t k = 0; k < wavelet.samples.size(); ++k) added[wavelet.first + k] += size * wavelet.samples[k];
     }
     added = detail::end_at_rest(std::move(added), motion.dt().value());

@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "records/detail/adjustment_wavelet.hpp"
-#include "records/detail/cholesky.hpp"
 #include "records/intensity.hpp"
 #include "records/match_spectrum.hpp"
 #include "records/processing.hpp"
@@ -174,17 +173,6 @@ TEST_CASE("influences give the response to a wavelet, and the wavelet peaks it t
     // no drift: e^{−13.7} = 1e-6 of what one half-swing moves
     const TimeSeries velocity = integrate(motion);
     CHECK(std::abs(at(velocity, 2000)) < 1e-5 * std::abs(find_peak_velocity(velocity).value.value()));
-}
-
-TEST_CASE("Cholesky solves what was multiplied") {
-    detail::SquareMatrix matrix(3);
-    matrix.values = {4.0, 2.0, -1.0, 2.0, 5.0, 1.5, -1.0, 1.5, 3.0};
-    const std::vector<double> x{1.0, -2.0, 0.5};
-    std::vector<double> right(3, 0.0);
-    for (std::size_t i = 0; i < 3; ++i)
-        for (std::size_t j = 0; j < 3; ++j) right[i] += matrix.at(i, j) * x[j];
-    const std::vector<double> found = detail::solve_cholesky(matrix, right);
-    for (std::size_t i = 0; i < 3; ++i) CHECK(found[i] == doctest::Approx(x[i]).epsilon(1e-14));
 }
 
 }  // namespace
