@@ -1,8 +1,8 @@
 #include "cli/input_file.hpp"
 
 #include <filesystem>
-#include <fstream>
-#include <sstream>
+#include <optional>
+#include <utility>
 
 #include "records/error.hpp"
 #include "scaling/regular_file.hpp"
@@ -11,13 +11,12 @@ namespace musim::cli {
 
 std::string read_input_file(const std::string& file, const std::string& wanted) {
     const std::string obstacle = scaling::find_obstacle(file);
-    std::ifstream in = scaling::open_regular_file(file);
-    std::ostringstream text;
-    if (!in || !(text << in.rdbuf())) {
+    std::optional<std::string> text = scaling::read_regular_file(file);
+    if (!text || text->empty()) {
         throw records::ReadError(file + ": cannot be read (" + (obstacle.empty() ? "empty, or no permission" : obstacle) + "); give " +
                                  wanted);
     }
-    return std::move(text).str();
+    return *std::move(text);
 }
 
 std::string find_beside(const std::string& naming_file, const std::string& named) {

@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <string>
 #include <vector>
 
@@ -16,13 +15,12 @@
 #include "cli/specimen_batch.hpp"
 #include "lsdem/scene/scene_json.hpp"
 #include "lsdem/study/compare_specimens.hpp"
+#include "scaling/angle.hpp"
 
 namespace musim::cli {
 namespace {
 
 namespace scene = lsdem::scene;
-
-constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 struct SpecimenOptions {
     std::string scene;
@@ -48,8 +46,8 @@ nlohmann::json describe(const study::SpecimenReport& report) {
     const study::PreparedSpecimen& prepared = report.prepared;
     nlohmann::json layers = nlohmann::json::array();
     for (const study::LayerState& layer : prepared.layers) {
-        layers.push_back({{"mean_tilt_deg", layer.mean_tilt * kDegrees},
-                          {"max_tilt_deg", layer.max_tilt * kDegrees},
+        layers.push_back({{"mean_tilt_deg", layer.mean_tilt * scaling::kDegrees},
+                          {"max_tilt_deg", layer.max_tilt * scaling::kDegrees},
                           {"mean_force_N", layer.mean_force},
                           {"sd_force_N", layer.sd_force}});
     }
@@ -74,7 +72,7 @@ void print_report(const study::SpecimenReport& report) {
           report.resumed ? ", gone on with from a checkpoint" : "");
     print("  {} after {} steps in {:.2f} s; base reaction {:.6f} of the weight, largest tilt {:.3g} degrees, overlap {:.3g} of a height\n",
           prepared.rest.at_rest ? "at rest" : "NOT at rest", prepared.steps, report.wall_time, prepared.rest.reaction_over_weight,
-          largest_tilt(prepared) * kDegrees, prepared.max_overlap);
+          largest_tilt(prepared) * scaling::kDegrees, prepared.max_overlap);
 }
 
 void print_quantity(const char* name, const std::vector<study::LayerComparison>& layers,
@@ -110,8 +108,8 @@ int compare_specimens(const SpecimenOptions& options) {
         print("{}: {} specimens, {:.3g} block steps each, {} blocks fell\n", set->name, set->specimens.size(), set->block_steps(),
               set->fallen());
     }
-    print_quantity("mean tilt [deg]", layers, &study::LayerComparison::tilt, kDegrees);
-    print_quantity("largest of a layer [deg]", layers, &study::LayerComparison::largest_tilt, kDegrees);
+    print_quantity("mean tilt [deg]", layers, &study::LayerComparison::tilt, scaling::kDegrees);
+    print_quantity("largest of a layer [deg]", layers, &study::LayerComparison::largest_tilt, scaling::kDegrees);
     print_quantity("scatter of forces [N]", layers, &study::LayerComparison::force_scatter, 1.0);
     print("\n  p: how probable so large a difference is between samples of one population; of twenty, one is below 0.05 by chance\n");
     return kDone;

@@ -1,6 +1,8 @@
 #include "scaling/regular_file.hpp"
 
+#include <sstream>
 #include <system_error>
+#include <utility>
 
 namespace musim::scaling {
 
@@ -21,6 +23,15 @@ std::ifstream open_regular_file(const std::filesystem::path& path) {
         stream.setstate(std::ios::failbit);
     }
     return stream;
+}
+
+std::optional<std::string> read_regular_file(const std::filesystem::path& path) {
+    std::ifstream stream = open_regular_file(path);
+    if (!stream) return std::nullopt;
+    std::ostringstream bytes;
+    if (stream.peek() != std::ifstream::traits_type::eof()) bytes << stream.rdbuf();
+    if (stream.bad() || bytes.fail()) return std::nullopt;
+    return std::move(bytes).str();
 }
 
 }  // namespace musim::scaling

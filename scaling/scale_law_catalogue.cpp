@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 #include "scaling/detail/law_texts.hpp"
 #include "scaling/nearest_name.hpp"
@@ -37,10 +35,9 @@ ScaleLaw load_scale_law(const std::string& name_or_file) {
         throw PiError(fmt::format("{}: is {}; name a law file", name_or_file, obstacle));
     }
     if (!obstacle.empty()) throw PiError(no_such_law(name_or_file) + ", or give a law file");
-    std::ifstream stream = open_regular_file(name_or_file);
-    const std::string text{std::istreambuf_iterator<char>(stream), {}};
-    if (!stream) throw PiError(name_or_file + ": cannot be read; check its permissions");
-    return parse_scale_law(text, name_or_file);
+    const std::optional<std::string> text = read_regular_file(name_or_file);
+    if (!text) throw PiError(name_or_file + ": cannot be read; check its permissions");
+    return parse_scale_law(*text, name_or_file);
 }
 
 std::string no_such_law(std::string_view name) {

@@ -26,15 +26,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string read_text(const fs::path& file) {
-    std::ifstream stream = scaling::open_regular_file(file);
-    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
-
 /// What a file holds; null when it is no JSON.
 nlohmann::json read_json(const fs::path& file) {
     try {
-        return scaling::parse_json_text(read_text(file));
+        return scaling::parse_json_text(scaling::read_regular_file(file).value_or(""));
     } catch (const scaling::ParseError&) {
         return nullptr;
     }

@@ -10,6 +10,7 @@
 #include "lsdem/report/tower_data.hpp"
 #include "lsdem/report/web_assets.hpp"
 #include "scaling/angle.hpp"
+#include "scaling/regular_file.hpp"
 
 namespace musim::lsdem::report {
 namespace {
@@ -26,11 +27,6 @@ std::string as_element(std::string script) {
         script.replace(at, 2, "<\\/");
     }
     return "<script>\n" + script + "\n</script>\n";
-}
-
-std::string read_script(const fs::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
 constexpr const char* kControls = R"(<div class="tower" id="tower">
@@ -57,7 +53,8 @@ constexpr const char* kControls = R"(<div class="tower" id="tower">
 
 std::string make_tower_scripts() {
     if (!has_three()) return {};
-    return as_element(read_script(three_script())) + as_element(read_script(controls_script())) + as_element(kTowerScript);
+    return as_element(scaling::read_regular_file(three_script()).value_or("")) +
+           as_element(scaling::read_regular_file(controls_script()).value_or("")) + as_element(kTowerScript);
 }
 
 ReportSection make_tower_section(const ReportContent& content) {

@@ -40,12 +40,11 @@ bool agrees_with_checksum(const nlohmann::json& object) {
 
 nlohmann::json read_checked_json(const std::filesystem::path& file) {
     const std::string obstacle = scaling::find_obstacle(file);
-    std::ifstream stream = scaling::open_regular_file(file);
-    if (!stream) refuse_json(file, fmt::format("cannot be read ({})", obstacle.empty() ? "no permission" : obstacle));
-    const std::string text{std::istreambuf_iterator<char>(stream), {}};
+    const std::optional<std::string> text = scaling::read_regular_file(file);
+    if (!text) refuse_json(file, fmt::format("cannot be read ({})", obstacle.empty() ? "no permission" : obstacle));
     nlohmann::json object;
     try {
-        object = scaling::parse_json_text(text);
+        object = scaling::parse_json_text(*text);
     } catch (const scaling::ParseError&) {
         // no object, which is said below
     }

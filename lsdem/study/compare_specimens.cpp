@@ -6,17 +6,15 @@
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <set>
 
 #include "lsdem/study/read_results.hpp"
 #include "lsdem/study/sample_moments.hpp"
+#include "scaling/angle.hpp"
 #include "scaling/regular_file.hpp"
 
 namespace musim::lsdem::study {
 namespace {
-
-constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 [[noreturn]] void refuse(const std::filesystem::path& file, const std::string& what) {
     throw ResultError(fmt::format("{}: {}", file.string(), what));
@@ -33,8 +31,8 @@ ToldSpecimen read_specimen_entry(const nlohmann::json& entry, const std::filesys
     specimen.fallen = entry.at("fallen").get<std::size_t>();
     specimen.block_steps = entry.at("block_steps").get<double>();
     for (const nlohmann::json& layer : entry.at("layers")) {
-        specimen.layers.push_back({.mean_tilt = layer.at("mean_tilt_deg").get<double>() / kDegrees,
-                                   .max_tilt = layer.at("max_tilt_deg").get<double>() / kDegrees,
+        specimen.layers.push_back({.mean_tilt = layer.at("mean_tilt_deg").get<double>() / scaling::kDegrees,
+                                   .max_tilt = layer.at("max_tilt_deg").get<double>() / scaling::kDegrees,
                                    .mean_force = layer.at("mean_force_N").get<double>(),
                                    .sd_force = layer.at("sd_force_N").get<double>()});
     }
@@ -148,8 +146,8 @@ std::vector<LayerComparison> compare_specimens(const SpecimenSet& first, const S
 
 nlohmann::json to_json(const LayerComparison& comparison) {
     return {{"layers", {comparison.first, comparison.last}},
-            {"mean_tilt_deg", describe_quantity(comparison.tilt, kDegrees)},
-            {"max_tilt_deg", describe_quantity(comparison.largest_tilt, kDegrees)},
+            {"mean_tilt_deg", describe_quantity(comparison.tilt, scaling::kDegrees)},
+            {"max_tilt_deg", describe_quantity(comparison.largest_tilt, scaling::kDegrees)},
             {"sd_force_N", describe_quantity(comparison.force_scatter, 1.0)}};
 }
 

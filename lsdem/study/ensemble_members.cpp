@@ -55,10 +55,9 @@ void require_ensemble(const scene::Scene& scene) {
 }
 
 std::string name_file_content(const fs::path& path) {
-    std::ifstream file = scaling::open_regular_file(path);
-    const std::string bytes{std::istreambuf_iterator<char>(file), {}};
-    if (!file) throw records::ReadError(fmt::format("{}: cannot be read (a file that the scene names); check the path", path.string()));
-    return detail::name_content(bytes);
+    const std::optional<std::string> bytes = scaling::read_regular_file(path);
+    if (!bytes) throw records::ReadError(fmt::format("{}: cannot be read (a file that the scene names); check the path", path.string()));
+    return detail::name_content(*bytes);
 }
 
 /// The scene with every path of a file replaced by what `name` makes of it.

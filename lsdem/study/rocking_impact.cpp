@@ -6,12 +6,12 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
-#include <numbers>
 #include <stdexcept>
 
 #include "lsdem/scene/scene.hpp"
 #include "lsdem/simulation.hpp"
 #include "lsdem/time_step.hpp"
+#include "scaling/angle.hpp"
 #include "scaling/interruption.hpp"
 #include "scaling/side_by_side.hpp"
 
@@ -75,7 +75,7 @@ RockingResult run_rocking_test(const BlockSample& given, const RockingCase& test
     if (!(test.start > 0.0) || !(test.start < alpha)) {
         throw std::invalid_argument(
             fmt::format("rocking test: the block is let go at {:.4g} degrees (must be between 0 and {:.4g}, where it overturns)",
-                        test.start * 180.0 / std::numbers::pi, alpha * 180.0 / std::numbers::pi));
+                        test.start * scaling::kDegrees, alpha * scaling::kDegrees));
     }
     BlockSample sample = orient(given, test.side);
     sample.restitution = test.restitution;
@@ -174,7 +174,7 @@ std::string make_rocking_csv(const BlockSample& sample, const std::vector<Rockin
         for (std::size_t i = 0; i < curve.restitution.size(); ++i) {
             const RockingResult& r = curve.result[i];
             fmt::format_to(std::back_inserter(csv), "{},{},{:.6g},{},{},{},{},{},{}\n", to_string(curve.support), to_string(curve.side),
-                           curve.start * 180.0 / std::numbers::pi, curve.restitution[i], r.first, r.mean, r.impacts, r.slip_over_side,
+                           curve.start * scaling::kDegrees, curve.restitution[i], r.first, r.mean, r.impacts, r.slip_over_side,
                            housner_ratio(sample, curve.side));
         }
     }

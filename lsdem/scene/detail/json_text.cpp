@@ -57,12 +57,12 @@ class DuplicateKeys {
 std::string read_text(const std::filesystem::path& path) {
     const std::string obstacle = scaling::find_obstacle(path);
     if (!obstacle.empty()) throw SceneError(fmt::format("{}: cannot be read ({}); name a file", path.string(), obstacle));
-    std::ifstream file = scaling::open_regular_file(path);
-    if (!file) {
+    std::optional<std::string> text = scaling::read_regular_file(path);
+    if (!text) {
         throw SceneError(fmt::format("{}: cannot be read ({}); check the name and its permissions", path.string(),
                                      std::error_code(errno, std::generic_category()).message()));
     }
-    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+    return *std::move(text);
 }
 
 nlohmann::json parse_json(std::string_view text, const std::string& origin) {
