@@ -18,7 +18,7 @@
 #include "cli/progress_line.hpp"
 #include "cli/record_source.hpp"
 #include "cli/uncertain_options.hpp"
-#include "design/parse_design.hpp"
+#include "records/design/parse_design.hpp"
 #include "records/error.hpp"
 
 namespace musim::cli {
@@ -110,7 +110,9 @@ int run_design(const DesignOptions& options) {
 void add_design_command(CLI::App& app, Action& action) {
     auto options = std::make_shared<DesignOptions>();
     CLI::App* command = app.add_subcommand("design", "Which length scales, materials and laws a table, a hall and a workshop allow");
-    command->add_option("design", options->file, "Prototype, record, table, limits, materials (JSON, musim-design/1; see design/README.md)")
+    command
+        ->add_option("design", options->file,
+                     "Prototype, record, table, limits, materials (JSON, musim-design/1; see records/design/README.md)")
         ->required()
         ->type_name("DESIGN");
     options->source.add_to(*command);

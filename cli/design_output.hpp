@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "cli/design_uncertainty_output.hpp"
-#include "design/candidate.hpp"
+#include "records/design/candidate.hpp"
 #include "scaling/text_table.hpp"
 
 namespace musim::cli {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "design/sampled_candidate.hpp"
-#include "design/uncertain_candidate.hpp"
+#include "records/design/sampled_candidate.hpp"
+#include "records/design/uncertain_candidate.hpp"
 #include "scaling/text_table.hpp"
 
 namespace musim::cli {

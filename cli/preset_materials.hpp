@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "design/design.hpp"
+#include "records/design/design.hpp"
 
 namespace musim::cli {
 

@@ -12,8 +12,8 @@
 #include "cli/output.hpp"
 #include "cli/preset_materials.hpp"
 #include "cli/progress_line.hpp"
-#include "design/facts_law.hpp"
-#include "design/parse_facts.hpp"
+#include "records/design/facts_law.hpp"
+#include "records/design/parse_facts.hpp"
 #include "scaling/kept_numbers.hpp"
 #include "scaling/law_similitude.hpp"
 #include "scaling/scale_law_catalogue.hpp"
@@ -156,9 +156,10 @@ scaling::UncertainRegimes find_uncertain_regimes(FactsFiles& files, const scalin
 void FactsOptions::add_to(CLI::App& command) {
     CLI::Option* const facts =
         command
-            .add_option("--facts", file,
-                        "What is known of prototype and model (JSON, musim-facts/1; see design/README.md): reports every group of both, "
-                        "regimes, structural speed and rocking")
+            .add_option(
+                "--facts", file,
+                "What is known of prototype and model (JSON, musim-facts/1; see records/design/README.md): reports every group of both, "
+                "regimes, structural speed and rocking")
             ->type_name("FACTS.json");
     // what the facts tell themselves
     for (const char* const name :

@@ -4,9 +4,9 @@
 #include <string>
 #include <string_view>
 
-#include "design/parse_design.hpp"
-#include "design/parse_facts.hpp"
 #include "lsdem/scene/scene_json.hpp"
+#include "records/design/parse_design.hpp"
+#include "records/design/parse_facts.hpp"
 #include "records/recipe.hpp"
 #include "records/shake_table.hpp"
 #include "scaling/pi_problem.hpp"

@@ -1,0 +1,49 @@
+#include "records/design/detail/law_fields.hpp"
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "scaling/scale_law_catalogue.hpp"
+
+namespace musim::design::detail {
+namespace {
+
+/// A law by name, or from a file beside the one that names it.
+scaling::ScaleLaw load_law(const std::string& name, const std::string& source) {
+    if (const auto shipped = scaling::find_scale_law(name)) return *shipped;
+    const std::filesystem::path beside = std::filesystem::path(source).parent_path() / name;
+    return scaling::load_scale_law(std::filesystem::exists(beside) ? beside.string() : name);
+}
+
+DesignLaw read_law_object(JsonFields fields, const std::string& source) {
+    scaling::ScaleLaw law = load_law(require_text(fields, "law"), source);
+    if (fields.has("hold")) {
+        for (const std::string& product : read_names(fields, "hold", R"-(["F_R/(mu*m*g)"])-")) law.held.push_back(product);
+    }
+    std::vector<scaling::GivenFactor> set;
+    if (fields.has("set")) {
+        if (!fields["set"].is_object()) fields.fail("set is no object", R"(write {"F_R": "1/500"}, a factor by the quantity's name)");
+        JsonFields factors(fields["set"], fields.place() + ": set", fields.reading());
+        for (const auto& [quantity, value] : fields["set"].items()) {
+            set.push_back({quantity, require_positive<scaling::Ratio>(factors, quantity.c_str()).value()});
+        }
+    }
+    fields.refuse_unknown_keys();
+    return {std::move(law), std::move(set)};
+}
+
+}  // namespace
+
+DesignLaw read_law(const Json& entry, const JsonFields& fields, const std::string& key, const std::string& source) {
+    const std::string place = fmt::format("{}: {}", fields.place(), key);
+    try {
+        if (entry.is_object()) return read_law_object(JsonFields(entry, place, fields.reading()), source);
+        const auto name = entry.get<std::string>();
+        return load_law(name, source);
+    } catch (const scaling::SimilitudeError& error) {
+        throw records::ReadError(fmt::format("{}: {}", place, error.what()));
+    }
+}
+
+}  // namespace musim::design::detail

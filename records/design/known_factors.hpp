@@ -1,0 +1,30 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "records/design/design_law.hpp"
+
+namespace musim::design {
+
+/// λ of a property that a real model has, whatever its law asks for.
+struct KnownProperty {
+    std::string name;
+    std::optional<double> factor;  ///< none where prototype or model do not tell it
+};
+
+/// What is known of a model before its law has said anything.
+struct KnownFactors {
+    double length = 1.0, friction = 1.0, density = 1.0;
+    std::optional<double> gravity = {};
+    std::vector<KnownProperty> properties = {};  ///< E, e, k_s
+};
+
+/// What a law is given of it, under the names of scaling/laws: the law's own factors; the length as
+/// scaling::find_length_name() has it; mu;
+/// the density as rho_s where the law has one, else as rho; g where it is known; and properties that the law expects to be chosen. What the
+/// law sets goes before g and properties. Throws SimilitudeError as find_length_name().
+std::vector<scaling::GivenFactor> give_factors(const DesignLaw& law, const KnownFactors& known);
+
+}  // namespace musim::design

@@ -1,0 +1,226 @@
+#include "records/design/parse_design.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "records/design/candidate.hpp"
+#include "records/design/detail/law_fields.hpp"
+#include "records/design/detail/material_fields.hpp"
+#include "records/design/models.hpp"
+#include "scaling/scale_law_catalogue.hpp"
+
+namespace musim::design {
+namespace {
+
+using detail::Json;
+using detail::JsonFields;
+using detail::read_modulus;
+using detail::read_names;
+using detail::read_number;
+using detail::read_positive;
+using detail::require_block;
+using detail::require_list;
+using detail::require_positive;
+using detail::require_text;
+
+Prototype read_prototype(const Json& object, const std::string& place, scaling::UncertainReading* reading) {
+    JsonFields fields(object, place, reading);
+    Prototype prototype;
+    prototype.block = require_block(fields, "block");
+    prototype.height = require_positive<scaling::Length>(fields, "height");
+    prototype.density = require_positive<scaling::Density>(fields, "density");
+    prototype.friction = require_positive<scaling::Ratio>(fields, "friction").value();
+    prototype.mass = read_positive<scaling::Mass>(fields, "mass").value_or(scaling::Mass{});
+    prototype.mass_center = read_positive<scaling::Length>(fields, "mass_center").value_or(0.5 * prototype.height);
+    prototype.restitution = read_number(fields, "restitution");
+    const auto block = [&] { return prototype.block; };
+    prototype.modulus = read_modulus(fields, "modulus", "normal_stiffness", block);
+    prototype.shear_modulus = read_modulus(fields, "shear_modulus", "shear_stiffness", block);
+    prototype.deviation = read_positive<scaling::Length>(fields, "height_deviation");
+    fields.refuse_unknown_keys();
+    return prototype;
+}
+
+Material read_material(const Json& value, const std::string& place, const std::vector<Material>& presets,
+                       scaling::UncertainReading* reading) {
+    if (value.is_string()) return detail::find_preset(value.get<std::string>(), place, presets);
+    JsonFields fields(value, place, reading);
+    const std::optional<Material> preset = detail::read_preset(fields, presets);
+    const std::string name = preset ? fields.text("name", preset->name) : require_text(fields, "name");
+    Material material = detail::read_properties(fields, preset, [&] { return require_block(fields, "stiffness_block"); });
+    material.name = name;
+    detail::replace(material.smallest_edge, read_positive<scaling::Length>(fields, "smallest_edge"));
+    detail::replace(material.price, read_number(fields, "price"));
+    fields.refuse_unknown_keys();
+    return material;
+}
+
+std::vector<Material> read_materials(JsonFields& fields, const std::vector<Material>& presets) {
+    std::vector<Material> materials;
+    for (const Json& entry : require_list(fields, "materials", R"(["wood", {"name": "resin", "density": ..., "friction": ...}])")) {
+        const Material material =
+            read_material(entry, fmt::format("{}: materials {}", fields.place(), materials.size() + 1), presets, fields.reading());
+        if (std::any_of(materials.begin(), materials.end(), [&](const Material& other) { return other.name == material.name; })) {
+            fields.fail(fmt::format("the material \"{}\" comes twice", material.name), "give every one its own \"name\"");
+        }
+        materials.push_back(material);
+    }
+    return materials;
+}
+
+std::vector<GivenPeaks> read_peaks(JsonFields& fields) {
+    std::vector<GivenPeaks> list;
+    for (const Json& entry : require_list(fields, "peaks", R"([{"axis": "x", "acceleration": "0.5 g", ...}])")) {
+        JsonFields row(entry, fmt::format("{}: peaks {}", fields.place(), list.size() + 1), fields.reading());
+        GivenPeaks peaks{.axis = require_text(row, "axis"), .acceleration = require_positive<scaling::Acceleration>(row, "acceleration")};
+        peaks.velocity = read_positive<scaling::Velocity>(row, "velocity");
+        peaks.displacement = read_positive<scaling::Length>(row, "displacement");
+        peaks.lowest_frequency = read_positive<scaling::Frequency>(row, "lowest_frequency");
+        peaks.highest_frequency = read_positive<scaling::Frequency>(row, "highest_frequency");
+        row.refuse_unknown_keys();
+        list.push_back(peaks);
+    }
+    return list;
+}
+
+RecordFile read_record_file(JsonFields& fields) {
+    RecordFile record{.file = require_text(fields, "file")};
+    if (fields.has("axes")) {
+        if (!fields["axes"].is_object()) fields.fail("axes is no object", R"(write {"360": "x"}, component before axis)");
+        for (const auto& [component, axis] : fields["axes"].items()) {
+            if (!axis.is_string()) fields.fail("an axis is no text", R"(write {"360": "x"}, component before axis)");
+            record.axes.emplace_back(component, axis.get<std::string>());
+        }
+    }
+    fields.refuse_uncertainty("high_pass", "it is chosen");
+    record.high_pass = read_positive<scaling::Frequency>(fields, "high_pass");
+    return record;
+}
+
+std::variant<RecordFile, std::vector<GivenPeaks>> read_motion(const Json& object, const std::string& place,
+                                                              scaling::UncertainReading* reading) {
+    JsonFields fields(object, place, reading);
+    std::variant<RecordFile, std::vector<GivenPeaks>> motion;
+    if (fields.has("peaks")) {
+        motion = read_peaks(fields);
+    } else {
+        motion = read_record_file(fields);
+    }
+    fields.refuse_unknown_keys();
+    return motion;
+}
+
+Limits read_limits(const Json& object, const std::string& place, scaling::UncertainReading* reading) {
+    JsonFields fields(object, place, reading);
+    Limits limits;
+    limits.hall_height = read_positive<scaling::Length>(fields, "hall_height");
+    limits.deviation_ratio = read_number(fields, "deviation_ratio");
+    limits.overlap_ratio = read_number(fields, "overlap_ratio");
+    if (fields.has("camera")) {
+        JsonFields camera(fields["camera"], place + ": camera", reading);
+        camera.refuse_uncertainty("pictures", "they are chosen");
+        limits.camera_rate = require_positive<scaling::Frequency>(camera, "rate");
+        limits.pictures = require_positive<scaling::Ratio>(camera, "pictures").value();
+        camera.refuse_unknown_keys();
+    }
+    fields.refuse_unknown_keys();
+    return limits;
+}
+
+/// Every limit must find what it needs, lest it be passed over in silence.
+void check_limits(const JsonFields& fields, const Design& design) {
+    for (const Material& material : design.materials) {
+        if ((design.limits.deviation_ratio || design.limits.overlap_ratio) && !material.deviation) {
+            fields.fail(fmt::format("material {} has no height_deviation (limits ask for it)", material.name),
+                        "add it, or remove the limit");
+        }
+        if (design.limits.overlap_ratio && !material.modulus) {
+            fields.fail(fmt::format("material {} has no modulus (overlap_ratio asks for it)", material.name),
+                        "add it, or remove the limit");
+        }
+    }
+}
+
+std::vector<DesignLaw> read_laws(JsonFields& fields, const std::string& source) {
+    if (!fields.has("laws")) return {scaling::load_scale_law("mu")};
+    std::vector<DesignLaw> laws;
+    for (const Json& entry : require_list(fields, "laws", R"(["mu", {"law": "gravity_distorted", "set": {"a": 2}}])")) {
+        if (!entry.is_string() && !entry.is_object()) fields.fail("an entry of laws is no text", "write it in quotes");
+        laws.push_back(detail::read_law(entry, fields, "laws", source));
+    }
+    return laws;
+}
+
+/// A factor that a law expects and that nothing in the design tells is missing at every length. What contradicts is found later, by
+/// material.
+void check_laws(const JsonFields& fields, const Design& design) {
+    for (const DesignLaw& law : design.laws) {
+        for (const Material& material : design.materials) {
+            try {
+                const Models models(design, material, law);
+            } catch (const scaling::MissingFactor& error) {
+                throw records::ReadError(fmt::format(
+                    R"({}: laws: {}: {}; in a design {{"law": "{}", "set": {{"NAME": NUMBER}}}} gives it, or "hold": [...] lets it follow)",
+                    fields.place(), material.name, error.what(), law.name()));
+            } catch (const scaling::PiError& error) {
+                throw records::ReadError(fmt::format("{}: laws: {}", fields.place(), error.what()));
+            } catch (const scaling::SimilitudeError&) {
+                continue;
+            }
+        }
+    }
+}
+
+std::vector<std::string> read_groups(JsonFields& fields, const std::vector<DesignLaw>& laws) {
+    if (!fields.has("groups")) return default_groups();
+    std::vector<std::string> known = known_groups();
+    for (const DesignLaw& law : laws) {
+        for (const auto* products : {&law.law().held, &law.law().watched}) {
+            for (const std::string& product : *products) {
+                if (std::find(known.begin(), known.end(), product) == known.end()) known.push_back(product);
+            }
+        }
+    }
+    std::vector<std::string> names = read_names(fields, "groups", R"(["mu^N", "omega/p"])");
+    for (const std::string& name : names) {
+        if (std::find(known.begin(), known.end(), name) == known.end()) {
+            fields.fail(fmt::format("groups: \"{}\" is no group", name), fmt::format("take some of {}", fmt::join(known, ", ")));
+        }
+    }
+    return names;
+}
+
+}  // namespace
+
+Design parse_design(std::string_view json, const std::string& source, const std::vector<Material>& presets,
+                    scaling::UncertainReading* reading) {
+    const Json object = detail::parse_object(json, source, "musim-design/1", "design", R"("prototype": {...}, "materials": [...])");
+    JsonFields fields(object, source, reading);
+    Design design;
+    design.name = fields.text("name", "");
+    if (!fields.has("prototype")) fields.fail("prototype is missing", R"(add {"block": [...], "height", "density", "friction"})");
+    design.prototype = read_prototype(object["prototype"], source + ": prototype", reading);
+    design.table_file = fields.text("table", "");
+    const bool has_record = fields.has("record");
+    if (has_record != !design.table_file.empty()) {
+        fields.fail(has_record ? "table is missing (it is to make the record)" : "record is missing (the table is to make it)",
+                    "give both, or neither");
+    }
+    if (has_record) design.motion = read_motion(object["record"], source + ": record", reading);
+    if (fields.has("limits")) design.limits = read_limits(object["limits"], source + ": limits", reading);
+    design.materials = read_materials(fields, presets);
+    design.laws = read_laws(fields, source);
+    design.gravity = read_number(fields, "gravity");
+    fields.refuse_uncertainty("length", "it is chosen");
+    design.length = read_number(fields, "length");
+    design.groups = read_groups(fields, design.laws);
+    fields.refuse_unknown_keys();
+    check_limits(fields, design);
+    check_laws(fields, design);
+    return design;
+}
+
+}  // namespace musim::design

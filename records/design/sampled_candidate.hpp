@@ -1,0 +1,44 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "records/design/candidate.hpp"
+#include "scaling/monte_carlo.hpp"
+
+/// What uncertain values of a design do to its answer, by samples of them.
+namespace musim::design {
+
+/// In which share of the samples a limit does what.
+struct SampledLimit {
+    double sets_smallest = 0.0, sets_largest = 0.0;  ///< it is what is in the way of a smaller, of a larger model
+    std::optional<double> broken = {};               ///< at the length told; none without one
+};
+
+/// One material by one law. Of several ranges of length scales the outermost ends count.
+struct SampledCandidate {
+    std::optional<double> length;              ///< λ_l at which limits are told broken: the design's, else the one that is ranked
+    double feasible = 0.0;                     ///< share of samples in which some length scale suits all limits
+    scaling::SampleSummary smallest, largest;  ///< λ_l of the samples that are feasible
+    std::vector<SampledLimit> limits;          ///< in the order of Candidate::limits
+};
+
+/// Samples of all candidates.
+struct SampledDesign {
+    std::vector<SampledCandidate> candidates;
+    std::size_t rejected = 0;  ///< draws that were not positive, and drawn again
+};
+
+/// The design with drawn values of its inputs, in their order. Called from any thread.
+using DrawSetting = std::function<Setting(std::span<const double>)>;
+
+/// Draws the uncertain values of a design and looks each time which length scales are feasible, and what is in the way of others: no slope
+/// is taken, so that another limit may bind and a candidate may become infeasible. A candidate whose law does not admit the material by
+/// value is feasible in no sample. Throws as scaling::run_monte_carlo(), find_limit_ranges(), and what `draw` throws.
+SampledDesign draw_candidates(const Setting& setting, const std::vector<Candidate>& candidates,
+                              const std::vector<scaling::UncertainInput>& inputs, const DrawSetting& draw,
+                              const scaling::MonteCarloSettings& settings, const std::function<void(double)>& on_progress = {});
+
+}  // namespace musim::design
