@@ -9,6 +9,7 @@
 #include "lsdem/study/detail/camera.hpp"
 #include "lsdem/study/detail/color_map.hpp"
 #include "lsdem/study/detail/svg.hpp"
+#include "scaling/interruption.hpp"
 
 namespace musim::lsdem::study {
 namespace {
@@ -171,8 +172,10 @@ class FieldPanel {
 std::vector<FieldView> take_views(const StoredRun& run, const std::vector<double>& times, const CameraSettings& settings) {
     std::vector<FieldView> views;
     for (const double time : times) {
+        scaling::stop_if_interrupted();
         const std::size_t frame = find_frame(run, time);
-        views.push_back({frame, take_picture(run, frame, settings)});
+        const auto is_same = [&](const FieldView& view) { return view.frame == frame; };
+        if (std::none_of(views.begin(), views.end(), is_same)) views.push_back({frame, take_picture(run, frame, settings)});
     }
     return views;
 }

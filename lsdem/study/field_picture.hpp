@@ -23,7 +23,8 @@ struct FieldPicture {
     std::string name;    ///< of the run, under the title
 };
 
-/// Looks at the frames nearest to the times. Throws ResultError when the run has kept none.
+/// Looks at the frames nearest to the times, at each once. Throws ResultError when the run has kept none, scaling::Interrupted when the
+/// program is asked to stop.
 std::vector<FieldView> take_views(const StoredRun& run, const std::vector<double>& times, const CameraSettings& settings);
 
 /// Largest magnitude of a component that some view shows [m/s].

@@ -38,6 +38,11 @@ TEST_CASE("field draws chosen times beside each other and gives the velocities o
     CHECK(here.read("pictures/" + json["fields"][1]["grid"].get<std::string>()).starts_with("column,row,right_m,z_m,block,level,"));
     CHECK(here.count("pictures") == 3);
 
+    // two times nearest to one frame are one picture
+    const nlohmann::json once = here.run("field out -o once --at 0.004 0.0041 0.01 --pixels 40 --format svg --json").json();
+    CHECK(once["fields"].size() == 2);
+    CHECK(here.count("once") == 3);
+
     // six times, unless some are asked for; the limit is what was given, to the unit
     const nlohmann::json usual = here.run("field out -o usual --format svg --limit '5 cm/s' --json").json();
     CHECK(usual["fields"].size() == 6);
