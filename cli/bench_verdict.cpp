@@ -74,6 +74,7 @@ study::VerdictBench measure(const std::string& file, const scene::Scene& prototy
     study::TwinSettings settings{.directory = options.out, .version = kVersion, .threads = options.threads};
     settings.on_warning = [](const std::string& why) { note("musim: warning: no checkpoint: {}\n", why); };
     settings.on_preparation = progress.of_preparation();
+    settings.on_preparation_spare = progress.of_preparation_spare();
     settings.on_progress = progress.of_run();
     study::VerdictBench bench = study::run_verdict_bench(prototype, plan, settings);
     bench.scene = std::filesystem::path(file).stem().string();

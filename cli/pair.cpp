@@ -257,8 +257,10 @@ int run_pair(const PairOptions& options) {
     std::optional<study::ScenePair> pair;
     {
         ProgressInParts progress(prototype.name);
-        study::RunSettings settings{
-            .threads = options.threads, .on_progress = progress.of_run(), .on_preparation = progress.of_preparation()};
+        study::RunSettings settings{.threads = options.threads,
+                                    .on_progress = progress.of_run(),
+                                    .on_preparation = progress.of_preparation(),
+                                    .on_preparation_spare = progress.of_preparation_spare()};
         if (folder) {
             settings.checkpoint = study::CheckpointSettings{
                 .file = options.out,

@@ -95,6 +95,10 @@ std::function<void(double)> ProgressInParts::of_spare() {
     return [this](double part) { line_.spare(joined_.of_all(part)); };
 }
 
+std::function<void(double)> ProgressInParts::of_preparation_spare() {
+    return [this](double part) { line_.spare(joined_.of_whole_part(part)); };
+}
+
 std::function<void(double)> ProgressInParts::of_preparation() {
     return [this](double fraction) {
         line_.name(what_ + ", preparing");

@@ -57,6 +57,8 @@ class ProgressInParts {
     void begin_part(const std::string& what, double share);
 
     std::function<void(double)> of_preparation();
+    /// The part at the end of a preparation and its runs, 0 to 1, that may not be needed, while it is prepared.
+    std::function<void(double)> of_preparation_spare();
     std::function<void(double)> of_run();
     /// The part of the runs, 0 to 1, that may not be needed.
     std::function<void(double)> of_spare();

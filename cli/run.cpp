@@ -124,6 +124,7 @@ study::RunResult carry_out(Begin begin, const RunOptions& options, const std::st
     }
     ProgressInParts progress(begin.scene.name, begin.checkpoint.has_value());
     settings.on_preparation = progress.of_preparation();
+    settings.on_preparation_spare = progress.of_preparation_spare();
     settings.on_progress = progress.of_run();
     settings.on_sample = progress.of_samples();
     std::optional<study::LiveFile> live;

@@ -47,6 +47,7 @@ study::SequenceSummary carry_out(const SequenceOptions& options) {
                                      .checkpoint_interval = options.checkpoint_interval,
                                      .on_progress = progress.of_run(),
                                      .on_preparation = progress.of_preparation(),
+                                     .on_preparation_spare = progress.of_preparation_spare(),
                                      .on_sample = progress.of_samples(),
                                      .on_no_checkpoint = [](const std::string& why) { note("musim: warning: no checkpoint: {}\n", why); }};
     std::optional<scene::Scene> scene;

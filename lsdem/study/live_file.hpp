@@ -45,11 +45,14 @@ class LiveFile {
     void tell_preparation(double fraction) { tell(true, fraction); }
     void tell_progress(double fraction) { tell(false, fraction); }
     void tell_spare(double part) { spare_ = joined_.of_all(part); }
+    void tell_preparation_spare(double part) { spare_ = joined_.of_whole_part(part); }
     void tell_sample(const RunResult& run, const TimePlan& plan);
 
     /// Hears what a run, or a sequence, tells from now on, besides who hears it already. Outlives it.
     template <class Settings>
     void listen_to(Settings& settings) {
+        settings.on_preparation_spare =
+            also(std::move(settings.on_preparation_spare), [this](double part) { tell_preparation_spare(part); });
         settings.on_preparation = also(std::move(settings.on_preparation), [this](double fraction) { tell_preparation(fraction); });
         settings.on_progress = also(std::move(settings.on_progress), [this](double fraction) { tell_progress(fraction); });
         settings.on_sample =

@@ -213,6 +213,32 @@ class KeptPair {
     bool resumed_ = false;
 };
 
+/// The specimens of a pair, laid one after another, and its runs as one scale: each specimen costs about as much as the first.
+class LayingProgress {
+  public:
+    /// Besides the first, `others` are laid; then come `runs`.
+    LayingProgress(const RunSettings& all, std::size_t others, std::size_t runs)
+        : all_(all), others_(static_cast<double>(others)), runs_(static_cast<double>(runs)) {}
+
+    /// For the specimen that is laid next.
+    RunSettings next(RunSettings settings) {
+        before_ = done_;
+        settings.preparations_to_follow = others_;
+        settings.runs_to_follow = runs_;
+        settings.on_progress = {};
+        settings.on_preparation = [this](double part) {
+            done_ = std::min(before_ + part, 1.0);
+            if (all_.on_preparation) all_.on_preparation(done_);
+        };
+        return settings;
+    }
+
+  private:
+    const RunSettings& all_;
+    double others_, runs_;
+    double before_ = 0.0, done_ = 0.0;
+};
+
 /// Runs other specimens of the prototype for its own models, when heights are drawn, after the pair itself. What there is to run counts
 /// in runs for the progress, and a specimen that is laid first as two.
 class OtherSpecimens {
@@ -266,10 +292,21 @@ ScenePair pair_scene(const scene::Scene& prototype, const std::vector<ModelChoic
     scaled_scenes.reserve(models.size());
     for (const ModelChoice& choice : models) scaled_scenes.push_back(make_scaled(prototype, choice, materials));
     const KeptPair kept(prototype, scaled_scenes, materials, how, settings);
-    RunSettings laying = kept.settings_of("prototype", settings);
-    laying.runs_to_follow = static_cast<double>(count_runs(models.size(), how.judging));
-    const PairMember original = lay_member("prototype", prototype, Similitude(), laying, Sampling::every_step);
-    const RunSettings plain{.threads = settings.threads, .checkpoint = settings.checkpoint};
+    const auto is_image = [&](std::size_t m) {
+        const bool has_image = !models[m].scene && materials == Materials::exact && scaled_scenes[m].similitude.is_exact();
+        return has_image && how.specimen == PairSpecimen::one;
+    };
+    std::vector<std::vector<LoneScene>> lone_scenes;
+    std::size_t laid = 0, lone_count = 0;
+    for (std::size_t m = 0; m < models.size(); ++m) {
+        const bool alone = how.each_alone && materials == Materials::own && !models[m].scene;
+        lone_scenes.push_back(alone ? find_lone_scenes(prototype, scaled_scenes[m]) : std::vector<LoneScene>{});
+        lone_count += lone_scenes.back().size();
+        laid += (is_image(m) ? 0 : 1) + lone_scenes.back().size();
+    }
+    LayingProgress layings(settings, laid, count_runs(models.size() + lone_count, how.judging));
+    const PairMember original =
+        lay_member("prototype", prototype, Similitude(), layings.next(kept.settings_of("prototype", settings)), Sampling::every_step);
 
     ScenePair pair{.prototype = prototype,
                    .models = {},
@@ -278,25 +315,20 @@ ScenePair pair_scene(const scene::Scene& prototype, const std::vector<ModelChoic
                    .unfinished = kept.folder(),
                    .resumed = kept.resumed()};
     std::vector<PairMember> members, lone_members;
-    std::vector<std::vector<LoneScene>> lone_scenes;
     for (std::size_t m = 0; m < models.size(); ++m) {
         const ModelChoice& choice = models[m];
         ScaledScene& scaled = scaled_scenes[m];
         if (materials == Materials::own || choice.scene) sample_as(original, scaled.similitude, scaled.scene);
         const std::string label = make_label(scaled.similitude.length(), members);
         const auto lay = [&](const std::string& name, const scene::Scene& scene, const Similitude& similitude) {
-            return lay_member(name, scene, similitude, kept.settings_of(name, plain));
+            return lay_member(name, scene, similitude, layings.next(kept.settings_of(name, settings)));
         };
-        const bool has_image = !choice.scene && materials == Materials::exact && scaled.similitude.is_exact();
-        members.push_back(has_image && how.specimen == PairSpecimen::one ? make_image(original, label, scaled.similitude)
-                                                                         : lay(label, scaled.scene, scaled.similitude));
+        members.push_back(is_image(m) ? make_image(original, label, scaled.similitude) : lay(label, scaled.scene, scaled.similitude));
         members.back().distortions = scaled.distortions;
         members.back().material = scaled.material;
         if (choice.scene) require_same_structure(original.specimen, members.back().specimen, choice.scene->place());
         // an exact model steps as its prototype does
         if (materials == Materials::exact) members.back().plan = original.plan.scaled(scaled.similitude.time());
-        const bool alone = how.each_alone && materials == Materials::own && !choice.scene;
-        lone_scenes.push_back(alone ? find_lone_scenes(prototype, scaled) : std::vector<LoneScene>{});
         for (LoneScene& lone : lone_scenes.back()) {
             sample_as(original, lone.similitude, lone.scene);
             lone_members.push_back(lay(label + ", " + lone.property, lone.scene, lone.similitude));

@@ -54,13 +54,20 @@ struct PreparedSpecimen {
     double max_overlap = 0.0;        ///< largest overlap ever met on the way, over the height of a block [-]
 };
 
+/// What follows a preparation, for its progress.
+struct WorkToFollow {
+    double preparations = 0.0;  ///< others that cost as much
+    double block_steps = 0.0;   ///< of runs
+};
+
 /// Prepares a specimen whose blocks stand upright at their places in plan (make_specimen of a scene), or goes on from where a preparation
 /// of the same specimen was, to the same bits. Where it stands is written to settings.checkpoint as it falls due. Throws
 /// std::invalid_argument as Simulation does, and for blocks without layers that are to be placed, std::runtime_error when `from` is of
-/// another specimen; a preparation that diverges says so in `rest`. Progress is counted in block steps; `to_follow` of them come after the
-/// preparation.
+/// another specimen; a preparation that diverges says so in `rest`. Progress is counted in block steps. What the rounds of
+/// the whole take is known as a range only: the part that is done counts the most, on_preparation_spare is told the difference.
 PreparedSpecimen prepare(const Specimen& upright, double time_step, const PreparationSettings& preparation,
-                         const RunSettings& settings = {}, const std::optional<PreparationState>& from = {}, double to_follow = 0.0);
+                         const RunSettings& settings = {}, const std::optional<PreparationState>& from = {},
+                         const WorkToFollow& to_follow = {});
 
 /// Where the blocks of a simulation are, and what they hold.
 PreparedPlaces find_places(const Simulation& simulation);

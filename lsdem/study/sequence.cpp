@@ -41,6 +41,7 @@ double steps_of(const SequencePlan& plan) {
 RunSettings find_run_settings(const scene::Scene& scene, const SequencePlan& plan, const SequenceSettings& settings) {
     return {.threads = settings.threads,
             .on_preparation = settings.on_preparation,
+            .on_preparation_spare = settings.on_preparation_spare,
             .runs_to_follow = steps_of(plan) / static_cast<double>(plan.stages.front().plan.steps()),
             .checkpoint = CheckpointSettings{.file = settings.directory / kCheckpointName,
                                              .scene = scene::write_scene(scene),

@@ -13,13 +13,14 @@ namespace musim::lsdem::study {
 
 /// How to carry out a sequence; none of it changes the results.
 struct SequenceSettings {
-    std::filesystem::path directory;                  ///< of all results
-    std::string version;                              ///< of the program
-    int threads = 1;                                  ///< 0: all cores
-    bool force = false;                               ///< older results of another scene are replaced
-    double checkpoint_interval = 60.0;                ///< wall time between two checkpoints [s]; 0: one after every sample
-    std::function<void(double)> on_progress = {};     ///< called now and then with the fraction done, 0 to 1
-    std::function<void(double)> on_preparation = {};  ///< likewise, while the specimen is being prepared
+    std::filesystem::path directory;                        ///< of all results
+    std::string version;                                    ///< of the program
+    int threads = 1;                                        ///< 0: all cores
+    bool force = false;                                     ///< older results of another scene are replaced
+    double checkpoint_interval = 60.0;                      ///< wall time between two checkpoints [s]; 0: one after every sample
+    std::function<void(double)> on_progress = {};           ///< called now and then with the fraction done, 0 to 1
+    std::function<void(double)> on_preparation = {};        ///< likewise, while the specimen is being prepared
+    std::function<void(double)> on_preparation_spare = {};  ///< see RunSettings
     std::function<void(const RunResult&, const TimePlan&)> on_sample = {};  ///< called after every sample of a stage
     std::function<void(const std::string&)> on_stage = {};                  ///< told the folder of every stage once it is stored
     std::function<void(const std::string&)> on_no_checkpoint = {};          ///< told why a checkpoint could not be written; the run goes on

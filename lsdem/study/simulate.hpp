@@ -27,7 +27,10 @@ struct RunSettings {
     /// Likewise, while a specimen is being prepared: the part that is done of it and of the runs that follow, so that progress is one
     /// scale.
     std::function<void(double)> on_preparation = {};
-    double runs_to_follow = 1.0;  ///< how many runs of its scene, by their work, follow a preparation; for its progress
+    /// Told, before that, the part at the end of all that may not be needed: how long a specimen takes to come to rest is known as a range.
+    std::function<void(double)> on_preparation_spare = {};
+    double preparations_to_follow = 0.0;  ///< how many others that cost as much follow a preparation; for its progress
+    double runs_to_follow = 1.0;          ///< how many runs of its scene, by their work, follow a preparation; for its progress
     std::function<void(const RunResult&, const TimePlan&)> on_sample = {};  ///< called after every sample with what there is so far
     std::optional<CheckpointSettings> checkpoint = {};                      ///< none: a run that is killed is lost
 };

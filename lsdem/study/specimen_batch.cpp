@@ -89,8 +89,8 @@ SpecimenReport make_specimen_file(const SpecimenBatch& batch, std::size_t index,
                                              .on_failure = batch.on_warning};
     const std::optional<PreparationState> from = find_unfinished(batch, *settings.checkpoint);
     report.resumed = from.has_value();
-    const double to_follow = batch.runs_to_follow * static_cast<double>(make_time_plan(scene, upright.model).steps()) *
-                             static_cast<double>(upright.model.blocks.size());
+    const WorkToFollow to_follow{.block_steps = batch.runs_to_follow * static_cast<double>(make_time_plan(scene, upright.model).steps()) *
+                                                static_cast<double>(upright.model.blocks.size())};
     report.prepared = prepare(upright, scene::compute_time_step(scene, upright.model).value(), preparation, settings, from, to_follow);
     report.fallen = report.prepared.rest.fallen;
     if (report.prepared.rest.at_rest) {

@@ -183,7 +183,10 @@ fs::path twin_folder(const fs::path& directory, const scene::Scene& scene, const
 }
 
 Specimen lay_twin_specimen(const scene::Scene& scene, const fs::path& folder, const TwinSettings& settings, double runs_to_follow) {
-    RunSettings run_settings{.threads = settings.threads, .on_preparation = settings.on_preparation, .runs_to_follow = runs_to_follow};
+    RunSettings run_settings{.threads = settings.threads,
+                             .on_preparation = settings.on_preparation,
+                             .on_preparation_spare = settings.on_preparation_spare,
+                             .runs_to_follow = runs_to_follow};
     if (!folder.empty()) {
         run_settings.checkpoint = CheckpointSettings{.file = folder / kTwinSpecimenName,
                                                      .scene = scene::write_scene(scene),
