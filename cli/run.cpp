@@ -142,17 +142,20 @@ study::RunResult carry_out(Begin begin, const RunOptions& options, const std::st
 int run_run(const RunOptions& options) {
     const bool resumes = !options.resume.empty();
     const std::string& directory = resumes ? options.resume : options.out;
-    if (resumes) require_checkpoint(directory);
-
-    // the folder first: better no run than one without a place for its results
     std::optional<Begin> begin;
     if (!resumes) begin = begin_anew(options);
+    // the folder first: better no run than one without a place for its results, and no checkpoint that another musim still writes
     std::optional<study::ResultFolder> folder;
-    if (resumes) begin = begin_from(directory);
-    if (!directory.empty()) {
+    if (resumes && !fs::is_directory(directory)) require_checkpoint(directory);
+    if (!directory.empty()) folder.emplace(directory);
+    if (resumes) {
+        require_checkpoint(directory);
+        begin = begin_from(directory);
+    }
+    if (folder) {
         study::ResultOrigin origin = options.overwriting.origin();
         origin.add(begin->scene);
-        folder.emplace(directory, std::move(origin), resumes ? study::Overwriting::resume : options.overwriting.choice());
+        folder->set_origin(std::move(origin), resumes ? study::Overwriting::resume : options.overwriting.choice());
         if (!resumes) refuse_old_checkpoint(directory);
     }
     const scene::Scene scene = begin->scene;

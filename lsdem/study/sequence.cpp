@@ -226,6 +226,9 @@ SequenceSummary run_sequence(const scene::Scene& scene, const SequenceSettings& 
 }
 
 SequenceSummary resume_sequence(const SequenceSettings& settings) {
+    if (!fs::is_directory(settings.directory)) require_checkpoint(settings.directory);
+    // a checkpoint is read once nobody else writes there
+    ResultFolder folder(settings.directory);
     require_checkpoint(settings.directory);
     const fs::path file = settings.directory / kCheckpointName;
     Checkpoint checkpoint = read_checkpoint(file, settings.version);
@@ -234,7 +237,7 @@ SequenceSummary resume_sequence(const SequenceSettings& settings) {
         throw ResultError(fmt::format("{}: the checkpoint is of a single run; continue it with `musim run --resume {}`", file.string(),
                                       settings.directory.string()));
     }
-    ResultFolder folder(settings.directory, find_origin(scene, settings), Overwriting::resume);
+    folder.set_origin(find_origin(scene, settings), Overwriting::resume);
     SequencePlan plan = plan_sequence(scene);
     plan.specimen = make_specimen(plan.stages.front().scene, find_run_settings(scene, plan, settings), &checkpoint);
     Sequence sequence(scene, std::move(plan), folder, settings);

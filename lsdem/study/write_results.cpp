@@ -257,11 +257,16 @@ void ResultFolder::add_run(const std::filesystem::path& subfolder, const RunResu
     files_.write(subfolder / "summary.json", make_checked_json(std::move(summary)));
 }
 
-ResultFolder::ResultFolder(const std::filesystem::path& directory, ResultOrigin origin, Overwriting overwriting)
-    : files_(directory), contents_(FolderContents{.origin = std::move(origin), .complete = true, .files = {}}) {
-    if (overwriting == Overwriting::refuse) refuse_other_results(directory, contents_->origin);
+ResultFolder::ResultFolder(const std::filesystem::path& directory, ResultOrigin origin, Overwriting overwriting) : files_(directory) {
+    set_origin(std::move(origin), overwriting);
+}
+
+void ResultFolder::set_origin(ResultOrigin origin, Overwriting overwriting) {
+    const std::filesystem::path& directory = files_.directory();
+    if (overwriting == Overwriting::refuse) refuse_other_results(directory, origin);
     detail::remove_leftovers(directory / kContentsName);
-    const bool goes_on = overwriting == Overwriting::resume && is_of(directory, contents_->origin);
+    const bool goes_on = overwriting == Overwriting::resume && is_of(directory, origin);
+    contents_ = FolderContents{.origin = std::move(origin), .complete = true, .files = {}};
     (goes_on ? contents_->files : older_) = list_results(directory);
 }
 

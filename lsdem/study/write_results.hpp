@@ -39,6 +39,10 @@ class ResultFolder {
     /// that are not to be overwritten.
     ResultFolder(const std::filesystem::path& directory, ResultOrigin origin, Overwriting overwriting);
 
+    /// Says what the results are made from, as that constructor, where it is read from the directory once this process has it. Throws
+    /// ResultError as there.
+    void set_origin(ResultOrigin origin, Overwriting overwriting);
+
     /// Adds to `subfolder` (may be empty): result.h5 (HDF5, layout in README.md), result.xdmf (opens it in ParaView), spine.csv and
     /// summary.json. Throws records::WriteError.
     void add_run(const std::filesystem::path& subfolder, const RunResult& run, const ResultHeader& header);

@@ -198,3 +198,17 @@ TEST_CASE("a pair that is killed and begun again has the results of one that was
     CHECK(resumed == whole);
     CHECK(here.count("out") == here.count("whole"));
 }
+
+TEST_CASE("a checkpoint is not read while another musim may write it") {
+    const Workplace here;
+    for (const char* checkpoint : {"", "touch out/checkpoint; "}) {
+        here.shell("rm -rf out; mkdir out; " + std::string(checkpoint) + "touch out/kept");
+        for (const std::string command : {"run", "sequence"}) {
+            // as another one holds it
+            const Outcome outcome = here.run(command + " --resume out", "flock out");
+            CHECK(outcome.exit_code == 3);
+            CHECK_MESSAGE(outcome.err.find("another musim is working in this directory") != std::string::npos, outcome.err);
+        }
+        CHECK(here.has("out/kept"));
+    }
+}
