@@ -136,7 +136,7 @@ int run_bench_twins(const BenchTwinsOptions& options) {
     for (const std::string& file : options.scenes) prototypes.push_back(read_prototype(file, options));
     std::optional<study::ResultFolder> folder;
     if (!options.out.empty()) {
-        study::ResultOrigin origin = options.overwriting.origin_with_options();
+        study::ResultOrigin origin = options.overwriting.origin_with_options({{"--models", options.models}});
         for (const scene::Scene& prototype : prototypes) origin.add(prototype, prototype.name + ": ");
         folder.emplace(options.out, std::move(origin), options.overwriting.choice());
     }
@@ -169,7 +169,7 @@ void add_bench_twins_command(CLI::App& bench, Action& action) {
         ->type_name("DIR");
     command->add_option("--models", options->models, "Exact models of each scene; with --perturb: sets of directions")
         ->type_name("N")
-        ->check(CLI::Range(1, 100000))
+        ->check(whole_between(1, 100000))
         ->capture_default_str();
     command->add_option("--seed", options->seed, "Of the lengths, 4^u with u in (-2, 2); with --perturb: of the first set of directions")
         ->type_name("N")

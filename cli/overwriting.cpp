@@ -1,11 +1,15 @@
 #include "cli/overwriting.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <CLI/CLI.hpp>
 #include <string_view>
 
 #include "cli/version.hpp"
+#include "scaling/error.hpp"
+#include "scaling/number.hpp"
 
 namespace musim::cli {
 namespace {
@@ -16,6 +20,18 @@ constexpr std::array<std::string_view, 7> kIdleOptions{"help", "out", "threads",
 std::string name_command(const CLI::App& command) {
     const CLI::App* above = command.get_parent();
     return above == nullptr || above->get_parent() == nullptr ? command.get_name() : name_command(*above) + " " + command.get_name();
+}
+
+/// The value of an option as text, the same for 1/25 and 0.04, for mu=1/2 and mu=0.5.
+std::string name_value(const CLI::Option& option, const std::string& text) {
+    const std::string type = option.get_type_name();
+    if (type.find("NUMBER") == std::string::npos && type != "LIST") return text;
+    const std::size_t begin = text.find('=') + 1;  // 0 without one
+    try {
+        return text.substr(0, begin) + fmt::format("{}", scaling::parse_number(text.substr(begin)));
+    } catch (const scaling::ParseError&) {
+        return text;  // a name, or with an uncertainty
+    }
 }
 
 }  // namespace
@@ -29,14 +45,15 @@ lsdem::study::ResultOrigin OverwritingOption::origin() const {
     return {.command = name_command(*command), .program_version = kVersion, .parts = {}};
 }
 
-lsdem::study::ResultOrigin OverwritingOption::origin_with_options() const {
+lsdem::study::ResultOrigin OverwritingOption::origin_with_options(const std::map<std::string, std::size_t>& counts) const {
     lsdem::study::ResultOrigin origin = this->origin();
+    origin.counts = counts;
     for (const CLI::Option* option : command->get_options()) {
         const std::string name = option->get_single_name();
         const bool idle = std::find(kIdleOptions.begin(), kIdleOptions.end(), name) != kIdleOptions.end();
-        if (idle || option->count() == 0 || option->get_positional()) continue;
+        if (idle || option->count() == 0 || option->get_positional() || counts.contains("--" + name)) continue;
         std::string& text = origin.parts["--" + name];
-        for (const std::string& value : option->results()) text += (text.empty() ? "" : " ") + value;
+        for (const std::string& value : option->results()) text += (text.empty() ? "" : " ") + name_value(*option, value);
     }
     return origin;
 }

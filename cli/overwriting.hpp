@@ -1,6 +1,8 @@
 #pragma once
 
 #include <CLI/App.hpp>
+#include <cstddef>
+#include <map>
 #include <string>
 
 #include "lsdem/study/write_results.hpp"
@@ -20,8 +22,9 @@ struct OverwritingOption {
     /// The command by its name ("bench twins") and this program's version, without scenes and options.
     lsdem::study::ResultOrigin origin() const;
 
-    /// That and the options given, but for those that change no result (--out, --threads, --json, ...).
-    lsdem::study::ResultOrigin origin_with_options() const;
+    /// That and the options given, by their values, but for those that change no result (--out, --threads, --json, ...). `counts`: options
+    /// that may have a larger value than that of the results in the directory, which are then a beginning.
+    lsdem::study::ResultOrigin origin_with_options(const std::map<std::string, std::size_t>& counts = {}) const;
 };
 
 }  // namespace musim::cli

@@ -22,7 +22,7 @@ constexpr const char* kContentsFormat = "musim-contents/1";
 /// Files by which results of versions before contents.json are known.
 constexpr const char* kOldResults[]{"result.h5", "summary.json", "sequence.json", "pair.json", "ensemble.json"};
 
-/// "material, time, --twins": what two origins do not share.
+/// "material, time, --twins": what results that are here to be cannot take from those that are there.
 std::string name_differences(const ResultOrigin& there, const ResultOrigin& here) {
     std::set<std::string> names;
     for (const auto* parts : {&there.parts, &here.parts}) {
@@ -31,6 +31,13 @@ std::string name_differences(const ResultOrigin& there, const ResultOrigin& here
             const bool missing = other == (parts == &there.parts ? here.parts.end() : there.parts.end());
             if (missing || other->second != value) names.insert(name);
         }
+    }
+    for (const auto& [name, count] : there.counts) {
+        const auto other = here.counts.find(name);
+        if (other == here.counts.end() || other->second < count) names.insert(name);
+    }
+    for (const auto& [name, count] : here.counts) {
+        if (!there.counts.contains(name)) names.insert(name);
     }
     return fmt::format("{}", fmt::join(names, ", "));
 }
@@ -63,7 +70,8 @@ std::optional<FolderContents> read_contents(const fs::path& directory) {
         if (object.at("format") != kContentsFormat) throw ResultError(file.string() + ": is of another version; remove it");
         return FolderContents{.origin = {.command = object.at("command"),
                                          .program_version = object.at("program_version"),
-                                         .parts = object.at("parts").get<std::map<std::string, std::string>>()},
+                                         .parts = object.at("parts").get<std::map<std::string, std::string>>(),
+                                         .counts = object.value("counts", std::map<std::string, std::size_t>())},
                               .complete = object.at("complete"),
                               .files = object.at("files").get<std::vector<std::string>>()};
     } catch (const nlohmann::json::exception& error) {
@@ -76,6 +84,7 @@ void write_contents(const fs::path& directory, const FolderContents& contents) {
                                                                                  {"command", contents.origin.command},
                                                                                  {"program_version", contents.origin.program_version},
                                                                                  {"parts", contents.origin.parts},
+                                                                                 {"counts", contents.origin.counts},
                                                                                  {"complete", contents.complete},
                                                                                  {"files", contents.files}}));
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -14,8 +15,10 @@ namespace musim::lsdem::study {
 struct ResultOrigin {
     std::string command;  ///< "run", "pair", ...
     std::string program_version;
-    /// A part of a scene ("material") by a hash of it, where the contents of a file stand for its path; an option ("--twins") by its text.
+    /// A part of a scene ("material") by a hash of it, where the contents of a file stand for its path; an option ("--twins") by its value.
     std::map<std::string, std::string> parts;
+    /// Options by name that say how many of something there are, where the results of fewer are a beginning of these.
+    std::map<std::string, std::size_t> counts = {};
 
     /// Adds the parts of a scene; `prefix` parts several. Throws records::ReadError for a file of it that cannot be read.
     void add(const scene::Scene& scene, const std::string& prefix = "");
@@ -50,7 +53,8 @@ bool is_complete(const std::filesystem::path& directory);
 /// Throws ResultError for a folder whose files were being replaced when the program was killed: old ones may stand beside new ones.
 void require_complete(const std::filesystem::path& directory);
 
-/// Refuses a folder with results of another origin, or of one that is not known. Throws ResultError `FILE: what differs; what to do`.
+/// Refuses a folder with results of another origin, or of one that is not known; those of fewer of what `counts` has are the beginning of
+/// these. Throws ResultError `FILE: what differs; what to do`.
 void refuse_other_results(const std::filesystem::path& directory, const ResultOrigin& origin);
 
 }  // namespace musim::lsdem::study

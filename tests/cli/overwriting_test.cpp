@@ -57,7 +57,7 @@ TEST_CASE("commands do not write over results of another scene or other options 
                                                        {pair + "--length 1/4", pair + "--length 1/16"},
                                                        {"sequence two_motions.json", "sequence one_motion.json"},
                                                        {"ensemble two.json --members 2", "ensemble three.json --members 2"},
-                                                       {"bench twins two.json --models 1", "bench twins two.json --models 2"}}) {
+                                                       {"bench twins two.json --models 2", "bench twins two.json --models 1"}}) {
         check_command(here, command);
     }
     // before they compute
@@ -78,4 +78,20 @@ TEST_CASE("a record that has changed makes other results and the path to the sce
     const Outcome refused = here.run("run scene.json -o out");
     CHECK(refused.exit_code == 3);
     CHECK_MESSAGE(refused.err.find("these differ: base_motion") != std::string::npos, refused.err);
+}
+
+TEST_CASE("results of fewer models are a beginning and the same number in another way is the same option") {
+    const Workplace here;
+    here.write("two.json", make_scene("2", "\"base_motion\": " + kJolt));
+    REQUIRE(here.run("bench twins two.json --models 1 --duration 1/100 -o out").exit_code == 0);
+    CHECK(here.run("bench twins two.json --models 2 --duration 0.01 -o out").exit_code == 0);
+    const Outcome fewer = here.run("bench twins two.json --models 1 --duration 0.01 -o out");
+    CHECK(fewer.exit_code == 3);
+    CHECK_MESSAGE(fewer.err.find("these differ: --models") != std::string::npos, fewer.err);
+    // the default is more than two
+    CHECK(here.run("bench twins two.json --duration 0.01 -o out").exit_code == 0);
+    const std::string pair = "pair two.json --twins 0 --no-half-step -o paired ";
+    REQUIRE(here.run(pair + "--length 1/25 --length 1/4").exit_code == 0);
+    CHECK(here.run(pair + "--length 0.04 --length 0.25").exit_code == 0);
+    CHECK(here.run(pair + "--length 0.04 --length 0.2").exit_code == 3);
 }
