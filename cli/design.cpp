@@ -12,6 +12,7 @@
 #include "cli/commands.hpp"
 #include "cli/design_output.hpp"
 #include "cli/input_file.hpp"
+#include "cli/interruption.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/preset_materials.hpp"
@@ -132,7 +133,7 @@ void add_design_command(CLI::App& app, Action& action) {
         "  musim design examples/design/uncertain.json --monte-carlo --seed 7\n"
         "  musim design examples/design/tower.json --format markdown > campaign.md\n"
         "  musim design examples/design/tower.json --json");
-    command->callback([&action, options] { action = [options] { return run_design(*options); }; });
+    command->callback([&action, options] { action = [options] { return run_whole([&] { return run_design(*options); }); }; });
 }
 
 }  // namespace musim::cli

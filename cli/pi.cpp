@@ -9,6 +9,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/input_file.hpp"
+#include "cli/interruption.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/pi_report.hpp"
@@ -96,7 +97,7 @@ void add_pi_command(CLI::App& app, Action& action) {
         "  musim pi examples/pi/tower.json --repeating rho,l,g --express \"v/sqrt(mu*g*l)\"\n"
         "  musim pi examples/pi/uncertain.json --monte-carlo --seed 7\n"
         "  musim pi examples/pi/sphere_drag.json --all --format markdown");
-    command->callback([&action, options] { action = [options] { return run_pi(*options); }; });
+    command->callback([&action, options] { action = [options] { return run_whole([&] { return run_pi(*options); }); }; });
 }
 
 }  // namespace musim::cli

@@ -9,6 +9,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/damping_ratio.hpp"
+#include "cli/interruption.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/output_files.hpp"
@@ -131,7 +132,7 @@ void add_record_spectrum_command(CLI::App& record, Action& action) {
         "components "
         "of\n"
         "each file, or two files with one component each. Uncorrected records are taken above their initial level.");
-    command->callback([&action, options] { action = [options] { return run_record_spectrum(*options); }; });
+    command->callback([&action, options] { action = [options] { return run_whole([&] { return run_record_spectrum(*options); }); }; });
 }
 
 }  // namespace musim::cli

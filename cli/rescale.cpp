@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cli/commands.hpp"
+#include "cli/interruption.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/output_files.hpp"
@@ -115,7 +116,7 @@ void add_rescale_command(CLI::App& app, Action& action) {
         "Where factors carry uncertainties, e.g. 0.63+/-0.03, the record is scaled by their values, and the model's measures are told with "
         "u, a\n"
         "standard uncertainty; those of --monte-carlo with intervals that cover 95 %.");
-    command->callback([&action, options] { action = [options] { return run_rescale(*options); }; });
+    command->callback([&action, options] { action = [options] { return run_whole([&] { return run_rescale(*options); }); }; });
 }
 
 }  // namespace musim::cli

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.hpp"
+#include "cli/interruption.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/report.hpp"
@@ -163,7 +164,7 @@ void add_scale_command(CLI::App& app, Action& action) {
         "order;\n"
         "u is a standard uncertainty, intervals of --monte-carlo cover 95 %. \"as shaken\": the groups of a test that is shaken with the "
         "factors' values.");
-    command->callback([&action, options] { action = [options] { return run_scale(*options); }; });
+    command->callback([&action, options] { action = [options] { return run_whole([&] { return run_scale(*options); }); }; });
 }
 
 }  // namespace musim::cli

@@ -10,6 +10,7 @@
 
 #include "records/detail/oscillator.hpp"
 #include "records/detail/oscillator_walk.hpp"
+#include "scaling/interruption.hpp"
 
 namespace musim::records {
 namespace {
@@ -103,6 +104,7 @@ class OscillatorBatch {
 
 /// Fills in the responses at some of the spectrum's periods, at most kBatch, which have as many substeps.
 void compute_batch(const TimeSeries& acceleration, std::span<const std::size_t> members, ResponseSpectrum& spectrum) {
+    scaling::stop_if_interrupted();
     Lane theta{};
     for (std::size_t k = 0; k < kBatch; ++k)
         theta[k] = detail::find_theta(spectrum.period[members[std::min(k, members.size() - 1)]] * scaling::si::seconds, acceleration.dt());

@@ -24,7 +24,7 @@ struct ResponseSpectrum {
 /// between them are found to 1e-4 for T ≥ dt/10 (below, to 3 %), from rest at the first sample to the last. T = 0 stands for a rigid
 /// oscillator. Any damping ratio ζ from 0 to kLargestDamping, above critical too. What is computed depends on T/dt and ζ only: a record
 /// scaled in time and amplitude has the scaled spectrum. Throws ProcessingError for another quantity and for a period or damping ratio out
-/// of range.
+/// of range, scaling::Interrupted.
 ResponseSpectrum compute_response_spectrum(const TimeSeries& acceleration, std::span<const scaling::Time> periods, double damping = 0.05);
 
 /// u(t) of one oscillator, at the samples only; as above, but T must be positive.

@@ -11,6 +11,7 @@
 
 #include "records/detail/oscillator_walk.hpp"
 #include "records/response_spectrum.hpp"
+#include "scaling/interruption.hpp"
 
 namespace musim::records {
 namespace {
@@ -151,6 +152,7 @@ std::vector<RotatedPeaks> compute_rotated_spectrum(const TimeSeries& first, cons
     require_periods(periods);
     std::vector<RotatedPeaks> spectrum;
     for (const scaling::Time& period : periods) {
+        scaling::stop_if_interrupted();
         if (period.value() == 0.0) {
             spectrum.push_back(find_rotated_peaks(first.samples(), second.samples()));
             continue;

@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 
 #include <string>
+#include <vector>
 
 #include "tests/cli/program.hpp"
 
@@ -74,4 +75,25 @@ TEST_CASE("an interrupted preparation goes on with the same command") {
     CHECK(outcome.exit_code == 143);
     CHECK(outcome.err == "musim: interrupted by SIGTERM: the same command again goes on from what is in out\n");
     CHECK(here.count("out") == 1);
+}
+
+TEST_CASE("scales and spectra that are interrupted say that nothing was written") {
+    const Workplace here;
+    REQUIRE(here.run("rescale synthetic --length 1 --law froude -o record.csv").exit_code == 0);
+    const std::string drawn = " --monte-carlo 1000000";
+    for (const std::string& command :
+         std::vector<std::string>{"scale --length 1/25+/-1% --friction 1+/-5%" + drawn,
+                                  "rescale record.csv --length 1/25+/-1% --friction 1+/-5% -o out.csv" + drawn,
+                                  "design '" MUSIM_SOURCE_DIR "/examples/design/uncertain.json'" + drawn,
+                                  std::string("record spectrum record.csv --periods 0.001 10 100000 -o out.csv --threads 1")}) {
+        CAPTURE(command);
+        const Outcome outcome = here.interrupt(command, "TERM", "sleep 0.3");
+        CHECK(outcome.exit_code == 143);
+        CHECK_MESSAGE(outcome.err == "musim: interrupted by SIGTERM: nothing was written; start the command again\n", outcome.err);
+        CHECK(outcome.out.empty());
+        CHECK_FALSE(here.has("out.csv"));
+        // nothing but the record
+        CHECK(here.count() == 1);
+    }
+    CHECK(here.interrupt("scale --length 1/25+/-1% --friction 1+/-5%" + drawn, "INT", "sleep 0.3").exit_code == 130);
 }
