@@ -173,7 +173,10 @@ BuiltModel build_model(const Scene& scene) {
     model.face_contact = scene.face_contact;
 
     built.structure.spine = arrangement.spine;
-    for (const Placement& placement : arrangement.blocks) built.structure.layer.push_back(placement.layer);
+    for (const Placement& placement : arrangement.blocks) {
+        built.structure.layer.push_back(placement.layer);
+        built.structure.level.push_back(placement.level);
+    }
     return built;
 }
 

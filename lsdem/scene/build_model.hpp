@@ -9,7 +9,7 @@
 namespace musim::lsdem::scene {
 
 /// The blocks whose motion is kept: one vertical line of a structure, on its outer face, at every second layer (levels 1, 3, ...). Of an
-/// explicit list: all blocks, or 64 spread evenly over a longer list, block i at level i + 1.
+/// explicit list: all blocks, or 64 spread evenly over a longer list, at their levels by height.
 struct SpineLine {
     std::vector<std::size_t> block;  ///< index into Model::blocks
     std::vector<int> level;          ///< from 1 at the base
@@ -18,6 +18,7 @@ struct SpineLine {
 /// Places in a model that results speak of.
 struct StructureInfo {
     std::vector<int> layer;  ///< of every block, from 1 at the base; 0: in no layer
+    std::vector<int> level;  ///< of every block, from 1 at the base: its layer, or what find_levels says of blocks in none
     SpineLine spine;
 };
 

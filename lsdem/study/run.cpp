@@ -68,7 +68,11 @@ std::uint64_t divide_evenly(std::uint64_t all, std::uint64_t most) {
 
 Specimen make_upright_specimen(const scene::Scene& scene) {
     scene::BuiltModel built = scene::build_model(scene);
-    return {std::move(built.model), {built.structure.spine.block, built.structure.spine.level}, std::move(built.structure.layer), {}};
+    return {std::move(built.model),
+            {built.structure.spine.block, built.structure.spine.level},
+            std::move(built.structure.layer),
+            {},
+            std::move(built.structure.level)};
 }
 
 bool wants_preparation(const scene::Scene& scene, const Specimen& upright) {

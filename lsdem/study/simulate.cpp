@@ -12,7 +12,6 @@
 #include "lsdem/block_height.hpp"
 #include "lsdem/fallen.hpp"
 #include "lsdem/rotation.hpp"
-#include "lsdem/scene/levels.hpp"
 #include "lsdem/study/detail/advance_in_pieces.hpp"
 #include "lsdem/study/fallen_blocks.hpp"
 #include "lsdem/time_step.hpp"
@@ -29,18 +28,8 @@ BlockTable make_block_table(const Specimen& specimen) {
         table.size.emplace_back(2.0 * half_extents(specimen.model, block));
         table.mass.push_back(block.mass);
     }
-    table.layer = specimen.layer;
+    table.layer = specimen.level.empty() ? specimen.layer : specimen.level;
     table.layer.resize(table.mass.size(), 0);
-    // blocks that are listed one by one: by their heights
-    if (std::all_of(table.layer.begin(), table.layer.end(), [](int layer) { return layer == 0; })) {
-        std::vector<Vector3> position, extent;
-        for (std::size_t b = 0; b < table.size.size(); ++b) {
-            const Block& block = specimen.model.blocks[b];
-            position.push_back(block.position);
-            extent.emplace_back(block.orientation.toRotationMatrix().cwiseAbs() * table.size[b]);
-        }
-        table.layer = scene::find_levels(position, extent);
-    }
     return table;
 }
 

@@ -18,6 +18,7 @@ struct Specimen {
     Spine spine;
     std::vector<int> layer;            ///< of every block, from 1 at the base; 0: in no layer
     std::optional<Settling> settling;  ///< how it comes to rest before t = 0; nothing: it starts as it is
+    std::vector<int> level = {};       ///< of every block, from 1 at the base, see scene::StructureInfo; empty: the layers
 };
 
 /// How to carry out a run; none of it changes the results.

@@ -30,7 +30,7 @@ Placement place(const Vector3& size, const Vector3& position, int layer) {
     Placement block;
     block.size = block.whole_size = size;
     block.position = position;
-    block.layer = layer;
+    block.layer = block.level = layer;
     return block;
 }
 
@@ -55,6 +55,7 @@ Arrangement arrange(const BlockList& list, const ShapeSettings& shape) {
         extent.emplace_back(block.orientation.toRotationMatrix().cwiseAbs() * block.size);
     }
     const std::vector<int> levels = find_levels(position, extent);
+    for (std::size_t i = 0; i < levels.size(); ++i) arrangement.blocks[i].level = levels[i];
     const std::size_t count = list.blocks.size();
     const std::size_t kept = std::min(count, kLargestSpine);
     for (std::size_t k = 0; k < kept; ++k) {

@@ -22,6 +22,7 @@ struct Placement {
     bool rotation_locked = false;
     std::string material;  ///< key of Scene::materials; empty: Scene::material
     int layer = 0;         ///< from 1 at the base; 0: in no layer
+    int level = 0;         ///< from 1 at the base: the layer, or by height
 
     /// Edge lengths of the block itself, its own height included [m].
     Vector3 own_size() const { return {size.x(), size.y(), size.z() + height_offset}; }
