@@ -119,7 +119,7 @@ void add_bench_similitude_command(CLI::App& bench, Action& action) {
     CLI::App* command =
         bench.add_subcommand("similitude", "Laws of similitude against the simulator: groups kept equal, and one broken on purpose");
     command->add_option("-o,--out", options->out, "Directory for similitude.csv and a figure per law")->type_name("DIR");
-    command->add_option("--law", options->law, "Only this law (default: all)")->check(CLI::IsMember(study::similitude_law_names()));
+    command->add_option("--law", options->law, "Only this law (default: all)")->check(one_of(study::similitude_law_names()));
     add_format_option(*command, options->style, "Form of the table");
     add_threads_option(*command, options->threads);
     options->overwriting.add_to(*command);

@@ -209,7 +209,8 @@ int run_bench_verdict(const BenchVerdictOptions& options) {
     for (const std::string& file : options.scenes) prototypes.push_back(read_prototype(file, options));
     std::optional<study::ResultFolder> folder;
     if (!options.out.empty()) {
-        study::ResultOrigin origin = options.overwriting.origin_with_options();
+        study::ResultOrigin origin =
+            options.overwriting.origin_with_options({{"--sets", plan.sets}, {"--models", plan.models}, {"--images", plan.images}});
         for (std::size_t k = 0; k < prototypes.size(); ++k) origin.add(prototypes[k], options.scenes[k] + ": ");
         folder.emplace(options.out, std::move(origin), options.overwriting.choice());
     }
@@ -243,7 +244,10 @@ void add_bench_verdict_command(CLI::App& bench, Action& action) {
     command->add_option("scenes", options->scenes, "Scene files of prototypes")->required()->type_name("SCENE.json...");
     command->add_option("-o,--out", options->out, "Directory for verdicts.json and what each run leaves")->type_name("DIR");
     const auto add_count = [&](const char* name, std::size_t& value, const char* text, std::size_t least) {
-        command->add_option(name, value, text)->type_name("N")->check(CLI::Range(least, std::size_t{100000}))->capture_default_str();
+        command->add_option(name, value, text)
+            ->type_name("N")
+            ->check(whole_between(static_cast<long long>(least), 100000))
+            ->capture_default_str();
     };
     add_count("--sets", plan.sets, "Sets of twins of each scene", 1);
     add_count("--twins", plan.twins, "Twins of a set", 2);
@@ -252,7 +256,7 @@ void add_bench_verdict_command(CLI::App& bench, Action& action) {
     command->add_option("--errors", options->errors, "Errors put into models on purpose, e.g. friction,gravity, or all (default: none)")
         ->type_name("LIST")
         ->delimiter(',')
-        ->check(CLI::IsMember(error_names()));
+        ->check(one_of(error_names()));
     command->add_option("--sizes", options->sizes, "Their sizes [-] (default 1e-8,1e-7,1e-6)")
         ->type_name("LIST")
         ->delimiter(',')

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "cli/options.hpp"
 #include "lsdem/scene/material_presets.hpp"
 
 namespace musim::cli {
@@ -14,7 +15,7 @@ void SampleOptions::add_to(CLI::App& command) {
     command.add_option("--material", material, "Preset for block and contacts (`musim calibrate presets` lists them)")
         ->required()
         ->type_name("PRESET")
-        ->check(CLI::IsMember(scene::material_preset_names()));
+        ->check(one_of(scene::material_preset_names()));
     command.add_option("--block", block, "Edge lengths b w H [m], instead of the preset's; its stiffnesses are fitted to them")
         ->expected(3)
         ->type_name("NUMBER")

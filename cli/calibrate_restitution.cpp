@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cli/interruption.hpp"
+#include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/progress_line.hpp"
 #include "lsdem/study/calibration_files.hpp"
@@ -166,7 +167,7 @@ void add_restitution_command(CLI::App& calibrate, Action& action) {
         ->check(above_zero());
     command->add_option("--support", options->support, "What it rocks on")
         ->capture_default_str()
-        ->check(CLI::IsMember({"ground", "two_blocks", "both"}));
+        ->check(one_of({"ground", "two_blocks", "both"}));
     command->add_option("--target", options->target, "Wanted mean energy ratio: C_res is searched on every curve")
         ->type_name("NUMBER")
         ->check(above_zero())

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cli/interruption.hpp"
+#include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/progress_line.hpp"
 #include "lsdem/scene/material_presets.hpp"
@@ -161,10 +162,10 @@ void add_stiffness_command(CLI::App& calibrate, Action& action) {
     auto options = std::make_shared<StiffnessOptions>();
     CLI::App* command = calibrate.add_subcommand("stiffness", "k_n and k_s from the wave speed in a column");
     options->test.add_to(*command, "wave_normal and wave_shear, as csv and svg");
-    command->add_option("--layers", options->layers, "Blocks in the column")->capture_default_str()->check(CLI::Range(20, 10000));
+    command->add_option("--layers", options->layers, "Blocks in the column")->capture_default_str()->check(whole_between(20, 10000));
     command->add_option("--criterion", options->criterion, "When a layer counts as reached")
         ->capture_default_str()
-        ->check(CLI::IsMember({"half_velocity", "displacement"}));
+        ->check(one_of({"half_velocity", "displacement"}));
     command->add_flag("--raw", options->raw, "The target is the speed by the criterion, not the effective one without its bias");
     command->add_flag("--damped", options->damped, "Contacts with the material's restitution (default: springs only)");
     command->add_option("--speed-normal", options->speed_normal, "Wanted speed of the normal wave [m/s]: k_n is searched")

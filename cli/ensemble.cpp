@@ -215,7 +215,7 @@ void add_ensemble_command(CLI::App& app, Action& action) {
     compare->type_name("DIR DIR...")->expected(2, 1000)->excludes(scene_file)->excludes(out);
     command->add_option("--members", options->members, "How many seeds, from the scene's on")
         ->type_name("N")
-        ->check(CLI::Range(1, 100000))
+        ->check(whole_between(1, 100000))
         ->capture_default_str();
     command
         ->add_option("--specimens", options->specimens,
@@ -228,7 +228,7 @@ void add_ensemble_command(CLI::App& app, Action& action) {
         ->check(above_zero())
         ->excludes(list);
     command->add_option("--axis", options->axis, "Axis of the main motion (default: along which the base moves most)")
-        ->check(CLI::IsMember({"x", "y", "z"}));
+        ->check(one_of({"x", "y", "z"}));
     add_checkpoint_interval_option(*command, options->checkpoint_interval);
     options->overwriting.add_to(*command);
     add_threads_option(*command, options->threads);

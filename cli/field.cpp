@@ -166,9 +166,9 @@ void add_field_command(CLI::App& app, Action& action) {
         ->type_name("VELOCITY");
     CLI::Option* format = command->add_option("--format", options->formats, "Kinds of picture (default: svg and png)")
                               ->delimiter(',')
-                              ->check(CLI::IsMember({"svg", "png", "pdf"}));
+                              ->check(one_of({"svg", "png", "pdf"}));
     CLI::Option* film = command->add_option("--film", options->film, "All frames, one picture each; mp4 and gif need ffmpeg");
-    film->check(CLI::IsMember({"png", "mp4", "gif"}))->excludes(at)->excludes(format);
+    film->check(one_of({"png", "mp4", "gif"}))->excludes(at)->excludes(format);
     command->add_option("--window", options->window, "Part of the run that is filmed [s]")->expected(2)->type_name("FROM TO")->needs(film);
     command->add_option("--rate", options->rate, "Pictures of the film a second")
         ->default_str("25")

@@ -2,17 +2,19 @@
 
 #include <CLI/CLI.hpp>
 
+#include "cli/options.hpp"
+
 namespace musim::cli {
 
 namespace study = lsdem::study;
 
 void FieldOptions::add_to(CLI::App& command) {
     command.add_option("--view", side, "Side on which the camera stands (default: the motion goes from left to right)")
-        ->check(CLI::IsMember({"+x", "-x", "+y", "-y"}));
+        ->check(one_of({"+x", "-x", "+y", "-y"}));
     command.add_option("--component", component, "Velocity that gives the colour")
         ->capture_default_str()
-        ->check(CLI::IsMember({"right", "up", "speed"}));
-    command.add_option("--pixels", pixels, "Columns of the image grid")->capture_default_str()->check(CLI::Range(8, 4000));
+        ->check(one_of({"right", "up", "speed"}));
+    command.add_option("--pixels", pixels, "Columns of the image grid")->capture_default_str()->check(whole_between(8, 4000));
 }
 
 study::CameraSettings FieldOptions::camera(int axis) const {

@@ -113,7 +113,7 @@ void add_report_command(CLI::App& app, Action& action) {
     command->add_option("--format", options->formats, "Kinds of these files")
         ->delimiter(',')
         ->default_str("svg")
-        ->check(CLI::IsMember({"svg", "pdf", "png"}))
+        ->check(one_of({"svg", "pdf", "png"}))
         ->needs(figures);
     options->source.add_to(*command);
     add_json_option(*command, options->json);

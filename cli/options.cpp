@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <CLI/App.hpp>
 #include <CLI/Error.hpp>
 #include <CLI/Option.hpp>
@@ -15,8 +16,10 @@
 #include "cli/output.hpp"
 #include "cli/uncertain_options.hpp"
 #include "scaling/law_similitude.hpp"
+#include "scaling/nearest_name.hpp"
 #include "scaling/number.hpp"
 #include "scaling/scale_law_catalogue.hpp"
+#include "scaling/shorten.hpp"
 
 namespace musim::cli {
 namespace {
@@ -199,7 +202,7 @@ CLI::Option* add_format_option(CLI::App& command, scaling::ReportStyle& style, c
     };
     return command.add_option("--format", CLI::callback_t(take), help)
         ->type_name("FORMAT")
-        ->check(CLI::IsMember({"text", "markdown", "latex"}))
+        ->check(one_of({"text", "markdown", "latex"}))
         ->default_str("text");
 }
 
@@ -214,6 +217,27 @@ CLI::Validator not_negative() {
 CLI::Validator between(double low, double high) {
     return check_number([low, high](double number) { return number >= low && number <= high; },
                         fmt::format(" is not from {:g} to {:g}", low, high));
+}
+
+CLI::Validator whole_between(long long low, long long high) {
+    return {[low, high](const std::string& text) {
+                long long number = 0;
+                const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+                const bool is_whole = error == std::errc() && end == text.data() + text.size();
+                if (is_whole && number >= low && number <= high) return std::string();
+                return fmt::format("{} is {}; give a whole number from {} to {}", scaling::shorten(text),
+                                   is_whole ? "out of range" : "no whole number", low, high);
+            },
+            ""};
+}
+
+CLI::Validator one_of(const std::vector<std::string>& names) {
+    return {[names](const std::string& text) {
+                if (std::find(names.begin(), names.end(), text) != names.end()) return std::string();
+                return fmt::format("\"{}\" is not known{}; give one of {}", scaling::shorten(text), scaling::hint_at_name(text, names),
+                                   fmt::join(names, ", "));
+            },
+            fmt::format("{{{}}}", fmt::join(names, ","))};
 }
 
 void add_checkpoint_interval_option(CLI::App& command, Number& seconds) {

@@ -130,6 +130,12 @@ CLI::Validator above_zero();
 CLI::Validator not_negative();
 CLI::Validator between(double low, double high);
 
+/// A check of a whole number from `low` to `high`.
+CLI::Validator whole_between(long long low, long long high);
+
+/// A check of a word that is one of `names`; another gets the nearest.
+CLI::Validator one_of(const std::vector<std::string>& names);
+
 /// Adds --threads; 0 means all cores.
 void add_threads_option(CLI::App& command, int& threads);
 

@@ -314,7 +314,7 @@ void add_pair_command(CLI::App& app, Action& action) {
     command
         ->add_option("--materials", options->materials,
                      "exact: scaled so that every group is equal; own: measured for each scale (default: exact, of scene files own)")
-        ->check(CLI::IsMember({"exact", "own"}));
+        ->check(one_of({"exact", "own"}));
     CLI::Option* law = command
                            ->add_option("--law", options->law,
                                         "With exact materials: scale by this law of `musim scale --laws` or law file (default: exact)")
@@ -334,7 +334,7 @@ void add_pair_command(CLI::App& app, Action& action) {
         ->add_option("--specimens", options->specimens,
                      "Other specimens of the prototype to hold own models against (default: 4 when block heights are drawn)")
         ->type_name("N")
-        ->check(CLI::Range(0, 1000));
+        ->check(whole_between(0, 1000));
     command
         ->add_option("--accept", options->accept,
                      "Accept own models whose peak velocity and residual displacement of the top and losses differ by no more, e.g. 5%; "
@@ -344,12 +344,12 @@ void add_pair_command(CLI::App& app, Action& action) {
                       "With own materials: also run a model for each property that differs, exact otherwise, and tell what it does alone");
     command->add_option("--twins", options->twins, "Twins to judge by; 0: none (default: none when models agree to rounding, else 2 or 8)")
         ->type_name("N")
-        ->check(CLI::Range(0, 1000));
+        ->check(whole_between(0, 1000));
     command->add_option("--seed", options->seed, "Of the twins")->type_name("N")->check(not_negative())->capture_default_str();
     command
         ->add_option("--specimen", options->specimen,
                      "one: exact models start from the prototype's specimen; each: every scale lays its own")
-        ->check(CLI::IsMember({"one", "each"}))
+        ->check(one_of({"one", "each"}))
         ->capture_default_str();
     command->add_flag("--no-half-step", options->no_half_step, "Leave out the prototype's run at half its time step");
     CLI::Option* record =

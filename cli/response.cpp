@@ -138,7 +138,7 @@ void add_response_command(CLI::App& app, Action& action) {
     command->add_option("directory", options->directory, "Directory of results, as `musim run -o` writes it")->required()->type_name("DIR");
     CLI::Option* out = command->add_option("-o,--out", options->out, "Directory for tables and pictures")->type_name("OUT");
     command->add_option("--axis", options->axis, "Axis of the speeds (default: along which the base moves most)")
-        ->check(CLI::IsMember({"x", "y", "z"}));
+        ->check(one_of({"x", "y", "z"}));
     command->add_option("--threshold", options->threshold, "Velocity that counts as arrival, over the base's peak")
         ->default_str("0.1")
         ->type_name("NUMBER")

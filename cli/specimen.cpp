@@ -169,7 +169,7 @@ void add_specimen_command(CLI::App& app, Action& action) {
         ->excludes(out);
     command->add_option("--placing", options->placing, "How blocks come to their places, instead of the scene's own way")
         ->type_name("quick_layers|layers|resting|as_drawn")
-        ->check(CLI::IsMember(scene::placing_names()));
+        ->check(one_of(scene::placing_names()));
     command->add_option("--seeds", options->seeds, "Specimens with as many seeds, from the scene's on")
         ->type_name("N")
         ->check(above_zero())

@@ -132,7 +132,7 @@ void MonteCarloOptions::add_to(CLI::App& command) {
                                 "deviation (default {})",
                                 distribution))
         ->type_name("NAME")
-        ->check(CLI::IsMember({"normal", "lognormal", "uniform"}))
+        ->check(one_of({"normal", "lognormal", "uniform"}))
         ->needs(samples);
 }
 

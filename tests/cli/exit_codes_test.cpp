@@ -110,3 +110,28 @@ TEST_CASE("a mistyped command or option gets the nearest known one also where so
     }
     check_refusal(here, "scale --length 1/25 --law frode", 3, "there is no law \"frode\" (did you mean \"froude\"?)");
 }
+
+TEST_CASE("a number out of range and a word that is not known are refused with what may stand there") {
+    struct Case {
+        const char* arguments;
+        const char* message;
+    };
+    const FilledWorkplace here;
+    here.write("noise", R"({"schema": "musim-scene/1", "name": "column", "material": "woood",
+        "structure": {"kind": "column", "layers": 2, "block": ["1 m", "1 m", "1 m"]}, "time": {"duration": "1 ms"}})");
+    for (const Case& c :
+         {Case{"ensemble noise -o out --members -1", "--members: -1 is out of range; give a whole number from 1 to 100000"},
+          Case{"ensemble noise -o out --members 1.5", "--members: 1.5 is no whole number; give a whole number from 1"},
+          Case{"ensemble noise -o out --members 99999999999999999999", "give a whole number from 1 to 100000"},
+          Case{"pair noise --twins -1", "--twins: -1 is out of range; give a whole number from 0 to 1000"},
+          Case{"pair noise --specimens 1001", "--specimens: 1001 is out of range; give a whole number from 0 to 1000"},
+          Case{"bench verdict noise --twins 1", "--twins: 1 is out of range; give a whole number from 2 to 100000"},
+          Case{"bench twins noise --models 0", "--models: 0 is out of range; give a whole number from 1 to 100000"},
+          Case{"calibrate stiffness --material wood --layers 2", "--layers: 2 is out of range; give a whole number from 20"},
+          Case{"field run -o out --pixels 4001", "--pixels: 4001 is out of range; give a whole number from 8 to 4000"},
+          Case{"calibrate friction --material woood", "--material: \"woood\" is not known (did you mean \"wood\"?); give one of wood,"},
+          Case{"scale --length 1/25 --format latx", "--format: \"latx\" is not known (did you mean \"latex\"?); give one of text,"}}) {
+        check_refusal(here, c.arguments, 2, c.message);
+    }
+    check_refusal(here, "run noise", 3, "noise: /material: \"woood\" is not a known material (did you mean \"wood\"?)");
+}

@@ -211,7 +211,8 @@ TEST_CASE("uncertainties that cannot be are one error line that names the option
              Case{"--monte-carlo 1.5", "--monte-carlo: \"1.5\": is no number of samples", 2},
              Case{"--monte-carlo", "Monte Carlo: nothing is uncertain", 3},
              Case{"--friction 1+/-5% --monte-carlo 10", "--monte-carlo: \"10\": is no number of samples; write a whole one from 1000", 2},
-             Case{"--friction 1+/-5% --monte-carlo --distribution gauss", "--distribution: gauss not in {normal,lognormal,uniform}", 2},
+             Case{"--friction 1+/-5% --monte-carlo --distribution gauss",
+                  "--distribution: \"gauss\" is not known; give one of normal, lognormal, uniform", 2},
              Case{"--friction 1+/-5% --law exact", "friction is uncertain, and the law admits its value alone (law exact: mu = 0.9990", 3},
              Case{"--friction \"(0.63+/-5%)/(0.59+/-5%)\" --friction-prototype 0.6", "the prototype's friction coefficient is 0.6", 3},
          }) {
