@@ -31,6 +31,7 @@ std::string as_element(std::string script) {
 
 constexpr const char* kControls = R"(<div class="tower" id="tower">
 <div class="tower-view"><canvas id="tower-canvas" tabindex="0" role="img" aria-label="Blocks in three dimensions"></canvas>
+<button type="button" id="tower-handle" aria-label="Drag to turn the blocks">turn</button>
 <p id="tower-message" role="status"></p></div>
 <div class="tower-controls">
 <p class="row moving"><button type="button" id="tower-play" aria-pressed="false">Play</button>
@@ -83,7 +84,7 @@ ReportSection make_tower_section(const ReportContent& content) {
         if (data.rounding.force > 0.0) rounding += fmt::format(", contact forces to {:.2g} weights", data.rounding.force);
     }
     section.html += "<p class=\"small\">Rounded, at most, by " + escape_html(rounding) +
-                    ". Drag to turn, wheel or + and − to come nearer, arrow keys turn and space plays when the picture has the focus; "
+                    ". Drag to turn (two fingers, or one on the round button), wheel or + and − to come nearer, arrow keys turn and space plays when the picture has the focus; "
                     "click a block for its "
                     "history.</p>\n";
     return section;

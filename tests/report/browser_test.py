@@ -52,6 +52,8 @@ def open_browser(width, height, dark):
         options.add_argument(argument)
     options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
     browser = webdriver.Chrome(service=Service(shutil.which("chromedriver")), options=options)
+    # a window is no narrower than 500 pixels, a phone is
+    browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": False})
     if dark:
         browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": [{"name": "prefers-color-scheme", "value": "dark"}]})
     return browser
@@ -221,7 +223,7 @@ def check_views(browser, pictures, name):
 
 
 def check_layout(browser, page, pictures):
-    for name, width, dark in (("light", 1280, False), ("phone", 390, False), ("dark", 1280, True)):
+    for name, width, dark in (("light", 1280, False), ("tablet", 768, False), ("phone", 390, False), ("dark", 1280, True)):
         other = open_browser(width, 900, dark)
         try:
             open_report(other, page)
@@ -237,6 +239,51 @@ def check_layout(browser, page, pictures):
                 other.save_screenshot(str(pictures / f"{name}_{place}.png"))
         finally:
             other.quit()
+
+
+def touch(browser, kind, *points):
+    browser.execute_cdp_cmd("Input.dispatchTouchEvent", {"type": kind, "touchPoints": [{"x": x, "y": y, "id": i} for i, (x, y) in enumerate(points)]})
+
+
+def check_touch(page, pictures):
+    """On a phone one finger on the blocks scrolls the page; two, or one on the handle, turn them."""
+    browser = open_browser(390, 900, False)
+    try:
+        browser.execute_cdp_cmd("Emulation.setTouchEmulationEnabled", {"enabled": True, "maxTouchPoints": 2})
+        open_report(browser, page)
+        browser.execute_script("document.getElementById('tower-canvas').scrollIntoView({block: 'center'})")
+        camera = "return window.musimTower.camera.position.toArray()"
+        middle = "const r = document.getElementById(arguments[0]).getBoundingClientRect(); return [r.x + r.width / 2, r.y + r.height / 2]"
+        x, y = browser.execute_script(middle, "tower-canvas")
+
+        before, scrolled = browser.execute_script(camera), browser.execute_script("return window.scrollY")
+        touch(browser, "touchStart", (x, y))
+        for k in range(1, 11):
+            touch(browser, "touchMove", (x, y - 20 * k))
+            time.sleep(0.02)
+        touch(browser, "touchEnd")
+        time.sleep(0.5)
+        check(browser.execute_script("return window.scrollY") > scrolled + 50, "one finger on the blocks does not scroll the page")
+        check(browser.execute_script(camera) == before, "one finger that scrolls turns the blocks, too")
+
+        browser.execute_script("document.getElementById('tower-canvas').scrollIntoView({block: 'center'})")
+        x, y = browser.execute_script(middle, "tower-canvas")
+        touch(browser, "touchStart", (x - 40, y), (x + 40, y))
+        for k in range(1, 6):
+            touch(browser, "touchMove", (x - 40 + 10 * k, y), (x + 40 + 10 * k, y))
+        touch(browser, "touchEnd")
+        turned = browser.execute_script(camera)
+        check(turned != before, "two fingers do not turn the blocks")
+
+        x, y = browser.execute_script(middle, "tower-handle")
+        touch(browser, "touchStart", (x, y))
+        for k in range(1, 6):
+            touch(browser, "touchMove", (x + 10 * k, y + 5 * k))
+        touch(browser, "touchEnd")
+        check(browser.execute_script(camera) != turned, "the handle does not turn the blocks")
+        browser.save_screenshot(str(pictures / "phone_handle.png"))
+    finally:
+        browser.quit()
 
 
 def main():
@@ -265,6 +312,7 @@ def main():
         finally:
             browser.quit()
         check_layout(browser, place / "pair.html", pictures)
+        check_touch(place / "pair.html", pictures)
         check_inputs(run, place)
         check_full_tower(run, place, pictures)
     print("reports are shown as they should be")

@@ -330,7 +330,9 @@
       this.groups.forEach(function (group) { this.scene.add(group.mesh); }, this);
       this.camera = new THREE.PerspectiveCamera(35, 1, 0.01, 100);
       this.camera.up.set(0, 0, 1);
+      this.leaveFingerToPage();
       this.controls = new THREE.OrbitControls(this.camera, this.canvas);
+      this.controls.touches.TWO = THREE.TOUCH.DOLLY_ROTATE;
       this.controls.enableKeys = false;
       this.controls.addEventListener("change", this.draw.bind(this));
       holder.classList.toggle("still", runs.every(function (run) { return run.stands; }));
@@ -340,6 +342,28 @@
       this.look("corner");
       this.chooseQuantity();
       this.update();
+    }
+
+    // One finger scrolls the page: the controls, which would keep it, see touches of two only.
+    leaveFingerToPage() {
+      ["touchstart", "touchmove"].forEach(function (name) {
+        this.canvas.addEventListener(name, function (event) { if (event.touches.length < 2) event.stopImmediatePropagation(); }, { passive: true });
+      }, this);
+    }
+
+    // What one finger turns the blocks by.
+    listenToHandle() {
+      const viewer = this, handle = part("handle"), kTurnPerPixel = 0.01;
+      let last = null;
+      handle.addEventListener("pointerdown", function (event) { last = [event.clientX, event.clientY]; handle.setPointerCapture(event.pointerId); });
+      handle.addEventListener("pointermove", function (event) {
+        if (!last) return;
+        viewer.turn(kTurnPerPixel * (last[0] - event.clientX), kTurnPerPixel * (last[1] - event.clientY));
+        last = [event.clientX, event.clientY];
+        viewer.controls.update();
+        viewer.draw();
+      });
+      ["pointerup", "pointercancel"].forEach(function (name) { handle.addEventListener(name, function () { last = null; }); });
     }
 
     fillControls() {
@@ -373,6 +397,7 @@
       this.canvas.addEventListener("pointerup", function (event) {
         if (down && Math.hypot(event.clientX - down[0], event.clientY - down[1]) < 4) viewer.pick(event);
       });
+      this.listenToHandle();
       this.canvas.addEventListener("keydown", function (event) { viewer.key(event); });
       new ResizeObserver(function () { viewer.resize(); }).observe(this.canvas.parentElement);
     }
