@@ -43,8 +43,9 @@ struct ResponsePeak {
             beyond = std::max(beyond, reach - most[k]);
         }
         if (!(beyond > 0.0 && fine)) return;
-        for (std::size_t k = 0; k < kBatch; ++k)
+        for (std::size_t k = 0; k < kBatch; ++k) {
             most[k] = std::max(most[k], detail::Cubic{last_value[k], last_slope[k], value[k], slope[k]}.find_peak());
+        }
     }
 };
 
@@ -106,8 +107,9 @@ class OscillatorBatch {
 void compute_batch(const TimeSeries& acceleration, std::span<const std::size_t> members, ResponseSpectrum& spectrum) {
     scaling::stop_if_interrupted();
     Lane theta{};
-    for (std::size_t k = 0; k < kBatch; ++k)
+    for (std::size_t k = 0; k < kBatch; ++k) {
         theta[k] = detail::find_theta(spectrum.period[members[std::min(k, members.size() - 1)]] * scaling::si::seconds, acceleration.dt());
+    }
     const detail::Substeps substeps = detail::find_substeps(theta[0], spectrum.damping);
     OscillatorBatch batch(theta, spectrum.damping, substeps);
     batch.run(acceleration.samples());
@@ -122,21 +124,25 @@ void compute_batch(const TimeSeries& acceleration, std::span<const std::size_t> 
 }  // namespace
 
 void require_damping(double damping) {
-    if (!(damping >= 0.0 && damping <= kLargestDamping))
+    if (!(damping >= 0.0 && damping <= kLargestDamping)) {
         throw ProcessingError(
             fmt::format("damping ratio is {} (must be a fraction of critical from 0 to {}); give 0.05 for 5 %", damping, kLargestDamping));
+    }
 }
 
 void require_periods(std::span<const scaling::Time> periods) {
-    for (const scaling::Time& period : periods)
-        if (!(std::isfinite(period.value()) && period.value() >= 0.0))
+    for (const scaling::Time& period : periods) {
+        if (!(std::isfinite(period.value()) && period.value() >= 0.0)) {
             throw ProcessingError(fmt::format("period is {} s (must be 0 or more); change it", period.value()));
+        }
+    }
 }
 
 std::vector<double> ResponseSpectrum::pseudo_velocity() const {
     std::vector<double> values(period.size(), 0.0);
-    for (std::size_t i = 0; i < period.size(); ++i)
+    for (std::size_t i = 0; i < period.size(); ++i) {
         if (period[i] > 0.0) values[i] = 2.0 * std::numbers::pi / period[i] * displacement[i];
+    }
     return values;
 }
 
@@ -167,9 +173,11 @@ ResponseSpectrum compute_response_spectrum(const TimeSeries& acceleration, std::
             flexible[detail::find_substeps(detail::find_theta(periods[i], acceleration.dt()), damping)].push_back(i);
         }
     }
-    for (const auto& [substeps, members] : flexible)
-        for (std::size_t first = 0; first < members.size(); first += kBatch)
+    for (const auto& [substeps, members] : flexible) {
+        for (std::size_t first = 0; first < members.size(); first += kBatch) {
             compute_batch(acceleration, std::span(members).subspan(first, std::min(kBatch, members.size() - first)), spectrum);
+        }
+    }
     return spectrum;
 }
 
@@ -193,13 +201,15 @@ TimeSeries compute_oscillator_response(const TimeSeries& acceleration, scaling::
 }
 
 std::vector<scaling::Time> make_periods(scaling::Time first, scaling::Time last, std::size_t count) {
-    if (!(first.value() > 0.0 && last > first && std::isfinite(last.value()) && count >= 2))
+    if (!(first.value() > 0.0 && last > first && std::isfinite(last.value()) && count >= 2)) {
         throw ProcessingError(fmt::format("{} periods from {} s to {} s are impossible (0 < first < last, at least 2); change them", count,
                                           first.value(), last.value()));
+    }
     std::vector<scaling::Time> periods;
     const double ratio = last.value() / first.value();
-    for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t i = 0; i < count; ++i) {
         periods.push_back(first * std::pow(ratio, static_cast<double>(i) / static_cast<double>(count - 1)));
+    }
     periods.back() = last;
     return periods;
 }

@@ -48,8 +48,9 @@ class Octagon {
     explicit Octagon(const Point& point) { corners_.fill(point); }
 
     void widen(const Point& point) {
-        for (std::size_t way = 0; way < kWays.size(); ++way)
+        for (std::size_t way = 0; way < kWays.size(); ++way) {
             if (along(way, point) > along(way, corners_[way])) corners_[way] = point;
+        }
         reach_ = std::max({reach_, std::abs(point.first), std::abs(point.second)});
     }
 
@@ -82,8 +83,9 @@ std::vector<Point> find_outer(std::span<const double> x, std::span<const double>
     Octagon octagon({x[0], y[0]});
     for (std::size_t i = 0; i < x.size(); ++i) octagon.widen({x[i], y[i]});
     std::vector<Point> outer = octagon.corners();
-    for (std::size_t i = 0; i < x.size(); ++i)
+    for (std::size_t i = 0; i < x.size(); ++i) {
         if (!octagon.holds({x[i], y[i]})) outer.emplace_back(x[i], y[i]);
+    }
     return outer;
 }
 
@@ -137,9 +139,10 @@ RotatedPeaks rotate(std::vector<Point> outer) {
 }  // namespace
 
 RotatedPeaks find_rotated_peaks(std::span<const double> x, std::span<const double> y) {
-    if (x.size() != y.size() || x.empty())
+    if (x.size() != y.size() || x.empty()) {
         throw ProcessingError(
             fmt::format("components have {} and {} samples (must be as many); cut them to one stretch", x.size(), y.size()));
+    }
     return rotate(find_outer(x, y));
 }
 
