@@ -84,7 +84,8 @@ ReportSection make_tower_section(const ReportContent& content) {
         if (data.rounding.force > 0.0) rounding += fmt::format(", contact forces to {:.2g} weights", data.rounding.force);
     }
     section.html += "<p class=\"small\">Rounded, at most, by " + escape_html(rounding) +
-                    ". Drag to turn (two fingers, or one on the round button), wheel or + and − to come nearer, arrow keys turn and space plays when the picture has the focus; "
+                    ". Drag to turn (two fingers, or one on the round button), wheel or + and − to come nearer, arrow keys turn and space "
+                    "plays when the picture has the focus; "
                     "click a block for its "
                     "history.</p>\n";
     return section;

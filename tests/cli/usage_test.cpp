@@ -69,8 +69,7 @@ TEST_CASE("a quantity with a dimension needs its unit, and a bad value is told w
     }
     const Outcome coloured = here.run("calibrate restitution --material \"$(printf '\\033[31mwood')\"");
     CHECK(coloured.exit_code == 2);
-    CHECK_MESSAGE(coloured.err.starts_with(
-                      "musim: error: --material: \" [31mwood\" is not known; give one of wood, concrete"),
+    CHECK_MESSAGE(coloured.err.starts_with("musim: error: --material: \" [31mwood\" is not known; give one of wood, concrete"),
                   coloured.err);
     const Outcome folder = here.run("scale --law . --set l=1/2");
     CHECK(folder.exit_code == 3);
