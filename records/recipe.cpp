@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "records/align.hpp"
 #include "records/detail/json_fields.hpp"
@@ -23,67 +26,99 @@ constexpr std::string_view kSchema = "musim-recipe/1";
 /// What comes before a step's own line in a history.
 constexpr std::string_view kHistoryMark = "{\"step\":";
 
-Step read_filter(JsonFields& reader) {
-    step::Filter filter;
-    filter.band = {reader.optional_quantity<scaling::Frequency>("low"), reader.optional_quantity<scaling::Frequency>("high")};
-    if (!filter.band.low && !filter.band.high) reader.fail("has no corner", "add \"low\", \"high\" or both");
-    filter.order = reader.integer("order", filter.order);
-    filter.phase = reader.is_second("phase", "zero", "causal") ? FilterPhase::causal : FilterPhase::zero;
-    return filter;
-}
+/// Names of the steps in recipes, in the order of Step.
+constexpr std::string_view kNames[] = {"align", "level",         "rest",   "differentiate", "baseline", "taper",  "pad",
+                                       "cut",   "energy_window", "filter", "amplify",       "resample", "rotate", "integrate"};
+static_assert(std::size(kNames) == std::variant_size_v<Step>);
 
-Step read_resample(JsonFields& reader) {
-    step::Resample resample{.dt = reader.quantity<scaling::Time>("dt")};
-    resample.between = reader.is_second("between", "band_limited", "straight") ? Between::straight : Between::band_limited;
-    return resample;
-}
-
-Step read_amplify(JsonFields& reader) {
-    if (!reader.has("factor")) reader.fail("factor is missing", "add it");
-    return step::Amplify{reader.number("factor", 1.0)};
-}
-
-Step read_energy_window(JsonFields& reader) {
-    const step::EnergyWindow standard;
-    return step::EnergyWindow{reader.number("from", standard.from), reader.number("to", standard.to),
-                              reader.number("margin", standard.margin)};
-}
-
-Step read_rotate(JsonFields& reader) {
-    if (!reader.has("azimuth_deg")) reader.fail("azimuth_deg is missing", "add degrees clockwise from north");
-    return step::Rotate{reader.number("azimuth_deg", 0.0)};
-}
-
-/// A step by its name in a recipe.
-struct Named {
-    std::string_view name;
-    Step (*read)(JsonFields&);
+/// A setting that has no default.
+struct Required {
+    double& value;
+    std::string_view what_to_do;
 };
 
-constexpr Named kSteps[] = {
-    {"align", [](JsonFields&) -> Step { return step::Align{}; }},
-    {"level", [](JsonFields&) -> Step { return step::Level{}; }},
-    {"rest", [](JsonFields&) -> Step { return step::Rest{}; }},
-    {"differentiate", [](JsonFields&) -> Step { return step::Differentiate{}; }},
-    {"baseline", [](JsonFields& reader) -> Step { return step::Baseline{reader.integer("order", step::Baseline{}.order)}; }},
-    {"taper", [](JsonFields& reader) -> Step { return step::Taper{reader.number("fraction", step::Taper{}.fraction)}; }},
-    {"pad",
-     [](JsonFields& reader) -> Step {
-         return step::Pad{reader.quantity<scaling::Time>("before"), reader.quantity<scaling::Time>("after")};
-     }},
-    {"cut", [](JsonFields& reader) -> Step { return step::Cut{reader.window("window")}; }},
-    {"energy_window", read_energy_window},
-    {"filter", read_filter},
-    {"amplify", read_amplify},
-    {"resample", read_resample},
-    {"rotate", read_rotate},
-    {"integrate", [](JsonFields& reader) -> Step { return step::Integrate{reader.is_second("by", "trapezoid", "frequency")}; }},
+/// A setting with two values: their names and which of them it is.
+template <class Value>
+struct Either {
+    Value& value;
+    std::array<std::string_view, 2> names;
+
+    bool is_second() const { return static_cast<bool>(value); }
 };
 
-std::string list_names() {
-    std::string names;
-    for (const Named& named : kSteps) names += (names.empty() ? "" : ", ") + std::string(named.name);
-    return names;
+/// Gives a visitor the settings of a step: reading, writing and rescaling are what it does with them.
+template <class Visitor>
+void describe(Step& step, Visitor&& visit) {
+    std::visit(Overloaded{[](auto&) {}, [&](step::Baseline& s) { visit("order", s.order); },
+                          [&](step::Taper& s) { visit("fraction", s.fraction); },
+                          [&](step::Pad& s) { visit("before", s.before), visit("after", s.after); },
+                          [&](step::Cut& s) { visit("window", s.window); },
+                          [&](step::EnergyWindow& s) { visit("from", s.from), visit("to", s.to), visit("margin", s.margin); },
+                          [&](step::Filter& s) {
+                              visit("low", s.band.low), visit("high", s.band.high), visit("order", s.order);
+                              visit("phase", Either<FilterPhase>{s.phase, {"zero", "causal"}});
+                          },
+                          [&](step::Amplify& s) {
+                              visit("factor", Required{s.factor, "add it"});
+                          },
+                          [&](step::Resample& s) {
+                              visit("dt", s.dt), visit("between", Either<Between>{s.between, {"band_limited", "straight"}});
+                          },
+                          [&](step::Rotate& s) {
+                              visit("azimuth_deg", Required{s.azimuth_deg, "add degrees clockwise from north"});
+                          },
+                          [&](step::Integrate& s) {
+                              visit("by", Either<bool>{s.by_frequency, {"trapezoid", "frequency"}});
+                          }},
+               step);
+}
+
+/// Takes settings from JSON; those that are not there stay as they are.
+struct SettingReader {
+    JsonFields& fields;
+
+    void operator()(const char* key, int& value) { value = fields.integer(key, value); }
+    void operator()(const char* key, double& value) { value = fields.number(key, value); }
+    void operator()(const char* key, scaling::Time& value) { value = fields.quantity<scaling::Time>(key); }
+    void operator()(const char* key, std::optional<scaling::Frequency>& value) {
+        value = fields.optional_quantity<scaling::Frequency>(key);
+    }
+    void operator()(const char* key, TimeWindow& value) { value = fields.window(key); }
+    void operator()(const char* key, Required setting) {
+        if (!fields.has(key)) fields.fail(fmt::format("{} is missing", key), std::string(setting.what_to_do));
+        setting.value = fields.number(key, setting.value);
+    }
+    template <class Value>
+    void operator()(const char* key, Either<Value> setting) {
+        setting.value = static_cast<Value>(fields.is_second(key, setting.names[0], setting.names[1]));
+    }
+};
+
+/// Adds settings to JSON.
+struct SettingWriter {
+    Json& json;
+
+    template <class Number>
+    void operator()(const char* key, const Number& value) {
+        json[key] = value;
+    }
+    void operator()(const char* key, scaling::Time value) { json[key] = value.value(); }
+    void operator()(const char* key, const std::optional<scaling::Frequency>& value) {
+        if (value) json[key] = value->value();
+    }
+    void operator()(const char* key, const TimeWindow& value) { json[key] = {value.start.value(), value.end.value()}; }
+    void operator()(const char* key, Required setting) { json[key] = setting.value; }
+    template <class Value>
+    void operator()(const char* key, Either<Value> setting) {
+        json[key] = setting.names[setting.is_second() ? 1 : 0];
+    }
+};
+
+/// The step at a place of Step, as it is without settings.
+template <std::size_t... I>
+Step make_step(std::size_t index, std::index_sequence<I...>) {
+    static const Step kSteps[] = {Step(std::in_place_index<I>)...};
+    return kSteps[index];
 }
 
 Step read_step(const Json& object, const std::string& place) {
@@ -92,66 +127,22 @@ Step read_step(const Json& object, const std::string& place) {
         throw ReadError(place + ": has no name; add \"step\": \"filter\" or another");
     }
     const auto name = object["step"].get<std::string>();
-    JsonFields reader(object, fmt::format("{} ({})", place, name), nullptr, detail::PlainNumbers::are_si);
-    reader.has("step");
-    const auto* const named = std::find_if(std::begin(kSteps), std::end(kSteps), [&](const Named& n) { return n.name == name; });
-    if (named == std::end(kSteps)) reader.fail("is no step", "take one of " + list_names());
-    Step step = named->read(reader);
-    reader.refuse_unknown_keys();
+    JsonFields fields(object, fmt::format("{} ({})", place, name), nullptr, detail::PlainNumbers::are_si);
+    fields.has("step");
+    const auto* const named = std::find(std::begin(kNames), std::end(kNames), name);
+    if (named == std::end(kNames)) fields.fail("is no step", fmt::format("take one of {}", fmt::join(kNames, ", ")));
+    Step step = make_step(static_cast<std::size_t>(named - std::begin(kNames)), std::make_index_sequence<std::size(kNames)>());
+    describe(step, SettingReader{fields});
+    const auto* const filter = std::get_if<step::Filter>(&step);
+    if (filter != nullptr && !filter->band.low && !filter->band.high) fields.fail("has no corner", "add \"low\", \"high\" or both");
+    fields.refuse_unknown_keys();
     return step;
 }
 
-Json to_json(const Step& step) {
-    return std::visit(Overloaded{[](const step::Align&) {
-                                     return Json{{"step", "align"}};
-                                 },
-                                 [](const step::Level&) {
-                                     return Json{{"step", "level"}};
-                                 },
-                                 [](const step::Rest&) {
-                                     return Json{{"step", "rest"}};
-                                 },
-                                 [](const step::Differentiate&) {
-                                     return Json{{"step", "differentiate"}};
-                                 },
-                                 [](const step::Baseline& s) {
-                                     return Json{{"step", "baseline"}, {"order", s.order}};
-                                 },
-                                 [](const step::Taper& s) {
-                                     return Json{{"step", "taper"}, {"fraction", s.fraction}};
-                                 },
-                                 [](const step::Pad& s) {
-                                     return Json{{"step", "pad"}, {"before", s.before.value()}, {"after", s.after.value()}};
-                                 },
-                                 [](const step::Cut& s) {
-                                     return Json{{"step", "cut"}, {"window", {s.window.start.value(), s.window.end.value()}}};
-                                 },
-                                 [](const step::EnergyWindow& s) {
-                                     return Json{{"step", "energy_window"}, {"from", s.from}, {"to", s.to}, {"margin", s.margin}};
-                                 },
-                                 [](const step::Filter& s) {
-                                     Json json{{"step", "filter"}};
-                                     if (s.band.low) json["low"] = s.band.low->value();
-                                     if (s.band.high) json["high"] = s.band.high->value();
-                                     json["order"] = s.order;
-                                     json["phase"] = s.phase == FilterPhase::zero ? "zero" : "causal";
-                                     return json;
-                                 },
-                                 [](const step::Amplify& s) {
-                                     return Json{{"step", "amplify"}, {"factor", s.factor}};
-                                 },
-                                 [](const step::Resample& s) {
-                                     return Json{{"step", "resample"},
-                                                 {"dt", s.dt.value()},
-                                                 {"between", s.between == Between::straight ? "straight" : "band_limited"}};
-                                 },
-                                 [](const step::Rotate& s) {
-                                     return Json{{"step", "rotate"}, {"azimuth_deg", s.azimuth_deg}};
-                                 },
-                                 [](const step::Integrate& s) {
-                                     return Json{{"step", "integrate"}, {"by", s.by_frequency ? "frequency" : "trapezoid"}};
-                                 }},
-                      step);
+Json to_json(Step step) {
+    Json json{{"step", kNames[step.index()]}};
+    describe(step, SettingWriter{json});
+    return json;
 }
 
 using SeriesStep = std::function<TimeSeries(const TimeSeries&)>;
@@ -211,8 +202,6 @@ GroundMotion carry_out(const GroundMotion& motion, const Step& step) {
         step);
 }
 
-std::string name_of(const Step& step) { return to_json(step)["step"].get<std::string>(); }
-
 }  // namespace
 
 Recipe parse_recipe(std::string_view json, const std::string& source) {
@@ -248,7 +237,7 @@ GroundMotion process(const GroundMotion& motion, const Recipe& recipe) {
             next.history.insert(next.history.begin() + static_cast<std::ptrdiff_t>(processed.history.size()), to_json(recipe[i]).dump());
             processed = std::move(next);
         } catch (const ProcessingError& error) {
-            throw ProcessingError(fmt::format("step {} ({}): {}", i + 1, name_of(recipe[i]), error.what()));
+            throw ProcessingError(fmt::format("step {} ({}): {}", i + 1, kNames[recipe[i].index()], error.what()));
         }
     }
     return processed;
@@ -266,21 +255,15 @@ Recipe recipe_of(const GroundMotion& motion) {
 
 Recipe rescale(const Recipe& recipe, const scaling::Similitude& similitude) {
     Recipe model = recipe;
-    for (Step& step : model) {
-        std::visit(Overloaded{[](auto&) {},
-                              [&](step::Pad& s) {
-                                  s = {similitude.to_model(s.before), similitude.to_model(s.after)};
+    const Overloaded to_model{[](const char*, const auto&) {},
+                              [&](const char*, scaling::Time& value) { value = similitude.to_model(value); },
+                              [&](const char*, std::optional<scaling::Frequency>& value) {
+                                  if (value) value = similitude.to_model(*value);
                               },
-                              [&](step::Cut& s) {
-                                  s.window = {similitude.to_model(s.window.start), similitude.to_model(s.window.end)};
-                              },
-                              [&](step::Resample& s) { s.dt = similitude.to_model(s.dt); },
-                              [&](step::Filter& s) {
-                                  if (s.band.low) s.band.low = similitude.to_model(*s.band.low);
-                                  if (s.band.high) s.band.high = similitude.to_model(*s.band.high);
-                              }},
-                   step);
-    }
+                              [&](const char*, TimeWindow& value) {
+                                  value = {similitude.to_model(value.start), similitude.to_model(value.end)};
+                              }};
+    for (Step& step : model) describe(step, to_model);
     return model;
 }
 
