@@ -1,25 +1,25 @@
 #pragma once
 
-#include <stdexcept>
+#include "scaling/error.hpp"
 
 namespace musim::records {
 
 /// A file that is no usable record. The message is one line, `path:line: what (why); what to do`.
-class ReadError : public std::runtime_error {
+class ReadError : public Error {
   public:
-    using std::runtime_error::runtime_error;
+    using Error::Error;
 };
 
 /// A file that could not be written; nothing is left in its place. The message is one line, `path: what (why); what to do`.
-class WriteError : public std::runtime_error {
+class WriteError : public Error {
   public:
-    using std::runtime_error::runtime_error;
+    using Error::Error;
 };
 
 /// A series or a setting that a processing step cannot work with; the message says which and what to change.
-class ProcessingError : public std::runtime_error {
+class ProcessingError : public Error {
   public:
-    using std::runtime_error::runtime_error;
+    using Error::Error;
 };
 
 }  // namespace musim::records

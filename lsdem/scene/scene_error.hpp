@@ -1,16 +1,13 @@
 #pragma once
 
-#include <stdexcept>
-#include <string>
-
-#include "scaling/shorten.hpp"
+#include "scaling/error.hpp"
 
 namespace musim::lsdem::scene {
 
 /// Bad input in a scene: says where (file and JSON path), what, why, and what to do, in one line.
-class SceneError : public std::runtime_error {
+class SceneError : public Error {
   public:
-    explicit SceneError(const std::string& what) : std::runtime_error(scaling::make_line(what)) {}
+    using Error::Error;
 };
 
 }  // namespace musim::lsdem::scene

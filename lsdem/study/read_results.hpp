@@ -8,14 +8,14 @@
 #include <vector>
 
 #include "lsdem/study/history.hpp"
-#include "scaling/shorten.hpp"
+#include "scaling/error.hpp"
 
 namespace musim::lsdem::study {
 
 /// A directory or file that holds no usable results: says where, what, why and what to do, in one line.
-class ResultError : public std::runtime_error {
+class ResultError : public Error {
   public:
-    explicit ResultError(const std::string& what) : std::runtime_error(scaling::make_line(what)) {}
+    using Error::Error;
 };
 
 /// What a result directory holds of a run.

@@ -25,7 +25,7 @@ JsonFields::JsonFields(const Json& object, std::string place, scaling::Uncertain
 }
 
 void JsonFields::fail(const std::string& what, const std::string& what_to_do) const {
-    throw ReadError(scaling::make_line(fmt::format("{}: {}; {}", place_, what, what_to_do)));
+    throw ReadError(fmt::format("{}: {}; {}", place_, what, what_to_do));
 }
 
 bool JsonFields::has(const char* key) {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "scaling/error.hpp"
+#include "scaling/pi_problem.hpp"
 #include "scaling/scale_law_json.hpp"
 #include "scaling/shorten.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -37,6 +38,13 @@ TEST_CASE("numbers beyond doubles and broken JSON are reported in a short line")
 }
 
 TEST_CASE("a line has no control characters, and other letters stay") { CHECK(make_line("a\nb\x1b[31m\x7f \u03bb") == "a b [31m  \u03bb"); }
+
+TEST_CASE("a message is one line whatever it quotes") {
+    CHECK(std::string(SimilitudeError("a\nb").what()) == "a b");
+    const auto message = musim::tests::message_of<PiError>(
+        [] { parse_pi_problem(R"({"quantities": [{"name": "a", "unit": "g\n", "value": 2}, {"name": "b", "unit": "m"}]})", "p.json"); });
+    CHECK(message.find("\"g \"") != std::string::npos);
+}
 
 TEST_CASE("long texts keep beginning and end, and no letter is parted") {
     CHECK(shorten("short") == "short");
