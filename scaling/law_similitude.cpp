@@ -23,7 +23,7 @@ Similitude make_similitude(std::string_view name, const ScaleFactors& chosen) {
         const auto is_it = [&](const LawChoice& choice) { return choice.name == scale.quantity; };
         const bool is_expected = std::any_of(law->choices.begin(), law->choices.end(), is_it);
         const double factor = chosen.*scale.factor;
-        // a factor that the law settles by itself is given where it asks for more than the law's default
+        // of what the law settles by itself, solve_law() says what contradicts
         if (is_expected || factor != 1.0) given.push_back({scale.quantity, factor});
     }
     return make_similitude(solve_law(*law, given));

@@ -34,9 +34,8 @@ struct FirstOrder {
 /// First order of value = c Π x_i^(n_i), whose exponents are known, one for each input.
 FirstOrder make_first_order(double value, std::vector<double> exponents, const std::vector<UncertainInput>& inputs);
 
-/// By how much, as a factor or its inverse, inputs are moved [-]. Smaller: rounding, 1e-16 over its logarithm,
-/// shows; larger: what is no product of powers is told with an error of its logarithm squared, 1e-6. Changes nothing where results are
-/// products.
+/// By how much, as a factor or its inverse, inputs are moved [-]. Smaller: rounding, 1e-16 over its logarithm, shows; larger: what is no
+/// product of powers has an error of its logarithm squared, 1e-6. Changes nothing where results are products.
 inline constexpr double kMove = 1.0 + 0x1p-10;
 
 /// All results with one input divided and multiplied by kMove.

@@ -57,7 +57,7 @@ bool is_motion(const PiQuantity& quantity) {
 
 /// δ of a product in a test whose solved factors of motion are at their values.
 struct ShakenProduct {
-    const ScaleProduct& product;
+    std::string text;             ///< of the product
     double delta;                 ///< at the values
     detail::RootedProduct moved;  ///< of the factors over their values, without those of motion
 };
@@ -153,7 +153,7 @@ class LawRows {
             has_motion = true;
             exponents[j] = 0;
         }
-        if (has_motion) shaken_.push_back({product, *delta.value, detail::RootedProduct(exponents)});
+        if (has_motion) shaken_.push_back({product.text, *delta.value, detail::RootedProduct(exponents)});
     }
 
     LawFormulas formulas_;
@@ -221,7 +221,7 @@ UncertainLawReport propagate(const SolvedLaw& solved, const std::vector<Uncertai
     for (std::size_t i = 0; i < problem.watched.size(); ++i) {
         report.watched.push_back(results.take(problem.watched[i].text, solution.watched[i]));
     }
-    for (const ShakenProduct& product : rows.shaken()) report.shaken.push_back(results.take(product.product.text));
+    for (const ShakenProduct& product : rows.shaken()) report.shaken.push_back(results.take(product.text));
     for (std::size_t j = 0; j < problem.quantities.size(); ++j) {
         const PiQuantity& quantity = problem.quantities[j];
         if (!quantity.value || !solution.quantities[j].factor.value) continue;

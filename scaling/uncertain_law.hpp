@@ -44,10 +44,10 @@ struct UncertainLawReport {
 /// Propagates the uncertainties of given factors and of the prototype's values to the factors, products and values of a solved law, which
 /// was solved with values_of(given).
 ///
-/// A solved factor is Π λ_k^(n_k) of chosen ones with exact exponents, so first order is exact in logarithms: (u(λ)/λ)² = Σ (n_i u_i/x_i)².
-/// Samples are value · exp(Σ n_i ln(x_i/value of x_i)). A fraction's two values are inputs of their own; its lower one is the prototype's,
-/// hence the same input as the quantity's value in the prototype. `shaken` is what a test has whose motion is scaled by the values: there a
-/// solved quantity of motion (length and time alone, and time in it: t, v, a, f) is certain, and the rest as uncertain as it is.
+/// A solved factor is Π λ_k^(n_k) of chosen ones, so first order is exact in logarithms: (u(λ)/λ)² = Σ (n_i u_i/x_i)². A fraction's two
+/// values are inputs of their own; its lower one is the prototype's, hence the same input as the quantity's value in the prototype.
+/// `shaken` is what a test has whose motion is scaled by the values: there a solved quantity of motion (length and time alone, and time in
+/// it: t, v, a, f) is certain, and the rest as uncertain as it is.
 ///
 /// Throws SimilitudeError: a product that the law holds, and that chosen factors alone settle, rests on an uncertain one (nothing could
 /// keep it); a prototype's value contradicts the lower value of its factor; and as run_monte_carlo() does.

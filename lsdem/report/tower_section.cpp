@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 #include "lsdem/report/specimen_sections.hpp"
 #include "lsdem/report/tower_data.hpp"

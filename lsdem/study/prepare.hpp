@@ -64,7 +64,7 @@ struct WorkToFollow {
 /// of the same specimen was, to the same bits. Where it stands is written to settings.checkpoint as it falls due. Throws
 /// std::invalid_argument as Simulation does, and for blocks without layers that are to be placed, std::runtime_error when `from` is of
 /// another specimen; a preparation that diverges says so in `rest`. Progress is counted in block steps. What the rounds of
-/// the whole take is known as a range only: the part that is done counts the most, on_preparation_spare is told the difference.
+/// the whole take is known as a range only: the part that is done counts the most, on_preparation_spare receives the difference.
 PreparedSpecimen prepare(const Specimen& upright, double time_step, const PreparationSettings& preparation,
                          const RunSettings& settings = {}, const std::optional<PreparationState>& from = {},
                          const WorkToFollow& to_follow = {});

@@ -4,8 +4,7 @@
 
 #include <cerrno>
 #include <cstdint>
-#include <fstream>
-#include <sstream>
+#include <optional>
 #include <system_error>
 
 #include "records/detail/text.hpp"
@@ -37,13 +36,13 @@ std::string read_bytes(const std::filesystem::path& path) {
                   "cut it into shorter records");
     }
     errno = 0;
-    std::ifstream stream = scaling::open_regular_file(path);
-    if (!stream) fail_file(path, fmt::format("cannot be opened ({})", std::generic_category().message(errno)), "check its permissions");
-    std::ostringstream bytes;
-    if (stream.peek() != std::ifstream::traits_type::eof()) bytes << stream.rdbuf();
-    if (stream.bad() || bytes.fail()) fail_file(path, "cannot be read to its end (input error)", "check the disk");
-    if (bytes.view().empty()) fail_file(path, "file is empty (no header, no samples)", "fetch the record again");
-    return std::move(bytes).str();
+    std::optional<std::string> bytes = scaling::read_regular_file(path);
+    if (!bytes) {
+        const std::string why = errno == 0 ? "input error" : std::generic_category().message(errno);
+        fail_file(path, fmt::format("cannot be opened, or not read to its end ({})", why), "check its permissions and the disk");
+    }
+    if (bytes->empty()) fail_file(path, "file is empty (no header, no samples)", "fetch the record again");
+    return *std::move(bytes);
 }
 
 TextFile::TextFile(std::filesystem::path path, std::string bytes) : InputFile(std::move(path)), bytes_(std::move(bytes)) {

@@ -51,7 +51,7 @@ Preparing prepare_telling(const scene::Scene& scene, const WorkToFollow& to_foll
 
 }  // namespace
 
-TEST_CASE("the work that is left of coming to rest is in the range that is told") {
+TEST_CASE("the work that is left of coming to rest is in the range that is given") {
     for (const char* structure :
          {R"("kind": "wall", "layers": 3, "blocks_per_layer": 2)", R"("kind": "wall", "layers": 4, "blocks_per_layer": 2)"}) {
         CAPTURE(structure);
@@ -91,7 +91,7 @@ TEST_CASE("the specimens that a pair lays are one scale with its runs") {
     how.judging.half_step = false;
     const ScenePair pair = pair_scene(scene, {{.length = 0.25}, {.length = 0.1}}, Materials::exact, settings, how);
     CHECK(std::is_sorted(told.begin(), told.end()));
-    // three specimens, each worth a third: the last two are told, too
+    // three specimens, each worth a third: the last two count, too
     REQUIRE(preparing > 3);
     const Specimen upright = make_upright_specimen(scene);
     const double prepared = prepare_telling(scene, {}).block_steps;

@@ -322,42 +322,6 @@ TEST_CASE("a specimen serves other materials and scales" * doctest::test_suite("
     CHECK(little.friction * std::pow(16.0, 3) == large.friction);
 }
 
-TEST_CASE("a specimen with a block in no place is refused though its checksum is right") {
-    const TemporaryFolder folder;
-    const Specimen column = make_column(3);
-    PreparedSpecimen prepared;
-    prepared.tilt = prepared.force = std::vector<double>(3, 0.0);
-    const std::filesystem::path file = folder.path() / "specimen.h5";
-    const auto write_changed = [&](const auto& change) {
-        prepared.specimen = column;
-        change(prepared.specimen.model.blocks[1]);
-        write_specimen(file, prepared, "{}", "9.9.9");
-        Specimen taken = column;
-        take_places(file, taken);
-    };
-    CHECK_NOTHROW(write_changed([](Block&) {}));
-    const char* const damaged = "specimen.h5: the place of block 1 is damaged";
-    CHECK_THROWS_WITH_AS(write_changed([](Block& block) { block.position.x() = std::numeric_limits<double>::quiet_NaN(); }),
-                         doctest::Contains(damaged), ResultError);
-    CHECK_THROWS_WITH_AS(write_changed([](Block& block) { block.orientation.coeffs() *= 0.5; }), doctest::Contains(damaged), ResultError);
-}
-
-TEST_CASE("a specimen with a block in a layer that cannot be is refused though its checksum is right") {
-    const TemporaryFolder folder;
-    const std::filesystem::path file = folder.path() / "specimen.h5";
-    for (const int layer : {-1, 4, 1 << 30}) {
-        CAPTURE(layer);
-        PreparedSpecimen prepared;
-        prepared.tilt = prepared.force = std::vector<double>(3, 0.0);
-        prepared.specimen = make_column(3);
-        prepared.specimen.layer[1] = layer;
-        write_specimen(file, prepared, "{}", "9.9.9");
-        CHECK_THROWS_WITH_AS(read_specimen(file), doctest::Contains("/blocks/layer has a layer"), ResultError);
-        Specimen taken = make_column(3);
-        CHECK_THROWS_AS(take_places(file, taken), ResultError);
-    }
-}
-
 TEST_CASE("a specimen from its file is that in memory: places to the bit, friction to its rounding, and at rest") {
     const TemporaryFolder folder;
     const scene::Scene scene = make_wall_scene(3);

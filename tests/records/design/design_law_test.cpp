@@ -177,7 +177,7 @@ TEST_CASE("a model with vertical distortion has its own widths, shaking and mass
     CHECK(only_range(setting, metal, law).largest == relative(0.01, kRounding));
 }
 
-TEST_CASE("groups of a law are told by what the material has, not by what the law asks for") {
+TEST_CASE("groups of a law follow from what the material has and not from what the law asks for") {
     const Setting setting = make_limited();
     const Material stiff = with_modulus(concrete(), 29.2e9);
     // the law asks λ_E = L, the same solid has 1
