@@ -54,8 +54,8 @@ std::string describe_conflict(const ScaleLaw& law, const ScaleProblem& problem, 
     if (!definitions.empty()) text += fmt::format(" {} {} by definition", products.empty() ? "where" : "and", fmt::join(definitions, ", "));
     text += fmt::format(" ({} = {:.7g}, not 1); release {}{}", format_factor(delta.exponents, problem.quantities), *delta.value,
                         conflict.chosen.size() == 1 ? "" : "one of ", fmt::join(names_of(problem.quantities, conflict.chosen), ", "));
-    if (!products.empty()) text += fmt::format(", or watch {}{} instead", products.size() == 1 ? "" : "one of ", fmt::join(products, ", "));
-    return text;
+    if (!products.empty()) text += fmt::format(", watch {}{} instead", products.size() == 1 ? "" : "one of ", fmt::join(products, ", "));
+    return text + ", or choose another law";
 }
 
 bool is_open(const ScaleSolution& solution, std::size_t quantity) {

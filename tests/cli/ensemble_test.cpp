@@ -55,7 +55,7 @@ std::string name_of(const nlohmann::json& summary, std::size_t i) { return summa
 
 }  // namespace
 
-TEST_CASE("an ensemble has a summary and members that musim response reads; the same command again runs nothing") {
+TEST_CASE("an ensemble has a summary and members that musim response reads, and the same command again runs nothing") {
     const Workplace here;
     here.write("wall.json", make_scene());
     const Outcome first = here.run("ensemble wall.json -o out --members 3 --threads 2 --json");

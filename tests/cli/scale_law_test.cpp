@@ -127,7 +127,7 @@ TEST_CASE("scale names the factors and products in conflict and what to release 
     CHECK(outcome.err ==
           "musim: error: law froude: l = 0.04, g = 1, v = 0.25 cannot be where v/sqrt(g*l) is held (v/sqrt(l*g) = 1.25, not 1); "
           "release one "
-          "of l, g, v, or watch v/sqrt(g*l) instead\n");
+          "of l, g, v, watch v/sqrt(g*l) instead, or choose another law\n");
     CHECK(outcome.out.empty());
 
     // the way out that it names

@@ -6,7 +6,7 @@
 
 using namespace musim::cli;
 
-TEST_CASE("factors that may have been meant otherwise, and samples of little use, are noted; those that are clear are not") {
+TEST_CASE("factors that may have been meant otherwise, and samples of little use, are noted, and those that are clear are not") {
     const Workplace here;
     struct Case {
         const char *arguments, *note;

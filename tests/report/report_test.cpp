@@ -319,7 +319,7 @@ TEST_CASE("the base motion of a model is shown before and after it was rescaled"
     CHECK(peak(1, 3) == doctest::Approx(peak(0, 3) / 16.0).epsilon(1e-3));
 }
 
-TEST_CASE("ensembles stand beside each other with their bands and how far they agree; pairs and sequences have a page each") {
+TEST_CASE("ensembles stand beside each other with their bands and how far they agree, and pairs and sequences have a page each") {
     const TemporaryFolder place;
     const scene::Scene wall = scene::parse_scene(R"({"schema": "musim-scene/1", "name": "wall", "material": "wood",
         "structure": {"kind": "wall", "layers": 2, "blocks_per_layer": 2, "block": ["12.710 mm", "26.355 mm", "39.780 mm"],

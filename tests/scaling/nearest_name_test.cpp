@@ -4,7 +4,7 @@
 
 using namespace musim::scaling;
 
-TEST_CASE("the nearest name differs in a third of its letters at most; the nearer of two wins") {
+TEST_CASE("the nearest name differs in a third of its letters at most, and the nearer of two wins") {
     const std::vector<std::string> known{"duration", "density", "dt", "x"};
     CHECK(find_nearest_name("duratoin", known) == "duration");
     CHECK(find_nearest_name("Density", known) == "density");

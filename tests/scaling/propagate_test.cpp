@@ -106,7 +106,7 @@ TEST_CASE("products of lognormal inputs follow their closed form at large uncert
     CHECK(std::abs(summary.share_above_one - above) <= kSigmas * std::sqrt(above * (1.0 - above) / n));
 }
 
-TEST_CASE("a seed gives the same bits again, for any number of threads; another seed gives others") {
+TEST_CASE("a seed gives the same bits again, for any number of threads, and another seed gives others") {
     const std::vector<UncertainInput> inputs = make_inputs(0.5, 0.3);
     MonteCarloSettings settings{.samples = 5'000, .seed = 3, .threads = 1};
     const MonteCarloRun one = run_monte_carlo(inputs, evaluate_products, settings);

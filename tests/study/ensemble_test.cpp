@@ -72,7 +72,7 @@ TEST_CASE("a small scatter about a large mean is not lost") {
     CHECK(moments.sd()[0] == doctest::Approx(1.0).epsilon(1e-12));
 }
 
-TEST_CASE("bands hold mean, deviation and count per level; a collapsed member counts until it collapses") {
+TEST_CASE("bands hold mean, deviation and count per level, and a collapsed member counts until it collapses") {
     BandSum sum;
     sum.add(make_history(1.0), kSpine, {});
     sum.add(make_history(3.0), kSpine, {});

@@ -99,7 +99,7 @@ TEST_CASE("images that part decades before copies are the scaling's fault, howev
     CHECK_FALSE(make_yardstick(prototype, 1e-9).lead_of_images().has_value());
 }
 
-TEST_CASE("a model that diverged differs; without twins nothing is judged") {
+TEST_CASE("a model that diverged differs, and without twins nothing is judged") {
     const RunResult prototype = run_column();
     RunTrace model = make_trace(prototype, 1e-8);
     CHECK(Yardstick(prototype, {}).judge(model).agreement == Agreement::not_judged);
