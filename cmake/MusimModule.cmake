@@ -20,14 +20,14 @@ function(musim_compile_rules target)
   target_compile_definitions(${target} PUBLIC $<$<CONFIG:Debug>:MUSIM_CONTRACTS=1>)
 endfunction()
 
-# For code whose speed nobody waits for (command line, tests): a fraction of the compile time of -O3.
+# For code whose speed nobody waits for (command line, pages, tests): a fraction of the compile time of -O3.
 function(musim_compile_quickly target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release,RelWithDebInfo>:-O1>)
   # at -O1 GCC 12 takes empty optionals for uninitialised ones
   target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
 endfunction()
 
-# For code made of JSON and text, whose speed nobody waits for under a sanitizer: sanitized at -O0 it compiles in half the time of -O1
+# For tests and code made of JSON and text, whose speed nobody waits for under a sanitizer: sanitized at -O0 it compiles in half the time of -O1
 # (Clang 14, Address- and UndefinedBehaviorSanitizer: cli/pair.cpp 15 s, not 29 s; fewer checks save nothing).
 function(musim_sanitize_quickly target)
   if(MUSIM_SANITIZE)
