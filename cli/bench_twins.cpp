@@ -61,11 +61,9 @@ scene::Scene read_prototype(const std::string& file, const BenchTwinsOptions& op
 }
 
 Measured measure_twins(const scene::Scene& prototype, const BenchTwinsOptions& options, ProgressInParts& progress) {
-    study::TwinSettings settings{.directory = options.out, .version = kVersion, .threads = options.threads};
+    study::TwinSettings settings{
+        .directory = options.out, .version = kVersion, .threads = options.threads, .observer = progress.observer()};
     settings.on_warning = [](const std::string& why) { note("musim: warning: no checkpoint: {}\n", why); };
-    settings.on_preparation = progress.of_preparation();
-    settings.on_preparation_spare = progress.of_preparation_spare();
-    settings.on_progress = progress.of_run();
     study::TwinStudy twins = study::run_twins(prototype, choose_twins(options), settings);
     study::TwinSummary summary = study::summarize(twins);
     return {std::move(twins), std::move(summary)};

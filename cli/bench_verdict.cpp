@@ -71,11 +71,9 @@ scene::Scene read_prototype(const std::string& file, const BenchVerdictOptions& 
 study::VerdictBench measure(const std::string& file, const scene::Scene& prototype, const study::VerdictBenchPlan& plan,
                             const BenchVerdictOptions& options, ProgressInParts& progress) {
     note_cut_motions(file, prototype);
-    study::TwinSettings settings{.directory = options.out, .version = kVersion, .threads = options.threads};
+    study::TwinSettings settings{
+        .directory = options.out, .version = kVersion, .threads = options.threads, .observer = progress.observer()};
     settings.on_warning = [](const std::string& why) { note("musim: warning: no checkpoint: {}\n", why); };
-    settings.on_preparation = progress.of_preparation();
-    settings.on_preparation_spare = progress.of_preparation_spare();
-    settings.on_progress = progress.of_run();
     study::VerdictBench bench = study::run_verdict_bench(prototype, plan, settings);
     bench.scene = std::filesystem::path(file).stem().string();
     return bench;

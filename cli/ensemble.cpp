@@ -120,7 +120,7 @@ std::vector<study::MemberReport> carry_out(const EnsembleOptions& options, const
         .version = kVersion,
         .threads = options.threads,
         .checkpoint_interval = options.checkpoint_interval,
-        .on_progress = progress.of_run(),
+        .on_progress = progress.observer().on_progress,
         .on_no_checkpoint = [](const std::string& why) { note("musim: warning: no checkpoint: {}\n", why); }};
     return study::run_members(members, settings);
 }
@@ -128,7 +128,7 @@ std::vector<study::MemberReport> carry_out(const EnsembleOptions& options, const
 /// Has the members use what is in the folder of specimens, and prepares there what is missing.
 void take_specimens(const EnsembleOptions& options, std::vector<study::EnsembleMember>& members, ProgressInParts& progress) {
     study::SpecimenBatch batch = begin_batch(options.specimens, options.threads, options.checkpoint_interval);
-    batch.on_progress = progress.of_preparation();
+    batch.on_progress = progress.observer().on_preparation;
     for (const study::SpecimenReport& report : study::use_specimens(members, std::move(batch))) warn_of_fallen(report);
 }
 

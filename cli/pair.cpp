@@ -257,10 +257,7 @@ int run_pair(const PairOptions& options) {
     std::optional<study::ScenePair> pair;
     {
         ProgressInParts progress(prototype.name);
-        study::RunSettings settings{.threads = options.threads,
-                                    .on_progress = progress.of_run(),
-                                    .on_preparation = progress.of_preparation(),
-                                    .on_preparation_spare = progress.of_preparation_spare()};
+        study::RunSettings settings{.threads = options.threads, .observer = progress.observer()};
         if (folder) {
             settings.checkpoint = study::CheckpointSettings{
                 .file = options.out,
@@ -270,7 +267,7 @@ int run_pair(const PairOptions& options) {
                 .on_failure = [](const std::string& why) { note_at_end("musim: warning: no checkpoint: " + why); }};
         }
         std::optional<study::LiveFile> live;
-        if (folder) live.emplace(options.out, prototype.name).listen_to(settings);
+        if (folder) live.emplace(options.out, prototype.name).listen_to(settings.observer);
         study::PairSceneSettings how{.specimen = options.specimen == "each" ? study::PairSpecimen::each : study::PairSpecimen::one,
                                      .judging = {.twins = options.twins, .seed = options.seed, .half_step = !options.no_half_step},
                                      .each_alone = options.each_alone,

@@ -95,26 +95,15 @@ std::function<void(double)> ProgressInParts::of_spare() {
     return [this](double part) { line_.spare(joined_.of_all(part)); };
 }
 
-std::function<void(double)> ProgressInParts::of_preparation_spare() {
-    return [this](double part) { line_.spare(joined_.of_whole_part(part)); };
-}
-
-std::function<void(double)> ProgressInParts::of_preparation() {
-    return [this](double fraction) {
-        line_.name(what_ + ", preparing");
-        line_.update(joined_.after_preparing(fraction));
+lsdem::study::RunObserver ProgressInParts::observer() {
+    const auto show = [this](const std::string& what, double fraction) {
+        line_.name(what);
+        line_.update(fraction);
     };
-}
-
-std::function<void(double)> ProgressInParts::of_run() {
-    return [this](double fraction) {
-        line_.name(what_);
-        line_.update(joined_.after_running(fraction));
-    };
-}
-
-std::function<void(const lsdem::study::RunResult&, const lsdem::study::TimePlan&)> ProgressInParts::of_samples() {
-    return [this](const lsdem::study::RunResult& run, const lsdem::study::TimePlan& plan) { line_.see(run, plan); };
+    return {.on_progress = [=, this](double fraction) { show(what_, joined_.after_running(fraction)); },
+            .on_preparation = [=, this](double fraction) { show(what_ + ", preparing", joined_.after_preparing(fraction)); },
+            .on_preparation_spare = [this](double part) { line_.spare(joined_.of_whole_part(part)); },
+            .on_sample = [this](const lsdem::study::RunResult& run, const lsdem::study::TimePlan& plan) { line_.see(run, plan); }};
 }
 
 }  // namespace musim::cli

@@ -8,6 +8,7 @@
 
 #include "lsdem/study/joined_progress.hpp"
 #include "lsdem/study/live_run.hpp"
+#include "lsdem/study/simulate.hpp"
 
 namespace musim::cli {
 
@@ -15,7 +16,7 @@ namespace musim::cli {
 /// seconds; on a terminal it is rewritten in place, with the velocity of the top as bars, elsewhere a new line follows every ten seconds.
 class ProgressLine {
   public:
-    /// `continues`: the first fraction told was done by an earlier run, and the time left is counted from there.
+    /// `continues`: the first fraction was done by an earlier run, and the time left is counted from there.
     explicit ProgressLine(std::string what, bool continues = false);
     ~ProgressLine();
     ProgressLine(const ProgressLine&) = delete;
@@ -56,14 +57,10 @@ class ProgressInParts {
     /// Begins another preparation with its runs, called `what`, which are this share of all; without, one is all.
     void begin_part(const std::string& what, double share);
 
-    std::function<void(double)> of_preparation();
-    /// The part at the end of a preparation and its runs, 0 to 1, that may not be needed, while it is prepared.
-    std::function<void(double)> of_preparation_spare();
-    std::function<void(double)> of_run();
+    /// Shows what is observed, samples before the part that is done then.
+    lsdem::study::RunObserver observer();
     /// The part of the runs, 0 to 1, that may not be needed.
     std::function<void(double)> of_spare();
-    /// What the run is at its samples; to be told before its fraction.
-    std::function<void(const lsdem::study::RunResult&, const lsdem::study::TimePlan&)> of_samples();
 
   private:
     std::string what_;

@@ -123,12 +123,9 @@ study::RunResult carry_out(Begin begin, const RunOptions& options, const std::st
                                       .on_failure = [](const std::string& why) { note("musim: warning: no checkpoint: {}\n", why); }};
     }
     ProgressInParts progress(begin.scene.name, begin.checkpoint.has_value());
-    settings.on_preparation = progress.of_preparation();
-    settings.on_preparation_spare = progress.of_preparation_spare();
-    settings.on_progress = progress.of_run();
-    settings.on_sample = progress.of_samples();
+    settings.observer = progress.observer();
     std::optional<study::LiveFile> live;
-    if (!directory.empty()) live.emplace(directory, begin.scene.name).listen_to(settings);
+    if (!directory.empty()) live.emplace(directory, begin.scene.name).listen_to(settings.observer);
     if (!begin.checkpoint) return study::run_scene(begin.scene, settings);
     try {
         return study::resume_scene(begin.scene, std::move(*begin.checkpoint), settings);

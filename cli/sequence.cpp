@@ -45,10 +45,7 @@ study::SequenceSummary carry_out(const SequenceOptions& options) {
                                      .threads = options.threads,
                                      .force = options.overwriting.force,
                                      .checkpoint_interval = options.checkpoint_interval,
-                                     .on_progress = progress.of_run(),
-                                     .on_preparation = progress.of_preparation(),
-                                     .on_preparation_spare = progress.of_preparation_spare(),
-                                     .on_sample = progress.of_samples(),
+                                     .observer = progress.observer(),
                                      .on_no_checkpoint = [](const std::string& why) { note("musim: warning: no checkpoint: {}\n", why); }};
     std::optional<scene::Scene> scene;
     if (!resumes) {
@@ -56,7 +53,7 @@ study::SequenceSummary carry_out(const SequenceOptions& options) {
         note_cut_motions(options.scene, *scene);
     }
     study::LiveFile live(options.directory(), scene ? scene->name : options.resume);
-    live.listen_to(settings);
+    live.listen_to(settings.observer);
     return scene ? study::run_sequence(*scene, settings) : study::resume_sequence(settings);
 }
 

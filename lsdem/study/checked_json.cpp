@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lsdem/study/detail/content_name.hpp"
-#include "lsdem/study/read_results.hpp"
+#include "lsdem/study/result_error.hpp"
 #include "scaling/error.hpp"
 #include "scaling/json_text.hpp"
 #include "scaling/regular_file.hpp"

@@ -9,8 +9,8 @@
 
 #include "lsdem/study/detail/hdf5_reader.hpp"
 #include "lsdem/study/folder_contents.hpp"
-#include "lsdem/study/read_results.hpp"
 #include "lsdem/study/response.hpp"
+#include "lsdem/study/result_error.hpp"
 #include "lsdem/study/spine_plot.hpp"
 #include "scaling/error.hpp"
 #include "scaling/json_text.hpp"

@@ -62,7 +62,7 @@ bool are_bitwise_identical(const RunResult& prototype, const RunResult& model, c
     const Kinematics& a = prototype.final;
     const Kinematics& b = model.final;
     const auto same_orientation = [](const Quaternion& x, const Quaternion& y) { return x.coeffs() == y.coeffs(); };
-    return same_losses(prototype.losses, model.losses, energy) && length.same(p.spine_position, m.spine_position) &&
+    return same_losses(prototype.losses.value(), model.losses.value(), energy) && length.same(p.spine_position, m.spine_position) &&
            velocity.same(p.spine_velocity, m.spine_velocity) && number.same(p.spine_rotation, m.spine_rotation) &&
            length.same(a.position, b.position) && velocity.same(a.velocity, b.velocity) &&
            rate.same(a.angular_velocity, b.angular_velocity) &&
@@ -86,13 +86,14 @@ struct VelocityMeasure {
 
 /// See RunDifference::losses.
 std::optional<double> compare_losses(const RunResult& prototype, const RunResult& model, double energy_factor) {
-    const std::vector<PairWork>&p = prototype.losses.block, &m = model.losses.block;
+    const Losses &whole = prototype.losses.value(), &of_model = model.losses.value();
+    const std::vector<PairWork>&p = whole.block, &m = of_model.block;
     const std::vector<int>& layer = prototype.blocks.layer;
     if (p.size() != m.size() || p.size() > layer.size())
         throw std::invalid_argument("compare_runs: the runs have losses of different blocks");
-    const double all = prototype.losses.total().total();
+    const double all = whole.total().total();
     if (!(all > 0.0)) return std::nullopt;
-    double widest = std::abs(model.losses.ground.total() / energy_factor - prototype.losses.ground.total());
+    double widest = std::abs(of_model.ground.total() / energy_factor - whole.ground.total());
     std::map<int, double> of_level;
     for (std::size_t b = 0; b < p.size(); ++b) of_level[layer[b]] += m[b].total() / energy_factor - p[b].total();
     for (const auto& [level, difference] : of_level) widest = std::max(widest, std::abs(difference));

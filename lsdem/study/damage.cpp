@@ -25,7 +25,7 @@ struct Standing {
     double bottom() const { return center.z() - 0.5 * extent.z(); }
 };
 
-std::vector<Standing> find_standing(const StoredRun& run) {
+std::vector<Standing> find_standing(const RunData& run) {
     std::vector<Standing> standing;
     for (std::size_t b = 0; b < run.blocks.size.size(); ++b) {
         const Matrix3 turn = run.initial.orientation[b].toRotationMatrix().cwiseAbs();
@@ -35,7 +35,7 @@ std::vector<Standing> find_standing(const StoredRun& run) {
 }
 
 /// Where a point that belongs to a block at the start lies at the end.
-Vector3 carry(const StoredRun& run, std::size_t block, const Vector3& point) {
+Vector3 carry(const RunData& run, std::size_t block, const Vector3& point) {
     const Vector3 body = run.initial.orientation[block].conjugate() * (point - run.initial.position[block]);
     return run.final.position[block] + run.final.orientation[block] * body;
 }
@@ -53,7 +53,7 @@ bool find_meeting(const Standing& upper, const Standing& lower, Vector3& middle)
     return true;
 }
 
-std::vector<Joint> find_joints(const StoredRun& run, const std::vector<Standing>& standing, const Vector3& base) {
+std::vector<Joint> find_joints(const RunData& run, const std::vector<Standing>& standing, const Vector3& base) {
     const double ground = run.origin ? run.origin->base.z() : 0.0;
     // tops in order, so that only those at the right height are looked at
     std::vector<std::pair<double, std::size_t>> tops;
@@ -116,7 +116,7 @@ LevelDamage make_level(int level, const LevelSums& sums) {
 }
 
 /// Books what was dissipated under the levels above the leading blocks.
-void add_losses(const StoredRun& run, Damage& damage) {
+void add_losses(const RunData& run, Damage& damage) {
     if (!run.losses || damage.levels.empty()) return;
     std::vector<LevelDamage>& levels = damage.levels;
     for (LevelDamage& level : levels) level.loss = PairWork{};
@@ -146,7 +146,7 @@ double find_tilt(const Quaternion& orientation) {
     return std::atan2(up.head<2>().norm(), up.z());
 }
 
-Damage assess_damage(const StoredRun& run) {
+Damage assess_damage(const RunData& run) {
     const std::vector<Standing> standing = find_standing(run);
     const Vector3 base = run.history.base.back().displacement;
     Damage damage;

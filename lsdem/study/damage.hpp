@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "lsdem/study/read_results.hpp"
+#include "lsdem/study/history.hpp"
 
 /// What a motion has left behind: slip between blocks, rotations, fallen blocks.
 namespace musim::lsdem::study {
@@ -69,7 +69,7 @@ double find_tilt(const Quaternion& orientation);
 
 /// Compares the end of a run with its start. Blocks count as fallen as in Simulation::fallen_fraction: sunk by a quarter of their height,
 /// or tilted by 45°. Fixed blocks count like others.
-Damage assess_damage(const StoredRun& run);
+Damage assess_damage(const RunData& run);
 
 /// Part of what all joints dissipated that a level did [-]; 0 when none dissipated anything. Both must hold losses.
 double find_loss_share(const LevelDamage& level, const Damage& damage);

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "lsdem/study/read_results.hpp"
+#include "lsdem/study/result_error.hpp"
 
 namespace musim::lsdem::study {
 namespace {

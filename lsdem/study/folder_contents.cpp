@@ -9,7 +9,7 @@
 #include "lsdem/study/checked_json.hpp"
 #include "lsdem/study/detail/content_name.hpp"
 #include "lsdem/study/ensemble_members.hpp"
-#include "lsdem/study/read_results.hpp"
+#include "lsdem/study/result_error.hpp"
 #include "records/atomic_file.hpp"
 
 namespace musim::lsdem::study {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace musim::lsdem::study {
 
@@ -15,6 +16,14 @@ std::string to_string(RunStatus status) {
             break;
     }
     return "diverged";
+}
+
+std::vector<std::size_t> sort_spine_by_height(const RunData& run) {
+    std::vector<std::size_t> order(run.spine.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    const std::vector<Vector3>& position = run.history.spine_position;
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return position[a].z() < position[b].z(); });
+    return order;
 }
 
 double compute_energy_closure(const std::vector<Energy>& energy) {

@@ -79,38 +79,43 @@ enum class RunStatus { completed, collapsed, diverged };
 /// "completed", "collapsed" or "diverged".
 std::string to_string(RunStatus status);
 
-/// Everything one simulation produced.
-struct RunResult {
+/// What a run did: what simulate() produces and result folders keep.
+struct RunData {
     RunStatus status = RunStatus::completed;
-    std::optional<Divergence> divergence;  ///< where and when, when the run diverged
-    std::optional<double> collapse_time;   ///< first sample with enough fallen blocks [s]
-
-    std::optional<StageOrigin> origin;         ///< of a later stage of a sequence
-    std::optional<Rest> rest;                  ///< how it settled before t = 0; nothing when it was not to
-    double time_step = 0.0;                    ///< [s]
-    std::optional<double> critical_time_step;  ///< of the structure as built [s]; nothing when no block can move
-    std::uint64_t steps = 0;                   ///< done
+    std::optional<double> collapse_time;  ///< first sample with enough fallen blocks [s]
+    std::optional<StageOrigin> origin;    ///< of a later stage of a sequence
     BlockTable blocks;
     Spine spine;
-    History history;
-    Frames frames;  ///< empty unless the scene asks for them
-    Falls falls;
-    Kinematics initial;
-    Kinematics final;
-    Statistics statistics;
-    Losses losses;           ///< where energy was dissipated since the start [J]
-    std::string state_hash;  ///< of the final state
-
-    double energy_closure = 0.0;                       ///< see compute_energy_closure
-    std::optional<double> start_reaction_over_weight;  ///< at t = 0, as below
-    std::optional<double> base_reaction_over_weight;   ///< at the end, along gravity; nothing without ground or gravity
+    History history;  ///< as read from results, energy of all springs is that of normal ones; none in results of versions without energies
+    Frames frames;    ///< empty unless the scene asks for them
+    Falls falls;      ///< empty in results of versions before they were kept
+    Kinematics initial;                                ///< as read from results, poses only
+    Kinematics final;                                  ///< likewise, at the last sample
+    std::optional<Losses> losses;                      ///< where energy was dissipated since the start [J]; likewise
+    std::string state_hash;                            ///< of the final state
     Vector3 peak_base_acceleration = Vector3::Zero();  ///< PGA of each component of the motion that the base was given, absolute [m/s²]
     std::array<SourcePga, 3> source_pga = {};          ///< likewise, of what that motion was made from
-    double wall_time = 0.0;                            ///< [s]
 
     /// Centres of mass where falls are counted from [m].
     const std::vector<Vector3>& standing_position() const { return origin ? origin->position : initial.position; }
 };
+
+/// Everything one simulation produced.
+struct RunResult : RunData {
+    std::optional<Divergence> divergence;      ///< where and when, when the run diverged
+    std::optional<Rest> rest;                  ///< how it settled before t = 0; nothing when it was not to
+    double time_step = 0.0;                    ///< [s]
+    std::optional<double> critical_time_step;  ///< of the structure as built [s]; nothing when no block can move
+    std::uint64_t steps = 0;                   ///< done
+    Statistics statistics;
+    double energy_closure = 0.0;                       ///< see compute_energy_closure
+    std::optional<double> start_reaction_over_weight;  ///< at t = 0, as below
+    std::optional<double> base_reaction_over_weight;   ///< at the end, along gravity; nothing without ground or gravity
+    double wall_time = 0.0;                            ///< [s]
+};
+
+/// Indices of the spine's blocks from the lowest at the start up; of equal heights the first listed first.
+std::vector<std::size_t> sort_spine_by_height(const RunData& run);
 
 /// Largest change of the energy balance over the largest energy in play,
 ///   max_t |B(t) − B(0)| / max_t (E_kin + |E_grav(t) − E_grav(0)| + E_el + W_friction + W_damping + W_preparation + |W_base|),

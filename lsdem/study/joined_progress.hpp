@@ -15,7 +15,7 @@ class JoinedProgress {
         prepared_ = 0.0;
     }
 
-    /// From the argument of RunSettings::on_preparation.
+    /// From the argument of RunObserver::on_preparation.
     double after_preparing(double part_of_all) {
         prepared_ = std::max(prepared_, part_of_all);
         return advance_to(part_of_all);

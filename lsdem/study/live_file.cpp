@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <exception>
 #include <fstream>
+#include <functional>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "lsdem/study/detail/leftovers.hpp"
 #include "records/atomic_file.hpp"
@@ -26,6 +28,15 @@ LiveState parse_live_state(const nlohmann::json& json) {
     return state;
 }
 
+template <class... Args, class Second>
+std::function<void(Args...)> also(std::function<void(Args...)> first, Second second) {
+    if (!first) return second;
+    return [first = std::move(first), second](Args... args) {
+        first(args...);
+        second(args...);
+    };
+}
+
 }  // namespace
 
 nlohmann::json to_json(const LiveState& state) {
@@ -43,6 +54,14 @@ nlohmann::json to_json(const LiveState& state) {
 LiveFile::LiveFile(const std::filesystem::path& directory, std::string name, std::chrono::seconds interval)
     : file_(directory / kLiveName), interval_(interval), next_(start_ + interval) {
     state_.name = std::move(name);
+}
+
+void LiveFile::listen_to(RunObserver& observer) {
+    observer.on_preparation_spare = also(std::move(observer.on_preparation_spare), [this](double part) { tell_preparation_spare(part); });
+    observer.on_preparation = also(std::move(observer.on_preparation), [this](double fraction) { tell_preparation(fraction); });
+    observer.on_progress = also(std::move(observer.on_progress), [this](double fraction) { tell_progress(fraction); });
+    observer.on_sample =
+        also(std::move(observer.on_sample), [this](const RunResult& run, const TimePlan& plan) { tell_sample(run, plan); });
 }
 
 LiveFile::~LiveFile() { detail::remove_with_leftovers(file_); }

@@ -5,10 +5,10 @@
 #include <functional>
 #include <optional>
 #include <string>
-#include <utility>
 
 #include "lsdem/study/joined_progress.hpp"
 #include "lsdem/study/live_run.hpp"
+#include "lsdem/study/simulate.hpp"
 
 namespace musim::lsdem::study {
 
@@ -48,28 +48,11 @@ class LiveFile {
     void tell_preparation_spare(double part) { spare_ = joined_.of_whole_part(part); }
     void tell_sample(const RunResult& run, const TimePlan& plan);
 
-    /// Hears what a run, or a sequence, tells from now on, besides who hears it already. Outlives it.
-    template <class Settings>
-    void listen_to(Settings& settings) {
-        settings.on_preparation_spare =
-            also(std::move(settings.on_preparation_spare), [this](double part) { tell_preparation_spare(part); });
-        settings.on_preparation = also(std::move(settings.on_preparation), [this](double fraction) { tell_preparation(fraction); });
-        settings.on_progress = also(std::move(settings.on_progress), [this](double fraction) { tell_progress(fraction); });
-        settings.on_sample =
-            also(std::move(settings.on_sample), [this](const RunResult& run, const TimePlan& plan) { tell_sample(run, plan); });
-    }
+    /// Follows what is observed from now on, besides who does already. Outlives it.
+    void listen_to(RunObserver& observer);
 
   private:
     using Clock = std::chrono::steady_clock;
-
-    template <class Function, class Second>
-    static Function also(Function first, Second second) {
-        if (!first) return second;
-        return [first = std::move(first), second](auto&&... told) {
-            first(told...);
-            second(told...);
-        };
-    }
 
     void tell(bool prepares, double fraction);
     bool is_due() const { return Clock::now() >= next_; }

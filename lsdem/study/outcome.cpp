@@ -29,17 +29,8 @@ Vector3 find_shift(const RunResult& run, std::size_t spine_block, std::size_t sa
     return shift;
 }
 
-/// Spine blocks from the lowest up.
-std::vector<std::size_t> sort_by_height(const RunResult& run) {
-    std::vector<std::size_t> order(run.spine.size());
-    for (std::size_t s = 0; s < order.size(); ++s) order[s] = s;
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return run.history.spine_position[a].z() < run.history.spine_position[b].z(); });
-    return order;
-}
-
 void measure_spine(const RunResult& run, Outcome& outcome) {
-    const std::vector<std::size_t> order = sort_by_height(run);
+    const std::vector<std::size_t> order = sort_spine_by_height(run);
     if (order.empty() || run.history.samples() == 0) return;
     outcome.top_level = run.spine.level[order.back()];
     // the base ends where the lowest block begins

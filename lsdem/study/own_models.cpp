@@ -52,7 +52,7 @@ std::vector<RunTrace> run_other_specimens(const scene::Scene& scene, const RunRe
                                           const RunSettings& settings) {
     std::vector<RunTrace> traces(count);
     const int each = scaling::threads_of_each(settings.threads, count);
-    detail::SharedProgress progress(count, settings.on_progress);
+    detail::SharedProgress progress(count, settings.observer.on_progress);
     std::vector<std::function<void()>> jobs;
     for (std::size_t i = 0; i < count; ++i) {
         jobs.emplace_back([&, i] {
@@ -64,11 +64,11 @@ std::vector<RunTrace> run_other_specimens(const scene::Scene& scene, const RunRe
                 return own;
             };
             RunSettings laying = settings_of("specimen");
-            laying.on_preparation = [&](double part) { progress.update(i, kLaying * part); };
+            laying.observer.on_preparation = [&](double part) { progress.update(i, kLaying * part); };
             PairMember member = lay_member("other", other, scaling::Similitude(), laying);
             drop_frames(member);
             RunSettings running = settings_of("checkpoint");
-            running.on_progress = [&](double part) { progress.update(i, kLaying + (1.0 - kLaying) * part); };
+            running.observer.on_progress = [&](double part) { progress.update(i, kLaying + (1.0 - kLaying) * part); };
             const RunResult run = run_member(member, running);
             traces[i] = trace_run(prototype, run, member.similitude);
             progress.update(i, 1.0);

@@ -45,7 +45,7 @@ std::optional<CheckpointSettings> checkpoint_of(const RunSettings& settings, con
 /// goes from `from` to `to`.
 void run_all(std::vector<Job>& jobs, const RunSettings& settings, double from, double to) {
     const std::function<void(double)> tell = [&](double part) {
-        if (settings.on_progress) settings.on_progress(from + (to - from) * part);
+        if (settings.observer.on_progress) settings.observer.on_progress(from + (to - from) * part);
     };
     std::vector<double> work_of;
     for (const Job& job : jobs) work_of.push_back(job.work);
@@ -54,7 +54,7 @@ void run_all(std::vector<Job>& jobs, const RunSettings& settings, double from, d
     for (std::size_t j = 0; j < jobs.size(); ++j) {
         work.emplace_back([&, j] {
             const RunSettings own{.threads = scaling::threads_of_each(settings.threads, jobs.size()),
-                                  .on_progress = [&progress, j](double part) { progress.update(j, part); },
+                                  .observer = {.on_progress = [&progress, j](double part) { progress.update(j, part); }},
                                   .checkpoint = checkpoint_of(settings, *jobs[j].member)};
             jobs[j].result = run_member(*jobs[j].member, own);
             progress.update(j, 1.0);

@@ -225,10 +225,10 @@ class LayingProgress {
         before_ = done_;
         settings.preparations_to_follow = others_;
         settings.runs_to_follow = runs_;
-        settings.on_progress = {};
-        settings.on_preparation = [this](double part) {
+        settings.observer.on_progress = {};
+        settings.observer.on_preparation = [this](double part) {
             done_ = std::min(before_ + part, 1.0);
-            if (all_.on_preparation) all_.on_preparation(done_);
+            if (all_.observer.on_preparation) all_.observer.on_preparation(done_);
         };
         return settings;
     }
@@ -267,8 +267,9 @@ class OtherSpecimens {
 
   private:
     static RunSettings part_of(RunSettings settings, double from, double to) {
-        if (!settings.on_progress) return settings;
-        settings.on_progress = [=, tell = settings.on_progress](double part) { tell(from + (to - from) * part); };
+        std::function<void(double)>& on_progress = settings.observer.on_progress;
+        if (!on_progress) return settings;
+        on_progress = [=, tell = on_progress](double part) { tell(from + (to - from) * part); };
         return settings;
     }
 

@@ -37,8 +37,9 @@ class WorkDone {
         const double alike = 1.0 + to_follow_.preparations;
         const double all = alike * (done + left.most) + to_follow_.block_steps;
         part_ = std::max(part_, done / all);
-        if (settings_.on_preparation_spare && std::isfinite(all)) settings_.on_preparation_spare(alike * (left.most - left.least) / all);
-        if (settings_.on_progress) settings_.on_progress(part_);
+        if (settings_.observer.on_preparation_spare && std::isfinite(all))
+            settings_.observer.on_preparation_spare(alike * (left.most - left.least) / all);
+        if (settings_.observer.on_progress) settings_.observer.on_progress(part_);
     }
 
   private:

@@ -37,13 +37,9 @@ std::array<std::size_t, 2> find_samples(const StoredRun& run, const ResponseSett
 Receivers make_receivers(const StoredRun& run, int axis, const std::array<std::size_t, 2>& samples) {
     const History& history = run.history;
     const std::size_t ns = run.spine.size();
-    std::vector<std::size_t> order(ns);
-    for (std::size_t s = 0; s < ns; ++s) order[s] = s;
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return history.spine_position[a].z() < history.spine_position[b].z(); });
     Receivers receivers;
     receivers.dt = (history.time.back() - history.time.front()) / static_cast<double>(std::max<std::size_t>(1, history.samples() - 1));
-    for (const std::size_t s : order) {
+    for (const std::size_t s : sort_spine_by_height(run)) {
         const double height = history.spine_position[s].z();
         // levels are a block height apart; less than half of one is the same level
         const double apart = 0.5 * run.blocks.size[run.spine.block[s]].z();
@@ -154,7 +150,7 @@ int find_strongest_axis(const History& history) {
     return static_cast<int>(axis);
 }
 
-std::vector<SpineLevel> measure_spine(const StoredRun& run, int axis) {
+std::vector<SpineLevel> measure_spine(const RunData& run, int axis) {
     const History& history = run.history;
     const std::size_t ns = run.spine.size();
     // rotation as a camera sees it that looks along the horizontal axis across the motion

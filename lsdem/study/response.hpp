@@ -63,7 +63,7 @@ Response measure_response(const StoredRun& run, const ResponseSettings& settings
 int find_strongest_axis(const History& history);
 
 /// The spine's levels; in-plane rotations are those about the horizontal axis across `axis`.
-std::vector<SpineLevel> measure_spine(const StoredRun& run, int axis);
+std::vector<SpineLevel> measure_spine(const RunData& run, int axis);
 
 /// "x", "y" or "z".
 std::string axis_name(int axis);

@@ -114,7 +114,7 @@ Specimen make_specimen(const scene::Scene& scene, const RunSettings& settings, c
         }
         const double time_step = scene::compute_time_step(scene, specimen.model).value();
         RunSettings own = settings;
-        own.on_progress = settings.on_preparation;
+        own.observer.on_progress = settings.observer.on_preparation;
         const WorkToFollow to_follow{
             .preparations = settings.preparations_to_follow,
             .block_steps = settings.runs_to_follow * static_cast<double>(plan.steps()) * static_cast<double>(specimen.model.blocks.size())};

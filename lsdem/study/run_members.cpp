@@ -33,14 +33,14 @@ void run_member(const EnsembleMember& member, const MemberSettings& settings, co
     JoinedProgress joined;
     LiveFile live(directory, member.scene.name);
     RunSettings run_settings{.threads = 1,
-                             .on_progress = [&](double fraction) { on_progress(joined.after_running(fraction)); },
-                             .on_preparation = [&](double fraction) { on_progress(joined.after_preparing(fraction)); },
+                             .observer = {.on_progress = [&](double fraction) { on_progress(joined.after_running(fraction)); },
+                                          .on_preparation = [&](double fraction) { on_progress(joined.after_preparing(fraction)); }},
                              .checkpoint = CheckpointSettings{.file = checkpoint,
                                                               .scene = member.scene_text,
                                                               .program_version = settings.version,
                                                               .interval = settings.checkpoint_interval,
                                                               .on_failure = settings.on_no_checkpoint}};
-    live.listen_to(run_settings);
+    live.listen_to(run_settings.observer);
     report.resumed = fs::exists(checkpoint);
     const RunResult run = report.resumed ? resume_scene(member.scene, read_checkpoint(checkpoint, settings.version), run_settings)
                                          : run_scene(member.scene, run_settings);

@@ -19,17 +19,6 @@ std::vector<double> largest_of_spine(const RunResult& run, std::size_t first_sam
 
 }  // namespace
 
-Damage assess_damage(const RunResult& run) {
-    StoredRun view;
-    view.blocks = run.blocks;
-    view.history.base = {run.history.base.back()};
-    view.initial = run.initial;
-    view.final = run.final;
-    view.origin = run.origin;
-    view.losses = run.losses;
-    return assess_damage(view);
-}
-
 std::vector<QuantityFamily> find_quantities(const RunResult& run, const scaling::Similitude& similitude) {
     const History& h = run.history;
     const std::size_t spine = run.spine.size(), last = h.samples() - 1;
@@ -63,7 +52,7 @@ std::vector<QuantityFamily> find_quantities(const RunResult& run, const scaling:
     const auto add_one = [&](const char* key, const char* title, const char* unit, double value) {
         families.push_back({key, title, unit, {0}, {value}});
     };
-    add_one("total_loss", "losses", "J", run.losses.total().total() / energy);
+    add_one("total_loss", "losses", "J", (damage.loss ? damage.loss->total() : 0.0) / energy);
     add_one("damage_index", "damage index", "", damage.index);
     add_one("fallen_blocks", "fallen blocks", "", static_cast<double>(damage.fallen));
     return families;

@@ -9,9 +9,6 @@
 
 namespace musim::lsdem::study {
 
-/// The damage of a run that is not stored, see assess_damage of those that are.
-Damage assess_damage(const RunResult& run);
-
 /// What a motion came to, in numbers that can be held against those of another run: one for every level of the spine or of the structure.
 struct QuantityFamily {
     std::string key;            ///< in JSON

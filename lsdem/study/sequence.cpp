@@ -12,7 +12,7 @@
 #include "lsdem/scene/motions.hpp"
 #include "lsdem/scene/scene_json.hpp"
 #include "lsdem/study/quiet_phase.hpp"
-#include "lsdem/study/read_results.hpp"
+#include "lsdem/study/result_error.hpp"
 #include "lsdem/study/run.hpp"
 #include "lsdem/study/sequence_plan.hpp"
 #include "lsdem/study/staged_run.hpp"
@@ -40,8 +40,7 @@ double steps_of(const SequencePlan& plan) {
 /// How its specimen is prepared and where its checkpoints go.
 RunSettings find_run_settings(const scene::Scene& scene, const SequencePlan& plan, const SequenceSettings& settings) {
     return {.threads = settings.threads,
-            .on_preparation = settings.on_preparation,
-            .on_preparation_spare = settings.on_preparation_spare,
+            .observer = settings.observer,
             .runs_to_follow = steps_of(plan) / static_cast<double>(plan.stages.front().plan.steps()),
             .checkpoint = CheckpointSettings{.file = settings.directory / kCheckpointName,
                                              .scene = scene::write_scene(scene),
@@ -150,14 +149,15 @@ class Sequence {
     /// What is left is known better and better: the part that is reported never falls for that.
     void report(double done, double left) {
         done_ = std::max(done_, done / (done + std::max(left, 0.0)));
-        if (settings_.on_progress) settings_.on_progress(done_);
+        if (settings_.observer.on_progress) settings_.observer.on_progress(done_);
     }
 
     RunSettings settings_of(std::size_t stage) {
         const double before = work_before(stage), own = motion_work(stage), after = quiet_work(stage) + work_after(stage);
         return {.threads = settings_.threads,
-                .on_progress = [this, before, own, after](double part) { report(before + own * part, own * (1.0 - part) + after); },
-                .on_sample = settings_.on_sample,
+                .observer = {.on_progress = [this, before, own,
+                                             after](double part) { report(before + own * part, own * (1.0 - part) + after); },
+                             .on_sample = settings_.observer.on_sample},
                 .checkpoint = checkpoint_};
     }
 

@@ -6,24 +6,21 @@
 
 #include "lsdem/scene/scene.hpp"
 #include "lsdem/study/sequence_summary.hpp"
-#include "lsdem/study/time_plan.hpp"
+#include "lsdem/study/simulate.hpp"
 
 /// Several motions one after another on the same structure, until it has collapsed.
 namespace musim::lsdem::study {
 
 /// How to carry out a sequence; none of it changes the results.
 struct SequenceSettings {
-    std::filesystem::path directory;                        ///< of all results
-    std::string version;                                    ///< of the program
-    int threads = 1;                                        ///< 0: all cores
-    bool force = false;                                     ///< older results of another scene are replaced
-    double checkpoint_interval = 60.0;                      ///< wall time between two checkpoints [s]; 0: one after every sample
-    std::function<void(double)> on_progress = {};           ///< called now and then with the fraction done, 0 to 1
-    std::function<void(double)> on_preparation = {};        ///< likewise, while the specimen is being prepared
-    std::function<void(double)> on_preparation_spare = {};  ///< see RunSettings
-    std::function<void(const RunResult&, const TimePlan&)> on_sample = {};  ///< called after every sample of a stage
-    std::function<void(const std::string&)> on_stage = {};                  ///< told the folder of every stage once it is stored
-    std::function<void(const std::string&)> on_no_checkpoint = {};          ///< told why a checkpoint could not be written; the run goes on
+    std::filesystem::path directory;                                ///< of all results
+    std::string version;                                            ///< of the program
+    int threads = 1;                                                ///< 0: all cores
+    bool force = false;                                             ///< older results of another scene are replaced
+    double checkpoint_interval = 60.0;                              ///< wall time between two checkpoints [s]; 0: one after every sample
+    RunObserver observer = {};                                      ///< progress is that of the whole sequence
+    std::function<void(const std::string&)> on_stage = {};          ///< told the folder of every stage once it is stored
+    std::function<void(const std::string&)> on_no_checkpoint = {};  ///< told why a checkpoint could not be written; the run goes on
 };
 
 /// Shakes the structure of a scene with its motions, one after another, and stores every stage as a run of its own in DIR/stage-01-NAME,

@@ -23,7 +23,7 @@ void add(const Losses& more, Losses& sum) {
     sum.ground += more.ground;
 }
 
-Residual measure_residual(const StoredRun& run, int axis) { return {assess_damage(run), measure_spine(run, axis)}; }
+Residual measure_residual(const RunData& run, int axis) { return {assess_damage(run), measure_spine(run, axis)}; }
 
 /// `losses`: of all stages up to this one.
 StageSummary summarize_stage(const StoredRun& run, const StageFolder& where, const Losses& losses) {
@@ -147,10 +147,9 @@ std::optional<double> SequenceSummary::collapse_time() const {
     return last.start_time + *last.collapse_time;
 }
 
-StoredRun measure_from_first(const StoredRun& stage, const Kinematics& pose, const Vector3& base, const std::optional<Losses>& losses) {
+RunData measure_from_first(const RunData& stage, const Kinematics& pose, const Vector3& base, const std::optional<Losses>& losses) {
     const StageOrigin& origin = *stage.origin;
-    StoredRun whole;
-    whole.directory = stage.directory;
+    RunData whole;
     whole.blocks = stage.blocks;
     whole.spine = stage.spine;
     whole.losses = losses;

@@ -62,7 +62,7 @@ struct SequenceSummary {
 
 /// A later stage as if it had begun with the first, up to a moment of it in which its blocks had `pose` and its base had moved by `base`
 /// [m] since its own start. Of histories only the two ends, with residuals in them. `losses`: energy dissipated until then.
-StoredRun measure_from_first(const StoredRun& stage, const Kinematics& pose, const Vector3& base, const std::optional<Losses>& losses);
+RunData measure_from_first(const RunData& stage, const Kinematics& pose, const Vector3& base, const std::optional<Losses>& losses);
 
 /// Reads the stages of a sequence back and sums up. Throws ResultError as read_run does.
 SequenceSummary summarize_sequence(const std::filesystem::path& directory, const std::string& name, std::size_t planned,

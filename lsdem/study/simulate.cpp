@@ -125,7 +125,7 @@ void carry_on(RunResult& run, Simulation& simulation, const TimePlan& plan, std:
     std::optional<CheckpointWriter> checkpoints;
     if (settings.checkpoint) checkpoints.emplace(*settings.checkpoint);
     const auto tell = [&](std::uint64_t steps) {
-        if (settings.on_progress) settings.on_progress(static_cast<double>(steps) / static_cast<double>(plan.steps()));
+        if (settings.observer.on_progress) settings.observer.on_progress(static_cast<double>(steps) / static_cast<double>(plan.steps()));
     };
     std::uint64_t steps = simulation.statistics().steps;
     for (std::uint64_t k = done + 1; k <= plan.samples; ++k) {
@@ -141,7 +141,7 @@ void carry_on(RunResult& run, Simulation& simulation, const TimePlan& plan, std:
         if (plan.samples_per_frame > 0 && k % plan.samples_per_frame == 0) add_frame(run, simulation);
         run.wall_time = wall_time_before + std::chrono::duration<double>(Clock::now() - start).count();
         if (checkpoints) checkpoints->after_sample(k, plan, run, simulation);
-        if (settings.on_sample) settings.on_sample(run, plan);
+        if (settings.observer.on_sample) settings.observer.on_sample(run, plan);
         tell(steps);
         // a run that has come to its end has results
         if (k < plan.samples) scaling::stop_if_interrupted();

@@ -21,19 +21,23 @@ struct Specimen {
     std::vector<int> level = {};       ///< of every block, from 1 at the base, see scene::StructureInfo; empty: the layers
 };
 
+/// Who watches a run; none of it changes the results. Parts are from 0 to 1.
+struct RunObserver {
+    std::function<void(double)> on_progress = {};     ///< receives the part that is done every few steps, from the thread that runs
+    std::function<void(double)> on_preparation = {};  ///< likewise before, of the preparation and the runs that follow it: one scale
+    /// Receives, before that, the part at the end of all that may not be needed: how long a specimen takes to come to rest is known as a
+    /// range.
+    std::function<void(double)> on_preparation_spare = {};
+    std::function<void(const RunResult&, const TimePlan&)> on_sample = {};  ///< called after every sample with what there is so far
+};
+
 /// How to carry out a run; none of it changes the results.
 struct RunSettings {
-    int threads = 1;                               ///< 0: all cores
-    std::function<void(double)> on_progress = {};  ///< called every few steps with the fraction done, 0 to 1, from the thread that runs
-    /// Likewise, while a specimen is being prepared: the part that is done of it and of the runs that follow, so that progress is one
-    /// scale.
-    std::function<void(double)> on_preparation = {};
-    /// Told, before that, the part at the end of all that may not be needed: how long a specimen takes to come to rest is known as a range.
-    std::function<void(double)> on_preparation_spare = {};
-    double preparations_to_follow = 0.0;  ///< how many others that cost as much follow a preparation; for its progress
-    double runs_to_follow = 1.0;          ///< how many runs of its scene, by their work, follow a preparation; for its progress
-    std::function<void(const RunResult&, const TimePlan&)> on_sample = {};  ///< called after every sample with what there is so far
-    std::optional<CheckpointSettings> checkpoint = {};                      ///< none: a run that is killed is lost
+    int threads = 1;  ///< 0: all cores
+    RunObserver observer = {};
+    double preparations_to_follow = 0.0;                ///< how many others that cost as much follow a preparation; for its progress
+    double runs_to_follow = 1.0;                        ///< how many runs of its scene, by their work, follow a preparation; likewise
+    std::optional<CheckpointSettings> checkpoint = {};  ///< none: a run that is killed is lost
 };
 
 /// A structure has collapsed when this fraction of its blocks has fallen (has_fallen). One in twenty: a few blocks may

@@ -13,7 +13,7 @@
 #include "lsdem/study/detail/leftovers.hpp"
 #include "lsdem/study/detail/shared_progress.hpp"
 #include "lsdem/study/fallen_blocks.hpp"
-#include "lsdem/study/read_results.hpp"
+#include "lsdem/study/result_error.hpp"
 #include "lsdem/study/run.hpp"
 #include "lsdem/study/specimen_file.hpp"
 #include "records/error.hpp"
@@ -81,7 +81,7 @@ SpecimenReport make_specimen_file(const SpecimenBatch& batch, std::size_t index,
     }
     RunSettings settings;
     settings.threads = scaling::threads_of_each(batch.threads, batch.seeds.size());
-    settings.on_progress = [&](double fraction) { progress.update(index, fraction); };
+    settings.observer.on_progress = [&](double fraction) { progress.update(index, fraction); };
     settings.checkpoint = CheckpointSettings{.file = checkpoint_of(report.file),
                                              .scene = inputs,
                                              .program_version = batch.version,

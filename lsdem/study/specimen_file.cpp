@@ -11,7 +11,7 @@
 #include "lsdem/study/detail/content_name.hpp"
 #include "lsdem/study/detail/hdf5_file.hpp"
 #include "lsdem/study/detail/hdf5_reader.hpp"
-#include "lsdem/study/read_results.hpp"
+#include "lsdem/study/result_error.hpp"
 #include "records/atomic_file.hpp"
 
 namespace musim::lsdem::study {

@@ -82,8 +82,8 @@ void join(RunResult& whole, RunResult stage) {
     whole.statistics = stage.statistics;
     whole.statistics.max_overlap_over_height = overlap;
     whole.final = std::move(stage.final);
-    for (std::size_t b = 0; b < whole.losses.block.size(); ++b) whole.losses.block[b] += stage.losses.block[b];
-    whole.losses.ground += stage.losses.ground;
+    for (std::size_t b = 0; b < whole.losses->block.size(); ++b) whole.losses->block[b] += stage.losses->block[b];
+    whole.losses->ground += stage.losses->ground;
     for (int axis = 0; axis < 3; ++axis) {
         const auto a = static_cast<std::size_t>(axis);
         if (stage.peak_base_acceleration[axis] > whole.peak_base_acceleration[axis]) whole.source_pga[a] = stage.source_pga[a];
@@ -147,7 +147,8 @@ RunResult run_stages(Simulation& simulation, const Specimen& specimen, const Sta
         const TimePlan& plan = stages[k].plan;
         const auto own = static_cast<double>(plan.samples);
         RunSettings of_stage{.threads = settings.threads};
-        if (settings.on_progress) of_stage.on_progress = [&](double part) { settings.on_progress((done + own * part) / all); };
+        if (settings.observer.on_progress)
+            of_stage.observer.on_progress = [&](double part) { settings.observer.on_progress((done + own * part) / all); };
         if (k > 0) simulation.begin_motion(stages[k].motion);
         RunResult run = simulate(simulation, specimen, plan, std::move(begin), of_stage);
         done += own;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "lsdem/study/checked_json.hpp"
-#include "lsdem/study/read_results.hpp"
+#include "lsdem/study/result_error.hpp"
 #include "records/atomic_file.hpp"
 
 namespace musim::lsdem::study {

@@ -13,7 +13,7 @@
 
 #include "lsdem/archive.hpp"
 #include "lsdem/study/checked_json.hpp"
-#include "lsdem/study/read_results.hpp"
+#include "lsdem/study/result_error.hpp"
 #include "records/atomic_file.hpp"
 #include "records/csv_cell.hpp"
 #include "scaling/regular_file.hpp"

@@ -92,7 +92,7 @@ class TwinWork {
         plan_ = make_time_plan(scene_, specimen_.model);
         moving_ = find_moving(specimen_.model);
         if (wants_prototype) tape_ = std::make_unique<detail::VelocityTape>();
-        detail::SharedProgress progress(pending.size() + (wants_prototype ? 1 : 0), settings_.on_progress);
+        detail::SharedProgress progress(pending.size() + (wants_prototype ? 1 : 0), settings_.observer.on_progress);
         std::vector<std::function<void()>> jobs;
         const auto add = [&](const auto& job) {
             jobs.emplace_back([&progress, job, number = jobs.size()] {
@@ -183,10 +183,7 @@ fs::path twin_folder(const fs::path& directory, const scene::Scene& scene, const
 }
 
 Specimen lay_twin_specimen(const scene::Scene& scene, const fs::path& folder, const TwinSettings& settings, double runs_to_follow) {
-    RunSettings run_settings{.threads = settings.threads,
-                             .on_preparation = settings.on_preparation,
-                             .on_preparation_spare = settings.on_preparation_spare,
-                             .runs_to_follow = runs_to_follow};
+    RunSettings run_settings{.threads = settings.threads, .observer = settings.observer, .runs_to_follow = runs_to_follow};
     if (!folder.empty()) {
         run_settings.checkpoint = CheckpointSettings{.file = folder / kTwinSpecimenName,
                                                      .scene = scene::write_scene(scene),

@@ -17,9 +17,7 @@ struct TwinSettings {
     std::string version = {};              ///< of the program; results of another are not used
     int threads = 0;                       ///< runs side by side, each on one thread; 0: all cores
     double checkpoint_interval = 60.0;     ///< wall time between two checkpoints of the specimen's preparation [s]
-    std::function<void(double)> on_preparation = {};          ///< fraction done, while the specimen is laid
-    std::function<void(double)> on_preparation_spare = {};    ///< see RunSettings
-    std::function<void(double)> on_progress = {};             ///< likewise of all runs, from any thread
+    RunObserver observer = {};             ///< of laying the specimen, and of all runs, from any thread; no samples
     std::function<void(const std::string&)> on_warning = {};  ///< told why a checkpoint could not be written
 };
 

@@ -119,9 +119,10 @@ class BenchWork {
         specimen_ = lay_twin_specimen(scene_, folder_, settings_, static_cast<double>(1 + pending.size()));
         time_plan_ = make_time_plan(scene_, specimen_.model);
         time_plan_.samples_per_frame = 0;
-        detail::SharedProgress progress(1 + pending.size(), settings_.on_progress);
-        prototype_ = simulate(specimen_, time_plan_,
-                              {.threads = settings_.threads, .on_progress = [&](double part) { progress.update(pending.size(), part); }});
+        detail::SharedProgress progress(1 + pending.size(), settings_.observer.on_progress);
+        prototype_ = simulate(
+            specimen_, time_plan_,
+            {.threads = settings_.threads, .observer = {.on_progress = [&](double part) { progress.update(pending.size(), part); }}});
         std::vector<std::function<void()>> jobs;
         for (std::size_t j = 0; j < pending.size(); ++j) {
             jobs.emplace_back([this, &progress, &trial = trials_[pending[j]], j] {
@@ -135,7 +136,7 @@ class BenchWork {
         const scaling::Similitude similitude = scaling::make_similitude("exact", {.length = trial.choice.length});
         Specimen specimen = make_twin(specimen_, trial.choice);
         if (trial.error) inject(*trial.error, trial.size, specimen.model);
-        const RunResult run = simulate(specimen, time_plan_.scaled(similitude.time()), {.on_progress = on_progress});
+        const RunResult run = simulate(specimen, time_plan_.scaled(similitude.time()), {.observer = {.on_progress = on_progress}});
         trial.trace = trace_run(prototype_, run, similitude);
         trial.trace.image = !trial.choice.last_place;
         if (!folder_.empty()) write_trace(folder_ / trial.name, trial.trace);

@@ -8,7 +8,7 @@
 #include "lsdem/study/checkpoint.hpp"
 #include "lsdem/study/detail/folder_lock.hpp"
 #include "lsdem/study/folder_contents.hpp"
-#include "lsdem/study/read_results.hpp"
+#include "lsdem/study/result_error.hpp"
 
 namespace musim::lsdem::study {
 namespace {

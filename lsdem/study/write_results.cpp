@@ -145,7 +145,7 @@ std::vector<char> make_hdf5(const RunResult& run, const ResultHeader& header) {
     write_blocks(file, run);
     write_falls(file, run.falls);
     if (run.origin) write_origin(file, *run.origin);
-    write_losses(file, run.losses);
+    if (run.losses) write_losses(file, *run.losses);
     write_frames(file, run);
     file.write_attribute("scene", header.scene);
     file.write_attribute("similitude", header.similitude ? to_json(*header.similitude).dump() : "null");

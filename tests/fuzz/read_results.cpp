@@ -131,8 +131,8 @@ void read_checkpoint(const std::string& bytes) {
         // another scene may be a large one
         static const lsdem::scene::Scene scene = lsdem::scene::parse_scene(scene_text, "checkpoint");
         study::RunSettings settings;
-        settings.on_sample = [](const auto&...) { throw Stop(); };
-        settings.on_preparation = [](double) { throw Stop(); };
+        settings.observer.on_sample = [](const auto&...) { throw Stop(); };
+        settings.observer.on_preparation = [](double) { throw Stop(); };
         try {
             study::resume_scene(scene, std::move(checkpoint), settings);
         } catch (const Stop&) {
@@ -176,7 +176,7 @@ void read_state(const std::string& edits) {
     study::Checkpoint checkpoint = whole;
     checkpoint.state = sealed.str();
     study::RunSettings settings;
-    settings.on_sample = [](const auto&...) { throw Stop(); };
+    settings.observer.on_sample = [](const auto&...) { throw Stop(); };
     allow_refusal([&] {
         try {
             study::resume(specimen, std::move(checkpoint), settings);

@@ -76,16 +76,16 @@ TEST_CASE("a run tells where it stands in its folder while it goes on, and only 
         LiveFile live(out, "made", std::chrono::seconds(0));
         RunSettings settings;
         double heard = 0.0;
-        settings.on_progress = [&](double fraction) { heard = fraction; };
-        live.listen_to(settings);
-        settings.on_preparation(0.25);
+        settings.observer.on_progress = [&](double fraction) { heard = fraction; };
+        live.listen_to(settings.observer);
+        settings.observer.on_preparation(0.25);
         REQUIRE(look_into(out).runs.size() == 1);
         CHECK(look_into(out).runs[0].state.prepares);
         CHECK_FALSE(look_into(out).runs[0].state.run);
         CHECK_FALSE(look_into(out).runs[0].state.left);
-        settings.on_sample(run, plan);
+        settings.observer.on_sample(run, plan);
         // what follows the preparation shares the rest of one scale
-        settings.on_progress(0.5);
+        settings.observer.on_progress(0.5);
         CHECK(heard == 0.5);
         const WatchedFolder watched = look_into(out);
         CHECK(watched.state == FolderState::working);

@@ -17,7 +17,7 @@ inline RunResult make_made_run(std::size_t samples) {
     run.blocks = {.size = {{1.0, 2.0, 3.0}, {1.5, 2.0, 3.0}}, .mass = {10.0, 20.0}, .layer = {1, 2}};
     constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
     run.falls = {.time = {kNone, 0.5}, .displacement = {Vector3::Constant(kNone), {0.5, 0.0, -1.0}}, .at_collapse = {}};
-    run.losses = {.block = {{0.3, 0.2}, {0.0, 0.0}}, .ground = {0.4, 0.1}};
+    run.losses = Losses{.block = {{0.3, 0.2}, {0.0, 0.0}}, .ground = {0.4, 0.1}};
     run.spine = {.block = {0, 1}, .level = {1, 2}};
     run.state_hash = "0123456789abcdef";
     for (std::size_t k = 0; k < samples; ++k) {
@@ -57,8 +57,8 @@ inline RunResult scale_run(RunResult run, const scaling::Similitude& s) {
         }
     }
     const auto scale = [&](PairWork& work) { work.friction *= s.energy(), work.damping *= s.energy(); };
-    std::for_each(run.losses.block.begin(), run.losses.block.end(), scale);
-    scale(run.losses.ground);
+    std::for_each(run.losses->block.begin(), run.losses->block.end(), scale);
+    scale(run.losses->ground);
     for (Vector3& x : run.history.spine_position) x *= s.length();
     for (Vector3& v : run.history.spine_velocity) v *= s.velocity();
     for (Vector3& x : run.final.position) x *= s.length();

@@ -30,7 +30,7 @@ RunResult make_swing() {
     run.final.position = {{0.1, 0, 0.5}, {0.15, 0, 1.5}};
     run.initial.orientation.assign(2, Quaternion::Identity());
     run.final.orientation = {Quaternion::Identity(), Quaternion(Eigen::AngleAxisd(0.1, Vector3::UnitZ()))};
-    run.losses.block.resize(2);
+    run.losses = Losses{.block = {{}, {}}, .ground = {}};
     return run;
 }
 

@@ -38,11 +38,12 @@ Preparing prepare_telling(const scene::Scene& scene, const WorkToFollow& to_foll
     const Specimen upright = make_upright_specimen(scene);
     Preparing preparing;
     double spare = 0.0;
-    const RunSettings settings{.on_progress =
-                                   [&](double part) {
-                                       preparing.told.push_back({part, spare});
-                                   },
-                               .on_preparation_spare = [&](double part) { spare = part; }};
+    RunSettings settings;
+    settings.observer = {.on_progress =
+                             [&](double part) {
+                                 preparing.told.push_back({part, spare});
+                             },
+                         .on_preparation_spare = [&](double part) { spare = part; }};
     const double time_step = scene::compute_time_step(scene, upright.model).value();
     const PreparedSpecimen prepared = prepare(upright, time_step, find_preparation(scene, upright), settings, {}, to_follow);
     preparing.block_steps = static_cast<double>(prepared.block_steps);
@@ -81,7 +82,7 @@ TEST_CASE("the specimens that a pair lays are one scale with its runs") {
     std::vector<double> told;
     std::size_t preparing = 0;
     RunSettings settings;
-    settings.on_preparation = [&](double part) {
+    settings.observer.on_preparation = [&](double part) {
         if (told.empty() || part > told.back()) ++preparing;
         told.push_back(part);
     };

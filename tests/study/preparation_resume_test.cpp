@@ -75,13 +75,13 @@ TEST_CASE("a preparation resumed from any of its checkpoints ends in the bits of
         settings.placing = way.placing;
         settings.added_patience = way.added_patience;
         int looks = 0;
-        const PreparedSpecimen whole = prepare(upright, step, settings, {.on_progress = [&](double) { ++looks; }});
+        const PreparedSpecimen whole = prepare(upright, step, settings, {.observer = {.on_progress = [&](double) { ++looks; }}});
         REQUIRE(whole.rest.at_rest);
         // in the first layer, in later ones, while the whole comes to rest, and when it is so for the first time
         for (const int look : {3, looks / 4, looks / 2, looks - 1}) {
             CAPTURE(look);
             const TemporaryFolder folder;
-            const RunSettings killed{.on_progress = killer(look), .checkpoint = checkpoint_in(folder.path())};
+            const RunSettings killed{.observer = {.on_progress = killer(look)}, .checkpoint = checkpoint_in(folder.path())};
             CHECK_THROWS_AS(prepare(upright, step, settings, killed), Killed);
             const Checkpoint checkpoint = read_checkpoint(folder.path() / kCheckpointName, "1.2");
             REQUIRE(checkpoint.preparation.has_value());
@@ -97,14 +97,14 @@ TEST_CASE("a run that is killed while its specimen is prepared, or later, goes o
         CAPTURE(look);
         const TemporaryFolder folder;
         // one that is not killed in its preparation is killed after two samples
-        RunSettings killed{.on_progress = killer(2), .checkpoint = checkpoint_in(folder.path())};
-        if (look > 0) killed.on_preparation = killer(look);
+        RunSettings killed{.observer = {.on_progress = killer(2)}, .checkpoint = checkpoint_in(folder.path())};
+        if (look > 0) killed.observer.on_preparation = killer(look);
         CHECK_THROWS_AS(run_scene(scene, killed), Killed);
         Checkpoint checkpoint = read_checkpoint(folder.path() / kCheckpointName, "1.2");
         CHECK(checkpoint.preparation.has_value() == (look > 0));
         CHECK(checkpoint.places.has_value() == (look == 0));
         int looks = 0;
-        const RunSettings counted{.on_preparation = [&](double) { ++looks; }};
+        const RunSettings counted{.observer = {.on_preparation = [&](double) { ++looks; }}};
         const RunResult resumed = resume_scene(scene, std::move(checkpoint), counted);
         CHECK(resumed.state_hash == whole.state_hash);
         CHECK(resumed.rest->steps == whole.rest->steps);
@@ -121,7 +121,7 @@ TEST_CASE("a preparation that began in equilibrium is resumed to the same bits")
     const RunResult whole = run_scene(scene);
     const TemporaryFolder folder;
     // it is at rest all the time: progress is told at the end only
-    CHECK_THROWS_AS(run_scene(scene, {.on_preparation = killer(1), .checkpoint = checkpoint_in(folder.path())}), Killed);
+    CHECK_THROWS_AS(run_scene(scene, {.observer = {.on_preparation = killer(1)}, .checkpoint = checkpoint_in(folder.path())}), Killed);
     Checkpoint checkpoint = read_checkpoint(folder.path() / kCheckpointName, "1.2");
     REQUIRE(checkpoint.preparation.has_value());
     CHECK(resume_scene(scene, std::move(checkpoint)).state_hash == whole.state_hash);
@@ -130,7 +130,7 @@ TEST_CASE("a preparation that began in equilibrium is resumed to the same bits")
 TEST_CASE("a checkpoint of a preparation of other blocks is refused") {
     const scene::Scene scene = make_wall_scene();
     const TemporaryFolder folder;
-    CHECK_THROWS_AS(run_scene(scene, {.on_preparation = killer(3), .checkpoint = checkpoint_in(folder.path())}), Killed);
+    CHECK_THROWS_AS(run_scene(scene, {.observer = {.on_preparation = killer(3)}, .checkpoint = checkpoint_in(folder.path())}), Killed);
     const Checkpoint checkpoint = read_checkpoint(folder.path() / kCheckpointName, "1.2");
     CHECK_THROWS_AS((void)resume_scene(with_seed(scene, 4), checkpoint), std::runtime_error);
 }
@@ -196,9 +196,9 @@ TEST_CASE("a sequence that is killed while its specimen is prepared goes on from
     run_sequence(scene, settings);
     settings.directory = folder.path() / "killed";
     settings.checkpoint_interval = 0.0;
-    settings.on_preparation = killer(50);
+    settings.observer.on_preparation = killer(50);
     CHECK_THROWS_AS(run_sequence(scene, settings), Killed);
-    settings.on_preparation = {};
+    settings.observer.on_preparation = {};
     resume_sequence(settings);
     const char* const spine = "stage-01-sine/spine.csv";
     CHECK(bytes_of(folder.path() / "killed" / spine) == bytes_of(folder.path() / "whole" / spine));

@@ -61,7 +61,7 @@ TEST_CASE("the image of a laid wall runs to the same bits where all factors are 
     const RunResult prototype = simulate(laid_wall(), plan);
     REQUIRE(laid_wall().model.preload.size() > 8);
     // it moves, and slips
-    REQUIRE(prototype.losses.total().friction > 0.0);
+    REQUIRE(prototype.losses->total().friction > 0.0);
     for (const ScaleFactors& factors : kPowersOfTwo) {
         CAPTURE(factors.length);
         CAPTURE(factors.gravity);

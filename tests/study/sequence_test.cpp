@@ -96,7 +96,7 @@ struct Killed {};
 void kill_at(const scene::Scene* scene, const fs::path& directory, double fraction, const std::string& stored = "") {
     SequenceSettings settings = settings_for(directory);
     settings.checkpoint_interval = 0.0;
-    settings.on_progress = [&](double done) {
+    settings.observer.on_progress = [&](double done) {
         if (done >= fraction) throw Killed{};
     };
     settings.on_stage = [&](const std::string& folder) {

@@ -78,7 +78,8 @@ TEST_CASE("a frame's contact forces of a standing column are what each block bea
 TEST_CASE("progress rises to one") {
     std::vector<double> fractions;
     const Specimen column = make_column(1);
-    simulate(column, make_plan(column, 25), {.threads = 1, .on_progress = [&](double fraction) { fractions.push_back(fraction); }});
+    simulate(column, make_plan(column, 25),
+             {.threads = 1, .observer = {.on_progress = [&](double fraction) { fractions.push_back(fraction); }}});
     REQUIRE_FALSE(fractions.empty());
     CHECK(std::is_sorted(fractions.begin(), fractions.end()));
     CHECK(fractions.back() == 1.0);

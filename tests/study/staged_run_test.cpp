@@ -49,8 +49,8 @@ TEST_CASE("a pair of several motions agrees to the last bit at a power of four, 
     for (std::size_t k = 1; k < history.samples(); ++k) CHECK(history.time[k] > history.time[k - 1]);
     CHECK(history.time.back() == relative(0.7, 1e-3));
     const Energy& end = history.energy.back();
-    CHECK(run.losses.total().total() == relative(end.friction_loss + end.damping_loss, 1e-9));
-    CHECK(run.losses.total().total() > 0.0);
+    CHECK(run.losses->total().total() == relative(end.friction_loss + end.damping_loss, 1e-9));
+    CHECK(run.losses->total().total() > 0.0);
     const std::size_t top = run.spine.block.back();
     const Vector3 turned = rotation_vector(run.initial.orientation[top], run.final.orientation[top]);
     CHECK((history.spine_rotation.back() - turned).norm() < 1e-12);

@@ -87,8 +87,8 @@ TEST_CASE("what is there is not run again, what is missing or damaged is, to the
     const TwinStudy fresh = run_twins(wall, kLengths);
     std::vector<double> preparation, progress;
     TwinSettings settings{.directory = folder.path(), .version = "test", .threads = 1};
-    settings.on_preparation = [&](double fraction) { preparation.push_back(fraction); };
-    settings.on_progress = [&](double fraction) { progress.push_back(fraction); };
+    settings.observer.on_preparation = [&](double fraction) { preparation.push_back(fraction); };
+    settings.observer.on_progress = [&](double fraction) { progress.push_back(fraction); };
     CHECK(all_equal(run_twins(wall, {kLengths.begin(), kLengths.begin() + 2}, settings),
                     run_twins(wall, {kLengths.begin(), kLengths.begin() + 2})));
     CHECK_FALSE(preparation.empty());

@@ -7,7 +7,7 @@
 #include <fstream>
 
 #include "lsdem/study/detail/content_name.hpp"
-#include "lsdem/study/read_results.hpp"
+#include "lsdem/study/result_error.hpp"
 
 namespace musim::lsdem::study::detail {
 namespace {

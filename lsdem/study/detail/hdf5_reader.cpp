@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "lsdem/study/detail/file_checksum.hpp"
-#include "lsdem/study/read_results.hpp"
+#include "lsdem/study/result_error.hpp"
 #include "scaling/regular_file.hpp"
 
 namespace musim::lsdem::study::detail {
