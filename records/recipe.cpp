@@ -11,15 +11,16 @@
 #include <utility>
 
 #include "records/align.hpp"
-#include "records/detail/json_fields.hpp"
+#include "records/detail/json_rules.hpp"
+#include "records/error.hpp"
 #include "scaling/detail/overloaded.hpp"
 
 namespace musim::records {
 namespace {
 
-using detail::JsonFields;
+using detail::Json;
+using scaling::JsonReader;
 using scaling::detail::Overloaded;
-using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kSchema = "musim-recipe/1";
 
@@ -75,22 +76,32 @@ void describe(Step& step, Visitor&& visit) {
 
 /// Takes settings from JSON; those that are not there stay as they are.
 struct SettingReader {
-    JsonFields& fields;
+    const JsonReader& fields;
 
-    void operator()(const char* key, int& value) { value = fields.integer(key, value); }
-    void operator()(const char* key, double& value) { value = fields.number(key, value); }
-    void operator()(const char* key, scaling::Time& value) { value = fields.quantity<scaling::Time>(key); }
-    void operator()(const char* key, std::optional<scaling::Frequency>& value) {
-        value = fields.optional_quantity<scaling::Frequency>(key);
+    template <class Number>
+    void operator()(const char* key, Number& value) {
+        fields.read(key, value);
     }
-    void operator()(const char* key, TimeWindow& value) { value = fields.window(key); }
+    void operator()(const char* key, scaling::Time& value) { value = fields.get<scaling::Time>(key); }
+    void operator()(const char* key, std::optional<scaling::Frequency>& value) { value = fields.find<scaling::Frequency>(key); }
+    void operator()(const char* key, TimeWindow& value) {
+        if (!fields.has(key) || !fields[key].json().is_array() || fields[key].json().size() != 2) {
+            fields.fail(fmt::format("{} is no pair of times", key), "write [\"10 s\", \"40 s\"]");
+        }
+        value = {fields[key].part(0).quantity<scaling::Time>(), fields[key].part(1).quantity<scaling::Time>()};
+    }
     void operator()(const char* key, Required setting) {
         if (!fields.has(key)) fields.fail(fmt::format("{} is missing", key), std::string(setting.what_to_do));
-        setting.value = fields.number(key, setting.value);
+        setting.value = fields.get<double>(key);
     }
     template <class Value>
     void operator()(const char* key, Either<Value> setting) {
-        setting.value = static_cast<Value>(fields.is_second(key, setting.names[0], setting.names[1]));
+        if (!fields.has(key)) return;
+        const Json& name = fields[key].json();
+        if (name != setting.names[0] && name != setting.names[1]) {
+            fields.fail(fmt::format("{} is neither \"{}\" nor \"{}\"", key, setting.names[0], setting.names[1]), "write one of them");
+        }
+        setting.value = static_cast<Value>(name == setting.names[1]);
     }
 };
 
@@ -127,7 +138,8 @@ Step read_step(const Json& object, const std::string& place) {
         throw ReadError(place + ": has no name; add \"step\": \"filter\" or another");
     }
     const auto name = object["step"].get<std::string>();
-    JsonFields fields(object, fmt::format("{} ({})", place, name), nullptr, detail::PlainNumbers::are_si);
+    const detail::JsonRules rules(nullptr, detail::PlainNumbers::are_si);
+    const JsonReader fields(object, rules, fmt::format("{} ({})", place, name));
     fields.has("step");
     const auto* const named = std::find(std::begin(kNames), std::end(kNames), name);
     if (named == std::end(kNames)) fields.fail("is no step", fmt::format("take one of {}", fmt::join(kNames, ", ")));
@@ -205,13 +217,10 @@ GroundMotion carry_out(const GroundMotion& motion, const Step& step) {
 }  // namespace
 
 Recipe parse_recipe(std::string_view json, const std::string& source) {
-    const Json object = detail::parse_json(json, source, R"(write {"schema": "musim-recipe/1", "steps": [...]})");
-    if (!object.is_object() || !object.contains("schema") || object["schema"] != kSchema) {
-        throw ReadError(fmt::format("{}: is no recipe; add \"schema\": \"{}\"", source, kSchema));
-    }
+    const Json object = detail::parse_object(json, source, kSchema, "recipe", R"("steps": [...])");
     if (!object.contains("steps") || !object["steps"].is_array()) throw ReadError(source + ": has no list of steps; add \"steps\": [...]");
     for (const auto& [key, value] : object.items()) {
-        if (key != "schema" && key != "steps" && key != "name") {
+        if (key != "steps" && key != "name") {
             throw ReadError(fmt::format("{}: \"{}\" is no key of a recipe; remove it", source, key));
         }
     }

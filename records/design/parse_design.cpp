@@ -10,13 +10,15 @@
 #include "records/design/detail/law_fields.hpp"
 #include "records/design/detail/material_fields.hpp"
 #include "records/design/models.hpp"
+#include "records/error.hpp"
 #include "scaling/scale_law_catalogue.hpp"
 
 namespace musim::design {
 namespace {
 
 using detail::Json;
-using detail::JsonFields;
+using detail::JsonReader;
+using detail::JsonRules;
 using detail::read_modulus;
 using detail::read_names;
 using detail::read_number;
@@ -26,8 +28,7 @@ using detail::require_list;
 using detail::require_positive;
 using detail::require_text;
 
-Prototype read_prototype(const Json& object, const std::string& place, scaling::UncertainReading* reading) {
-    JsonFields fields(object, place, reading);
+Prototype read_prototype(const JsonReader& fields) {
     Prototype prototype;
     prototype.block = require_block(fields, "block");
     prototype.height = require_positive<scaling::Length>(fields, "height");
@@ -44,12 +45,11 @@ Prototype read_prototype(const Json& object, const std::string& place, scaling::
     return prototype;
 }
 
-Material read_material(const Json& value, const std::string& place, const std::vector<Material>& presets,
-                       scaling::UncertainReading* reading) {
-    if (value.is_string()) return detail::find_preset(value.get<std::string>(), place, presets);
-    JsonFields fields(value, place, reading);
+Material read_material(const JsonReader& value, const std::vector<Material>& presets) {
+    if (value.json().is_string()) return detail::find_preset(value.text(), value.place(), presets);
+    const JsonReader fields = value.object();
     const std::optional<Material> preset = detail::read_preset(fields, presets);
-    const std::string name = preset ? fields.text("name", preset->name) : require_text(fields, "name");
+    const std::string name = preset ? fields.find<std::string>("name").value_or(preset->name) : require_text(fields, "name");
     Material material = detail::read_properties(fields, preset, [&] { return require_block(fields, "stiffness_block"); });
     material.name = name;
     detail::replace(material.smallest_edge, read_positive<scaling::Length>(fields, "smallest_edge"));
@@ -58,11 +58,10 @@ Material read_material(const Json& value, const std::string& place, const std::v
     return material;
 }
 
-std::vector<Material> read_materials(JsonFields& fields, const std::vector<Material>& presets) {
+std::vector<Material> read_materials(const JsonReader& fields, const std::vector<Material>& presets) {
     std::vector<Material> materials;
-    for (const Json& entry : require_list(fields, "materials", R"(["wood", {"name": "resin", "density": ..., "friction": ...}])")) {
-        const Material material =
-            read_material(entry, fmt::format("{}: materials {}", fields.place(), materials.size() + 1), presets, fields.reading());
+    for (const JsonReader& entry : require_list(fields, "materials", R"(["wood", {"name": "resin", "density": ..., "friction": ...}])")) {
+        const Material material = read_material(entry, presets);
         if (std::any_of(materials.begin(), materials.end(), [&](const Material& other) { return other.name == material.name; })) {
             fields.fail(fmt::format("the material \"{}\" comes twice", material.name), "give every one its own \"name\"");
         }
@@ -71,10 +70,10 @@ std::vector<Material> read_materials(JsonFields& fields, const std::vector<Mater
     return materials;
 }
 
-std::vector<GivenPeaks> read_peaks(JsonFields& fields) {
+std::vector<GivenPeaks> read_peaks(const JsonReader& fields) {
     std::vector<GivenPeaks> list;
-    for (const Json& entry : require_list(fields, "peaks", R"([{"axis": "x", "acceleration": "0.5 g", ...}])")) {
-        JsonFields row(entry, fmt::format("{}: peaks {}", fields.place(), list.size() + 1), fields.reading());
+    for (const JsonReader& entry : require_list(fields, "peaks", R"([{"axis": "x", "acceleration": "0.5 g", ...}])")) {
+        const JsonReader row = entry.object();
         GivenPeaks peaks{.axis = require_text(row, "axis"), .acceleration = require_positive<scaling::Acceleration>(row, "acceleration")};
         peaks.velocity = read_positive<scaling::Velocity>(row, "velocity");
         peaks.displacement = read_positive<scaling::Length>(row, "displacement");
@@ -86,23 +85,22 @@ std::vector<GivenPeaks> read_peaks(JsonFields& fields) {
     return list;
 }
 
-RecordFile read_record_file(JsonFields& fields) {
+RecordFile read_record_file(const JsonReader& fields) {
     RecordFile record{.file = require_text(fields, "file")};
     if (fields.has("axes")) {
-        if (!fields["axes"].is_object()) fields.fail("axes is no object", R"(write {"360": "x"}, component before axis)");
-        for (const auto& [component, axis] : fields["axes"].items()) {
+        const Json& axes = fields["axes"].json();
+        if (!axes.is_object()) fields.fail("axes is no object", R"(write {"360": "x"}, component before axis)");
+        for (const auto& [component, axis] : axes.items()) {
             if (!axis.is_string()) fields.fail("an axis is no text", R"(write {"360": "x"}, component before axis)");
             record.axes.emplace_back(component, axis.get<std::string>());
         }
     }
-    fields.refuse_uncertainty("high_pass", "it is chosen");
+    detail::refuse_uncertainty(fields, "high_pass", "it is chosen");
     record.high_pass = read_positive<scaling::Frequency>(fields, "high_pass");
     return record;
 }
 
-std::variant<RecordFile, std::vector<GivenPeaks>> read_motion(const Json& object, const std::string& place,
-                                                              scaling::UncertainReading* reading) {
-    JsonFields fields(object, place, reading);
+std::variant<RecordFile, std::vector<GivenPeaks>> read_motion(const JsonReader& fields) {
     std::variant<RecordFile, std::vector<GivenPeaks>> motion;
     if (fields.has("peaks")) {
         motion = read_peaks(fields);
@@ -113,15 +111,14 @@ std::variant<RecordFile, std::vector<GivenPeaks>> read_motion(const Json& object
     return motion;
 }
 
-Limits read_limits(const Json& object, const std::string& place, scaling::UncertainReading* reading) {
-    JsonFields fields(object, place, reading);
+Limits read_limits(const JsonReader& fields) {
     Limits limits;
     limits.hall_height = read_positive<scaling::Length>(fields, "hall_height");
     limits.deviation_ratio = read_number(fields, "deviation_ratio");
     limits.overlap_ratio = read_number(fields, "overlap_ratio");
     if (fields.has("camera")) {
-        JsonFields camera(fields["camera"], place + ": camera", reading);
-        camera.refuse_uncertainty("pictures", "they are chosen");
+        const JsonReader camera = fields["camera"].object();
+        detail::refuse_uncertainty(camera, "pictures", "they are chosen");
         limits.camera_rate = require_positive<scaling::Frequency>(camera, "rate");
         limits.pictures = require_positive<scaling::Ratio>(camera, "pictures").value();
         camera.refuse_unknown_keys();
@@ -131,7 +128,7 @@ Limits read_limits(const Json& object, const std::string& place, scaling::Uncert
 }
 
 /// Every limit must find what it needs, lest it be passed over in silence.
-void check_limits(const JsonFields& fields, const Design& design) {
+void check_limits(const JsonReader& fields, const Design& design) {
     for (const Material& material : design.materials) {
         if ((design.limits.deviation_ratio || design.limits.overlap_ratio) && !material.deviation) {
             fields.fail(fmt::format("material {} has no height_deviation (limits ask for it)", material.name),
@@ -144,19 +141,21 @@ void check_limits(const JsonFields& fields, const Design& design) {
     }
 }
 
-std::vector<DesignLaw> read_laws(JsonFields& fields, const std::string& source) {
+std::vector<DesignLaw> read_laws(const JsonReader& fields, const std::string& source) {
     if (!fields.has("laws")) return {scaling::load_scale_law("mu")};
     std::vector<DesignLaw> laws;
-    for (const Json& entry : require_list(fields, "laws", R"(["mu", {"law": "gravity_distorted", "set": {"a": 2}}])")) {
-        if (!entry.is_string() && !entry.is_object()) fields.fail("an entry of laws is no text", "write it in quotes");
-        laws.push_back(detail::read_law(entry, fields, "laws", source));
+    const std::size_t count = require_list(fields, "laws", R"(["mu", {"law": "gravity_distorted", "set": {"a": 2}}])").size();
+    for (std::size_t i = 0; i < count; ++i) {
+        const JsonReader entry = fields["laws"].part(i);
+        if (!entry.json().is_string() && !entry.json().is_object()) fields.fail("an entry of laws is no text", "write it in quotes");
+        laws.push_back(detail::read_law(entry, source));
     }
     return laws;
 }
 
 /// A factor that a law expects and that nothing in the design tells is missing at every length. What contradicts is found later, by
 /// material.
-void check_laws(const JsonFields& fields, const Design& design) {
+void check_laws(const JsonReader& fields, const Design& design) {
     for (const DesignLaw& law : design.laws) {
         for (const Material& material : design.materials) {
             try {
@@ -174,7 +173,7 @@ void check_laws(const JsonFields& fields, const Design& design) {
     }
 }
 
-std::vector<std::string> read_groups(JsonFields& fields, const std::vector<DesignLaw>& laws) {
+std::vector<std::string> read_groups(const JsonReader& fields, const std::vector<DesignLaw>& laws) {
     if (!fields.has("groups")) return default_groups();
     std::vector<std::string> known = known_groups();
     for (const DesignLaw& law : laws) {
@@ -197,24 +196,26 @@ std::vector<std::string> read_groups(JsonFields& fields, const std::vector<Desig
 
 Design parse_design(std::string_view json, const std::string& source, const std::vector<Material>& presets,
                     scaling::UncertainReading* reading) {
-    const Json object = detail::parse_object(json, source, "musim-design/1", "design", R"("prototype": {...}, "materials": [...])");
-    JsonFields fields(object, source, reading);
+    const Json object =
+        records::detail::parse_object(json, source, "musim-design/1", "design", R"("prototype": {...}, "materials": [...])");
+    const JsonRules rules(reading);
+    const JsonReader fields(object, rules, source);
     Design design;
-    design.name = fields.text("name", "");
+    fields.read("name", design.name);
     if (!fields.has("prototype")) fields.fail("prototype is missing", R"(add {"block": [...], "height", "density", "friction"})");
-    design.prototype = read_prototype(object["prototype"], source + ": prototype", reading);
-    design.table_file = fields.text("table", "");
+    design.prototype = read_prototype(fields["prototype"].object());
+    fields.read("table", design.table_file);
     const bool has_record = fields.has("record");
     if (has_record != !design.table_file.empty()) {
         fields.fail(has_record ? "table is missing (it is to make the record)" : "record is missing (the table is to make it)",
                     "give both, or neither");
     }
-    if (has_record) design.motion = read_motion(object["record"], source + ": record", reading);
-    if (fields.has("limits")) design.limits = read_limits(object["limits"], source + ": limits", reading);
+    if (has_record) design.motion = read_motion(fields["record"].object());
+    if (fields.has("limits")) design.limits = read_limits(fields["limits"].object());
     design.materials = read_materials(fields, presets);
     design.laws = read_laws(fields, source);
     design.gravity = read_number(fields, "gravity");
-    fields.refuse_uncertainty("length", "it is chosen");
+    detail::refuse_uncertainty(fields, "length", "it is chosen");
     design.length = read_number(fields, "length");
     design.groups = read_groups(fields, design.laws);
     fields.refuse_unknown_keys();

@@ -7,8 +7,8 @@ namespace musim::design {
 namespace {
 
 using detail::Block;
-using detail::Json;
-using detail::JsonFields;
+using detail::JsonReader;
+using detail::JsonRules;
 using detail::read_not_negative;
 using detail::read_number;
 using detail::read_positive;
@@ -23,9 +23,9 @@ struct Defaults {
     std::optional<int> layers = {};
 };
 
-int read_count(JsonFields& fields, const char* key, std::optional<int> fallback) {
+int read_count(const JsonReader& fields, const char* key, std::optional<int> fallback) {
     if (!fallback && !fields.has(key)) fields.fail(fmt::format("{} is missing", key), "add it");
-    const int count = fields.integer(key, fallback.value_or(0));
+    const int count = fields.find<int>(key).value_or(fallback.value_or(0));
     if (count < 1) fields.fail(fmt::format("{} is below 1", key), "correct it");
     return count;
 }
@@ -36,12 +36,10 @@ std::optional<scaling::Stiffness> find_face_stiffness(const std::optional<scalin
     return scaling::Stiffness(*modulus * block[0] * block[1] / block[2]);
 }
 
-scaling::StructureFacts read_structure(const Json& object, const std::string& place, const std::vector<Material>& presets,
-                                       const Defaults& defaults, scaling::UncertainReading* reading) {
-    JsonFields fields(object, place, reading);
+scaling::StructureFacts read_structure(const JsonReader& fields, const std::vector<Material>& presets, const Defaults& defaults) {
     scaling::StructureFacts facts;
     const std::optional<Material> preset = detail::read_preset(fields, presets);
-    facts.name = fields.text("name", preset ? preset->name : defaults.name);
+    facts.name = fields.find<std::string>("name").value_or(preset ? preset->name : defaults.name);
     facts.block = defaults.block && !fields.has("block") ? *defaults.block : require_block(fields, "block");
     facts.layers = read_count(fields, "layers", defaults.layers);
 
@@ -64,15 +62,15 @@ scaling::StructureFacts read_structure(const Json& object, const std::string& pl
     return facts;
 }
 
-RecordOfMotion read_record(JsonFields& fields) {
-    fields.refuse_uncertainty("high_pass", "it is chosen");
+RecordOfMotion read_record(const JsonReader& fields) {
+    detail::refuse_uncertainty(fields, "high_pass", "it is chosen");
     return {.file = require_text(fields, "file"),
-            .component = fields.text("component", ""),
-            .vertical = fields.text("vertical", ""),
+            .component = fields.find<std::string>("component").value_or(""),
+            .vertical = fields.find<std::string>("vertical").value_or(""),
             .high_pass = read_positive<scaling::Frequency>(fields, "high_pass")};
 }
 
-scaling::MotionFacts read_peaks(JsonFields& fields) {
+scaling::MotionFacts read_peaks(const JsonReader& fields) {
     scaling::MotionFacts motion{.acceleration = require_positive<scaling::Acceleration>(fields, "acceleration"),
                                 .velocity = read_positive<scaling::Velocity>(fields, "velocity"),
                                 .displacement = read_positive<scaling::Length>(fields, "displacement"),
@@ -87,17 +85,15 @@ scaling::MotionFacts read_peaks(JsonFields& fields) {
     return motion;
 }
 
-std::optional<MotionSource> read_motion(JsonFields& parent, const Json& object, const char* key) {
+std::optional<MotionSource> read_motion(const JsonReader& parent, const char* key) {
     if (!parent.has(key)) return std::nullopt;
-    JsonFields fields(object[key], parent.place() + ": " + key, parent.reading());
+    const JsonReader fields = parent[key].object();
     const MotionSource motion = fields.has("file") ? MotionSource(read_record(fields)) : MotionSource(read_peaks(fields));
     fields.refuse_unknown_keys();
     return motion;
 }
 
-std::variant<std::monostate, scaling::Bandwidth, AxisOfTable> read_table(const Json& object, const std::string& place,
-                                                                         scaling::UncertainReading* reading) {
-    JsonFields fields(object, place, reading);
+std::variant<std::monostate, scaling::Bandwidth, AxisOfTable> read_table(const JsonReader& fields) {
     std::variant<std::monostate, scaling::Bandwidth, AxisOfTable> table;
     if (fields.has("file")) {
         table = AxisOfTable{.file = require_text(fields, "file"), .axis = require_text(fields, "axis")};
@@ -113,31 +109,32 @@ std::variant<std::monostate, scaling::Bandwidth, AxisOfTable> read_table(const J
 
 Facts parse_facts(std::string_view json, const std::string& source, const std::vector<Material>& presets, double length,
                   scaling::UncertainReading* reading) {
-    const Json object = detail::parse_object(json, source, "musim-facts/1", "file of facts", R"("prototype": {...}, "model": {...})");
-    JsonFields fields(object, source, reading);
+    const detail::Json object =
+        records::detail::parse_object(json, source, "musim-facts/1", "file of facts", R"("prototype": {...}, "model": {...})");
+    const JsonRules rules(reading);
+    const JsonReader fields(object, rules, source);
     Facts facts;
-    facts.name = fields.text("name", "");
+    fields.read("name", facts.name);
     for (const char* const side : {"prototype", "model"}) {
         if (!fields.has(side)) {
             fields.fail(fmt::format("{} is missing", side), R"(add {"preset" or "density" and "friction", "block", "layers", ...})");
         }
     }
-    facts.prototype = read_structure(object["prototype"], source + ": prototype", presets, {.name = "prototype"}, reading);
+    facts.prototype = read_structure(fields["prototype"].object(), presets, {.name = "prototype"});
     const Block& block = facts.prototype.block;
     facts.model = read_structure(
-        object["model"], source + ": model", presets,
-        {.name = "model", .block = Block{length * block[0], length * block[1], length * block[2]}, .layers = facts.prototype.layers},
-        reading);
-    facts.motion = read_motion(fields, object, "motion");
-    facts.model_motion = read_motion(fields, object, "model_motion");
+        fields["model"].object(), presets,
+        {.name = "model", .block = Block{length * block[0], length * block[1], length * block[2]}, .layers = facts.prototype.layers});
+    facts.motion = read_motion(fields, "motion");
+    facts.model_motion = read_motion(fields, "model_motion");
     if (facts.model_motion && !facts.motion) {
         fields.fail("motion is missing (model_motion is held against it)", "add the prototype's motion, or remove model_motion");
     }
-    if (fields.has("table")) facts.table = read_table(object["table"], source + ": table", reading);
+    if (fields.has("table")) facts.table = read_table(fields["table"].object());
     if (fields.has("law") && !object["law"].is_string() && !object["law"].is_object()) {
         fields.fail("law is neither a name nor an object", R"(write "true_replica" or {"law": "gravity_distorted", "set": {"a": 2}})");
     }
-    if (fields.has("law")) facts.law = detail::read_law(object["law"], fields, "law", source);
+    if (fields.has("law")) facts.law = detail::read_law(fields["law"], source);
     fields.refuse_unknown_keys();
     return facts;
 }

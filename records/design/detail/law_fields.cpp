@@ -16,17 +16,17 @@ scaling::ScaleLaw load_law(const std::string& name, const std::string& source) {
     return scaling::load_scale_law(std::filesystem::exists(beside) ? beside.string() : name);
 }
 
-DesignLaw read_law_object(JsonFields fields, const std::string& source) {
+DesignLaw read_law_object(const JsonReader& fields, const std::string& source) {
     scaling::ScaleLaw law = load_law(require_text(fields, "law"), source);
     if (fields.has("hold")) {
         for (const std::string& product : read_names(fields, "hold", R"-(["F_R/(mu*m*g)"])-")) law.held.push_back(product);
     }
     std::vector<scaling::GivenFactor> set;
     if (fields.has("set")) {
-        if (!fields["set"].is_object()) fields.fail("set is no object", R"(write {"F_R": "1/500"}, a factor by the quantity's name)");
-        JsonFields factors(fields["set"], fields.place() + ": set", fields.reading());
-        for (const auto& [quantity, value] : fields["set"].items()) {
-            set.push_back({quantity, require_positive<scaling::Ratio>(factors, quantity.c_str()).value()});
+        const JsonReader factors = fields["set"];
+        if (!factors.json().is_object()) fields.fail("set is no object", R"(write {"F_R": "1/500"}, a factor by the quantity's name)");
+        for (const auto& [quantity, value] : factors.json().items()) {
+            set.push_back({quantity, require_positive<scaling::Ratio>(factors, quantity).value()});
         }
     }
     fields.refuse_unknown_keys();
@@ -35,14 +35,12 @@ DesignLaw read_law_object(JsonFields fields, const std::string& source) {
 
 }  // namespace
 
-DesignLaw read_law(const Json& entry, const JsonFields& fields, const std::string& key, const std::string& source) {
-    const std::string place = fmt::format("{}: {}", fields.place(), key);
+DesignLaw read_law(const JsonReader& value, const std::string& source) {
     try {
-        if (entry.is_object()) return read_law_object(JsonFields(entry, place, fields.reading()), source);
-        const auto name = entry.get<std::string>();
-        return load_law(name, source);
+        if (value.json().is_object()) return read_law_object(value, source);
+        return load_law(value.text(), source);
     } catch (const scaling::SimilitudeError& error) {
-        throw records::ReadError(fmt::format("{}: {}", place, error.what()));
+        value.fail(error.what());
     }
 }
 

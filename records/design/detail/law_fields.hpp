@@ -8,8 +8,7 @@
 namespace musim::design::detail {
 
 /// A law: the name of one of the code or of one as data, a law file beside `source`, or an object such as
-/// {"law": "restoring_force", "set": {"F_R": "1/500"}, "hold": ["F_R/(mu*m*g)"]}; `entry` is a text or an object. It stands at `key` of
-/// `fields`, whose reading takes its uncertain factors. Throws ReadError.
-DesignLaw read_law(const Json& entry, const JsonFields& fields, const std::string& key, const std::string& source);
+/// {"law": "restoring_force", "set": {"F_R": "1/500"}, "hold": ["F_R/(mu*m*g)"]}; `value` is a text or an object. Throws ReadError.
+DesignLaw read_law(const JsonReader& value, const std::string& source);
 
 }  // namespace musim::design::detail

@@ -4,53 +4,45 @@
 
 #include <algorithm>
 
+#include "records/error.hpp"
+
 namespace musim::design::detail {
 
-Json parse_object(std::string_view json, const std::string& source, std::string_view schema, std::string_view what,
-                  std::string_view example) {
-    Json object = records::detail::parse_json(json, source, fmt::format(R"(write {{"schema": "{}", {}}})", schema, example));
-    if (!object.is_object() || !object.contains("schema") || object["schema"] != schema) {
-        throw records::ReadError(fmt::format("{}: is no {}; add \"schema\": \"{}\"", source, what, schema));
-    }
-    object.erase("schema");
-    return object;
-}
-
-std::optional<double> read_number(JsonFields& fields, const char* key) {
+std::optional<double> read_number(const JsonReader& fields, const std::string& key) {
     const auto value = read_positive<scaling::Ratio>(fields, key);
     return value ? std::optional(value->value()) : std::nullopt;
 }
 
-std::string require_text(JsonFields& fields, const char* key) {
-    std::string text = fields.text(key, "");
+std::string require_text(const JsonReader& fields, const std::string& key) {
+    std::string text = fields.find<std::string>(key).value_or("");
     if (text.empty()) fields.fail(fmt::format("{} is missing", key), "add it");
     return text;
 }
 
-const Json& require_list(JsonFields& fields, const char* key, const std::string& example) {
-    if (!fields.has(key) || !fields[key].is_array() || fields[key].empty()) {
+std::vector<JsonReader> require_list(const JsonReader& fields, const std::string& key, const std::string& example) {
+    if (!fields.has(key) || !fields[key].json().is_array() || fields[key].json().empty()) {
         fields.fail(fmt::format("{} is no list", key), "write " + example);
     }
-    return fields[key];
+    return fields[key].entries();
 }
 
-std::vector<std::string> read_names(JsonFields& fields, const char* key, const std::string& example) {
+std::vector<std::string> read_names(const JsonReader& fields, const std::string& key, const std::string& example) {
     std::vector<std::string> names;
-    for (const Json& entry : require_list(fields, key, example)) {
-        if (!entry.is_string()) fields.fail(fmt::format("an entry of {} is no text", key), "write it in quotes");
-        names.push_back(entry.get<std::string>());
+    for (const JsonReader& entry : require_list(fields, key, example)) {
+        if (!entry.json().is_string()) fields.fail(fmt::format("an entry of {} is no text", key), "write it in quotes");
+        names.push_back(entry.text());
     }
     return names;
 }
 
-Block require_block(JsonFields& fields, const char* key) {
-    if (!fields.has(key) || !fields[key].is_array() || fields[key].size() != 3) {
+Block require_block(const JsonReader& fields, const std::string& key) {
+    if (!fields.has(key) || !fields[key].json().is_array() || fields[key].json().size() != 3) {
         fields.fail(fmt::format("{} is no list of three lengths", key), R"(write ["12.7 mm", "26.4 mm", "39.7 mm"], the height last)");
     }
     constexpr std::string_view kEdges[] = {"b", "w", "H"};
     Block block;
     for (std::size_t i = 0; i < block.size(); ++i) {
-        block[i] = fields.to_quantity<scaling::Length>(fields[key][i], key, kEdges[i]);
+        block[i] = fields[key].part(i).quantity<scaling::Length>(kEdges[i]);
         if (!(block[i].value() > 0.0 && std::isfinite(block[i].value()))) {
             fields.fail(fmt::format("a length of {} is not above zero", key), "correct it");
         }
@@ -58,7 +50,7 @@ Block require_block(JsonFields& fields, const char* key) {
     return block;
 }
 
-std::optional<scaling::Stress> read_modulus(JsonFields& fields, const char* modulus_key, const char* stiffness_key,
+std::optional<scaling::Stress> read_modulus(const JsonReader& fields, const std::string& modulus_key, const std::string& stiffness_key,
                                             const std::function<Block()>& find_block) {
     auto modulus = read_positive<scaling::Stress>(fields, modulus_key);
     const auto stiffness = read_positive<scaling::Stiffness>(fields, stiffness_key);
@@ -78,12 +70,12 @@ Material find_preset(const std::string& name, const std::string& place, const st
                                          name, fmt::join(names, ", ")));
 }
 
-std::optional<Material> read_preset(JsonFields& fields, const std::vector<Material>& presets) {
+std::optional<Material> read_preset(const JsonReader& fields, const std::vector<Material>& presets) {
     if (!fields.has("preset")) return std::nullopt;
     return find_preset(require_text(fields, "preset"), fields.place(), presets);
 }
 
-Material read_properties(JsonFields& fields, const std::optional<Material>& preset, const std::function<Block()>& find_block) {
+Material read_properties(const JsonReader& fields, const std::optional<Material>& preset, const std::function<Block()>& find_block) {
     Material material = preset.value_or(Material{});
     if (!preset || fields.has("density")) material.density = require_positive<scaling::Density>(fields, "density");
     if (!preset || fields.has("friction")) material.friction = require_positive<scaling::Ratio>(fields, "friction").value();

@@ -111,6 +111,8 @@ TEST_CASE("wrong facts are refused with the place and what to do") {
                   "f.json: prototype: layers is missing; add it");
     check_refused(R"("prototype": {"preset": "concrete", "block": ["1 m", "2 m", "3 m"], "layers": 0}, )" + kModel,
                   "f.json: prototype: layers is below 1; correct it");
+    check_refused(R"("prototype": {"preset": "concrete", "block": ["1 m", "2 m", "3 m"], "layers": 4294967299}, )" + kModel,
+                  "f.json: prototype: layers is beyond all counts; correct it");
     check_refused(kPrototype + R"(, "model": {"preset": "glass"})",
                   "f.json: model: \"glass\" is no preset; take one of wood, concrete, or give its density and friction under a name");
     check_refused(kPrototype + R"(, "model": {"density": "800 kg/m^3"})", "f.json: model: friction is missing; add it");
