@@ -4,7 +4,7 @@
 #include <string>
 
 #include "lsdem/scene/block_heights.hpp"
-#include "lsdem/scene/detail/json_object.hpp"
+#include "lsdem/scene/detail/json_text.hpp"
 #include "lsdem/scene/scene.hpp"
 #include "lsdem/scene/scene_error.hpp"
 #include "scaling/law_similitude.hpp"
@@ -278,7 +278,7 @@ scaling::Similitude make_similitude(const RecordScale& scale) {
 }
 
 void check_scene(const Scene& scene, const std::string& origin) {
-    const JsonPlace root{origin, ""};
+    const JsonPlace root{origin + ": /"};
     require_finite(scene.gravity, root.at("gravity"));
     check(scene.material, root.at("material"));
     for (const auto& [name, material] : scene.materials) check(material, root.at("materials").at(name));

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lsdem/scene/detail/json_text.hpp"
 #include "lsdem/scene/scene_error.hpp"
 #include "scaling/nearest_name.hpp"
 
@@ -70,7 +69,7 @@ const MaterialPreset& find_material_preset(std::string_view name) {
     const auto found = std::find_if(presets().begin(), presets().end(), [&](const MaterialPreset& preset) { return preset.name == name; });
     if (found == presets().end()) {
         throw SceneError(fmt::format("\"{}\" is not a known material{} (presets are {}); use one of them or give the properties", name,
-                                     scaling::hint_at_name(name, material_preset_names()), detail::join(material_preset_names())));
+                                     scaling::hint_at_name(name, material_preset_names()), fmt::join(material_preset_names(), ", ")));
     }
     return *found;
 }

@@ -8,7 +8,6 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "lsdem/scene/detail/json_object.hpp"
 #include "lsdem/scene/detail/json_text.hpp"
 #include "lsdem/scene/detail/parse_material.hpp"
 #include "lsdem/scene/scale_scene.hpp"
@@ -24,20 +23,21 @@ constexpr const char* kMaterialSchema = "musim-material/1";
 /// A scale within this of a preset's is that scale: 1/25 typed as 0.04 is meant. Only chooses a default material.
 constexpr double kSameScale = 1e-6;
 
-MeasuredMaterial parse_material_file(const nlohmann::json& root, const std::string& file) {
-    const detail::JsonObject object(root, {file, ""}, "material_file");
-    if (object.text("schema") != kMaterialSchema) {
-        detail::fail(object.place("schema"), fmt::format("\"{}\" is not a known format; write \"{}\", or give a scene file",
-                                                         object.text("schema"), kMaterialSchema));
+MeasuredMaterial parse_material_file(const detail::Json& root, const std::string& file) {
+    const detail::SceneRules rules;
+    const scaling::JsonReader object = detail::to_object({root, rules, file + ": /"}, "material_file");
+    const scaling::JsonReader schema = object["schema"];
+    if (schema.text() != kMaterialSchema) {
+        schema.fail(fmt::format("\"{}\" is not a known format; write \"{}\", or give a scene file", schema.text(), kMaterialSchema));
     }
     MeasuredMaterial measured;
     measured.name = std::filesystem::path(file).stem().string();
     object.read("name", measured.name);
-    measured.reference_block = object.triple<scaling::Length>("block");
+    measured.reference_block = object.get<Triple<scaling::Length>>("block");
     for (const scaling::Length& edge : measured.reference_block) {
-        if (!(edge.value() > 0.0)) detail::fail(object.place("block"), "an edge is not longer than zero; give b, w and H of the block");
+        if (!(edge.value() > 0.0)) object["block"].fail("an edge is not longer than zero; give b, w and H of the block");
     }
-    measured.material = detail::parse_material(object.get("material"), object.place("material"));
+    measured.material = detail::parse_material(object["material"]);
     return measured;
 }
 
@@ -51,9 +51,9 @@ MeasuredMaterial find_measured_material(const std::string& preset_or_file) {
     if (!std::filesystem::exists(preset_or_file)) {
         throw SceneError(
             fmt::format("\"{}\" is neither a known material nor a file{} (presets are {}); name a preset, a material file or a scene",
-                        preset_or_file, scaling::hint_at_name(preset_or_file, names), detail::join(names)));
+                        preset_or_file, scaling::hint_at_name(preset_or_file, names), fmt::join(names, ", ")));
     }
-    const nlohmann::json root = detail::parse_json(detail::read_text(preset_or_file), preset_or_file);
+    const detail::Json root = detail::parse_json(detail::read_text(preset_or_file), preset_or_file);
     if (!root.is_object() || !root.contains("structure")) return parse_material_file(root, preset_or_file);
     const Scene scene = read_scene(preset_or_file);
     return {.name = scene.name, .material = scene.material, .reference_block = reference_block(scene)};
@@ -67,7 +67,7 @@ MeasuredMaterial find_material_at(double length) {
         known.push_back(fmt::format("{} at 1:{:.0f}", name, 1.0 / preset.length_scale));
     }
     throw SceneError(
-        fmt::format("no preset was measured at a length factor of {:.6g} (there are {}); name a material", length, detail::join(known)));
+        fmt::format("no preset was measured at a length factor of {:.6g} (there are {}); name a material", length, fmt::join(known, ", ")));
 }
 
 }  // namespace musim::lsdem::scene

@@ -142,7 +142,7 @@ Partners find_cover(const CellRing& ring, const TilingSettings& settings, detail
     return *std::move(cover.partners);
 }
 
-bool is_domino(const nlohmann::json& item) {
+bool is_domino(const detail::Json& item) {
     return item.is_array() && item.size() == 3 && item[0].is_number_integer() && item[1].is_number_integer() && item[2].is_string() &&
            (item[2] == "x" || item[2] == "y");
 }
@@ -181,7 +181,7 @@ TilingSettings find_tiling_preset(std::string_view name) {
         std::find_if(kPresets.begin(), kPresets.end(), [&](const NamedTiling& preset) { return preset.name == name; });
     if (found == kPresets.end()) {
         throw SceneError(
-            fmt::format("tiling: \"{}\" is not a known preset; use one of {}", std::string(name), detail::join(tiling_preset_names())));
+            fmt::format("tiling: \"{}\" is not a known preset; use one of {}", std::string(name), fmt::join(tiling_preset_names(), ", ")));
     }
     return found->settings;
 }
@@ -257,14 +257,14 @@ TilingSearch search_tower_tiling(const TilingSettings& settings) {
 TowerTiling make_tower_tiling(const TilingSettings& settings) { return search_tower_tiling(settings).tiling; }
 
 TowerTiling parse_tiling(std::string_view json_text, const std::string& origin) {
-    const nlohmann::json list = detail::parse_json(json_text, origin);
+    const detail::Json list = detail::parse_json(json_text, origin);
     if (!list.is_array() || list.empty()) {
         throw SceneError(fmt::format("{}: not a list of dominoes; write [[i, j, \"x\"], [i, j, \"y\"], ...]", origin));
     }
     std::vector<Domino> dominoes;
     for (std::size_t k = 0; k < list.size(); ++k) {
-        const nlohmann::json& item = list[k];
-        const auto in_range = [](const nlohmann::json& index) { return index >= 0 && index <= kLargestIndex; };
+        const detail::Json& item = list[k];
+        const auto in_range = [](const detail::Json& index) { return index >= 0 && index <= kLargestIndex; };
         if (!is_domino(item) || !in_range(item[0]) || !in_range(item[1])) {
             throw SceneError(fmt::format("{}: /{}: {} is not a domino (column, row, direction); write [i, j, \"x\"] or [i, j, \"y\"]",
                                          origin, k, item.dump()));

@@ -7,7 +7,6 @@
 #include <set>
 #include <system_error>
 
-#include "lsdem/scene/scene_error.hpp"
 #include "scaling/json_text.hpp"
 #include "scaling/regular_file.hpp"
 #include "scaling/shorten.hpp"
@@ -36,8 +35,8 @@ class DuplicateKeys {
   public:
     explicit DuplicateKeys(const std::string& origin) : origin_(origin) {}
 
-    void see(nlohmann::json::parse_event_t event, const nlohmann::json& value) {
-        using Event = nlohmann::json::parse_event_t;
+    void see(Json::parse_event_t event, const Json& value) {
+        using Event = Json::parse_event_t;
         if (event == Event::object_start) open_.emplace_back();
         if (event == Event::object_end) open_.pop_back();
         if (event == Event::key && !open_.back().insert(value.get<std::string>()).second) {
@@ -63,9 +62,9 @@ std::string read_text(const std::filesystem::path& path) {
     return *std::move(text);
 }
 
-nlohmann::json parse_json(std::string_view text, const std::string& origin) {
+Json parse_json(std::string_view text, const std::string& origin) {
     DuplicateKeys keys(origin);
-    const auto check = [&](int depth, nlohmann::json::parse_event_t event, nlohmann::json& value) {
+    const auto check = [&](int depth, Json::parse_event_t event, const Json& value) {
         if (depth >= scaling::kMostJsonLevels) {
             throw SceneError(fmt::format("{}: nested in more than {} levels; correct the JSON", origin, scaling::kMostJsonLevels));
         }
@@ -73,7 +72,7 @@ nlohmann::json parse_json(std::string_view text, const std::string& origin) {
         return true;
     };
     try {
-        return nlohmann::json::parse(text, check);
+        return Json::parse(text, check);
     } catch (const nlohmann::json::parse_error& error) {
         const std::size_t byte = error.byte > 0 ? error.byte - 1 : 0;
         throw SceneError(
@@ -83,10 +82,14 @@ nlohmann::json parse_json(std::string_view text, const std::string& origin) {
     }
 }
 
-std::string join(const std::vector<std::string>& names) {
-    std::string list;
-    for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
-    return list;
+void fail(const JsonPlace& place, const std::string& message) { throw SceneError(fmt::format("{}: {}", place.text, message)); }
+
+double SceneRules::to_si(const scaling::JsonReader& value, scaling::Dimension dimension, std::string_view part) const {
+    // zero is the same in every unit
+    if (plain_number_ != nullptr && plain_number_->empty() && value.json().is_number() && value.json() != 0) {
+        *plain_number_ = value.place().substr(value.place().find(": /") + 2);
+    }
+    return JsonRules::to_si(value, dimension, part);
 }
 
 }  // namespace musim::lsdem::scene::detail

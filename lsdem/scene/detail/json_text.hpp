@@ -1,20 +1,42 @@
 #pragma once
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
-#include <vector>
+
+#include "lsdem/scene/scene_json.hpp"
+#include "scaling/json_reader.hpp"
 
 namespace musim::lsdem::scene::detail {
+
+using Json = scaling::JsonReader::Json;
+using scaling::JsonPlace;
 
 /// Whole content of a text file. Throws SceneError when it cannot be read.
 std::string read_text(const std::filesystem::path& path);
 
 /// JSON value of `text`. Throws SceneError with line and column (`origin:3:14: ...`) on a syntax error or a key given twice.
-nlohmann::json parse_json(std::string_view text, const std::string& origin);
+Json parse_json(std::string_view text, const std::string& origin);
 
-/// "a, b, c", for lists of names in messages.
-std::string join(const std::vector<std::string>& names);
+/// Throws SceneError "origin: /path: message".
+[[noreturn]] void fail(const JsonPlace& place, const std::string& message);
+
+/// Scenes and materials: SceneError.
+class SceneRules final : public scaling::JsonRules {
+  public:
+    /// `plain_number` takes the JSON path of the first quantity that is a number without a unit.
+    explicit SceneRules(std::string* plain_number = nullptr) : plain_number_(plain_number) {}
+
+    void raise(const std::string& message) const override { throw SceneError(message); }
+    double to_si(const scaling::JsonReader& value, scaling::Dimension dimension, std::string_view part) const override;
+
+  private:
+    std::string* plain_number_;
+};
+
+/// An object whose keys are all of a known kind (scene_keys).
+inline scaling::JsonReader to_object(const scaling::JsonReader& value, const std::string& kind) {
+    return value.object(scene_keys().at(kind));
+}
 
 }  // namespace musim::lsdem::scene::detail
