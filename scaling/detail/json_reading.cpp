@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <optional>
 
 #include "scaling/json_text.hpp"
@@ -12,54 +11,53 @@
 
 namespace musim::scaling::detail {
 
-void fail_at(std::string_view where, std::string_view message) { throw PiError(fmt::format("{}: {}", where, message)); }
+std::string PiRules::unknown(const std::string& place, const std::string& key, const std::vector<std::string>& known) const {
+    return fmt::format("{}: unknown key {}; {}", place, shorten(Json(key).dump(), kEchoed), suggest_name(key, known));
+}
 
-Json parse_json(std::string_view text, std::string_view origin) {
+Json parse_json(std::string_view text, const std::string& origin) {
     try {
-        return parse_json_text(text);
+        return parse_json_text<Json>(text);
     } catch (const ParseError& error) {
-        fail_at(origin, fmt::format("{}; correct the JSON", error.what()));
+        throw PiError(fmt::format("{}: {}; correct the JSON", origin, error.what()));
     }
 }
 
-void refuse_unknown_keys(const Json& object, std::initializer_list<std::string_view> known, std::string_view where) {
-    for (const auto& [key, value] : object.items()) {
-        if (std::find(known.begin(), known.end(), key) != known.end()) continue;
-        fail_at(where,
-                fmt::format("unknown key {}; {}", shorten(Json(key).dump(), kEchoed), suggest_name(key, {known.begin(), known.end()})));
-    }
+std::vector<JsonReader> list_at(const JsonReader& file, const std::string& key, std::string_view example) {
+    if (!file.json().contains(key)) return {};
+    if (!file.json()[key].is_array()) file.fail(fmt::format("\"{}\" is no list; write \"{}\": {}", key, key, example));
+    return file.rename(file.place() + ": /").at(key).entries();
 }
 
-const std::string& text_at(const Json& object, const char* key, std::string_view where, std::string_view example) {
-    if (!object.contains(key)) fail_at(where, fmt::format("key \"{}\" is missing; add \"{}\": {}", key, key, example));
-    if (!object[key].is_string()) fail_at(where, fmt::format("\"{}\" is no text; write \"{}\": {}", key, key, example));
-    return object[key].get_ref<const std::string&>();
+std::string text_at(const JsonReader& object, const std::string& key, std::string_view example) {
+    if (!object.json().contains(key)) object.fail(fmt::format("key \"{}\" is missing; add \"{}\": {}", key, key, example));
+    if (!object.json()[key].is_string()) object.fail(fmt::format("\"{}\" is no text; write \"{}\": {}", key, key, example));
+    return object.json()[key].get<std::string>();
 }
 
-std::string number_text_at(const Json& object, const char* key, std::string_view where) {
-    const Json& given = object[key];
+std::string number_text_at(const JsonReader& object, const std::string& key) {
+    const Json& given = object.json()[key];
     if (!given.is_number() && !given.is_string()) {
-        fail_at(where, fmt::format("\"{}\" is no number; write one, or a fraction such as \"1/107\"", key));
+        object.fail(fmt::format("\"{}\" is no number; write one, or a fraction such as \"1/107\"", key));
     }
     return given.is_string() ? given.get<std::string>() : given.dump();
 }
 
-PiQuantity parse_quantity_object(const Json& object, const std::string& where, std::initializer_list<std::string_view> known) {
-    if (!object.is_object()) fail_at(where, R"(not an object; write {"name": "v", "unit": "m/s"})");
-    const std::string& name = text_at(object, "name", where, "\"v\"");
-    const std::string here = fmt::format("{} ({})", where, name);
-    refuse_unknown_keys(object, known, here);
-    const std::string& unit = text_at(object, "unit", here, R"("m/s", or "1" for a plain number)");
-    std::optional<std::string> value;
-    if (object.contains("value")) value = number_text_at(object, "value", here);
+PiQuantity parse_quantity_object(const JsonReader& value, const std::vector<std::string>& known) {
+    if (!value.json().is_object()) value.fail(R"(not an object; write {"name": "v", "unit": "m/s"})");
+    const std::string name = text_at(value, "name", "\"v\"");
+    const JsonReader object = value.rename(fmt::format("{} ({})", value.place(), name)).object(known);
+    const std::string unit = text_at(object, "unit", R"("m/s", or "1" for a plain number)");
+    std::optional<std::string> number;
+    if (object.json().contains("value")) number = number_text_at(object, "value");
     try {
-        if (!value || !is_marked_uncertain(*value)) return make_pi_quantity(name, unit, value);
-        const Uncertain measured = parse_uncertain(*value);
+        if (!number || !is_marked_uncertain(*number)) return make_pi_quantity(name, unit, number);
+        const Uncertain measured = parse_uncertain(*number);
         PiQuantity quantity = make_pi_quantity(name, unit, fmt::format("{}", measured.value));
         quantity.uncertainty = *quantity.value * measured.relative();
         return quantity;
     } catch (const SimilitudeError& error) {
-        fail_at(here, error.what());
+        object.fail(error.what());
     }
 }
 
