@@ -8,22 +8,20 @@
 /// Parts of files that may be missing, null, or of another kind than is expected, in files that are damaged or of another version.
 namespace musim::lsdem::report {
 
-/// The value of a key, when `object` is an object that has it.
-inline const nlohmann::json* find_part(const nlohmann::json& object, const std::string& key) {
+/// The value of a key; `fallback` where `object` has no such key, or a value of another kind than `fallback` at it.
+inline nlohmann::json find_part(const nlohmann::json& object, const std::string& key, nlohmann::json fallback) {
     const auto found = object.find(key);
-    return object.is_object() && found != object.end() ? &*found : nullptr;
+    if (found == object.end()) return fallback;
+    const bool is_kind = fallback.is_number() ? found->is_number() : found->type() == fallback.type();
+    return is_kind ? *found : fallback;
 }
 
-/// An empty object when there is none.
+/// Empty when there is none.
 inline nlohmann::json find_object(const nlohmann::json& object, const std::string& key) {
-    const nlohmann::json* part = find_part(object, key);
-    return part != nullptr && part->is_object() ? *part : nlohmann::json::object();
+    return find_part(object, key, nlohmann::json::object());
 }
-
-/// An empty list when there is none.
 inline nlohmann::json find_list(const nlohmann::json& object, const std::string& key) {
-    const nlohmann::json* part = find_part(object, key);
-    return part != nullptr && part->is_array() ? *part : nlohmann::json::array();
+    return find_part(object, key, nlohmann::json::array());
 }
 
 /// Of a list; not a number where an entry is none.
@@ -39,19 +37,14 @@ inline std::vector<double> find_numbers(const nlohmann::json& object, const std:
 
 inline double find_number(const nlohmann::json& object, const std::string& key,
                           double fallback = std::numeric_limits<double>::quiet_NaN()) {
-    const nlohmann::json* part = find_part(object, key);
-    return part != nullptr && part->is_number() ? part->get<double>() : fallback;
+    return find_part(object, key, fallback).get<double>();
 }
 
 inline std::string find_text(const nlohmann::json& object, const std::string& key, const std::string& fallback = "") {
-    const nlohmann::json* part = find_part(object, key);
-    return part != nullptr && part->is_string() ? part->get<std::string>() : fallback;
+    return find_part(object, key, fallback).get<std::string>();
 }
 
 /// False when it is not said.
-inline bool find_flag(const nlohmann::json& object, const std::string& key) {
-    const nlohmann::json* part = find_part(object, key);
-    return part != nullptr && part->is_boolean() && part->get<bool>();
-}
+inline bool find_flag(const nlohmann::json& object, const std::string& key) { return find_part(object, key, false).get<bool>(); }
 
 }  // namespace musim::lsdem::report
