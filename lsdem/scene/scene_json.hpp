@@ -25,7 +25,7 @@ Scene read_scene(const std::filesystem::path& path);
 /// The scene as JSON text, all quantities as SI numbers: parse_scene gives back an equal scene, bit for bit.
 std::string write_scene(const Scene& scene);
 
-/// The keys that parse_scene knows, per kind of object; the kinds are the definitions of the schema.
+/// The keys that parse_scene knows, per kind of object: the properties of the definitions of the schema, in their order.
 const std::map<std::string, std::vector<std::string>>& scene_keys();
 
 }  // namespace musim::lsdem::scene
