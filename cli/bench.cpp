@@ -31,16 +31,15 @@ struct BenchAccuracyOptions {
     int threads = 0;
 };
 
-/// What JSON has no number for is null.
+/// An error that is no finite number is null.
 nlohmann::json to_json(const study::AccuracySweep& sweep) {
     nlohmann::json panels = nlohmann::json::array();
     for (const study::AccuracyPanel& panel : sweep.panels) {
         nlohmann::json rows = nlohmann::json::array();
         for (const study::AccuracyRow& row : panel.rows) {
-            const double error = row.outcome.error;
             rows.push_back({{"family", row.family},
                             {"label", row.label},
-                            {"error", std::isfinite(error) ? nlohmann::json(error) : nlohmann::json()},
+                            {"error", row.outcome.error},
                             {"seconds", row.outcome.seconds},
                             {"steps", row.outcome.steps},
                             {"block_steps", row.outcome.block_steps},

@@ -9,6 +9,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/interruption.hpp"
+#include "cli/named_values.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/overwriting.hpp"
@@ -32,32 +33,7 @@ struct BenchSimilitudeOptions {
     int threads = 0;
 };
 
-nlohmann::json to_json(const std::vector<study::SimilitudeOutcome>& outcomes) {
-    nlohmann::json cases = nlohmann::json::array();
-    for (const study::SimilitudeOutcome& outcome : outcomes) {
-        const study::SimilitudeCase& wanted = outcome.wanted;
-        const scaling::Similitude& scales = wanted.scales.similitude;
-        cases.push_back({{"law", wanted.law},
-                         {"scene", study::to_string(wanted.scene)},
-                         {"length", scales.length()},
-                         {"friction", scales.friction()},
-                         {"gravity", scales.gravity()},
-                         {"density", scales.density()},
-                         {"acceleration", scales.acceleration()},
-                         {"heights", wanted.scales.heights},
-                         {"broken", study::to_string(wanted.broken.group)},
-                         {"factor", wanted.broken.factor},
-                         {"measure", study::to_string(wanted.measure)},
-                         {"predicted", wanted.prediction.ratio},
-                         {"tolerance", wanted.prediction.tolerance},
-                         {"measured", outcome.ratio},
-                         {"difference", outcome.difference},
-                         {"yardstick", outcome.yardstick},
-                         {"holds", outcome.holds()}});
-    }
-    return {{"cases", cases}, {"all_hold", study::all_hold(outcomes)}};
-}
-
+/// "friction x 1.1", or "-".
 std::string describe(const study::Break& broken) {
     if (broken.group == study::BrokenGroup::none) return "-";
     return fmt::format("{} x {:.4g}", study::to_string(broken.group), broken.factor);
@@ -68,21 +44,29 @@ std::string judge(const study::SimilitudeOutcome& outcome) {
     return outcome.diverged ? "DIVERGED" : "FAILS";
 }
 
-scaling::TextTable make_table(const std::vector<study::SimilitudeOutcome>& outcomes) {
-    scaling::TextTable table{{"law", "scene", "length", "mu", "g", "a", "heights", "broken", "measure", "predicted", "measured",
-                              "difference", "yardstick", "verdict"}};
-    for (const study::SimilitudeOutcome& outcome : outcomes) {
-        const study::SimilitudeCase& wanted = outcome.wanted;
-        const scaling::Similitude& scales = wanted.scales.similitude;
-        const auto number = [](double value) { return fmt::format("{:.4g}", value); };
-        table.rows.push_back({wanted.law, std::string(study::to_string(wanted.scene)), number(scales.length()), number(scales.friction()),
-                              number(scales.gravity()), number(scales.acceleration()), number(wanted.scales.heights),
-                              describe(wanted.broken), std::string(study::to_string(wanted.measure)),
-                              fmt::format("{:.5g} +/- {:.1g}", wanted.prediction.ratio, wanted.prediction.tolerance),
-                              fmt::format("{:.5g}", outcome.ratio), fmt::format("{:.1e}", outcome.difference),
-                              fmt::format("{:.1e}", outcome.yardstick), judge(outcome)});
-    }
-    return table;
+NamedValues list_values(const study::SimilitudeOutcome& outcome) {
+    const study::SimilitudeCase& wanted = outcome.wanted;
+    const scaling::Similitude& scales = wanted.scales.similitude;
+    return {{"law", "law", wanted.law},
+            {"scene", "scene", study::to_string(wanted.scene)},
+            {"length", "length", scales.length()},
+            {"friction", "mu", scales.friction()},
+            {"gravity", "g", scales.gravity()},
+            {"density", {}, scales.density()},
+            {"acceleration", "a", scales.acceleration()},
+            {"heights", "heights", wanted.scales.heights},
+            {{}, "broken", describe(wanted.broken)},
+            {"broken", {}, study::to_string(wanted.broken.group)},
+            {"factor", {}, wanted.broken.factor},
+            {"measure", "measure", study::to_string(wanted.measure)},
+            {{}, "predicted", fmt::format("{:.5g} +/- {:.1g}", wanted.prediction.ratio, wanted.prediction.tolerance)},
+            {"predicted", {}, wanted.prediction.ratio},
+            {"tolerance", {}, wanted.prediction.tolerance},
+            {"measured", "measured", outcome.ratio, ".5g"},
+            {"difference", "difference", outcome.difference, ".1e"},
+            {"yardstick", "yardstick", outcome.yardstick, ".1e"},
+            {"holds", {}, outcome.holds()},
+            {{}, "verdict", judge(outcome)}};
 }
 
 int run_bench_similitude(const BenchSimilitudeOptions& options) {
@@ -104,12 +88,15 @@ int run_bench_similitude(const BenchSimilitudeOptions& options) {
         }
         folder->commit();
     }
+    std::vector<NamedValues> rows;
+    for (const study::SimilitudeOutcome& outcome : outcomes) rows.push_back(list_values(outcome));
+    const bool all_hold = study::all_hold(outcomes);
     if (options.json) {
-        print_json(to_json(outcomes));
+        print_json({{"cases", to_json(rows)}, {"all_hold", all_hold}});
     } else {
-        print("{}", scaling::make_table(make_table(outcomes), options.style));
+        print("{}", make_table(to_table(rows), options.style));
     }
-    return study::all_hold(outcomes) ? kDone : kCheckFailed;
+    return all_hold ? kDone : kCheckFailed;
 }
 
 }  // namespace

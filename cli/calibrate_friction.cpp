@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cli/interruption.hpp"
+#include "cli/named_values.hpp"
 #include "cli/output.hpp"
 #include "cli/progress_line.hpp"
 #include "lsdem/study/calibration_files.hpp"
@@ -23,56 +24,65 @@ struct FrictionOptions {
     Number resolution{0.001};  ///< [degree]
 };
 
-int run_friction(const FrictionOptions& options) {
-    std::optional<study::ResultFolder> folder = options.test.make_folder();
-    const study::BlockSample sample = options.test.sample.sample();
+/// Every block on every support, on its side and upright.
+std::vector<study::TiltCase> list_cases() {
     std::vector<study::TiltCase> cases;
     for (const auto pose : {study::TiltPose::lying, study::TiltPose::upright}) {
         for (const auto support : {study::TiltSupport::ground, study::TiltSupport::block}) {
             for (const auto side : {study::TiltSide::wide, study::TiltSide::other}) cases.push_back({support, pose, side});
         }
     }
+    return cases;
+}
+
+std::vector<study::TiltResult> compute_tests(const FrictionOptions& options, const study::BlockSample& sample,
+                                             const std::vector<study::TiltCase>& cases) {
     std::vector<study::TiltResult> results(cases.size());
     std::vector<std::function<void()>> jobs;
     for (std::size_t i = 0; i < cases.size(); ++i) {
         jobs.emplace_back([&, i] { results[i] = study::run_tilt_test(sample, cases[i], options.resolution * kDegree); });
     }
-    {
-        ProgressLine progress("friction");
-        scaling::run_side_by_side(jobs, options.test.threads, [&](double fraction) { progress.update(fraction); });
-    }
+    ProgressLine progress("friction");
+    scaling::run_side_by_side(jobs, options.test.threads, [&](double fraction) { progress.update(fraction); });
+    return results;
+}
+
+/// One test, its pose in front of a line.
+NamedValues list_values(const study::TiltCase& test, const study::TiltResult& result) {
+    const double angle = result.angle() / kDegree, half = 0.5 * (result.high - result.low) / kDegree;
+    const auto friction = result.event == study::TiltEvent::slips ? std::optional(result.friction()) : std::nullopt;
+    return {{"pose", {}, to_string(test.pose)},
+            {"support", "support", to_string(test.support), "", -7},
+            {"downhill", "downhill", study::downhill_edge(test), "", -9},
+            {"event", "first", to_string(result.event), "", -8},
+            {{}, "angle [deg]", fmt::format("{:.4f} +-{:.4f}", angle, half), "", 17},
+            {"angle_deg", {}, angle},
+            {"half_interval_deg", {}, half},
+            {{}, "tan(angle)", result.friction(), ".5f", 10},
+            {"friction", {}, or_null(friction)},
+            {"expected_slip_deg", "atan(mu)", result.expected_slip / kDegree, ".4f", 13},
+            {"expected_topple_deg", "atan(edge/h)", result.expected_fall / kDegree, ".4f", 13}};
+}
+
+int run_friction(const FrictionOptions& options) {
+    std::optional<study::ResultFolder> folder = options.test.make_folder();
+    const study::BlockSample sample = options.test.sample.sample();
+    const std::vector<study::TiltCase> cases = list_cases();
+    const std::vector<study::TiltResult> results = compute_tests(options, sample, cases);
     if (folder) {
         folder->add_text("friction.csv", study::make_tilt_csv(cases, results));
         folder->commit();
     }
-
+    std::vector<NamedValues> rows;
+    for (std::size_t i = 0; i < cases.size(); ++i) rows.push_back(list_values(cases[i], results[i]));
     if (options.test.json) {
-        nlohmann::json list = nlohmann::json::array();
-        for (std::size_t i = 0; i < cases.size(); ++i) {
-            const study::TiltResult& r = results[i];
-            list.push_back({{"pose", to_string(cases[i].pose)},
-                            {"support", to_string(cases[i].support)},
-                            {"downhill", study::downhill_edge(cases[i])},
-                            {"event", to_string(r.event)},
-                            {"angle_deg", r.angle() / kDegree},
-                            {"half_interval_deg", 0.5 * (r.high - r.low) / kDegree},
-                            {"friction", r.event == study::TiltEvent::slips ? nlohmann::json(r.friction()) : nlohmann::json()},
-                            {"expected_slip_deg", r.expected_slip / kDegree},
-                            {"expected_topple_deg", r.expected_fall / kDegree}});
-        }
-        print_json({{"material", options.test.sample.material}, {"sample", describe_sample(sample)}, {"tests", list}});
-    } else {
-        print("{}: tilt tests, friction {} on blocks, {} on the ground\n", options.test.sample.material, sample.friction,
-              sample.ground_friction);
-        print("  {:<8} {:<7} {:<9} {:<8} {:>17} {:>10}   {:>11} {:>13}\n", "pose", "support", "downhill", "first", "angle [deg]",
-              "tan(angle)", "atan(mu)", "atan(edge/h)");
-        for (std::size_t i = 0; i < cases.size(); ++i) {
-            const study::TiltResult& r = results[i];
-            print("  {:<8} {:<7} {:<9} {:<8} {:>8.4f} +-{:.4f} {:>10.5f}   {:>11.4f} {:>13.4f}\n", to_string(cases[i].pose),
-                  to_string(cases[i].support), study::downhill_edge(cases[i]), to_string(r.event), r.angle() / kDegree,
-                  0.5 * (r.high - r.low) / kDegree, r.friction(), r.expected_slip / kDegree, r.expected_fall / kDegree);
-        }
+        print_json({{"material", options.test.sample.material}, {"sample", describe_sample(sample)}, {"tests", to_json(rows)}});
+        return kDone;
     }
+    print("{}: tilt tests, friction {} on blocks, {} on the ground\n", options.test.sample.material, sample.friction,
+          sample.ground_friction);
+    print_titles("  pose", rows.front());
+    for (std::size_t i = 0; i < rows.size(); ++i) print_row("  " + to_string(cases[i].pose), rows[i]);
     return kDone;
 }
 

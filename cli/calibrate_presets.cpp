@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "cli/named_values.hpp"
 #include "cli/output.hpp"
 #include "lsdem/scene/material_presets.hpp"
 #include "lsdem/study/wave_speed.hpp"
@@ -24,7 +25,7 @@ nlohmann::json to_json(const scene::MaterialPreset& preset) {
     object["normal_wave_speed_m_s"] = study::closed_form_speed(sample, study::WaveKind::normal);
     object["shear_wave_speed_m_s"] = study::closed_form_speed(sample, study::WaveKind::shear);
     object["camera_step_s"] = preset.camera_step.value();
-    object["bar_wave_speed_m_s"] = preset.bar_wave_speed ? nlohmann::json(preset.bar_wave_speed->value()) : nlohmann::json();
+    object["bar_wave_speed_m_s"] = or_null(in_si(preset.bar_wave_speed));
     return object;
 }
 

@@ -14,6 +14,7 @@
 #include "cli/progress_line.hpp"
 #include "lsdem/study/calibration_files.hpp"
 #include "lsdem/study/rocking_impact.hpp"
+#include "scaling/json_optional.hpp"
 #include "scaling/side_by_side.hpp"
 
 namespace musim::cli {
@@ -54,12 +55,9 @@ nlohmann::json to_json(const study::BlockSample& sample, const study::RockingCur
                           {"slip_over_side", r.slip_over_side}});
     }
     const std::optional<double> paper = study::find_published_ratio(curve.start);
-    return {{"support", to_string(curve.support)},
-            {"side", to_string(curve.side)},
-            {"start_deg", curve.start / kDegree},
-            {"housner", study::housner_ratio(sample, curve.side)},
-            {"published_wood", paper ? nlohmann::json(*paper) : nlohmann::json()},
-            {"points", points}};
+    return {{"support", to_string(curve.support)},       {"side", to_string(curve.side)},
+            {"start_deg", curve.start / kDegree},        {"housner", study::housner_ratio(sample, curve.side)},
+            {"published_wood", scaling::or_null(paper)}, {"points", points}};
 }
 
 void print_curves(const study::BlockSample& sample, const std::vector<study::RockingCurve>& curves) {
@@ -127,7 +125,7 @@ int run_restitution(const RestitutionOptions& options) {
                              {"start_deg", s.curve->start / kDegree},
                              {"lowest", s.search.lowest},
                              {"highest", s.search.highest},
-                             {"restitution", s.search.restitution ? nlohmann::json(*s.search.restitution) : nlohmann::json()},
+                             {"restitution", scaling::or_null(s.search.restitution)},
                              {"reached", s.search.restitution ? nlohmann::json(s.search.reached) : nlohmann::json()}});
         }
         nlohmann::json object{{"material", options.test.sample.material}, {"sample", describe_sample(sample)}, {"curves", list}};

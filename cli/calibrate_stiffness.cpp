@@ -15,6 +15,7 @@
 #include "lsdem/scene/material_presets.hpp"
 #include "lsdem/study/calibration_files.hpp"
 #include "lsdem/study/wave_speed.hpp"
+#include "scaling/json_optional.hpp"
 #include "scaling/side_by_side.hpp"
 
 namespace musim::cli {
@@ -144,7 +145,7 @@ int run_stiffness(const StiffnessOptions& options) {
                               {"layers", options.layers},
                               {"criterion", options.criterion},
                               {"directions", list},
-                              {"bar_speed_verdict", verdict ? nlohmann::json(*verdict) : nlohmann::json()}};
+                              {"bar_speed_verdict", scaling::or_null(verdict)}};
         print_json(object);
     } else {
         print("{}: step of the base velocity, {:.4g} m/s, under a column of {} blocks; arrival by {}\n", options.test.sample.material,

@@ -172,7 +172,7 @@ nlohmann::json to_json(const ModelState& state, const design::UncertainState* un
                              {"measure", state.measure},
                              {"mass_kg", state.mass.value()},
                              {"added_mass_kg", state.added_mass.value()},
-                             {"cost", state.cost ? nlohmann::json(*state.cost) : nlohmann::json()}};
+                             {"cost", or_null(state.cost)}};
     if (uncertain != nullptr) object["uncertainty"] = cli::to_json(state, *uncertain, uncertainty.inputs);
     return object;
 }

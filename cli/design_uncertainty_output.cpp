@@ -8,6 +8,7 @@
 
 #include "cli/uncertainty_output.hpp"
 #include "scaling/coverage.hpp"
+#include "scaling/json_optional.hpp"
 #include "scaling/length_range.hpp"
 
 namespace musim::cli {
@@ -90,12 +91,12 @@ nlohmann::json to_json(const design::Candidate& candidate, const design::Sampled
         limits.push_back({{"limit", candidate.limits[i].limit},
                           {"sets_smallest_share", limit.sets_smallest},
                           {"sets_largest_share", limit.sets_largest},
-                          {"broken_share", limit.broken ? nlohmann::json(*limit.broken) : nlohmann::json()}});
+                          {"broken_share", scaling::or_null(limit.broken)}});
     }
     return {{"feasible_share", sampled.feasible},
             {"smallest", scales_to_json(sampled.smallest)},
             {"largest", scales_to_json(sampled.largest)},
-            {"length", sampled.length ? nlohmann::json(*sampled.length) : nlohmann::json()},
+            {"length", scaling::or_null(sampled.length)},
             {"limits", limits}};
 }
 

@@ -7,17 +7,13 @@
 
 #include "cli/named_values.hpp"
 #include "cli/output.hpp"
+#include "cli/record_peaks.hpp"
 #include "records/response_spectrum.hpp"
 
 namespace musim::cli {
 namespace {
 
 using BeforeAndAfter = std::pair<std::optional<double>, std::optional<double>>;
-
-template <class Peak>
-std::optional<double> size_of(const std::optional<Peak>& peak, double unit) {
-    return peak ? std::optional(std::abs(peak->value.value()) / unit) : std::nullopt;
-}
 
 BeforeAndAfter find_pga(const DriveEffect& effect) {
     const double g = scaling::kStandardGravity.value();

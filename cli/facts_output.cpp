@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "cli/named_values.hpp"
@@ -41,47 +40,70 @@ std::string count_severities(const Entries& entries, const std::string& what) {
                        name(counts[static_cast<int>(Severity::note)], "note"));
 }
 
-scaling::TextTable make_regimes(const std::vector<RegimeStatement>& regimes, const std::optional<scaling::RegimeSamples>& samples) {
-    scaling::TextTable table{{"verdict", "regime", "direction"}};
-    if (samples) table.header.emplace_back("another in");
-    table.header.insert(table.header.end(), {"sources", "prototype and model"});
-    for (const RegimeStatement& regime : regimes) {
-        table.rows.push_back(
-            {regime.severity ? name_severity(regime.severity) : "same", std::string(regime.topic), name_direction(regime.direction)});
-        std::vector<std::string>& row = table.rows.back();
-        if (samples) row.push_back(format_share(samples->shares_elsewhere[table.rows.size() - 1]));
-        row.insert(row.end(), {join_keys(regime.sources), regime.statement});
+/// One regime, by its position in the report.
+NamedValues list_regime(const FactsReport& report, std::size_t i) {
+    const RegimeStatement& regime = report.report.regimes[i];
+    const scaling::UncertainRegimes& uncertain = report.uncertain;
+    NamedValues values{{{}, "verdict", regime.severity ? name_severity(regime.severity) : "same"},
+                       {"severity", {}, name_or_null(regime.severity)},
+                       {"topic", "regime", regime.topic},
+                       {{}, "direction", name_direction(regime.direction)},
+                       {"direction", {}, name_or_null(regime.direction)}};
+    if (uncertain.samples) {
+        values.push_back({{}, "another in", format_share(uncertain.samples->shares_elsewhere[i])});
+        values.push_back({"share_elsewhere", {}, uncertain.samples->shares_elsewhere[i]});
     }
-    return table;
+    if (!uncertain.is_certain()) values.push_back({"limit_within_uncertainty", {}, regime.is_open});
+    values.insert(values.end(), {{{}, "sources", join_keys(regime.sources)},
+                                 {"sources", {}, regime.sources},
+                                 {"statement", "prototype and model", regime.statement}});
+    return values;
 }
 
-scaling::TextTable make_groups(const FactsReport& report, GroupClass kind) {
-    const bool is_certain = report.uncertain.is_certain();
-    scaling::TextTable table{{"group", "direction"}};
-    for (const char* const title : {"prototype", "model", "model/prototype"}) {
-        table.header.emplace_back(title);
-        if (!is_certain) table.header.push_back(coverage_title());
-    }
-    table.header.insert(table.header.end(), {"required", "verdict", "sources", "what changes"});
+/// One group, by its position in the report.
+NamedValues list_group(const FactsReport& report, std::size_t i) {
+    const GroupComparison& group = report.report.groups[i];
+    NamedValues values{{"group", "group", group.name},
+                       {"class", {}, to_string(group.kind)},
+                       {{}, "direction", name_direction(group.direction)},
+                       {"direction", {}, name_or_null(group.direction)}};
+    nlohmann::json uncertainty;
+    const auto add = [&](const char* key, const char* title, double value, scaling::FirstOrder scaling::UncertainComparison::*side,
+                         scaling::SampleSummary scaling::ComparisonSamples::*sampled) {
+        values.push_back({key, title, value, ".5g"});
+        if (report.uncertain.is_certain()) return;
+        const scaling::UncertainComparison& uncertain = report.uncertain.groups[i];
+        const scaling::SampleSummary* const samples = uncertain.samples ? &((*uncertain.samples).*sampled) : nullptr;
+        values.push_back({{}, coverage_title(), describe_interval(uncertain.*side, samples)});
+        uncertainty[key] = cli::to_json(uncertain.*side, report.uncertain.inputs, samples);
+    };
+    add("prototype", "prototype", group.prototype, &scaling::UncertainComparison::prototype, &scaling::ComparisonSamples::prototype);
+    add("model", "model", group.model, &scaling::UncertainComparison::model, &scaling::ComparisonSamples::model);
+    add("factor", "model/prototype", group.factor(), &scaling::UncertainComparison::factor, &scaling::ComparisonSamples::factor);
+    if (!uncertainty.is_null()) values.push_back({"uncertainty", {}, uncertainty});
+    values.insert(values.end(), {{"required", "required", group.is_required},
+                                 {{}, "verdict", name_severity(group.severity)},
+                                 {"severity", {}, name_or_null(group.severity)},
+                                 {{}, "sources", group.severity ? join_keys(group.sources) : ""},
+                                 {"sources", {}, group.sources},
+                                 {"effect", "what changes", group.effect}});
+    return values;
+}
+
+std::vector<NamedValues> list_regimes(const FactsReport& report) {
+    std::vector<NamedValues> rows;
+    for (std::size_t i = 0; i < report.report.regimes.size(); ++i) rows.push_back(list_regime(report, i));
+    return rows;
+}
+
+/// Those that `accepts`.
+template <class Accept>
+std::vector<NamedValues> list_groups(const FactsReport& report, const Accept& accepts) {
+    std::vector<NamedValues> rows;
     for (std::size_t i = 0; i < report.report.groups.size(); ++i) {
-        const GroupComparison& group = report.report.groups[i];
-        if (group.kind != kind) continue;
-        std::vector<std::string> row{std::string(group.name), name_direction(group.direction)};
-        const auto add = [&](double value, scaling::FirstOrder scaling::UncertainComparison::*side,
-                             scaling::SampleSummary scaling::ComparisonSamples::*sampled) {
-            row.push_back(fmt::format("{:.5g}", value));
-            if (is_certain) return;
-            const scaling::UncertainComparison& uncertain = report.uncertain.groups[i];
-            row.push_back(describe_interval(uncertain.*side, uncertain.samples ? &((*uncertain.samples).*sampled) : nullptr));
-        };
-        add(group.prototype, &scaling::UncertainComparison::prototype, &scaling::ComparisonSamples::prototype);
-        add(group.model, &scaling::UncertainComparison::model, &scaling::ComparisonSamples::model);
-        add(group.factor(), &scaling::UncertainComparison::factor, &scaling::ComparisonSamples::factor);
-        row.insert(row.end(), {group.is_required ? "yes" : "no", name_severity(group.severity),
-                               group.severity ? join_keys(group.sources) : "", group.effect});
-        table.rows.push_back(row);
+        if (accepts(report.report.groups[i])) rows.push_back(list_group(report, i));
     }
-    return table;
+    return rows;
 }
 
 std::string format_or_dash(const std::optional<double>& value, scaling::Dimension dimension) {
@@ -108,37 +130,6 @@ std::string describe_untold(const std::vector<scaling::UntoldGroup>& untold) {
         text += fmt::format("{}{} ({})", text.empty() ? "" : ", ", group.name, group.missing == "both" ? "either" : group.missing);
     }
     return text;
-}
-
-nlohmann::json finite_or_null(double value) { return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json(); }
-
-nlohmann::json severity_or_null(const std::optional<Severity>& severity) {
-    return severity ? nlohmann::json(name_severity(severity)) : nlohmann::json();
-}
-
-nlohmann::json to_json(const GroupComparison& group) {
-    return {{"group", std::string(group.name)},
-            {"class", std::string(to_string(group.kind))},
-            {"direction", text_or_null(name_direction(group.direction))},
-            {"prototype", group.prototype},
-            {"model", group.model},
-            {"factor", finite_or_null(group.factor())},
-            {"required", group.is_required},
-            {"severity", severity_or_null(group.severity)},
-            {"effect", group.effect},
-            {"sources", group.sources}};
-}
-
-nlohmann::json to_json(const scaling::UncertainComparison& group, const std::vector<scaling::UncertainInput>& inputs) {
-    nlohmann::json object{{"prototype", cli::to_json(group.prototype, inputs)},
-                          {"model", cli::to_json(group.model, inputs)},
-                          {"factor", cli::to_json(group.factor, inputs)}};
-    if (group.samples) {
-        object["prototype"]["monte_carlo"] = cli::to_json(group.samples->prototype, 1.0);
-        object["model"]["monte_carlo"] = cli::to_json(group.samples->model, 1.0);
-        object["factor"]["monte_carlo"] = cli::to_json(group.samples->factor, 1.0);
-    }
-    return object;
 }
 
 nlohmann::json to_json(const std::vector<PairRow>& rows) {
@@ -175,11 +166,11 @@ std::string make_facts_report(const FactsReport& report, scaling::ReportStyle st
         text += make_heading("Factors asked for, model/prototype", style) +
                 make_table(make_results_table("factor", report.uncertain.factors), style);
     }
-    text += make_heading("Regimes", style) + make_table(make_regimes(report.report.regimes, report.uncertain.samples), style);
+    text += make_heading("Regimes", style) + make_table(to_table(list_regimes(report)), style);
     for (const GroupClass kind :
          {GroupClass::geometry, GroupClass::friction, GroupClass::contact, GroupClass::rocking, GroupClass::loading}) {
-        const scaling::TextTable table = make_groups(report, kind);
-        if (!table.rows.empty()) text += make_heading("Groups of " + std::string(to_string(kind)), style) + make_table(table, style);
+        const auto groups = list_groups(report, [&](const GroupComparison& group) { return group.kind == kind; });
+        if (!groups.empty()) text += make_heading("Groups of " + std::string(to_string(kind)), style) + make_table(to_table(groups), style);
     }
     if (facts.motion && facts.model_motion) {
         scaling::TextTable motion = start_pairs("motion");
@@ -200,23 +191,8 @@ std::string make_facts_report(const FactsReport& report, scaling::ReportStyle st
 }
 
 nlohmann::json to_json(const FactsReport& report) {
-    nlohmann::json groups = nlohmann::json::array(), distortions = nlohmann::json::array(), regimes = nlohmann::json::array(),
-                   untold = nlohmann::json::array(), rocking = nlohmann::json::object();
+    nlohmann::json untold = nlohmann::json::array(), rocking = nlohmann::json::object();
     const scaling::UncertainRegimes& uncertain = report.uncertain;
-    for (std::size_t i = 0; i < report.report.groups.size(); ++i) {
-        groups.push_back(to_json(report.report.groups[i]));
-        if (!uncertain.is_certain()) groups.back()["uncertainty"] = to_json(uncertain.groups[i], uncertain.inputs);
-        if (report.report.groups[i].severity) distortions.push_back(groups.back());
-    }
-    for (const RegimeStatement& regime : report.report.regimes) {
-        regimes.push_back({{"topic", std::string(regime.topic)},
-                           {"direction", text_or_null(name_direction(regime.direction))},
-                           {"severity", severity_or_null(regime.severity)},
-                           {"statement", regime.statement},
-                           {"sources", regime.sources}});
-        if (!uncertain.is_certain()) regimes.back()["limit_within_uncertainty"] = regime.is_open;
-        if (uncertain.samples) regimes.back()["share_elsewhere"] = uncertain.samples->shares_elsewhere[regimes.size() - 1];
-    }
     for (const scaling::UntoldGroup& group : report.report.untold) {
         untold.push_back({{"group", std::string(group.name)}, {"missing", std::string(group.missing)}});
     }
@@ -225,7 +201,7 @@ nlohmann::json to_json(const FactsReport& report) {
     }
     nlohmann::json object = study::to_json(report.similitude);
     object["groups"] = cli::to_json(group_factors(report.similitude, make_model_facts(report.facts)));
-    object["distortions"] = distortions;
+    object["distortions"] = cli::to_json(list_groups(report, [](const GroupComparison& group) { return group.severity.has_value(); }));
     nlohmann::json motion;
     if (report.facts.motion && report.facts.model_motion) {
         motion = to_json(make_motion_rows(*report.facts.motion, *report.facts.model_motion, report.similitude));
@@ -233,8 +209,8 @@ nlohmann::json to_json(const FactsReport& report) {
     object["facts"] = {{"name", report.name},
                        {"prototype", report.facts.prototype.name},
                        {"model", report.facts.model.name},
-                       {"groups", groups},
-                       {"regimes", regimes},
+                       {"groups", cli::to_json(list_groups(report, [](const GroupComparison&) { return true; }))},
+                       {"regimes", cli::to_json(list_regimes(report))},
                        {"motion", motion},
                        {"speeds", to_json(make_speed_rows(report.facts, report.similitude))},
                        {"rocking", rocking},

@@ -26,6 +26,7 @@ using scaling::SolvedLaw;
 
 /// Digits of factors, as in the other tables of `scale`.
 constexpr int kFactorDigits = 7;
+constexpr const char* kFactorFormat = ".7g";
 
 /// A product of the law with its δ.
 struct LawGroup {
@@ -119,41 +120,12 @@ std::vector<std::string> list_remarks(const SolvedLaw& solved) {
     return lines;
 }
 
-scaling::TextTable make_factor_table(const SolvedLaw& solved) {
+bool has_values(const SolvedLaw& solved) {
     const auto& quantities = solved.problem.quantities;
-    const bool has_values = std::any_of(quantities.begin(), quantities.end(), [](const PiQuantity& q) { return q.value.has_value(); });
-    scaling::TextTable table{{"quantity", "factor", "formula", "state", "meaning"}};
-    if (has_values) table.header.insert(table.header.end(), {"prototype", "model"});
-    for (std::size_t j = 0; j < quantities.size(); ++j) {
-        const ScaleFactor& factor = solved.solution.quantities[j].factor;
-        table.rows.push_back({quantities[j].name, or_dash(factor.value, kFactorDigits), formula(solved, factor), describe_state(solved, j),
-                              solved.law.quantities[j].meaning});
-        if (!has_values) continue;
-        const auto model = find_model_value(solved, j);
-        table.rows.back().push_back(quantities[j].value ? scaling::format_value(*quantities[j].value, quantities[j]) : "");
-        table.rows.back().push_back(model ? scaling::format_value(*model, quantities[j]) : "");
-    }
-    return table;
+    return std::any_of(quantities.begin(), quantities.end(), [](const PiQuantity& q) { return q.value.has_value(); });
 }
 
-scaling::TextTable make_group_table(const SolvedLaw& solved) {
-    scaling::TextTable table{{"group", "delta", "formula", "", "known as"}};
-    for (const LawGroup& group : list_groups(solved)) {
-        table.rows.push_back({group.product.text, or_dash(group.delta.value, kFactorDigits), formula(solved, group.delta),
-                              group.is_held ? "held" : "watched", group.name(solved)});
-    }
-    return table;
-}
-
-json group_json(const SolvedLaw& solved, const LawGroup& group) {
-    return {{"product", group.product.text},
-            {"name", group.name(solved)},
-            {"delta", or_null(group.delta.value)},
-            {"formula", formula(solved, group.delta)},
-            {"latex", formula(solved, group.delta, PiNotation::latex)}};
-}
-
-json quantity_json(const SolvedLaw& solved, std::size_t j) {
+NamedValues list_values(const SolvedLaw& solved, std::size_t j) {
     const PiQuantity& quantity = solved.problem.quantities[j];
     const scaling::QuantityScale& scale = solved.solution.quantities[j];
     json exponents = json::object();
@@ -161,25 +133,34 @@ json quantity_json(const SolvedLaw& solved, std::size_t j) {
         const scaling::Rational& exponent = scale.factor.exponents[k];
         if (exponent != 0) exponents[solved.problem.quantities[k].name] = to_string(exponent);
     }
-    json object{{"name", quantity.name},
-                {"unit", solved.law.quantities[j].unit},
-                {"meaning", solved.law.quantities[j].meaning},
-                {"state", to_string(scale.state)},
-                {"default", bool(solved.is_default[j])},
-                {"factor", or_null(scale.factor.value)},
-                {"formula", formula(solved, scale.factor)},
-                {"latex", formula(solved, scale.factor, PiNotation::latex)},
-                {"exponents", exponents},
-                {"needs", names_of(solved, scale.factor.needs)}};
-    if (quantity.value) {
-        object["prototype"] = scaling::format_value(*quantity.value, quantity);
-        object["prototype_si"] = *quantity.value;
-    }
-    if (const auto model = find_model_value(solved, j)) {
-        object["model"] = scaling::format_value(*model, quantity);
-        object["model_si"] = *model;
-    }
-    return object;
+    NamedValues values{{"name", "quantity", quantity.name},
+                       {"factor", "factor", or_null(scale.factor.value), kFactorFormat},
+                       {"formula", "formula", formula(solved, scale.factor)},
+                       {"latex", {}, formula(solved, scale.factor, PiNotation::latex)},
+                       {{}, "state", describe_state(solved, j)},
+                       {"state", {}, to_string(scale.state)},
+                       {"default", {}, bool(solved.is_default[j])},
+                       {"meaning", "meaning", solved.law.quantities[j].meaning},
+                       {"unit", {}, solved.law.quantities[j].unit},
+                       {"exponents", {}, exponents},
+                       {"needs", {}, names_of(solved, scale.factor.needs)}};
+    if (!has_values(solved)) return values;
+    const auto add = [&](const std::string& name, const std::optional<double>& value) {
+        values.push_back({value ? name : "", name, value ? scaling::format_value(*value, quantity) : ""});
+        if (value) values.push_back({name + "_si", {}, *value});
+    };
+    add("prototype", quantity.value);
+    add("model", find_model_value(solved, j));
+    return values;
+}
+
+NamedValues list_values(const SolvedLaw& solved, const LawGroup& group) {
+    return {{"product", "group", group.product.text},
+            {"delta", "delta", or_null(group.delta.value), kFactorFormat},
+            {"formula", "formula", formula(solved, group.delta)},
+            {"latex", {}, formula(solved, group.delta, PiNotation::latex)},
+            {{}, "", group.is_held ? "held" : "watched"},
+            {"name", "known as", group.name(solved)}};
 }
 
 json addition_json(const SolvedLaw& solved, const scaling::LawAddition& addition) {
@@ -239,11 +220,11 @@ json to_json(const SolvedLaw& solved) {
         const std::string& name = solved.problem.quantities[j].name;
         if (solved.problem.chosen[j]) object["chosen"][name] = *solved.problem.chosen[j];
         object["factors"][name] = or_null(solved.solution.quantities[j].factor.value);
-        object["quantities"].push_back(quantity_json(solved, j));
+        object["quantities"].push_back(cli::to_json(list_values(solved, j)));
     }
     for (const LawGroup& group : list_groups(solved)) {
         object["groups"][group.product.text] = or_null(group.delta.value);
-        object[group.is_held ? "held" : "watched"].push_back(group_json(solved, group));
+        object[group.is_held ? "held" : "watched"].push_back(cli::to_json(list_values(solved, group)));
         if (group.delta.value && std::abs(*group.delta.value - 1.0) > scaling::kFactorRounding) {
             object["distortions"].push_back(
                 {{"group", group.product.text}, {"factor", *group.delta.value}, {"formula", formula(solved, group.delta)}});
@@ -259,8 +240,11 @@ std::string make_law_report(const SolvedLaw& solved, ReportStyle style) {
     std::string text = is_markdown ? fmt::format("Law `{}`: {}. Factors are model/prototype.\n\n", solved.law.name, solved.law.title)
                                    : fmt::format("Law {}: {} (factors are model/prototype)\n\n", solved.law.name, solved.law.title);
     if (is_markdown && !solved.law.description.empty()) text += solved.law.description + "\n\n";
-    text += make_table(make_factor_table(solved), style) + "\n";
-    if (!list_groups(solved).empty()) text += make_table(make_group_table(solved), style) + "\n";
+    std::vector<NamedValues> quantities, groups;
+    for (std::size_t j = 0; j < solved.problem.quantities.size(); ++j) quantities.push_back(list_values(solved, j));
+    for (const LawGroup& group : list_groups(solved)) groups.push_back(list_values(solved, group));
+    text += make_table(to_table(quantities), style) + "\n";
+    if (!groups.empty()) text += make_table(to_table(groups), style) + "\n";
     return text + make_lines(list_remarks(solved), style);
 }
 

@@ -1,38 +1,81 @@
 #include "cli/named_values.hpp"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
+#include <cstdlib>
 
 #include "cli/output.hpp"
 
 namespace musim::cli {
 namespace {
 
-/// Characters of a column: what four digits take at most.
-std::size_t find_width(const NamedValue& column) { return std::max<std::size_t>(9, column.title.size()); }
+/// What four digits take at most [characters].
+constexpr int kLeastWidth = 9;
+
+std::string to_cell(const NamedValue& value) {
+    if (value.value.is_null()) return "-";
+    if (value.value.is_string()) return value.value.get<std::string>();
+    if (value.value.is_boolean()) return value.value.get<bool>() ? "yes" : "no";
+    if (value.value.is_number_float()) return fmt::format(fmt::runtime("{:" + value.format + "}"), value.value.get<double>());
+    return value.value.dump();
+}
+
+/// One line: columns a blank apart, two where cells on the left follow those on the right.
+template <class Tell>
+void print_line(const std::string& first, const NamedValues& values, const Tell& tell) {
+    std::string line = fmt::format("{:<10}", first);
+    bool is_left = true;
+    for (const NamedValue& value : values) {
+        if (!value.title) continue;
+        const bool was_left = is_left;
+        const int width = value.width.value_or(std::max(kLeastWidth, static_cast<int>(value.title->size())));
+        is_left = width < 0;
+        line += !was_left && is_left ? "  " : " ";
+        line += is_left ? fmt::format("{:<{}}", tell(value), -width) : fmt::format("{:>{}}", tell(value), width);
+    }
+    print("{}\n", line);
+}
 
 }  // namespace
 
 std::string or_dash(const std::optional<double>& value, int digits) { return value ? fmt::format("{:.{}g}", *value, digits) : "-"; }
 
-nlohmann::json or_null(const std::optional<double>& value) { return value ? nlohmann::json(*value) : nlohmann::json(); }
-
 nlohmann::json text_or_null(const std::string& text) { return text.empty() ? nlohmann::json() : nlohmann::json(text); }
 
-void add_to_json(nlohmann::json& object, const std::vector<NamedValue>& values) {
-    for (const NamedValue& value : values) object[value.key] = or_null(value.value);
+void add_to_json(nlohmann::json& object, const NamedValues& values) {
+    for (const NamedValue& value : values) {
+        if (!value.key.empty()) object[value.key] = value.value;
+    }
 }
 
-void print_titles(const std::string& first, const std::vector<NamedValue>& values) {
-    print("{:<10}", first);
-    for (const NamedValue& column : values) print(" {:>{}}", column.title, find_width(column));
-    print("\n");
+nlohmann::json to_json(const NamedValues& values) {
+    nlohmann::json object = nlohmann::json::object();
+    add_to_json(object, values);
+    return object;
 }
 
-void print_row(const std::string& first, const std::vector<NamedValue>& values) {
-    print("{:<10}", first);
-    for (const NamedValue& column : values) print(" {:>{}}", or_dash(column.value, 4), find_width(column));
-    print("\n");
+nlohmann::json to_json(const std::vector<NamedValues>& rows) {
+    nlohmann::json list = nlohmann::json::array();
+    for (const NamedValues& row : rows) list.push_back(to_json(row));
+    return list;
 }
+
+scaling::TextTable to_table(const std::vector<NamedValues>& rows) {
+    scaling::TextTable table;
+    for (const NamedValues& row : rows) {
+        std::vector<std::string>& cells = table.rows.emplace_back();
+        for (const NamedValue& value : row) {
+            if (!value.title) continue;
+            if (table.rows.size() == 1) table.header.push_back(*value.title);
+            cells.push_back(to_cell(value));
+        }
+    }
+    return table;
+}
+
+void print_titles(const std::string& first, const NamedValues& values) {
+    print_line(first, values, [](const NamedValue& value) { return *value.title; });
+}
+
+void print_row(const std::string& first, const NamedValues& values) { print_line(first, values, to_cell); }
 
 }  // namespace musim::cli

@@ -82,8 +82,7 @@ json group_json(const PiGroup& group, std::size_t number, const PiReport& report
     for (const auto& name : names) object["known"].push_back({{"name", name.name}, {"formula", name.formula}, {"as", name.as}});
     if (const auto value = scaling::group_value(group, quantities)) object["value"] = *value;
     if (const auto value = find_uncertain_value(group, quantities); value && is_uncertain(report)) {
-        object["uncertainty"] = to_json(*value, list_uncertain(quantities));
-        if (const auto* const samples = find_samples(report, group)) object["uncertainty"]["monte_carlo"] = to_json(*samples, 1.0);
+        object["uncertainty"] = to_json(*value, list_uncertain(quantities), find_samples(report, group));
     }
     return object;
 }

@@ -38,26 +38,9 @@ struct ComponentInfo {
     const records::Component& component;
     std::optional<scaling::Frequency> corner;  ///< of the high-pass before integration
     records::Intensity intensity;
-    std::vector<NamedValue> measures;
-    std::vector<NamedValue> groups;  ///< with a structure; none: empty
+    NamedValues measures;
+    NamedValues groups;  ///< with a structure; none: empty
 };
-
-std::optional<double> absolute(const auto& peak, double unit) {
-    return peak ? std::optional(std::abs(peak->value.value()) / unit) : std::nullopt;
-}
-
-/// Measures in the units engineers quote.
-struct Measures {
-    std::optional<double> pga_g, pgv_cm_s, pgd_cm, arias_m_s, d5_95_s;
-};
-
-Measures measure(const records::Intensity& intensity) {
-    Measures measures{absolute(intensity.pga, scaling::kStandardGravity.value()), absolute(intensity.pgv, 0.01),
-                      absolute(intensity.pgd, 0.01), std::nullopt, std::nullopt};
-    if (intensity.arias) measures.arias_m_s = intensity.arias->value();
-    if (intensity.d5_95) measures.d5_95_s = intensity.d5_95->value();
-    return measures;
-}
 
 /// When a component begins, where its file tells.
 std::optional<records::UtcTime> find_first_sample(const ComponentInfo& info) {
@@ -65,40 +48,39 @@ std::optional<records::UtcTime> find_first_sample(const ComponentInfo& info) {
     return records::find_instant(*info.motion.time_zero, info.component.series.start());
 }
 
+/// Step and peaks, in the units engineers quote.
+NamedValues list_peaks(const ComponentInfo& info) {
+    const records::TimeSeries& series = info.component.series;
+    const records::Intensity& intensity = info.intensity;
+    return {{"component", {}, info.component.name},
+            {"quantity", "quantity", records::to_string(series.quantity()), "", -12},
+            {"dt_s", {}, series.dt().value()},
+            {{}, "dt [ms]", 1e3 * series.dt().value(), ".6g", 9},
+            {"npts", "npts", series.size(), "", 7},
+            {"pga_g", "PGA [g]", or_null(size_of(intensity.pga, scaling::kStandardGravity.value())), ".4g", 8},
+            {"pgv_cm_s", "PGV [cm/s]", or_null(size_of(intensity.pgv, 0.01)), ".4g", 9},
+            {"pgd_cm", "PGD [cm]", or_null(size_of(intensity.pgd, 0.01)), ".4g", 8},
+            {"arias_m_s", "Ia [m/s]", or_null(in_si(intensity.arias)), ".4g", 9},
+            {"d5_95_s", "D5-95 [s]", or_null(in_si(intensity.d5_95)), ".4g", 8},
+            {"highpass_hz", {}, or_null(in_si(info.corner))},
+            {{}, "integrated", describe_integration(info.corner), "", -1}};
+}
+
 nlohmann::json to_json(const ComponentInfo& info) {
     const records::TimeSeries& series = info.component.series;
-    const Measures measures = measure(info.intensity);
+    const auto first = find_first_sample(info);
     nlohmann::json object{{"file", info.file},
                           {"format", info.motion.format},
                           {"station", info.motion.station},
-                          {"component", info.component.name},
-                          {"quantity", std::string(records::to_string(series.quantity()))},
-                          {"unit", std::string(records::si_unit_name(series.quantity()))},
-                          {"dt_s", series.dt().value()},
-                          {"npts", series.size()},
-                          {"highpass_hz", info.corner ? nlohmann::json(info.corner->value()) : nlohmann::json()},
-                          {"pga_g", or_null(measures.pga_g)},
-                          {"pgv_cm_s", or_null(measures.pgv_cm_s)},
-                          {"pgd_cm", or_null(measures.pgd_cm)},
-                          {"arias_m_s", or_null(measures.arias_m_s)},
-                          {"d5_95_s", or_null(measures.d5_95_s)}};
-    object["start_s"] = series.start().value();
-    const auto first = find_first_sample(info);
-    object["first_sample_utc"] = first ? nlohmann::json(records::to_string(*first)) : nlohmann::json();
-    object["begins_in_motion"] = info.corner && records::begins_in_motion(series);
-    object["history"] = info.motion.history;
+                          {"unit", records::si_unit_name(series.quantity())},
+                          {"start_s", series.start().value()},
+                          {"first_sample_utc", first ? nlohmann::json(records::to_string(*first)) : nlohmann::json()},
+                          {"begins_in_motion", info.corner && records::begins_in_motion(series)},
+                          {"history", info.motion.history}};
+    add_to_json(object, list_peaks(info));
     add_to_json(object, info.measures);
     if (!info.groups.empty()) add_to_json(object["groups"], info.groups);
     return object;
-}
-
-void print_peaks(const ComponentInfo& info) {
-    const records::TimeSeries& series = info.component.series;
-    const Measures m = measure(info.intensity);
-    print("{:<10} {:<12} {:>9.6g} {:>7} {:>8} {:>9} {:>8} {:>9} {:>8}  {}\n", info.component.name, records::to_string(series.quantity()),
-          1e3 * series.dt().value(), series.size(), or_dash(m.pga_g, 4), or_dash(m.pgv_cm_s, 4), or_dash(m.pgd_cm, 4),
-          or_dash(m.arias_m_s, 4), or_dash(m.d5_95_s, 4),
-          describe_integration(info.corner ? std::optional(info.corner->value()) : std::nullopt));
 }
 
 /// When components begin, what was done to their samples since the file, sensitivities included, and levels that are not taken from rest.
@@ -116,9 +98,8 @@ void print_origin(std::span<const ComponentInfo> infos) {
 void print_tables(std::span<const ComponentInfo> infos) {
     const records::GroundMotion& motion = infos.front().motion;
     print("{}: {}{}{}\n", infos.front().file, motion.format, motion.station.empty() ? "" : ", station ", motion.station);
-    print("{:<10} {:<12} {:>9} {:>7} {:>8} {:>9} {:>8} {:>9} {:>8}  {}\n", "component", "quantity", "dt [ms]", "npts", "PGA [g]",
-          "PGV [cm/s]", "PGD [cm]", "Ia [m/s]", "D5-95 [s]", "integrated");
-    for (const ComponentInfo& info : infos) print_peaks(info);
+    print_titles("component", list_peaks(infos.front()));
+    for (const ComponentInfo& info : infos) print_row(info.component.name, list_peaks(info));
     print_origin(infos);
     print_titles("component", infos.front().measures);
     for (const ComponentInfo& info : infos) print_row(info.component.name, info.measures);

@@ -1,6 +1,6 @@
 #include "cli/record_curves_output.hpp"
 
-#include <nlohmann/json.hpp>
+#include "cli/named_values.hpp"
 
 namespace musim::cli {
 namespace {
@@ -21,7 +21,7 @@ nlohmann::json to_json(const std::vector<records::ComponentCurves>& components) 
         nlohmann::json object{{"file", component.file},
                               {"component", component.component},
                               {"scale", scale_of(component)},
-                              {"highpass_hz", component.corner ? nlohmann::json(component.corner->value()) : nlohmann::json()}};
+                              {"highpass_hz", or_null(in_si(component.corner))}};
         add_peak(object, "pga_g", "pga_time_s", component.intensity.pga, scaling::kStandardGravity.value());
         add_peak(object, "pgv_cm_s", "pgv_time_s", component.intensity.pgv, 0.01);
         add_peak(object, "pgd_cm", "pgd_time_s", component.intensity.pgd, 0.01);

@@ -28,8 +28,8 @@ void StructureOptions::add_to(CLI::App& command) {
         ->check(below_right_angle());
 }
 
-std::vector<NamedValue> compute_record_groups(const records::TimeSeries& leveled, const records::Intensity& intensity,
-                                              const StructureOptions& structure) {
+NamedValues compute_record_groups(const records::TimeSeries& leveled, const records::Intensity& intensity,
+                                  const StructureOptions& structure) {
     const double g = scaling::kStandardGravity.value();
     std::optional<double> pga_friction, pgv_friction, pga_slenderness, sliding, sliding_length;
     if (structure.friction) {
@@ -46,11 +46,11 @@ std::vector<NamedValue> compute_record_groups(const records::TimeSeries& leveled
     if (structure.slenderness && intensity.pga) {
         pga_slenderness = std::abs(intensity.pga->value.value()) / (g * std::tan(structure.slenderness->value * std::numbers::pi / 180.0));
     }
-    return {{"pga_over_mu_g", "PGA/(mu g)", pga_friction},
-            {"pgv_over_sqrt_mu_g_l", "PGV/sqrt(mu g l)", pgv_friction},
-            {"pga_over_g_tan_alpha", "PGA/(g tan alpha)", pga_slenderness},
-            {"newmark_sliding_m", "sliding [m]", sliding},
-            {"newmark_sliding_over_length", "sliding/l", sliding_length}};
+    return {{"pga_over_mu_g", "PGA/(mu g)", or_null(pga_friction)},
+            {"pgv_over_sqrt_mu_g_l", "PGV/sqrt(mu g l)", or_null(pgv_friction)},
+            {"pga_over_g_tan_alpha", "PGA/(g tan alpha)", or_null(pga_slenderness)},
+            {"newmark_sliding_m", "sliding [m]", or_null(sliding)},
+            {"newmark_sliding_over_length", "sliding/l", or_null(sliding_length)}};
 }
 
 }  // namespace musim::cli

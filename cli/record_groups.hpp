@@ -23,7 +23,7 @@ struct StructureOptions {
 /// How strong a record is for a structure in standard gravity, in dimensionless groups, and how far a Newmark block slides (its largest
 /// distance); missing where the structure or the record does not tell. `intensity` is that of the same series, leveled like it
 /// (records::level_uncorrected).
-std::vector<NamedValue> compute_record_groups(const records::TimeSeries& leveled, const records::Intensity& intensity,
-                                              const StructureOptions& structure);
+NamedValues compute_record_groups(const records::TimeSeries& leveled, const records::Intensity& intensity,
+                                  const StructureOptions& structure);
 
 }  // namespace musim::cli

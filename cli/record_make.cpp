@@ -45,13 +45,13 @@ int make_record(const MakeOptions& options, const std::function<records::GroundM
     const records::GroundMotion motion = make();
     options.output.write(motion);
     const records::Component& component = motion.components.front();
-    const ComponentPeaks peaks = find_peaks(motion, component);
+    const NamedValues peaks = find_peaks(motion, component);
     if (options.json) {
         print_json({{"out", options.output.out}, {"event", motion.event}, {"history", motion.history}, {"peaks", to_json(peaks)}});
         return kDone;
     }
-    print_peaks_heading();
-    print_peaks("made", component.name, peaks);
+    print_titles("", peaks);
+    print_row("made", peaks);
     print("\n{}\n\nWritten to {}\n", motion.history.front(), options.output.out);
     return kDone;
 }

@@ -32,8 +32,7 @@ struct RecordMatchOptions {
 };
 
 /// Misfit and intensity of a motion before or after.
-std::vector<NamedValue> describe(const records::SpectrumMisfit& misfit, const records::GroundMotion& motion,
-                                 const records::Component& component) {
+NamedValues describe(const records::SpectrumMisfit& misfit, const records::GroundMotion& motion, const records::Component& component) {
     const records::Intensity intensity = records::compute_intensity(component.series, motion.integration_corner);
     return {{"largest_misfit", "largest |ln|", misfit.largest},
             {"largest_misfit_at_s", "at T [s]", misfit.largest_at.value()},
@@ -65,8 +64,8 @@ int run_record_match(const RecordMatchOptions& options) {
     options.output.write(matched.motion);
 
     const records::SpectrumMatch& match = matched.match;
-    const std::vector<NamedValue> before = describe(match.before, motion, motion.find_component(name));
-    const std::vector<NamedValue> after = describe(match.after, matched.motion, matched.motion.components.front());
+    const NamedValues before = describe(match.before, motion, motion.find_component(name));
+    const NamedValues after = describe(match.after, matched.motion, matched.motion.components.front());
     if (options.json) {
         nlohmann::json object{{"out", options.output.out},
                               {"component", name},

@@ -22,7 +22,7 @@ struct MeasureSettings {
 /// Duration, energy and periods of an acceleration; those that another quantity does not give are missing. `intensity` is that of the same
 /// series, leveled like it (records::level_uncorrected), both with `corner` for uncorrected records. Throws records::ProcessingError for
 /// settings that make no sense.
-std::vector<NamedValue> measure_record(const records::TimeSeries& leveled, const records::Intensity& intensity,
-                                       const std::optional<scaling::Frequency>& corner, const MeasureSettings& settings);
+NamedValues measure_record(const records::TimeSeries& leveled, const records::Intensity& intensity,
+                           const std::optional<scaling::Frequency>& corner, const MeasureSettings& settings);
 
 }  // namespace musim::cli

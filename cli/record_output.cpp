@@ -47,7 +47,7 @@ void note_lost_corner(const std::string& file, const records::GroundMotion& moti
     note_at_end(
         fmt::format("musim: note: {}: miniSEED cannot tell how the record is integrated ({}): PGV and PGD of the file are those after a "
                     "high-pass at {:g} Hz; write .csv, .v2 or .at2 to keep it",
-                    file, describe_integration(corner ? std::optional(corner->value()) : std::nullopt), records::kUncorrectedCornerHz));
+                    file, describe_integration(corner), records::kUncorrectedCornerHz));
 }
 
 }  // namespace

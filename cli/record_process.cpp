@@ -82,14 +82,14 @@ int run_record_process(const RecordProcessOptions& options) {
     if (!options.save_recipe.empty()) records::write_file_atomically(options.save_recipe, records::write_recipe(recipe));
 
     nlohmann::json components = nlohmann::json::array();
-    if (!options.json) print_peaks_heading();
     for (std::size_t c = 0; c < processed.components.size(); ++c) {
-        const ComponentPeaks before = find_peaks(motion, motion.components[c]), after = find_peaks(processed, processed.components[c]);
+        const NamedValues before = find_peaks(motion, motion.components[c]), after = find_peaks(processed, processed.components[c]);
         const std::string& name = processed.components[c].name;
         components.push_back({{"component", name}, {"before", to_json(before)}, {"after", to_json(after)}});
         if (options.json) continue;
-        print_peaks("before", motion.components[c].name, before);
-        print_peaks("after", name, after);
+        if (c == 0) print_titles("", before);
+        print_row("before", before);
+        print_row("after", after);
     }
     if (options.json) {
         print_json({{"out", options.output.out}, {"history", processed.history}, {"components", components}});

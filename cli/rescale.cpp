@@ -57,17 +57,17 @@ int run_rescale(const RescaleOptions& options) {
         print("Law {}: {}time {:.7g}, velocity {:.7g}, acceleration {:.7g} (model/prototype)\n", scales.law, describe_lengths(scales),
               scales.time, scales.velocity, scales.acceleration);
         print("{}\n", describe_vertical(list_vertical(prototype), scales));
-        print_peaks_heading();
     }
     for (std::size_t c = 0; c < model.components.size(); ++c) {
         const std::string& name = model.components[c].name;
-        const ComponentPeaks before = find_peaks(prototype, prototype.components[c]);
-        const ComponentPeaks after = find_peaks(model, model.components[c]);
+        const NamedValues before = find_peaks(prototype, prototype.components[c]);
+        const NamedValues after = find_peaks(model, model.components[c]);
         const bool is_vertical = records::is_vertical(prototype.components[c]);
         components.push_back({{"component", name}, {"vertical", is_vertical}, {"prototype", to_json(before)}, {"model", to_json(after)}});
         if (!options.json) {
-            print_peaks("prototype", name, before);
-            print_peaks("model", name, after);
+            if (c == 0) print_titles("", before);
+            print_row("prototype", before);
+            print_row("model", after);
         }
     }
     if (options.json) {

@@ -11,6 +11,7 @@
 #include "cli/commands.hpp"
 #include "cli/drive_effect.hpp"
 #include "cli/input_file.hpp"
+#include "cli/named_values.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/output_files.hpp"
@@ -173,7 +174,7 @@ nlohmann::json describe(const TableOptions& options, const records::ShakeTable& 
     for (const records::ScaleRange& range : verdict.scales) object["scales"].push_back(to_json(range));
     object["corrections"] = nlohmann::json::array();
     for (const records::Correction& correction : verdict.corrections) object["corrections"].push_back(to_json(correction, scales));
-    object["drive"] = options.drive.empty() ? nlohmann::json() : nlohmann::json(options.drive);
+    object["drive"] = text_or_null(options.drive);
     return object;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "cli/length_ranges.hpp"
+#include "cli/named_values.hpp"
 #include "cli/output.hpp"
 #include "scaling/length_range.hpp"
 
@@ -62,14 +63,6 @@ DisplayUnit find_printed_unit(const records::LimitUse& use) {
 std::string describe_end(const std::optional<TableLimit>& limit, const std::string& axis) {
     if (!limit) return "the end of the search";
     return fmt::format("{} of axis {}", to_string(*limit), axis);
-}
-
-nlohmann::json name_or_null(const std::optional<TableLimit>& limit) {
-    return limit ? nlohmann::json(std::string(to_string(*limit))) : nlohmann::json();
-}
-
-nlohmann::json hz_or_null(const std::optional<scaling::Frequency>& frequency) {
-    return frequency ? nlohmann::json(frequency->value()) : nlohmann::json();
 }
 
 const std::vector<scaling::LengthRange>* find_ranges(const std::vector<LimitScales>& scales, const std::string& axis, TableLimit limit) {
@@ -131,8 +124,8 @@ nlohmann::json to_json(const records::Correction& correction, const scaling::Mod
         }
         spectra.push_back({{"component", change.component}, {"rows", rows}});
     }
-    return {{"high_pass_hz", hz_or_null(correction.settings.high_pass)},
-            {"low_pass_hz", hz_or_null(correction.settings.low_pass)},
+    return {{"high_pass_hz", or_null(in_si(correction.settings.high_pass))},
+            {"low_pass_hz", or_null(in_si(correction.settings.low_pass))},
             {"amplitude", correction.settings.amplitude},
             {"mean_change_of_ln_psa", correction.mean_change},
             {"largest_change_of_ln_psa", correction.largest_change},

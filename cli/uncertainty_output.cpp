@@ -84,17 +84,20 @@ nlohmann::json to_json(const scaling::UncertainResult& result, double unit) {
     return object;
 }
 
-nlohmann::json to_json(const scaling::FirstOrder& result, const std::vector<scaling::UncertainInput>& inputs) {
+nlohmann::json to_json(const scaling::FirstOrder& result, const std::vector<scaling::UncertainInput>& inputs,
+                       const scaling::SampleSummary* samples) {
     const scaling::CoverageInterval interval = scaling::find_interval(result);
     nlohmann::json exponents = nlohmann::json::object();
     for (std::size_t i = 0; i < inputs.size(); ++i) {
         if (result.exponents[i] != 0.0) exponents[inputs[i].name] = result.exponents[i];
     }
-    return {{"value", result.value},
-            {"standard_uncertainty", result.uncertainty()},
-            {"relative", result.relative},
-            {"interval", {interval.lower, interval.upper}},
-            {"exponents", exponents}};
+    nlohmann::json object{{"value", result.value},
+                          {"standard_uncertainty", result.uncertainty()},
+                          {"relative", result.relative},
+                          {"interval", {interval.lower, interval.upper}},
+                          {"exponents", exponents}};
+    if (samples != nullptr) object["monte_carlo"] = to_json(*samples, 1.0);
+    return object;
 }
 
 std::string describe_interval(const scaling::FirstOrder& result, const scaling::SampleSummary* samples) {

@@ -22,8 +22,9 @@ nlohmann::json to_json(const scaling::SampleSummary& samples, double unit);
 nlohmann::json to_json(const scaling::UncertainResult& result, double unit);
 
 /// A result to first order: value, standard and relative uncertainty, the coverage interval, and the exponents of those inputs that it
-/// depends on, by their names.
-nlohmann::json to_json(const scaling::FirstOrder& result, const std::vector<scaling::UncertainInput>& inputs);
+/// depends on, by their names; what its samples say if there are any.
+nlohmann::json to_json(const scaling::FirstOrder& result, const std::vector<scaling::UncertainInput>& inputs,
+                       const scaling::SampleSummary* samples = nullptr);
 
 /// The coverage interval of a plain number as "0.9 to 1.1", four digits, that of its samples if there are any; "-" where it is certain.
 std::string describe_interval(const scaling::FirstOrder& result, const scaling::SampleSummary* samples = nullptr);

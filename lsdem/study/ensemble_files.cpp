@@ -9,6 +9,7 @@
 #include "lsdem/study/detail/hdf5_file.hpp"
 #include "lsdem/study/spine_plot.hpp"
 #include "scaling/angle.hpp"
+#include "scaling/json_optional.hpp"
 
 namespace musim::lsdem::study {
 namespace {
@@ -104,8 +105,7 @@ nlohmann::json to_json(const MemberResult& member) {
     object["damage_index"] = response.damage.index;
     object["fallen_blocks"] = response.damage.fallen;
     if (!response.spine.empty()) object["top_peak_velocity_m_s"] = response.spine.back().peak_velocity[response.axis];
-    for (const SpeedEstimate& estimate : response.speeds)
-        object["speeds_m_s"][estimate.method] = estimate.speed ? nlohmann::json(*estimate.speed) : nlohmann::json();
+    for (const SpeedEstimate& estimate : response.speeds) object["speeds_m_s"][estimate.method] = scaling::or_null(estimate.speed);
     return object;
 }
 

@@ -13,6 +13,7 @@
 #include "lsdem/study/line_plot.hpp"
 #include "lsdem/study/summary.hpp"
 #include "scaling/angle.hpp"
+#include "scaling/json_optional.hpp"
 
 namespace musim::lsdem::study {
 namespace {
@@ -80,7 +81,7 @@ nlohmann::json to_array(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
 nlohmann::json to_json(const SpeedEstimate& estimate, const SpeedScales& scales) {
     nlohmann::json object{{"method", estimate.method}, {"speed_m_s", nullptr},    {"speed_error_m_s", nullptr},
                           {"s_number", nullptr},       {"over_elastic", nullptr}, {"levels", estimate.height.size()}};
-    object["slowness_s_m"] = estimate.slowness ? nlohmann::json(*estimate.slowness) : nlohmann::json();
+    object["slowness_s_m"] = scaling::or_null(estimate.slowness);
     object["slowness_error_s_m"] = estimate.slowness ? nlohmann::json(estimate.slowness_error) : nlohmann::json();
     object["why"] = estimate.why.empty() ? nlohmann::json() : nlohmann::json(estimate.why);
     if (!estimate.speed) return object;
@@ -218,7 +219,7 @@ nlohmann::json to_json(const Response& response) {
     }
     for (const LevelDamage& level : response.damage.levels) levels.push_back(to_json(level, response.damage));
     return {{"status", to_string(response.status)},
-            {"collapse_time_s", response.collapse_time ? nlohmann::json(*response.collapse_time) : nlohmann::json()},
+            {"collapse_time_s", scaling::or_null(response.collapse_time)},
             {"failure", response.failure ? to_json(*response.failure) : nlohmann::json()},
             {"axis", axis_name(response.axis)},
             {"pga_g", to_array(response.pga / scaling::kStandardGravity.value())},

@@ -11,6 +11,7 @@
 #include "lsdem/rotation.hpp"
 #include "lsdem/study/summary.hpp"
 #include "scaling/angle.hpp"
+#include "scaling/json_optional.hpp"
 
 namespace musim::lsdem::study {
 namespace {
@@ -62,11 +63,6 @@ StageSummary summarize_stage(const StoredRun& run, const StageFolder& where, con
 
 nlohmann::json to_array(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
 
-template <class Value>
-nlohmann::json or_null(const std::optional<Value>& value) {
-    return value ? nlohmann::json(*value) : nlohmann::json();
-}
-
 /// Over all joints.
 Spread find_slip(const Damage& damage) {
     Spread slip;
@@ -112,7 +108,7 @@ nlohmann::json to_json(const StageSummary& stage) {
                           {"at_rest_before", stage.at_rest},
                           {"fallen_blocks_before", stage.fallen_before},
                           {"fallen_blocks", stage.fallen},
-                          {"collapse_time_s", or_null(stage.collapse_time)},
+                          {"collapse_time_s", scaling::or_null(stage.collapse_time)},
                           {"doubts", stage.doubts},
                           {"at_start", stage.at_start ? to_json(*stage.at_start) : nlohmann::json()},
                           {"since_stage_start", to_json(stage.of_stage)},

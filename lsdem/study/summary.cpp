@@ -12,6 +12,7 @@
 #include "lsdem/study/own_models.hpp"
 #include "lsdem/study/pair_text.hpp"
 #include "lsdem/study/verdict.hpp"
+#include "scaling/json_optional.hpp"
 
 namespace musim::lsdem::study {
 namespace {
@@ -98,8 +99,6 @@ nlohmann::json to_json(const std::vector<scaling::Distortion>& distortions) {
     return list;
 }
 
-static nlohmann::json to_json(const std::optional<double>& number) { return number ? nlohmann::json(*number) : nlohmann::json(); }
-
 static nlohmann::json to_json(const std::vector<LoneDistortion>& alone) {
     nlohmann::json all = nlohmann::json::array();
     for (const LoneDistortion& lone : alone) {
@@ -108,7 +107,7 @@ static nlohmann::json to_json(const std::vector<LoneDistortion>& alone) {
                        {"status", to_string(lone.status)},
                        {"max_relative_velocity_difference", lone.difference.max_velocity},
                        {"rms_relative_velocity_difference", lone.difference.rms_velocity},
-                       {"max_relative_loss_difference", to_json(lone.difference.losses)}});
+                       {"max_relative_loss_difference", scaling::or_null(lone.difference.losses)}});
     }
     return all;
 }
@@ -134,10 +133,10 @@ static nlohmann::json to_json(const OwnJudgement& judgement) {
         quantities.push_back({{"name", quantity.name},
                               {"difference", quantity.check.difference},
                               {"of_twins", quantity.check.of_twins},
-                              {"of_specimens", to_json(quantity.of_specimens)},
+                              {"of_specimens", scaling::or_null(quantity.of_specimens)},
                               {"beyond_chance", quantity.beyond_chance}});
     }
-    return {{"quantities", quantities}, {"accepted", judgement.accepted ? nlohmann::json(*judgement.accepted) : nlohmann::json()}};
+    return {{"quantities", quantities}, {"accepted", scaling::or_null(judgement.accepted)}};
 }
 
 static nlohmann::json twins_to_json(const PairStudy& study, const Yardstick& yardstick) {
@@ -148,8 +147,8 @@ static nlohmann::json twins_to_json(const PairStudy& study, const Yardstick& yar
                        {"last_place", twin.choice.last_place},
                        {"status", to_string(twin.status)},
                        {"rms_relative_velocity_difference", twin.difference.rms_velocity},
-                       {"max_relative_loss_difference", to_json(twin.difference.losses)},
-                       {"parting_time_s", to_json(yardstick.parting_time(study.twin_traces[i]))}});
+                       {"max_relative_loss_difference", scaling::or_null(twin.difference.losses)},
+                       {"parting_time_s", scaling::or_null(yardstick.parting_time(study.twin_traces[i]))}});
     }
     return all;
 }
@@ -171,7 +170,7 @@ static nlohmann::json to_json(const Departure& departure) {
             {"twins", departure.twins},
             {"twins_low", to_short_json(departure.twins_low)},
             {"twins_high", to_short_json(departure.twins_high)},
-            {"horizon_s", to_json(departure.horizon)}};
+            {"horizon_s", scaling::or_null(departure.horizon)}};
 }
 
 static nlohmann::json to_json(const std::optional<TwinBand>& band) {
@@ -203,12 +202,12 @@ nlohmann::json to_json(const PairStudy& study) {
                          {"material", model.material.empty() ? nlohmann::json() : nlohmann::json(model.material)},
                          {"max_relative_velocity_difference", model.difference.max_velocity},
                          {"rms_relative_velocity_difference", model.difference.rms_velocity},
-                         {"max_relative_loss_difference", to_json(model.difference.losses)},
+                         {"max_relative_loss_difference", scaling::or_null(model.difference.losses)},
                          {"shadow_rms", shadow_rms},
-                         {"shadow_loss_difference", to_json(shadow_losses)},
+                         {"shadow_loss_difference", scaling::or_null(shadow_losses)},
                          {"bitwise_identical", model.difference.bitwise_identical},
                          {"digits", model.difference.digits()},
-                         {"parting_time_s", to_json(judgement.parting_time)},
+                         {"parting_time_s", scaling::or_null(judgement.parting_time)},
                          {"agreement", to_string(judgement.agreement)},
                          {"consistent", study.materials == Materials::own || judgement.agreement == Agreement::agree},
                          {"lead_sd", judgement.lead},
@@ -227,17 +226,17 @@ nlohmann::json to_json(const PairStudy& study) {
                            {"twins", twins_to_json(study, yardstick)},
                            {"horizon_s", study.twins.empty() ? nlohmann::json() : nlohmann::json(yardstick.horizon())},
                            {"end_s", yardstick.end()},
-                           {"same_bits", study.same_bits ? nlohmann::json(*study.same_bits) : nlohmann::json()},
+                           {"same_bits", scaling::or_null(study.same_bits)},
                            {"lead_of_images_sd", nlohmann::json()},
                            {"other_specimens", study.specimen_traces.size()},
-                           {"accept", to_json(study.tolerance)},
+                           {"accept", scaling::or_null(study.tolerance)},
                            {"departure", to_json(find_departure(study))},
                            {"twins_band", to_json(find_twin_band(study))},
                            {"half_step", nlohmann::json()},
                            {"smallest_difference_seen", nlohmann::json()}};
     if (study.half_step) {
         json["half_step"] = {{"rms_relative_velocity_difference", study.half_step->difference.rms_velocity},
-                             {"parting_time_s", to_json(yardstick.parting_time(study.half_step->trace))},
+                             {"parting_time_s", scaling::or_null(yardstick.parting_time(study.half_step->trace))},
                              {"quantities", to_json(study.half_step->judgement.quantities)}};
     }
     if (const auto images = yardstick.lead_of_images()) json["lead_of_images_sd"] = images->lead;

@@ -16,6 +16,7 @@
 #include "lsdem/study/result_error.hpp"
 #include "records/atomic_file.hpp"
 #include "records/csv_cell.hpp"
+#include "scaling/json_optional.hpp"
 #include "scaling/regular_file.hpp"
 
 namespace musim::lsdem::study {
@@ -120,7 +121,7 @@ nlohmann::json to_json(const TwinStudy& study, const TwinSummary& summary) {
         const TwinGrowth& growth = summary.twins[i];
         nlohmann::json& twin = twins.emplace_back(to_json(study.twins[i].choice));
         twin["diverged"] = study.twins[i].diverged;
-        twin["parting_time_s"] = growth.parting_time ? nlohmann::json(*growth.parting_time) : nlohmann::json();
+        twin["parting_time_s"] = scaling::or_null(growth.parting_time);
         twin["largest_growth"] = to_json(growth.growth);
         twin["largest_difference"] = growth.running.empty() ? nlohmann::json() : nlohmann::json(growth.running.back());
     }
