@@ -56,6 +56,14 @@ int make_record(const MakeOptions& options, const std::function<records::GroundM
     return kDone;
 }
 
+/// Adds what every kind of motion is asked; the command writes the record that `make` makes of its options.
+template <class Options, class Make>
+void finish(CLI::App& command, Action& action, const std::shared_ptr<Options>& options, const Make& make) {
+    options->common.add_to(command);
+    command.callback(
+        [&action, options, make] { action = [options, make] { return make_record(options->common, [&] { return make(*options); }); }; });
+}
+
 struct RickerOptions {
     MakeOptions common;
     Number frequency{1.0}, pga{0.5};
@@ -66,15 +74,10 @@ void add_ricker(CLI::App& make, Action& action) {
     CLI::App* command = make.add_subcommand("ricker", "Ricker acceleration pulse, two periods to each side of its peak");
     add_number(*command, "--frequency", options->frequency, "Peak frequency [Hz]")->check(above_zero());
     add_number(*command, "--pga", options->pga, "Peak acceleration [g]")->check(above_zero());
-    options->common.add_to(*command);
-    command->callback([&action, options] {
-        action = [options] {
-            return make_record(options->common, [&] {
-                return records::make_ricker_record(
-                    {.amplitude = options->pga.value * scaling::kStandardGravity, .frequency = options->frequency.value / seconds},
-                    options->common.dt.value * seconds);
-            });
-        };
+    finish(*command, action, options, [](const RickerOptions& asked) {
+        return records::make_ricker_record(
+            {.amplitude = asked.pga.value * scaling::kStandardGravity, .frequency = asked.frequency.value / seconds},
+            asked.common.dt.value * seconds);
     });
 }
 
@@ -93,17 +96,12 @@ void add_pulse(CLI::App& make, Action& action) {
         ->check(check_number([](double cycles) { return cycles > 1.0; }, " is not above 1"));
     add_number(*command, "--phase", options->phase, "Phase nu [degrees]; 90 is antisymmetric");
     command->add_flag("--return-home", options->return_home, "End without displacement; by default the pulse's own residual stays");
-    options->common.add_to(*command);
-    command->callback([&action, options] {
-        action = [options] {
-            return make_record(options->common, [&] {
-                return records::make_velocity_pulse_record({.amplitude = 0.01 * options->amplitude.value * meters_per_second,
-                                                            .frequency = options->frequency.value / seconds,
-                                                            .cycles = options->cycles,
-                                                            .phase_deg = options->phase},
-                                                           options->common.dt.value * seconds, options->return_home);
-            });
-        };
+    finish(*command, action, options, [](const PulseOptions& asked) {
+        return records::make_velocity_pulse_record({.amplitude = 0.01 * asked.amplitude.value * meters_per_second,
+                                                    .frequency = asked.frequency.value / seconds,
+                                                    .cycles = asked.cycles,
+                                                    .phase_deg = asked.phase},
+                                                   asked.common.dt.value * seconds, asked.return_home);
     });
 }
 
@@ -123,20 +121,14 @@ void add_sweep(CLI::App& make, Action& action) {
     add_number(*command, "--taper", options->taper, "Part that each end fades over [fraction of the duration, 0 to 0.5]")
         ->check(between(0.0, 0.5));
     command->add_flag("--linear", options->linear, "Equal time per Hz instead of per octave");
-    options->common.add_to(*command);
-    command->callback([&action, options] {
-        action = [options] {
-            return make_record(options->common, [&] {
-                return records::make_sine_sweep_record(
-                    {.amplitude = options->amplitude.value * scaling::kStandardGravity,
-                     .first = options->from.value / seconds,
-                     .last = options->to.value / seconds,
-                     .kind = options->linear ? records::SweepKind::linear : records::SweepKind::logarithmic,
-                     .dt = options->common.dt.value * seconds,
-                     .duration = options->duration.value * seconds,
-                     .taper = options->taper});
-            });
-        };
+    finish(*command, action, options, [](const SweepOptions& asked) {
+        return records::make_sine_sweep_record({.amplitude = asked.amplitude.value * scaling::kStandardGravity,
+                                                .first = asked.from.value / seconds,
+                                                .last = asked.to.value / seconds,
+                                                .kind = asked.linear ? records::SweepKind::linear : records::SweepKind::logarithmic,
+                                                .dt = asked.common.dt.value * seconds,
+                                                .duration = asked.duration.value * seconds,
+                                                .taper = asked.taper});
     });
 }
 
@@ -160,19 +152,14 @@ void add_stochastic(CLI::App& make, Action& action) {
         ->check(not_negative())
         ->capture_default_str()
         ->type_name("INTEGER");
-    options->common.add_to(*command);
-    command->callback([&action, options] {
-        action = [options] {
-            return make_record(options->common, [&] {
-                records::SyntheticSettings settings{.pga = options->pga.value * scaling::kStandardGravity,
-                                                    .pgv = 0.01 * options->pgv.value * meters_per_second,
-                                                    .dt = options->common.dt.value * seconds,
-                                                    .duration = options->duration.value * seconds,
-                                                    .seed = options->seed};
-                if (options->d5_95) settings.d5_95 = options->d5_95->value * seconds;
-                return records::make_synthetic_record(settings);
-            });
-        };
+    finish(*command, action, options, [](const StochasticOptions& asked) {
+        records::SyntheticSettings settings{.pga = asked.pga.value * scaling::kStandardGravity,
+                                            .pgv = 0.01 * asked.pgv.value * meters_per_second,
+                                            .dt = asked.common.dt.value * seconds,
+                                            .duration = asked.duration.value * seconds,
+                                            .seed = asked.seed};
+        if (asked.d5_95) settings.d5_95 = asked.d5_95->value * seconds;
+        return records::make_synthetic_record(settings);
     });
 }
 
