@@ -269,8 +269,9 @@ MotionEntry parse_motion(const JsonReader& value, const std::filesystem::path& o
 }
 
 std::vector<MotionEntry> parse_motions(const JsonReader& list, const std::filesystem::path& origin) {
-    if (!list.json().is_array() || list.json().empty())
+    if (!list.json().is_array() || list.json().empty()) {
         list.fail("a list [ ... ] of motions is wanted; write at least one, or \"base_motion\" instead");
+    }
     std::vector<MotionEntry> motions;
     for (const JsonReader& entry : list.entries()) motions.push_back(parse_motion(entry, origin));
     return motions;

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "scaling/error.hpp"
+#include "scaling/units.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace musim::scaling::tests {
