@@ -23,6 +23,7 @@
 #include "lsdem/study/live_file.hpp"
 #include "lsdem/study/own_models.hpp"
 #include "lsdem/study/pair_scene.hpp"
+#include "lsdem/study/pair_summary.hpp"
 #include "lsdem/study/pair_text.hpp"
 #include "lsdem/study/spine_plot.hpp"
 #include "lsdem/study/use_record.hpp"
@@ -176,7 +177,7 @@ void print_table(const study::PairStudy& study) {
     const study::Yardstick yardstick = study.yardstick();
     print_row("prototype", 1.0, study.prototype.status, nullptr, {}, "reference");
     for (const study::PairedRun& model : study.models) {
-        print_row(model.label, model.similitude.length(), model.run.status, &model.difference, model.judgement.parting_time,
+        print_row(model.label, model.run.similitude.length(), model.run.status, &model.difference, model.judgement.parting_time,
                   describe_agreement(study, model));
     }
     for (std::size_t i = 0; i < study.twins.size(); ++i) {
@@ -210,10 +211,10 @@ void print_study(const study::ScenePair& pair) {
 
 void write_study(study::ResultFolder& folder, const study::ScenePair& pair) {
     const study::PairStudy& study = pair.study;
-    folder.add_run("prototype", study.prototype, {scene::write_scene(pair.prototype), std::nullopt, kVersion});
+    folder.add_run("prototype", study.prototype, {scene::write_scene(pair.prototype), kVersion});
     for (std::size_t m = 0; m < study.models.size(); ++m) {
         const study::PairedRun& model = study.models[m];
-        folder.add_run(study::name_folder(model.label), model.run, {scene::write_scene(pair.models[m]), model.similitude, kVersion});
+        folder.add_run(study::name_folder(model.label), model.run, {scene::write_scene(pair.models[m]), kVersion});
     }
     folder.add_text("spine.svg", study::make_svg(study::make_spine_plot(study, pair.scales, pair.prototype.name)));
     folder.add_text("departure.svg", study::make_svg(study::make_departure_plot(study::find_departure(study), pair.prototype.name)));

@@ -160,7 +160,7 @@ int run_run(const RunOptions& options) {
     const std::string scene_text = begin->scene_text;
     const study::RunResult run = carry_out(std::move(*begin), options, directory);
     if (folder) {
-        folder->add_run("", run, {.scene = scene_text, .similitude = {}, .program_version = kVersion});
+        folder->add_run("", run, {.scene = scene_text, .program_version = kVersion});
         folder->commit();
         study::remove_checkpoint(checkpoint_in(directory));
     }

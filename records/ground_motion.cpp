@@ -2,6 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
+#include <string>
+#include <string_view>
+
 #include "records/detail/text.hpp"
 
 namespace musim::records {
@@ -46,6 +51,16 @@ std::optional<double> find_azimuth_deg(std::string_view component_name) {
     const std::optional<double> degrees = detail::parse_real(component_name);
     if (!degrees || *degrees < 0.0 || *degrees > 360.0) return std::nullopt;
     return degrees;
+}
+
+bool is_vertical(const Component& component) {
+    if (component.azimuth_deg) return false;
+    std::string name;
+    for (const char letter : component.name) name += detail::to_lower(letter);
+    while (!name.empty() && name.back() >= '0' && name.back() <= '9') name.pop_back();
+    if (name.size() == 3 && name.back() == 'z') return true;
+    constexpr std::string_view kNames[] = {"up", "ud", "u-d", "u", "z", "v", "ver", "vert", "vertical", "down", "dwn"};
+    return std::find(std::begin(kNames), std::end(kNames), name) != std::end(kNames);
 }
 
 }  // namespace musim::records

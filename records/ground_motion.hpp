@@ -46,4 +46,7 @@ struct GroundMotion {
 /// Names that are plain column numbers look the same, so only readers of formats that name directions ask.
 std::optional<double> find_azimuth_deg(std::string_view component_name);
 
+/// Whether a component's name says that it is vertical: "Up", "UD", "Z", "V", "HNZ", "Vertical", "UD2", ...
+bool is_vertical(const Component& component);
+
 }  // namespace musim::records

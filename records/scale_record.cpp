@@ -4,8 +4,6 @@
 
 #include <algorithm>
 
-#include "records/table_axes.hpp"
-
 namespace musim::records {
 namespace {
 

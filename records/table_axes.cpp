@@ -4,16 +4,9 @@
 
 #include <algorithm>
 
-#include "records/detail/text.hpp"
 
 namespace musim::records {
 namespace {
-
-std::string to_lower(const std::string& text) {
-    std::string lower;
-    for (const char letter : text) lower += detail::to_lower(letter);
-    return lower;
-}
 
 std::vector<std::pair<std::string, std::string>> make_pairs(const GroundMotion& motion, const ShakeTable& table) {
     std::vector<std::pair<std::string, std::string>> pairs;
@@ -40,15 +33,6 @@ bool is_vertical_axis(const TableAxis& axis) { return axis.name == "z" || axis.n
 
 scaling::Shaking find_shaking(const TableAxis& axis) {
     return is_vertical_axis(axis) ? scaling::Shaking::vertical : scaling::Shaking::horizontal;
-}
-
-bool is_vertical(const Component& component) {
-    if (component.azimuth_deg) return false;
-    std::string name = to_lower(component.name);
-    while (!name.empty() && name.back() >= '0' && name.back() <= '9') name.pop_back();
-    if (name.size() == 3 && name.back() == 'z') return true;
-    constexpr std::string_view kNames[] = {"up", "ud", "u-d", "u", "z", "v", "ver", "vert", "vertical", "down", "dwn"};
-    return std::find(std::begin(kNames), std::end(kNames), name) != std::end(kNames);
 }
 
 AssignedAxes assign_axes(const GroundMotion& motion, const ShakeTable& table,

@@ -28,7 +28,4 @@ bool is_vertical_axis(const TableAxis& axis);
 /// Which way an axis shakes, by is_vertical_axis().
 scaling::Shaking find_shaking(const TableAxis& axis);
 
-/// Whether a component's name says that it is vertical: "Up", "UD", "Z", "V", "HNZ", "Vertical", "UD2", ...
-bool is_vertical(const Component& component);
-
 }  // namespace musim::records

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "scaling/factor_rounding.hpp"
 #include "scaling/model_scales.hpp"
 
 namespace musim::scaling {
@@ -50,10 +51,6 @@ std::vector<NamedFactor> group_factors(const ModelScales& scales, const ModelFac
 /// slenderness are given and μ/tan α lies on different sides of 1 in prototype and model, that entry is an error.
 /// Throws SimilitudeError when a given value is not positive and finite.
 std::vector<Distortion> find_distortions(const ModelScales& scales, const ModelFacts& facts = {});
-
-/// A factor this near to one is one [-]: some twenty products and roots of doubles, 1e-16 each, stay far below; a real distortion far
-/// above.
-inline constexpr double kFactorRounding = 1e-12;
 
 /// A group off by less than this is a note, not a warning [-]. Why this value: 5 % on each friction coefficient leave 7.1 % in λ_μ
 /// (README.md), so below 10 % a test cannot tell the distortion from its own uncertainty. Changes labels only, never factors.

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "scaling/distortion.hpp"
+#include "scaling/factor_rounding.hpp"
 
 namespace musim::scaling {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scaling/distortion.hpp"
+#include "scaling/factor_rounding.hpp"
 #include "scaling/scale_text.hpp"
 
 namespace musim::scaling {

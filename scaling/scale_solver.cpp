@@ -9,7 +9,7 @@
 #include "scaling/detail/dimension_names.hpp"
 #include "scaling/detail/integer_matrix.hpp"
 #include "scaling/detail/rooted_product.hpp"
-#include "scaling/distortion.hpp"
+#include "scaling/factor_rounding.hpp"
 #include "scaling/pi_express.hpp"
 
 namespace musim::scaling {

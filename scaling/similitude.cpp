@@ -87,6 +87,11 @@ double Similitude::stiffness_static() const { return chosen_.density * chosen_.l
 
 double Similitude::arias_intensity() const { return acceleration_ * acceleration_ * time() / chosen_.gravity; }
 
+bool Similitude::is_identity() const {
+    const auto& [length, friction, gravity, density] = chosen_;
+    return length == 1.0 && friction == 1.0 && gravity == 1.0 && density == 1.0 && acceleration_ == 1.0 && acceleration_vertical_ == 1.0;
+}
+
 std::vector<NamedFactor> Similitude::factors() const {
     return {
         {"length", length()},

@@ -55,6 +55,9 @@ class Similitude {
     /// Whether the law is "exact": contacts and damping scale, too, so that a state of the prototype has an exact image.
     bool is_exact() const { return law_name_ == "exact"; }
 
+    /// Of a prototype to itself: every factor is 1.
+    bool is_identity() const;
+
     const std::string& law_name() const { return law_name_; }
     const ScaleFactors& chosen() const { return chosen_; }
 

@@ -49,14 +49,6 @@ void take_scene(ReportedRun& reported) {
     }
 }
 
-void take_factors(ReportedRun& reported) {
-    const nlohmann::json factors = find_object(find_object(reported.summary, "similitude"), "factors");
-    reported.length = find_number(factors, "length", 1.0);
-    reported.time = find_number(factors, "time", 1.0);
-    reported.velocity = find_number(factors, "velocity", 1.0);
-    reported.energy = find_number(factors, "energy", 1.0);
-}
-
 /// A reading in progress.
 class Reader {
   public:
@@ -90,7 +82,6 @@ class Reader {
             content.remarks.push_back(fmt::format("{}: no speeds, rotations and damage: {}", label, error.what()));
         }
         take_scene(reported);
-        take_factors(reported);
         if (reported.run.frames.time.empty()) {
             content.remarks.push_back(
                 fmt::format("{}: the run has kept no frames, so blocks are shown at its start and end only; \"output\": "
@@ -119,7 +110,7 @@ class Reader {
         }
         // the largest first: the prototype, then models as they get smaller
         std::stable_sort(content.runs.begin(), content.runs.end(),
-                         [](const ReportedRun& a, const ReportedRun& b) { return a.length > b.length; });
+                         [](const ReportedRun& a, const ReportedRun& b) { return a.run.similitude.length() > b.run.similitude.length(); });
     }
 
     void add_sequence(const fs::path& folder) {

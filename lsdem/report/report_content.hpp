@@ -19,11 +19,10 @@ struct ReportedRun {
     std::string label;  ///< its folder
     std::filesystem::path folder;
     study::StoredRun run;
-    std::optional<study::Response> response;                        ///< nothing when it cannot be measured
-    nlohmann::json summary;                                         ///< summary.json
-    std::string scene_name, material;                               ///< as its scene says; empty when it says nothing
-    double length = 1.0, time = 1.0, velocity = 1.0, energy = 1.0;  ///< λ of it to its prototype; 1 for a run of its own
-    bool stands = false;                                            ///< a specimen, whose blocks are shown as those of a run
+    std::optional<study::Response> response;  ///< nothing when it cannot be measured
+    nlohmann::json summary;                   ///< summary.json
+    std::string scene_name, material;         ///< as its scene says; empty when it says nothing
+    bool stands = false;                      ///< a specimen, whose blocks are shown as those of a run
 };
 
 /// A record of a motion.

@@ -21,7 +21,8 @@ using study::LinePlot;
 using study::PlotSeries;
 
 bool are_of_several_scales(const std::vector<ReportedRun>& runs) {
-    return std::any_of(runs.begin(), runs.end(), [&](const ReportedRun& run) { return run.length != runs.front().length; });
+    return std::any_of(runs.begin(), runs.end(),
+                       [&](const ReportedRun& run) { return run.run.similitude.length() != runs.front().run.similitude.length(); });
 }
 
 /// What stands below the title of a plot: whose it is.
@@ -69,7 +70,7 @@ ReportFigure make_residual_figure(const std::vector<ReportedRun>& runs) {
             const std::string along = "along " + study::axis_name(axis);
             PlotSeries series{.label = runs.size() == 1 ? along : run.label + ", " + along, .x = {}, .y = {}, .marks = true, .y_error = {}};
             for (const study::SpineLevel& level : run.response->spine) {
-                series.x.push_back(1e3 * level.residual_displacement[axis] / run.length);
+                series.x.push_back(1e3 * level.residual_displacement[axis] / run.run.similitude.length());
                 series.y.push_back(level.level);
             }
             plot.series.push_back(std::move(series));
@@ -97,7 +98,8 @@ bool samples_alike(const ReportedRun& a, const ReportedRun& b) {
     const double interval = first.time[1] - first.time[0];
     const std::size_t last = std::min(first.samples(), second.samples()) - 1;
     // a thousandth of an interval: what differs by more was not sampled at the same times
-    return std::abs(second.time[last] / b.time - first.time[last] / a.time) < 1e-3 * interval / a.time;
+    return std::abs(second.time[last] / b.run.similitude.time() - first.time[last] / a.run.similitude.time()) <
+           1e-3 * interval / a.run.similitude.time();
 }
 
 /// About the first run, when the band is of the same curves.
@@ -140,9 +142,9 @@ std::optional<ReportFigure> make_spine_figure(const std::vector<ReportedRun>& ru
         if (spine != first.run.spine.size()) continue;
         study::PlotCurves curves{.label = run.label, .x = {}, .y = std::vector<std::vector<double>>(rows.size())};
         for (std::size_t k = 0; k < run.run.history.samples(); ++k) {
-            curves.x.push_back(time * run.run.history.time[k] / run.time);
+            curves.x.push_back(time * run.run.history.time[k] / run.run.similitude.time());
             for (std::size_t r = 0; r < rows.size(); ++r) {
-                curves.y[r].push_back(velocity * run.run.history.spine_velocity[k * spine + rows[r]][axis] / run.velocity);
+                curves.y[r].push_back(velocity * run.run.history.spine_velocity[k * spine + rows[r]][axis] / run.run.similitude.velocity());
             }
         }
         plot.runs.push_back(std::move(curves));
@@ -191,7 +193,8 @@ std::optional<ReportFigure> make_difference_figure(const std::vector<ReportedRun
         for (std::size_t k = 0; k < samples; ++k) {
             double sum = 0.0;
             for (std::size_t s = 0; s < spine; ++s) {
-                sum += (model.run.history.spine_velocity[k * spine + s] / model.velocity - of_first[k * spine + s]).squaredNorm();
+                sum += (model.run.history.spine_velocity[k * spine + s] / model.run.similitude.velocity() - of_first[k * spine + s])
+                           .squaredNorm();
             }
             series.x.push_back(first.run.history.time[k]);
             series.y.push_back(std::sqrt(sum / largest));
@@ -230,7 +233,9 @@ std::vector<ReportFigure> make_profile_figures(const std::vector<ReportedRun>& r
     if (std::none_of(runs.begin(), runs.end(), [](const ReportedRun& run) { return run.response.has_value(); })) return {};
     return {make_residual_figure(runs),
             make_level_figure("slip", "Slip below each level at the end, mean", "slip [mm]", runs,
-                              [](const study::LevelDamage& level, const ReportedRun& run) { return 1e3 * level.slip.mean / run.length; }),
+                              [](const study::LevelDamage& level, const ReportedRun& run) {
+                                  return 1e3 * level.slip.mean / run.run.similitude.length();
+                              }),
             make_level_figure("rotation", "Rotation of the blocks since the start, mean", "rotation [degrees]", runs,
                               [](const study::LevelDamage& level, const ReportedRun&) { return level.rotation.mean / kDegree; }),
             make_initial_tilt_figure(runs)};

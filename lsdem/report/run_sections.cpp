@@ -188,17 +188,19 @@ ReportSection make_overview_section(const ReportContent& content) {
                     .rows = {}};
     for (const ReportedRun& run : content.runs) {
         const auto number = [&](const char* key, int digits) { return number_cell(find_number(run.summary, key), digits); };
-        table.rows.push_back({{.text = run.label},
-                              {.text = run.scene_name},
-                              {.text = run.material},
-                              {.text = run.length == 1.0 ? "1" : fmt::format("1:{:.4g}", 1.0 / run.length), .is_number = true},
-                              number("blocks", 9),
-                              number("duration_s", 5),
-                              number("steps", 12),
-                              number("dt_s", 4),
-                              number("wall_s", 4),
-                              {.text = find_text(run.summary, "program_version", "-")},
-                              {.text = run.run.state_hash}});
+        table.rows.push_back(
+            {{.text = run.label},
+             {.text = run.scene_name},
+             {.text = run.material},
+             {.text = run.run.similitude.length() == 1.0 ? "1" : fmt::format("1:{:.4g}", 1.0 / run.run.similitude.length()),
+              .is_number = true},
+             number("blocks", 9),
+             number("duration_s", 5),
+             number("steps", 12),
+             number("dt_s", 4),
+             number("wall_s", 4),
+             {.text = find_text(run.summary, "program_version", "-")},
+             {.text = run.run.state_hash}});
     }
     return {.id = "runs", .title = "What was run", .html = to_html(table)};
 }

@@ -207,9 +207,9 @@ TowerData make_tower_data(const ReportedRun& reported) {
     for (const int layer : run.blocks.layer) append(layers, static_cast<std::int16_t>(layer));
     return {.json = {{"label", reported.label},
                      {"blocks", blocks},
-                     {"length", reported.length},
-                     {"time", reported.time},
-                     {"velocity", reported.velocity},
+                     {"length", run.similitude.length()},
+                     {"time", run.similitude.time()},
+                     {"velocity", run.similitude.velocity()},
                      {"stands", reported.stands},
                      {"has_frames", !run.frames.time.empty()},
                      {"times", times},

@@ -1,25 +1,18 @@
 #pragma once
 
-#include <cstddef>
 #include <vector>
 
 #include "lsdem/model.hpp"
 #include "lsdem/scene/scene.hpp"
+#include "lsdem/scene/spine.hpp"
 
 namespace musim::lsdem::scene {
-
-/// The blocks whose motion is kept: one vertical line of a structure, on its outer face, at every second layer (levels 1, 3, ...). Of an
-/// explicit list: all blocks, or 64 spread evenly over a longer list, at their levels by height.
-struct SpineLine {
-    std::vector<std::size_t> block;  ///< index into Model::blocks
-    std::vector<int> level;          ///< from 1 at the base
-};
 
 /// Places in a model that results speak of.
 struct StructureInfo {
     std::vector<int> layer;  ///< of every block, from 1 at the base; 0: in no layer
     std::vector<int> level;  ///< of every block, from 1 at the base: its layer, or what find_levels says of blocks in none
-    SpineLine spine;
+    Spine spine;
 };
 
 /// A scene as the kernel takes it.

@@ -114,7 +114,7 @@ int RunDifference::digits() const {
 }
 
 RunDifference compare_runs(const RunResult& prototype, const RunResult& model, const scaling::Similitude& similitude) {
-    const std::size_t spine = prototype.spine.size();
+    const std::size_t spine = prototype.spine.size(), line = prototype.spine.line();
     if (model.spine.size() != spine) throw std::invalid_argument("compare_runs: the runs have spines of different length");
     const std::size_t samples = std::min(prototype.history.samples(), model.history.samples());
     const double velocity_factor = similitude.velocity();
@@ -122,10 +122,10 @@ RunDifference compare_runs(const RunResult& prototype, const RunResult& model, c
     const auto velocity_difference = [&](std::size_t i) -> Vector3 {
         return model.history.spine_velocity[i] / velocity_factor - prototype.history.spine_velocity[i];
     };
-    std::vector<VelocityMeasure> reference(spine);
-    std::vector<VelocityMeasure> difference(spine);
+    std::vector<VelocityMeasure> reference(line);
+    std::vector<VelocityMeasure> difference(line);
     VelocityMeasure liveliest;
-    for (std::size_t s = 0; s < spine; ++s) {
+    for (std::size_t s = 0; s < line; ++s) {
         for (std::size_t k = 0; k < samples; ++k) {
             reference[s].add(prototype.history.spine_velocity[k * spine + s]);
             difference[s].add(velocity_difference(k * spine + s));
@@ -134,14 +134,15 @@ RunDifference compare_runs(const RunResult& prototype, const RunResult& model, c
     }
 
     RunDifference worst;
-    for (std::size_t s = 0; s < spine; ++s) {
+    for (std::size_t s = 0; s < line; ++s) {
         const VelocityMeasure& scale = reference[s].sum_of_squares > 0.0 ? reference[s] : liveliest;
         worst.rms_velocity = std::max(worst.rms_velocity, std::sqrt(ratio(difference[s].sum_of_squares, scale.sum_of_squares)));
         worst.max_velocity = std::max(worst.max_velocity, ratio(difference[s].peak, scale.peak));
     }
-    for (std::size_t i = 0; i < samples * spine && !worst.parting_time; ++i) {
-        if (velocity_difference(i).norm() > kPartingLevel * reference[i % spine].peak) {
-            worst.parting_time = prototype.history.time[i / spine];
+    for (std::size_t k = 0; k < samples && !worst.parting_time; ++k) {
+        for (std::size_t s = 0; s < line; ++s) {
+            const bool parts = velocity_difference(k * spine + s).norm() > kPartingLevel * reference[s].peak;
+            if (parts) worst.parting_time = prototype.history.time[k];
         }
     }
     worst.losses = compare_losses(prototype, model, similitude.energy());

@@ -12,9 +12,8 @@
 #include "lsdem/study/checkpoint.hpp"
 #include "lsdem/study/detail/content_name.hpp"
 #include "lsdem/study/folder_contents.hpp"
+#include "lsdem/study/scene_files.hpp"
 #include "lsdem/study/specimen_batch.hpp"
-#include "records/error.hpp"
-#include "scaling/regular_file.hpp"
 
 namespace musim::lsdem::study {
 namespace {
@@ -52,30 +51,7 @@ void require_ensemble(const scene::Scene& scene) {
     }
 }
 
-std::string name_file_content(const fs::path& path) {
-    const std::optional<std::string> bytes = scaling::read_regular_file(path);
-    if (!bytes) throw records::ReadError(fmt::format("{}: cannot be read (a file that the scene names); check the path", path.string()));
-    return detail::name_content(*bytes);
-}
-
-/// The scene with every path of a file replaced by what `name` makes of it.
-template <class Name>
-scene::Scene rename_files(scene::Scene scene, const Name& name) {
-    const auto rename_record = [&](scene::BaseMotion& motion) {
-        if (auto* record = std::get_if<scene::RecordMotion>(&motion.source)) record->file = name(record->file);
-    };
-    rename_record(scene.base_motion);
-    for (auto& entry : scene.motions) rename_record(entry.base_motion);
-    if (auto* tower = std::get_if<scene::Tower>(&scene.structure); tower != nullptr && tower->tiling_file) {
-        tower->tiling_file = name(*tower->tiling_file);
-    }
-    if (scene.preparation && scene.preparation->specimen) scene.preparation->specimen = name(*scene.preparation->specimen);
-    return scene;
-}
-
 }  // namespace
-
-scene::Scene with_file_contents(const scene::Scene& scene) { return rename_files(scene, name_file_content); }
 
 EnsembleMember make_member(scene::Scene scene, const std::string& version) {
     EnsembleMember member;

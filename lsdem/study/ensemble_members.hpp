@@ -26,9 +26,6 @@ struct EnsembleMember {
 /// common sampling times ("step": "auto" without a spine rate); records::ReadError when a file it names cannot be read.
 std::vector<EnsembleMember> plan_ensemble(const scene::Scene& scene, int members, const std::string& version);
 
-/// The scene with hashes of their contents in place of its files' paths. Throws records::ReadError for a file that cannot be read.
-scene::Scene with_file_contents(const scene::Scene& scene);
-
 /// The member that a scene is.
 EnsembleMember make_member(scene::Scene scene, const std::string& version);
 

@@ -8,8 +8,8 @@
 #include "lsdem/scene/scene_json.hpp"
 #include "lsdem/study/checked_json.hpp"
 #include "lsdem/study/detail/content_name.hpp"
-#include "lsdem/study/ensemble_members.hpp"
 #include "lsdem/study/result_error.hpp"
+#include "lsdem/study/scene_files.hpp"
 #include "records/atomic_file.hpp"
 
 namespace musim::lsdem::study {

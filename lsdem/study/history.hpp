@@ -7,21 +7,17 @@
 #include <string>
 #include <vector>
 
+#include "lsdem/scene/spine.hpp"
 #include "lsdem/simulation.hpp"
-#include "lsdem/study/settle.hpp"
+#include "lsdem/study/rest.hpp"
 #include "lsdem/study/source_pga.hpp"
 #include "lsdem/types.hpp"
+#include "scaling/similitude.hpp"
 
 /// Studies on scenes: single runs, paired runs at several scales, their results on disk and their picture.
 namespace musim::lsdem::study {
 
-/// The blocks whose motion is kept: one vertical line of a structure. Levels count from 1 at the base.
-struct Spine {
-    std::vector<std::size_t> block;  ///< index into Model::blocks
-    std::vector<int> level;
-
-    std::size_t size() const { return block.size(); }
-};
+using scene::Spine;
 
 /// Motion sampled at even intervals, world frame. Spine values are stored time by time: value of spine block s at sample k in [k·ns + s].
 struct History {
@@ -95,6 +91,7 @@ struct RunData {
     std::string state_hash;                            ///< of the final state
     Vector3 peak_base_acceleration = Vector3::Zero();  ///< PGA of each component of the motion that the base was given, absolute [m/s²]
     std::array<SourcePga, 3> source_pga = {};          ///< likewise, of what that motion was made from
+    scaling::Similitude similitude;                    ///< of the run to its prototype; of one that is no model every factor is 1
 
     /// Centres of mass where falls are counted from [m].
     const std::vector<Vector3>& standing_position() const { return origin ? origin->position : initial.position; }

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "lsdem/study/response.hpp"
+#include "lsdem/study/spine_measures.hpp"
 
 namespace musim::lsdem::study {
 namespace {

@@ -6,8 +6,7 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
-#include "lsdem/study/response.hpp"
-#include "lsdem/study/run_quantities.hpp"
+#include "lsdem/study/spine_measures.hpp"
 #include "scaling/angle.hpp"
 #include "scaling/quantity_text.hpp"
 

@@ -66,7 +66,8 @@ void run_all(std::vector<Job>& jobs, const RunSettings& settings, double from, d
 bool has_diverged(const RunResult& run) { return run.status == RunStatus::diverged; }
 
 PairedRun compare(const RunResult& prototype, const PairMember& member, RunResult run) {
-    PairedRun paired{member.label, member.similitude, member.distortions, std::move(run), {}};
+    run.similitude = member.similitude;
+    PairedRun paired{member.label, member.distortions, std::move(run), {}};
     paired.difference = compare_runs(prototype, paired.run, member.similitude);
     paired.trace = trace_run(prototype, paired.run, member.similitude);
     paired.material = member.material;

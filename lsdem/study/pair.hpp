@@ -34,9 +34,8 @@ struct LoneDistortion {
 /// A member after its run.
 struct PairedRun {
     std::string label;
-    scaling::Similitude similitude;
     std::vector<scaling::Distortion> distortions;
-    RunResult run;
+    RunResult run;             ///< with its similitude
     RunDifference difference;  ///< from the prototype, scaled back
     RunTrace trace = {};
     Judgement judgement = {};                ///< against the twins

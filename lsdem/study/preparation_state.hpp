@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "lsdem/simulation.hpp"
-#include "lsdem/study/settle.hpp"
+#include "lsdem/study/rest.hpp"
 #include "lsdem/types.hpp"
 
 namespace musim::lsdem::study {

@@ -8,6 +8,7 @@
 #include "lsdem/study/checked_json.hpp"
 #include "lsdem/study/detail/hdf5_reader.hpp"
 #include "lsdem/study/folder_contents.hpp"
+#include "lsdem/study/summary.hpp"
 #include "scaling/units.hpp"
 
 namespace musim::lsdem::study {
@@ -154,6 +155,17 @@ void read_losses(const Hdf5Reader& file, StoredRun& run) {
     run.losses = std::move(losses);
 }
 
+void read_similitude(const Hdf5Reader& file, StoredRun& run) {
+    try {
+        const nlohmann::json similitude = nlohmann::json::parse(file.attribute("similitude"));
+        if (!similitude.is_null()) run.similitude = parse_similitude(similitude);
+    } catch (const nlohmann::json::exception& error) {
+        file.fail(fmt::format("its attribute similitude is none ({})", error.what()));
+    } catch (const scaling::SimilitudeError& error) {
+        file.fail(fmt::format("its attribute similitude is none ({})", error.what()));
+    }
+}
+
 void read_frames(const Hdf5Reader& file, StoredRun& run) {
     if (!file.has("/frames/time")) return;
     Frames frames;
@@ -232,6 +244,7 @@ StoredRun read_run(const fs::path& directory, Reading reading) {
     take([&] { read_frames(file, run); });
     take([&] { run.scene = file.attribute("scene"); });
     take([&] { run.state_hash = file.attribute("state_hash"); });
+    take([&] { read_similitude(file, run); });
     for (const BaseState& base : run.history.base) {
         run.peak_base_acceleration = run.peak_base_acceleration.cwiseMax(base.acceleration.cwiseAbs());
     }

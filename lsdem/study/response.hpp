@@ -9,6 +9,7 @@
 #include "lsdem/study/damage.hpp"
 #include "lsdem/study/failure.hpp"
 #include "lsdem/study/read_results.hpp"
+#include "lsdem/study/spine_measures.hpp"
 #include "lsdem/study/structural_speed.hpp"
 
 /// Response of one run: how motion travelled up, how far blocks moved and turned, what was left.
@@ -18,18 +19,6 @@ struct ResponseSettings {
     std::optional<int> axis;  ///< 0, 1, 2: x, y, z of the speeds; nothing: along which the base moves most, or the spine when it stands
     double threshold = 0.1;   ///< see SpeedSettings
     std::optional<std::array<double, 2>> window;  ///< part of the histories for the speeds [s]; nothing: all
-};
-
-/// One level of the spine. Displacements relative to the base, rotations relative to the start.
-struct SpineLevel {
-    int level = 0;
-    double height = 0.0;                              ///< of the centre at the start [m]
-    Vector3 residual_displacement = Vector3::Zero();  ///< at the end [m]
-    Vector3 peak_displacement = Vector3::Zero();      ///< largest absolute value of each component [m]
-    Vector3 peak_velocity = Vector3::Zero();          ///< likewise, absolute motion [m/s]
-    double in_plane_peak = 0.0,
-           in_plane_residual = 0.0;  ///< rotation about the horizontal axis across the motion, as a camera sees it [rad]
-    double vertical_peak = 0.0, vertical_residual = 0.0;  ///< rotation about the vertical [rad]
 };
 
 /// What makes the speeds dimensionless; from the scene that the run carries.
@@ -58,15 +47,6 @@ struct Response {
 
 /// Measures a run. Throws ResultError when its scene cannot be read or the window holds fewer than two samples.
 Response measure_response(const StoredRun& run, const ResponseSettings& settings = {});
-
-/// The axis along which the base moves most (0, 1, 2: x, y, z); along which the spine does when the base stands.
-int find_strongest_axis(const History& history);
-
-/// The spine's levels; in-plane rotations are those about the horizontal axis across `axis`.
-std::vector<SpineLevel> measure_spine(const RunData& run, int axis);
-
-/// "x", "y" or "z".
-std::string axis_name(int axis);
 
 /// Everything in one object; angles in degrees, other quantities in SI units that the keys name. Speeds that cannot be had are null, with
 /// the reason in "why".

@@ -8,6 +8,7 @@
 
 #include "lsdem/scene/build_model.hpp"
 #include "lsdem/scene/motions.hpp"
+#include "lsdem/scene/scale_scene.hpp"
 #include "lsdem/scene/scene_error.hpp"
 #include "lsdem/study/equilibrium.hpp"
 #include "lsdem/study/specimen_file.hpp"
@@ -68,11 +69,8 @@ std::uint64_t divide_evenly(std::uint64_t all, std::uint64_t most) {
 
 Specimen make_upright_specimen(const scene::Scene& scene) {
     scene::BuiltModel built = scene::build_model(scene);
-    return {std::move(built.model),
-            {built.structure.spine.block, built.structure.spine.level},
-            std::move(built.structure.layer),
-            {},
-            std::move(built.structure.level)};
+    return {
+        std::move(built.model), std::move(built.structure.spine), std::move(built.structure.layer), {}, std::move(built.structure.level)};
 }
 
 bool wants_preparation(const scene::Scene& scene, const Specimen& upright) {
@@ -161,6 +159,13 @@ RunResult run_scene(const scene::Scene& scene, const RunSettings& settings) {
     scene::require_single_motion(scene, "a run");
     const Specimen specimen = make_specimen(scene, settings);
     return simulate(specimen, make_time_plan(scene, specimen.model), keep_places(settings, specimen));
+}
+
+RunResult run_model(const scene::Scene& prototype, const scaling::Similitude& similitude, const RunSettings& settings) {
+    scene::check_scene(prototype, prototype.place());
+    RunResult run = run_scene(scene::scale_scene(prototype, similitude), settings);
+    run.similitude = similitude;
+    return run;
 }
 
 RunResult resume_scene(const scene::Scene& scene, Checkpoint checkpoint, const RunSettings& settings) {

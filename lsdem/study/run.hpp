@@ -48,6 +48,9 @@ TimePlan make_time_plan(const scene::Scene& scene, double time_step);
 /// Runs a scene. Throws as make_specimen does, and SceneError for one with a list of motions.
 RunResult run_scene(const scene::Scene& scene, const RunSettings& settings = {});
 
+/// Runs the model of a prototype (scale_scene); the result has the similitude. Throws as scale_scene, check_scene and run_scene do.
+RunResult run_model(const scene::Scene& prototype, const scaling::Similitude& similitude, const RunSettings& settings = {});
+
 /// Carries on the run of a scene from a checkpoint, see resume(). The scene is the checkpoint's own; a record that it names is read again.
 /// Throws std::runtime_error also when the record has changed: the model is then another one.
 RunResult resume_scene(const scene::Scene& scene, Checkpoint checkpoint, const RunSettings& settings = {});

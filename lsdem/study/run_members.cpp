@@ -45,7 +45,7 @@ void run_member(const EnsembleMember& member, const MemberSettings& settings, co
     const RunResult run = report.resumed ? resume_scene(member.scene, read_checkpoint(checkpoint, settings.version), run_settings)
                                          : run_scene(member.scene, run_settings);
     const std::lock_guard lock(result_file_mutex());
-    folder.add_run("", run, {.scene = member.scene_text, .similitude = {}, .program_version = settings.version});
+    folder.add_run("", run, {.scene = member.scene_text, .program_version = settings.version});
     folder.commit();
     remove_checkpoint(checkpoint);
 }

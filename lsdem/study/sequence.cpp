@@ -163,7 +163,7 @@ class Sequence {
 
     void store(std::size_t stage, const RunResult& run) {
         const SequenceStage& now = plan_.stages[stage];
-        folder_.add_run(now.folder, run, {.scene = scene::write_scene(now.scene), .similitude = {}, .program_version = settings_.version});
+        folder_.add_run(now.folder, run, {.scene = scene::write_scene(now.scene), .program_version = settings_.version});
         folder_.commit();
         if (settings_.on_stage) settings_.on_stage(now.folder);
     }

@@ -9,7 +9,7 @@
 
 #include "lsdem/study/damage.hpp"
 #include "lsdem/study/failure.hpp"
-#include "lsdem/study/response.hpp"
+#include "lsdem/study/spine_measures.hpp"
 
 /// What a sequence of motions did to a structure, stage by stage.
 namespace musim::lsdem::study {

@@ -4,18 +4,9 @@
 #include <functional>
 
 #include "lsdem/simulation.hpp"
+#include "lsdem/study/rest.hpp"
 
 namespace musim::lsdem::study {
-
-/// How a structure is brought to rest before anything is done to it.
-struct Settling {
-    double damping_rate = 0.0;  ///< α of v' = −α v while it settles [1/s]
-    /// At rest when every block's kinetic energy is below this part of its weight times its height: velocities below 1.4e-5 of sqrt(gH),
-    /// a thousandth of what an earthquake brings [-].
-    double rest = 1e-10;
-    double reaction = 1e-5;  ///< and the base bears the weight to within this [-]
-    double patience = 60.0;  ///< given up after this many times 1/α; a ring of 38 layers, whose blocks tip one by one, needs 18 [-]
-};
 
 /// Damping rate in which blocks come to rest soonest: half their frequency parameter p = √(3g/(4R)) about the longer lower edge
 /// [Housner63].
@@ -25,22 +16,6 @@ struct Settling {
 /// for wood against p = 18.8 1/s [Harmon23, eq. 12], is eight times slower. Sway decays with α/2 up to twice its own frequency, 8 rad/s in
 /// a tower of 38 such layers, and slower beyond. `size`: of a block; `gravity` [m/s²].
 double choose_damping_rate(const Vector3& size, double gravity);
-
-/// How settling ended.
-struct Rest {
-    bool at_rest = false;               ///< false: patience ran out
-    std::uint64_t steps = 0;            ///< taken
-    double kinetic = 0.0;               ///< of the liveliest block, over its weight times its height [-]
-    double reaction_over_weight = 0.0;  ///< at the end
-    std::size_t fallen = 0;             ///< blocks that stand in their layer no more, see count_fallen; where layers are known
-};
-
-/// How far a settling has come; with the state of its simulation, all it needs to go on to the same bits.
-struct SettlingState {
-    std::uint64_t steps = 0;  ///< taken
-    int quiet_looks = 0;      ///< in a row, up to now
-    double liveliest = 0.0;   ///< largest kinetic energy of a block so far, over its weight times its height [-]
-};
 
 /// What is told and asked while a simulation comes to rest, at every look, in this order; any may be empty.
 struct SettlingWatch {

@@ -105,7 +105,7 @@ StackedPlot make_spine_plot(const PairStudy& study, const MotionScales& scales, 
             for (double& width : widths) width *= units.velocity;
         }
     }
-    for (const PairedRun& model : study.models) plot.runs.push_back(make_curves(model.label, model.run, model.similitude, units, rows));
+    for (const PairedRun& model : study.models) plot.runs.push_back(make_curves(model.label, model.run, model.run.similitude, units, rows));
     return plot;
 }
 

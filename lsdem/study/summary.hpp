@@ -5,7 +5,6 @@
 
 #include "lsdem/study/failure.hpp"
 #include "lsdem/study/history.hpp"
-#include "lsdem/study/pair.hpp"
 #include "scaling/distortion.hpp"
 #include "scaling/similitude.hpp"
 
@@ -26,13 +25,10 @@ nlohmann::json to_json(const Failure& failure);
 /// A similitude in one JSON object: law, the chosen factors, all derived factors.
 nlohmann::json to_json(const scaling::Similitude& similitude);
 
+/// Of to_json. Throws nlohmann::json::exception for anything else, SimilitudeError for factors that no similitude has.
+scaling::Similitude parse_similitude(const nlohmann::json& json);
+
 /// A list of distortions, each with group, factor, severity and effect.
 nlohmann::json to_json(const std::vector<scaling::Distortion>& distortions);
-
-/// A paired study in one JSON object: runs (prototype, models; summaries with label), pairs (one per model: length, materials, differences,
-/// agreement and what it rests on, quantities beside those of the twins, distortions), consistent, agreement and verdict (sentences) of
-/// all, twins, horizon_s, end_s, half_step. shadow_rms and shadow_loss_difference are old names of the largest difference of a twin. Layout
-/// in README.md.
-nlohmann::json to_json(const PairStudy& study);
 
 }  // namespace musim::lsdem::study

@@ -148,7 +148,7 @@ std::vector<char> make_hdf5(const RunResult& run, const ResultHeader& header) {
     if (run.losses) write_losses(file, *run.losses);
     write_frames(file, run);
     file.write_attribute("scene", header.scene);
-    file.write_attribute("similitude", header.similitude ? to_json(*header.similitude).dump() : "null");
+    file.write_attribute("similitude", run.similitude.is_identity() ? "null" : to_json(run.similitude).dump());
     file.write_attribute("program_version", header.program_version);
     file.write_attribute("state_hash", run.state_hash);
     return file.image();
@@ -249,7 +249,7 @@ void ResultFolder::add_run(const std::filesystem::path& subfolder, const RunResu
     nlohmann::json summary = make_summary(run);
     summary["result_checksum"] = detail::find_checksum({hdf5.data(), hdf5.size()});
     summary["program_version"] = header.program_version;
-    if (header.similitude) summary["similitude"] = to_json(*header.similitude);
+    if (!run.similitude.is_identity()) summary["similitude"] = to_json(run.similitude);
 
     files_.write(subfolder / "result.h5", {hdf5.data(), hdf5.size()});
     files_.write(subfolder / "result.xdmf", make_xdmf(run));

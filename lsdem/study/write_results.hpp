@@ -9,14 +9,12 @@
 #include "lsdem/study/detail/staged_files.hpp"
 #include "lsdem/study/folder_contents.hpp"
 #include "lsdem/study/history.hpp"
-#include "scaling/similitude.hpp"
 
 namespace musim::lsdem::study {
 
 /// What a result file says about the run besides its numbers.
 struct ResultHeader {
-    std::string scene;                              ///< the scene as JSON text
-    std::optional<scaling::Similitude> similitude;  ///< of a model to its prototype
+    std::string scene;  ///< the scene as JSON text
     std::string program_version;
 };
 

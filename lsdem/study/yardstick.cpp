@@ -28,7 +28,7 @@ double relative_speed(const RunResult& run, std::size_t sample, std::size_t bloc
 double find_peak(const RunResult& run) {
     double peak = 0.0;
     for (std::size_t k = 0; k < run.history.samples(); ++k) {
-        for (std::size_t s = 0; s < run.spine.size(); ++s) peak = std::max(peak, relative_speed(run, k, s));
+        for (std::size_t s = 0; s < run.spine.line(); ++s) peak = std::max(peak, relative_speed(run, k, s));
     }
     return peak;
 }
@@ -36,7 +36,7 @@ double find_peak(const RunResult& run) {
 /// The first sample from which on differences show; that of the end when nothing moves.
 std::size_t find_lively(const RunResult& run, double peak) {
     for (std::size_t k = 0; k < run.history.samples(); ++k) {
-        for (std::size_t s = 0; s < run.spine.size(); ++s) {
+        for (std::size_t s = 0; s < run.spine.line(); ++s) {
             if (relative_speed(run, k, s) > kLively * peak) return k;
         }
     }
@@ -114,7 +114,7 @@ RunTrace trace_run(const RunResult& prototype, const RunResult& run, const scali
     const double velocity = similitude.velocity(), peak = find_peak(prototype);
     double largest = 0.0;
     for (std::size_t k = 0; k < samples; ++k) {
-        for (std::size_t i = k * spine; i < (k + 1) * spine; ++i) {
+        for (std::size_t i = k * spine; i < k * spine + prototype.spine.line(); ++i) {
             const double difference = (run.history.spine_velocity[i] / velocity - prototype.history.spine_velocity[i]).norm();
             if (difference > 0.0) largest = std::max(largest, difference / peak);
         }

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string_view>
 
-#include "scaling/distortion.hpp"
+#include "scaling/factor_rounding.hpp"
 #include "scaling/law_formulas.hpp"
 #include "scaling/rational_dimension.hpp"
 

@@ -54,8 +54,7 @@ TEST_CASE("models are drawn scaled back to their prototype, so that a similar on
     const ReportedRun prototype = make_stored_run(50);
     ReportedRun model = prototype;
     model.label = "1-16";
-    model.length = 1.0 / 16;
-    model.time = model.velocity = 0.25;
+    model.run.similitude = musim::scaling::make_similitude("exact", {.length = 1.0 / 16});
     for (double& t : model.run.history.time) t *= 0.25;
     for (Vector3& v : model.run.history.spine_velocity) v *= 0.25;
     const std::optional<ReportFigure> spine = make_spine_figure({prototype, model});

@@ -49,7 +49,7 @@ study::RunResult run_column(const std::filesystem::path& folder, bool frames) {
     const scene::Scene scene = scene::parse_scene(frames ? std::string(kColumnWithFrames) : kColumn);
     study::ResultFolder results(folder);
     study::RunResult run = study::run_scene(scene);
-    results.add_run("", run, {.scene = scene::write_scene(scene), .similitude = {}, .program_version = "test"});
+    results.add_run("", run, {.scene = scene::write_scene(scene), .program_version = "test"});
     results.commit();
     return run;
 }
@@ -301,7 +301,7 @@ TEST_CASE("the base motion of a model is shown before and after it was rescaled"
     const scene::Scene prototype = scene::parse_scene(kColumn);
     const scene::Scene model = scene::scale_scene(prototype, musim::scaling::make_similitude("exact", {.length = 1.0 / 16.0}));
     study::ResultFolder results(place.path() / "out");
-    results.add_run("", study::run_scene(model), {.scene = scene::write_scene(model), .similitude = {}, .program_version = "test"});
+    results.add_run("", study::run_scene(model), {.scene = scene::write_scene(model), .program_version = "test"});
     results.commit();
     const ReportContent content = read_places({place.path() / "out"});
     const std::optional<ReportSection> section = make_base_motion_section(content);

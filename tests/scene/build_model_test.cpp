@@ -81,7 +81,7 @@ TEST_CASE("every block of a tower rests on exactly two blocks below, with joints
 
 TEST_CASE("the spine of a tower is one vertical line on the outer face, every second layer") {
     const BuiltModel built = build_model(parse_scene(make_scene_text(kTower)));
-    const SpineLine& spine = built.structure.spine;
+    const Spine& spine = built.structure.spine;
     CHECK(spine.level == std::vector<int>{1, 3});
     const Vector3 low = built.model.blocks[spine.block[0]].position;
     const Vector3 high = built.model.blocks[spine.block[1]].position;

@@ -47,7 +47,7 @@ int count_taken(const fs::path& file, const std::function<void()>& read) {
 
 void write_made_run(const fs::path& directory) {
     ResultFolder folder(directory);
-    folder.add_run("", make_made_run(20), {.scene = R"({"name":"made"})", .similitude = {}, .program_version = "9.9.9"});
+    folder.add_run("", make_made_run(20), {.scene = R"({"name":"made"})", .program_version = "9.9.9"});
     folder.commit();
 }
 
@@ -90,7 +90,7 @@ TEST_CASE("a summary of another run than the result beside it is refused") {
     write_made_run(folder.path());
     const std::string summary = bytes_of(folder.path() / "summary.json");
     ResultFolder other(folder.path());
-    other.add_run("", make_made_run(21), {.scene = R"({"name":"made"})", .similitude = {}, .program_version = "9.9.9"});
+    other.add_run("", make_made_run(21), {.scene = R"({"name":"made"})", .program_version = "9.9.9"});
     other.commit();
     CHECK_NOTHROW(read_run(folder.path()));
     folder.write("summary.json", summary);
@@ -167,7 +167,7 @@ TEST_CASE("a result of what no run is like is refused though its checksum is rig
         RunResult run = make_made_run(20);
         change(run);
         ResultFolder folder(directory.path());
-        folder.add_run("", run, {.scene = R"({"name":"made"})", .similitude = {}, .program_version = "9.9.9"});
+        folder.add_run("", run, {.scene = R"({"name":"made"})", .program_version = "9.9.9"});
         folder.commit();
         CHECK_THROWS_WITH_AS(read_run(directory.path()), doctest::Contains(message), ResultError);
     };

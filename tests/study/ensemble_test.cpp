@@ -177,7 +177,7 @@ TEST_CASE("a summary keeps every member, and takes means over those that are res
         if (i == 4) run.rest = Rest{};
         ResultFolder results(member_folder(directory, members[i]), {.command = "ensemble", .program_version = "1.0", .parts = {}},
                              Overwriting::force);
-        results.add_run("", run, {.scene = members[i].scene_text, .similitude = {}, .program_version = "1.0"});
+        results.add_run("", run, {.scene = members[i].scene_text, .program_version = "1.0"});
         results.commit();
         CHECK(find_state(directory, members[i]) == MemberState::finished);
     }

@@ -186,7 +186,7 @@ TEST_CASE("simulated towers pushed out on one side and at mid-height are told ap
     // the results on disk tell the same
     const musim::tests::TemporaryFolder folder;
     ResultFolder results(folder.path() / "run");
-    results.add_run("", peeled.run, {.scene = scene::write_scene(peeled.scene), .similitude = {}, .program_version = "test"});
+    results.add_run("", peeled.run, {.scene = scene::write_scene(peeled.scene), .program_version = "test"});
     results.commit();
     const nlohmann::json stored = to_json(measure_response(read_run(folder.path() / "run")));
     CHECK(stored["failure"] == to_json(*peeling));

@@ -45,7 +45,7 @@ ResultOrigin make_origin(const std::string& scene) {
 /// Two runs and a picture, the second in a folder named by the scene, all as long as `samples`.
 void write_folder(const fs::path& directory, const std::string& scene, std::size_t samples, Overwriting overwriting) {
     ResultFolder folder(directory, make_origin(scene), overwriting);
-    const ResultHeader header{.scene = "{}", .similitude = {}, .program_version = "9.9.9"};
+    const ResultHeader header{.scene = "{}", .program_version = "9.9.9"};
     folder.add_run("", make_made_run(samples), header);
     folder.add_run("model-" + scene, make_made_run(samples), header);
     folder.add_text("picture.svg", scene);

@@ -57,7 +57,7 @@ void add_frame(StoredRun& run) {
 void run_into(const std::filesystem::path& folder, const std::string& scene_text) {
     const scene::Scene scene = scene::parse_scene(scene_text);
     ResultFolder results(folder);
-    results.add_run("", run_scene(scene), {.scene = scene::write_scene(scene), .similitude = {}, .program_version = "test"});
+    results.add_run("", run_scene(scene), {.scene = scene::write_scene(scene), .program_version = "test"});
     results.commit();
 }
 

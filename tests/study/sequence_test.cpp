@@ -16,6 +16,7 @@
 #include "lsdem/scene/motions.hpp"
 #include "lsdem/scene/scale_scene.hpp"
 #include "lsdem/scene/scene_json.hpp"
+#include "lsdem/study/read_results.hpp"
 #include "lsdem/study/run.hpp"
 #include "lsdem/study/sequence_plan.hpp"
 #include "lsdem/study/write_results.hpp"
@@ -126,7 +127,7 @@ TEST_CASE("a sequence of one motion is the plain run, to the byte") {
     CHECK(summary.status() == RunStatus::completed);
     CHECK_FALSE(summary.stages.front().at_start.has_value());
     ResultFolder results(folder.path() / "plain");
-    results.add_run("", run_scene(plain), {.scene = scene::write_scene(plain), .similitude = {}, .program_version = "test"});
+    results.add_run("", run_scene(plain), {.scene = scene::write_scene(plain), .program_version = "test"});
     results.commit();
     check_same_files(folder.path() / "plain", folder.path() / "sequence" / "stage-01-sine");
 }

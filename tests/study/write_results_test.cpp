@@ -110,7 +110,7 @@ RunResult with_frames(RunResult run) {
     return run;
 }
 
-const ResultHeader kHeader{.scene = R"({"name":"made"})", .similitude = std::nullopt, .program_version = "9.9.9"};
+const ResultHeader kHeader{.scene = R"({"name":"made"})", .program_version = "9.9.9"};
 
 void write_results(const fs::path& directory, const RunResult& run, const ResultHeader& header) {
     ResultFolder folder(directory);
@@ -162,10 +162,9 @@ TEST_CASE("result.h5 holds every dataset of the contract in its shape and unit")
 
 TEST_CASE("result.h5 gives back the numbers, quaternions with w first, and its origin") {
     const TemporaryFolder scratch;
-    const RunResult run = make_made_run(50);
-    ResultHeader header = kHeader;
-    header.similitude = musim::scaling::make_similitude("exact", {.length = 0.25});
-    write_results(scratch.path(), run, header);
+    RunResult run = make_made_run(50);
+    run.similitude = musim::scaling::make_similitude("exact", {.length = 0.25});
+    write_results(scratch.path(), run, kHeader);
 
     const fs::path path = scratch.path() / "result.h5";
     const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);

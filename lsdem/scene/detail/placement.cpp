@@ -34,6 +34,17 @@ Placement place(const Vector3& size, const Vector3& position, int layer) {
     return block;
 }
 
+void add_to_line(Spine& spine, std::size_t block, int layer) {
+    spine.block.push_back(block);
+    spine.level.push_back(layer);
+}
+
+/// The block of the top layer, which the line does not reach.
+void add_top(Spine& spine, std::size_t block, int layer) {
+    add_to_line(spine, block, layer);
+    spine.has_top = true;
+}
+
 Arrangement arrange(const BlockList& list, const ShapeSettings& shape) {
     Arrangement arrangement;
     const auto* sphere = std::get_if<SphereShape>(&shape);
@@ -60,8 +71,7 @@ Arrangement arrange(const BlockList& list, const ShapeSettings& shape) {
     const std::size_t kept = std::min(count, kLargestSpine);
     for (std::size_t k = 0; k < kept; ++k) {
         const std::size_t block = k * count / kept;
-        arrangement.spine.block.push_back(block);
-        arrangement.spine.level.push_back(levels[block]);
+        add_to_line(arrangement.spine, block, levels[block]);
     }
     return arrangement;
 }
@@ -72,12 +82,10 @@ Arrangement arrange(const Column& column, const ShapeSettings& /*shape*/) {
     for (int layer = 1; layer <= column.layers; ++layer) {
         Placement block = place(size, {0.0, 0.0, layer_height(size.z(), layer)}, layer);
         block.rotation_locked = column.rotation_locked;
-        if (layer % 2 == 1) {
-            arrangement.spine.block.push_back(arrangement.blocks.size());
-            arrangement.spine.level.push_back(layer);
-        }
+        if (layer % 2 == 1) add_to_line(arrangement.spine, arrangement.blocks.size(), layer);
         arrangement.blocks.push_back(std::move(block));
     }
+    if (column.layers % 2 == 0) add_top(arrangement.spine, arrangement.blocks.size() - 1, column.layers);
     return arrangement;
 }
 
@@ -86,15 +94,30 @@ std::array<int, 2> double_center(const Domino& domino, int cells_across) {
     return {2 * domino.i + (domino.along_x ? 2 : 1) - cells_across, 2 * domino.j + (domino.along_x ? 1 : 2) - cells_across};
 }
 
-/// The domino of the outer face, on the side of +x, nearest to the x axis.
-std::size_t find_spine_domino(const TowerTiling& tiling) {
-    const auto rank = [&](const Domino& domino) {
+/// The domino whose double centre (x, y) has the lowest rank.
+template <class Rank>
+std::size_t find_domino(const TowerTiling& tiling, const Rank& rank) {
+    const auto rank_of = [&](const Domino& domino) {
         const auto [x, y] = double_center(domino, tiling.cells_across);
-        return std::tuple(-x, std::abs(y), y);
+        return rank(x, y);
     };
     const auto best = std::min_element(tiling.dominoes.begin(), tiling.dominoes.end(),
-                                       [&](const Domino& a, const Domino& b) { return rank(a) < rank(b); });
+                                       [&](const Domino& a, const Domino& b) { return rank_of(a) < rank_of(b); });
     return static_cast<std::size_t>(best - tiling.dominoes.begin());
+}
+
+/// The domino of the outer face, on the side of +x, nearest to the x axis.
+std::size_t find_spine_domino(const TowerTiling& tiling) {
+    return find_domino(tiling, [](int x, int y) { return std::tuple(-x, std::abs(y), y); });
+}
+
+/// The domino of a layer nearest to one of another layer; of several, the one farthest out towards +x.
+std::size_t find_nearest_domino(const TowerTiling& tiling, const std::array<int, 2>& double_center) {
+    const auto [from_x, from_y] = double_center;
+    return find_domino(tiling, [=](int x, int y) {
+        const int dx = x - from_x, dy = y - from_y;
+        return std::tuple(dx * dx + dy * dy, -x, y);
+    });
 }
 
 Arrangement arrange(const Tower& tower, const ShapeSettings& /*shape*/) {
@@ -108,8 +131,10 @@ Arrangement arrange(const Tower& tower, const ShapeSettings& /*shape*/) {
     for (int layer = 1; layer <= tower.layers; ++layer) {
         const bool is_odd = layer % 2 == 1;
         if (is_odd) {
-            arrangement.spine.block.push_back(arrangement.blocks.size() + spine);
-            arrangement.spine.level.push_back(layer);
+            add_to_line(arrangement.spine, arrangement.blocks.size() + spine, layer);
+        } else if (layer == tower.layers) {
+            const std::size_t above = find_nearest_domino(even, double_center(odd.dominoes[spine], odd.cells_across));
+            add_top(arrangement.spine, arrangement.blocks.size() + above, layer);
         }
         for (const Domino& domino : is_odd ? odd.dominoes : even.dominoes) {
             const auto [x, y] = double_center(domino, odd.cells_across);
@@ -138,14 +163,14 @@ Arrangement arrange(const Wall& wall, const ShapeSettings& /*shape*/) {
     for (int layer = 1; layer <= wall.layers; ++layer) {
         if (layer % 2 == 1) {
             for (int k = 0; k < n; ++k) add(size, 2 * k + 1 - n, layer);
-            arrangement.spine.block.push_back(arrangement.blocks.size() - 1);
-            arrangement.spine.level.push_back(layer);
+            add_to_line(arrangement.spine, arrangement.blocks.size() - 1, layer);
             continue;
         }
         add(half_size, 0.5 - n, layer);
         for (int k = 1; k < n; ++k) add(size, 2 * k - n, layer);
         add(half_size, n - 0.5, layer);
     }
+    if (wall.layers % 2 == 0) add_top(arrangement.spine, arrangement.blocks.size() - 1, wall.layers);
     return arrangement;
 }
 

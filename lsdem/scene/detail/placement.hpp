@@ -31,7 +31,7 @@ struct Placement {
 /// All blocks of a structure and its spine.
 struct Arrangement {
     std::vector<Placement> blocks;
-    SpineLine spine;
+    Spine spine;
 };
 
 /// Places the blocks of a scene's structure. Throws SceneError when the tower's ring cannot be tiled or its tiling cannot be read.

@@ -1,0 +1,37 @@
+# cmake -D BUILD=... -D EXAMPLES=... -D COMPILER=... -D WORK=... -P check.cmake
+file(REMOVE_RECURSE ${WORK})
+file(MAKE_DIRECTORY ${WORK})
+
+# run(OUTPUT COMMAND...): what a command prints; a failure ends the test
+function(run output)
+  execute_process(COMMAND ${ARGN} WORKING_DIRECTORY ${WORK} RESULT_VARIABLE status OUTPUT_VARIABLE printed ERROR_VARIABLE messages)
+  if(NOT status EQUAL 0)
+    message(FATAL_ERROR "${ARGN}: ${status}\n${printed}\n${messages}")
+  endif()
+  set(${output} "${printed}" PARENT_SCOPE)
+endfunction()
+
+function(expect text pattern)
+  if(NOT text MATCHES "${pattern}")
+    message(FATAL_ERROR "expected ${pattern} in:\n${text}")
+  endif()
+endfunction()
+
+run(printed ${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix)
+run(printed ${CMAKE_COMMAND} -S ${EXAMPLES} -B ${WORK}/build -D CMAKE_PREFIX_PATH=${WORK}/prefix -D CMAKE_CXX_COMPILER=${COMPILER})
+run(printed ${CMAKE_COMMAND} --build ${WORK}/build)
+
+run(printed ${WORK}/build/own_law)
+expect("${printed}" "t 0.0016\nv 25\n")
+
+run(printed ${WORK}/prefix/bin/musim record make pulse --frequency 0.5 --amplitude 60 --cycles 2.4 --phase 60 -o motion.csv)
+run(printed ${WORK}/build/record motion.csv "0.5 s")
+expect("${printed}" "peak [0-9.]+ m s\\^-2 at [0-9.]+ s, PSA ([0-9.]+) m/s\\^2, of the model ([0-9.]+) m")
+if(NOT CMAKE_MATCH_1 STREQUAL CMAKE_MATCH_2)
+  message(FATAL_ERROR "by Froude's law PSA is that of the prototype: ${printed}")
+endif()
+
+run(info ${WORK}/prefix/bin/musim record info motion.csv --json)
+string(JSON component GET "${info}" components 0 name)
+run(printed ${WORK}/build/tower motion.csv ${component})
+expect("${printed}" "  0.00 s +-?0.0000 m\n.*[1-9][0-9]* m\n")
