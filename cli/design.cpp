@@ -78,7 +78,7 @@ DesignUncertainty find_uncertainty(DesignFiles& files, const scaling::UncertainR
     const auto read = [&](scaling::UncertainReading& each) { return files.read(each); };
     std::vector<design::MovedSetting> settings;
     for (auto& moved : scaling::read_moved(reading, read)) settings.push_back({std::move(moved.below), std::move(moved.above)});
-    DesignUncertainty uncertainty{reading.inputs(), design::propagate(setting, candidates, reading.inputs(), settings), monte_carlo, {}};
+    DesignUncertainty uncertainty{reading.inputs(), design::propagate(setting, candidates, reading.inputs(), settings), {}};
     if (monte_carlo) {
         ProgressLine progress("samples");
         const auto draw = [&](std::span<const double> values) { return scaling::read_drawn(reading, values, read); };

@@ -238,7 +238,7 @@ std::string make_design_report(const design::Design& design, const std::vector<C
             make_heading("Ends of the length scales, to first order", style) + make_table(make_ends_table(candidates, uncertainty), style);
         if (uncertainty.samples) {
             text += make_heading("Length scales that are feasible, by samples", style) +
-                    make_lines({describe_samples(*uncertainty.monte_carlo, uncertainty.samples->rejected)}, style) + "\n" +
+                    make_lines({describe_draws(uncertainty.samples->draws)}, style) + "\n" +
                     make_table(make_sampled_ends_table(candidates, *uncertainty.samples), style) +
                     make_heading("Limits in the way, by samples", style) +
                     make_table(make_sampled_limits_table(candidates, *uncertainty.samples), style);
@@ -267,7 +267,7 @@ nlohmann::json to_json(const design::Design& design, const std::vector<Candidate
     nlohmann::json object = {
         {"name", design.name}, {"gravity", design.gravity.value_or(1.0)}, {"groups", design.groups}, {"candidates", list}};
     if (!uncertainty.is_certain()) object["uncertainty"] = {{"inputs", cli::to_json(uncertainty.inputs)}, {"coverage", scaling::kCoverage}};
-    if (uncertainty.samples) object["uncertainty"]["monte_carlo"] = cli::to_json(*uncertainty.monte_carlo, uncertainty.samples->rejected);
+    if (uncertainty.samples) object["uncertainty"]["monte_carlo"] = cli::to_json(uncertainty.samples->draws);
     return object;
 }
 

@@ -15,7 +15,6 @@ namespace musim::cli {
 struct DesignUncertainty {
     std::vector<scaling::UncertainInput> inputs;
     std::vector<design::UncertainCandidate> candidates;
-    std::optional<scaling::MonteCarloSettings> monte_carlo = {};  ///< by which samples were drawn, if they were
     std::optional<design::SampledDesign> samples = {};
 
     bool is_certain() const { return inputs.empty(); }

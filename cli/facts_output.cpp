@@ -161,7 +161,7 @@ std::string make_facts_report(const FactsReport& report, scaling::ReportStyle st
     if (!report.uncertain.is_certain()) {
         text += make_heading("Uncertain facts, u standard", style) + make_table(make_inputs_table(report.uncertain.inputs), style);
         if (report.uncertain.samples) {
-            text += "\n" + make_lines({describe_samples(*report.monte_carlo, report.uncertain.samples->rejected)}, style);
+            text += "\n" + make_lines({describe_draws(report.uncertain.samples->draws)}, style);
         }
         text += make_heading("Factors asked for, model/prototype", style) +
                 make_table(make_results_table("factor", report.uncertain.factors), style);
@@ -219,7 +219,7 @@ nlohmann::json to_json(const FactsReport& report) {
         object["uncertainty"] = {{"inputs", cli::to_json(uncertain.inputs)},
                                  {"factors", cli::to_json(uncertain.factors, uncertain.inputs)},
                                  {"coverage", scaling::kCoverage}};
-        if (uncertain.samples) object["uncertainty"]["monte_carlo"] = cli::to_json(*report.monte_carlo, uncertain.samples->rejected);
+        if (uncertain.samples) object["uncertainty"]["monte_carlo"] = cli::to_json(uncertain.samples->draws);
     }
     return object;
 }

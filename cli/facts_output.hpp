@@ -17,7 +17,6 @@ struct FactsReport {
     scaling::Similitude similitude;
     scaling::RegimeReport report;
     scaling::UncertainRegimes uncertain = {};
-    std::optional<scaling::MonteCarloSettings> monte_carlo = {};  ///< by which samples were drawn, if they were
 };
 
 /// Distortions with effect and sources, regimes, groups of both, structural speeds and what the model would need, blocks that rock, and

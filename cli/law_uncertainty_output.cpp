@@ -13,6 +13,7 @@ namespace {
 
 using scaling::SolvedLaw;
 using scaling::UncertainDifference;
+using scaling::UncertainLawReport;
 using scaling::UncertainResult;
 
 /// Results that are settled.
@@ -25,7 +26,7 @@ std::vector<UncertainResult> drop_open(const std::vector<std::optional<Uncertain
 }
 
 /// Held products but for definitions, then watched ones.
-std::vector<UncertainResult> list_settled_groups(const SolvedLaw& solved, const scaling::UncertainLawReport& report) {
+std::vector<UncertainResult> list_settled_groups(const SolvedLaw& solved, const UncertainLawReport& report) {
     std::vector<std::optional<UncertainResult>> groups;
     for (std::size_t i = 0; i < report.held.size(); ++i) {
         if (!solved.problem.held[i].is_definition) groups.push_back(report.held[i]);
@@ -46,7 +47,7 @@ std::string describe_difference(const UncertainDifference& difference, const sca
     return text;
 }
 
-std::vector<std::string> list_additions(const SolvedLaw& solved, const scaling::UncertainLawReport& report) {
+std::vector<std::string> list_additions(const SolvedLaw& solved, const UncertainLawReport& report) {
     std::vector<std::string> lines;
     for (std::size_t i = 0; i < report.additions.size(); ++i) {
         const auto& addition = report.additions[i];
@@ -68,13 +69,12 @@ nlohmann::json to_json(const UncertainDifference& difference) {
 
 }  // namespace
 
-std::string make_uncertainty_report(const SolvedLaw& solved, const UncertainLaw& uncertain, scaling::ReportStyle style) {
-    const scaling::UncertainLawReport& report = uncertain.report;
+std::string make_uncertainty_report(const SolvedLaw& solved, const UncertainLawReport& report, scaling::ReportStyle style) {
     std::string text = make_heading("Uncertainty", style) + make_table(make_inputs_table(report.inputs), style);
     const auto add = [&](const scaling::TextTable& table) {
         if (!table.rows.empty()) text += "\n" + make_table(table, style);
     };
-    if (uncertain.monte_carlo) text += "\n" + make_lines({describe_samples(*uncertain.monte_carlo, report.rejected)}, style);
+    if (report.draws) text += "\n" + make_lines({describe_draws(*report.draws)}, style);
     add(make_results_table("factor", drop_open(report.factors)));
     add(make_results_table("group (1 = kept)", list_settled_groups(solved, report)));
     add(make_results_table("group as shaken", report.shaken));
@@ -84,8 +84,7 @@ std::string make_uncertainty_report(const SolvedLaw& solved, const UncertainLaw&
     return text;
 }
 
-nlohmann::json to_json(const SolvedLaw& solved, const UncertainLaw& uncertain) {
-    const scaling::UncertainLawReport& report = uncertain.report;
+nlohmann::json to_json(const SolvedLaw& solved, const UncertainLawReport& report) {
     nlohmann::json values = nlohmann::json::object(), additions = nlohmann::json::object();
     for (const scaling::UncertainPair& pair : report.values) {
         values[pair.name] = {{"prototype", to_json(pair.prototype, 1.0)}, {"model", to_json(pair.model, 1.0)}};
@@ -103,7 +102,7 @@ nlohmann::json to_json(const SolvedLaw& solved, const UncertainLaw& uncertain) {
                           {"groups_as_shaken", to_json(report.shaken, report.inputs)},
                           {"values", values},
                           {"additions", additions}};
-    if (uncertain.monte_carlo) object["monte_carlo"] = to_json(*uncertain.monte_carlo, report.rejected);
+    if (report.draws) object["monte_carlo"] = to_json(*report.draws);
     return object;
 }
 

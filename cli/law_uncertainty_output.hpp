@@ -1,7 +1,6 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
-#include <optional>
 #include <string>
 
 #include "scaling/text_table.hpp"
@@ -9,17 +8,12 @@
 
 namespace musim::cli {
 
-/// What the uncertain factors and values of a law give.
-struct UncertainLaw {
-    scaling::UncertainLawReport report;
-    std::optional<scaling::MonteCarloSettings> monte_carlo;
-};
-
 /// Inputs, and of every uncertain factor, product, value and addition its uncertainty, and what the samples say.
-std::string make_uncertainty_report(const scaling::SolvedLaw& solved, const UncertainLaw& uncertain, scaling::ReportStyle style);
+std::string make_uncertainty_report(const scaling::SolvedLaw& solved, const scaling::UncertainLawReport& report,
+                                    scaling::ReportStyle style);
 
 /// "inputs", "factors", "groups", "groups_as_shaken" and "monte_carlo" as in `musim scale` of the four laws; "values" of quantities whose
 /// prototype is known, at both scales, and "additions" ("factor", and "model" where it is known), in SI.
-nlohmann::json to_json(const scaling::SolvedLaw& solved, const UncertainLaw& uncertain);
+nlohmann::json to_json(const scaling::SolvedLaw& solved, const scaling::UncertainLawReport& report);
 
 }  // namespace musim::cli

@@ -43,12 +43,11 @@ int run_pi(const PiOptions& options) {
         const auto exponents = scaling::parse_group(text, report.quantities);
         report.expressed.push_back({text, exponents, scaling::express(exponents, report.basis.groups, report.quantities)});
     }
-    report.monte_carlo = options.monte_carlo.make();
-    if (report.monte_carlo) {
+    if (const auto monte_carlo = options.monte_carlo.make()) {
         std::vector<scaling::PiGroup> groups;
         for (const scaling::PiBasis& basis : list_bases(report)) groups.insert(groups.end(), basis.groups.begin(), basis.groups.end());
         ProgressLine progress("samples");
-        report.samples = draw_groups(groups, report.quantities, *report.monte_carlo, [&](double fraction) { progress.update(fraction); });
+        report.samples = draw_groups(groups, report.quantities, *monte_carlo, [&](double fraction) { progress.update(fraction); });
     }
     if (options.json) {
         print_json(to_json(report));

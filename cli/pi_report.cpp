@@ -125,7 +125,7 @@ std::string make_inputs(const PiReport& report, ReportStyle style) {
     if (!is_uncertain(report)) return "";
     std::string text =
         make_heading("Uncertain quantities, u standard", style) + make_table(make_inputs_table(list_uncertain(report.quantities)), style);
-    if (report.monte_carlo) text += "\n" + make_lines({describe_samples(*report.monte_carlo, report.samples.rejected)}, style);
+    if (report.samples.draws) text += "\n" + make_lines({describe_draws(*report.samples.draws)}, style);
     return text;
 }
 
@@ -223,7 +223,7 @@ json to_json(const PiReport& report) {
     object["problem"] = report.problem;
     if (is_uncertain(report)) {
         object["uncertainty"] = {{"inputs", to_json(list_uncertain(report.quantities))}, {"coverage", scaling::kCoverage}};
-        if (report.monte_carlo) object["uncertainty"]["monte_carlo"] = to_json(*report.monte_carlo, report.samples.rejected);
+        if (report.samples.draws) object["uncertainty"]["monte_carlo"] = to_json(*report.samples.draws);
     }
     object["rank"] = report.basis.rank();
     object["unused"] = json::array();

@@ -25,7 +25,6 @@ struct PiReport {
     scaling::PiBasis basis;
     std::optional<scaling::PiBases> all;
     std::vector<ExpressedProduct> expressed;
-    std::optional<scaling::MonteCarloSettings> monte_carlo = {};  ///< by which samples were drawn, if they were
     scaling::SampledGroups samples = {};
 };
 

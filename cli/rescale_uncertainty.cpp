@@ -46,7 +46,7 @@ void print_pairs(const UncertainRescale& rescale, const std::string& title, Pair
 UncertainRescale find_uncertain_rescale(const records::GroundMotion& prototype, const SimilitudeOptions& factors,
                                         const UncertainStructureOptions& structure,
                                         const std::optional<scaling::MonteCarloSettings>& monte_carlo) {
-    UncertainRescale rescale{.components = {}, .reports = {}, .monte_carlo = monte_carlo};
+    UncertainRescale rescale;
     scaling::UncertainScales scales = factors.scales();
     structure.put_into(scales);
     if (!scales.is_uncertain() && !structure.any() && !monte_carlo) return rescale;
@@ -61,7 +61,7 @@ UncertainRescale find_uncertain_rescale(const records::GroundMotion& prototype, 
 
 void add_to_json(nlohmann::json& object, const UncertainRescale& rescale) {
     if (rescale.reports.empty()) return;
-    nlohmann::json uncertainty = to_json(rescale.reports.front(), rescale.monte_carlo);
+    nlohmann::json uncertainty = to_json(rescale.reports.front());
     uncertainty["components"] = nlohmann::json::array();
     for (std::size_t c = 0; c < rescale.reports.size(); ++c) {
         const scaling::UncertainReport& report = rescale.reports[c];
@@ -75,7 +75,7 @@ void print_uncertain_rescale(const UncertainRescale& rescale) {
     if (rescale.reports.empty()) return;
     const scaling::UncertainReport& report = rescale.reports.front();
     if (!report.inputs.empty()) print("\n{}", to_plain_text(make_inputs_table(report.inputs)));
-    if (rescale.monte_carlo) print("\n{}\n", describe_samples(*rescale.monte_carlo, report.rejected));
+    if (report.draws) print("\n{}\n", describe_draws(*report.draws));
     print_pairs(rescale, "measure", &scaling::UncertainReport::measures);
     print_pairs(rescale, "group", &scaling::UncertainReport::structure);
 }

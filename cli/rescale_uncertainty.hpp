@@ -16,7 +16,6 @@ namespace musim::cli {
 struct UncertainRescale {
     std::vector<std::string> components;
     std::vector<scaling::UncertainReport> reports;  ///< one for each; they differ in structure and measures only
-    std::optional<scaling::MonteCarloSettings> monte_carlo;
 };
 
 /// Propagates the factors' uncertainties to PGA, PGV, PGD, Arias intensity, duration and time step of every component, and to the groups of

@@ -32,22 +32,21 @@ struct ScaleOptions {
 };
 
 /// Warns that slenderness alone does not tell the regime.
-void note_untold_regime(const ScaleOptions& options, const UncertainScale& scale) {
-    const std::vector<scaling::UncertainPair>& told = scale.report.structure;
+void note_untold_regime(const ScaleOptions& options, const scaling::UncertainReport& report) {
+    const std::vector<scaling::UncertainPair>& told = report.structure;
     const auto is_regime = [](const scaling::UncertainPair& pair) { return pair.name.starts_with("mu/tan(alpha)"); };
     if (options.structure.slenderness.empty() || std::any_of(told.begin(), told.end(), is_regime)) return;
     note_at_end("musim: warning: whether blocks slide or rock first (mu/tan(alpha)) is not told: --slenderness needs --friction-prototype");
 }
 
 /// Says so when many draws were of no use: what is left is no longer the distribution asked for.
-void note_rejected_draws(const UncertainScale& scale) {
+void note_rejected_draws(const scaling::Draws& draws) {
     constexpr double kMany = 0.05;  // of the samples
-    const double rejected = static_cast<double>(scale.report.rejected.value_or(0));
-    if (!scale.monte_carlo || rejected < kMany * static_cast<double>(scale.monte_carlo->samples)) return;
-    note_at_end(fmt::format(
-        "musim: note: {:.0f} draws for {} samples were not positive and drawn again, so what is told is not of a {} distribution; "
-        "check the uncertainties, or take --distribution lognormal",
-        rejected, scale.monte_carlo->samples, scaling::to_string(scale.monte_carlo->distribution)));
+    if (static_cast<double>(draws.rejected) < kMany * static_cast<double>(draws.settings.samples)) return;
+    note_at_end(
+        fmt::format("musim: note: {} draws for {} samples were not positive and drawn again, so what is told is not of a {} distribution; "
+                    "check the uncertainties, or take --distribution lognormal",
+                    draws.rejected, draws.settings.samples, scaling::to_string(draws.settings.distribution)));
 }
 
 /// Laws that are reported by the factors of a similitude and the groups of a block structure, unless --set or a product asks for more; all
@@ -66,10 +65,10 @@ int run_similitude(const ScaleOptions& options) {
     const scaling::ModelFacts facts = options.structure.facts();
     const auto groups = scaling::group_factors(similitude, facts);
     const auto distortions = scaling::find_distortions(similitude, facts);
-    const UncertainScale uncertain =
+    const scaling::UncertainReport uncertain =
         find_uncertain_scale(options.scales, options.structure, options.motion, facts, options.monte_carlo.make());
     note_untold_regime(options, uncertain);
-    note_rejected_draws(uncertain);
+    if (uncertain.draws) note_rejected_draws(*uncertain.draws);
     options.scales.note_doubtful_factors(options.structure.friction.has_value());
 
     if (options.json) {
@@ -88,7 +87,7 @@ int run_similitude(const ScaleOptions& options) {
                         similitude.length(), similitude.friction(), similitude.gravity(), similitude.density()),
             style) +
         "\n";
-    if (uncertain.is_uncertain()) {
+    if (!uncertain.is_certain()) {
         text += make_uncertain_factors(uncertain, style);
     } else {
         for (const auto& table : {make_factors_table("factor", similitude.factors()), make_factors_table("group (1 = kept)", groups)}) {

@@ -187,7 +187,7 @@ int run_scale_facts(const CLI::App& command, const SimilitudeOptions& scales, co
     const scaling::KeptNumbers kept = find_kept_numbers(files.solved());
     scaling::RegimeReport regimes = make_regime_report(facts.facts, facts.similitude, kept);
     const scaling::UncertainRegimes uncertain = find_uncertain_regimes(files, reading, facts, kept, monte_carlo, regimes);
-    const FactsReport report{read.name, facts.facts, facts.similitude, regimes, uncertain, monte_carlo};
+    const FactsReport report{read.name, facts.facts, facts.similitude, regimes, uncertain};
     if (json) {
         print_json(to_json(report));
     } else {

@@ -147,16 +147,16 @@ int list_scale_laws(scaling::ReportStyle style, bool json) {
 int run_scale_law(const ScaleLawOptions& options, const std::string& law, const std::vector<scaling::UncertainFactor>& given,
                   const std::optional<scaling::MonteCarloSettings>& monte_carlo, bool json) {
     const auto [solved, prototype] = options.solve(law, scaling::values_of(given));
-    std::optional<UncertainLaw> uncertain = UncertainLaw{propagate(solved, given, prototype, monte_carlo), monte_carlo};
-    if (uncertain->report.inputs.empty()) uncertain.reset();
+    const scaling::UncertainLawReport uncertain = propagate(solved, given, prototype, monte_carlo);
+    const bool is_certain = uncertain.inputs.empty();
     if (json) {
         nlohmann::json object = to_json(solved);
-        if (uncertain) object["uncertainty"] = to_json(solved, *uncertain);
+        if (!is_certain) object["uncertainty"] = to_json(solved, uncertain);
         print_json(object);
         return kDone;
     }
     print("{}", make_law_report(solved, options.style));
-    if (uncertain) print("{}", make_uncertainty_report(solved, *uncertain, options.style));
+    if (!is_certain) print("{}", make_uncertainty_report(solved, uncertain, options.style));
     return kDone;
 }
 

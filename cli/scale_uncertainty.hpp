@@ -11,26 +11,18 @@
 
 namespace musim::cli {
 
-/// What uncertain options of `musim scale` give.
-struct UncertainScale {
-    scaling::UncertainReport report;
-    std::optional<scaling::MonteCarloSettings> monte_carlo;
-
-    bool is_uncertain() const { return !report.inputs.empty(); }
-};
-
-/// Throws scaling::SimilitudeError.
-UncertainScale find_uncertain_scale(const SimilitudeOptions& factors, const UncertainStructureOptions& structure,
-                                    const scaling::UncertainMotion& motion, const scaling::ModelFacts& facts,
-                                    const std::optional<scaling::MonteCarloSettings>& monte_carlo);
+/// What uncertain options of `musim scale` give. Throws scaling::SimilitudeError.
+scaling::UncertainReport find_uncertain_scale(const SimilitudeOptions& factors, const UncertainStructureOptions& structure,
+                                              const scaling::UncertainMotion& motion, const scaling::ModelFacts& facts,
+                                              const std::optional<scaling::MonteCarloSettings>& monte_carlo);
 
 /// Adds "structure" and "measures" with the values at both scales, if there are any, and "uncertainty" if there is one.
-void add_to_json(nlohmann::json& object, const UncertainScale& scale);
+void add_to_json(nlohmann::json& object, const scaling::UncertainReport& report);
 
 /// Tables of inputs, factors and groups with their uncertainties.
-std::string make_uncertain_factors(const UncertainScale& scale, scaling::ReportStyle style);
+std::string make_uncertain_factors(const scaling::UncertainReport& report, scaling::ReportStyle style);
 
 /// Tables of groups and measures at both scales, if there are any.
-std::string make_structure_and_measures(const UncertainScale& scale, scaling::ReportStyle style);
+std::string make_structure_and_measures(const scaling::UncertainReport& report, scaling::ReportStyle style);
 
 }  // namespace musim::cli

@@ -143,20 +143,20 @@ nlohmann::json to_json(const std::vector<scaling::UncertainInput>& inputs) {
     return list;
 }
 
-nlohmann::json to_json(const scaling::MonteCarloSettings& monte_carlo, const std::optional<std::size_t>& rejected) {
-    return {{"samples", monte_carlo.samples},
-            {"seed", monte_carlo.seed},
-            {"distribution", scaling::to_string(monte_carlo.distribution)},
+nlohmann::json to_json(const scaling::Draws& draws) {
+    return {{"samples", draws.settings.samples},
+            {"seed", draws.settings.seed},
+            {"distribution", scaling::to_string(draws.settings.distribution)},
             {"coverage", scaling::kCoverage},
-            {"rejected_draws", rejected.value_or(0)}};
+            {"rejected_draws", draws.rejected}};
 }
 
-nlohmann::json to_json(const scaling::UncertainReport& report, const std::optional<scaling::MonteCarloSettings>& monte_carlo) {
+nlohmann::json to_json(const scaling::UncertainReport& report) {
     nlohmann::json object{{"inputs", to_json(report.inputs)},
                           {"factors", to_json(report.factors, report.inputs)},
                           {"groups", to_json(report.groups, report.inputs)},
                           {"groups_as_shaken", to_json(report.shaken, report.inputs)}};
-    if (monte_carlo) object["monte_carlo"] = to_json(*monte_carlo, report.rejected);
+    if (report.draws) object["monte_carlo"] = to_json(*report.draws);
     return object;
 }
 
@@ -229,10 +229,10 @@ scaling::TextTable make_pairs_table(const std::string& title, const std::vector<
     return make_pairs_table({}, title, rows);
 }
 
-std::string describe_samples(const scaling::MonteCarloSettings& monte_carlo, const std::optional<std::size_t>& rejected) {
-    std::string text =
-        fmt::format("{} samples, {}, seed {}.", monte_carlo.samples, scaling::to_string(monte_carlo.distribution), monte_carlo.seed);
-    if (rejected.value_or(0) > 0) text += fmt::format(" {} draws were not positive and drawn again.", *rejected);
+std::string describe_draws(const scaling::Draws& draws) {
+    const scaling::MonteCarloSettings& settings = draws.settings;
+    std::string text = fmt::format("{} samples, {}, seed {}.", settings.samples, to_string(settings.distribution), settings.seed);
+    if (draws.rejected > 0) text += fmt::format(" {} draws were not positive and drawn again.", draws.rejected);
     return text;
 }
 

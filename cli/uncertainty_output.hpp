@@ -38,10 +38,10 @@ std::string describe_main_input(const scaling::FirstOrder& result, const std::ve
 /// Results by name, with the exponents of the inputs; the inputs; how samples were drawn.
 nlohmann::json to_json(const std::vector<scaling::UncertainResult>& results, const std::vector<scaling::UncertainInput>& inputs);
 nlohmann::json to_json(const std::vector<scaling::UncertainInput>& inputs);
-nlohmann::json to_json(const scaling::MonteCarloSettings& monte_carlo, const std::optional<std::size_t>& rejected);
+nlohmann::json to_json(const scaling::Draws& draws);
 
 /// Everything of a report but groups and measures at both scales: inputs, factors, groups, how samples were drawn.
-nlohmann::json to_json(const scaling::UncertainReport& report, const std::optional<scaling::MonteCarloSettings>& monte_carlo);
+nlohmann::json to_json(const scaling::UncertainReport& report);
 
 /// Groups or measures at both scales, measures under keys with their unit ("pga_g"): values alone, or with uncertainties.
 nlohmann::json values_to_json(const std::vector<scaling::UncertainPair>& pairs);
@@ -64,6 +64,6 @@ scaling::TextTable make_pairs_table(const std::vector<std::string>& first, const
 scaling::TextTable make_pairs_table(const std::string& title, const std::vector<scaling::UncertainPair>& pairs);
 
 /// "100000 samples, normal, seed 1; 95 % intervals; 12 draws were not positive and drawn again."
-std::string describe_samples(const scaling::MonteCarloSettings& monte_carlo, const std::optional<std::size_t>& rejected);
+std::string describe_draws(const scaling::Draws& draws);
 
 }  // namespace musim::cli

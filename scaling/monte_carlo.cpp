@@ -92,12 +92,12 @@ MonteCarloRun run_monte_carlo(const std::vector<UncertainInput>& inputs, const E
     run_side_by_side(jobs, settings.threads, on_progress);
 
     // sum up
-    MonteCarloRun run;
+    MonteCarloRun run{{}, {settings, 0}};
     run.results.resize(samples.size());
     jobs.clear();
     for (std::size_t r = 0; r < samples.size(); ++r) jobs.emplace_back([&run, &samples, r] { run.results[r] = summarize(samples[r]); });
     run_side_by_side(jobs, settings.threads);
-    for (const std::size_t count : rejected) run.rejected += count;
+    for (const std::size_t count : rejected) run.draws.rejected += count;
     return run;
 }
 

@@ -37,10 +37,16 @@ struct SampleSummary {
 /// The share of samples in which a result that is either 0 or 1 is 1, without what rounding adds to its mean.
 double find_share(const SampleSummary& samples);
 
+/// How samples were drawn.
+struct Draws {
+    MonteCarloSettings settings;
+    std::size_t rejected = 0;  ///< draws that were not positive, and drawn again
+};
+
 /// Samples of all results.
 struct MonteCarloRun {
     std::vector<SampleSummary> results;
-    std::size_t rejected = 0;  ///< draws that were not positive, and drawn again
+    Draws draws;
 };
 
 /// Propagates distributions [JCGM101]: draws every input, evaluates, and sums up each result: mean, standard deviation, median, and the

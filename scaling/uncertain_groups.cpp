@@ -51,7 +51,7 @@ SampledGroups draw_groups(const std::vector<PiGroup>& groups, const std::vector<
     const MonteCarloRun run = run_monte_carlo(list_uncertain(quantities), evaluate, settings, on_progress);
     auto next = run.results.begin();
     for (auto& entry : sampled.groups) entry.second = *next++;
-    sampled.rejected = run.rejected;
+    sampled.draws = run.draws;
     return sampled;
 }
 

@@ -23,7 +23,7 @@ std::optional<FirstOrder> find_uncertain_value(const PiGroup& group, const std::
 /// What samples of a problem's quantities say of its groups.
 struct SampledGroups {
     std::map<PiGroup, SampleSummary> groups;  ///< those that have a value
-    std::size_t rejected = 0;                 ///< draws that were not positive, and drawn again
+    std::optional<Draws> draws;               ///< none without samples
 };
 
 /// Draws the uncertain quantities of a problem, each one value for all groups. Throws as run_monte_carlo().

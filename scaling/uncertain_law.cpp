@@ -211,7 +211,7 @@ UncertainLawReport propagate(const SolvedLaw& solved, const std::vector<Uncertai
 
     UncertainLawReport report;
     report.inputs = rows.inputs();
-    if (run) report.rejected = run->rejected;
+    if (run) report.draws = run->draws;
     const ScaleProblem& problem = solved.problem;
     const ScaleSolution& solution = solved.solution;
     for (std::size_t j = 0; j < problem.quantities.size(); ++j) {

@@ -38,7 +38,7 @@ struct UncertainLawReport {
     std::vector<UncertainResult> shaken;                      ///< δ of the products that hold a solved measure of motion, at its value
     std::vector<UncertainPair> values;                        ///< each quantity whose prototype is known and whose factor is settled
     std::vector<std::optional<UncertainAddition>> additions;  ///< of each addition; none while open
-    std::optional<std::size_t> rejected;                      ///< draws that were not positive; none without samples
+    std::optional<Draws> draws;                               ///< none without samples
 };
 
 /// Propagates the uncertainties of given factors and of the prototype's values to the factors, products and values of a solved law, which

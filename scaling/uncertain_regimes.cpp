@@ -113,7 +113,7 @@ void add_samples(UncertainRegimes& uncertain, const RegimeReport& report, const 
         group.samples = ComparisonSamples{*next, *std::next(next), *std::next(next, 2)};
         std::advance(next, 3);
     }
-    uncertain.samples = RegimeSamples{{}, run.rejected};
+    uncertain.samples = RegimeSamples{{}, run.draws};
     for (; next != run.results.end(); ++next) uncertain.samples->shares_elsewhere.push_back(find_share(*next));
 }
 

@@ -42,7 +42,7 @@ struct RegimeSamples {
     /// Of each regime of the report, the share of samples in which prototype or model is on another side of a border than by the values.
     /// Borders that do not matter to a sample (sliding or rocking of what rests) count as a side of their own.
     std::vector<double> shares_elsewhere;
-    std::size_t rejected = 0;  ///< draws that were not positive, and drawn again
+    Draws draws;
 };
 
 /// What uncertain facts do to a report.

@@ -251,7 +251,7 @@ UncertainReport propagate(const UncertainScales& scales, const MakeModelScales& 
     if (monte_carlo) {
         const MonteCarloRun run = run_monte_carlo(report.inputs, evaluate, *monte_carlo);
         for (std::size_t i = 0; i < results.size(); ++i) results[i].samples = run.results[i];
-        report.rejected = run.rejected;
+        report.draws = run.draws;
     }
     sort_into(report, entries, std::move(results));
     return report;

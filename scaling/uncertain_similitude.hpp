@@ -52,7 +52,9 @@ struct UncertainReport {
     std::vector<UncertainResult> shaken;   ///< δ of the groups of sliding, with the motion scaled by the values
     std::vector<UncertainPair> structure;  ///< groups with absolute values, as far as friction, slenderness, height and peaks tell
     std::vector<UncertainPair> measures;   ///< of the motion; the model's were it scaled by the true factors
-    std::optional<std::size_t> rejected;   ///< draws that were not positive; none without samples
+    std::optional<Draws> draws;            ///< none without samples
+
+    bool is_certain() const { return inputs.empty(); }
 };
 
 /// Propagates the uncertainties of a similitude to its factors, groups and measures.

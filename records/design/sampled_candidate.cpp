@@ -88,7 +88,7 @@ SampledDesign draw_candidates(const Setting& setting, const std::vector<Candidat
         return numbers;
     };
     const scaling::MonteCarloRun run = run_monte_carlo(inputs, evaluate, settings, on_progress);
-    SampledDesign sampled{{}, run.rejected};
+    SampledDesign sampled{{}, run.draws};
     auto next = run.results.begin();
     for (const Drawn& each : all) sampled.candidates.push_back(each.take(next));
     return sampled;

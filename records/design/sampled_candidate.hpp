@@ -28,7 +28,7 @@ struct SampledCandidate {
 /// Samples of all candidates.
 struct SampledDesign {
     std::vector<SampledCandidate> candidates;
-    std::size_t rejected = 0;  ///< draws that were not positive, and drawn again
+    scaling::Draws draws;
 };
 
 /// The design with drawn values of its inputs, in their order. Called from any thread.

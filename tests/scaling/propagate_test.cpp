@@ -62,7 +62,7 @@ TEST_CASE("for small uncertainties Monte Carlo agrees with first order within it
         const MonteCarloSettings settings{.samples = 100'000, .seed = 7, .distribution = distribution};
         const MonteCarloRun run = run_monte_carlo(inputs, evaluate_products, settings);
         const double n = 100'000.0;
-        CHECK(run.rejected == 0);
+        CHECK(run.draws.rejected == 0);
         for (const std::size_t r : {0U, 2U, 3U}) {
             CAPTURE(r);
             const double u = first[r].uncertainty();
@@ -110,11 +110,11 @@ TEST_CASE("a seed gives the same bits again, for any number of threads, and anot
     const std::vector<UncertainInput> inputs = make_inputs(0.5, 0.3);
     MonteCarloSettings settings{.samples = 5'000, .seed = 3, .threads = 1};
     const MonteCarloRun one = run_monte_carlo(inputs, evaluate_products, settings);
-    CHECK(one.rejected > 0);
+    CHECK(one.draws.rejected > 0);
     for (const int threads : {2, 3, 0}) {
         settings.threads = threads;
         const MonteCarloRun again = run_monte_carlo(inputs, evaluate_products, settings);
-        CHECK(again.rejected == one.rejected);
+        CHECK(again.draws.rejected == one.draws.rejected);
         for (std::size_t r = 0; r < one.results.size(); ++r) {
             CHECK(std::memcmp(&again.results[r], &one.results[r], sizeof(SampleSummary)) == 0);
         }
@@ -133,7 +133,7 @@ TEST_CASE("draws that are not positive are counted and drawn again") {
         const double p = 0.5 * std::erfc(1.0 / (r * std::sqrt(2.0)));
         expected += n * p / (1.0 - p);
     }
-    CHECK(std::abs(static_cast<double>(run.rejected) - expected) <= kSigmas * std::sqrt(expected));
+    CHECK(std::abs(static_cast<double>(run.draws.rejected) - expected) <= kSigmas * std::sqrt(expected));
     // the mean of a normal distribution cut at zero: x + u φ(1/r)/Φ(1/r); here of √x's square, the draws themselves
     const auto identity = [](std::span<const double> v) { return std::vector{v[0]}; };
     const SampleSummary cut = run_monte_carlo({inputs[0]}, identity, {.samples = 100'000, .seed = 5}).results[0];

@@ -181,7 +181,7 @@ TEST_CASE("samples of facts have the distribution of their closed forms") {
     const SampleSummary& factor = told.group("a/(mu*g)").samples->factor;
     const double sigma_factor = std::sqrt(2.0 * std::log1p(0.2 * 0.2));
     CHECK(std::abs(std::log(factor.upper / factor.lower) / (2.0 * 1.959964 * sigma_factor) - 1.0) < 8.0 * 2.67 / (3.92 * root));
-    CHECK(told.uncertain.samples->rejected == 0);
+    CHECK(told.uncertain.samples->draws.rejected == 0);
     CHECK(told.uncertain.factors.front().samples.has_value());
 }
 
