@@ -152,7 +152,8 @@ nlohmann::json to_json(const std::vector<design::GroupFactor>& groups) {
     return object;
 }
 
-nlohmann::json to_json(const ModelState& state, const design::UncertainState* uncertain, const DesignUncertainty& uncertainty) {
+nlohmann::json to_json(const ToldState& told, const std::vector<scaling::UncertainInput>& inputs) {
+    const ModelState& state = *told.state;
     nlohmann::json uses = nlohmann::json::array();
     for (const design::Use& use : state.uses) {
         uses.push_back({{"limit", use.limit},
@@ -173,27 +174,24 @@ nlohmann::json to_json(const ModelState& state, const design::UncertainState* un
                              {"mass_kg", state.mass.value()},
                              {"added_mass_kg", state.added_mass.value()},
                              {"cost", or_null(state.cost)}};
-    if (uncertain != nullptr) object["uncertainty"] = cli::to_json(state, *uncertain, uncertainty.inputs);
+    if (told.uncertain != nullptr) object["uncertainty"] = cli::to_json(state, *told.uncertain, inputs);
     return object;
 }
 
-nlohmann::json to_json(const Candidate& candidate, const design::UncertainCandidate* uncertain, const DesignUncertainty& uncertainty) {
-    const auto state_or_null = [&](const std::optional<ModelState>& state, const std::optional<design::UncertainState>* of_state) {
-        return state ? to_json(*state, of_state == nullptr ? nullptr : &**of_state, uncertainty) : nlohmann::json();
-    };
-    const auto end_to_json = [&](std::size_t end) {
-        return to_json(candidate.ends[end], uncertain == nullptr ? nullptr : &uncertain->ends[end], uncertainty);
-    };
-    nlohmann::json ranges = nlohmann::json::array(), limits = nlohmann::json::array(), conflict;
+nlohmann::json to_json(const Candidate& candidate, const design::UncertainCandidate* uncertain,
+                       const std::vector<scaling::UncertainInput>& inputs) {
+    const std::vector<ToldState> states = find_states(candidate, uncertain);
+    nlohmann::json ranges = nlohmann::json::array(), limits = nlohmann::json::array(), conflict, ranked;
+    if (candidate.ranked) ranked = to_json({&*candidate.ranked, uncertain == nullptr ? nullptr : &*uncertain->ranked}, inputs);
     for (std::size_t i = 0; i < candidate.ranges.size(); ++i) {
         const design::FeasibleRange& range = candidate.ranges[i];
         ranges.push_back({{"smallest", range.scales.smallest},
                           {"largest", range.scales.largest},
                           {"binds_below", text_or_null(range.binds_below)},
                           {"binds_above", text_or_null(range.binds_above)},
-                          {"at_smallest", end_to_json(2 * i)},
-                          {"at_largest", end_to_json(2 * i + 1)}});
-        if (uncertain != nullptr) ranges.back()["uncertainty"] = cli::to_json(uncertain->ranges[i], uncertainty.inputs);
+                          {"at_smallest", to_json(states[2 * i], inputs)},
+                          {"at_largest", to_json(states[2 * i + 1], inputs)}});
+        if (uncertain != nullptr) ranges.back()["uncertainty"] = cli::to_json(uncertain->ranges[i], inputs);
     }
     for (std::size_t i = 0; i < candidate.limits.size(); ++i) {
         const design::LimitRanges& limit = candidate.limits[i];
@@ -202,7 +200,7 @@ nlohmann::json to_json(const Candidate& candidate, const design::UncertainCandid
         if (uncertain == nullptr) continue;
         limits.back()["uncertainty"] = nlohmann::json::array();
         for (const design::UncertainRange& range : uncertain->limits[i]) {
-            limits.back()["uncertainty"].push_back(cli::to_json(range, uncertainty.inputs));
+            limits.back()["uncertainty"].push_back(cli::to_json(range, inputs));
         }
     }
     if (candidate.conflict) {
@@ -219,8 +217,8 @@ nlohmann::json to_json(const Candidate& candidate, const design::UncertainCandid
             {"limits", limits},
             {"conflict", conflict},
             {"problem", text_or_null(candidate.problem)},
-            {"ranked_at", state_or_null(candidate.ranked, uncertain == nullptr ? nullptr : &uncertain->ranked)},
-            {"at_length", state_or_null(candidate.chosen, uncertain == nullptr ? nullptr : &uncertain->chosen)}};
+            {"ranked_at", ranked},
+            {"at_length", candidate.chosen ? to_json(states.back(), inputs) : nlohmann::json()}};
 }
 
 }  // namespace
@@ -261,7 +259,7 @@ std::string make_design_report(const design::Design& design, const std::vector<C
 nlohmann::json to_json(const design::Design& design, const std::vector<Candidate>& candidates, const DesignUncertainty& uncertainty) {
     nlohmann::json list = nlohmann::json::array();
     for (std::size_t i = 0; i < candidates.size(); ++i) {
-        list.push_back(to_json(candidates[i], uncertainty.find(i), uncertainty));
+        list.push_back(to_json(candidates[i], uncertainty.find(i), uncertainty.inputs));
         if (uncertainty.samples) list.back()["monte_carlo"] = cli::to_json(candidates[i], uncertainty.samples->candidates[i]);
     }
     nlohmann::json object = {
