@@ -9,6 +9,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/interruption.hpp"
+#include "cli/named_values.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/overwriting.hpp"
@@ -69,8 +70,6 @@ Measured measure_twins(const scene::Scene& prototype, const BenchTwinsOptions& o
     return {std::move(twins), std::move(summary)};
 }
 
-std::string format_or_dash(const std::optional<double>& value) { return value ? fmt::format("{:.4g}", *value) : "-"; }
-
 scaling::TextTable make_table(const Measured& measured) {
     scaling::TextTable table{{"length", "moved by", "directions", "parts at [s]", "largest growth", "at [s]", "from", "at the end"}};
     for (std::size_t i = 0; i < measured.study.twins.size(); ++i) {
@@ -78,7 +77,7 @@ scaling::TextTable make_table(const Measured& measured) {
         const study::TwinGrowth& growth = measured.summary.twins[i];
         const bool moved = twin.choice.shift > 0.0;
         table.rows.push_back({fmt::format("{:.6g}", twin.choice.length), moved ? fmt::format("{:g}", twin.choice.shift) : "-",
-                              moved ? fmt::format("{}", twin.choice.directions) : "-", format_or_dash(growth.parting_time),
+                              moved ? fmt::format("{}", twin.choice.directions) : "-", or_dash(growth.parting_time, 4),
                               fmt::format("{:.3g}", growth.growth.factor), fmt::format("{:.4g}", growth.growth.time),
                               fmt::format("{:.1e}", growth.growth.from),
                               twin.diverged ? "DIVERGED" : fmt::format("{:.1e}", growth.running.empty() ? 0.0 : growth.running.back())});

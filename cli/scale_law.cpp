@@ -9,6 +9,7 @@
 #include "cli/commands.hpp"
 #include "cli/law_output.hpp"
 #include "cli/law_uncertainty_output.hpp"
+#include "cli/named_values.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "scaling/scale_law_catalogue.hpp"
@@ -125,21 +126,23 @@ SolvedWithValues ScaleLawOptions::solve(const std::string& name, const std::vect
 }
 
 int list_scale_laws(scaling::ReportStyle style, bool json) {
-    scaling::TextTable table{{"law", "", "needs"}};
-    nlohmann::json list = nlohmann::json::array();
+    std::vector<NamedValues> rows;
     for (const std::string& name : scaling::scale_law_names()) {
         const ScaleLaw law = *scaling::find_scale_law(name);
         std::vector<std::string> needs;
         for (const scaling::LawChoice& choice : law.choices) {
             if (!choice.fallback) needs.push_back(choice.name);
         }
-        list.push_back({{"name", name}, {"title", law.title}, {"description", law.description}, {"needs", needs}});
-        table.rows.push_back({name, law.title, fmt::format("{}", fmt::join(needs, ", "))});
+        rows.push_back({{"name", "law", name},
+                        {"title", "", law.title},
+                        {"description", {}, law.description},
+                        {"needs", {}, needs},
+                        {{}, "needs", fmt::format("{}", fmt::join(needs, ", "))}});
     }
     if (json) {
-        print_json({{"laws", list}});
+        print_json({{"laws", to_json(rows)}});
     } else {
-        print("{}", make_table(table, style));
+        print("{}", make_table(to_table(rows), style));
     }
     return kDone;
 }

@@ -37,25 +37,24 @@ std::string key_of(const scaling::UncertainPair& pair) {
     return known.key.empty() ? pair.name : std::string(known.key);
 }
 
-/// Value, u, u/value, and what the samples say: the cells of one result.
-void add_cells(std::vector<std::string>& row, const scaling::UncertainResult& result, const scaling::RationalDimension& dimension) {
+/// Adds a result to a line of a table: its name under a title, value, u, u/value, and what the samples say.
+void add_result(NamedValues& line, const std::string& title, const std::string& name, const scaling::UncertainResult& result,
+                const scaling::RationalDimension& dimension) {
     const bool certain = result.first_order.relative == 0.0;
     const double value = result.first_order.value;
     const auto in_its_unit = [&](double other, int digits) { return scaling::format_si_like(other, value, dimension, digits); };
-    row.push_back(in_its_unit(value, 7));
-    row.push_back(certain ? "-" : format_uncertainty(result.first_order.uncertainty(), value, dimension));
-    row.push_back(format_share(result.first_order.relative));
+    const auto add = [&](const std::string& column, const std::string& text) { line.push_back({{}, column, text}); };
+    add(title, name);
+    add("value", in_its_unit(value, 7));
+    add("u", certain ? "-" : format_uncertainty(result.first_order.uncertainty(), value, dimension));
+    add("u/value", format_share(result.first_order.relative));
     if (!result.samples) return;
     const scaling::SampleSummary& samples = *result.samples;
-    row.push_back(certain ? "-" : in_its_unit(samples.mean, 5));
-    row.push_back(certain ? "-" : format_uncertainty(samples.standard_deviation, value, dimension));
-    row.push_back(certain ? "-" : in_its_unit(samples.median, 5));
-    row.push_back(certain ? "-" : fmt::format("{} to {}", in_its_unit(samples.lower, 4), in_its_unit(samples.upper, 4)));
-}
-
-void add_titles(std::vector<std::string>& header, const std::string& value, bool sampled) {
-    header.insert(header.end(), {value, "u", "u/value"});
-    if (sampled) header.insert(header.end(), {"mean", "sd", "median", fmt::format("{:g} % interval", 100.0 * scaling::kCoverage)});
+    add("mean", certain ? "-" : in_its_unit(samples.mean, 5));
+    add("sd", certain ? "-" : format_uncertainty(samples.standard_deviation, value, dimension));
+    add("median", certain ? "-" : in_its_unit(samples.median, 5));
+    add(coverage_title() + " interval",
+        certain ? "-" : fmt::format("{} to {}", in_its_unit(samples.lower, 4), in_its_unit(samples.upper, 4)));
 }
 
 }  // namespace
@@ -194,39 +193,30 @@ scaling::TextTable make_inputs_table(const std::vector<scaling::UncertainInput>&
 }
 
 scaling::TextTable make_results_table(const std::string& title, const std::vector<scaling::UncertainResult>& results) {
-    scaling::TextTable table{.header = {title}};
-    add_titles(table.header, "value", !results.empty() && results.front().samples);
-    for (const scaling::UncertainResult& result : results) {
-        table.rows.push_back({result.name});
-        add_cells(table.rows.back(), result, {});
-    }
-    return table;
+    std::vector<NamedValues> lines;
+    for (const scaling::UncertainResult& result : results) add_result(lines.emplace_back(), title, result.name, result, {});
+    return to_table(lines);
 }
 
-scaling::TextTable make_pairs_table(const std::vector<std::string>& first, const std::string& title,
-                                    const std::vector<UncertainPairRow>& rows) {
-    scaling::TextTable table{.header = first};
-    table.header.push_back(title);
-    add_titles(table.header, "value", !rows.empty() && rows.front().pair->model.samples);
+scaling::TextTable make_pairs_table(const std::string& title, const std::vector<UncertainPairRow>& rows) {
     const bool tells_share = !rows.empty() && rows.front().pair->model.samples && rows.front().pair->dimension.is_dimensionless();
-    if (tells_share) table.header.emplace_back("above 1");
+    std::vector<NamedValues> lines;
     for (const UncertainPairRow& row : rows) {
         for (const bool is_model : {false, true}) {
             const scaling::UncertainResult& result = is_model ? row.pair->model : row.pair->prototype;
-            table.rows.push_back(row.first);
-            table.rows.back().push_back(fmt::format("{}, {}", row.pair->name, is_model ? "model" : "prototype"));
-            add_cells(table.rows.back(), result, row.pair->dimension);
-            if (tells_share) table.rows.back().push_back(fmt::format("{:.3g} %", 100.0 * result.samples->share_above_one));
+            NamedValues& line = lines.emplace_back(row.first);
+            add_result(line, title, fmt::format("{}, {}", row.pair->name, is_model ? "model" : "prototype"), result, row.pair->dimension);
+            if (tells_share) line.push_back({{}, "above 1", fmt::format("{:.3g} %", 100.0 * result.samples->share_above_one)});
         }
     }
-    return table;
+    return to_table(lines);
 }
 
 scaling::TextTable make_pairs_table(const std::string& title, const std::vector<scaling::UncertainPair>& pairs) {
     std::vector<UncertainPairRow> rows;
     rows.reserve(pairs.size());
     for (const scaling::UncertainPair& pair : pairs) rows.push_back({{}, &pair});
-    return make_pairs_table({}, title, rows);
+    return make_pairs_table(title, rows);
 }
 
 std::string describe_draws(const scaling::Draws& draws) {

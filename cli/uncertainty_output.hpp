@@ -1,10 +1,10 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "cli/named_values.hpp"
 #include "scaling/coverage.hpp"
 #include "scaling/text_table.hpp"
 #include "scaling/uncertain_similitude.hpp"
@@ -54,13 +54,12 @@ scaling::TextTable make_inputs_table(const std::vector<scaling::UncertainInput>&
 /// there are any.
 scaling::TextTable make_results_table(const std::string& title, const std::vector<scaling::UncertainResult>& results);
 
-/// Groups and measures at both scales; `first` are titles before the name, such as "component", and each row's cells under them.
+/// Groups and measures at both scales; `first` stands before the name, such as a component.
 struct UncertainPairRow {
-    std::vector<std::string> first;
+    NamedValues first;
     const scaling::UncertainPair* pair = nullptr;
 };
-scaling::TextTable make_pairs_table(const std::vector<std::string>& first, const std::string& title,
-                                    const std::vector<UncertainPairRow>& rows);
+scaling::TextTable make_pairs_table(const std::string& title, const std::vector<UncertainPairRow>& rows);
 scaling::TextTable make_pairs_table(const std::string& title, const std::vector<scaling::UncertainPair>& pairs);
 
 /// "100000 samples, normal, seed 1; 95 % intervals; 12 draws were not positive and drawn again."
