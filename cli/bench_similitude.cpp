@@ -89,6 +89,7 @@ int run_bench_similitude(const BenchSimilitudeOptions& options) {
         folder->commit();
     }
     std::vector<NamedValues> rows;
+    rows.reserve(outcomes.size());
     for (const study::SimilitudeOutcome& outcome : outcomes) rows.push_back(list_values(outcome));
     const bool all_hold = study::all_hold(outcomes);
     if (options.json) {

@@ -74,6 +74,7 @@ int run_friction(const FrictionOptions& options) {
         folder->commit();
     }
     std::vector<NamedValues> rows;
+    rows.reserve(cases.size());
     for (std::size_t i = 0; i < cases.size(); ++i) rows.push_back(list_values(cases[i], results[i]));
     if (options.test.json) {
         print_json({{"material", options.test.sample.material}, {"sample", describe_sample(sample)}, {"tests", to_json(rows)}});

@@ -92,6 +92,7 @@ NamedValues list_group(const FactsReport& report, std::size_t i) {
 
 std::vector<NamedValues> list_regimes(const FactsReport& report) {
     std::vector<NamedValues> rows;
+    rows.reserve(report.report.regimes.size());
     for (std::size_t i = 0; i < report.report.regimes.size(); ++i) rows.push_back(list_regime(report, i));
     return rows;
 }

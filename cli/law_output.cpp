@@ -241,6 +241,7 @@ std::string make_law_report(const SolvedLaw& solved, ReportStyle style) {
                                    : fmt::format("Law {}: {} (factors are model/prototype)\n\n", solved.law.name, solved.law.title);
     if (is_markdown && !solved.law.description.empty()) text += solved.law.description + "\n\n";
     std::vector<NamedValues> quantities, groups;
+    quantities.reserve(solved.problem.quantities.size());
     for (std::size_t j = 0; j < solved.problem.quantities.size(); ++j) quantities.push_back(list_values(solved, j));
     for (const LawGroup& group : list_groups(solved)) groups.push_back(list_values(solved, group));
     text += make_table(to_table(quantities), style) + "\n";
