@@ -36,8 +36,8 @@ using Pairs = std::vector<scaling::UncertainPair> scaling::UncertainReport::*;
 void print_pairs(const UncertainRescale& rescale, const std::string& title, Pairs pairs) {
     std::vector<UncertainPairRow> rows;
     for (std::size_t c = 0; c < rescale.reports.size(); ++c) {
-        for (const scaling::UncertainPair& pair : rescale.reports[c].*pairs)
-            rows.push_back({{{{}, "component", rescale.components[c]}}, &pair});
+        const NamedValues component{{{}, "component", rescale.components[c]}};
+        for (const scaling::UncertainPair& pair : rescale.reports[c].*pairs) rows.push_back({component, &pair});
     }
     if (!rows.empty()) print("\n{}", to_plain_text(make_pairs_table(title, rows)));
 }
