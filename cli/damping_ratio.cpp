@@ -4,7 +4,7 @@
 
 #include "cli/options.hpp"
 #include "records/error.hpp"
-#include "records/response_spectrum.hpp"
+#include "records/measures/response_spectrum.hpp"
 
 namespace musim::cli {
 namespace {

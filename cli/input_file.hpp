@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "records/shake_table.hpp"
+#include "records/shake_table/shake_table.hpp"
 
 namespace musim::cli {
 

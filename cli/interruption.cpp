@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "cli/output.hpp"
-#include "lsdem/study/checkpoint.hpp"
+#include "lsdem/results/checkpoint.hpp"
 #include "scaling/interruption.hpp"
 
 namespace musim::cli {

@@ -1,6 +1,6 @@
 #include "cli/length_ranges.hpp"
 
-#include "records/table_check.hpp"
+#include "records/shake_table/table_check.hpp"
 
 namespace musim::cli {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "scaling/length_range.hpp"
+#include "scaling/laws/length_range.hpp"
 
 namespace musim::cli {
 

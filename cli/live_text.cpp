@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "cli/terminal.hpp"
-#include "lsdem/study/response.hpp"
+#include "lsdem/response/response.hpp"
 #include "scaling/quantity_text.hpp"
 #include "scaling/units.hpp"
 

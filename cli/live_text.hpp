@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "lsdem/study/live_run.hpp"
+#include "lsdem/run/live_run.hpp"
 
 namespace musim::cli {
 

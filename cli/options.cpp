@@ -15,10 +15,10 @@
 
 #include "cli/output.hpp"
 #include "cli/uncertain_options.hpp"
-#include "scaling/law_similitude.hpp"
+#include "scaling/laws/law_similitude.hpp"
+#include "scaling/laws/scale_law_catalogue.hpp"
 #include "scaling/nearest_name.hpp"
 #include "scaling/number.hpp"
-#include "scaling/scale_law_catalogue.hpp"
 #include "scaling/shorten.hpp"
 
 namespace musim::cli {

@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "scaling/error.hpp"
-#include "scaling/scale_law.hpp"
-#include "scaling/similitude.hpp"
+#include "scaling/laws/scale_law.hpp"
+#include "scaling/laws/similitude.hpp"
 #include "scaling/text_table.hpp"
-#include "scaling/uncertain_similitude.hpp"
+#include "scaling/uncertainty/uncertain_similitude.hpp"
 
 namespace musim::cli {
 

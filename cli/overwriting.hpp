@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-#include "lsdem/study/write_results.hpp"
+#include "lsdem/results/write_results.hpp"
 
 namespace musim::cli {
 

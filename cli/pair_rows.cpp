@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "scaling/angle.hpp"
-#include "scaling/structural_speed.hpp"
+#include "scaling/structures/structural_speed.hpp"
 
 namespace musim::cli {
 namespace {

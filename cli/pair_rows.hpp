@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "scaling/dimension.hpp"
-#include "scaling/structure_facts.hpp"
+#include "scaling/structures/structure_facts.hpp"
 
 namespace musim::cli {
 

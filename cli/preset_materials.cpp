@@ -3,7 +3,7 @@
 #include <string>
 
 #include "lsdem/scene/material_presets.hpp"
-#include "scaling/structural_speed.hpp"
+#include "scaling/structures/structural_speed.hpp"
 
 namespace musim::cli {
 

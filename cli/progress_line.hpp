@@ -6,9 +6,9 @@
 #include <optional>
 #include <string>
 
-#include "lsdem/study/joined_progress.hpp"
-#include "lsdem/study/live_run.hpp"
-#include "lsdem/study/simulate.hpp"
+#include "lsdem/run/joined_progress.hpp"
+#include "lsdem/run/live_run.hpp"
+#include "lsdem/run/simulate.hpp"
 
 namespace musim::cli {
 

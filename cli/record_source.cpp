@@ -7,9 +7,9 @@
 #include "cli/input_file.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
-#include "records/read_record.hpp"
-#include "records/read_text.hpp"
-#include "records/synthetic.hpp"
+#include "records/formats/read_record.hpp"
+#include "records/formats/read_text.hpp"
+#include "records/synthesis/synthetic.hpp"
 
 namespace musim::cli {
 namespace {

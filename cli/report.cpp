@@ -4,10 +4,10 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/output.hpp"
+#include "lsdem/results/verdict.hpp"
 #include "lsdem/scene/motions.hpp"
 #include "lsdem/scene/scene_json.hpp"
-#include "lsdem/study/verdict.hpp"
-#include "scaling/solid_elasticity.hpp"
+#include "scaling/structures/solid_elasticity.hpp"
 
 namespace musim::cli {
 

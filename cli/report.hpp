@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "lsdem/results/summary.hpp"
 #include "lsdem/scene/scene.hpp"
-#include "lsdem/study/summary.hpp"
-#include "scaling/distortion.hpp"
-#include "scaling/model_scales.hpp"
-#include "scaling/similitude.hpp"
+#include "scaling/laws/model_scales.hpp"
+#include "scaling/laws/similitude.hpp"
+#include "scaling/structures/distortion.hpp"
 #include "scaling/text_table.hpp"
 
 namespace musim::cli {

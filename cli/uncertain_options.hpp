@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "scaling/distortion.hpp"
-#include "scaling/monte_carlo.hpp"
+#include "scaling/structures/distortion.hpp"
 #include "scaling/uncertain.hpp"
-#include "scaling/uncertain_similitude.hpp"
+#include "scaling/uncertainty/monte_carlo.hpp"
+#include "scaling/uncertainty/uncertain_similitude.hpp"
 
 namespace musim::cli {
 

@@ -7,8 +7,8 @@
 #include <iterator>
 #include <utility>
 
-#include "lsdem/study/figure.hpp"
-#include "records/csv_cell.hpp"
+#include "lsdem/plot/figure.hpp"
+#include "records/formats/csv_cell.hpp"
 
 namespace musim::lsdem::report {
 namespace {

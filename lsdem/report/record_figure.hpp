@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
+#include "lsdem/plot/figure.hpp"
 #include "lsdem/report/report_figure.hpp"
-#include "lsdem/study/figure.hpp"
 #include "records/ground_motion.hpp"
-#include "records/record_curves.hpp"
-#include "scaling/model_scales.hpp"
+#include "records/measures/record_curves.hpp"
+#include "scaling/laws/model_scales.hpp"
 
 namespace musim::lsdem::report {
 

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 
+#include "lsdem/plot/figure.hpp"
 #include "lsdem/report/json_parts.hpp"
 #include "lsdem/report/record_figure.hpp"
 #include "lsdem/scene/scene_json.hpp"
-#include "lsdem/study/figure.hpp"
-#include "records/scale_record.hpp"
+#include "records/processing/scale_record.hpp"
 
 namespace musim::lsdem::report {
 namespace {

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "lsdem/response/response.hpp"
+#include "lsdem/run/specimen_file.hpp"
 #include "lsdem/study/compare_ensembles.hpp"
-#include "lsdem/study/response.hpp"
-#include "lsdem/study/specimen_file.hpp"
 #include "records/ground_motion.hpp"
 
 namespace musim::lsdem::report {

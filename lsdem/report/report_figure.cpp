@@ -7,7 +7,7 @@
 #include <iterator>
 #include <optional>
 
-#include "records/csv_cell.hpp"
+#include "records/formats/csv_cell.hpp"
 
 namespace musim::lsdem::report {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <string>
 
+#include "lsdem/plot/line_plot.hpp"
+#include "lsdem/plot/plot.hpp"
 #include "lsdem/report/html.hpp"
-#include "lsdem/study/line_plot.hpp"
-#include "lsdem/study/plot.hpp"
 
 namespace musim::lsdem::report {
 

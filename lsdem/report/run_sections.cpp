@@ -10,7 +10,7 @@
 #include "lsdem/report/document_sections.hpp"
 #include "lsdem/report/json_parts.hpp"
 #include "lsdem/report/run_plots.hpp"
-#include "lsdem/study/fallen_blocks.hpp"
+#include "lsdem/results/fallen_blocks.hpp"
 #include "scaling/angle.hpp"
 
 namespace musim::lsdem::report {

@@ -7,11 +7,11 @@
 #include <numbers>
 
 #include "lsdem/scene/scene_error.hpp"
-#include "records/base_motion.hpp"
-#include "records/intensity.hpp"
-#include "records/read_record.hpp"
-#include "records/ricker.hpp"
-#include "records/synthetic.hpp"
+#include "records/formats/read_record.hpp"
+#include "records/measures/intensity.hpp"
+#include "records/processing/base_motion.hpp"
+#include "records/synthesis/ricker.hpp"
+#include "records/synthesis/synthetic.hpp"
 
 namespace musim::lsdem::scene {
 

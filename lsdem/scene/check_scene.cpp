@@ -7,9 +7,9 @@
 #include "lsdem/scene/detail/json_text.hpp"
 #include "lsdem/scene/scene.hpp"
 #include "lsdem/scene/scene_error.hpp"
-#include "scaling/law_similitude.hpp"
+#include "scaling/laws/law_similitude.hpp"
+#include "scaling/laws/scale_law_catalogue.hpp"
 #include "scaling/quantity_text.hpp"
-#include "scaling/scale_law_catalogue.hpp"
 
 namespace musim::lsdem::scene {
 

@@ -5,8 +5,8 @@
 #include "lsdem/scene/detail/json_text.hpp"
 #include "lsdem/scene/detail/parse_material.hpp"
 #include "lsdem/scene/scene_json.hpp"
+#include "scaling/laws/scale_law_catalogue.hpp"
 #include "scaling/nearest_name.hpp"
-#include "scaling/scale_law_catalogue.hpp"
 
 namespace musim::lsdem::scene {
 

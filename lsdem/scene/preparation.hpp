@@ -22,7 +22,7 @@ struct Preparation {
     bool none = false;               ///< nothing: weight begins to act when the motion does, "preparation": "none"
     std::optional<Placing> placing;  ///< default: quick_layers when blocks differ in height, else as drawn
     std::optional<scaling::Frequency>
-        damping_rate;  ///< α of v' = −α v; default: half of the blocks' frequency parameter, see lsdem/study/settle.hpp
+        damping_rate;  ///< α of v' = −α v; default: half of the blocks' frequency parameter, see lsdem/run/settle.hpp
     std::optional<std::filesystem::path> specimen;  ///< absolute path of a prepared specimen, instead of placing
 
     bool operator==(const Preparation&) const = default;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "lsdem/scene/scene.hpp"
-#include "scaling/similitude.hpp"
+#include "scaling/laws/similitude.hpp"
 
 namespace musim::lsdem::scene {
 

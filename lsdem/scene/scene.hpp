@@ -16,7 +16,7 @@
 #include "lsdem/scene/preparation.hpp"
 #include "lsdem/scene/tower_tiling.hpp"
 #include "records/sample_unit.hpp"
-#include "scaling/similitude.hpp"
+#include "scaling/laws/similitude.hpp"
 #include "scaling/units.hpp"
 
 /// Scenes: what to simulate, in typed quantities; from and to JSON, scaled by a similitude, turned into the kernel's Model.

@@ -7,10 +7,10 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
-#include "lsdem/study/detail/hdf5_reader.hpp"
-#include "lsdem/study/folder_contents.hpp"
-#include "lsdem/study/response.hpp"
-#include "lsdem/study/result_error.hpp"
+#include "lsdem/response/response.hpp"
+#include "lsdem/results/folder_contents.hpp"
+#include "lsdem/results/hdf5_reader.hpp"
+#include "lsdem/results/result_error.hpp"
 #include "lsdem/study/spine_plot.hpp"
 #include "scaling/error.hpp"
 #include "scaling/json_text.hpp"

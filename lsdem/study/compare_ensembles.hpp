@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "lsdem/plot/plot.hpp"
 #include "lsdem/study/ensemble_bands.hpp"
-#include "lsdem/study/plot.hpp"
 
 namespace musim::lsdem::study {
 

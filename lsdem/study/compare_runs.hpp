@@ -2,8 +2,8 @@
 
 #include <optional>
 
-#include "lsdem/study/history.hpp"
-#include "scaling/similitude.hpp"
+#include "lsdem/results/history.hpp"
+#include "scaling/laws/similitude.hpp"
 
 namespace musim::lsdem::study {
 

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "lsdem/study/result_error.hpp"
+#include "lsdem/results/result_error.hpp"
 #include "lsdem/study/sample_moments.hpp"
 #include "scaling/angle.hpp"
 #include "scaling/regular_file.hpp"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "lsdem/study/prepare.hpp"
+#include "lsdem/run/prepare.hpp"
 #include "lsdem/study/two_samples.hpp"
 
 namespace musim::lsdem::study {

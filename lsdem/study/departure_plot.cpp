@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "lsdem/study/response.hpp"
+#include "lsdem/response/response.hpp"
 #include "lsdem/study/spine_plot.hpp"
 
 namespace musim::lsdem::study {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "lsdem/study/line_plot.hpp"
+#include "lsdem/plot/line_plot.hpp"
 #include "lsdem/study/pair.hpp"
 
 namespace musim::lsdem::study {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <exception>
 
-#include "lsdem/study/read_results.hpp"
+#include "lsdem/results/read_results.hpp"
 
 namespace musim::lsdem::study {
 namespace {

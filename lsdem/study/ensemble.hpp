@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "lsdem/response/response.hpp"
 #include "lsdem/study/ensemble_bands.hpp"
 #include "lsdem/study/ensemble_members.hpp"
-#include "lsdem/study/response.hpp"
 #include "lsdem/study/run_members.hpp"
 #include "lsdem/study/sample_moments.hpp"
 

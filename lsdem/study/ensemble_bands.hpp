@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "lsdem/study/history.hpp"
+#include "lsdem/results/history.hpp"
 #include "lsdem/study/sample_moments.hpp"
 
 namespace musim::lsdem::study {

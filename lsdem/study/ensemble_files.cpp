@@ -6,7 +6,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "lsdem/study/detail/hdf5_file.hpp"
+#include "lsdem/results/hdf5_file.hpp"
 #include "lsdem/study/spine_plot.hpp"
 #include "scaling/angle.hpp"
 #include "scaling/json_optional.hpp"

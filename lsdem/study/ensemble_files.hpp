@@ -3,9 +3,9 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
+#include "lsdem/plot/plot.hpp"
+#include "lsdem/results/write_results.hpp"
 #include "lsdem/study/ensemble.hpp"
-#include "lsdem/study/plot.hpp"
-#include "lsdem/study/write_results.hpp"
 
 namespace musim::lsdem::study {
 

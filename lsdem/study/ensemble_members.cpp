@@ -6,14 +6,14 @@
 #include <utility>
 #include <variant>
 
+#include "lsdem/results/checkpoint.hpp"
+#include "lsdem/results/content_name.hpp"
+#include "lsdem/results/folder_contents.hpp"
+#include "lsdem/results/scene_files.hpp"
+#include "lsdem/run/specimen_batch.hpp"
 #include "lsdem/scene/motions.hpp"
 #include "lsdem/scene/scene_error.hpp"
 #include "lsdem/scene/scene_json.hpp"
-#include "lsdem/study/checkpoint.hpp"
-#include "lsdem/study/detail/content_name.hpp"
-#include "lsdem/study/folder_contents.hpp"
-#include "lsdem/study/scene_files.hpp"
-#include "lsdem/study/specimen_batch.hpp"
 
 namespace musim::lsdem::study {
 namespace {

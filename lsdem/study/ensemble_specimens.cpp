@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "lsdem/study/result_error.hpp"
+#include "lsdem/results/result_error.hpp"
 
 namespace musim::lsdem::study {
 namespace {

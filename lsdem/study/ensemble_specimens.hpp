@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "lsdem/run/specimen_batch.hpp"
 #include "lsdem/study/ensemble_members.hpp"
-#include "lsdem/study/specimen_batch.hpp"
 
 /// Specimens that the members of an ensemble share with other ensembles: the same blocks under another motion need not be laid again.
 namespace musim::lsdem::study {

@@ -6,9 +6,9 @@
 #include <functional>
 #include <iterator>
 
-#include "lsdem/study/detail/shared_progress.hpp"
+#include "lsdem/run/shared_progress.hpp"
+#include "lsdem/run/specimen_batch.hpp"
 #include "lsdem/study/pair_text.hpp"
-#include "lsdem/study/specimen_batch.hpp"
 #include "scaling/side_by_side.hpp"
 
 namespace musim::lsdem::study {

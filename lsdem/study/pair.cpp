@@ -6,9 +6,9 @@
 #include <functional>
 #include <utility>
 
-#include "lsdem/study/detail/shared_progress.hpp"
+#include "lsdem/run/shared_progress.hpp"
 #include "lsdem/study/twin_specimen.hpp"
-#include "scaling/law_similitude.hpp"
+#include "scaling/laws/law_similitude.hpp"
 #include "scaling/random_bits.hpp"
 #include "scaling/side_by_side.hpp"
 

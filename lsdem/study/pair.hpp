@@ -7,13 +7,13 @@
 #include <string>
 #include <vector>
 
+#include "lsdem/run/simulate.hpp"
 #include "lsdem/study/compare_runs.hpp"
 #include "lsdem/study/pair_member.hpp"
-#include "lsdem/study/simulate.hpp"
 #include "lsdem/study/twin_growth.hpp"
 #include "lsdem/study/yardstick.hpp"
-#include "scaling/distortion.hpp"
-#include "scaling/similitude.hpp"
+#include "scaling/laws/similitude.hpp"
+#include "scaling/structures/distortion.hpp"
 
 namespace musim::lsdem::study {
 

@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "lsdem/study/lay_specimen.hpp"
-#include "lsdem/study/scale_specimen.hpp"
+#include "lsdem/run/lay_specimen.hpp"
+#include "lsdem/run/scale_specimen.hpp"
 
 namespace musim::lsdem::study {
 namespace {

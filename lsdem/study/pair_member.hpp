@@ -4,12 +4,12 @@
 #include <string>
 #include <vector>
 
+#include "lsdem/run/run.hpp"
+#include "lsdem/run/simulate.hpp"
+#include "lsdem/run/staged_run.hpp"
 #include "lsdem/scene/scene.hpp"
-#include "lsdem/study/run.hpp"
-#include "lsdem/study/simulate.hpp"
-#include "lsdem/study/staged_run.hpp"
-#include "scaling/distortion.hpp"
-#include "scaling/similitude.hpp"
+#include "scaling/laws/similitude.hpp"
+#include "scaling/structures/distortion.hpp"
 
 namespace musim::lsdem::study {
 

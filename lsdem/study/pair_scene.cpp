@@ -11,19 +11,19 @@
 #include <utility>
 
 #include "lsdem/build.hpp"
+#include "lsdem/results/content_name.hpp"
+#include "lsdem/run/lay_specimen.hpp"
+#include "lsdem/run/run.hpp"
+#include "lsdem/run/scale_specimen.hpp"
 #include "lsdem/scene/block_heights.hpp"
 #include "lsdem/scene/measured_material.hpp"
 #include "lsdem/scene/motions.hpp"
 #include "lsdem/scene/scale_scene.hpp"
 #include "lsdem/scene/scene_error.hpp"
-#include "lsdem/study/detail/content_name.hpp"
 #include "lsdem/study/ensemble_members.hpp"
-#include "lsdem/study/lay_specimen.hpp"
 #include "lsdem/study/own_models.hpp"
-#include "lsdem/study/run.hpp"
-#include "lsdem/study/scale_specimen.hpp"
 #include "lsdem/study/twin_files.hpp"
-#include "scaling/law_similitude.hpp"
+#include "scaling/laws/law_similitude.hpp"
 
 namespace musim::lsdem::study {
 namespace {

@@ -7,10 +7,10 @@
 #include <optional>
 #include <string>
 
+#include "lsdem/results/summary.hpp"
 #include "lsdem/study/departure_plot.hpp"
 #include "lsdem/study/own_models.hpp"
 #include "lsdem/study/pair_text.hpp"
-#include "lsdem/study/summary.hpp"
 #include "scaling/json_optional.hpp"
 
 namespace musim::lsdem::study {

@@ -3,11 +3,11 @@
 #include <exception>
 #include <mutex>
 
-#include "lsdem/study/detail/shared_progress.hpp"
-#include "lsdem/study/joined_progress.hpp"
-#include "lsdem/study/live_file.hpp"
-#include "lsdem/study/run.hpp"
-#include "lsdem/study/write_results.hpp"
+#include "lsdem/results/write_results.hpp"
+#include "lsdem/run/joined_progress.hpp"
+#include "lsdem/run/live_file.hpp"
+#include "lsdem/run/run.hpp"
+#include "lsdem/run/shared_progress.hpp"
 #include "scaling/interruption.hpp"
 #include "scaling/side_by_side.hpp"
 

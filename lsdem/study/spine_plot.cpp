@@ -8,8 +8,8 @@
 #include <limits>
 
 #include "lsdem/block_height.hpp"
+#include "lsdem/response/response.hpp"
 #include "lsdem/study/departure_plot.hpp"
-#include "lsdem/study/response.hpp"
 
 namespace musim::lsdem::study {
 namespace {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "lsdem/plot/plot.hpp"
 #include "lsdem/study/pair.hpp"
-#include "lsdem/study/plot.hpp"
 
 namespace musim::lsdem::study {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "lsdem/study/checked_json.hpp"
-#include "lsdem/study/result_error.hpp"
+#include "lsdem/results/checked_json.hpp"
+#include "lsdem/results/result_error.hpp"
 #include "records/atomic_file.hpp"
 
 namespace musim::lsdem::study {

@@ -12,10 +12,10 @@
 #include <utility>
 
 #include "lsdem/archive.hpp"
-#include "lsdem/study/checked_json.hpp"
-#include "lsdem/study/result_error.hpp"
+#include "lsdem/results/checked_json.hpp"
+#include "lsdem/results/result_error.hpp"
 #include "records/atomic_file.hpp"
-#include "records/csv_cell.hpp"
+#include "records/formats/csv_cell.hpp"
 #include "scaling/json_optional.hpp"
 #include "scaling/regular_file.hpp"
 

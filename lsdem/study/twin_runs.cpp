@@ -11,20 +11,20 @@
 #include <utility>
 
 #include "lsdem/build.hpp"
+#include "lsdem/results/content_name.hpp"
+#include "lsdem/run/advance_in_pieces.hpp"
+#include "lsdem/run/lay_specimen.hpp"
+#include "lsdem/run/run.hpp"
+#include "lsdem/run/shared_progress.hpp"
 #include "lsdem/scene/motions.hpp"
 #include "lsdem/scene/scene_error.hpp"
 #include "lsdem/scene/scene_json.hpp"
-#include "lsdem/study/detail/advance_in_pieces.hpp"
-#include "lsdem/study/detail/content_name.hpp"
-#include "lsdem/study/detail/shared_progress.hpp"
 #include "lsdem/study/detail/velocity_tape.hpp"
 #include "lsdem/study/ensemble_members.hpp"
-#include "lsdem/study/lay_specimen.hpp"
-#include "lsdem/study/run.hpp"
 #include "lsdem/study/twin_files.hpp"
 #include "lsdem/study/twin_specimen.hpp"
 #include "scaling/interruption.hpp"
-#include "scaling/law_similitude.hpp"
+#include "scaling/laws/law_similitude.hpp"
 #include "scaling/side_by_side.hpp"
 
 namespace musim::lsdem::study {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "lsdem/run/simulate.hpp"
 #include "lsdem/scene/scene.hpp"
-#include "lsdem/study/simulate.hpp"
 #include "lsdem/study/twin_growth.hpp"
 
 namespace musim::lsdem::study {

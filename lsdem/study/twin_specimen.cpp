@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "lsdem/block_height.hpp"
-#include "lsdem/study/scale_specimen.hpp"
-#include "scaling/law_similitude.hpp"
+#include "lsdem/run/scale_specimen.hpp"
+#include "scaling/laws/law_similitude.hpp"
 #include "scaling/random_bits.hpp"
 
 namespace musim::lsdem::study {

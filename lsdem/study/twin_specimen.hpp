@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lsdem/study/simulate.hpp"
+#include "lsdem/run/simulate.hpp"
 #include "lsdem/study/twin_growth.hpp"
 
 namespace musim::lsdem::study {

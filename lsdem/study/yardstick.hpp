@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "lsdem/study/run_quantities.hpp"
+#include "lsdem/results/run_quantities.hpp"
 
 /// When exact models agree with their prototype. The measure are twins: runs of the same structure that differ by rounding only. See
 /// lsdem/study/README.md, "When models agree". Everything here is in the prototype's units.

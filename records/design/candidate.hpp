@@ -6,8 +6,8 @@
 
 #include "records/design/models.hpp"
 #include "records/design/uses.hpp"
-#include "scaling/distortion.hpp"
-#include "scaling/length_range.hpp"
+#include "scaling/laws/length_range.hpp"
+#include "scaling/structures/distortion.hpp"
 
 /// What is possible in one material by one law.
 namespace musim::design {

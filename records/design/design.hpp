@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "records/design/design_law.hpp"
-#include "records/shake_table.hpp"
-#include "records/table_check.hpp"
-#include "scaling/similitude.hpp"
+#include "records/shake_table/shake_table.hpp"
+#include "records/shake_table/table_check.hpp"
+#include "scaling/laws/similitude.hpp"
 
 /// Inverse design: from a prototype, a shake table and what a workshop can make to the length scales, materials and laws that will do.
 namespace musim::design {

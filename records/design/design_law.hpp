@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "scaling/scale_law.hpp"
+#include "scaling/laws/scale_law.hpp"
 
 namespace musim::design {
 

@@ -6,12 +6,12 @@
 #include <cmath>
 
 #include "records/error.hpp"
-#include "records/intensity.hpp"
-#include "records/measures.hpp"
-#include "records/own_spectrum.hpp"
-#include "records/strongest_component.hpp"
-#include "records/table_axes.hpp"
-#include "records/table_check.hpp"
+#include "records/measures/intensity.hpp"
+#include "records/measures/measures.hpp"
+#include "records/measures/own_spectrum.hpp"
+#include "records/measures/strongest_component.hpp"
+#include "records/shake_table/table_axes.hpp"
+#include "records/shake_table/table_check.hpp"
 
 namespace musim::design {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "records/design/design_law.hpp"
 #include "records/ground_motion.hpp"
-#include "records/shake_table.hpp"
-#include "scaling/structure_facts.hpp"
+#include "records/shake_table/shake_table.hpp"
+#include "scaling/structures/structure_facts.hpp"
 
 /// What a laboratory knows of a prototype and the model it has built.
 namespace musim::design {

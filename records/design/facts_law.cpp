@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "records/design/known_factors.hpp"
-#include "scaling/distortion.hpp"
-#include "scaling/law_similitude.hpp"
-#include "scaling/structural_speed.hpp"
+#include "scaling/laws/law_similitude.hpp"
+#include "scaling/structures/distortion.hpp"
+#include "scaling/structures/structural_speed.hpp"
 
 namespace musim::design {
 namespace {

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "records/design/design_law.hpp"
-#include "scaling/law_formulas.hpp"
-#include "scaling/similitude.hpp"
-#include "scaling/structure_facts.hpp"
+#include "scaling/laws/law_formulas.hpp"
+#include "scaling/laws/similitude.hpp"
+#include "scaling/structures/structure_facts.hpp"
 
 namespace musim::design {
 

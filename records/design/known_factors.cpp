@@ -1,6 +1,6 @@
 #include "records/design/known_factors.hpp"
 
-#include "scaling/model_scales.hpp"
+#include "scaling/laws/model_scales.hpp"
 
 namespace musim::design {
 

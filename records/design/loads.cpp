@@ -2,7 +2,7 @@
 
 #include "records/design/design.hpp"
 #include "records/error.hpp"
-#include "records/table_axes.hpp"
+#include "records/shake_table/table_axes.hpp"
 
 namespace musim::design {
 namespace {

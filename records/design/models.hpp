@@ -5,8 +5,8 @@
 
 #include "records/design/design.hpp"
 #include "records/design/known_factors.hpp"
-#include "scaling/distortion.hpp"
-#include "scaling/law_formulas.hpp"
+#include "scaling/laws/law_formulas.hpp"
+#include "scaling/structures/distortion.hpp"
 
 namespace musim::design {
 

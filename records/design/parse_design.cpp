@@ -11,7 +11,7 @@
 #include "records/design/detail/material_fields.hpp"
 #include "records/design/models.hpp"
 #include "records/error.hpp"
-#include "scaling/scale_law_catalogue.hpp"
+#include "scaling/laws/scale_law_catalogue.hpp"
 
 namespace musim::design {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "records/design/design.hpp"
-#include "scaling/uncertain_reading.hpp"
+#include "scaling/uncertainty/uncertain_reading.hpp"
 
 namespace musim::design {
 

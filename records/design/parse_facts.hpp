@@ -6,7 +6,7 @@
 
 #include "records/design/design.hpp"
 #include "records/design/facts.hpp"
-#include "scaling/uncertain_reading.hpp"
+#include "scaling/uncertainty/uncertain_reading.hpp"
 
 namespace musim::design {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "records/design/candidate.hpp"
-#include "scaling/monte_carlo.hpp"
+#include "scaling/uncertainty/monte_carlo.hpp"
 
 /// What uncertain values of a design do to its answer, by samples of them.
 namespace musim::design {

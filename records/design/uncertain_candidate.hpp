@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "records/design/candidate.hpp"
-#include "scaling/propagate.hpp"
+#include "scaling/uncertainty/propagate.hpp"
 
 /// What uncertain values of a design do to its answer, to first order.
 namespace musim::design {

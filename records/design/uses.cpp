@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "records/table_axes.hpp"
-#include "scaling/groups.hpp"
+#include "records/shake_table/table_axes.hpp"
+#include "scaling/laws/groups.hpp"
 #include "scaling/quantity_text.hpp"
 
 namespace musim::design {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "records/design/design.hpp"
-#include "scaling/model_scales.hpp"
+#include "scaling/laws/model_scales.hpp"
 
 /// How far a model uses each limit of a design.
 namespace musim::design {

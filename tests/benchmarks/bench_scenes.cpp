@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "lsdem/run/equilibrium.hpp"
 #include "lsdem/scene/build_model.hpp"
 #include "lsdem/scene/material_presets.hpp"
-#include "lsdem/study/equilibrium.hpp"
 #include "lsdem/time_step.hpp"
 
 namespace musim::benchmarks {

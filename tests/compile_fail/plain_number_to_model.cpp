@@ -1,6 +1,6 @@
 // g++: no matching function for call to .*to_model.double..*constraints not satisfied.*QuantityWithUnit
 // clang: no matching member function for call to 'to_model'.*'double' does not satisfy 'QuantityWithUnit'
-#include "scaling/similitude.hpp"
+#include "scaling/laws/similitude.hpp"
 
 using namespace musim::scaling;
 

@@ -2,7 +2,7 @@
 // clang: static_assert failed.*similitude is mechanical: only length, mass and time
 #include <boost/units/systems/si/temperature.hpp>
 
-#include "scaling/similitude.hpp"
+#include "scaling/laws/similitude.hpp"
 
 using namespace musim::scaling;
 

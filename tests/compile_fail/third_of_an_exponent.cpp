@@ -2,7 +2,7 @@
 // clang: static_assert failed.*similitude handles whole and half-integer exponents only
 #include <boost/units/pow.hpp>
 
-#include "scaling/similitude.hpp"
+#include "scaling/laws/similitude.hpp"
 
 using namespace musim::scaling;
 

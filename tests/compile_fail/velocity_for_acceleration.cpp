@@ -1,6 +1,6 @@
 // g++: no matching function for call to .sliding_demand.musim::scaling::Velocity.*constraints not satisfied.*IsAcceleration
 // clang: no matching function for call to 'sliding_demand'.*does not satisfy 'IsAcceleration'
-#include "scaling/groups.hpp"
+#include "scaling/laws/groups.hpp"
 
 using namespace musim::scaling;
 

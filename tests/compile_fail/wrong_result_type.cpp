@@ -1,6 +1,6 @@
 // g++: error: could not convert .*to_model.*static_rational<-2>.* to .*static_rational<-1>
 // clang: error: no viable conversion from returned value of type .*static_rational<-2.*to function return type .*static_rational<-1
-#include "scaling/similitude.hpp"
+#include "scaling/laws/similitude.hpp"
 
 using namespace musim::scaling;
 

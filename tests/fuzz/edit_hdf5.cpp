@@ -7,8 +7,8 @@
 #include <cstring>
 #include <string>
 
-#include "lsdem/study/detail/file_checksum.hpp"
-#include "lsdem/study/detail/hdf5_file.hpp"
+#include "lsdem/results/file_checksum.hpp"
+#include "lsdem/results/hdf5_file.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace musim::tests {

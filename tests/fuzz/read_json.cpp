@@ -7,10 +7,10 @@
 #include "lsdem/scene/scene_json.hpp"
 #include "records/design/parse_design.hpp"
 #include "records/design/parse_facts.hpp"
-#include "records/recipe.hpp"
-#include "records/shake_table.hpp"
-#include "scaling/pi_problem.hpp"
-#include "scaling/scale_law_json.hpp"
+#include "records/processing/recipe.hpp"
+#include "records/shake_table/shake_table.hpp"
+#include "scaling/laws/scale_law_json.hpp"
+#include "scaling/pi/pi_problem.hpp"
 #include "tests/fuzz/choose_reader.hpp"
 
 /// Any bytes are a scene, a law, a design or what else MUSIM_READER names, or a std::runtime_error of one short line. A scene that is

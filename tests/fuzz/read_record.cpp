@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "records/detail/parsers.hpp"
+#include "records/formats/detail/parsers.hpp"
 #include "tests/fuzz/choose_reader.hpp"
 
 /// Any bytes are a record or a ReadError of one line, whatever the options. MUSIM_READER names the reader that gets them, without asking

@@ -5,11 +5,11 @@
 #include <limits>
 #include <numbers>
 
-#include "records/intensity.hpp"
-#include "records/processing.hpp"
-#include "records/ricker.hpp"
-#include "records/sine_sweep.hpp"
-#include "records/velocity_pulse.hpp"
+#include "records/measures/intensity.hpp"
+#include "records/processing/processing.hpp"
+#include "records/synthesis/ricker.hpp"
+#include "records/synthesis/sine_sweep.hpp"
+#include "records/synthesis/velocity_pulse.hpp"
 
 namespace musim::records {
 namespace {

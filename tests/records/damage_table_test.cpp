@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "records/read_record.hpp"
+#include "records/formats/read_record.hpp"
 #include "tests/records/refusal.hpp"
 #include "tests/support/shared_records.hpp"
 #include "tests/support/temporary_folder.hpp"

@@ -7,12 +7,12 @@
 #include <random>
 #include <string>
 
-#include "records/base_motion.hpp"
-#include "records/detail/parsers.hpp"
-#include "records/read_csmip.hpp"
-#include "records/read_record.hpp"
-#include "records/synthetic.hpp"
-#include "records/write_record.hpp"
+#include "records/formats/detail/parsers.hpp"
+#include "records/formats/read_csmip.hpp"
+#include "records/formats/read_record.hpp"
+#include "records/formats/write_record.hpp"
+#include "records/processing/base_motion.hpp"
+#include "records/synthesis/synthetic.hpp"
 #include "tests/support/shared_records.hpp"
 #include "tests/support/temporary_folder.hpp"
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "records/read_record.hpp"
+#include "records/formats/read_record.hpp"
 #include "tests/records/published_extremes.hpp"
 #include "tests/records/published_peaks.hpp"
 #include "tests/support/relative.hpp"

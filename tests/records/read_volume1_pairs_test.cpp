@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "records/read_record.hpp"
+#include "records/formats/read_record.hpp"
 #include "tests/records/refusal.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/shared_records.hpp"

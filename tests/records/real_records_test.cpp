@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "records/base_motion.hpp"
-#include "records/intensity.hpp"
-#include "records/read_record.hpp"
+#include "records/formats/read_record.hpp"
+#include "records/measures/intensity.hpp"
+#include "records/processing/base_motion.hpp"
 #include "tests/records/published_peaks.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/shared_records.hpp"

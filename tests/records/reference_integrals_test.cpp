@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "records/processing.hpp"
-#include "records/read_record.hpp"
+#include "records/formats/read_record.hpp"
+#include "records/processing/processing.hpp"
 #include "tests/records/reference_table.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/shared_records.hpp"

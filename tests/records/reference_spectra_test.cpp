@@ -7,12 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "records/intensity.hpp"
-#include "records/measures.hpp"
-#include "records/processing.hpp"
-#include "records/read_record.hpp"
-#include "records/response_spectrum.hpp"
-#include "records/rotated_peaks.hpp"
+#include "records/formats/read_record.hpp"
+#include "records/measures/intensity.hpp"
+#include "records/measures/measures.hpp"
+#include "records/measures/response_spectrum.hpp"
+#include "records/measures/rotated_peaks.hpp"
+#include "records/processing/processing.hpp"
 #include "tests/records/reference_table.hpp"
 #include "tests/records/sampled_spectrum.hpp"
 #include "tests/support/relative.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "records/read_record.hpp"
+#include "records/formats/read_record.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace musim::tests {

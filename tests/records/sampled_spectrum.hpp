@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "records/detail/oscillator.hpp"
-#include "records/response_spectrum.hpp"
-#include "records/rotated_peaks.hpp"
+#include "records/measures/oscillator.hpp"
+#include "records/measures/response_spectrum.hpp"
+#include "records/measures/rotated_peaks.hpp"
 
 /// Spectra whose peaks are taken at the samples alone, as many programs do: what their tables are compared with.
 namespace musim::tests {

@@ -6,6 +6,7 @@
 #include <pugixml.hpp>
 
 #include "lsdem/report/run_plots.hpp"
+#include "scaling/laws/law_similitude.hpp"
 #include "tests/report/made_stored_run.hpp"
 
 using namespace musim::lsdem;

@@ -14,17 +14,17 @@
 #include <vector>
 
 #include "lsdem/report/record_sections.hpp"
+#include "lsdem/results/checked_json.hpp"
+#include "lsdem/results/file_checksum.hpp"
+#include "lsdem/results/write_results.hpp"
+#include "lsdem/run/run.hpp"
+#include "lsdem/run/specimen_batch.hpp"
 #include "lsdem/scene/scale_scene.hpp"
 #include "lsdem/scene/scene_json.hpp"
-#include "lsdem/study/checked_json.hpp"
-#include "lsdem/study/detail/file_checksum.hpp"
 #include "lsdem/study/ensemble_files.hpp"
-#include "lsdem/study/run.hpp"
 #include "lsdem/study/run_members.hpp"
-#include "lsdem/study/specimen_batch.hpp"
-#include "lsdem/study/write_results.hpp"
-#include "records/read_record.hpp"
-#include "scaling/law_similitude.hpp"
+#include "records/formats/read_record.hpp"
+#include "scaling/laws/law_similitude.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 using namespace musim::lsdem;

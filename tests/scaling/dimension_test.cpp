@@ -5,7 +5,7 @@
 #include <boost/units/pow.hpp>
 #include <cmath>
 
-#include "scaling/law_similitude.hpp"
+#include "scaling/laws/law_similitude.hpp"
 #include "scaling/units.hpp"
 #include "tests/scaling/expected.hpp"
 

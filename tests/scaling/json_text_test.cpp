@@ -5,8 +5,8 @@
 #include <string>
 
 #include "scaling/error.hpp"
-#include "scaling/pi_problem.hpp"
-#include "scaling/scale_law_json.hpp"
+#include "scaling/laws/scale_law_json.hpp"
+#include "scaling/pi/pi_problem.hpp"
 #include "scaling/shorten.hpp"
 #include "tests/support/temporary_folder.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "scaling/structure_facts.hpp"
+#include "scaling/structures/structure_facts.hpp"
 
 /// The papers' tower and its models: measured blocks and face stiffnesses of [Harmon23] and what follows (shared similitude.md).
 namespace musim::scaling::tests {

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "scaling/pi_groups.hpp"
-#include "scaling/pi_text.hpp"
+#include "scaling/pi/pi_groups.hpp"
+#include "scaling/pi/pi_text.hpp"
 
 namespace musim::scaling::tests {
 

@@ -6,8 +6,8 @@
 #include <set>
 
 #include "scaling/detail/integer_matrix.hpp"
-#include "scaling/pi_express.hpp"
-#include "scaling/pi_remarks.hpp"
+#include "scaling/pi/pi_express.hpp"
+#include "scaling/pi/pi_remarks.hpp"
 #include "tests/scaling/pi_problems.hpp"
 #include "tests/scaling/random_problem.hpp"
 

@@ -5,9 +5,9 @@
 #include <numbers>
 
 #include "scaling/detail/portable_math.hpp"
-#include "scaling/distribution.hpp"
-#include "scaling/normal_quantile.hpp"
 #include "scaling/random_bits.hpp"
+#include "scaling/uncertainty/distribution.hpp"
+#include "scaling/uncertainty/normal_quantile.hpp"
 #include "tests/scaling/expected.hpp"
 #include "tests/support/relative.hpp"
 

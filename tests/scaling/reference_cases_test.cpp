@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "scaling/groups.hpp"
-#include "scaling/law_similitude.hpp"
+#include "scaling/laws/groups.hpp"
+#include "scaling/laws/law_similitude.hpp"
 #include "tests/scaling/expected.hpp"
 
 // The tower of [Andrade22] and [Harmon23]: concrete prototype (mu 0.59, 2320 kg/m3, 38 x 4.25 m), wood and aluminium at 1:107, concrete

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "scaling/groups.hpp"
-#include "scaling/law_similitude.hpp"
+#include "scaling/laws/groups.hpp"
+#include "scaling/laws/law_similitude.hpp"
 #include "tests/scaling/expected.hpp"
 
 // The mu law with heights by λ_V and horizontal sizes by U λ_V (shared similitude.md, 5.2): tan α, horizontal displacement and acceleration

@@ -10,7 +10,7 @@
 #include "lsdem/block_height.hpp"
 #include "lsdem/scene/build_model.hpp"
 #include "lsdem/scene/scale_scene.hpp"
-#include "scaling/law_similitude.hpp"
+#include "scaling/laws/law_similitude.hpp"
 #include "tests/scene/made_scene.hpp"
 
 using namespace musim;

@@ -82,20 +82,39 @@ TEST_CASE("every block of a tower rests on exactly two blocks below, with joints
 TEST_CASE("the spine of a tower is one vertical line on the outer face, every second layer") {
     const BuiltModel built = build_model(parse_scene(make_scene_text(kTower)));
     const Spine& spine = built.structure.spine;
-    CHECK(spine.level == std::vector<int>{1, 3});
+    CHECK(spine.level == std::vector<int>{1, 3, 4});
+    CHECK(spine.line() == 2);
+    CHECK(spine.has_top);
     const Vector3 low = built.model.blocks[spine.block[0]].position;
     const Vector3 high = built.model.blocks[spine.block[1]].position;
     CHECK(built.structure.layer[spine.block[1]] == 3);
     CHECK(low.head<2>() == high.head<2>());
     for (std::size_t k = 0; k < 14; ++k) CHECK(built.model.blocks[k].position.x() <= low.x());
+
+    // where the top layer is even, its block nearest above the line comes last
+    const auto apart = [&](std::size_t b) { return (built.model.blocks[b].position - high).head<2>().norm(); };
+    CHECK(built.structure.layer[spine.block[2]] == 4);
+    for (std::size_t b = 0; b < built.model.blocks.size(); ++b) {
+        if (built.structure.layer[b] == 4) CHECK(apart(b) >= apart(spine.block[2]) * (1.0 - 1e-12));
+    }
+}
+
+TEST_CASE("an odd number of layers needs no other top than the spine's line") {
+    for (const char* const structure : {R"({"kind": "column", "layers": 5, "block": ["1 m", "2 m", "3 m"]})",
+                                        R"({"kind": "wall", "layers": 5, "blocks_per_layer": 3, "block": ["1 m", "2 m", "3 m"]})"}) {
+        const BuiltModel built = build_model(parse_scene(make_scene_text(structure)));
+        CHECK_FALSE(built.structure.spine.has_top);
+        CHECK(built.structure.spine.level == std::vector<int>{1, 3, 5});
+    }
 }
 
 TEST_CASE("the full tower has 7144 blocks on a pitch of 1.435 m") {
     const std::string text = R"({"kind": "tower", "block": ["1.36 m", "2.82 m", "4.25 m"]})";
     const BuiltModel built = build_model(parse_scene(make_scene_text(text)));
     CHECK(built.model.blocks.size() == 7144);
-    CHECK(built.structure.spine.level.size() == 19);
-    CHECK(built.structure.spine.level.back() == 37);
+    CHECK(built.structure.spine.line() == 19);
+    CHECK(built.structure.spine.level[18] == 37);
+    CHECK(built.structure.spine.level.back() == 38);
     double radius = 0.0;
     for (const Block& block : built.model.blocks) radius = std::max(radius, block.position.head<2>().norm());
     // block centres lie within the outer radius of the cells

@@ -6,7 +6,7 @@
 
 #include "lsdem/scene/base_components.hpp"
 #include "lsdem/scene/build_model.hpp"
-#include "scaling/law_similitude.hpp"
+#include "scaling/laws/law_similitude.hpp"
 #include "tests/scene/made_scene.hpp"
 
 using namespace musim;

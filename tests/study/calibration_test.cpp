@@ -5,10 +5,10 @@
 #include <stdexcept>
 #include <string>
 
-#include "lsdem/study/calibration_files.hpp"
-#include "lsdem/study/rocking_impact.hpp"
-#include "lsdem/study/tilt_test.hpp"
-#include "lsdem/study/wave_speed.hpp"
+#include "lsdem/calibration/calibration_files.hpp"
+#include "lsdem/calibration/rocking_impact.hpp"
+#include "lsdem/calibration/tilt_test.hpp"
+#include "lsdem/calibration/wave_speed.hpp"
 
 using namespace musim::lsdem;
 using namespace musim::lsdem::study;

@@ -6,7 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "scaling/law_similitude.hpp"
+#include "scaling/laws/law_similitude.hpp"
 #include "tests/study/made_run.hpp"
 
 using namespace musim::lsdem;

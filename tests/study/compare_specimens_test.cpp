@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "lsdem/study/read_results.hpp"
+#include "lsdem/results/read_results.hpp"
 
 using namespace musim::lsdem::study;
 

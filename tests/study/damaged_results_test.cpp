@@ -10,11 +10,11 @@
 #include <string>
 #include <vector>
 
-#include "lsdem/study/checked_json.hpp"
-#include "lsdem/study/detail/file_checksum.hpp"
-#include "lsdem/study/read_results.hpp"
-#include "lsdem/study/specimen_file.hpp"
-#include "lsdem/study/write_results.hpp"
+#include "lsdem/results/checked_json.hpp"
+#include "lsdem/results/file_checksum.hpp"
+#include "lsdem/results/read_results.hpp"
+#include "lsdem/results/write_results.hpp"
+#include "lsdem/run/specimen_file.hpp"
 #include "tests/study/made_run.hpp"
 #include "tests/study/made_specimen.hpp"
 #include "tests/support/damage.hpp"

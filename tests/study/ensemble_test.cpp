@@ -7,13 +7,13 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "lsdem/results/content_name.hpp"
+#include "lsdem/results/hdf5_file.hpp"
+#include "lsdem/results/read_results.hpp"
 #include "lsdem/scene/scene_error.hpp"
 #include "lsdem/scene/scene_json.hpp"
 #include "lsdem/study/compare_ensembles.hpp"
-#include "lsdem/study/detail/content_name.hpp"
-#include "lsdem/study/detail/hdf5_file.hpp"
 #include "lsdem/study/ensemble_files.hpp"
-#include "lsdem/study/read_results.hpp"
 #include "tests/study/made_run.hpp"
 #include "tests/support/temporary_folder.hpp"
 

@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <limits>
 
-#include "lsdem/study/history.hpp"
-#include "scaling/similitude.hpp"
+#include "lsdem/results/history.hpp"
+#include "scaling/laws/similitude.hpp"
 
 namespace musim::lsdem::study {
 

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "lsdem/study/simulate.hpp"
+#include "lsdem/run/simulate.hpp"
 #include "lsdem/time_step.hpp"
 
 namespace musim::lsdem::study {

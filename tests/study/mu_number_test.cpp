@@ -12,8 +12,8 @@
 #include "lsdem/scene/scale_scene.hpp"
 #include "lsdem/scene/scene_json.hpp"
 #include "lsdem/simulation.hpp"
-#include "scaling/distortion.hpp"
-#include "scaling/law_similitude.hpp"
+#include "scaling/laws/law_similitude.hpp"
+#include "scaling/structures/distortion.hpp"
 
 namespace {
 

@@ -9,7 +9,7 @@
 #include "lsdem/scene/scale_scene.hpp"
 #include "lsdem/scene/scene_error.hpp"
 #include "lsdem/study/pair_scene.hpp"
-#include "scaling/law_similitude.hpp"
+#include "scaling/laws/law_similitude.hpp"
 #include "tests/study/pushed_wall.hpp"
 
 using namespace musim::lsdem;

@@ -7,7 +7,7 @@
 #include "lsdem/scene/material_presets.hpp"
 #include "lsdem/scene/scale_scene.hpp"
 #include "lsdem/scene/scene_json.hpp"
-#include "scaling/law_similitude.hpp"
+#include "scaling/laws/law_similitude.hpp"
 #include "tests/support/relative.hpp"
 
 using namespace musim::lsdem;

@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "lsdem/study/scale_specimen.hpp"
-#include "scaling/law_similitude.hpp"
+#include "lsdem/run/scale_specimen.hpp"
+#include "scaling/laws/law_similitude.hpp"
 #include "tests/study/made_specimen.hpp"
 
 using namespace musim::lsdem;

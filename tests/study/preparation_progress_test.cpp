@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "lsdem/run/prepare.hpp"
+#include "lsdem/run/run.hpp"
 #include "lsdem/scene/build_model.hpp"
 #include "lsdem/scene/scene_json.hpp"
 #include "lsdem/study/pair_scene.hpp"
-#include "lsdem/study/prepare.hpp"
-#include "lsdem/study/run.hpp"
 
 using namespace musim::lsdem;
 using namespace musim::lsdem::study;

@@ -5,13 +5,13 @@
 #include <string>
 #include <vector>
 
+#include "lsdem/results/checkpoint.hpp"
+#include "lsdem/run/prepare.hpp"
+#include "lsdem/run/run.hpp"
+#include "lsdem/run/sequence.hpp"
+#include "lsdem/run/specimen_batch.hpp"
 #include "lsdem/scene/build_model.hpp"
 #include "lsdem/scene/scene_json.hpp"
-#include "lsdem/study/checkpoint.hpp"
-#include "lsdem/study/prepare.hpp"
-#include "lsdem/study/run.hpp"
-#include "lsdem/study/sequence.hpp"
-#include "lsdem/study/specimen_batch.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 using namespace musim::lsdem;

@@ -9,10 +9,10 @@
 #include <map>
 #include <string>
 
-#include "lsdem/study/checked_json.hpp"
-#include "lsdem/study/folder_contents.hpp"
-#include "lsdem/study/read_results.hpp"
-#include "lsdem/study/write_results.hpp"
+#include "lsdem/results/checked_json.hpp"
+#include "lsdem/results/folder_contents.hpp"
+#include "lsdem/results/read_results.hpp"
+#include "lsdem/results/write_results.hpp"
 #include "tests/study/made_run.hpp"
 #include "tests/support/temporary_folder.hpp"
 

@@ -1,4 +1,4 @@
-#include "lsdem/study/structural_speed.hpp"
+#include "lsdem/response/structural_speed.hpp"
 
 #include <doctest/doctest.h>
 
@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "lsdem/study/simulate.hpp"
+#include "lsdem/run/simulate.hpp"
 #include "tests/support/models.hpp"
 
 using namespace musim::lsdem::study;

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "scaling/scale_law_catalogue.hpp"
+#include "scaling/laws/scale_law_catalogue.hpp"
 
 namespace musim::design::detail {
 namespace {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "records/design/design.hpp"
-#include "records/detail/json_rules.hpp"
+#include "records/json_rules.hpp"
 
 /// Readers that files about prototypes, materials and models share. All throw ReadError `place: what (why); what to do`.
 namespace musim::design::detail {

@@ -8,7 +8,7 @@
 #include <fstream>
 
 #include "records/design/parse_design.hpp"
-#include "scaling/scale_law_catalogue.hpp"
+#include "scaling/laws/scale_law_catalogue.hpp"
 #include "tests/records/design/tower.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/temporary_folder.hpp"

@@ -8,8 +8,8 @@
 
 #include "records/design/facts_law.hpp"
 #include "records/error.hpp"
-#include "records/intensity.hpp"
-#include "records/synthetic.hpp"
+#include "records/measures/intensity.hpp"
+#include "records/synthesis/synthetic.hpp"
 #include "tests/records/design/tower.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/temporary_folder.hpp"

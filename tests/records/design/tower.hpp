@@ -1,7 +1,7 @@
 #pragma once
 
 #include "records/design/candidate.hpp"
-#include "scaling/scale_law_catalogue.hpp"
+#include "scaling/laws/scale_law_catalogue.hpp"
 
 /// The papers' tower and materials (shared similitude.md, sections 4 and 8).
 namespace musim::design::tests {

@@ -10,7 +10,7 @@
 #include "records/design/parse_design.hpp"
 #include "records/design/sampled_candidate.hpp"
 #include "records/error.hpp"
-#include "scaling/uncertain_reading.hpp"
+#include "scaling/uncertainty/uncertain_reading.hpp"
 #include "tests/records/design/tower.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/temporary_folder.hpp"

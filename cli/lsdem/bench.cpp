@@ -1,0 +1,125 @@
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "cli/commands.hpp"
+#include "cli/interruption.hpp"
+#include "cli/options.hpp"
+#include "cli/output.hpp"
+#include "cli/overwriting.hpp"
+#include "cli/progress_line.hpp"
+#include "lsdem/bench/accuracy_plot.hpp"
+#include "lsdem/bench/accuracy_sweep.hpp"
+#include "lsdem/results/write_results.hpp"
+
+namespace musim::cli {
+namespace {
+
+namespace study = lsdem::study;
+
+struct BenchAccuracyOptions {
+    std::string out;
+    std::string record;
+    std::string component;
+    bool quick = false;
+    bool json = false;
+    OverwritingOption overwriting;
+    int threads = 0;
+};
+
+/// An error that is no finite number is null.
+nlohmann::json to_json(const study::AccuracySweep& sweep) {
+    nlohmann::json panels = nlohmann::json::array();
+    for (const study::AccuracyPanel& panel : sweep.panels) {
+        nlohmann::json rows = nlohmann::json::array();
+        for (const study::AccuracyRow& row : panel.rows) {
+            rows.push_back({{"family", row.family},
+                            {"label", row.label},
+                            {"error", row.outcome.error},
+                            {"seconds", row.outcome.seconds},
+                            {"steps", row.outcome.steps},
+                            {"block_steps", row.outcome.block_steps},
+                            {"pareto", row.pareto}});
+        }
+        panels.push_back({{"case", panel.name}, {"title", panel.title}, {"rows", rows}});
+    }
+    return {{"earthquake", sweep.earthquake}, {"cases", panels}};
+}
+
+/// The Pareto front of every problem, cheapest first as the table goes, and the presets.
+void print_sweep(const study::AccuracySweep& sweep) {
+    print("Earthquake of the mini-tower: {}\n", sweep.earthquake);
+    for (const study::AccuracyPanel& panel : sweep.panels) {
+        print("\n{} ({})\n  {:<10} {:>9} {:>11} {:>12} {:>10}\n", panel.title, panel.name, "family", "setting", "error", "us/block/step",
+              "time [s]");
+        for (const study::AccuracyRow& row : panel.rows) {
+            if (!row.pareto && row.family != "preset" && row.family != "shadow") continue;
+            const study::AccuracyOutcome& o = row.outcome;
+            print("  {:<10} {:>9} {:>11.3g} {:>12.3g} {:>10.3g}{}\n", row.family, row.label, o.error,
+                  o.block_steps > 0 ? 1e6 * o.seconds / static_cast<double>(o.block_steps) : 0.0, o.seconds, row.pareto ? "  Pareto" : "");
+        }
+    }
+}
+
+int run_bench_accuracy(const BenchAccuracyOptions& options) {
+    std::optional<study::ResultFolder> folder;
+    if (!options.out.empty()) folder.emplace(options.out, options.overwriting.origin_with_options(), options.overwriting.choice());
+
+    study::SweepOptions wanted{.record = options.record, .components = {}, .quick = options.quick, .threads = options.threads};
+    if (!options.component.empty()) wanted.components[0] = options.component;
+    study::AccuracySweep sweep;
+    {
+        ProgressLine progress("accuracy");
+        wanted.on_progress = [&](double fraction) { progress.update(fraction); };
+        sweep = study::sweep_accuracy(wanted);
+    }
+    if (folder) {
+        folder->add_text("accuracy.csv", study::make_accuracy_csv(sweep));
+        folder->add_text("accuracy.svg", study::make_accuracy_svg(sweep));
+        folder->commit();
+    }
+    if (options.json) {
+        print_json(to_json(sweep));
+    } else {
+        print_sweep(sweep);
+        if (folder) print("\nAll settings in {}\n", (std::filesystem::path(options.out) / "accuracy.csv").string());
+    }
+    return kDone;
+}
+
+}  // namespace
+
+void add_bench_command(CLI::App& app, Action& action) {
+    auto options = std::make_shared<BenchAccuracyOptions>();
+    CLI::App* bench = app.add_subcommand("bench", "Measurements of musim itself");
+    bench->require_subcommand(1);
+    add_bench_similitude_command(*bench, action);
+    add_bench_twins_command(*bench, action);
+    add_bench_verdict_command(*bench, action);
+    CLI::App* command =
+        bench->add_subcommand("accuracy", "Error against run time, over time steps, overlap and nodes as contact, and grids");
+    command->add_option("-o,--out", options->out, "Directory for accuracy.csv and accuracy.svg")->type_name("DIR");
+    CLI::Option* record =
+        command->add_option("--record", options->record, "Earthquake of the mini-tower, at prototype scale (default: a synthetic one)")
+            ->type_name("FILE");
+    command->add_option("--component", options->component, "Its component along the wall (default: the strongest horizontal)")
+        ->type_name("NAME")
+        ->needs(record);
+    command->add_flag("--quick", options->quick, "Few settings and a low tower: seconds instead of minutes");
+    command->add_option("--threads", options->threads, "Runs side by side; errors are the same for any number (default: all cores)")
+        ->check(not_negative());
+    options->overwriting.add_to(*command);
+    add_json_option(*command, options->json);
+    command->footer(
+        "Examples:\n"
+        "  musim bench accuracy --record CICLC.v1 --component 360 -o out/accuracy\n"
+        "  musim bench accuracy --quick --json\n"
+        "Run times are processor time of the stepping thread; docs/accuracy.md explains the problems.");
+    command->callback([&action, options] { action = [options] { return run_whole([&] { return run_bench_accuracy(*options); }); }; });
+}
+
+}  // namespace musim::cli

@@ -1,0 +1,126 @@
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/commands.hpp"
+#include "cli/interruption.hpp"
+#include "cli/named_values.hpp"
+#include "cli/options.hpp"
+#include "cli/output.hpp"
+#include "cli/overwriting.hpp"
+#include "cli/progress_line.hpp"
+#include "lsdem/bench/similitude_bench.hpp"
+#include "lsdem/bench/similitude_figure.hpp"
+#include "lsdem/results/write_results.hpp"
+#include "scaling/text_table.hpp"
+
+namespace musim::cli {
+namespace {
+
+namespace study = lsdem::study;
+
+struct BenchSimilitudeOptions {
+    std::string out;
+    std::string law;
+    scaling::ReportStyle style = scaling::ReportStyle::plain;
+    bool json = false;
+    OverwritingOption overwriting;
+    int threads = 0;
+};
+
+/// "friction x 1.1", or "-".
+std::string describe(const study::Break& broken) {
+    if (broken.group == study::BrokenGroup::none) return "-";
+    return fmt::format("{} x {:.4g}", study::to_string(broken.group), broken.factor);
+}
+
+std::string judge(const study::SimilitudeOutcome& outcome) {
+    if (outcome.holds()) return "holds";
+    return outcome.diverged ? "DIVERGED" : "FAILS";
+}
+
+NamedValues list_values(const study::SimilitudeOutcome& outcome) {
+    const study::SimilitudeCase& wanted = outcome.wanted;
+    const scaling::Similitude& scales = wanted.scales.similitude;
+    return {{"law", "law", wanted.law},
+            {"scene", "scene", study::to_string(wanted.scene)},
+            {"length", "length", scales.length()},
+            {"friction", "mu", scales.friction()},
+            {"gravity", "g", scales.gravity()},
+            {"density", {}, scales.density()},
+            {"acceleration", "a", scales.acceleration()},
+            {"heights", "heights", wanted.scales.heights},
+            {{}, "broken", describe(wanted.broken)},
+            {"broken", {}, study::to_string(wanted.broken.group)},
+            {"factor", {}, wanted.broken.factor},
+            {"measure", "measure", study::to_string(wanted.measure)},
+            {{}, "predicted", fmt::format("{:.5g} +/- {:.1g}", wanted.prediction.ratio, wanted.prediction.tolerance)},
+            {"predicted", {}, wanted.prediction.ratio},
+            {"tolerance", {}, wanted.prediction.tolerance},
+            {"measured", "measured", outcome.ratio, ".5g"},
+            {"difference", "difference", outcome.difference, ".1e"},
+            {"yardstick", "yardstick", outcome.yardstick, ".1e"},
+            {"holds", {}, outcome.holds()},
+            {{}, "verdict", judge(outcome)}};
+}
+
+int run_bench_similitude(const BenchSimilitudeOptions& options) {
+    const std::vector<study::SimilitudeCase> cases = study::make_similitude_cases(options.law);
+    std::optional<study::ResultFolder> folder;
+    if (!options.out.empty()) folder.emplace(options.out, options.overwriting.origin_with_options(), options.overwriting.choice());
+
+    std::vector<study::SimilitudeOutcome> outcomes;
+    {
+        ProgressLine progress("similitude");
+        outcomes = study::run_similitude_cases(cases, options.threads, [&](double fraction) { progress.update(fraction); });
+    }
+    if (folder) {
+        folder->add_text("similitude.csv", study::make_similitude_csv(outcomes));
+        for (const std::string& law : study::similitude_law_names()) {
+            if (options.law.empty() || options.law == law) {
+                folder->add_text("similitude_" + law + ".svg", study::make_similitude_svg(law, outcomes));
+            }
+        }
+        folder->commit();
+    }
+    std::vector<NamedValues> rows;
+    rows.reserve(outcomes.size());
+    for (const study::SimilitudeOutcome& outcome : outcomes) rows.push_back(list_values(outcome));
+    const bool all_hold = study::all_hold(outcomes);
+    if (options.json) {
+        print_json({{"cases", to_json(rows)}, {"all_hold", all_hold}});
+    } else {
+        print("{}", make_table(to_table(rows), options.style));
+    }
+    return all_hold ? kDone : kCheckFailed;
+}
+
+}  // namespace
+
+void add_bench_similitude_command(CLI::App& bench, Action& action) {
+    auto options = std::make_shared<BenchSimilitudeOptions>();
+    CLI::App* command =
+        bench.add_subcommand("similitude", "Laws of similitude against the simulator: groups kept equal, and one broken on purpose");
+    command->add_option("-o,--out", options->out, "Directory for similitude.csv and a figure per law")->type_name("DIR");
+    command->add_option("--law", options->law, "Only this law (default: all)")->check(one_of(study::similitude_law_names()));
+    add_format_option(*command, options->style, "Form of the table");
+    add_threads_option(*command, options->threads);
+    options->overwriting.add_to(*command);
+    add_json_option(*command, options->json);
+    command->footer(
+        "Examples:\n"
+        "  musim bench similitude -o out/similitude\n"
+        "  musim bench similitude --law mu --json\n"
+        "  musim bench similitude --format markdown\n"
+        "length: of widths; heights: over it. Factors of the model over the prototype; broken: one more factor, set wrong on purpose.\n"
+        "With equal groups the difference of the curves stays below the yardstick; with a broken one the measured ratio is the predicted.\n"
+        "Exit code 5 when a case does not hold; docs/similitude.md derives the predictions.");
+    command->callback([&action, options] { action = [options] { return run_whole([&] { return run_bench_similitude(*options); }); }; });
+}
+
+}  // namespace musim::cli

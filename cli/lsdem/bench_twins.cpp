@@ -1,0 +1,200 @@
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/commands.hpp"
+#include "cli/interruption.hpp"
+#include "cli/named_values.hpp"
+#include "cli/options.hpp"
+#include "cli/output.hpp"
+#include "cli/overwriting.hpp"
+#include "cli/progress_line.hpp"
+#include "cli/report.hpp"
+#include "cli/version.hpp"
+#include "lsdem/results/write_results.hpp"
+#include "lsdem/scene/scene_json.hpp"
+#include "lsdem/study/compare_runs.hpp"
+#include "lsdem/study/twin_files.hpp"
+#include "lsdem/study/twin_runs.hpp"
+#include "scaling/text_table.hpp"
+
+namespace musim::cli {
+namespace {
+
+namespace scene = lsdem::scene;
+namespace study = lsdem::study;
+
+struct BenchTwinsOptions {
+    std::vector<std::string> scenes;
+    std::string out;
+    std::optional<Number> duration;
+    std::vector<Number> shifts;
+    std::size_t models = 20;
+    std::uint64_t seed = 1;
+    scaling::ReportStyle style = scaling::ReportStyle::plain;
+    bool json = false;
+    OverwritingOption overwriting;
+    int threads = 0;
+};
+
+/// A study and what it comes to.
+struct Measured {
+    study::TwinStudy study;
+    study::TwinSummary summary;
+};
+
+std::vector<study::TwinChoice> choose_twins(const BenchTwinsOptions& options) {
+    if (options.shifts.empty()) return study::choose_models(options.models, options.seed);
+    return study::choose_shifted({options.shifts.begin(), options.shifts.end()}, options.models, options.seed);
+}
+
+scene::Scene read_prototype(const std::string& file, const BenchTwinsOptions& options) {
+    scene::Scene prototype = read_scene(file);
+    if (options.duration) prototype.time.duration = options.duration->value * scaling::si::seconds;
+    scene::check_scene(prototype, file);
+    note_cut_motions(file, prototype);
+    return prototype;
+}
+
+Measured measure_twins(const scene::Scene& prototype, const BenchTwinsOptions& options, ProgressInParts& progress) {
+    study::TwinSettings settings{
+        .directory = options.out, .version = kVersion, .threads = options.threads, .observer = progress.observer()};
+    settings.on_warning = [](const std::string& why) { note("musim: warning: no checkpoint: {}\n", why); };
+    study::TwinStudy twins = study::run_twins(prototype, choose_twins(options), settings);
+    study::TwinSummary summary = study::summarize(twins);
+    return {std::move(twins), std::move(summary)};
+}
+
+scaling::TextTable make_table(const Measured& measured) {
+    scaling::TextTable table{{"length", "moved by", "directions", "parts at [s]", "largest growth", "at [s]", "from", "at the end"}};
+    for (std::size_t i = 0; i < measured.study.twins.size(); ++i) {
+        const study::TwinRun& twin = measured.study.twins[i];
+        const study::TwinGrowth& growth = measured.summary.twins[i];
+        const bool moved = twin.choice.shift > 0.0;
+        table.rows.push_back({fmt::format("{:.6g}", twin.choice.length), moved ? fmt::format("{:g}", twin.choice.shift) : "-",
+                              moved ? fmt::format("{}", twin.choice.directions) : "-", or_dash(growth.parting_time, 4),
+                              fmt::format("{:.3g}", growth.growth.factor), fmt::format("{:.4g}", growth.growth.time),
+                              fmt::format("{:.1e}", growth.growth.from),
+                              twin.diverged ? "DIVERGED" : fmt::format("{:.1e}", growth.running.empty() ? 0.0 : growth.running.back())});
+    }
+    return table;
+}
+
+void print_study(const Measured& measured, scaling::ReportStyle style) {
+    const study::TwinStudy& twins = measured.study;
+    const study::TwinSummary& summary = measured.summary;
+    const study::TwinPrototype& prototype = twins.prototype;
+    const study::Growth& fastest = summary.twins[summary.fastest].growth;
+    print("{}: {} moving blocks, largest velocity {:.4g} m/s\n\n{}\n", twins.name, prototype.moving_blocks, prototype.peak,
+          scaling::make_table(make_table(measured), style));
+    print(
+        "Differences are over that velocity; below {:.1e} they are rounding. Largest growth within {:.3g} ms: {:.3g} at {:.4g} s, from "
+        "{:.1e}\n",
+        prototype.rounding / prototype.peak, 1e3 * static_cast<double>(prototype.window()) * prototype.interval, fastest.factor,
+        fastest.time, fastest.from);
+    print("Horizon {:.4g} s", summary.horizon);
+    if (const study::LogSpread& spread = summary.at_horizon; spread.count > 0) {
+        print("; at {:.4g} s log10 of the difference is {:.3f}, standard deviation {:.3f}, of {} models", spread.time, spread.mean,
+              spread.sd, spread.count);
+    }
+    print("\n");
+    for (const study::Proportionality& set : study::find_proportionality(twins, summary.twins)) {
+        print("Directions {}: {}\n", set.directions,
+              set.departure ? fmt::format("difference over shift differs by at most a factor {:.4g}, at {:.4g} s where it is {:.1e}",
+                                          *set.departure, set.time, set.level)
+                            : "no two differences small enough to be compared");
+    }
+    print("\n");
+}
+
+nlohmann::json to_json(const std::vector<Measured>& all) {
+    nlohmann::json scenes = nlohmann::json::array();
+    for (const Measured& measured : all) scenes.push_back(study::to_json(measured.study, measured.summary));
+    return {{"parting_level", study::kPartingLevel}, {"program_version", kVersion}, {"scenes", scenes}};
+}
+
+void write_results(study::ResultFolder& folder, const std::vector<Measured>& all) {
+    std::vector<study::TwinStudy> studies;
+    studies.reserve(all.size());
+    for (const Measured& measured : all) studies.push_back(measured.study);
+    folder.add_text("twins.csv", study::make_twins_csv(studies));
+    folder.add_text("spread.csv", study::make_spread_csv(studies));
+    folder.add_text("summary.json", to_json(all).dump(2) + "\n");
+    folder.commit();
+}
+
+int run_bench_twins(const BenchTwinsOptions& options) {
+    std::vector<scene::Scene> prototypes;
+    for (const std::string& file : options.scenes) prototypes.push_back(read_prototype(file, options));
+    std::optional<study::ResultFolder> folder;
+    if (!options.out.empty()) {
+        study::ResultOrigin origin = options.overwriting.origin_with_options({{"--models", options.models}});
+        for (const scene::Scene& prototype : prototypes) origin.add(prototype, prototype.name + ": ");
+        folder.emplace(options.out, std::move(origin), options.overwriting.choice());
+    }
+
+    std::vector<Measured> all;
+    bool diverged = false;
+    const std::vector<double> shares = study::share_work(prototypes);
+    ProgressInParts progress(prototypes.front().name);
+    for (std::size_t k = 0; k < prototypes.size(); ++k) {
+        progress.begin_part(prototypes[k].name, shares[k]);
+        const Measured& measured = all.emplace_back(measure_twins(prototypes[k], options, progress));
+        diverged |= measured.study.prototype.diverged;
+        for (const study::TwinRun& twin : measured.study.twins) diverged |= twin.diverged;
+        if (!options.json) print_study(measured, options.style);
+    }
+    if (folder) write_results(*folder, all);
+    if (options.json) print_json(to_json(all));
+    if (folder && !options.json) print("Histories in {}\n", (std::filesystem::path(options.out) / "twins.csv").string());
+    if (diverged) note("musim: error: a prototype or a twin diverged; its comparison ends there\n");
+    return diverged ? kNumericalFailure : kDone;
+}
+
+}  // namespace
+
+void add_bench_twins_command(CLI::App& bench, Action& action) {
+    auto options = std::make_shared<BenchTwinsOptions>();
+    CLI::App* command = bench.add_subcommand("twins", "How exact models, or copies moved a little, part from their prototype");
+    command->add_option("scenes", options->scenes, "Scene files of prototypes")->required()->type_name("SCENE.json...");
+    command->add_option("-o,--out", options->out, "Directory for twins.csv, spread.csv, summary.json and what each run leaves")
+        ->type_name("DIR");
+    command->add_option("--models", options->models, "Exact models of each scene; with --perturb: sets of directions")
+        ->type_name("N")
+        ->check(whole_between(1, 100000))
+        ->capture_default_str();
+    command->add_option("--seed", options->seed, "Of the lengths, 4^u with u in (-2, 2); with --perturb: of the first set of directions")
+        ->type_name("N")
+        ->capture_default_str();
+    command->add_option("--duration", options->duration, "Simulated time [s] of the prototypes, instead of the scenes'")
+        ->type_name("NUMBER")
+        ->check(above_zero());
+    command
+        ->add_option("--perturb", options->shifts,
+                     "Instead of models, copies whose blocks are moved by these parts of their height, e.g. 1e-13,1e-12,1e-11")
+        ->type_name("LIST")
+        ->delimiter(',')
+        ->check(above_zero());
+    add_format_option(*command, options->style, "Form of the tables");
+    add_threads_option(*command, options->threads);
+    options->overwriting.add_to(*command);
+    add_json_option(*command, options->json);
+    command->footer(
+        "Examples:\n"
+        "  musim bench twins examples/tower_prototype.json -o out/twins --duration 2\n"
+        "  musim bench twins examples/uneven_wall.json examples/wall.json --models 40 --json\n"
+        "  musim bench twins examples/uneven_wall.json --perturb 1e-13,1e-12,1e-11 --models 3\n"
+        "Difference: the largest |v_M/lambda_v - v_P| of a block over the largest velocity that one has relative to the base; its running\n"
+        "maximum counts. A twin parts where that exceeds 1e-3; growth below is over 0.015 sqrt(H/g). Specimens are laid once.\n"
+        "Runs go side by side, one thread each. The same command again, killed or not, runs what is missing in DIR; another build should\n"
+        "have another DIR. Exit code 4: a run diverged.");
+    command->callback(
+        [&action, options] { action = [options] { return run_again([&] { return run_bench_twins(*options); }, options->out); }; });
+}
+
+}  // namespace musim::cli

@@ -1,0 +1,92 @@
+#include "cli/lsdem/calibrate_tests.hpp"
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "cli/options.hpp"
+#include "lsdem/scene/material_presets.hpp"
+
+namespace musim::cli {
+
+namespace study = lsdem::study;
+namespace scene = lsdem::scene;
+
+void SampleOptions::add_to(CLI::App& command) {
+    command.add_option("--material", material, "Preset for block and contacts (`musim calibrate presets` lists them)")
+        ->required()
+        ->type_name("PRESET")
+        ->check(one_of(scene::material_preset_names()));
+    command.add_option("--block", block, "Edge lengths b w H [m], instead of the preset's; its stiffnesses are fitted to them")
+        ->expected(3)
+        ->type_name("NUMBER")
+        ->check(above_zero());
+    command.add_option("--density", density, "Density [kg/m^3], instead of the preset's")->type_name("NUMBER")->check(above_zero());
+    command.add_option("--normal-stiffness", normal_stiffness, "k_n of a whole face [N/m], instead of the preset's")
+        ->type_name("NUMBER")
+        ->check(above_zero());
+    command.add_option("--shear-stiffness", shear_stiffness, "k_s of a whole face [N/m], instead of the preset's")
+        ->type_name("NUMBER")
+        ->check(not_negative());
+    command.add_option("--friction", friction, "Friction coefficient, instead of the preset's")->type_name("NUMBER")->check(not_negative());
+    command.add_option("--ground-friction", ground_friction, "Friction coefficient of block on ground (default: that of block on block)")
+        ->type_name("NUMBER")
+        ->check(not_negative());
+    command.add_option("--restitution", restitution, "Coefficient of restitution, instead of the preset's")
+        ->type_name("NUMBER")
+        ->check(above_zero())
+        ->check(between(0.0, 1.0));
+}
+
+study::BlockSample SampleOptions::sample() const {
+    scene::MaterialPreset preset = scene::find_material_preset(material);
+    if (!block.empty()) {
+        const scene::Triple<scaling::Length> size{block[0] * scaling::si::meter, block[1] * scaling::si::meter,
+                                                  block[2] * scaling::si::meter};
+        preset.material = scene::fit_to_block(preset, size);
+        preset.reference_block = size;
+    }
+    study::BlockSample sample = study::make_sample(preset);
+    if (density) sample.density = *density;
+    if (normal_stiffness) sample.normal_stiffness = *normal_stiffness;
+    if (shear_stiffness) sample.shear_stiffness = *shear_stiffness;
+    if (friction) sample.friction = sample.ground_friction = *friction;
+    if (ground_friction) sample.ground_friction = *ground_friction;
+    if (restitution) sample.restitution = *restitution;
+    study::make_model(sample);  // refuses what cannot be
+    return sample;
+}
+
+void TestOptions::add_to(CLI::App& command, const char* files) {
+    sample.add_to(command);
+    command.add_option("-o,--out", out, std::string("Directory for ") + files)->type_name("DIR");
+    overwriting.add_to(command);
+    add_threads_option(command, threads);
+    add_json_option(command, json);
+}
+
+std::optional<study::ResultFolder> TestOptions::make_folder() const {
+    if (out.empty()) return std::optional<study::ResultFolder>();
+    return std::optional<study::ResultFolder>(std::in_place, out, overwriting.origin_with_options(), overwriting.choice());
+}
+
+nlohmann::json describe_sample(const study::BlockSample& sample) {
+    return {{"block_m", {sample.size.x(), sample.size.y(), sample.size.z()}},
+            {"mass_kg", sample.mass()},
+            {"density_kg_m3", sample.density},
+            {"normal_stiffness_n_m", sample.normal_stiffness},
+            {"shear_stiffness_n_m", sample.shear_stiffness},
+            {"friction", sample.friction},
+            {"ground_friction", sample.ground_friction},
+            {"restitution", sample.restitution}};
+}
+
+void add_calibrate_command(CLI::App& app, Action& action) {
+    CLI::App* calibrate = app.add_subcommand("calibrate", "Contact parameters from tests on single blocks");
+    calibrate->require_subcommand(1);
+    add_stiffness_command(*calibrate, action);
+    add_friction_command(*calibrate, action);
+    add_restitution_command(*calibrate, action);
+    add_presets_command(*calibrate, action);
+}
+
+}  // namespace musim::cli

@@ -1,0 +1,185 @@
+#include "cli/lsdem/calibrate_tests.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/interruption.hpp"
+#include "cli/options.hpp"
+#include "cli/output.hpp"
+#include "cli/progress_line.hpp"
+#include "lsdem/calibration/calibration_files.hpp"
+#include "lsdem/calibration/rocking_impact.hpp"
+#include "scaling/json_optional.hpp"
+#include "scaling/side_by_side.hpp"
+
+namespace musim::cli {
+namespace {
+
+namespace study = lsdem::study;
+
+struct RestitutionOptions {
+    TestOptions test;
+    std::vector<Number> restitutions;
+    std::vector<Number> angles{{6.0}, {11.0}, {22.0}};  ///< [degree]
+    std::string support = "both";
+    std::optional<Number> target;
+    Number safety{0.2};
+};
+
+std::vector<double> to_values(const std::vector<Number>& numbers, double factor = 1.0) {
+    std::vector<double> values;
+    values.reserve(numbers.size());
+    for (const Number& number : numbers) values.push_back(number * factor);
+    return values;
+}
+
+/// A search on one curve.
+struct NamedSearch {
+    const study::RockingCurve* curve = nullptr;
+    study::RestitutionSearch search;
+};
+
+nlohmann::json to_json(const study::BlockSample& sample, const study::RockingCurve& curve) {
+    nlohmann::json points = nlohmann::json::array();
+    for (std::size_t i = 0; i < curve.restitution.size(); ++i) {
+        const study::RockingResult& r = curve.result[i];
+        points.push_back({{"restitution", curve.restitution[i]},
+                          {"first", r.first},
+                          {"mean", r.mean},
+                          {"impacts", r.impacts},
+                          {"slip_over_side", r.slip_over_side}});
+    }
+    const std::optional<double> paper = study::find_published_ratio(curve.start);
+    return {{"support", to_string(curve.support)},       {"side", to_string(curve.side)},
+            {"start_deg", curve.start / kDegree},        {"housner", study::housner_ratio(sample, curve.side)},
+            {"published_wood", scaling::or_null(paper)}, {"points", points}};
+}
+
+void print_curves(const study::BlockSample& sample, const std::vector<study::RockingCurve>& curves) {
+    for (const study::RockingCurve& curve : curves) {
+        print("\n  {} side on {}, let go at {:.4g} degrees; Housner {:.3f}", to_string(curve.side), to_string(curve.support),
+              curve.start / kDegree, study::housner_ratio(sample, curve.side));
+        if (const auto paper = study::find_published_ratio(curve.start)) print("; measured on wood by Harmon et al. about {}", *paper);
+        print("\n    {:<22}", "C_res");
+        for (const double e : curve.restitution) print(" {:>6.3g}", e);
+        print("\n    {:<22}", "r, first impact");
+        for (const study::RockingResult& r : curve.result) print(" {:>6.3f}", r.first);
+        print("\n    {:<22}", "r, mean of up to five");
+        for (const study::RockingResult& r : curve.result) print(" {:>6.3f}", r.mean);
+        print("\n");
+    }
+}
+
+int run_restitution(const RestitutionOptions& options) {
+    std::optional<study::ResultFolder> folder = options.test.make_folder();
+    const study::BlockSample sample = options.test.sample.sample();
+    study::RockingSweep sweep{.restitutions = to_values(options.restitutions),
+                              .angles = to_values(options.angles, kDegree),
+                              .supports = {},
+                              .safety = options.safety,
+                              .threads = options.test.threads};
+    if (sweep.restitutions.empty()) {
+        for (int i = 1; i <= 9; ++i) sweep.restitutions.push_back(0.1 * i);
+    }
+    std::sort(sweep.restitutions.begin(), sweep.restitutions.end());
+    if (options.support != "two_blocks") sweep.supports.push_back(study::RockingSupport::ground);
+    if (options.support != "ground") sweep.supports.push_back(study::RockingSupport::two_blocks);
+
+    std::vector<study::RockingCurve> curves;
+    std::vector<NamedSearch> searches;
+    {
+        ProgressLine progress("restitution");
+        sweep.on_progress = [&](double fraction) { progress.update(fraction); };
+        curves = study::sweep_rocking(sample, sweep);
+    }
+    if (curves.empty()) throw std::invalid_argument("rocking test: at every angle the block overturns; take smaller ones");
+    if (options.target) {
+        ProgressLine progress("search");
+        for (const study::RockingCurve& curve : curves) searches.push_back({&curve, {}});
+        std::vector<std::function<void()>> jobs;
+        jobs.reserve(searches.size());
+        for (NamedSearch& s : searches) {
+            jobs.emplace_back([&] { s.search = study::find_restitution(sample, *s.curve, *options.target, options.safety); });
+        }
+        scaling::run_side_by_side(jobs, options.test.threads, [&](double fraction) { progress.update(fraction); });
+    }
+    if (folder) {
+        folder->add_text("restitution.csv", study::make_rocking_csv(sample, curves));
+        for (const study::RockingSupport support : sweep.supports) {
+            folder->add_text("restitution_" + to_string(support) + ".svg", study::make_rocking_svg(sample, curves, support));
+        }
+        folder->commit();
+    }
+
+    if (options.test.json) {
+        nlohmann::json list = nlohmann::json::array(), found = nlohmann::json::array();
+        for (const study::RockingCurve& curve : curves) list.push_back(to_json(sample, curve));
+        for (const NamedSearch& s : searches) {
+            found.push_back({{"support", to_string(s.curve->support)},
+                             {"side", to_string(s.curve->side)},
+                             {"start_deg", s.curve->start / kDegree},
+                             {"lowest", s.search.lowest},
+                             {"highest", s.search.highest},
+                             {"restitution", scaling::or_null(s.search.restitution)},
+                             {"reached", s.search.restitution ? nlohmann::json(s.search.reached) : nlohmann::json()}});
+        }
+        nlohmann::json object{{"material", options.test.sample.material}, {"sample", describe_sample(sample)}, {"curves", list}};
+        if (options.target) object["target"] = {{"energy_ratio", options.target->value}, {"searches", found}};
+        print_json(object);
+        return kDone;
+    }
+    print("{}: rocking tests, energy ratio r after over before an impact\n", options.test.sample.material);
+    print_curves(sample, curves);
+    for (const NamedSearch& s : searches) {
+        const std::string name =
+            fmt::format("{} side on {}, {:.4g} degrees", to_string(s.curve->side), to_string(s.curve->support), s.curve->start / kDegree);
+        if (s.search.restitution) {
+            print("  mean r = {:.4g}, {}: C_res = {:.4f} (gives {:.4f})\n", options.target->value, name, *s.search.restitution,
+                  s.search.reached);
+        } else {
+            print("  mean r = {:.4g}, {}: not reached by any C_res of the curve, which gives {:.3f} to {:.3f}\n", options.target->value,
+                  name, s.search.lowest, s.search.highest);
+        }
+    }
+    if (folder) print("Curves in {}\n", options.test.out);
+    return kDone;
+}
+
+}  // namespace
+
+void add_restitution_command(CLI::App& calibrate, Action& action) {
+    auto options = std::make_shared<RestitutionOptions>();
+    CLI::App* command = calibrate.add_subcommand("restitution", "Energy a rocking block keeps at an impact, against C_res");
+    options->test.add_to(*command, "restitution.csv and a picture per support");
+    command->add_option("--restitutions", options->restitutions, "C_res to test (default: 0.1, 0.2, ... 0.9)")
+        ->type_name("NUMBER")
+        ->check(above_zero())
+        ->check(between(0.0, 1.0));
+    command->add_option("--angles", options->angles, "Tilts at which the block is let go [degrees] (default: 6 11 22)")
+        ->type_name("NUMBER")
+        ->check(above_zero());
+    command->add_option("--support", options->support, "What it rocks on")
+        ->capture_default_str()
+        ->check(one_of({"ground", "two_blocks", "both"}));
+    command->add_option("--target", options->target, "Wanted mean energy ratio: C_res is searched on every curve")
+        ->type_name("NUMBER")
+        ->check(above_zero())
+        ->check(between(0.0, 1.0));
+    command->add_option("--safety", options->safety, "Time step over the critical one")
+        ->default_str("0.2")
+        ->type_name("NUMBER")
+        ->check(above_zero());
+    command->footer(
+        "Examples:\n"
+        "  musim calibrate restitution --material wood -o out/rocking\n"
+        "  musim calibrate restitution --material wood --support two_blocks --angles 22 --target 0.6\n"
+        "Angles at which a side overturns are left out there. A rigid block without bounce keeps (1 - 1.5 sin^2 alpha)^2 (Housner).");
+    command->callback([&action, options] { action = [options] { return run_whole([&] { return run_restitution(*options); }); }; });
+}
+
+}  // namespace musim::cli

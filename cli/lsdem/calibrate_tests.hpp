@@ -1,0 +1,51 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/commands.hpp"
+#include "cli/options.hpp"
+#include "cli/overwriting.hpp"
+#include "lsdem/calibration/block_sample.hpp"
+#include "lsdem/results/write_results.hpp"
+#include "scaling/angle.hpp"
+
+/// What the tests of `musim calibrate` share; each adds its own subcommand.
+namespace musim::cli {
+
+using scaling::kDegree;
+inline constexpr double kMega = 1e6;
+
+/// The block under test: a preset, and what is said otherwise.
+struct SampleOptions {
+    std::string material;
+    std::vector<Number> block;
+    std::optional<Number> density, normal_stiffness, shear_stiffness, friction, ground_friction, restitution;
+
+    void add_to(CLI::App& command);
+    lsdem::study::BlockSample sample() const;
+};
+
+/// What every test has besides its own options.
+struct TestOptions {
+    SampleOptions sample;
+    std::string out;
+    int threads = 0;
+    bool json = false;
+    OverwritingOption overwriting;
+
+    void add_to(CLI::App& command, const char* files);
+    std::optional<lsdem::study::ResultFolder> make_folder() const;
+};
+
+nlohmann::json describe_sample(const lsdem::study::BlockSample& sample);
+
+void add_stiffness_command(CLI::App& calibrate, Action& action);
+void add_friction_command(CLI::App& calibrate, Action& action);
+void add_restitution_command(CLI::App& calibrate, Action& action);
+void add_presets_command(CLI::App& calibrate, Action& action);
+
+}  // namespace musim::cli

@@ -1,0 +1,192 @@
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "cli/commands.hpp"
+#include "cli/interruption.hpp"
+#include "cli/lsdem/field_options.hpp"
+#include "cli/options.hpp"
+#include "cli/output.hpp"
+#include "cli/progress_line.hpp"
+#include "lsdem/plot/picture_file.hpp"
+#include "lsdem/response/field_animation.hpp"
+#include "lsdem/response/response.hpp"
+#include "scaling/quantity_text.hpp"
+
+namespace musim::cli {
+namespace {
+
+namespace study = lsdem::study;
+
+struct FieldCommand {
+    std::string directory;
+    std::string out;
+    FieldOptions look;
+    std::vector<Number> times;  ///< [s]
+    std::string limit;          ///< a velocity with its unit
+    std::vector<std::string> formats;
+    std::vector<Number> window;  ///< of the animation [s]
+    std::string film;            ///< "", "png", "mp4", "gif"
+    Number rate{25.0};           ///< [1/s]
+    int threads = 0;
+    bool json = false;
+};
+
+/// Times that are drawn when none are asked for.
+constexpr std::size_t kUsualTimes = 6;
+
+std::vector<double> choose_times(const study::StoredRun& run, const FieldCommand& options) {
+    std::vector<double> times(options.times.begin(), options.times.end());
+    if (!times.empty()) return times;
+    const double first = run.frames.time.front(), last = run.frames.time.back();
+    const std::size_t count = std::min(kUsualTimes, run.frames.time.size());
+    for (std::size_t i = 1; i <= count; ++i) times.push_back(first + (last - first) * static_cast<double>(i) / static_cast<double>(count));
+    return times;
+}
+
+/// Where colours end [m/s]; 0: at what is seen.
+double read_limit(const std::string& text) {
+    if (text.empty()) return 0.0;
+    const double limit = read_option("--limit", [&] { return scaling::parse_si(text, scaling::dimension_of<scaling::Velocity>()); });
+    if (limit > 0.0) return limit;
+    throw CLI::ValidationError("--limit", fmt::format("{}: colours end at a velocity above zero; give one, e.g. \"5 cm/s\"", text));
+}
+
+study::FieldPicture make_picture(const FieldCommand& options, study::CameraSide side) {
+    return {.side = side, .component = options.look.shown(), .limit = read_limit(options.limit), .name = options.directory};
+}
+
+/// What a run's frames are drawn into.
+struct Drawn {
+    nlohmann::json json;
+    std::vector<std::string> pictures;
+};
+
+Drawn draw_times(study::ResultFolder& folder, const study::StoredRun& run, const FieldCommand& options,
+                 const study::CameraSettings& camera) {
+    const std::vector<study::FieldView> views = study::take_views(run, choose_times(run, options), camera);
+    study::FieldPicture picture = make_picture(options, camera.side);
+    if (!(picture.limit > 0.0)) picture.limit = study::find_field_limit(run, views, picture.side, picture.component);
+    const std::string svg = study::make_field_svg(run, views, picture);
+    Drawn drawn{.json = {{"limit_m_s", picture.limit}}, .pictures = {}};
+    for (const std::string& format : options.formats) {
+        drawn.pictures.push_back("field." + format);
+        folder.add_text(drawn.pictures.back(), study::make_picture_bytes(svg, format));
+    }
+    nlohmann::json grids = nlohmann::json::array();
+    for (const study::FieldView& view : views) {
+        const std::string name = fmt::format("field_{:.6g}s.csv", view.image.time);
+        folder.add_text(name, study::make_field_csv(run, view.frame, view.image, camera.side));
+        grids.push_back({{"time_s", view.image.time}, {"grid", name}});
+    }
+    drawn.json["fields"] = grids;
+    return drawn;
+}
+
+/// The frames within the window, or all.
+std::vector<std::size_t> choose_frames(const study::StoredRun& run, const FieldCommand& options) {
+    if (options.window.empty()) {
+        std::vector<std::size_t> all(run.frames.time.size());
+        for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
+        return all;
+    }
+    const std::size_t first = study::find_frame(run, options.window[0]), last = study::find_frame(run, options.window[1]);
+    std::vector<std::size_t> frames;
+    for (std::size_t i = first; i <= last; ++i) frames.push_back(i);
+    if (frames.empty()) throw CLI::ValidationError("--window", "it ends before it begins; give FROM TO in seconds");
+    return frames;
+}
+
+Drawn draw_film(study::ResultFolder& folder, const study::StoredRun& run, const FieldCommand& options,
+                const study::CameraSettings& camera) {
+    if (options.film != "png" && !study::can_write_film()) {
+        throw std::runtime_error("--film " + options.film +
+                                 ": there is no ffmpeg to make a film with; install it (apt-get install ffmpeg), or take --film png");
+    }
+    ProgressLine progress(options.directory);
+    const study::AnimationSettings settings{.frames = choose_frames(run, options),
+                                            .camera = camera,
+                                            .picture = make_picture(options, camera.side),
+                                            .threads = options.threads,
+                                            .on_progress = [&](double fraction) { progress.update(fraction); }};
+    Drawn drawn;
+    drawn.json["limit_m_s"] = study::add_animation_frames(folder, run, settings);
+    drawn.json["frames"] = settings.frames.size();
+    drawn.json["frame_names"] = study::kAnimationFrames;
+    folder.commit();
+    drawn.pictures.emplace_back(study::kAnimationFrames);
+    if (options.film == "png") return drawn;
+    drawn.pictures.push_back("field." + options.film);
+    study::write_film(options.out, drawn.pictures.back(), options.rate);
+    drawn.json["film"] = drawn.pictures.back();
+    return drawn;
+}
+
+int run_field(FieldCommand options) {
+    if (options.formats.empty()) {
+        options.formats = study::can_write_png() ? std::vector<std::string>{"svg", "png"} : std::vector<std::string>{"svg"};
+    }
+    for (const std::string& format : options.formats) study::require_picture_name("field." + format);
+    read_limit(options.limit);  // a bad one is refused before anything is read
+    const study::StoredRun run = study::read_run(options.directory);
+    study::require_frames(run);
+    const study::CameraSettings camera = options.look.camera(study::find_strongest_axis(run.history));
+    study::ResultFolder folder(options.out);
+    Drawn drawn = options.film.empty() ? draw_times(folder, run, options, camera) : draw_film(folder, run, options, camera);
+    folder.commit();
+    drawn.json["pictures"] = drawn.pictures;
+    if (options.json) {
+        print_json(drawn.json);
+    } else {
+        print("Colours end at {}\n",
+              scaling::format_si(drawn.json["limit_m_s"].get<double>(), scaling::dimension_of<scaling::Velocity>(), 3));
+        for (const std::string& picture : drawn.pictures) print("  {}/{}\n", options.out, picture);
+    }
+    return kDone;
+}
+
+}  // namespace
+
+void add_field_command(CLI::App& app, Action& action) {
+    auto options = std::make_shared<FieldCommand>();
+    CLI::App* command = app.add_subcommand("field", "The velocity field as a camera in front sees it: pictures at times, or a film");
+    command->add_option("directory", options->directory, "Directory of results with frames, as `musim run -o` writes it")
+        ->required()
+        ->type_name("DIR");
+    command->add_option("-o,--out", options->out, "Directory for pictures, and the velocities on the image grid as CSV")
+        ->required()
+        ->type_name("OUT");
+    CLI::Option* at = command->add_option("--at", options->times, "Times that are drawn beside each other [s] (default: six, evenly)");
+    at->type_name("TIME");
+    options->look.add_to(*command);
+    command->add_option("--limit", options->limit, "Velocity at which colours end (default: the largest that is seen)")
+        ->type_name("VELOCITY");
+    CLI::Option* format = command->add_option("--format", options->formats, "Kinds of picture (default: svg and png)")
+                              ->delimiter(',')
+                              ->check(one_of({"svg", "png", "pdf"}));
+    CLI::Option* film = command->add_option("--film", options->film, "All frames, one picture each; mp4 and gif need ffmpeg");
+    film->check(one_of({"png", "mp4", "gif"}))->excludes(at)->excludes(format);
+    command->add_option("--window", options->window, "Part of the run that is filmed [s]")->expected(2)->type_name("FROM TO")->needs(film);
+    command->add_option("--rate", options->rate, "Pictures of the film a second")
+        ->default_str("25")
+        ->type_name("NUMBER")
+        ->check(above_zero())
+        ->needs(film);
+    add_threads_option(*command, options->threads);
+    add_json_option(*command, options->json);
+    command->footer(
+        "Examples:\n"
+        "  musim field out/tower -o out/tower/field --at 0.4 0.5 0.6\n"
+        "  musim field out/tower -o out/tower/field --component up --limit \"5 cm/s\" --format pdf\n"
+        "  musim field out/tower -o out/tower/film --film mp4 --window 0.2 1.2\n"
+        "Blocks are boxes in the colour of their velocity to the right, upward, or of its magnitude. A run has frames when its scene asks "
+        "for "
+        "them:\n"
+        "\"output\": {\"frame_rate\": \"100 Hz\"}.");
+    command->callback([&action, options] { action = [options] { return run_whole([&] { return run_field(*options); }); }; });
+}
+
+}  // namespace musim::cli

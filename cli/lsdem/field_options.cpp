@@ -1,0 +1,34 @@
+#include "cli/lsdem/field_options.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include "cli/options.hpp"
+
+namespace musim::cli {
+
+namespace study = lsdem::study;
+
+void FieldOptions::add_to(CLI::App& command) {
+    command.add_option("--view", side, "Side on which the camera stands (default: the motion goes from left to right)")
+        ->check(one_of({"+x", "-x", "+y", "-y"}));
+    command.add_option("--component", component, "Velocity that gives the colour")
+        ->capture_default_str()
+        ->check(one_of({"right", "up", "speed"}));
+    command.add_option("--pixels", pixels, "Columns of the image grid")->capture_default_str()->check(whole_between(8, 4000));
+}
+
+study::CameraSettings FieldOptions::camera(int axis) const {
+    study::CameraSettings camera{.side = study::find_side_facing(axis), .columns = static_cast<std::size_t>(pixels)};
+    if (side == "+x") camera.side = study::CameraSide::plus_x;
+    if (side == "-x") camera.side = study::CameraSide::minus_x;
+    if (side == "+y") camera.side = study::CameraSide::plus_y;
+    if (side == "-y") camera.side = study::CameraSide::minus_y;
+    return camera;
+}
+
+study::FieldComponent FieldOptions::shown() const {
+    if (component == "up") return study::FieldComponent::up;
+    return component == "speed" ? study::FieldComponent::speed : study::FieldComponent::right;
+}
+
+}  // namespace musim::cli

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <CLI/App.hpp>
+#include <string>
+
+#include "lsdem/response/field_picture.hpp"
+
+namespace musim::cli {
+
+/// How the velocity field is looked at: --view, --component, --pixels.
+struct FieldOptions {
+    std::string side;
+    std::string component = "right";
+    int pixels = 240;
+
+    void add_to(CLI::App& command);
+
+    /// `axis`: of the motion, which goes from left to right unless --view says otherwise.
+    lsdem::study::CameraSettings camera(int axis) const;
+    lsdem::study::FieldComponent shown() const;
+};
+
+}  // namespace musim::cli

@@ -1,0 +1,389 @@
+#include <algorithm>
+#include <CLI/CLI.hpp>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/commands.hpp"
+#include "cli/interruption.hpp"
+#include "cli/options.hpp"
+#include "cli/output.hpp"
+#include "cli/overwriting.hpp"
+#include "cli/progress_line.hpp"
+#include "cli/report.hpp"
+#include "cli/version.hpp"
+#include "lsdem/results/write_results.hpp"
+#include "lsdem/run/live_file.hpp"
+#include "lsdem/run/use_record.hpp"
+#include "lsdem/scene/scene_error.hpp"
+#include "lsdem/scene/scene_json.hpp"
+#include "lsdem/study/departure_plot.hpp"
+#include "lsdem/study/own_models.hpp"
+#include "lsdem/study/pair_scene.hpp"
+#include "lsdem/study/pair_summary.hpp"
+#include "lsdem/study/pair_text.hpp"
+#include "lsdem/study/spine_plot.hpp"
+
+namespace musim::cli {
+namespace {
+
+namespace fs = std::filesystem;
+namespace scene = lsdem::scene;
+
+struct PairOptions {
+    std::string scene;
+    std::vector<std::string> models;
+    std::vector<Number> lengths{{1.0 / 25.0}, {1.0 / 107.0}};
+    std::string materials;
+    std::string law;
+    std::vector<std::string> factors;
+    std::vector<std::string> own;  ///< presets and files
+    std::string record;
+    std::vector<std::string> components;
+    std::string out;
+    std::optional<Number> duration;
+    std::string specimen = "one";
+    std::optional<std::size_t> twins;
+    std::uint64_t seed = 1;
+    std::optional<std::size_t> specimens;
+    std::optional<Share> accept;
+    bool no_half_step = false;
+    bool each_alone = false;
+    Number checkpoint_interval{60.0};
+    int threads = 0;
+    bool json = false;
+    OverwritingOption overwriting;
+};
+
+/// "x=360 y=90" as names along the axes.
+study::AxisComponents parse_components(const std::vector<std::string>& texts) {
+    study::AxisComponents components;
+    for (const std::string& text : texts) {
+        const std::size_t axis = text.size() > 2 && text[1] == '=' ? std::string("xyz").find(text[0]) : std::string::npos;
+        if (axis == std::string::npos) throw CLI::ValidationError("--component", "'" + text + "' is not AXIS=NAME, e.g. x=360");
+        components[axis] = text.substr(2);
+    }
+    return components;
+}
+
+/// Scenes of their own are compared as they are; else exact is meant unless own materials are asked for.
+study::Materials find_materials(const PairOptions& options) {
+    if (options.materials.empty()) return options.models.empty() ? study::Materials::exact : study::Materials::own;
+    return options.materials == "own" ? study::Materials::own : study::Materials::exact;
+}
+
+void check_options(const PairOptions& options) {
+    const bool own = find_materials(options) == study::Materials::own;
+    if (options.each_alone && (!own || !options.models.empty())) {
+        throw CLI::ValidationError("--each-alone", "exact materials distort nothing; add --materials own");
+    }
+    if (!options.own.empty() && options.own.size() != options.lengths.size()) {
+        throw CLI::ValidationError("--material", "give one per --length, in the same order, or none");
+    }
+    if (!options.own.empty() && !own) {
+        throw CLI::ValidationError("--material", "exact models have no material of their own; add --materials own");
+    }
+    if (!options.law.empty() && own) throw CLI::ValidationError("--law", "own materials take the mu law; leave --law or --materials out");
+    if ((options.accept || options.specimens) && !own) {
+        throw CLI::ValidationError(options.accept ? "--accept" : "--specimens",
+                                   "exact models are held against twins alone; add --materials own");
+    }
+    if (options.accept && !(options.accept->value > 0.0)) throw CLI::ValidationError("--accept", "must be above zero, such as 5% or 0.05");
+}
+
+std::vector<study::ModelChoice> make_choices(const PairOptions& options) {
+    check_options(options);
+    std::vector<study::ModelChoice> choices;
+    for (const std::string& file : options.models) {
+        choices.push_back({.scene = read_scene(file)});
+        scene::check_scene(*choices.back().scene, file);
+    }
+    if (!options.models.empty()) return choices;
+    for (std::size_t i = 0; i < options.lengths.size(); ++i) {
+        choices.push_back({.length = options.lengths[i], .material = options.own.empty() ? std::string() : options.own[i]});
+        if (options.law.empty()) continue;
+        const std::vector<scaling::UncertainFactor> factors = parse_factors(options.factors);
+        note_values_used(factors);
+        std::vector<scaling::GivenFactor> given = scaling::values_of(factors);
+        given.push_back({"l", options.lengths[i]});
+        choices.back().similitude = solve_similitude(options.law, given);
+    }
+    return choices;
+}
+
+scene::Scene make_prototype(const PairOptions& options) {
+    scene::Scene prototype = read_scene(options.scene);
+    if (!prototype.motions.empty() && (options.duration || !options.record.empty())) {
+        throw scene::SceneError(fmt::format("{}: it has a list of motions, each with its own duration; leave {} out", options.scene,
+                                            options.duration ? "--duration" : "--record"));
+    }
+    if (!options.record.empty()) {
+        const std::vector<std::string> steps = study::use_record(prototype, options.record, parse_components(options.components));
+        for (const std::string& step : steps) note("{}: {}\n", options.record, step);
+    }
+    if (options.duration) prototype.time.duration = options.duration->value * scaling::si::seconds;
+    scene::check_scene(prototype, options.scene);
+    return prototype;
+}
+
+std::string format_losses(const study::RunDifference& difference) {
+    return difference.losses ? fmt::format("{:.3g}", *difference.losses) : "-";
+}
+
+/// `parting`: nothing of the prototype.
+void print_row(const std::string& label, double length, study::RunStatus status, const study::RunDifference* difference,
+               const std::optional<double>& parting, const std::string& verdict) {
+    std::string numbers = fmt::format("{:>11} {:>11} {:>11} {:>11} {:>8}", "-", "-", "-", "-", "-");
+    if (difference != nullptr) {
+        numbers = fmt::format("{:>11.3g} {:>11.3g} {:>11} {:>11} {:>8}", difference->rms_velocity, difference->max_velocity,
+                              format_losses(*difference), parting ? fmt::format("{:.4g}", *parting) : "never",
+                              difference->bitwise_identical ? "yes" : "no");
+    }
+    print("{:<12} {:>12.7g} {}  {}{}\n", label, length, numbers,
+          status == study::RunStatus::completed ? "" : study::to_string(status) + ", ", verdict);
+}
+
+/// What each property of a model's own material does alone, the largest effect first.
+void print_alone(const study::PairedRun& model) {
+    if (model.alone.empty()) return;
+    std::vector<study::LoneDistortion> alone = model.alone;
+    std::sort(alone.begin(), alone.end(),
+              [](const auto& a, const auto& b) { return a.difference.rms_velocity > b.difference.rms_velocity; });
+    print("\nEach property of {} alone, in a model that is exact otherwise\n", model.label);
+    print("{:<18} {:>10} {:>11} {:>11} {:>11}\n", "property", "factor", "rms diff.", "max diff.", "loss diff.");
+    for (const study::LoneDistortion& lone : alone) {
+        print("{:<18} {:>10.4g} {:>11.3g} {:>11.3g} {:>11}{}\n", lone.property, lone.factor, lone.difference.rms_velocity,
+              lone.difference.max_velocity, format_losses(lone.difference),
+              lone.status == study::RunStatus::completed ? "" : "  " + study::to_string(lone.status));
+    }
+}
+
+std::string describe_agreement(const study::PairStudy& study, const study::PairedRun& model) {
+    if (study.materials == study::Materials::own) return model.material;
+    if (model.judgement.within_rounding) return "agrees to rounding";
+    if (model.judgement.agreement == study::Agreement::not_judged) return "not judged";
+    return fmt::format("{} ({:+.1f} sd, p {:.2g})", study::to_string(model.judgement.agreement), model.judgement.lead,
+                       model.judgement.least_probability);
+}
+
+void print_table(const study::PairStudy& study) {
+    print("{:<12} {:>12} {:>11} {:>11} {:>11} {:>11} {:>8}  {}\n", "run", "length", "rms diff.", "max diff.", "loss diff.", "parting [s]",
+          "bitwise", "judgement");
+    const study::Yardstick yardstick = study.yardstick();
+    print_row("prototype", 1.0, study.prototype.status, nullptr, {}, "reference");
+    for (const study::PairedRun& model : study.models) {
+        print_row(model.label, model.run.similitude.length(), model.run.status, &model.difference, model.judgement.parting_time,
+                  describe_agreement(study, model));
+    }
+    for (std::size_t i = 0; i < study.twins.size(); ++i) {
+        const study::PairedTwin& twin = study.twins[i];
+        print_row("twin", twin.choice.length, twin.status, &twin.difference, yardstick.parting_time(study.twin_traces[i]),
+                  twin.choice.last_place ? "last places moved" : "exact image");
+    }
+    if (study.half_step) {
+        print_row("half step", 1.0, study.half_step->run.status, &study.half_step->difference,
+                  yardstick.parting_time(study.half_step->trace), "error of the time step");
+    }
+}
+
+void print_study(const study::ScenePair& pair) {
+    const study::PairStudy& study = pair.study;
+    for (const std::string& line : study::describe_verdict(study)) print("{}\n", line);
+    print("\n{}, {} materials: spine velocities v/λ_v at t/λ_t against the prototype\n", pair.prototype.name,
+          study::to_string(study.materials));
+    print_table(study);
+    print(
+        "`parting`: prototype time at which a velocity first differs by {:g} of the largest; `loss diff.`: of the energy dissipated,\n"
+        "level by level, as a part of all that the prototype dissipated\n",
+        study::kPartingLevel);
+    for (const study::PairedRun& model : study.models) {
+        if (model.distortions.empty()) continue;
+        print("\nDistortions of {}{}\n", model.label, model.material.empty() ? "" : ", " + model.material);
+        print_distortions(model.distortions);
+    }
+    for (const study::PairedRun& model : study.models) print_alone(model);
+}
+
+void write_study(study::ResultFolder& folder, const study::ScenePair& pair) {
+    const study::PairStudy& study = pair.study;
+    folder.add_run("prototype", study.prototype, {scene::write_scene(pair.prototype), kVersion});
+    for (std::size_t m = 0; m < study.models.size(); ++m) {
+        const study::PairedRun& model = study.models[m];
+        folder.add_run(study::name_folder(model.label), model.run, {scene::write_scene(pair.models[m]), kVersion});
+    }
+    folder.add_text("spine.svg", study::make_svg(study::make_spine_plot(study, pair.scales, pair.prototype.name)));
+    folder.add_text("departure.svg", study::make_svg(study::make_departure_plot(study::find_departure(study), pair.prototype.name)));
+    folder.add_json("pair.json", study::to_json(study));
+    folder.commit();
+}
+
+/// Says which runs diverged; the exit code that follows.
+int judge(const std::string& scene, const study::PairStudy& study) {
+    bool diverged = report_divergence(scene + ", prototype", study.prototype);
+    for (const study::PairedRun& model : study.models) diverged |= report_divergence(scene + ", " + model.label, model.run);
+    const auto twin = std::find_if(study.twins.begin(), study.twins.end(),
+                                   [](const study::PairedTwin& t) { return t.status == study::RunStatus::diverged; });
+    if (!diverged && twin != study.twins.end()) {
+        note("musim: error: {}: a twin of length {:.6g} diverged where the prototype did not; take a smaller \"safety\"\n", scene,
+             twin->choice.length);
+    }
+    if (study.diverged()) return kNumericalFailure;
+    report_doubts(scene + ", prototype", study.prototype);
+    for (const study::PairedRun& model : study.models) report_doubts(scene + ", " + model.label, model.run);
+    const auto refused = [&](const study::PairedRun& model) { return !study::judge_own(study, model).accepted.value_or(true); };
+    if (std::any_of(study.models.begin(), study.models.end(), refused)) return kNotAccepted;
+    const bool judged = study.agreement() != study::Agreement::not_judged;
+    return study.consistent() || !judged ? kDone : kCheckFailed;
+}
+
+int run_pair(const PairOptions& options) {
+    const scene::Scene prototype = make_prototype(options);
+    const std::vector<study::ModelChoice> choices = make_choices(options);
+    std::optional<study::ResultFolder> folder;
+    if (!options.out.empty()) {
+        study::ResultOrigin origin = options.overwriting.origin_with_options();
+        origin.add(prototype);
+        for (const study::ModelChoice& choice : choices) {
+            if (choice.scene) origin.add(*choice.scene, choice.scene->name + ": ");
+        }
+        folder.emplace(options.out, std::move(origin), options.overwriting.choice());
+    }
+    note_cut_motions(options.scene, prototype);
+
+    std::optional<study::ScenePair> pair;
+    {
+        ProgressInParts progress(prototype.name);
+        study::RunSettings settings{.threads = options.threads, .observer = progress.observer()};
+        if (folder) {
+            settings.checkpoint = study::CheckpointSettings{
+                .file = options.out,
+                .scene = scene::write_scene(prototype),
+                .program_version = kVersion,
+                .interval = options.checkpoint_interval,
+                .on_failure = [](const std::string& why) { note_at_end("musim: warning: no checkpoint: " + why); }};
+        }
+        std::optional<study::LiveFile> live;
+        if (folder) live.emplace(options.out, prototype.name).listen_to(settings.observer);
+        study::PairSceneSettings how{.specimen = options.specimen == "each" ? study::PairSpecimen::each : study::PairSpecimen::one,
+                                     .judging = {.twins = options.twins, .seed = options.seed, .half_step = !options.no_half_step},
+                                     .each_alone = options.each_alone,
+                                     .specimens = options.specimens,
+                                     .accept = options.accept ? std::optional(options.accept->value) : std::nullopt};
+        how.judging.on_spare = [&, tell = progress.of_spare()](double part) {
+            tell(part);
+            if (live) live->tell_spare(part);
+        };
+        pair = study::pair_scene(prototype, choices, find_materials(options), settings, how);
+    }
+    if (folder) {
+        if (pair->resumed) note("{}: went on from what a pair that was killed had left in {}\n", options.scene, pair->unfinished.string());
+        write_study(*folder, *pair);
+        std::error_code ignored;
+        fs::remove_all(pair->unfinished, ignored);
+    }
+
+    if (options.json) {
+        print_json(study::to_json(pair->study));
+    } else {
+        print_study(*pair);
+        if (folder) print("Results in {}, pictures spine.svg and departure.svg there\n", options.out);
+    }
+    return judge(options.scene, pair->study);
+}
+
+}  // namespace
+
+void add_pair_command(CLI::App& app, Action& action) {
+    auto options = std::make_shared<PairOptions>();
+    CLI::App* command = app.add_subcommand("pair", "A scene as prototype and as models at other scales, compared in dimensionless form");
+    command->add_option("scene", options->scene, "Scene file of the prototype")->required()->type_name("SCENE.json");
+    CLI::Option* models =
+        command->add_option("models", options->models, "Scene files of models of the same blocks, instead of scaling the prototype")
+            ->type_name("MODEL.json...");
+    command->add_option("--length", options->lengths, "Length factor of a model; repeat for several (default 1/25 and 1/107)")
+        ->type_name("NUMBER")
+        ->check(above_zero())
+        ->excludes(models);
+    command
+        ->add_option("--materials", options->materials,
+                     "exact: scaled so that every group is equal; own: measured for each scale (default: exact, of scene files own)")
+        ->check(one_of({"exact", "own"}));
+    CLI::Option* law = command
+                           ->add_option("--law", options->law,
+                                        "With exact materials: scale by this law of `musim scale --laws` or law file (default: exact)")
+                           ->type_name("LAW");
+    command->add_option("--set", options->factors, "Factor of another quantity of the law, e.g. mu=0.63/0.59; repeat for several")
+        ->type_name("NAME=NUMBER")
+        ->expected(1)
+        ->take_all()
+        ->needs(law);
+    command
+        ->add_option(
+            "--material", options->own,
+            "Own material of each model: a preset, a material file, or a scene whose it is (default: the one measured at that scale)")
+        ->type_name("NAME|FILE")
+        ->excludes(models);
+    command
+        ->add_option("--specimens", options->specimens,
+                     "Other specimens of the prototype to hold own models against (default: 4 when block heights are drawn)")
+        ->type_name("N")
+        ->check(whole_between(0, 1000));
+    command
+        ->add_option("--accept", options->accept,
+                     "Accept own models whose peak velocity and residual displacement of the top and losses differ by no more, e.g. 5%; "
+                     "else exit code 6")
+        ->type_name("NUMBER");
+    command->add_flag("--each-alone", options->each_alone,
+                      "With own materials: also run a model for each property that differs, exact otherwise, and tell what it does alone");
+    command->add_option("--twins", options->twins, "Twins to judge by; 0: none (default: none when models agree to rounding, else 2 or 8)")
+        ->type_name("N")
+        ->check(whole_between(0, 1000));
+    command->add_option("--seed", options->seed, "Of the twins")->type_name("N")->check(not_negative())->capture_default_str();
+    command
+        ->add_option("--specimen", options->specimen,
+                     "one: exact models start from the prototype's specimen; each: every scale lays its own")
+        ->check(one_of({"one", "each"}))
+        ->capture_default_str();
+    command->add_flag("--no-half-step", options->no_half_step, "Leave out the prototype's run at half its time step");
+    CLI::Option* record =
+        command->add_option("--record", options->record, "Shake with the strong motion of this record instead of the scene's")
+            ->type_name("FILE");
+    command
+        ->add_option("--component", options->components, "Component along an axis, e.g. x=360 (default: the strongest horizontal along x)")
+        ->type_name("AXIS=NAME")
+        ->needs(record);
+    command->add_option("-o,--out", options->out, "Directory: a folder per run, spine.svg, departure.svg, pair.json")->type_name("DIR");
+    command->add_option("--duration", options->duration, "Simulated time of the prototype [s], instead of the scene's")
+        ->type_name("NUMBER")
+        ->check(above_zero());
+    add_checkpoint_interval_option(*command, options->checkpoint_interval);
+    options->overwriting.add_to(*command);
+    add_threads_option(*command, options->threads);
+    add_json_option(*command, options->json);
+    command->footer(
+        "Examples:\n"
+        "  musim pair examples/tower_prototype.json -o out/pair\n"
+        "  musim pair examples/tower_prototype.json --length 1/16 --length 1/64 --json\n"
+        "  musim pair examples/tower_prototype.json --length 1/25 --law centrifuge\n"
+        "  musim pair examples/tower_prototype.json --length 1/107 --record CICLC.v1 --component x=360 -o out/ridgecrest\n"
+        "  musim pair examples/tower_prototype.json --length 1/107 --materials own --material aluminium --accept 5%\n"
+        "  musim pair examples/tower_prototype.json my_model.json\n"
+        "  musim pair examples/tower_prototype.json --length 1/107 --materials own --each-alone\n"
+        "  musim pair examples/uneven_wall.json --twins 8 --seed 2\n"
+        "Twins are the prototype in other units, or with coordinates moved by one unit in the last place: what rounding alone may do. A\n"
+        "model differs when it parts from the prototype earlier than they do, or its peaks, residuals or losses lie outside their "
+        "scatter.\n"
+        "With -o, specimens and runs are kept in DIR until the results are written: the same command resumes an interrupted pair.\n"
+        "Results of another scene, version or options in DIR are not overwritten without --force (exit code 3).\n"
+        "Models of their own material are distorted, and their specimen is one of many: their differences are held against twins and "
+        "other\n"
+        "specimens of the prototype. Exit code 5: a model with exact materials differs, or nothing could be decided; 6: --accept.");
+    command->callback([&action, options] { action = [options] { return run_again([&] { return run_pair(*options); }, options->out); }; });
+}
+
+}  // namespace musim::cli

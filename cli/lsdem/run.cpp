@@ -1,0 +1,220 @@
+#include "lsdem/run/run.hpp"
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "cli/commands.hpp"
+#include "cli/interruption.hpp"
+#include "cli/options.hpp"
+#include "cli/output.hpp"
+#include "cli/overwriting.hpp"
+#include "cli/progress_line.hpp"
+#include "cli/report.hpp"
+#include "cli/version.hpp"
+#include "lsdem/results/failure.hpp"
+#include "lsdem/results/outcome.hpp"
+#include "lsdem/results/write_results.hpp"
+#include "lsdem/run/live_file.hpp"
+#include "lsdem/scene/motions.hpp"
+#include "lsdem/scene/scene_json.hpp"
+
+namespace musim::cli {
+namespace {
+
+namespace fs = std::filesystem;
+namespace scene = lsdem::scene;
+
+struct RunOptions {
+    std::string scene;
+    std::string out;
+    std::string resume;
+    std::optional<Number> duration;
+    Number checkpoint_interval{60.0};
+    int threads = 0;
+    bool json = false;
+    OverwritingOption overwriting;
+};
+
+/// The similitude by which the scene's record was made that of a model; nothing for other scenes.
+std::optional<scaling::Similitude> find_similitude(const scene::Scene& scene) {
+    const auto* record = std::get_if<scene::RecordMotion>(&scene.base_motion.source);
+    if (record == nullptr || !record->scale) return std::nullopt;
+    return scene::make_similitude(*record->scale);
+}
+
+void print_run(const scene::Scene& scene, const study::RunResult& run) {
+    print("{}: {}\n", scene.name, study::to_string(run.status));
+    const study::Outcome outcome = study::find_outcome(run);
+    for (const std::string& line : study::describe(outcome)) print("  {}\n", line);
+    if (const auto similitude = find_similitude(scene)) {
+        print("  as in the prototype, of which this is a model at 1:{:.6g} by law {}:\n", 1.0 / similitude->length(),
+              similitude->law_name());
+        for (const std::string& line : study::describe(study::scale_back(outcome, *similitude))) print("    {}\n", line);
+    }
+    if (run.collapse_time) print("  collapsed at {:.4g} s\n", *run.collapse_time);
+    if (const auto failure = study::find_failure(run)) print("  {}\n", study::describe(*failure));
+    print("  {:.6g} s simulated in {:.2f} s, {} steps of {:.3g} s; energy balance closes to {:.2g}; state {}\n", run.final.time,
+          run.wall_time, run.steps, run.time_step, run.energy_closure, run.state_hash);
+}
+
+fs::path checkpoint_in(const std::string& directory) { return fs::path(directory) / study::kCheckpointName; }
+
+/// What a run starts or continues with.
+struct Begin {
+    scene::Scene scene;
+    std::string scene_text;
+    std::optional<study::Checkpoint> checkpoint;  ///< of a run to resume
+};
+
+Begin begin_anew(const RunOptions& options) {
+    Begin begin{.scene = read_scene(options.scene), .scene_text = {}, .checkpoint = {}};
+    if (options.duration) begin.scene.time.duration = options.duration->value * scaling::si::seconds;
+    scene::check_scene(begin.scene, options.scene);
+    scene::require_single_motion(begin.scene, "a run");
+    begin.scene_text = scene::write_scene(begin.scene);
+    return begin;
+}
+
+/// Refuses to write over the only trace of an unfinished run.
+void refuse_old_checkpoint(const std::string& directory) {
+    if (!fs::exists(checkpoint_in(directory))) return;
+    throw std::runtime_error(
+        fmt::format("{0}: an unfinished run left its checkpoint here; continue it with `musim run --resume {0}`, or remove "
+                    "{1} to start anew",
+                    directory, checkpoint_in(directory).string()));
+}
+
+void require_checkpoint(const std::string& directory) {
+    if (fs::exists(checkpoint_in(directory))) return;
+    const bool finished = fs::exists(fs::path(directory) / "summary.json");
+    throw std::runtime_error(fmt::format("{}: {}", directory,
+                                         finished
+                                             ? "the run here has finished; there is nothing to resume"
+                                             : "there is no checkpoint to resume from (a run leaves its first after 5 seconds); start the "
+                                               "run anew"));
+}
+
+Begin begin_from(const std::string& directory) {
+    const fs::path file = checkpoint_in(directory);
+    Begin begin{.scene = {}, .scene_text = {}, .checkpoint = study::read_checkpoint(file, kVersion)};
+    begin.scene_text = begin.checkpoint->scene;
+    begin.scene = scene::parse_scene(begin.scene_text, file);
+    if (!begin.scene.motions.empty()) {
+        throw std::runtime_error(fmt::format(
+            "{}: the checkpoint is of a sequence of motions; continue it with `musim sequence --resume {}`", file.string(), directory));
+    }
+    return begin;
+}
+
+study::RunResult carry_out(Begin begin, const RunOptions& options, const std::string& directory) {
+    study::RunSettings settings{.threads = options.threads};
+    if (!directory.empty()) {
+        settings.checkpoint =
+            study::CheckpointSettings{.file = checkpoint_in(directory),
+                                      .scene = begin.scene_text,
+                                      .program_version = kVersion,
+                                      .interval = options.checkpoint_interval,
+                                      .on_failure = [](const std::string& why) { note("musim: warning: no checkpoint: {}\n", why); }};
+    }
+    ProgressInParts progress(begin.scene.name, begin.checkpoint.has_value());
+    settings.observer = progress.observer();
+    std::optional<study::LiveFile> live;
+    if (!directory.empty()) live.emplace(directory, begin.scene.name).listen_to(settings.observer);
+    if (!begin.checkpoint) return study::run_scene(begin.scene, settings);
+    try {
+        return study::resume_scene(begin.scene, std::move(*begin.checkpoint), settings);
+    } catch (const std::runtime_error& error) {
+        throw std::runtime_error(
+            fmt::format("{}: the run cannot be continued ({}); has the scene's record or the program changed since? If so, start it anew",
+                        checkpoint_in(directory).string(), error.what()));
+    }
+}
+
+int run_run(const RunOptions& options) {
+    const bool resumes = !options.resume.empty();
+    const std::string& directory = resumes ? options.resume : options.out;
+    std::optional<Begin> begin;
+    if (!resumes) begin = begin_anew(options);
+    // the folder first: better no run than one without a place for its results, and no checkpoint that another musim still writes
+    std::optional<study::ResultFolder> folder;
+    if (resumes && !fs::is_directory(directory)) require_checkpoint(directory);
+    if (!directory.empty()) folder.emplace(directory);
+    if (resumes) {
+        require_checkpoint(directory);
+        begin = begin_from(directory);
+    }
+    if (folder) {
+        study::ResultOrigin origin = options.overwriting.origin();
+        origin.add(begin->scene);
+        folder->set_origin(std::move(origin), resumes ? study::Overwriting::resume : options.overwriting.choice());
+        if (!resumes) refuse_old_checkpoint(directory);
+    }
+    const scene::Scene scene = begin->scene;
+    if (!resumes) note_cut_motions(options.scene, scene);
+    const std::string scene_text = begin->scene_text;
+    const study::RunResult run = carry_out(std::move(*begin), options, directory);
+    if (folder) {
+        folder->add_run("", run, {.scene = scene_text, .program_version = kVersion});
+        folder->commit();
+        study::remove_checkpoint(checkpoint_in(directory));
+    }
+
+    if (options.json) {
+        print_json(study::make_summary(run));
+    } else {
+        print_run(scene, run);
+        if (folder) print("Results in {}\n", directory);
+    }
+    const std::string& where = resumes ? directory : options.scene;
+    report_doubts(where, run);
+    return report_divergence(where, run) ? kNumericalFailure : kDone;
+}
+
+}  // namespace
+
+void add_run_command(CLI::App& app, Action& action) {
+    auto options = std::make_shared<RunOptions>();
+    CLI::App* command = app.add_subcommand("run", "One simulation of a scene");
+    CLI::Option* scene_file = command->add_option("scene", options->scene, "Scene file (JSON, schema musim-scene/1)");
+    scene_file->type_name("SCENE.json");
+    CLI::Option* out = command->add_option("-o,--out", options->out, "Directory for result.h5, result.xdmf, spine.csv and summary.json");
+    out->type_name("DIR");
+    CLI::Option* duration = command->add_option("--duration", options->duration, "Simulated time [s], instead of the scene's");
+    duration->type_name("NUMBER")->check(above_zero());
+    command->add_option("--resume", options->resume, "Continue the run that was killed while it worked on DIR")
+        ->type_name("DIR")
+        ->excludes(scene_file)
+        ->excludes(out)
+        ->excludes(duration);
+    add_checkpoint_interval_option(*command, options->checkpoint_interval);
+    options->overwriting.add_to(*command);
+    add_threads_option(*command, options->threads);
+    add_json_option(*command, options->json);
+    command->footer(
+        "Examples:\n"
+        "  musim run examples/tower_prototype.json -o out/tower\n"
+        "  musim run examples/tower_prototype.json --duration 1/2 --threads 1 --json\n"
+        "  musim run --resume out/tower\n"
+        "A run with -o writes checkpoints into DIR, a last one on SIGINT (Ctrl-C) and SIGTERM. --resume continues from it; the results "
+        "are\n"
+        "the same to the last bit. The scene is the checkpoint's; a record it names must be unchanged. A finished run leaves no "
+        "checkpoint.\n"
+        "Results of another scene or version in DIR are not overwritten without --force (exit code 3).\n"
+        "Exit code 130, 143: stopped by SIGINT, SIGTERM; 4: the run diverged; results up to then are written all the same. A doubtful run "
+        "(step above the critical one, blocks "
+        "deep\n"
+        "in each other, open energy balance) is a warning on stderr.");
+    command->callback([&action, options] {
+        if (options->scene.empty() && options->resume.empty()) throw CLI::RequiredError("scene (or --resume)");
+        const std::string& directory = options->resume.empty() ? options->out : options->resume;
+        action = [options, directory] { return run_resumable([&] { return run_run(*options); }, "musim run", directory); };
+    });
+}
+
+}  // namespace musim::cli

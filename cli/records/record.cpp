@@ -1,0 +1,207 @@
+#include <algorithm>
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "cli/commands.hpp"
+#include "cli/named_values.hpp"
+#include "cli/options.hpp"
+#include "cli/output.hpp"
+#include "cli/record_source.hpp"
+#include "cli/records/record_groups.hpp"
+#include "cli/records/record_measures.hpp"
+#include "cli/records/record_peaks.hpp"
+#include "records/measures/intensity.hpp"
+#include "records/processing/processing.hpp"
+
+namespace musim::cli {
+namespace {
+
+struct RecordInfoOptions {
+    std::vector<std::string> files;
+    RecordSourceOptions source;
+    std::optional<Number> highpass;
+    MeasureSettings measures;
+    StructureOptions structure;
+    bool json = false;
+};
+
+/// One component with its measures.
+struct ComponentInfo {
+    std::string file;
+    const records::GroundMotion& motion;
+    const records::Component& component;
+    std::optional<scaling::Frequency> corner;  ///< of the high-pass before integration
+    records::Intensity intensity;
+    NamedValues measures;
+    NamedValues groups;  ///< with a structure; none: empty
+};
+
+/// When a component begins, where its file tells.
+std::optional<records::UtcTime> find_first_sample(const ComponentInfo& info) {
+    if (!info.motion.time_zero) return std::nullopt;
+    return records::find_instant(*info.motion.time_zero, info.component.series.start());
+}
+
+/// Step and peaks, in the units engineers quote.
+NamedValues list_peaks(const ComponentInfo& info) {
+    const records::TimeSeries& series = info.component.series;
+    const records::Intensity& intensity = info.intensity;
+    return {{"component", {}, info.component.name},
+            {"quantity", "quantity", records::to_string(series.quantity()), "", -12},
+            {"dt_s", {}, series.dt().value()},
+            {{}, "dt [ms]", 1e3 * series.dt().value(), ".6g", 9},
+            {"npts", "npts", series.size(), "", 7},
+            {"pga_g", "PGA [g]", or_null(size_of(intensity.pga, scaling::kStandardGravity.value())), ".4g", 8},
+            {"pgv_cm_s", "PGV [cm/s]", or_null(size_of(intensity.pgv, 0.01)), ".4g", 9},
+            {"pgd_cm", "PGD [cm]", or_null(size_of(intensity.pgd, 0.01)), ".4g", 8},
+            {"arias_m_s", "Ia [m/s]", or_null(in_si(intensity.arias)), ".4g", 9},
+            {"d5_95_s", "D5-95 [s]", or_null(in_si(intensity.d5_95)), ".4g", 8},
+            {"highpass_hz", {}, or_null(in_si(info.corner))},
+            {{}, "integrated", describe_integration(info.corner), "", -1}};
+}
+
+nlohmann::json to_json(const ComponentInfo& info) {
+    const records::TimeSeries& series = info.component.series;
+    const auto first = find_first_sample(info);
+    nlohmann::json object{{"file", info.file},
+                          {"format", info.motion.format},
+                          {"station", info.motion.station},
+                          {"unit", records::si_unit_name(series.quantity())},
+                          {"start_s", series.start().value()},
+                          {"first_sample_utc", first ? nlohmann::json(records::to_string(*first)) : nlohmann::json()},
+                          {"begins_in_motion", info.corner && records::begins_in_motion(series)},
+                          {"history", info.motion.history}};
+    add_to_json(object, list_peaks(info));
+    add_to_json(object, info.measures);
+    if (!info.groups.empty()) add_to_json(object["groups"], info.groups);
+    return object;
+}
+
+/// When components begin, what was done to their samples since the file, sensitivities included, and levels that are not taken from rest.
+void print_origin(std::span<const ComponentInfo> infos) {
+    for (const ComponentInfo& info : infos) {
+        const auto first = find_first_sample(info);
+        print("{:<10} starts at {:.9g} s{}{}\n", info.component.name, info.component.series.start().value(),
+              first ? ", " + records::to_string(*first) + " UTC" : "",
+              info.corner && records::begins_in_motion(info.component.series) ? ", in motion: its level is the mean of all samples" : "");
+    }
+    for (const std::string& step : infos.front().motion.history) print("{:<10} {}\n", "", step);
+}
+
+/// The components of one file: peaks, measures, and groups if there are.
+void print_tables(std::span<const ComponentInfo> infos) {
+    const records::GroundMotion& motion = infos.front().motion;
+    print("{}: {}{}{}\n", infos.front().file, motion.format, motion.station.empty() ? "" : ", station ", motion.station);
+    print_titles("component", list_peaks(infos.front()));
+    for (const ComponentInfo& info : infos) print_row(info.component.name, list_peaks(info));
+    print_origin(infos);
+    print_titles("component", infos.front().measures);
+    for (const ComponentInfo& info : infos) print_row(info.component.name, info.measures);
+    if (infos.front().groups.empty()) return;
+    print_titles("component", infos.front().groups);
+    for (const ComponentInfo& info : infos) print_row(info.component.name, info.groups);
+}
+
+ComponentInfo make_info(const RecordInfoOptions& options, const std::string& file, const records::GroundMotion& motion,
+                        const records::Component& component) {
+    auto corner = motion.integration_corner;
+    if (options.highpass) corner = options.highpass->value / scaling::si::seconds;
+    const records::Intensity intensity = records::compute_intensity(component.series, corner);
+    const records::TimeSeries leveled = records::level_uncorrected(component.series, corner);
+    ComponentInfo info{file, motion, component, corner, intensity, measure_record(leveled, intensity, corner, options.measures), {}};
+    if (options.structure.any()) info.groups = compute_record_groups(leveled, intensity, options.structure);
+    return info;
+}
+
+/// A file and its components, or what is wrong with it.
+struct FileInfo {
+    std::optional<records::GroundMotion> motion;
+    std::vector<ComponentInfo> components;
+    std::string error;
+};
+
+/// Fills in one file; the components refer to the motion beside them.
+void read_info(const RecordInfoOptions& options, const std::string& file, FileInfo& info) {
+    try {
+        info.motion = options.source.load(file);
+        for (const records::Component& component : info.motion->components) {
+            info.components.push_back(make_info(options, file, *info.motion, component));
+        }
+    } catch (const records::ReadError& error) {
+        info.error = error.what();
+    } catch (const records::ProcessingError& error) {
+        info.error = file + ": " + error.what();
+    }
+    if (!info.error.empty()) info.components.clear();
+}
+
+int run_record_info(const RecordInfoOptions& options) {
+    std::vector<FileInfo> infos(options.files.size());
+    for (std::size_t i = 0; i < infos.size(); ++i) read_info(options, options.files[i], infos[i]);
+    const bool any = std::any_of(infos.begin(), infos.end(), [](const FileInfo& info) { return info.error.empty(); });
+    if (options.json && any) {
+        nlohmann::json list = nlohmann::json::array();
+        for (const FileInfo& of_file : infos) {
+            for (const ComponentInfo& info : of_file.components) list.push_back(to_json(info));
+        }
+        print_json({{"components", list}});
+    } else {
+        for (const FileInfo& of_file : infos) {
+            if (!of_file.components.empty()) print_tables(of_file.components);
+        }
+    }
+    int code = kDone;
+    for (const FileInfo& of_file : infos) {
+        if (of_file.error.empty()) continue;
+        note("musim: error: {}\n", of_file.error);
+        code = kInputError;
+    }
+    return code;
+}
+
+}  // namespace
+
+void add_record_command(CLI::App& app, Action& action) {
+    CLI::App* command = app.add_subcommand("record", "Ground-motion records");
+    command->require_subcommand(1);
+    auto options = std::make_shared<RecordInfoOptions>();
+    CLI::App* info = command->add_subcommand("info", "Peaks, intensity, durations and periods of every component");
+    info->add_option("files", options->files, kRecordArgument)->required()->type_name("FILE");
+    options->source.add_to(*info);
+    info->add_option(
+            "--highpass", options->highpass,
+            "Corner [Hz] of the zero-phase high-pass before integration (default: none for corrected records, 0.05 for uncorrected)")
+        ->type_name("NUMBER");
+    options->measures.add_to(*info);
+    options->structure.add_to(*info);
+    add_json_option(*info, options->json);
+    info->footer(
+        "Examples:\n"
+        "  musim record info CICLC.v1\n"
+        "  musim record info CICLC.v1 --highpass 0.064\n"
+        "  musim record info IELC180.AT2 IELC270.AT2 --json\n"
+        "  musim record info motion.txt --unit g --dt 0.005\n"
+        "  musim record info CICLC.v1 --friction 0.59 --length 1.36 --slenderness 17.7      # groups, sliding of a Newmark block\n"
+        "  musim record info model.csv --mean-period-band 2.67 214\n"
+        "T mean: of the Fourier amplitudes; T PSA and T PSV: of the largest 5 % PSA and PSV among 200 periods from 4 dt to the duration, "
+        "with\n"
+        "as long a rest behind the record; of uncorrected records to a quarter of it or 1/corner. Measures of uncorrected records are of "
+        "the samples above their initial level.\n"
+        "SI: Housner's spectrum intensity, the area below PSV at 5 % from 0.1 to 2.5 s. A file that cannot be used is an error line, the "
+        "others\n"
+        "are shown (exit code 3).");
+    info->callback([&action, options] { action = [options] { return run_record_info(*options); }; });
+    add_record_plot_command(*command, action);
+    add_record_process_command(*command, action);
+    add_record_spectrum_command(*command, action);
+    add_record_make_command(*command, action);
+    add_record_match_command(*command, action);
+}
+
+}  // namespace musim::cli

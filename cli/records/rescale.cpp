@@ -1,0 +1,122 @@
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "cli/commands.hpp"
+#include "cli/interruption.hpp"
+#include "cli/options.hpp"
+#include "cli/output.hpp"
+#include "cli/output_files.hpp"
+#include "cli/record_source.hpp"
+#include "cli/records/record_output.hpp"
+#include "cli/records/record_peaks.hpp"
+#include "cli/records/rescale_uncertainty.hpp"
+#include "cli/report.hpp"
+#include "cli/uncertain_options.hpp"
+#include "records/processing/scale_record.hpp"
+#include "records/shake_table/table_axes.hpp"
+#include "scaling/structures/solid_elasticity.hpp"
+
+namespace musim::cli {
+namespace {
+
+struct RescaleOptions {
+    std::string record;
+    RecordSourceOptions source;
+    SimilitudeOptions scales;
+    RecordOutputOptions output;
+    UncertainStructureOptions structure;
+    MonteCarloOptions monte_carlo;
+    bool json = false;
+};
+
+/// Names of the components that shake vertically.
+std::vector<std::string> list_vertical(const records::GroundMotion& motion) {
+    std::vector<std::string> names;
+    for (const records::Component& component : motion.components) {
+        if (records::is_vertical(component)) names.push_back(component.name);
+    }
+    return names;
+}
+
+int run_rescale(const RescaleOptions& options) {
+    const scaling::ModelScales scales = options.scales.model_scales();
+    options.output.check();
+    refuse_overwriting(options.source.find_files({options.record}), {options.output.out});
+    const records::GroundMotion prototype = options.output.select(options.source.load(options.record));
+    const records::GroundMotion model = records::rescale(prototype, scales);
+    const UncertainRescale uncertain = find_uncertain_rescale(prototype, options.scales, options.structure, options.monte_carlo.make());
+    const auto distortions = scaling::find_distortions(scales, options.structure.facts());
+    options.output.write(model);
+    options.scales.note_doubtful_factors(options.structure.friction.has_value());
+
+    nlohmann::json components = nlohmann::json::array();
+    if (!options.json) {
+        print("Law {}: {}time {:.7g}, velocity {:.7g}, acceleration {:.7g} (model/prototype)\n", scales.law, describe_lengths(scales),
+              scales.time, scales.velocity, scales.acceleration);
+        print("{}\n", describe_vertical(list_vertical(prototype), scales));
+    }
+    for (std::size_t c = 0; c < model.components.size(); ++c) {
+        const std::string& name = model.components[c].name;
+        const NamedValues before = find_peaks(prototype, prototype.components[c]);
+        const NamedValues after = find_peaks(model, model.components[c]);
+        const bool is_vertical = records::is_vertical(prototype.components[c]);
+        components.push_back({{"component", name}, {"vertical", is_vertical}, {"prototype", to_json(before)}, {"model", to_json(after)}});
+        if (!options.json) {
+            if (c == 0) print_titles("", before);
+            print_row("prototype", before);
+            print_row("model", after);
+        }
+    }
+    if (options.json) {
+        nlohmann::json object = to_json(scales);
+        object["out"] = options.output.out;
+        object["components"] = components;
+        object["distortions"] = study::to_json(distortions);
+        object["solid_elasticity"] = scaling::find_solid_elasticity(scales);
+        add_to_json(object, uncertain);
+        print_json(object);
+    } else {
+        print_uncertain_rescale(uncertain);
+        print("\n");
+        print_distortions(distortions);
+        for (const std::string& line : describe_elasticity(scales)) print("{}\n", line);
+        print("\nWritten to {}\n", options.output.out);
+    }
+    return kDone;
+}
+
+}  // namespace
+
+void add_rescale_command(CLI::App& app, Action& action) {
+    auto options = std::make_shared<RescaleOptions>();
+    CLI::App* command = app.add_subcommand("rescale", "The record a model must be shaken with, from the prototype's");
+    command->add_option("record", options->record, kRecordArgument)->required()->type_name("RECORD");
+    options->scales.add_to(*command);
+    options->output.add_to(*command);
+    options->source.add_to(*command);
+    options->structure.add_to(*command);
+    options->monte_carlo.add_to(*command);
+    add_json_option(*command, options->json);
+    command->footer(
+        "Examples:\n"
+        "  musim rescale CICLC.v1 --length 1/107 --friction 0.63/0.59 -o model.csv\n"
+        "  musim rescale CICLC.v1 --length 1/25 --component 360 -o model.at2\n"
+        "  musim rescale CICLC.v1 --length 1/107+/-0.4% --friction \"(0.63+/-5%)/(0.59+/-5%)\" --height 161.5m --monte-carlo -o model.csv\n"
+        "  musim rescale synthetic --length 1/107 --law froude -o model.csv --json\n"
+        "  musim rescale CICLC.v1 --length 1/25 --law centrifuge -o model.csv\n"
+        "  musim rescale CICLC.v1 --length 1/107 --friction 0.18/0.59 --law mu_vertical_distortion -o model.csv   # heights 1:107, widths "
+        "by "
+        "the law\n"
+        "  musim rescale CICLC.v1 --length 1/25 --law examples/laws/bolted.json --set k_b=1/100 -o model.csv\n"
+        "Vertical components (Up, UD, Z, HNZ and the like) are scaled by the law's own factor, as `musim scale` tells it: that of gravity "
+        "where weights matter.\n"
+        "Where factors carry uncertainties, e.g. 0.63+/-0.03, the record is scaled by their values, and the model's measures are told with "
+        "u, a\n"
+        "standard uncertainty; those of --monte-carlo with intervals that cover 95 %.");
+    command->callback([&action, options] { action = [options] { return run_whole([&] { return run_rescale(*options); }); }; });
+}
+
+}  // namespace musim::cli

@@ -1,0 +1,194 @@
+#include "cli/records/table_output.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "cli/length_ranges.hpp"
+#include "cli/named_values.hpp"
+#include "cli/output.hpp"
+#include "scaling/laws/length_range.hpp"
+
+namespace musim::cli {
+namespace {
+
+using records::TableLimit;
+
+/// The unit in which engineers quote a limit, and its name in JSON keys.
+struct DisplayUnit {
+    std::string name, key;
+    double si;
+};
+
+DisplayUnit find_unit(TableLimit limit) {
+    switch (limit) {
+        case TableLimit::displacement:
+            return {"mm", "mm", 1e-3};
+        case TableLimit::velocity:
+            return {"cm/s", "cm_s", 1e-2};
+        case TableLimit::acceleration:
+            return {"g", "g", scaling::kStandardGravity.value()};
+        case TableLimit::force:
+            return {"kN", "kn", 1e3};
+        case TableLimit::overturning_moment:
+            return {"kN m", "kn_m", 1e3};
+        case TableLimit::payload:
+            return {"kg", "kg", 1.0};
+        case TableLimit::lowest_frequency:
+        case TableLimit::highest_frequency:
+        case TableLimit::oil_column:
+        case TableLimit::controller_band:
+            break;
+    }
+    return {"Hz", "hz", 1.0};
+}
+
+/// The unit of find_unit(), or one a thousand times as large for a limit from ten thousand of it.
+DisplayUnit find_printed_unit(const records::LimitUse& use) {
+    const DisplayUnit unit = find_unit(use.which);
+    if (use.limit < 1e4 * unit.si) return unit;
+    switch (use.which) {
+        case TableLimit::force:
+            return {"MN", unit.key, 1e6};
+        case TableLimit::overturning_moment:
+            return {"MN m", unit.key, 1e6};
+        case TableLimit::payload:
+            return {"t", unit.key, 1e3};
+        default:
+            return unit;
+    }
+}
+
+std::string describe_end(const std::optional<TableLimit>& limit, const std::string& axis) {
+    if (!limit) return "the end of the search";
+    return fmt::format("{} of axis {}", to_string(*limit), axis);
+}
+
+const std::vector<scaling::LengthRange>* find_ranges(const std::vector<LimitScales>& scales, const std::string& axis, TableLimit limit) {
+    for (const LimitScales& each : scales)
+        if (each.axis == axis && each.limit == limit) return &each.ranges;
+    return nullptr;
+}
+
+}  // namespace
+
+nlohmann::json to_json(const std::vector<records::ComponentUse>& uses, const std::vector<LimitScales>& scales) {
+    nlohmann::json list = nlohmann::json::array();
+    for (const records::ComponentUse& component : uses) {
+        nlohmann::json limits = nlohmann::json::array();
+        for (const records::LimitUse& use : component.uses) {
+            const DisplayUnit unit = find_unit(use.which);
+            limits.push_back({{"limit", std::string(to_string(use.which))},
+                              {"unit", unit.name},
+                              {"record", use.demand / unit.si},
+                              {"table", use.limit / unit.si},
+                              {"used", use.used()}});
+            if (const auto* const ranges = find_ranges(scales, component.axis, use.which)) {
+                limits.back()["scales"] = nlohmann::json::array();
+                for (const scaling::LengthRange& range : *ranges) limits.back()["scales"].push_back({range.smallest, range.largest});
+            }
+        }
+        list.push_back({{"component", component.component},
+                        {"axis", component.axis},
+                        {"displacement_mm", component.demand.displacement.value() / 1e-3},
+                        {"half_range_mm", component.demand.half_range.value() / 1e-3},
+                        {"velocity_cm_s", component.demand.velocity.value() / 1e-2},
+                        {"acceleration_g", component.demand.acceleration.value() / scaling::kStandardGravity.value()},
+                        {"lowest_frequency_hz", component.demand.lowest_frequency.value()},
+                        {"highest_frequency_hz", component.demand.highest_frequency.value()},
+                        {"limits", limits}});
+    }
+    return list;
+}
+
+nlohmann::json to_json(const records::ScaleRange& range) {
+    return {{"smallest", range.smallest},
+            {"largest", range.largest},
+            {"binds_below", name_or_null(range.binds_below)},
+            {"binds_above", name_or_null(range.binds_above)},
+            {"axis_below", range.axis_below},
+            {"axis_above", range.axis_above}};
+}
+
+nlohmann::json to_json(const records::Correction& correction, const scaling::ModelScales& scales) {
+    nlohmann::json spectra = nlohmann::json::array();
+    for (const records::SpectrumChange& change : correction.spectra) {
+        const auto before = change.before.pseudo_acceleration(), after = change.after.pseudo_acceleration();
+        nlohmann::json rows = nlohmann::json::array();
+        for (std::size_t i = 0; i < before.size(); ++i) {
+            rows.push_back({{"period_s", change.before.period[i]},
+                            {"prototype_period_s", change.before.period[i] / scales.time},
+                            {"psa_before_g", before[i] / scaling::kStandardGravity.value()},
+                            {"psa_after_g", after[i] / scaling::kStandardGravity.value()}});
+        }
+        spectra.push_back({{"component", change.component}, {"rows", rows}});
+    }
+    return {{"high_pass_hz", or_null(in_si(correction.settings.high_pass))},
+            {"low_pass_hz", or_null(in_si(correction.settings.low_pass))},
+            {"amplitude", correction.settings.amplitude},
+            {"mean_change_of_ln_psa", correction.mean_change},
+            {"largest_change_of_ln_psa", correction.largest_change},
+            {"components", to_json(correction.uses)},
+            {"spectra", spectra}};
+}
+
+void print_uses(const std::vector<records::ComponentUse>& uses, const std::vector<LimitScales>& scales) {
+    print("{:<10} {:<8} {:<20} {:>10} {:>10} {:<5} {:>7}  {}\n", "component", "axis", "limit", "record", "table", "", "used",
+          "length scales");
+    for (const records::ComponentUse& component : uses) {
+        for (const records::LimitUse& use : component.uses) {
+            const DisplayUnit unit = find_printed_unit(use);
+            const auto* const ranges = find_ranges(scales, component.axis, use.which);
+            print("{:<10} {:<8} {:<20} {:>10.4g} {:>10.4g} {:<5} {:>7.3f}  {}{}\n", component.component, component.axis,
+                  to_string(use.which), use.demand / unit.si, use.limit / unit.si, unit.name, use.used(),
+                  ranges ? describe_ranges(*ranges) : "", use.used() > 1.0 ? "  <- too much" : "");
+        }
+    }
+    for (const records::ComponentUse& component : uses) {
+        const double farthest = component.demand.displacement.value() / 1e-3, centered = component.demand.half_range.value() / 1e-3;
+        if (centered < 0.99 * farthest) {
+            print("{}: started {:.3g} mm off the middle, it would need {:.4g} mm to either side instead of {:.4g}\n", component.component,
+                  farthest - centered, centered, farthest);
+        }
+    }
+}
+
+void print_scales(const std::vector<records::ScaleRange>& ranges) {
+    if (ranges.empty()) print("No length scale from 1/16384 to 1 fits the table with this record.\n");
+    for (const records::ScaleRange& range : ranges) {
+        print("Length scales from {} to {} fit; in the way of smaller ones is {}, of larger ones {}.\n",
+              scaling::describe_scale(range.smallest), scaling::describe_scale(range.largest),
+              describe_end(range.binds_below, range.axis_below), describe_end(range.binds_above, range.axis_above));
+    }
+}
+
+void print_correction(const records::Correction& correction, const scaling::ModelScales& scales) {
+    const records::DriveSettings& settings = correction.settings;
+    std::string what;
+    const auto add = [&](const std::string& text) { what += (what.empty() ? "" : ", ") + text; };
+    const auto describe = [&](const scaling::Frequency& corner) {
+        return fmt::format("{:.4g} Hz ({:.4g} Hz of the prototype)", corner.value(), corner.value() / scales.frequency);
+    };
+    if (settings.high_pass) add("high-pass at " + describe(*settings.high_pass));
+    if (settings.low_pass) add("low-pass at " + describe(*settings.low_pass));
+    if (settings.amplitude != 1.0) add(fmt::format("amplitude times {:.4g}", settings.amplitude));
+    print("{}: PSA changes by a factor {:.4g} on average, {:.4g} at most\n", what.empty() ? "nothing" : what,
+          std::exp(correction.mean_change), std::exp(correction.largest_change));
+}
+
+void print_spectra(const records::Correction& correction, const scaling::ModelScales& scales) {
+    constexpr std::size_t kRows = 10;
+    print("{:<10} {:>14} {:>10} {:>14} {:>14} {:>9}\n", "component", "T prototype", "T model", "PSA record", "PSA corrected", "ratio");
+    for (const records::SpectrumChange& change : correction.spectra) {
+        const auto before = change.before.pseudo_acceleration(), after = change.after.pseudo_acceleration();
+        for (std::size_t row = 0; row < kRows; ++row) {
+            const std::size_t i = row * (before.size() - 1) / (kRows - 1);
+            const double g = scaling::kStandardGravity.value(), period = change.before.period[i];
+            print("{:<10} {:>12.4g} s {:>8.4g} s {:>12.4g} g {:>12.4g} g {:>9.4f}\n", change.component, period / scales.time, period,
+                  before[i] / g, after[i] / g, after[i] / before[i]);
+        }
+    }
+}
+
+}  // namespace musim::cli

@@ -1,0 +1,264 @@
+#include "lsdem/response/response.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "lsdem/plot/line_plot.hpp"
+#include "lsdem/results/summary.hpp"
+#include "lsdem/scene/scene_json.hpp"
+#include "scaling/angle.hpp"
+#include "scaling/json_optional.hpp"
+
+namespace musim::lsdem::study {
+namespace {
+
+using scaling::kDegree;
+
+/// First and one past the last sample of the window.
+std::array<std::size_t, 2> find_samples(const StoredRun& run, const ResponseSettings& settings) {
+    const std::vector<double>& time = run.history.time;
+    if (!settings.window) return {0, time.size()};
+    const auto first = std::lower_bound(time.begin(), time.end(), (*settings.window)[0]);
+    const auto last = std::upper_bound(time.begin(), time.end(), (*settings.window)[1]);
+    if (last - first < 2) {
+        throw ResultError(
+            fmt::format("{}: the window from {} s to {} s holds fewer than two samples (the run goes from 0 to {} s); widen it",
+                        run.directory.string(), (*settings.window)[0], (*settings.window)[1], time.back()));
+    }
+    return {static_cast<std::size_t>(first - time.begin()), static_cast<std::size_t>(last - time.begin())};
+}
+
+/// The spine's velocities from the lowest level up; of blocks at one height only the first, as in a list of blocks side by side.
+Receivers make_receivers(const StoredRun& run, int axis, const std::array<std::size_t, 2>& samples) {
+    const History& history = run.history;
+    const std::size_t ns = run.spine.size();
+    Receivers receivers;
+    receivers.dt = (history.time.back() - history.time.front()) / static_cast<double>(std::max<std::size_t>(1, history.samples() - 1));
+    for (const std::size_t s : sort_spine_by_height(run)) {
+        const double height = history.spine_position[s].z();
+        // levels are a block height apart; less than half of one is the same level
+        const double apart = 0.5 * run.blocks.size[run.spine.block[s]].z();
+        if (!receivers.height.empty() && height - receivers.height.back() < apart) continue;
+        receivers.height.push_back(height);
+        receivers.velocity.emplace_back();
+        for (std::size_t k = samples[0]; k < samples[1]; ++k) receivers.velocity.back().push_back(history.spine_velocity[k * ns + s][axis]);
+    }
+    return receivers;
+}
+
+SpeedScales find_scales(const StoredRun& run, int axis) {
+    scene::Scene scene;
+    try {
+        scene = scene::parse_scene(run.scene, run.directory / "result.h5");
+    } catch (const scene::SceneError& error) {
+        throw ResultError(std::string(error.what()) + " (the scene that the results carry)");
+    }
+    SpeedScales scales{.friction = scene.material.friction, .gravity = 0.0, .height = 0.0, .elastic_speed = 0.0};
+    for (const auto& g : scene.gravity) scales.gravity = std::hypot(scales.gravity, g.value());
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (std::size_t b = 0; b < run.blocks.size.size(); ++b) {
+        const double half = 0.5 * (run.initial.orientation[b].toRotationMatrix().cwiseAbs() * run.blocks.size[b]).z();
+        low = std::min(low, run.initial.position[b].z() - half);
+        high = std::max(high, run.initial.position[b].z() + half);
+    }
+    scales.height = high - low;
+    if (run.spine.size() > 0) {
+        const std::size_t block = run.spine.block.front();
+        const double stiffness = axis == 2 ? scene.material.normal_stiffness.value() : scene.material.shear_stiffness.value();
+        scales.elastic_speed = run.blocks.size[block].z() * std::sqrt(stiffness / run.blocks.mass[block]);
+    }
+    return scales;
+}
+
+nlohmann::json to_array(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
+
+nlohmann::json to_json(const SpeedEstimate& estimate, const SpeedScales& scales) {
+    nlohmann::json object{{"method", estimate.method}, {"speed_m_s", nullptr},    {"speed_error_m_s", nullptr},
+                          {"s_number", nullptr},       {"over_elastic", nullptr}, {"levels", estimate.height.size()}};
+    object["slowness_s_m"] = scaling::or_null(estimate.slowness);
+    object["slowness_error_s_m"] = estimate.slowness ? nlohmann::json(estimate.slowness_error) : nlohmann::json();
+    object["why"] = estimate.why.empty() ? nlohmann::json() : nlohmann::json(estimate.why);
+    if (!estimate.speed) return object;
+    object["speed_m_s"] = *estimate.speed;
+    object["speed_error_m_s"] = estimate.speed_error;
+    if (scales.sliding_speed() > 0.0) object["s_number"] = *estimate.speed / scales.sliding_speed();
+    if (scales.elastic_speed > 0.0) object["over_elastic"] = *estimate.speed / scales.elastic_speed;
+    return object;
+}
+
+nlohmann::json to_json(const Spread& spread, double unit = 1.0) { return {{"mean", spread.mean / unit}, {"max", spread.max / unit}}; }
+
+/// `share`: of what all levels dissipated.
+nlohmann::json to_json(const std::optional<PairWork>& loss, double share) {
+    if (!loss) return nullptr;
+    return {{"friction_J", loss->friction}, {"damping_J", loss->damping}, {"share", share}};
+}
+
+nlohmann::json to_json(const LevelDamage& l, const Damage& damage) {
+    return {{"level", l.level},
+            {"blocks", l.blocks},
+            {"fallen", l.fallen},
+            {"slip_m", to_json(l.slip)},
+            {"residual_displacement_m", to_json(l.displacement)},
+            {"initial_tilt_deg", to_json(l.initial_tilt, kDegree)},
+            {"final_tilt_deg", to_json(l.final_tilt, kDegree)},
+            {"rotation_deg", to_json(l.rotation, kDegree)},
+            {"turn_deg", to_json(l.turn, kDegree)},
+            {"damage_index", l.index},
+            {"loss", to_json(l.loss, l.loss ? find_loss_share(l, damage) : 0.0)}};
+}
+
+/// One value per spine level over the level's number.
+template <class Value>
+PlotSeries make_profile(const std::string& label, const Response& response, const Value& value) {
+    PlotSeries series{.label = label, .x = {}, .y = {}, .marks = true, .y_error = {}};
+    for (const SpineLevel& level : response.spine) {
+        series.x.push_back(value(level));
+        series.y.push_back(level.level);
+    }
+    return series;
+}
+
+/// A tenth more than the elastic speed: arrivals by a threshold come a few percent early [-].
+constexpr double kFastest = 1.1;
+
+/// Leaves no speed faster than elastic waves: nothing travels faster, motion arrives everywhere at once then.
+void drop_impossible(std::vector<SpeedEstimate>& speeds, const SpeedScales& scales) {
+    for (SpeedEstimate& estimate : speeds) {
+        if (!estimate.speed || !(scales.elastic_speed > 0.0) || *estimate.speed <= kFastest * scales.elastic_speed) continue;
+        estimate.why = fmt::format(
+            "{:.3g} m/s would be above the elastic speed of {:.3g} m/s (motion arrives everywhere at once, as far as "
+            "the samples show)",
+            *estimate.speed, scales.elastic_speed);
+        estimate.speed.reset();
+    }
+}
+
+}  // namespace
+
+double SpeedScales::sliding_speed() const { return std::sqrt(friction * gravity * height); }
+
+Response measure_response(const StoredRun& run, const ResponseSettings& settings) {
+    Response response;
+    response.axis = settings.axis.value_or(find_strongest_axis(run.history));
+    response.pga = run.peak_base_acceleration;
+    response.source_pga = run.source_pga;
+    response.scales = find_scales(run, response.axis);
+    const auto samples = find_samples(run, settings);
+    double base_peak = 0.0;
+    for (std::size_t k = samples[0]; k < samples[1]; ++k)
+        base_peak = std::max(base_peak, std::abs(run.history.base[k].velocity[response.axis]));
+    SpeedSettings speed;
+    speed.threshold = settings.threshold;
+    if (base_peak > 0.0) speed.reference_peak = base_peak;
+    response.speeds = estimate_speeds(make_receivers(run, response.axis, samples), speed);
+    drop_impossible(response.speeds, response.scales);
+    response.spine = measure_spine(run, response.axis);
+    response.damage = assess_damage(run);
+    response.status = run.status;
+    response.collapse_time = run.collapse_time;
+    response.failure = find_failure(run);
+    return response;
+}
+
+nlohmann::json to_json(const Response& response) {
+    nlohmann::json speeds = nlohmann::json::array(), spine = nlohmann::json::array(), levels = nlohmann::json::array();
+    for (const SpeedEstimate& estimate : response.speeds) speeds.push_back(to_json(estimate, response.scales));
+    for (const SpineLevel& l : response.spine) {
+        spine.push_back({{"level", l.level},
+                         {"height_m", l.height},
+                         {"residual_displacement_m", to_array(l.residual_displacement)},
+                         {"peak_displacement_m", to_array(l.peak_displacement)},
+                         {"peak_velocity_m_s", to_array(l.peak_velocity)},
+                         {"in_plane_rotation_peak_deg", l.in_plane_peak / kDegree},
+                         {"in_plane_rotation_residual_deg", l.in_plane_residual / kDegree},
+                         {"vertical_rotation_peak_deg", l.vertical_peak / kDegree},
+                         {"vertical_rotation_residual_deg", l.vertical_residual / kDegree}});
+    }
+    for (const LevelDamage& level : response.damage.levels) levels.push_back(to_json(level, response.damage));
+    return {{"status", to_string(response.status)},
+            {"collapse_time_s", scaling::or_null(response.collapse_time)},
+            {"failure", response.failure ? to_json(*response.failure) : nlohmann::json()},
+            {"axis", axis_name(response.axis)},
+            {"pga_g", to_array(response.pga / scaling::kStandardGravity.value())},
+            {"pga_source", to_json(response.source_pga)},
+            {"speeds", speeds},
+            {"elastic_speed_m_s", response.scales.elastic_speed},
+            {"sliding_speed_m_s", response.scales.sliding_speed()},
+            {"height_m", response.scales.height},
+            {"spine", spine},
+            {"levels", levels},
+            {"blocks", response.damage.blocks},
+            {"fallen_blocks", response.damage.fallen},
+            {"damage_index", response.damage.index},
+            {"loss", to_json(response.damage.loss, 1.0)}};
+}
+
+std::string make_spine_levels_csv(const Response& response) {
+    std::string csv =
+        "level,height_m,residual_x_m,residual_y_m,residual_z_m,peak_x_m,peak_y_m,peak_z_m,peak_vx_m_s,peak_vy_m_s,peak_vz_m_s,in_plane_"
+        "peak_deg,"
+        "in_plane_residual_deg,vertical_peak_deg,vertical_residual_deg\n";
+    for (const SpineLevel& l : response.spine) {
+        fmt::format_to(std::back_inserter(csv), "{},{}", l.level, l.height);
+        for (const Vector3& v : {l.residual_displacement, l.peak_displacement, l.peak_velocity})
+            fmt::format_to(std::back_inserter(csv), ",{},{},{}", v.x(), v.y(), v.z());
+        for (const double angle : {l.in_plane_peak, l.in_plane_residual, l.vertical_peak, l.vertical_residual})
+            fmt::format_to(std::back_inserter(csv), ",{}", angle / kDegree);
+        csv += '\n';
+    }
+    return csv;
+}
+
+std::string make_residual_svg(const Response& response, const std::string& name) {
+    LinePlot plot{.title = "Residual displacement of the spine, relative to the base",
+                  .subtitle = name,
+                  .x_label = "displacement [mm]",
+                  .y_label = "level",
+                  .series = {},
+                  .y_from_zero = true};
+    for (int axis = 0; axis < 3; ++axis) {
+        plot.series.push_back(
+            make_profile("along " + axis_name(axis), response, [&](const SpineLevel& l) { return 1e3 * l.residual_displacement[axis]; }));
+    }
+    return make_svg(plot);
+}
+
+std::string make_rotation_svg(const Response& response, const std::string& name) {
+    LinePlot plot{.title = "Rotation of the spine's blocks, relative to the start",
+                  .subtitle = name,
+                  .x_label = "rotation [degrees]",
+                  .y_label = "level",
+                  .series = {},
+                  .y_from_zero = true};
+    plot.series = {make_profile("in plane, peak", response, [](const SpineLevel& l) { return l.in_plane_peak / kDegree; }),
+                   make_profile("in plane, residual", response, [](const SpineLevel& l) { return l.in_plane_residual / kDegree; }),
+                   make_profile("vertical axis, peak", response, [](const SpineLevel& l) { return l.vertical_peak / kDegree; }),
+                   make_profile("vertical axis, residual", response, [](const SpineLevel& l) { return l.vertical_residual / kDegree; })};
+    return make_svg(plot);
+}
+
+std::string make_lag_svg(const Response& response, const std::string& name) {
+    LinePlot plot{.title = fmt::format("Arrival along {} over height", axis_name(response.axis)),
+                  .subtitle = name,
+                  .x_label = "height above the lowest level of the spine [m]",
+                  .y_label = "lag [ms]",
+                  .series = {},
+                  .y_from_zero = true};
+    for (const SpeedEstimate& estimate : response.speeds) {
+        std::string label = estimate.method;
+        if (estimate.speed) label += fmt::format(" {:.4g} m/s", *estimate.speed);
+        PlotSeries series{.label = label, .x = estimate.height, .y = estimate.lag, .marks = true, .line = false, .y_error = {}};
+        for (double& lag : series.y) lag *= 1e3;
+        plot.series.push_back(std::move(series));
+    }
+    return make_svg(plot);
+}
+
+}  // namespace musim::lsdem::study

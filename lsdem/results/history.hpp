@@ -1,0 +1,122 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lsdem/results/rest.hpp"
+#include "lsdem/results/source_pga.hpp"
+#include "lsdem/scene/spine.hpp"
+#include "lsdem/simulation.hpp"
+#include "lsdem/types.hpp"
+#include "scaling/laws/similitude.hpp"
+
+/// Studies on scenes: single runs, paired runs at several scales, their results on disk and their picture.
+namespace musim::lsdem::study {
+
+using scene::Spine;
+
+/// Motion sampled at even intervals, world frame. Spine values are stored time by time: value of spine block s at sample k in [k·ns + s].
+struct History {
+    std::vector<double> time;             ///< [s]
+    std::vector<BaseState> base;          ///< of the ground
+    std::vector<Vector3> spine_position;  ///< centres of mass [m]
+    std::vector<Vector3> spine_velocity;  ///< [m/s]
+    std::vector<Vector3> spine_rotation;  ///< rotation vector from the start to now [rad]
+    std::vector<Energy> energy;           ///< [J]
+
+    std::size_t samples() const { return time.size(); }
+};
+
+/// Poses of all blocks at chosen instants, single precision, for pictures: value of block b at frame k in [k·n + b].
+struct Frames {
+    std::vector<double> time;                 ///< [s]
+    std::vector<Eigen::Vector3f> position;    ///< [m]
+    std::vector<Eigen::Vector4f> quaternion;  ///< (w, x, y, z), body to world
+    std::vector<Eigen::Vector3f> velocity;    ///< [m/s]
+    /// Sum of the magnitudes of all forces with which neighbours and ground press on the block [N]; of a block in a column, twice what it
+    /// bears and its weight. Empty in results of versions before it was kept.
+    std::vector<float> contact_force;
+};
+
+/// When blocks fell, and where they were then (has_fallen), seen at the samples; one entry per block. Displacements are from the start,
+/// relative to the base, world frame. In a later stage of a sequence the start is that of the first one (StageOrigin).
+struct Falls {
+    std::vector<double> time;           ///< first sample at which the block had fallen [s], ≤ 0: in an earlier stage; NaN while it stands
+    std::vector<Vector3> displacement;  ///< of its centre of mass then [m]; likewise
+    std::vector<Vector3> at_collapse;   ///< of all blocks at RunResult::collapse_time [m]; empty before
+};
+
+/// What a run that is a later stage of a sequence takes over from the stages before it. Falls count from here.
+struct StageOrigin {
+    std::size_t stage = 1;                ///< which one the run is, counted from 0
+    double time = 0.0;                    ///< duration of the motions before it [s]
+    Vector3 base = Vector3::Zero();       ///< displacement of the base before it [m]
+    std::vector<Vector3> position;        ///< of all blocks at the start of the first stage [m]
+    std::vector<Quaternion> orientation;  ///< likewise, body to world
+};
+
+/// What the blocks are, for results on disk.
+struct BlockTable {
+    std::vector<Vector3> size;  ///< edge lengths of the bounding box in the body frame [m]
+    std::vector<double> mass;   ///< [kg]
+    std::vector<int> layer;     ///< from 1 at the base; 0: in no layer
+
+    /// b: the shorter of the sides across the body's z axis [m].
+    double thin_side(std::size_t block) const { return size[block].head<2>().minCoeff(); }
+};
+
+/// How a run ended. Collapse is a result: the run goes on to its end. Divergence is a numerical failure and ends the run.
+enum class RunStatus { completed, collapsed, diverged };
+
+/// "completed", "collapsed" or "diverged".
+std::string to_string(RunStatus status);
+
+/// What a run did: what simulate() produces and result folders keep.
+struct RunData {
+    RunStatus status = RunStatus::completed;
+    std::optional<double> collapse_time;  ///< first sample with enough fallen blocks [s]
+    std::optional<StageOrigin> origin;    ///< of a later stage of a sequence
+    BlockTable blocks;
+    Spine spine;
+    History history;  ///< as read from results, energy of all springs is that of normal ones; none in results of versions without energies
+    Frames frames;    ///< empty unless the scene asks for them
+    Falls falls;      ///< empty in results of versions before they were kept
+    Kinematics initial;                                ///< as read from results, poses only
+    Kinematics final;                                  ///< likewise, at the last sample
+    std::optional<Losses> losses;                      ///< where energy was dissipated since the start [J]; likewise
+    std::string state_hash;                            ///< of the final state
+    Vector3 peak_base_acceleration = Vector3::Zero();  ///< PGA of each component of the motion that the base was given, absolute [m/s²]
+    std::array<SourcePga, 3> source_pga = {};          ///< likewise, of what that motion was made from
+    scaling::Similitude similitude;                    ///< of the run to its prototype; of one that is no model every factor is 1
+
+    /// Centres of mass where falls are counted from [m].
+    const std::vector<Vector3>& standing_position() const { return origin ? origin->position : initial.position; }
+};
+
+/// Everything one simulation produced.
+struct RunResult : RunData {
+    std::optional<Divergence> divergence;      ///< where and when, when the run diverged
+    std::optional<Rest> rest;                  ///< how it settled before t = 0; nothing when it was not to
+    double time_step = 0.0;                    ///< [s]
+    std::optional<double> critical_time_step;  ///< of the structure as built [s]; nothing when no block can move
+    std::uint64_t steps = 0;                   ///< done
+    Statistics statistics;
+    double energy_closure = 0.0;                       ///< see compute_energy_closure
+    std::optional<double> start_reaction_over_weight;  ///< at t = 0, as below
+    std::optional<double> base_reaction_over_weight;   ///< at the end, along gravity; nothing without ground or gravity
+    double wall_time = 0.0;                            ///< [s]
+};
+
+/// Indices of the spine's blocks from the lowest at the start up; of equal heights the first listed first.
+std::vector<std::size_t> sort_spine_by_height(const RunData& run);
+
+/// Largest change of the energy balance over the largest energy in play,
+///   max_t |B(t) − B(0)| / max_t (E_kin + |E_grav(t) − E_grav(0)| + E_el + W_friction + W_damping + W_preparation + |W_base|),
+/// both over the sampled history [-]; 0 when nothing ever moves.
+double compute_energy_closure(const std::vector<Energy>& energy);
+
+}  // namespace musim::lsdem::study

@@ -1,0 +1,147 @@
+#include "lsdem/results/outcome.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "lsdem/results/spine_measures.hpp"
+#include "scaling/angle.hpp"
+#include "scaling/quantity_text.hpp"
+
+namespace musim::lsdem::study {
+namespace {
+
+template <class Quantity>
+std::string write(double value) {
+    return scaling::format_quantity(Quantity::from_value(value), 3);
+}
+
+/// Horizontal displacement of a spine block relative to the base since the start [m].
+Vector3 find_shift(const RunResult& run, std::size_t spine_block, std::size_t sample) {
+    const History& h = run.history;
+    const std::size_t n = run.spine.size();
+    Vector3 shift = h.spine_position[sample * n + spine_block] - h.spine_position[spine_block] -
+                    (h.base[sample].displacement - h.base.front().displacement);
+    shift.z() = 0.0;
+    return shift;
+}
+
+void measure_spine(const RunResult& run, Outcome& outcome) {
+    const std::vector<std::size_t> order = sort_spine_by_height(run);
+    if (order.empty() || run.history.samples() == 0) return;
+    outcome.top_level = run.spine.level[order.back()];
+    // the base ends where the lowest block begins
+    const double base = run.history.spine_position[order.front()].z() - 0.5 * run.blocks.size[run.spine.block[order.front()]].z();
+    for (std::size_t k = 0; k < run.history.samples(); ++k) {
+        Vector3 below = Vector3::Zero();
+        double height = base;
+        for (const std::size_t s : order) {
+            const Vector3 shift = find_shift(run, s, k);
+            const double rise = run.history.spine_position[s].z() - height;
+            const double drift = rise > 0.0 ? (shift - below).norm() / rise : 0.0;
+            if (drift > outcome.drift) outcome.drift = drift, outcome.drift_level = run.spine.level[s];
+            below = shift;
+            height = run.history.spine_position[s].z();
+        }
+        outcome.top_peak = std::max(outcome.top_peak, below.norm());
+        outcome.top_residual = below.norm();
+    }
+}
+
+void keep_larger(std::optional<LargestAt>& largest, double value, std::size_t block, const RunResult& run) {
+    if (!largest || value > largest->value) largest = LargestAt{value, block, run.blocks.layer[block]};
+}
+
+std::string name_place(const LargestAt& largest) {
+    return largest.level > 0 ? fmt::format("block {}, level {}", largest.block, largest.level) : fmt::format("block {}", largest.block);
+}
+
+nlohmann::json write_largest(const std::optional<LargestAt>& largest, const char* key, double unit) {
+    if (!largest) return nullptr;
+    return {{key, largest->value / unit}, {"block", largest->block}, {"level", largest->level}};
+}
+
+}  // namespace
+
+Outcome find_outcome(const RunResult& run) {
+    Outcome outcome;
+    outcome.axis = find_strongest_axis(run.history);
+    outcome.pga = run.peak_base_acceleration;
+    outcome.source_pga = run.source_pga;
+    for (const BaseState& base : run.history.base) outcome.pgv = outcome.pgv.cwiseMax(base.velocity.cwiseAbs());
+    measure_spine(run, outcome);
+    const Damage damage = assess_damage(run);
+    outcome.blocks = damage.blocks;
+    outcome.fallen = damage.fallen;
+    for (const Joint& joint : damage.joints) {
+        const bool stands = !damage.each[joint.upper].fallen && (joint.on_ground || !damage.each[joint.lower].fallen);
+        if (stands) keep_larger(outcome.slip, joint.slip, joint.upper, run);
+    }
+    for (std::size_t b = 0; b < damage.each.size(); ++b) {
+        if (!damage.each[b].fallen) keep_larger(outcome.rotation, damage.each[b].rotation, b, run);
+    }
+    return outcome;
+}
+
+Outcome scale_back(Outcome outcome, const scaling::Similitude& similitude) {
+    const double horizontal = similitude.acceleration(), vertical = similitude.acceleration_vertical();
+    outcome.pga = outcome.pga.cwiseQuotient(Vector3(horizontal, horizontal, vertical));
+    for (std::size_t axis = 0; axis < 3; ++axis) outcome.source_pga[axis].acceleration /= axis == 2 ? vertical : horizontal;
+    outcome.pgv = outcome.pgv.cwiseQuotient(Vector3(similitude.velocity(), similitude.velocity(), similitude.velocity_vertical()));
+    outcome.top_peak /= similitude.length();
+    outcome.top_residual /= similitude.length();
+    if (outcome.slip) outcome.slip->value /= similitude.length();
+    return outcome;
+}
+
+std::vector<std::string> describe(const Outcome& outcome) {
+    std::vector<std::string> lines;
+    if (outcome.pgv.isZero(0.0)) {
+        lines.emplace_back("base at rest");
+    } else {
+        lines.push_back(fmt::format("base motion along {}: {}, PGV {}", axis_name(outcome.axis),
+                                    describe_pga(outcome.pga[outcome.axis], outcome.source_pga[static_cast<std::size_t>(outcome.axis)]),
+                                    write<scaling::Velocity>(outcome.pgv[outcome.axis])));
+    }
+    if (outcome.top_level > 0) {
+        std::string line = fmt::format("top (level {}) against the base: peak {}, residual {}", outcome.top_level,
+                                       write<scaling::Length>(outcome.top_peak), write<scaling::Length>(outcome.top_residual));
+        if (outcome.drift_level > 0) {
+            line += fmt::format("; largest drift {:.3g} % (below level {})", 100.0 * outcome.drift, outcome.drift_level);
+        }
+        lines.push_back(line);
+    }
+    std::string left;
+    if (outcome.slip) {
+        left = fmt::format("largest slip left {} ({})", write<scaling::Length>(outcome.slip->value), name_place(*outcome.slip));
+    }
+    if (outcome.rotation) {
+        left += fmt::format("{}largest rotation left {:.3g} deg ({})", left.empty() ? "" : "; ", outcome.rotation->value / scaling::kDegree,
+                            name_place(*outcome.rotation));
+    }
+    if (!left.empty()) lines.push_back(left);
+    lines.push_back(fmt::format("{} of {} blocks fallen", outcome.fallen, outcome.blocks));
+    return lines;
+}
+
+nlohmann::json to_json(const Outcome& outcome) {
+    const Vector3 pga = outcome.pga / scaling::kStandardGravity.value();
+    nlohmann::json top;
+    if (outcome.top_level > 0) {
+        top = {{"level", outcome.top_level}, {"peak_displacement_m", outcome.top_peak}, {"residual_displacement_m", outcome.top_residual}};
+    }
+    return {{"axis", axis_name(outcome.axis)},
+            {"pga_g", {pga.x(), pga.y(), pga.z()}},
+            {"pga_source", to_json(outcome.source_pga)},
+            {"pgv_m_s", {outcome.pgv.x(), outcome.pgv.y(), outcome.pgv.z()}},
+            {"top", top},
+            {"drift", {{"largest", outcome.drift}, {"level", outcome.drift_level}}},
+            {"largest_slip", write_largest(outcome.slip, "m", 1.0)},
+            {"largest_rotation", write_largest(outcome.rotation, "deg", scaling::kDegree)},
+            {"fallen", outcome.fallen},
+            {"blocks", outcome.blocks}};
+}
+
+}  // namespace musim::lsdem::study

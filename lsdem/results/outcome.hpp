@@ -1,0 +1,52 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lsdem/results/damage.hpp"
+#include "lsdem/results/history.hpp"
+#include "scaling/laws/similitude.hpp"
+
+namespace musim::lsdem::study {
+
+/// A largest value, and the block that has it.
+struct LargestAt {
+    double value = 0.0;
+    std::size_t block = 0;
+    int level = 0;  ///< of the block, from 1 at the base; 0: in none
+};
+
+/// What a run came to, in the numbers that a laboratory asks for first. SI units of the run; peaks are those at the samples. Slip and
+/// rotation are of blocks that stand (has_fallen): a fallen block has left its place.
+struct Outcome {
+    int axis = 0;                              ///< 0, 1, 2: along which the base moves most
+    Vector3 pga = Vector3::Zero();             ///< absolute, see RunResult::peak_base_acceleration [m/s²]
+    std::array<SourcePga, 3> source_pga = {};  ///< of what the base's motion was made from
+    Vector3 pgv = Vector3::Zero();             ///< likewise of the velocity [m/s]
+    int top_level = 0;                         ///< of the highest spine block; 0: the run has no spine
+    double top_peak = 0.0;                     ///< its largest horizontal displacement relative to the base [m]
+    double top_residual = 0.0;                 ///< likewise at the end [m]
+    double drift = 0.0;   ///< largest |Δu|/Δz, horizontal, between neighbouring spine blocks or the lowest and the base [-]
+    int drift_level = 0;  ///< of the upper block of the two
+    std::optional<LargestAt> slip,
+        rotation;  ///< at the end: horizontal on what carries it [m]; from the start [rad]; nothing when none stands
+    std::size_t blocks = 0, fallen = 0;
+};
+
+Outcome find_outcome(const RunResult& run);
+
+/// The outcome in the units of a prototype that the run is a model of.
+Outcome scale_back(Outcome outcome, const scaling::Similitude& similitude);
+
+/// Sentences with units: base motion, top, slip and rotation, fallen blocks.
+std::vector<std::string> describe(const Outcome& outcome);
+
+/// pga_g, pga_source, pgv_m_s (lists along x, y, z), axis, top (level, peak_displacement_m, residual_displacement_m), drift (value, level),
+/// largest_slip and largest_rotation (m or deg, block, level; null when no block stands), fallen, blocks.
+nlohmann::json to_json(const Outcome& outcome);
+
+}  // namespace musim::lsdem::study

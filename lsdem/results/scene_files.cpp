@@ -1,0 +1,41 @@
+#include "lsdem/results/scene_files.hpp"
+
+#include <fmt/format.h>
+
+#include <optional>
+#include <utility>
+#include <variant>
+
+#include "lsdem/results/content_name.hpp"
+#include "records/error.hpp"
+#include "scaling/regular_file.hpp"
+
+namespace musim::lsdem::study {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string name_file_content(const fs::path& path) {
+    const std::optional<std::string> bytes = scaling::read_regular_file(path);
+    if (!bytes) throw records::ReadError(fmt::format("{}: cannot be read (a file that the scene names); check the path", path.string()));
+    return detail::name_content(*bytes);
+}
+
+}  // namespace
+
+scene::Scene rename_files(scene::Scene scene, const std::function<std::string(const fs::path&)>& name) {
+    const auto rename_record = [&](scene::BaseMotion& motion) {
+        if (auto* record = std::get_if<scene::RecordMotion>(&motion.source)) record->file = name(record->file);
+    };
+    rename_record(scene.base_motion);
+    for (auto& entry : scene.motions) rename_record(entry.base_motion);
+    if (auto* tower = std::get_if<scene::Tower>(&scene.structure); tower != nullptr && tower->tiling_file) {
+        tower->tiling_file = name(*tower->tiling_file);
+    }
+    if (scene.preparation && scene.preparation->specimen) scene.preparation->specimen = name(*scene.preparation->specimen);
+    return scene;
+}
+
+scene::Scene with_file_contents(const scene::Scene& scene) { return rename_files(scene, name_file_content); }
+
+}  // namespace musim::lsdem::study

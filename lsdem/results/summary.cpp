@@ -1,0 +1,93 @@
+#include "lsdem/results/summary.hpp"
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "lsdem/results/outcome.hpp"
+#include "lsdem/results/verdict.hpp"
+#include "scaling/json_optional.hpp"
+
+namespace musim::lsdem::study {
+
+nlohmann::json make_summary(const RunResult& run) {
+    nlohmann::json summary{{"status", to_string(run.status)},
+                           {"blocks", run.blocks.mass.size()},
+                           {"steps", run.steps},
+                           {"dt_s", run.time_step},
+                           {"critical_dt_s", nullptr},
+                           {"duration_s", run.final.time},
+                           {"wall_s", run.wall_time},
+                           {"contacts", run.statistics.contacts},
+                           {"contact_nodes", run.statistics.contact_nodes},
+                           {"state_hash", run.state_hash},
+                           {"energy_closure", run.energy_closure},
+                           {"max_overlap_over_height", run.statistics.max_overlap_over_height},
+                           {"base_reaction_over_weight", nullptr}};
+    if (run.base_reaction_over_weight) summary["base_reaction_over_weight"] = *run.base_reaction_over_weight;
+    if (run.critical_time_step) summary["critical_dt_s"] = *run.critical_time_step;
+    if (run.origin) summary["stage"] = {{"number", run.origin->stage + 1}, {"time_before_s", run.origin->time}};
+    if (run.collapse_time) summary["collapse_time_s"] = *run.collapse_time;
+    if (const auto failure = find_failure(run)) summary["failure"] = to_json(*failure);
+    if (run.rest) {
+        summary["rest"] = {{"at_rest", run.rest->at_rest},
+                           {"steps", run.rest->steps},
+                           {"kinetic_over_weight_height", run.rest->kinetic},
+                           {"base_reaction_over_weight", run.rest->reaction_over_weight},
+                           {"fallen", run.rest->fallen}};
+    }
+    summary["outcome"] = to_json(find_outcome(run));
+    summary["doubts"] = find_doubts(run);
+    if (run.divergence) {
+        summary["divergence"] = {{"kind", std::string(name_of(run.divergence->kind))},
+                                 {"block", run.divergence->block},
+                                 {"time_s", run.divergence->time},
+                                 {"what", describe_divergence(run)}};
+    }
+    return summary;
+}
+
+nlohmann::json to_json(const Failure& failure) {
+    const FailureMeasures& m = failure.measures;
+    nlohmann::json object{{"mode", to_string(failure.mode)},
+                          {"time_s", failure.time},
+                          {"measures",
+                           {{"fallen", m.fallen},
+                            {"outward_share", m.outward_share},
+                            {"bulge", m.bulge},
+                            {"bulge_height", m.bulge_height},
+                            {"inward_share_above", m.inward_share_above}}}};
+    if (!failure.why.empty()) object["why"] = failure.why;
+    return object;
+}
+
+nlohmann::json to_json(const scaling::Similitude& similitude) {
+    nlohmann::json factors;
+    for (const scaling::NamedFactor& factor : similitude.factors()) factors[std::string(factor.name)] = factor.value;
+    return {{"law", similitude.law_name()},
+            {"chosen",
+             {{"length", similitude.length()},
+              {"friction", similitude.friction()},
+              {"gravity", similitude.gravity()},
+              {"density", similitude.density()}}},
+            {"factors", factors}};
+}
+
+scaling::Similitude parse_similitude(const nlohmann::json& json) {
+    const nlohmann::json &chosen = json.at("chosen"), &factors = json.at("factors");
+    const scaling::ScaleFactors scales{
+        .length = chosen.at("length"), .friction = chosen.at("friction"), .gravity = chosen.at("gravity"), .density = chosen.at("density")};
+    return {scales, factors.at("acceleration"), json.at("law"), factors.at("acceleration_vertical")};
+}
+
+nlohmann::json to_json(const std::vector<scaling::Distortion>& distortions) {
+    nlohmann::json list = nlohmann::json::array();
+    for (const scaling::Distortion& distortion : distortions) {
+        list.push_back({{"group", distortion.group},
+                        {"factor", distortion.factor},
+                        {"severity", std::string(scaling::to_string(distortion.severity))},
+                        {"effect", distortion.effect}});
+    }
+    return list;
+}
+
+}  // namespace musim::lsdem::study

@@ -1,0 +1,297 @@
+#include "lsdem/results/write_results.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "lsdem/results/checked_json.hpp"
+#include "lsdem/results/file_checksum.hpp"
+#include "lsdem/results/hdf5_file.hpp"
+#include "lsdem/results/leftovers.hpp"
+#include "lsdem/results/summary.hpp"
+
+namespace musim::lsdem::study {
+namespace {
+
+using detail::Hdf5File;
+
+/// One value per sample or block, picked from a list of structures.
+template <class Item, class Pick>
+std::vector<double> column(const std::vector<Item>& items, Pick pick) {
+    std::vector<double> values;
+    values.reserve(items.size());
+    for (const Item& item : items) values.push_back(pick(item));
+    return values;
+}
+
+/// Three values per sample, picked from a list of structures.
+template <class Item, class Pick>
+std::vector<Vector3> vector_column(const std::vector<Item>& items, Pick pick) {
+    std::vector<Vector3> values;
+    values.reserve(items.size());
+    for (const Item& item : items) values.push_back(pick(item));
+    return values;
+}
+
+void write_scalars(Hdf5File& file, const std::string& path, const std::vector<double>& values, const std::string& units) {
+    file.write(path, {values.size()}, values.data(), units);
+}
+
+void write_vectors(Hdf5File& file, const std::string& path, std::vector<hsize_t> shape, const std::vector<Vector3>& values,
+                   const std::string& units) {
+    shape.push_back(3);
+    file.write(path, shape, values.empty() ? nullptr : values.front().data(), units);
+}
+
+template <class Integer>
+void write_integers(Hdf5File& file, const std::string& path, const std::vector<Integer>& values) {
+    const std::vector<long long> wide(values.begin(), values.end());
+    file.write(path, {wide.size()}, wide.data(), "1");
+}
+
+/// (w, x, y, z), the order of files; Eigen keeps w last.
+void write_quaternions(Hdf5File& file, const std::string& path, const std::vector<Quaternion>& orientation) {
+    std::vector<double> values;
+    values.reserve(4 * orientation.size());
+    for (const Quaternion& q : orientation) values.insert(values.end(), {q.w(), q.x(), q.y(), q.z()});
+    file.write(path, {orientation.size(), 4}, values.data(), "1");
+}
+
+void write_history(Hdf5File& file, const RunResult& run) {
+    const History& history = run.history;
+    const hsize_t nt = history.samples();
+    const hsize_t ns = run.spine.size();
+    write_scalars(file, "/time", history.time, "s");
+
+    const auto displacement = vector_column(history.base, [](const BaseState& base) { return base.displacement; });
+    const auto velocity = vector_column(history.base, [](const BaseState& base) { return base.velocity; });
+    const auto acceleration = vector_column(history.base, [](const BaseState& base) { return base.acceleration; });
+    write_vectors(file, "/base/displacement", {nt}, displacement, "m");
+    write_vectors(file, "/base/velocity", {nt}, velocity, "m/s");
+    write_vectors(file, "/base/acceleration", {nt}, acceleration, "m/s^2");
+
+    write_integers(file, "/spine/level", run.spine.level);
+    write_integers(file, "/spine/block", run.spine.block);
+    write_vectors(file, "/spine/position", {nt, ns}, history.spine_position, "m");
+    write_vectors(file, "/spine/velocity", {nt, ns}, history.spine_velocity, "m/s");
+    write_vectors(file, "/spine/rotation_vector", {nt, ns}, history.spine_rotation, "rad");
+
+    const std::vector<Energy>& energy = history.energy;
+    write_scalars(file, "/energy/kinetic", column(energy, [](const Energy& e) { return e.kinetic; }), "J");
+    write_scalars(file, "/energy/potential", column(energy, [](const Energy& e) { return e.gravitational; }), "J");
+    write_scalars(file, "/energy/elastic", column(energy, [](const Energy& e) { return e.elastic_normal + e.elastic_shear; }), "J");
+    write_scalars(file, "/energy/friction", column(energy, [](const Energy& e) { return e.friction_loss; }), "J");
+    write_scalars(file, "/energy/damping", column(energy, [](const Energy& e) { return e.damping_loss; }), "J");
+    write_scalars(file, "/energy/preparation", column(energy, [](const Energy& e) { return e.preparation_loss; }), "J");
+    write_scalars(file, "/energy/base_work", column(energy, [](const Energy& e) { return e.base_work; }), "J");
+}
+
+void write_blocks(Hdf5File& file, const RunResult& run) {
+    const hsize_t n = run.blocks.mass.size();
+    write_vectors(file, "/blocks/size", {n}, run.blocks.size, "m");
+    write_scalars(file, "/blocks/mass", run.blocks.mass, "kg");
+    write_integers(file, "/blocks/layer", run.blocks.layer);
+    write_vectors(file, "/blocks/initial_position", {n}, run.initial.position, "m");
+    write_quaternions(file, "/blocks/initial_quaternion", run.initial.orientation);
+    write_vectors(file, "/blocks/final_position", {n}, run.final.position, "m");
+    write_quaternions(file, "/blocks/final_quaternion", run.final.orientation);
+}
+
+void write_falls(Hdf5File& file, const Falls& falls) {
+    if (falls.time.empty()) return;
+    const hsize_t n = falls.time.size();
+    write_scalars(file, "/blocks/fall_time", falls.time, "s");
+    write_vectors(file, "/blocks/fall_displacement", {n}, falls.displacement, "m");
+    if (!falls.at_collapse.empty()) write_vectors(file, "/blocks/collapse_displacement", {n}, falls.at_collapse, "m");
+}
+
+/// What a later stage of a sequence takes over; the stage is counted from 1 as in the names of folders.
+void write_origin(Hdf5File& file, const StageOrigin& origin) {
+    write_integers(file, "/origin/stage", std::vector{origin.stage + 1});
+    write_scalars(file, "/origin/time", {origin.time}, "s");
+    write_vectors(file, "/origin/base_displacement", {1}, {origin.base}, "m");
+    write_vectors(file, "/origin/position", {origin.position.size()}, origin.position, "m");
+    write_quaternions(file, "/origin/quaternion", origin.orientation);
+}
+
+/// By the block that leads the interface, see lsdem::Losses.
+void write_losses(Hdf5File& file, const Losses& losses) {
+    write_scalars(file, "/losses/friction", column(losses.block, [](const PairWork& work) { return work.friction; }), "J");
+    write_scalars(file, "/losses/damping", column(losses.block, [](const PairWork& work) { return work.damping; }), "J");
+    write_scalars(file, "/losses/ground", {losses.ground.friction, losses.ground.damping}, "J");
+}
+
+void write_frames(Hdf5File& file, const RunResult& run) {
+    const Frames& frames = run.frames;
+    if (frames.time.empty()) return;
+    const hsize_t nf = frames.time.size();
+    const hsize_t n = run.blocks.mass.size();
+    const std::vector<float> time(frames.time.begin(), frames.time.end());
+    file.write("/frames/time", {nf}, time.data(), "s");
+    file.write("/frames/position", {nf, n, 3}, frames.position.front().data(), "m");
+    file.write("/frames/quaternion", {nf, n, 4}, frames.quaternion.front().data(), "1");
+    file.write("/frames/velocity", {nf, n, 3}, frames.velocity.front().data(), "m/s");
+    if (!frames.contact_force.empty()) file.write("/frames/contact_force", {nf, n}, frames.contact_force.data(), "N");
+}
+
+std::vector<char> make_hdf5(const RunResult& run, const ResultHeader& header) {
+    Hdf5File file;
+    write_history(file, run);
+    write_blocks(file, run);
+    write_falls(file, run.falls);
+    if (run.origin) write_origin(file, *run.origin);
+    if (run.losses) write_losses(file, *run.losses);
+    write_frames(file, run);
+    file.write_attribute("scene", header.scene);
+    file.write_attribute("similitude", run.similitude.is_identity() ? "null" : to_json(run.similitude).dump());
+    file.write_attribute("program_version", header.program_version);
+    file.write_attribute("state_hash", run.state_hash);
+    return file.image();
+}
+
+/// One instant in XDMF: the blocks as points, with whatever `attributes` describes.
+std::string xdmf_grid(double time, std::size_t blocks, const std::string& points, const std::string& attributes) {
+    return fmt::format(
+        "  <Grid Name=\"blocks\">\n   <Time Value=\"{}\"/>\n   <Topology TopologyType=\"Polyvertex\" NumberOfElements=\"{}\"/>\n"
+        "   <Geometry GeometryType=\"XYZ\">{}</Geometry>\n{}  </Grid>\n",
+        time, blocks, points, attributes);
+}
+
+std::string xdmf_attribute(std::string_view name, std::string_view type, const std::string& data) {
+    return fmt::format("   <Attribute Name=\"{}\" AttributeType=\"{}\" Center=\"Node\">{}</Attribute>\n", name, type, data);
+}
+
+/// A dataset of n rows.
+std::string xdmf_data(std::string_view path, std::size_t n, int width, int precision) {
+    return fmt::format("<DataItem Dimensions=\"{} {}\" NumberType=\"Float\" Precision=\"{}\" Format=\"HDF\">result.h5:{}</DataItem>", n,
+                       width, precision, path);
+}
+
+/// Row `k` of a dataset of frames.
+std::string xdmf_frame(std::string_view path, std::size_t k, std::size_t frames, std::size_t n, int width) {
+    return fmt::format(
+        "<DataItem ItemType=\"HyperSlab\" Dimensions=\"1 {2} {3}\"><DataItem Dimensions=\"3 3\" Format=\"XML\">{0} 0 0 1 1 1 1 {2} {3}"
+        "</DataItem><DataItem Dimensions=\"{1} {2} {3}\" NumberType=\"Float\" Precision=\"4\" "
+        "Format=\"HDF\">result.h5:{4}</DataItem></DataItem>",
+        k, frames, n, width, path);
+}
+
+/// Likewise of one number per block.
+std::string xdmf_frame_of_numbers(std::string_view path, std::size_t k, std::size_t frames, std::size_t n) {
+    return fmt::format(
+        "<DataItem ItemType=\"HyperSlab\" Dimensions=\"1 {2}\"><DataItem Dimensions=\"3 2\" Format=\"XML\">{0} 0 1 1 1 {2}"
+        "</DataItem><DataItem Dimensions=\"{1} {2}\" NumberType=\"Float\" Precision=\"4\" "
+        "Format=\"HDF\">result.h5:{3}</DataItem></DataItem>",
+        k, frames, n, path);
+}
+
+/// Frames when the run kept any, else its first and last instant.
+std::string make_xdmf(const RunResult& run) {
+    const std::size_t n = run.blocks.mass.size();
+    const std::string size = xdmf_attribute("size [m]", "Vector", xdmf_data("/blocks/size", n, 3, 8));
+    std::string grids;
+    const std::size_t frames = run.frames.time.size();
+    const auto force = [&](std::size_t k) {
+        return run.frames.contact_force.empty()
+                   ? std::string()
+                   : xdmf_attribute("contact force [N]", "Scalar", xdmf_frame_of_numbers("/frames/contact_force", k, frames, n));
+    };
+    for (std::size_t k = 0; k < frames; ++k) {
+        grids += xdmf_grid(run.frames.time[k], n, xdmf_frame("/frames/position", k, frames, n, 3),
+                           size + xdmf_attribute("velocity [m/s]", "Vector", xdmf_frame("/frames/velocity", k, frames, n, 3)) +
+                               xdmf_attribute("quaternion", "Matrix", xdmf_frame("/frames/quaternion", k, frames, n, 4)) + force(k));
+    }
+    if (frames == 0) {
+        const auto turn = [&](const char* path) { return xdmf_attribute("quaternion", "Matrix", xdmf_data(path, n, 4, 8)); };
+        grids += xdmf_grid(run.initial.time, n, xdmf_data("/blocks/initial_position", n, 3, 8), size + turn("/blocks/initial_quaternion"));
+        grids += xdmf_grid(run.final.time, n, xdmf_data("/blocks/final_position", n, 3, 8), size + turn("/blocks/final_quaternion"));
+    }
+    return "<?xml version=\"1.0\"?>\n<Xdmf Version=\"3.0\">\n <Domain>\n  <Grid GridType=\"Collection\" CollectionType=\"Temporal\">\n" +
+           grids + "  </Grid>\n </Domain>\n</Xdmf>\n";
+}
+
+/// Time, base velocity and the velocity of every spine level, in SI; each number reads back as the same double.
+std::string make_spine_csv(const RunResult& run) {
+    std::string csv = "time_s,base_vx_m_s,base_vy_m_s,base_vz_m_s";
+    for (const int level : run.spine.level) {
+        fmt::format_to(std::back_inserter(csv), ",level{0}_vx_m_s,level{0}_vy_m_s,level{0}_vz_m_s", level);
+    }
+    csv += '\n';
+    const std::size_t ns = run.spine.size();
+    for (std::size_t k = 0; k < run.history.samples(); ++k) {
+        const Vector3& base = run.history.base[k].velocity;
+        fmt::format_to(std::back_inserter(csv), "{},{},{},{}", run.history.time[k], base.x(), base.y(), base.z());
+        for (std::size_t s = 0; s < ns; ++s) {
+            const Vector3& v = run.history.spine_velocity[k * ns + s];
+            fmt::format_to(std::back_inserter(csv), ",{},{},{}", v.x(), v.y(), v.z());
+        }
+        csv += '\n';
+    }
+    return csv;
+}
+
+/// A file of a folder, and what folders it leaves empty.
+void remove_file(const std::filesystem::path& directory, const std::filesystem::path& name) {
+    std::error_code ignored;
+    std::filesystem::remove(directory / name, ignored);
+    for (auto part = name.parent_path(); !part.empty(); part = part.parent_path()) std::filesystem::remove(directory / part, ignored);
+}
+
+}  // namespace
+
+void ResultFolder::add_run(const std::filesystem::path& subfolder, const RunResult& run, const ResultHeader& header) {
+    const std::vector<char> hdf5 = make_hdf5(run, header);
+    nlohmann::json summary = make_summary(run);
+    summary["result_checksum"] = detail::find_checksum({hdf5.data(), hdf5.size()});
+    summary["program_version"] = header.program_version;
+    if (!run.similitude.is_identity()) summary["similitude"] = to_json(run.similitude);
+
+    files_.write(subfolder / "result.h5", {hdf5.data(), hdf5.size()});
+    files_.write(subfolder / "result.xdmf", make_xdmf(run));
+    files_.write(subfolder / "spine.csv", make_spine_csv(run));
+    files_.write(subfolder / "summary.json", make_checked_json(std::move(summary)));
+}
+
+ResultFolder::ResultFolder(const std::filesystem::path& directory, ResultOrigin origin, Overwriting overwriting) : files_(directory) {
+    set_origin(std::move(origin), overwriting);
+}
+
+void ResultFolder::set_origin(ResultOrigin origin, Overwriting overwriting) {
+    const std::filesystem::path& directory = files_.directory();
+    if (overwriting == Overwriting::refuse) refuse_other_results(directory, origin);
+    detail::remove_leftovers(directory / kContentsName);
+    const bool goes_on = overwriting == Overwriting::resume && is_of(directory, origin);
+    contents_ = FolderContents{.origin = std::move(origin), .complete = true, .files = {}};
+    (goes_on ? contents_->files : older_) = list_results(directory);
+}
+
+void ResultFolder::commit() {
+    if (!contents_) return files_.commit();
+    std::vector<std::string>& files = contents_->files;
+    for (const std::filesystem::path& name : files_.names()) files.push_back(name.string());
+    std::sort(files.begin(), files.end());
+    files.erase(std::unique(files.begin(), files.end()), files.end());
+
+    // a kill from here on leaves a folder that says it is not complete, and lists whatever is in it
+    FolderContents between = *contents_;
+    between.complete = false;
+    between.files.insert(between.files.end(), older_.begin(), older_.end());
+    write_contents(files_.directory(), between);
+    for (const std::string& old : older_) {
+        if (!std::binary_search(files.begin(), files.end(), old)) remove_file(files_.directory(), old);
+    }
+    older_.clear();
+    files_.commit();
+    write_contents(files_.directory(), *contents_);
+}
+
+void ResultFolder::add_json(const std::filesystem::path& name, const nlohmann::json& object) {
+    files_.write(name, make_checked_json(object));
+}
+
+}  // namespace musim::lsdem::study

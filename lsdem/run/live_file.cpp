@@ -1,0 +1,113 @@
+#include "lsdem/run/live_file.hpp"
+
+#include <algorithm>
+#include <exception>
+#include <fstream>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "lsdem/results/leftovers.hpp"
+#include "records/atomic_file.hpp"
+#include "scaling/regular_file.hpp"
+
+namespace musim::lsdem::study {
+namespace {
+
+constexpr const char* kLiveSchema = "musim-live/1";
+
+LiveState parse_live_state(const nlohmann::json& json) {
+    LiveState state;
+    json.at("name").get_to(state.name);
+    state.prepares = json.at("phase") == "preparing";
+    json.at("fraction").get_to(state.fraction);
+    json.at("wall_s").get_to(state.wall_time);
+    if (json.contains("left_s")) state.left = json["left_s"].get<double>();
+    if (json.contains("least_left_s")) state.least_left = json["least_left_s"].get<double>();
+    if (json.contains("run")) state.run = parse_live_run(json["run"]);
+    return state;
+}
+
+template <class... Args, class Second>
+std::function<void(Args...)> also(std::function<void(Args...)> first, Second second) {
+    if (!first) return second;
+    return [first = std::move(first), second](Args... args) {
+        first(args...);
+        second(args...);
+    };
+}
+
+}  // namespace
+
+nlohmann::json to_json(const LiveState& state) {
+    nlohmann::json json{{"schema", kLiveSchema},
+                        {"name", state.name},
+                        {"phase", state.prepares ? "preparing" : "running"},
+                        {"fraction", state.fraction},
+                        {"wall_s", state.wall_time}};
+    if (state.left) json["left_s"] = *state.left;
+    if (state.least_left) json["least_left_s"] = *state.least_left;
+    if (state.run) json["run"] = to_json(*state.run);
+    return json;
+}
+
+LiveFile::LiveFile(const std::filesystem::path& directory, std::string name, std::chrono::seconds interval)
+    : file_(directory / kLiveName), interval_(interval), next_(start_ + interval) {
+    state_.name = std::move(name);
+}
+
+void LiveFile::listen_to(RunObserver& observer) {
+    observer.on_preparation_spare = also(std::move(observer.on_preparation_spare), [this](double part) { tell_preparation_spare(part); });
+    observer.on_preparation = also(std::move(observer.on_preparation), [this](double fraction) { tell_preparation(fraction); });
+    observer.on_progress = also(std::move(observer.on_progress), [this](double fraction) { tell_progress(fraction); });
+    observer.on_sample =
+        also(std::move(observer.on_sample), [this](const RunResult& run, const TimePlan& plan) { tell_sample(run, plan); });
+}
+
+LiveFile::~LiveFile() { detail::remove_with_leftovers(file_); }
+
+void LiveFile::tell(bool prepares, double fraction) {
+    const Clock::time_point now = Clock::now();
+    fraction = prepares ? joined_.after_preparing(fraction) : joined_.after_running(fraction);
+    if (!first_fraction_) {
+        first_fraction_ = fraction;
+        first_told_ = now;
+    }
+    state_.prepares = prepares;
+    state_.fraction = fraction;
+    const double done = fraction - *first_fraction_;
+    const double taken = std::chrono::duration<double>(now - first_told_).count();
+    const auto time_to = [&](double end) {
+        return done > 0.0 ? std::optional(taken * std::max(0.0, end - fraction) / done) : std::nullopt;
+    };
+    state_.left = time_to(1.0);
+    state_.least_left = spare_ > 0.0 ? time_to(1.0 - spare_) : std::nullopt;
+    if (is_due()) write();
+}
+
+void LiveFile::tell_sample(const RunResult& run, const TimePlan& plan) {
+    if (is_due()) state_.run = observe_run(run, plan);
+}
+
+void LiveFile::write() {
+    state_.wall_time = std::chrono::duration<double>(Clock::now() - start_).count();
+    try {
+        records::write_file_atomically(file_, to_json(state_).dump(2) + "\n");
+    } catch (const records::WriteError&) {
+        // whoever looks on sees the state before; the run is not the worse for it
+    }
+    next_ = Clock::now() + interval_;
+}
+
+std::optional<LiveState> read_live_file(const std::filesystem::path& directory) {
+    std::ifstream stream = scaling::open_regular_file(directory / kLiveName);
+    try {
+        const nlohmann::json json = nlohmann::json::parse(stream);
+        if (json.at("schema") != kLiveSchema) return std::nullopt;
+        return parse_live_state(json);
+    } catch (const nlohmann::json::exception&) {
+        return std::nullopt;
+    }
+}
+
+}  // namespace musim::lsdem::study

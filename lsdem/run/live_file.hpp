@@ -1,0 +1,74 @@
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "lsdem/run/joined_progress.hpp"
+#include "lsdem/run/live_run.hpp"
+#include "lsdem/run/simulate.hpp"
+
+namespace musim::lsdem::study {
+
+/// What a run that goes on says of itself in its folder.
+struct LiveState {
+    std::string name;            ///< of the scene
+    bool prepares = false;       ///< its specimen is being prepared; nothing moves yet
+    double fraction = 0.0;       ///< done of preparation and run together, 0 to 1
+    double wall_time = 0.0;      ///< since it began, or was resumed [s]
+    std::optional<double> left;  ///< wall time that both will still take if work goes on as up to now; at most, where it is a range [s]
+    std::optional<double> least_left;  ///< likewise at least; nothing where it is no range [s]
+    std::optional<LiveRun> run;        ///< at its last sample
+};
+
+/// {"schema", "name", "phase": "preparing" or "running", "fraction", "wall_s", "left_s", "least_left_s", "run"}; the last three only when
+/// known. It is for watching alone: nothing that is computed depends on it, so it carries no checksum.
+nlohmann::json to_json(const LiveState& state);
+
+/// The name of that file in a folder of results.
+inline constexpr const char* kLiveName = "live.json";
+
+/// Wall time between two states: often enough to follow a run, and each waits for the disk.
+inline constexpr std::chrono::seconds kLiveInterval{2};
+
+/// Keeps a file in a folder of results by which others follow a run. It is written for the first time after an interval of wall time, whole
+/// each time, and goes with the object; one that cannot be written is left out. A kill leaves the last one behind.
+class LiveFile {
+  public:
+    LiveFile(const std::filesystem::path& directory, std::string name, std::chrono::seconds interval = kLiveInterval);
+    ~LiveFile();
+    LiveFile(const LiveFile&) = delete;
+    LiveFile& operator=(const LiveFile&) = delete;
+
+    void tell_preparation(double fraction) { tell(true, fraction); }
+    void tell_progress(double fraction) { tell(false, fraction); }
+    void tell_spare(double part) { spare_ = joined_.of_all(part); }
+    void tell_preparation_spare(double part) { spare_ = joined_.of_whole_part(part); }
+    void tell_sample(const RunResult& run, const TimePlan& plan);
+
+    /// Follows what is observed from now on, besides who does already. Outlives it.
+    void listen_to(RunObserver& observer);
+
+  private:
+    using Clock = std::chrono::steady_clock;
+
+    void tell(bool prepares, double fraction);
+    bool is_due() const { return Clock::now() >= next_; }
+    void write();
+
+    std::filesystem::path file_;
+    LiveState state_;
+    Clock::duration interval_;
+    Clock::time_point start_ = Clock::now(), next_;
+    JoinedProgress joined_;
+    std::optional<double> first_fraction_;
+    Clock::time_point first_told_;
+    double spare_ = 0.0;
+};
+
+/// What the file in a folder says; nothing when there is none, or none that this program wrote.
+std::optional<LiveState> read_live_file(const std::filesystem::path& directory);
+
+}  // namespace musim::lsdem::study

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "lsdem/results/preparation_state.hpp"
+#include "lsdem/run/settle.hpp"
+#include "lsdem/run/simulate.hpp"
+#include "lsdem/scene/preparation.hpp"
+
+namespace musim::lsdem::study {
+
+/// How a specimen is prepared.
+struct PreparationSettings {
+    scene::Placing placing = scene::Placing::quick_layers;
+    Settling settling;
+    bool from_equilibrium = false;  ///< of Placing::as_drawn: settles from put_in_equilibrium, not from where nothing bears yet
+    /// Time step over that of a run, of Placing::quick_layers and resting: blocks that touch little are stable in it, the others get
+    /// inertia that makes them so (Inertia::as_stable) [-].
+    double stride = 4.0;
+    double lowering = 0.02;  ///< speed at which a layer is let down, over √(gH) [-]
+    /// The next layer comes when every block below has less kinetic energy than this part of its weight times its height, a drop from as
+    /// much of it [-]; or after its patience over α, since a block that is nearly balanced tips slowly and goes on doing so under the next
+    /// layer. Blocks that come upright have farther to tip than those that come as they will rest. See lsdem/study/README.md.
+    double layer_rest = 1e-8;
+    double layer_patience = 2.5;    ///< of Placing::layers and quick_layers [-]
+    double resting_patience = 0.5;  ///< of Placing::resting [-]
+    /// How often the whole comes to rest: to `early_rest` while blocks may still tip, in the last round to the end, with the damping that
+    /// suits sway.
+    std::size_t whole_rounds = 2;
+    /// What is not at rest so long after its layers, over α, while inertia is added gets its own back, and comes to rest in steps of a run.
+    double added_patience = 15.0;
+    double early_rest = 1e-6;  ///< all of these rounds but the last end at this: no block tips any more [-]
+    /// α of the last round over that of the others: no block tips any more, sway decays. It is slower with added inertia [-].
+    double last_damping = 1.5;
+    double last_damping_with_added_inertia = 0.75;
+};
+
+/// What prepared blocks bear and how they stand; one entry per layer.
+struct LayerState {
+    double mean_tilt = 0.0, max_tilt = 0.0;   ///< of the blocks' axes from the vertical [rad]
+    double mean_force = 0.0, sd_force = 0.0;  ///< normal force between two blocks, or a block and the ground, on the layer's lower side [N]
+};
+
+/// A specimen in its settled state.
+struct PreparedSpecimen {
+    Specimen specimen;               ///< poses as settled, and what the contacts hold, see Model::preload
+    Rest rest;                       ///< of the last settling
+    std::vector<LayerState> layers;  ///< from 1 at the base; empty for blocks that are in no layers
+    std::vector<double> tilt;        ///< of every block [rad]
+    std::vector<double> force;       ///< normal force of every contact, over m g of a block [-]
+    std::uint64_t steps = 0;         ///< of all settling
+    std::uint64_t block_steps = 0;   ///< the same times the blocks that moved: what it cost
+    double max_overlap = 0.0;        ///< largest overlap ever met on the way, over the height of a block [-]
+};
+
+/// What follows a preparation, for its progress.
+struct WorkToFollow {
+    double preparations = 0.0;  ///< others that cost as much
+    double block_steps = 0.0;   ///< of runs
+};
+
+/// Prepares a specimen whose blocks stand upright at their places in plan (make_specimen of a scene), or goes on from where a preparation
+/// of the same specimen was, to the same bits. Where it stands is written to settings.checkpoint as it falls due. Throws
+/// std::invalid_argument as Simulation does, and for blocks without layers that are to be placed, std::runtime_error when `from` is of
+/// another specimen; a preparation that diverges says so in `rest`. Progress is counted in block steps. What the rounds of
+/// the whole take is known as a range only: the part that is done counts the most, on_preparation_spare receives the difference.
+PreparedSpecimen prepare(const Specimen& upright, double time_step, const PreparationSettings& preparation,
+                         const RunSettings& settings = {}, const std::optional<PreparationState>& from = {},
+                         const WorkToFollow& to_follow = {});
+
+/// Where the blocks of a simulation are, and what they hold.
+PreparedPlaces find_places(const Simulation& simulation);
+
+/// Where the blocks of a specimen are.
+PreparedPlaces places_of(const Specimen& specimen);
+
+/// Puts the blocks of a specimen where they were. Throws std::runtime_error when those are other blocks.
+void put_in_place(const PreparedPlaces& places, Specimen& specimen);
+
+}  // namespace musim::lsdem::study

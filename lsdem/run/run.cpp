@@ -1,0 +1,180 @@
+#include "lsdem/run/run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "lsdem/run/equilibrium.hpp"
+#include "lsdem/run/specimen_file.hpp"
+#include "lsdem/scene/build_model.hpp"
+#include "lsdem/scene/motions.hpp"
+#include "lsdem/scene/scale_scene.hpp"
+#include "lsdem/scene/scene_error.hpp"
+
+namespace musim::lsdem::study {
+namespace {
+
+bool differ_in_height(const Specimen& specimen) {
+    const std::vector<Block>& blocks = specimen.model.blocks;
+    return std::any_of(blocks.begin(), blocks.end(), [](const Block& block) { return block.height_offset != 0.0; });
+}
+
+bool is_listed(const scene::Scene& scene) { return std::holds_alternative<scene::BlockList>(scene.structure); }
+
+bool base_moves(const scene::Scene& scene) {
+    return !scene.motions.empty() || !std::holds_alternative<std::monostate>(scene.base_motion.source);
+}
+
+/// Single blocks that are listed without velocities on a base that moves are in equilibrium when it begins, where they stand.
+void let_listed_stand(const scene::Scene& scene, Specimen& specimen) {
+    const std::vector<Block>& blocks = specimen.model.blocks;
+    const bool starts = std::all_of(blocks.begin(), blocks.end(),
+                                    [](const Block& block) { return block.velocity.isZero(0.0) && block.angular_velocity.isZero(0.0); });
+    if (starts && base_moves(scene)) put_in_equilibrium(specimen, scene::compute_time_step(scene, specimen.model).value());
+}
+
+/// Steps that a double counts one by one, and samples of which histories are some hundred gigabytes.
+constexpr double kMostSteps = 0x1p53, kMostSamples = 1e9;
+
+/// Nearest whole number, one at least and kMostSteps at most.
+std::uint64_t round_count(double value) { return static_cast<std::uint64_t>(std::clamp(std::round(value), 1.0, kMostSteps)); }
+
+/// Samples that a rate gives are whole when they are so to within this part [-].
+constexpr double kWhole = 1e-9;
+
+/// Time between samples of the spine, 0 for one a step: the rate's own, when the duration is a whole number of them, else so much shorter
+/// that it is [s].
+double find_sample_interval(const scene::Scene& scene) {
+    const double rate = scene.output.spine_rate.value(), duration = scene.time.duration.value();
+    if (!(rate > 0.0)) return 0.0;
+    const double samples = duration * rate, whole = std::round(samples);
+    if (whole >= 1.0 && std::abs(samples - whole) <= kWhole * whole) return 1.0 / rate;
+    return duration / std::max(1.0, std::ceil(samples));
+}
+
+/// The number up to `most`, above half of it, that leaves least when it divides `all`; of several the largest.
+std::uint64_t divide_evenly(std::uint64_t all, std::uint64_t most) {
+    constexpr std::uint64_t kMostTries = 10000;
+    const std::uint64_t largest = std::min(most, all), tries = std::min(kMostTries, (largest + 1) / 2);
+    std::uint64_t best = largest;
+    for (std::uint64_t k = largest; k > largest - tries && all % best > 0; --k) {
+        if (all % k < all % best) best = k;
+    }
+    return best;
+}
+
+}  // namespace
+
+Specimen make_upright_specimen(const scene::Scene& scene) {
+    scene::BuiltModel built = scene::build_model(scene);
+    return {
+        std::move(built.model), std::move(built.structure.spine), std::move(built.structure.layer), {}, std::move(built.structure.level)};
+}
+
+bool wants_preparation(const scene::Scene& scene, const Specimen& upright) {
+    if (scene.preparation) return !scene.preparation->none;
+    return !is_listed(scene) || differ_in_height(upright);
+}
+
+PreparationSettings find_preparation(const scene::Scene& scene, const Specimen& upright) {
+    const std::vector<Block>& blocks = upright.model.blocks;
+    const scene::Preparation wanted = scene.preparation.value_or(scene::Preparation{});
+    PreparationSettings preparation;
+    preparation.placing = wanted.placing.value_or(differ_in_height(upright) ? scene::Placing::quick_layers : scene::Placing::as_drawn);
+    preparation.from_equilibrium = preparation.placing == scene::Placing::as_drawn;
+    if (preparation.from_equilibrium) preparation.whole_rounds = 1;
+    preparation.settling.damping_rate =
+        wanted.damping_rate
+            ? wanted.damping_rate->value()
+            : choose_damping_rate(2.0 * upright.model.shapes[blocks.front().shape].half_extents, upright.model.gravity.norm());
+    return preparation;
+}
+
+Specimen make_specimen(const scene::Scene& scene, const RunSettings& settings, const Checkpoint* from) {
+    Specimen specimen = make_upright_specimen(scene);
+    // a plan that is refused is refused before anything is computed
+    const TimePlan plan = make_time_plan(scene, specimen.model);
+    if (!wants_preparation(scene, specimen)) {
+        if (!scene.preparation) let_listed_stand(scene, specimen);
+        return specimen;
+    }
+    PreparationSettings preparation = find_preparation(scene, specimen);
+    if (from != nullptr && from->places) {
+        put_in_place(*from->places, specimen);
+    } else {
+        if (scene.preparation && scene.preparation->specimen) {
+            take_places(*scene.preparation->specimen, specimen);
+            preparation.placing = scene::Placing::as_drawn;
+            preparation.from_equilibrium = false;
+            preparation.whole_rounds = 1;
+        }
+        const double time_step = scene::compute_time_step(scene, specimen.model).value();
+        RunSettings own = settings;
+        own.observer.on_progress = settings.observer.on_preparation;
+        const WorkToFollow to_follow{
+            .preparations = settings.preparations_to_follow,
+            .block_steps = settings.runs_to_follow * static_cast<double>(plan.steps()) * static_cast<double>(specimen.model.blocks.size())};
+        specimen = prepare(specimen, time_step, preparation, own, from != nullptr ? from->preparation : std::nullopt, to_follow).specimen;
+    }
+    specimen.settling = preparation.settling;
+    return specimen;
+}
+
+RunSettings keep_places(RunSettings settings, const Specimen& specimen) {
+    if (settings.checkpoint && specimen.settling) settings.checkpoint->places = places_of(specimen);
+    return settings;
+}
+
+TimePlan make_time_plan(const scene::Scene& scene, const Model& model, Sampling sampling) {
+    const double limit = scene::compute_time_step(scene, model).value();
+    const double interval = find_sample_interval(scene);
+    // an automatic step fits the samples, a given one is kept
+    const bool fits = !scene.time.step && interval > 0.0 && (interval > limit || sampling == Sampling::at_rate);
+    return make_time_plan(scene, fits ? interval / std::ceil(interval / limit) : limit);
+}
+
+TimePlan make_time_plan(const scene::Scene& scene, double time_step) {
+    const double duration = scene.time.duration.value(), steps = duration / time_step;
+    const double per_sample = std::max(1.0, std::round(find_sample_interval(scene) / time_step));
+    if (!(steps <= kMostSteps) || !(steps / per_sample <= kMostSamples)) {
+        throw scene::SceneError(fmt::format(
+            "{}: {:.3g} s in steps of {:.3g} s are {:.1g} steps and {:.1g} samples (at most {:.0g} and {:.0g} can be counted and "
+            "kept); give a shorter \"duration\", or a lower \"spine_rate\"",
+            scene.place(), duration, time_step, steps, steps / per_sample, kMostSteps, kMostSamples));
+    }
+    TimePlan plan{.time_step = time_step};
+    const std::uint64_t all = round_count(steps);
+    plan.steps_per_sample = divide_evenly(all, round_count(per_sample));
+    plan.samples = all / plan.steps_per_sample;
+    if (scene.output.frame_rate) {
+        const double sample_interval = static_cast<double>(plan.steps_per_sample) * time_step;
+        plan.samples_per_frame = round_count(1.0 / (scene.output.frame_rate->value() * sample_interval));
+    }
+    return plan;
+}
+
+RunResult run_scene(const scene::Scene& scene, const RunSettings& settings) {
+    scene::require_single_motion(scene, "a run");
+    const Specimen specimen = make_specimen(scene, settings);
+    return simulate(specimen, make_time_plan(scene, specimen.model), keep_places(settings, specimen));
+}
+
+RunResult run_model(const scene::Scene& prototype, const scaling::Similitude& similitude, const RunSettings& settings) {
+    scene::check_scene(prototype, prototype.place());
+    RunResult run = run_scene(scene::scale_scene(prototype, similitude), settings);
+    run.similitude = similitude;
+    return run;
+}
+
+RunResult resume_scene(const scene::Scene& scene, Checkpoint checkpoint, const RunSettings& settings) {
+    const Specimen specimen = make_specimen(scene, settings, &checkpoint);
+    const RunSettings with_places = keep_places(settings, specimen);
+    const TimePlan plan = make_time_plan(scene, specimen.model);
+    if (checkpoint.preparation) return simulate(specimen, plan, with_places);
+    require_plan(checkpoint, plan);
+    return resume(specimen, std::move(checkpoint), with_places);
+}
+
+}  // namespace musim::lsdem::study

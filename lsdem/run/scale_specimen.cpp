@@ -1,0 +1,116 @@
+#include "lsdem/run/scale_specimen.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <variant>
+#include <vector>
+
+#include "scaling/error.hpp"
+#include "scaling/units.hpp"
+
+namespace musim::lsdem::study {
+namespace {
+
+/// Multiplies plain SI numbers in place by the factor of the quantity they are.
+class Scaler {
+  public:
+    explicit Scaler(const scaling::Similitude& similitude) : similitude_(similitude) {}
+
+    template <scaling::QuantityWithUnit Quantity, class... Numbers>
+    void scale(Numbers&... numbers) const {
+        const double factor = similitude_.factor<Quantity>();
+        (multiply(numbers, factor), ...);
+    }
+
+    void scale_parts(BoxLevelSet& box) const { scale<scaling::Length>(box.half); }
+    void scale_parts(GridLevelSet& grid) const {
+        const double length = similitude_.length();
+        const Vector3 origin = grid.origin() * length;
+        const double spacing = grid.spacing() * length;
+        const auto index = [&](const Vector3& x, int axis) {
+            return static_cast<std::size_t>(std::lround((x[axis] - origin[axis]) / spacing));
+        };
+        const std::vector<double>& values = grid.values();
+        const std::array<std::size_t, 3> counts = grid.counts();
+        grid = GridLevelSet(origin, spacing, counts, [&](const Vector3& x) {
+            return values[(index(x, 2) * counts[1] + index(x, 1)) * counts[0] + index(x, 0)] * length;
+        });
+    }
+
+    void scale_parts(Shape& shape) const {
+        std::visit([this](auto& level_set) { scale_parts(level_set); }, shape.level_set);
+        SurfaceNodes& n = shape.nodes;
+        scale<scaling::Length>(n.x, n.y, n.z, n.center_x, n.center_y, n.center_z, n.half_x, n.half_y, n.half_z);
+        scale<scaling::Area>(n.area_x, n.area_y, n.area_z);
+        scale<scaling::Length>(shape.node_spacing, shape.half_extents);
+        scale<scaling::Area>(shape.face_area, shape.inertia_over_mass);
+        scale<scaling::Volume>(shape.volume);
+    }
+
+    void scale_parts(Material& material) const { scale<scaling::StiffnessPerArea>(material.normal_stiffness, material.shear_stiffness); }
+
+    void scale_parts(Block& block) const {
+        scale<scaling::Mass>(block.mass);
+        scale<scaling::Length>(block.height_offset, block.position);
+        scale<scaling::Velocity>(block.velocity);
+        scale<scaling::Frequency>(block.angular_velocity);
+    }
+
+    void scale_parts(BaseComponent& component) const {
+        scale<scaling::Time>(component.start, component.dt);
+        scale<scaling::Velocity>(component.velocity);
+        scale<scaling::Acceleration>(component.source.peak_acceleration);
+    }
+
+    void scale_parts(Preload& preload) const {
+        scale<scaling::Force>(preload.friction);
+        scale<scaling::Moment>(preload.couple);
+    }
+
+    void scale_parts(Model& model) const {
+        for (Shape& shape : model.shapes) scale_parts(shape);
+        for (Material& material : model.materials) scale_parts(material);
+        for (Block& block : model.blocks) scale_parts(block);
+        scale_parts(model.ground.material);
+        for (BaseComponent& component : model.ground.motion) scale_parts(component);
+        model.gravity *= similitude_.gravity();
+        scale<scaling::Frequency>(model.velocity_damping);
+        for (Preload& preload : model.preload) scale_parts(preload);
+    }
+
+  private:
+    static void multiply(double& number, double factor) { number *= factor; }
+    static void multiply(Vector3& vector, double factor) { vector *= factor; }
+    static void multiply(std::vector<double>& numbers, double factor) {
+        for (double& number : numbers) number *= factor;
+    }
+
+    const scaling::Similitude& similitude_;
+};
+
+}  // namespace
+
+Specimen scale_specimen(const Specimen& specimen, const scaling::Similitude& similitude) {
+    if (!similitude.is_exact()) {
+        throw scaling::SimilitudeError(fmt::format(
+            "similitude: law \"{}\" gives a specimen no image (friction, gravity or contacts become another part of its weight); take law "
+            "\"exact\", or scale the scene and prepare its specimen",
+            similitude.law_name()));
+    }
+    const Scaler scaler(similitude);
+    Specimen image = specimen;
+    scaler.scale_parts(image.model);
+    if (image.settling) scaler.scale<scaling::Frequency>(image.settling->damping_rate);
+    return image;
+}
+
+std::array<BaseComponent, 3> scale_motion(std::array<BaseComponent, 3> motion, const scaling::Similitude& similitude) {
+    const Scaler scaler(similitude);
+    for (BaseComponent& component : motion) scaler.scale_parts(component);
+    return motion;
+}
+
+}  // namespace musim::lsdem::study

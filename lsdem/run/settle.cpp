@@ -1,0 +1,81 @@
+#include "lsdem/run/settle.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lsdem/block_height.hpp"
+#include "scaling/interruption.hpp"
+
+namespace musim::lsdem::study {
+namespace {
+
+/// Steps between two looks at energy and reaction, which cost about a step each.
+constexpr std::uint64_t kLookInterval = 64;
+
+/// Looks in a row at which a structure must be at rest: a swing passes through rest, and the base bears the weight twice a cycle.
+constexpr int kLooksInARow = 4;
+
+/// Weight of what the ground bears, and that of a force.
+struct Weight {
+    double mass = 0.0;
+    Vector3 gravity;
+
+    explicit Weight(const Model& model) : gravity(model.gravity) {
+        for (const Block& block : model.blocks) mass += block.fixed ? 0.0 : block.mass;
+    }
+    bool exists() const { return mass * gravity.norm() > 0.0; }
+    double part_of(const Vector3& reaction) const { return -reaction.dot(gravity) / (gravity.squaredNorm() * mass); }
+};
+
+/// The largest v²/(2 g H) of a block, spin included: J ω²/m [-].
+double find_liveliest(const Simulation& simulation) {
+    const Model& model = simulation.model();
+    double liveliest = 0.0;
+    for (std::size_t i = 0; i < model.blocks.size(); ++i) {
+        const Block& block = model.blocks[i];
+        if (block.fixed) continue;
+        const Vector3 spin = simulation.orientation(i).conjugate() * simulation.angular_velocity(i);
+        const double twice = simulation.velocity(i).squaredNorm() + inertia_over_mass(model, block).dot(spin.cwiseAbs2());
+        liveliest = std::max(liveliest, twice / (4.0 * half_extents(model, block).z()));
+    }
+    return liveliest / model.gravity.norm();
+}
+
+}  // namespace
+
+double choose_damping_rate(const Vector3& size, double gravity) {
+    const double thin = std::min(size.x(), size.y());
+    return 0.5 * std::sqrt(0.75 * gravity / (0.5 * std::hypot(thin, size.z())));
+}
+
+Rest settle(Simulation& simulation, const Settling& settling, const SettlingWatch& watch, SettlingState state) {
+    const Weight weight(simulation.model());
+    Rest rest;
+    if (!weight.exists()) return rest;
+    double part = 0.0;
+    const double most_steps = settling.patience / (settling.damping_rate * simulation.time_step());
+    while (static_cast<double>(state.steps) < most_steps) {
+        simulation.advance(kLookInterval);
+        if (simulation.divergence()) break;
+        state.steps += kLookInterval;
+        rest.kinetic = find_liveliest(simulation);
+        rest.reaction_over_weight = weight.part_of(simulation.base_reaction());
+        const bool quiet = rest.kinetic <= settling.rest && std::abs(rest.reaction_over_weight - 1.0) <= settling.reaction;
+        state.quiet_looks = quiet ? state.quiet_looks + 1 : 0;
+        state.liveliest = std::max(state.liveliest, rest.kinetic);
+        if (state.liveliest > settling.rest) {
+            part = std::clamp(std::log(rest.kinetic / state.liveliest) / std::log(settling.rest / state.liveliest), part, 1.0);
+            if (watch.on_progress) watch.on_progress(part, state.steps);
+        }
+        if (watch.give_up && watch.give_up()) break;
+        rest.at_rest = state.quiet_looks == kLooksInARow;
+        if (rest.at_rest) break;
+        if (watch.on_state) watch.on_state(state);
+        scaling::stop_if_interrupted();
+    }
+    rest.steps = state.steps;
+    if (watch.on_progress) watch.on_progress(1.0, state.steps);
+    return rest;
+}
+
+}  // namespace musim::lsdem::study

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+#include "lsdem/results/rest.hpp"
+#include "lsdem/simulation.hpp"
+
+namespace musim::lsdem::study {
+
+/// Damping rate in which blocks come to rest soonest: half their frequency parameter p = √(3g/(4R)) about the longer lower edge
+/// [Housner63].
+///
+/// What takes longest is a block that tips from nearly balanced to its resting face, and the sway of all. The former grows as exp(s t),
+/// s = √(p² + α²/4) − α/2: 0.62 p at α = p, 0.78 p at half of it, and like p²/α with α ≫ p. The papers' c_v = 0.002 per step, α = 192 1/s
+/// for wood against p = 18.8 1/s [Harmon23, eq. 12], is eight times slower. Sway decays with α/2 up to twice its own frequency, 8 rad/s in
+/// a tower of 38 such layers, and slower beyond. `size`: of a block; `gravity` [m/s²].
+double choose_damping_rate(const Vector3& size, double gravity);
+
+/// What is told and asked while a simulation comes to rest, at every look, in this order; any may be empty.
+struct SettlingWatch {
+    /// Told a guess of the part that is done, 0 to 1, never less than before, and the steps taken.
+    std::function<void(double, std::uint64_t)> on_progress = {};
+    std::function<bool()> give_up = {};                       ///< ends the settling, not at rest, when it says so
+    std::function<void(const SettlingState&)> on_state = {};  ///< told where it stands, unless it has ended
+};
+
+/// Brings a simulation that is in preparation (Simulation::begin_preparation) to rest, or carries that on from `state`. The part that is
+/// done is guessed from the decay of the liveliest block's energy. Ends early, not at rest, when the simulation diverges. Throws
+/// scaling::Interrupted when the program is asked to stop, after telling where it stands.
+Rest settle(Simulation& simulation, const Settling& settling, const SettlingWatch& watch = {}, SettlingState state = {});
+
+}  // namespace musim::lsdem::study

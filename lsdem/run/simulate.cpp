@@ -1,0 +1,279 @@
+#include "lsdem/run/simulate.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+#include "lsdem/block_height.hpp"
+#include "lsdem/fallen.hpp"
+#include "lsdem/results/fallen_blocks.hpp"
+#include "lsdem/rotation.hpp"
+#include "lsdem/run/advance_in_pieces.hpp"
+#include "lsdem/time_step.hpp"
+#include "scaling/interruption.hpp"
+
+namespace musim::lsdem::study {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+BlockTable make_block_table(const Specimen& specimen) {
+    BlockTable table;
+    for (const Block& block : specimen.model.blocks) {
+        table.size.emplace_back(2.0 * half_extents(specimen.model, block));
+        table.mass.push_back(block.mass);
+    }
+    table.layer = specimen.level.empty() ? specimen.layer : specimen.level;
+    table.layer.resize(table.mass.size(), 0);
+    return table;
+}
+
+void reserve(History& history, const TimePlan& plan, std::size_t spine) {
+    const std::size_t samples = plan.samples + 1;
+    history.time.reserve(samples);
+    history.base.reserve(samples);
+    history.energy.reserve(samples);
+    for (auto* series : {&history.spine_position, &history.spine_velocity, &history.spine_rotation}) series->reserve(samples * spine);
+}
+
+/// Of all blocks, standing.
+Falls make_standing(std::size_t blocks) {
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    return {.time = std::vector<double>(blocks, kNone),
+            .displacement = std::vector<Vector3>(blocks, Vector3::Constant(kNone)),
+            .at_collapse = {}};
+}
+
+/// Has a block fallen since falls are counted? `base`: how far the base has risen since the start of the run [m].
+bool has_fallen_now(const RunResult& run, const Simulation& simulation, std::size_t b, double base) {
+    const Quaternion& start = run.origin ? run.origin->orientation[b] : run.initial.orientation[b];
+    const double risen = base + (run.origin ? run.origin->base.z() : 0.0);
+    const double sunk = (run.standing_position()[b].z() - simulation.position(b).z()) + risen;
+    return has_fallen(0.5 * run.blocks.size[b], start.toRotationMatrix(), simulation.orientation(b).toRotationMatrix(), sunk);
+}
+
+void add_sample(RunResult& run, const Simulation& simulation) {
+    History& history = run.history;
+    history.time.push_back(simulation.time());
+    history.base.push_back(simulation.base());
+    history.energy.push_back(simulation.energy());
+    for (const std::size_t block : run.spine.block) {
+        history.spine_position.push_back(simulation.position(block));
+        history.spine_velocity.push_back(simulation.velocity(block));
+        history.spine_rotation.push_back(rotation_vector(run.initial.orientation[block], simulation.orientation(block)));
+    }
+    note_falls(run, simulation, simulation.time(), simulation.base().displacement);
+}
+
+void add_frame(RunResult& run, const Simulation& simulation) {
+    const Kinematics now = simulation.kinematics();
+    std::vector<double> force(now.position.size(), 0.0);
+    for (const ContactForce& contact : simulation.contact_forces()) {
+        force[contact.leader] += contact.force.norm();
+        if (contact.follower) force[*contact.follower] += contact.force.norm();
+    }
+    run.frames.time.push_back(now.time);
+    for (std::size_t b = 0; b < now.position.size(); ++b) {
+        const Quaternion& q = now.orientation[b];
+        run.frames.position.emplace_back(now.position[b].cast<float>());
+        run.frames.quaternion.emplace_back(Eigen::Vector4d(q.w(), q.x(), q.y(), q.z()).cast<float>());
+        run.frames.velocity.emplace_back(now.velocity[b].cast<float>());
+        run.frames.contact_force.push_back(static_cast<float>(force[b]));
+    }
+}
+
+/// Upward reaction of the ground over the weight of the blocks it may carry.
+std::optional<double> base_reaction_over_weight(const Simulation& simulation) {
+    const Model& model = simulation.model();
+    double mass = 0.0;
+    for (const Block& block : model.blocks) mass += block.fixed ? 0.0 : block.mass;
+    const double gravity = model.gravity.norm();
+    if (!model.ground.present || !(mass * gravity > 0.0)) return std::nullopt;
+    return -simulation.base_reaction().dot(model.gravity) / (gravity * gravity * mass);
+}
+
+void finish(RunResult& run, const Simulation& simulation) {
+    run.final = simulation.kinematics();
+    run.statistics = simulation.statistics();
+    run.steps = run.statistics.steps;
+    run.peak_base_acceleration = simulation.peak_base_acceleration();
+    run.source_pga = find_source_pga(simulation.model().ground.motion, simulation.time());
+    run.losses = simulation.losses();
+    run.state_hash = simulation.state_hash();
+    run.energy_closure = compute_energy_closure(run.history.energy);
+    run.base_reaction_over_weight = base_reaction_over_weight(simulation);
+    update_status(run, simulation);
+}
+
+/// What follows from specimen and plan.
+void describe(RunResult& run, const Specimen& specimen, const TimePlan& plan) {
+    run.time_step = plan.time_step;
+    run.critical_time_step = find_critical_time_step(specimen.model);
+    run.spine = specimen.spine;
+    run.blocks = make_block_table(specimen);
+}
+
+/// From sample `done`, or some steps after it, to the end of the plan. `start`: when this part of the run began.
+void carry_on(RunResult& run, Simulation& simulation, const TimePlan& plan, std::uint64_t done, Clock::time_point start,
+              const RunSettings& settings) {
+    const double wall_time_before = run.wall_time;
+    std::optional<CheckpointWriter> checkpoints;
+    if (settings.checkpoint) checkpoints.emplace(*settings.checkpoint);
+    const auto tell = [&](std::uint64_t steps) {
+        if (settings.observer.on_progress) settings.observer.on_progress(static_cast<double>(steps) / static_cast<double>(plan.steps()));
+    };
+    std::uint64_t steps = simulation.statistics().steps;
+    for (std::uint64_t k = done + 1; k <= plan.samples; ++k) {
+        const auto between = [&](std::uint64_t taken) {
+            run.wall_time = wall_time_before + std::chrono::duration<double>(Clock::now() - start).count();
+            if (checkpoints) checkpoints->between_samples(k - 1, plan, run, simulation);
+            tell(steps + taken);
+        };
+        detail::advance_in_pieces(simulation, k * plan.steps_per_sample - steps, between);
+        if (simulation.divergence()) break;
+        steps = k * plan.steps_per_sample;
+        add_sample(run, simulation);
+        if (plan.samples_per_frame > 0 && k % plan.samples_per_frame == 0) add_frame(run, simulation);
+        run.wall_time = wall_time_before + std::chrono::duration<double>(Clock::now() - start).count();
+        if (checkpoints) checkpoints->after_sample(k, plan, run, simulation);
+        if (settings.observer.on_sample) settings.observer.on_sample(run, plan);
+        tell(steps);
+        // a run that has come to its end has results
+        if (k < plan.samples) scaling::stop_if_interrupted();
+    }
+    finish(run, simulation);
+    run.wall_time = wall_time_before + std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// Are the histories read from a checkpoint as long as its plan and progress say?
+bool fits(const TimePlan& plan, std::uint64_t done, const RunResult& run) {
+    const History& history = run.history;
+    const std::size_t samples = static_cast<std::size_t>(done) + 1, of_spine = samples * run.spine.size();
+    const std::size_t blocks = run.blocks.mass.size();
+    const std::size_t frames = plan.samples_per_frame > 0 ? done / plan.samples_per_frame + 1 : 0;
+    const auto all_of_size = [](std::size_t size, const auto&... vectors) { return ((vectors.size() == size) && ...); };
+    return done <= plan.samples && all_of_size(samples, history.time, history.base, history.energy) &&
+           all_of_size(of_spine, history.spine_position, history.spine_velocity, history.spine_rotation) &&
+           all_of_size(frames, run.frames.time) &&
+           all_of_size(frames * blocks, run.frames.position, run.frames.quaternion, run.frames.velocity, run.frames.contact_force) &&
+           all_of_size(blocks, run.falls.time, run.falls.displacement) &&
+           all_of_size(run.collapse_time ? blocks : 0, run.falls.at_collapse) &&
+           (!run.origin || all_of_size(blocks, run.origin->position, run.origin->orientation)) &&
+           all_of_size(blocks, run.initial.position, run.initial.orientation, run.initial.velocity, run.initial.angular_velocity);
+}
+
+}  // namespace
+
+void note_falls(RunResult& run, const Simulation& simulation, double time, const Vector3& base) {
+    const Vector3 moved_base = run.origin ? Vector3(run.origin->base + base) : base;
+    const auto displacement = [&](std::size_t b) { return Vector3((simulation.position(b) - run.standing_position()[b]) - moved_base); };
+    const std::size_t blocks = run.falls.time.size();
+    std::size_t fallen = 0;
+    for (std::size_t b = 0; b < blocks; ++b) {
+        if (!has_fallen_now(run, simulation, b, base.z())) continue;
+        ++fallen;
+        if (!std::isnan(run.falls.time[b])) continue;
+        run.falls.time[b] = time;
+        run.falls.displacement[b] = displacement(b);
+    }
+    const bool collapsed = blocks > 0 && static_cast<double>(fallen) / static_cast<double>(blocks) >= kCollapsedFraction;
+    if (run.collapse_time || !collapsed) return;
+    run.collapse_time = time;
+    for (std::size_t b = 0; b < blocks; ++b) run.falls.at_collapse.push_back(displacement(b));
+}
+
+void update_status(RunResult& run, const Simulation& simulation) {
+    run.divergence = simulation.divergence();
+    if (run.divergence) {
+        run.status = RunStatus::diverged;
+    } else if (run.collapse_time) {
+        run.status = RunStatus::collapsed;
+    }
+}
+
+std::optional<Rest> settle_specimen(Simulation& simulation, const Specimen& specimen) {
+    if (!specimen.settling) return std::nullopt;
+    simulation.begin_preparation(specimen.settling->damping_rate);
+    Rest rest = settle(simulation, *specimen.settling);
+    rest.fallen = count_fallen(simulation, specimen.layer);
+    simulation.end_preparation();
+    return rest;
+}
+
+RunResult simulate(Simulation& simulation, const Specimen& specimen, const TimePlan& plan, RunStart begin, const RunSettings& settings) {
+    const Clock::time_point start = Clock::now();
+    RunResult run;
+    describe(run, specimen, plan);
+    run.rest = begin.rest;
+    run.origin = std::move(begin.origin);
+    run.wall_time = begin.wall_time;
+    run.initial = simulation.kinematics();
+    run.start_reaction_over_weight = base_reaction_over_weight(simulation);
+    run.falls = begin.falls.time.empty() ? make_standing(run.blocks.mass.size()) : std::move(begin.falls);
+    reserve(run.history, plan, run.spine.size());
+    add_sample(run, simulation);
+    if (plan.samples_per_frame > 0) add_frame(run, simulation);
+    carry_on(run, simulation, plan, 0, start, settings);
+    return run;
+}
+
+RunResult simulate(const Specimen& specimen, const TimePlan& plan, const RunSettings& settings) {
+    const Clock::time_point start = Clock::now();
+    Simulation simulation(specimen.model, plan.time_step, settings.threads);
+    RunStart begin;
+    begin.rest = settle_specimen(simulation, specimen);
+    begin.wall_time = std::chrono::duration<double>(Clock::now() - start).count();
+    return simulate(simulation, specimen, plan, std::move(begin), settings);
+}
+
+Simulation restore(const Specimen& specimen, const Checkpoint& checkpoint, int threads) {
+    std::istringstream state(checkpoint.state);
+    return Simulation::restore(specimen.model, state, threads);
+}
+
+void require_plan(const Checkpoint& checkpoint, const TimePlan& plan) {
+    if (!(checkpoint.plan == plan)) throw std::runtime_error("checkpoint: its steps and samples are not those of its scene");
+}
+
+RunResult resume(Simulation& simulation, const Specimen& specimen, Checkpoint checkpoint, const RunSettings& settings) {
+    const Clock::time_point start = Clock::now();
+    RunResult run = std::move(checkpoint.run);
+    describe(run, specimen, checkpoint.plan);
+    const bool same_step = checkpoint.plan.time_step == simulation.time_step() && checkpoint.plan.steps_per_sample > 0 &&
+                           simulation.statistics().steps / checkpoint.plan.steps_per_sample == checkpoint.samples_done;
+    if (!same_step || !fits(checkpoint.plan, checkpoint.samples_done, run)) {
+        throw std::runtime_error("checkpoint: its histories do not fit its state");
+    }
+    reserve(run.history, checkpoint.plan, run.spine.size());
+    carry_on(run, simulation, checkpoint.plan, checkpoint.samples_done, start, settings);
+    return run;
+}
+
+RunResult recall_finished(const Specimen& specimen, Checkpoint checkpoint) {
+    RunResult run = std::move(checkpoint.run);
+    describe(run, specimen, checkpoint.plan);
+    if (!fits(checkpoint.plan, checkpoint.samples_done, run)) throw std::runtime_error("checkpoint: its histories do not fit its plan");
+    return run;
+}
+
+RunResult resume(const Specimen& specimen, Checkpoint checkpoint, const RunSettings& settings) {
+    Simulation simulation = restore(specimen, checkpoint, settings.threads);
+    return resume(simulation, specimen, std::move(checkpoint), settings);
+}
+
+Specimen make_shadow(Specimen specimen) {
+    for (Block& block : specimen.model.blocks) {
+        Eigen::Index largest = 0;
+        block.position.cwiseAbs().maxCoeff(&largest);
+        double& coordinate = block.position[largest];
+        coordinate = std::nextafter(coordinate, std::numeric_limits<double>::infinity());
+    }
+    return specimen;
+}
+
+}  // namespace musim::lsdem::study

@@ -1,0 +1,95 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "lsdem/model.hpp"
+#include "lsdem/results/checkpoint.hpp"
+#include "lsdem/results/history.hpp"
+#include "lsdem/results/time_plan.hpp"
+#include "lsdem/run/settle.hpp"
+
+namespace musim::lsdem::study {
+
+/// A model with the places in it that results speak of.
+struct Specimen {
+    Model model;
+    Spine spine;
+    std::vector<int> layer;            ///< of every block, from 1 at the base; 0: in no layer
+    std::optional<Settling> settling;  ///< how it comes to rest before t = 0; nothing: it starts as it is
+    std::vector<int> level = {};       ///< of every block, from 1 at the base, see scene::StructureInfo; empty: the layers
+};
+
+/// Who watches a run; none of it changes the results. Parts are from 0 to 1.
+struct RunObserver {
+    std::function<void(double)> on_progress = {};     ///< receives the part that is done every few steps, from the thread that runs
+    std::function<void(double)> on_preparation = {};  ///< likewise before, of the preparation and the runs that follow it: one scale
+    /// Receives, before that, the part at the end of all that may not be needed: how long a specimen takes to come to rest is known as a
+    /// range.
+    std::function<void(double)> on_preparation_spare = {};
+    std::function<void(const RunResult&, const TimePlan&)> on_sample = {};  ///< called after every sample with what there is so far
+};
+
+/// How to carry out a run; none of it changes the results.
+struct RunSettings {
+    int threads = 1;  ///< 0: all cores
+    RunObserver observer = {};
+    double preparations_to_follow = 0.0;                ///< how many others that cost as much follow a preparation; for its progress
+    double runs_to_follow = 1.0;                        ///< how many runs of its scene, by their work, follow a preparation; likewise
+    std::optional<CheckpointSettings> checkpoint = {};  ///< none: a run that is killed is lost
+};
+
+/// A structure has collapsed when this fraction of its blocks has fallen (has_fallen). One in twenty: a few blocks may
+/// leave the free edges of a tower that stands; with fewer than 20 blocks it means any one of them. Changes the label only.
+inline constexpr double kCollapsedFraction = 0.05;
+
+/// Lets a specimen come to rest, when it asks for that, and runs it to the end of its plan, or until it diverges. Time, ledger and
+/// rotations count from rest. Throws std::invalid_argument as Simulation does.
+RunResult simulate(const Specimen& specimen, const TimePlan& plan, const RunSettings& settings = {});
+
+/// What a run starts with besides its specimen, when it is one of several on the same structure.
+struct RunStart {
+    std::optional<Rest> rest = {};           ///< how the structure came to rest before it; nothing when it was not to
+    std::optional<StageOrigin> origin = {};  ///< of a later stage
+    Falls falls = {};                        ///< of the stages before; empty: all blocks stand
+    double wall_time = 0.0;                  ///< spent on it so far [s]
+};
+
+/// Lets a specimen come to rest when it asks for that (Simulation::end_preparation follows); nothing when it does not. One that was
+/// prepared is at rest within a few hundred steps.
+std::optional<Rest> settle_specimen(Simulation& simulation, const Specimen& specimen);
+
+/// Runs a simulation of `specimen` that is at t = 0 to the end of a plan, or until it diverges; the simulation is then at that end. Throws
+/// scaling::Interrupted, after a last checkpoint, when the program is asked to stop.
+RunResult simulate(Simulation& simulation, const Specimen& specimen, const TimePlan& plan, RunStart begin, const RunSettings& settings);
+
+/// The simulation of a specimen as a checkpoint has it. Throws std::runtime_error as Simulation::restore does.
+Simulation restore(const Specimen& specimen, const Checkpoint& checkpoint, int threads);
+
+/// Throws std::runtime_error unless the plan of a checkpoint is the one that its scene has.
+void require_plan(const Checkpoint& checkpoint, const TimePlan& plan);
+
+/// Carries a run on from a checkpoint with the simulation that restore() made of it. Throws std::runtime_error when they do not belong
+/// together.
+RunResult resume(Simulation& simulation, const Specimen& specimen, Checkpoint checkpoint, const RunSettings& settings);
+
+/// The run of a checkpoint of the quiet phase after it. Throws std::runtime_error when its histories do not fit its plan.
+RunResult recall_finished(const Specimen& specimen, Checkpoint checkpoint);
+
+/// Dates the blocks that have fallen since the last look, and the collapse. `time` [s] and `base`, the displacement of the base [m], both
+/// since the start of the run.
+void note_falls(RunResult& run, const Simulation& simulation, double time, const Vector3& base);
+
+/// Status and divergence of a run that has come as far as its simulation.
+void update_status(RunResult& run, const Simulation& simulation);
+
+/// Carries a run on from a checkpoint to the end of its plan; all results but the wall time, which adds up, are the bits of a run without
+/// interruption, with any number of threads. Throws std::runtime_error when the checkpoint is of another specimen.
+RunResult resume(const Specimen& specimen, Checkpoint checkpoint, const RunSettings& settings = {});
+
+/// The specimen for a shadow run: of every block, the coordinate of largest magnitude moved up by one unit in its last place. The largest,
+/// because at a coordinate of zero that unit would be the smallest double and change nothing.
+Specimen make_shadow(Specimen specimen);
+
+}  // namespace musim::lsdem::study

@@ -1,0 +1,223 @@
+#include "lsdem/run/specimen_file.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "lsdem/block_height.hpp"
+#include "lsdem/results/content_name.hpp"
+#include "lsdem/results/hdf5_file.hpp"
+#include "lsdem/results/hdf5_reader.hpp"
+#include "lsdem/results/result_error.hpp"
+#include "lsdem/scene/scene_json.hpp"
+#include "records/atomic_file.hpp"
+
+namespace musim::lsdem::study {
+namespace {
+
+constexpr std::string_view kFormat = "musim-specimen/5";
+
+/// Edge lengths that differ by less than this part are the same, written at another scale.
+constexpr double kSameLength = 1e-9;
+
+/// A quaternion whose length differs from 1 by more than this is no rotation.
+constexpr double kSameRotation = 1e-9;
+
+/// Parts of a scene that a specimen does not depend on.
+constexpr std::array kUnrelated{"schema", "name", "base_motion", "motions", "output", "preparation"};
+
+/// The follower of a contact with the ground.
+constexpr long long kGround = -1;
+
+double weight_of(const Model& model, std::size_t index) { return model.blocks[index].mass * model.gravity.norm(); }
+
+/// The couple of the weight of this block at the end of its height [N·m].
+double couple_of_weight(const Model& model, std::size_t index) {
+    return weight_of(model, index) * 2.0 * half_extents(model, model.blocks[index]).z();
+}
+
+std::vector<double> flatten(const std::vector<Vector3>& vectors) {
+    std::vector<double> values;
+    for (const Vector3& v : vectors) values.insert(values.end(), {v.x(), v.y(), v.z()});
+    return values;
+}
+
+[[noreturn]] void refuse(const std::filesystem::path& file, const std::string& what) {
+    throw ResultError(fmt::format("{}: {}", file.string(), what));
+}
+
+void require_specimen(const detail::Hdf5Reader& reader, const std::filesystem::path& file) {
+    const std::string format = reader.has("/blocks/tilt") ? reader.attribute("format") : "";
+    if (format == kFormat) return;
+    if (format.starts_with("musim-specimen/")) {
+        refuse(file, fmt::format("it has format {}, this program reads {} (another version wrote it); move it and prepare it again", format,
+                                 kFormat));
+    }
+    refuse(file, "not a specimen (musim specimen makes them); name another file");
+}
+
+/// What friction of the contacts of a specimen holds, at the weights of `model`.
+std::vector<Preload> read_preloads(const detail::Hdf5Reader& reader, const std::filesystem::path& file, const Model& model) {
+    const auto leader = reader.integers("/contacts/leader", 1), follower = reader.integers("/contacts/follower", 1);
+    const auto friction = reader.doubles("/contacts/friction_over_block_weight", 2);
+    const auto couple = reader.doubles("/contacts/couple_over_block_weight_and_height", 1);
+    const auto known = [&](long long block) { return block >= 0 && block < static_cast<long long>(model.blocks.size()); };
+    const std::size_t contacts = leader.values.size();
+    if (follower.values.size() != contacts || friction.values.size() != 3 * contacts || couple.values.size() != contacts) {
+        refuse(file, "the lists of its contacts differ in length (a damaged file); prepare it again");
+    }
+    std::vector<Preload> preloads(contacts);
+    for (std::size_t i = 0; i < contacts; ++i) {
+        const long long below = leader.values[i], above = follower.values[i];
+        if (!known(below) || !(known(above) || above == kGround)) {
+            refuse(file, fmt::format("contact {} names a block that is not there (a damaged file); prepare it again", i));
+        }
+        Preload& preload = preloads[i];
+        preload.leader = static_cast<std::size_t>(below);
+        if (above != kGround) preload.follower = static_cast<std::size_t>(above);
+        preload.friction = weight_of(model, preload.leader) * Eigen::Map<const Vector3>(&friction.values[3 * i]);
+        preload.couple = couple.values[i] * couple_of_weight(model, preload.leader);
+        if (!preload.is_finite()) {
+            refuse(file, fmt::format("the friction of contact {} is damaged (a number is missing or not finite); prepare it again", i));
+        }
+    }
+    return preloads;
+}
+
+}  // namespace
+
+std::string describe_inputs(const scene::Scene& scene, const PreparationSettings& preparation) {
+    auto inputs = nlohmann::ordered_json::parse(scene::write_scene(scene));
+    for (const char* key : kUnrelated) inputs.erase(key);
+    inputs["time"].erase("duration");
+    inputs["preparation"] = {{"placing", scene::to_string(preparation.placing)},
+                             {"damping_rate", preparation.settling.damping_rate},
+                             {"rest", preparation.settling.rest},
+                             {"reaction", preparation.settling.reaction},
+                             {"patience", preparation.settling.patience},
+                             {"stride", preparation.stride},
+                             {"lowering", preparation.lowering},
+                             {"layer_rest", preparation.layer_rest},
+                             {"layer_patience", preparation.layer_patience},
+                             {"added_patience", preparation.added_patience},
+                             {"resting_patience", preparation.resting_patience},
+                             {"early_rest", preparation.early_rest},
+                             {"last_damping", preparation.last_damping},
+                             {"last_damping_with_added_inertia", preparation.last_damping_with_added_inertia}};
+    if (preparation.from_equilibrium) inputs["preparation"]["from_equilibrium"] = true;
+    return inputs.dump();
+}
+
+std::string specimen_file_name(const std::string& inputs) { return "specimen-" + detail::name_content(inputs) + ".h5"; }
+
+void write_specimen(const std::filesystem::path& file, const PreparedSpecimen& prepared, const std::string& inputs,
+                    const std::string& version) {
+    const Model& model = prepared.specimen.model;
+    std::vector<Vector3> size, position;
+    std::vector<double> offset, quaternion;
+    for (const Block& block : model.blocks) {
+        size.emplace_back(2.0 * half_extents(model, block));
+        position.push_back(block.position);
+        offset.push_back(block.height_offset);
+        const Quaternion& q = block.orientation;
+        quaternion.insert(quaternion.end(), {q.w(), q.x(), q.y(), q.z()});
+    }
+    const hsize_t n = model.blocks.size();
+    const std::vector<long long> layer(prepared.specimen.layer.begin(), prepared.specimen.layer.end());
+    std::vector<long long> leader, follower;
+    std::vector<Vector3> friction;
+    std::vector<double> couple;
+    for (const Preload& contact : model.preload) {
+        leader.push_back(static_cast<long long>(contact.leader));
+        follower.push_back(contact.follower ? static_cast<long long>(*contact.follower) : kGround);
+        friction.emplace_back(contact.friction / weight_of(model, contact.leader));
+        couple.push_back(contact.couple / couple_of_weight(model, contact.leader));
+    }
+    detail::Hdf5File out;
+    out.write("/blocks/size", {n, 3}, flatten(size).data(), "m");
+    out.write("/blocks/height_offset", {n}, offset.data(), "m");
+    out.write("/blocks/layer", {n}, layer.data(), "1");
+    out.write("/blocks/position", {n, 3}, flatten(position).data(), "m");
+    out.write("/blocks/quaternion", {n, 4}, quaternion.data(), "1");
+    out.write("/blocks/tilt", {n}, prepared.tilt.data(), "rad");
+    out.write("/contacts/normal_force_over_block_weight", {prepared.force.size()}, prepared.force.data(), "1");
+    out.write("/contacts/leader", {leader.size()}, leader.data(), "1");
+    out.write("/contacts/follower", {follower.size()}, follower.data(), "1");
+    out.write("/contacts/friction_over_block_weight", {friction.size(), 3}, flatten(friction).data(), "1");
+    out.write("/contacts/couple_over_block_weight_and_height", {couple.size()}, couple.data(), "1");
+    out.write_attribute("format", std::string(kFormat));
+    out.write_attribute("inputs", inputs);
+    out.write_attribute("program_version", version);
+    const std::vector<char> bytes = out.image();
+    records::write_file_atomically(file, {bytes.data(), bytes.size()});
+}
+
+std::string read_specimen_inputs(const std::filesystem::path& file) {
+    const detail::Hdf5Reader reader(file);
+    require_specimen(reader, file);
+    return reader.attribute("inputs");
+}
+
+StoredSpecimen read_specimen(const std::filesystem::path& file) {
+    const detail::Hdf5Reader reader(file);
+    require_specimen(reader, file);
+    const auto size = reader.doubles("/blocks/size", 2), position = reader.doubles("/blocks/position", 2);
+    const auto quaternion = reader.doubles("/blocks/quaternion", 2), tilt = reader.doubles("/blocks/tilt", 1);
+    const std::size_t n = tilt.values.size();
+    std::vector<int> layer = reader.layers("/blocks/layer", n);
+    if (size.values.size() != 3 * n || position.values.size() != 3 * n || quaternion.values.size() != 4 * n || layer.size() != n) {
+        refuse(file, "the lists of its blocks differ in length (a damaged file); prepare it again");
+    }
+    StoredSpecimen specimen{.inputs = reader.attribute("inputs"),
+                            .program_version = reader.attribute("program_version"),
+                            .size = {},
+                            .layer = std::move(layer),
+                            .places = {},
+                            .tilt = tilt.values,
+                            .force = reader.doubles("/contacts/normal_force_over_block_weight", 1).values};
+    for (std::size_t i = 0; i < n; ++i) {
+        const double* q = &quaternion.values[4 * i];
+        specimen.size.emplace_back(Eigen::Map<const Vector3>(&size.values[3 * i]));
+        specimen.places.position.emplace_back(Eigen::Map<const Vector3>(&position.values[3 * i]));
+        specimen.places.orientation.emplace_back(q[0], q[1], q[2], q[3]);
+    }
+    return specimen;
+}
+
+void take_places(const std::filesystem::path& file, Specimen& specimen) {
+    const detail::Hdf5Reader reader(file);
+    require_specimen(reader, file);
+    const auto size = reader.doubles("/blocks/size", 2), position = reader.doubles("/blocks/position", 2);
+    const auto quaternion = reader.doubles("/blocks/quaternion", 2);
+    std::vector<Block>& blocks = specimen.model.blocks;
+    const std::size_t n = blocks.size();
+    const std::vector<int> layer = reader.layers("/blocks/layer", size.values.size() / 3);
+    if (size.values.size() != 3 * n || position.values.size() != 3 * n || quaternion.values.size() != 4 * n || layer.size() != n) {
+        refuse(file,
+               fmt::format("{} blocks where the scene has {} (a specimen of another structure); prepare one of this", layer.size(), n));
+    }
+    const double scale = 2.0 * half_extents(specimen.model, blocks[0]).z() / size.values[2];
+    for (std::size_t i = 0; i < n; ++i) {
+        const Vector3 here = 2.0 * half_extents(specimen.model, blocks[i]), there = Eigen::Map<const Vector3>(&size.values[3 * i]);
+        const bool same = ((here - scale * there).cwiseAbs() - kSameLength * here).maxCoeff() <= 0.0;
+        if (!same || layer[i] != specimen.layer[i]) {
+            refuse(file, fmt::format("block {} is {:.6g} x {:.6g} x {:.6g} m in layer {} where the scene has {:.6g} x {:.6g} x {:.6g} m in "
+                                     "layer {} (other heights, seed or tiling); prepare a specimen of this scene",
+                                     i, scale * there.x(), scale * there.y(), scale * there.z(), layer[i], here.x(), here.y(), here.z(),
+                                     specimen.layer[i]));
+        }
+        const double* q = &quaternion.values[4 * i];
+        blocks[i].position = scale * Eigen::Map<const Vector3>(&position.values[3 * i]);
+        blocks[i].orientation = Quaternion(q[0], q[1], q[2], q[3]);
+        if (!blocks[i].position.allFinite() || !(std::abs(blocks[i].orientation.norm() - 1.0) < kSameRotation)) {
+            refuse(file, fmt::format("the place of block {} is damaged (a number is not finite, or its quaternion is no rotation); prepare "
+                                     "it again",
+                                     i));
+        }
+    }
+    specimen.model.preload = read_preloads(reader, file, specimen.model);
+}
+
+}  // namespace musim::lsdem::study

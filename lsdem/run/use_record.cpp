@@ -1,0 +1,56 @@
+#include "lsdem/run/use_record.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "records/formats/read_record.hpp"
+#include "records/measures/intensity.hpp"
+#include "records/measures/strongest_component.hpp"
+#include "records/processing/processing.hpp"
+
+namespace musim::lsdem::study {
+namespace {
+
+double peak_acceleration(const records::Component& component) {
+    return std::abs(records::find_peak_acceleration(component.series).value.value());
+}
+
+}  // namespace
+
+std::vector<std::string> use_record(scene::Scene& scene, const std::filesystem::path& file, const AxisComponents& components) {
+    const records::GroundMotion motion = records::read_record(file);
+    std::vector<std::string> steps;
+
+    scene::RecordMotion source;
+    source.file = std::filesystem::absolute(file);
+    source.components = components;
+    if (std::none_of(components.begin(), components.end(), [](const auto& name) { return name.has_value(); })) {
+        source.components[0] = records::find_strongest_horizontal(motion).name;
+    }
+    const records::Component* first = nullptr;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (!source.components[axis]) continue;
+        const records::Component& component = motion.find_component(*source.components[axis]);
+        source.components[axis] = component.name;
+        if (first == nullptr) first = &component;
+        steps.push_back(fmt::format("component {} of {} along {}, the record's own peak {:.4g} g", component.name, motion.component_names(),
+                                    "xyz"[axis], peak_acceleration(component) / scaling::kStandardGravity.value()));
+    }
+
+    const records::TimeWindow window = records::find_strong_motion(first->series);
+    source.window = {window.start, window.end};
+    scene.time.duration = window.end - window.start;
+    steps.push_back(fmt::format("strong motion from {:.2f} s to {:.2f} s of the record", window.start.value(), window.end.value()));
+
+    source.highpass_corner = motion.integration_corner;
+    steps.push_back(source.highpass_corner
+                        ? fmt::format("zero-phase high-pass at {:g} Hz, as the record is uncorrected", source.highpass_corner->value())
+                        : std::string("no high-pass, as the record is corrected"));
+    steps.emplace_back("integrated to a velocity and a displacement that end at rest");
+
+    scene.base_motion = {.source = source, .factors = {}};
+    return steps;
+}
+
+}  // namespace musim::lsdem::study

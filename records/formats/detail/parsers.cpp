@@ -1,0 +1,63 @@
+#include "records/formats/detail/parsers.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "records/detail/text.hpp"
+
+namespace musim::records::detail {
+namespace {
+
+/// Two time steps count as the same when they agree to this [relative]: files print at least three digits, 0.0049 against .005 is wrong.
+constexpr double kSameTimeStep = 1e-3;
+
+}  // namespace
+
+SampleUnit requested_unit(const InputFile& file, const ReadOptions& options) {
+    const SampleQuantity quantity = options.quantity.value_or(SampleQuantity::acceleration);
+    if (!options.unit) return *find_sample_unit(si_unit_name(quantity));
+
+    const std::optional<SampleUnit> unit = find_sample_unit(*options.unit);
+    if (!unit) {
+        file.fail(fmt::format("unit '{}' is unknown (known: {})", *options.unit, sample_unit_names()), "name one of these with --unit");
+    }
+    if (options.quantity && unit->quantity != quantity) {
+        file.fail(fmt::format("unit {} measures {} (asked for: {})", unit->name, to_string(unit->quantity), to_string(quantity)),
+                  "correct --unit or --quantity");
+    }
+    return *unit;
+}
+
+scaling::Time checked_dt(const TextFile& file, std::size_t index, double seconds) {
+    if (!(seconds > 0.0) || !std::isfinite(seconds)) {
+        file.fail(index, fmt::format("time step is {} s (must be positive)", seconds), "correct the time step in the file");
+    }
+    return seconds * scaling::si::seconds;
+}
+
+double checked_sample(const TextFile& file, std::size_t index, std::string_view text, std::size_t ordinal, double si) {
+    const std::optional<double> value = parse_real(text);
+    if (!value || !std::isfinite(*value * si)) {
+        file.fail(index, fmt::format("sample {} is {} (no finite number)", ordinal, quoted(text)),
+                  "repair the value or fetch the file again");
+    }
+    return *value * si;
+}
+
+void refuse_contradictions(const InputFile& file, const ReadOptions& options, const SampleUnit& unit, scaling::Time dt) {
+    if (options.quantity && *options.quantity != unit.quantity) {
+        file.fail(fmt::format("file holds {} (asked for: {})", to_string(unit.quantity), to_string(*options.quantity)), "drop --quantity");
+    }
+    if (options.unit) {
+        const std::optional<SampleUnit> asked = find_sample_unit(*options.unit);
+        if (!asked || asked->quantity != unit.quantity || asked->si != unit.si) {
+            file.fail(fmt::format("file states its unit {} (asked for: {})", unit.name, *options.unit), "drop --unit");
+        }
+    }
+    if (options.dt && std::abs(options.dt->value() - dt.value()) > kSameTimeStep * dt.value()) {
+        file.fail(fmt::format("file states its time step {} s (asked for: {} s)", dt.value(), options.dt->value()), "drop --dt");
+    }
+}
+
+}  // namespace musim::records::detail

@@ -1,0 +1,119 @@
+#include "records/formats/detail/station_xml.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <pugixml.hpp>
+
+#include "records/detail/text.hpp"
+#include "records/formats/detail/binary_file.hpp"
+#include "records/formats/detail/text_file.hpp"
+
+namespace musim::records::detail {
+namespace {
+
+// "2012-04-13T17:28:00.25Z", fraction and Z optional; nothing otherwise
+std::optional<UtcTime> parse_iso_time(std::string_view text) {
+    if (text.ends_with('Z')) text.remove_suffix(1);
+    constexpr std::size_t kWholeSeconds = 19;  // letters of yyyy-mm-ddThh:mm:ss
+    if (text.size() < kWholeSeconds || text[4] != '-' || text[7] != '-' || text[10] != 'T' || text[13] != ':' || text[16] != ':') {
+        return std::nullopt;
+    }
+    std::array<int, 5> fields{};
+    constexpr std::array<std::size_t, 5> kStarts{0, 5, 8, 11, 14};
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+        const auto value = parse_count(text.substr(kStarts[i], i == 0 ? 4 : 2));
+        if (!value) return std::nullopt;
+        fields[i] = static_cast<int>(*value);
+    }
+    const auto second = parse_real(text.substr(17));
+    if (!second) return std::nullopt;
+    const auto [year, month, day, hour, minute] = fields;
+    return make_utc_time(year, month, day, hour, minute, *second);
+}
+
+// an epoch without an end, or without a readable one, is open
+bool covers(const pugi::xml_node& channel, UtcTime first, UtcTime last) {
+    const auto start = parse_iso_time(channel.attribute("startDate").value());
+    const auto end = parse_iso_time(channel.attribute("endDate").value());
+    return start && *start <= first && (!end || last <= *end);
+}
+
+bool has_location(const pugi::xml_node& channel, std::string_view location) {
+    const std::string_view code = trim(channel.attribute("locationCode").value());
+    return (code == "--" ? std::string_view{} : code) == location;
+}
+
+pugi::xml_node find_epoch(const BinaryFile& file, const pugi::xml_node& root, const StreamCodes& codes, UtcTime first, UtcTime last) {
+    pugi::xml_node found;
+    bool has_other_epochs = false;
+    for (const pugi::xml_node& network : root.children("Network")) {
+        if (codes.network != network.attribute("code").value()) continue;
+        for (const pugi::xml_node& station : network.children("Station")) {
+            if (codes.station != station.attribute("code").value()) continue;
+            for (const pugi::xml_node& channel : station.children("Channel")) {
+                if (codes.channel != channel.attribute("code").value() || !has_location(channel, codes.location)) continue;
+                if (!covers(channel, first, last)) {
+                    has_other_epochs = true;
+                    continue;
+                }
+                if (found) {
+                    file.fail(fmt::format("two epochs of {} cover the record (their sensitivities may differ)", to_string(codes)),
+                              "give --sensitivity, a number");
+                }
+                found = channel;
+            }
+        }
+    }
+    if (!found) {
+        file.fail(fmt::format("no response of {} ({})", to_string(codes),
+                              has_other_epochs ? "its epochs do not cover the record's time" : "channel is not in the file"),
+                  "fetch the StationXML of this station and time");
+    }
+    return found;
+}
+
+}  // namespace
+
+std::string to_string(const StreamCodes& codes) {
+    return fmt::format("{}.{}.{}.{}", codes.network, codes.station, codes.location, codes.channel);
+}
+
+StreamResponse read_stream_response(const std::filesystem::path& path, const StreamCodes& codes, UtcTime first, UtcTime last) {
+    const BinaryFile file(path, read_bytes(path));
+    pugi::xml_document document;
+    const pugi::xml_parse_result result = document.load_buffer(file.bytes().data(), file.bytes().size());
+    if (!result) {
+        file.fail(fmt::format("is no XML (byte {}: {})", result.offset, result.description()), "name a StationXML file");
+    }
+    const pugi::xml_node root = document.child("FDSNStationXML");
+    if (!root) file.fail("is no StationXML (no FDSNStationXML element)", "name a StationXML file");
+
+    const pugi::xml_node channel = find_epoch(file, root, codes, first, last);
+    const pugi::xml_node sensitivity = channel.child("Response").child("InstrumentSensitivity");
+    const std::string name = to_string(codes);
+    const std::string_view value_text = trim(sensitivity.child_value("Value"));
+    const std::optional<double> value = parse_real(value_text);
+    if (!value || *value == 0.0) {
+        file.fail(fmt::format("sensitivity of {} is {} (must be a number, not 0)", name, quoted(value_text)),
+                  "fetch the StationXML at level=response");
+    }
+    const std::string_view input = trim(sensitivity.child("InputUnits").child_value("Name"));
+    const std::optional<SampleUnit> unit = find_sample_unit(input);
+    if (!unit) {
+        file.fail(fmt::format("{} senses {} (known: {})", name, quoted(input), sample_unit_names()), "read another channel");
+    }
+    const std::string_view output = trim(sensitivity.child("OutputUnits").child_value("Name"));
+    if (!equal_ignoring_case(output, "counts") && !equal_ignoring_case(output, "count")) {
+        file.fail(fmt::format("{} gives out {} (must be counts)", name, quoted(output)), "give --sensitivity, a number");
+    }
+
+    StreamResponse response{.quantity = unit->quantity, .sensitivity = *value / unit->si};
+    const std::optional<double> dip = parse_real(trim(channel.child_value("Dip")));
+    constexpr double kVertical = 90.0;  // [deg]
+    if (dip && std::abs(*dip) != kVertical) response.azimuth_deg = parse_real(trim(channel.child_value("Azimuth")));
+    return response;
+}
+
+}  // namespace musim::records::detail

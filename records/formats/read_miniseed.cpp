@@ -1,0 +1,325 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <span>
+
+#include "records/detail/text.hpp"
+#include "records/formats/detail/mseed_record.hpp"
+#include "records/formats/detail/parsers.hpp"
+#include "records/formats/detail/station_xml.hpp"
+
+namespace musim::records::detail {
+namespace {
+
+constexpr std::size_t kHeaderBytes = 48;
+
+/// Where a record of the file stands, and how messages call it.
+struct RecordPlace {
+    const BinaryFile& file;
+    std::size_t ordinal;  ///< from 1
+    std::size_t at;       ///< byte of the file
+
+    [[noreturn]] void fail(std::string_view what_why, std::string_view what_to_do) const {
+        file.fail(fmt::format("record {} (byte {}): {}", ordinal, at, what_why), what_to_do);
+    }
+};
+
+/// What a record's own header says of its layout, every offset checked to lie within the record.
+struct RecordLayout {
+    std::size_t length = 0;
+    std::size_t count = 0;  ///< samples
+};
+
+/// Samples of one stream, all records so far.
+struct Stream {
+    StreamCodes codes;
+    UtcTime first;
+    double rate = 0.0;  ///< [1/s]
+    std::vector<double> counts;
+};
+
+// bytes of a blockette; 0 for types without a fixed length
+std::size_t blockette_length(unsigned type) {
+    switch (type) {
+        case 100:
+            return 12;
+        case 200:
+            return 52;
+        case 201:
+            return 60;
+        case 300:
+            return 60;
+        case 310:
+            return 60;
+        case 320:
+            return 64;
+        case 390:
+            return 28;
+        case 395:
+            return 16;
+        case 400:
+            return 16;
+        case 500:
+            return 200;
+        case 1000:
+            return 8;
+        case 1001:
+            return 8;
+        default:
+            return 0;
+    }
+}
+
+// bytes of a sample; 1 bit and more for the Steim encodings, whose decoder counts frames itself; nothing for encodings not read
+std::optional<std::size_t> sample_bytes(unsigned encoding) {
+    switch (encoding) {
+        case DE_INT16:
+            return 2;
+        case DE_INT32:
+            return 4;
+        case DE_FLOAT32:
+            return 4;
+        case DE_FLOAT64:
+            return 8;
+        case DE_STEIM1:
+            return 0;
+        case DE_STEIM2:
+            return 0;
+        default:
+            return std::nullopt;
+    }
+}
+
+// the order in which year and day of the header make sense, as libmseed decides it
+std::endian header_order(const RecordPlace& place, std::string_view bytes) {
+    for (const std::endian order :
+         {std::endian::native, std::endian::native == std::endian::little ? std::endian::big : std::endian::little}) {
+        const unsigned year = number_at<std::uint16_t>(bytes, 20, order);
+        const unsigned day = number_at<std::uint16_t>(bytes, 22, order);
+        if (year >= 1900 && year <= 2100 && day >= 1 && day <= 366) return order;
+    }
+    place.fail("no year and day in the header (header is damaged)", "fetch the record again");
+}
+
+// libmseed trusts these offsets; they are checked before it sees the record
+RecordLayout check_layout(const RecordPlace& place) {
+    const std::string_view bytes = place.file.bytes().substr(place.at);
+    if (bytes.size() < kHeaderBytes)
+        place.fail(fmt::format("{} bytes (a header has {}; file is truncated)", bytes.size(), kHeaderBytes), "fetch the record again");
+    if (!is_miniseed_header(bytes)) place.fail("no record header (no sequence number and quality letter)", "fetch the record again");
+    const std::endian order = header_order(place, bytes);
+    const auto half_word = [&](std::size_t at) { return std::size_t{number_at<std::uint16_t>(bytes, at, order)}; };
+
+    std::size_t blockette_end = kHeaderBytes;
+    std::size_t length = 0;
+    unsigned encoding = 0;
+    for (std::size_t at = half_word(46); at != 0;) {
+        constexpr unsigned kDataOnlySeed = 1000;
+        if (at < blockette_end || at + 4 > bytes.size())
+            place.fail(fmt::format("blockette at {} (outside the header)", at), "fetch the record again");
+        const auto type = static_cast<unsigned>(half_word(at));
+        const std::size_t size = blockette_length(type);
+        if (size == 0) place.fail(fmt::format("blockette {} (not known)", type), "convert the record without it");
+        if (at + size > bytes.size())
+            place.fail(fmt::format("blockette {} at {} is cut (file is truncated)", type, at), "fetch the record again");
+        if (type == kDataOnlySeed) {
+            const auto exponent = static_cast<unsigned char>(bytes[at + 6]);
+            if (length != 0 || exponent < 7 || exponent > 20)
+                place.fail(fmt::format("record length 2^{} (must be told once, 2^7 to 2^20)", exponent), "fetch the record again");
+            length = std::size_t{1} << exponent;
+            encoding = static_cast<unsigned char>(bytes[at + 4]);
+        }
+        blockette_end = at + size;
+        at = half_word(at + 2);
+    }
+
+    if (length == 0) place.fail("no blockette 1000 (record length is not told)", "convert it to miniSEED 2");
+    if (length > bytes.size())
+        place.fail(fmt::format("{} of {} bytes (file is truncated)", bytes.size(), length), "fetch the record again");
+    const RecordLayout layout{length, half_word(30)};
+    const std::optional<std::size_t> width = sample_bytes(encoding);
+    if (!width)
+        place.fail(fmt::format("encoding {} (read: 16 and 32 bit integers, floats, Steim-1 and Steim-2)", encoding),
+                   "convert it to Steim-2");
+    const std::size_t data = half_word(44);
+    if (blockette_end > length || (layout.count > 0 && (data < kHeaderBytes || data >= length || layout.count * *width > length - data))) {
+        place.fail(fmt::format("{} samples from byte {} of {} (do not fit in the record)", layout.count, data, length),
+                   "fetch the record again");
+    }
+    return layout;
+}
+
+MseedRecord unpack(const RecordPlace& place, const RecordLayout& layout) {
+    std::string bytes(place.file.bytes().substr(place.at, layout.length));
+    catch_mseed_complaints();
+    MSRecord* record = nullptr;
+    const int status = msr_unpack(bytes.data(), static_cast<int>(bytes.size()), &record, 1, 0);
+    MseedRecord unpacked(record);
+    const std::string complaint = last_mseed_complaint();
+    if (status != MS_NOERROR || !complaint.empty()) {
+        place.fail(
+            fmt::format("samples cannot be decoded ({})", quoted(complaint.empty() ? ms_errorstr(status) : std::string_view(complaint))),
+            "fetch the record again");
+    }
+    unpacked->record = nullptr;  // points into `bytes`
+    if (unpacked->numsamples != static_cast<std::int64_t>(layout.count)) {
+        place.fail(fmt::format("{} samples decoded (header says {})", unpacked->numsamples, layout.count), "fetch the record again");
+    }
+    return unpacked;
+}
+
+template <class Number>
+void append(const RecordPlace& place, const MSRecord& record, std::vector<double>& counts) {
+    for (const Number value : std::span(static_cast<const Number*>(record.datasamples), static_cast<std::size_t>(record.numsamples))) {
+        const auto count = static_cast<double>(value);
+        if (!std::isfinite(count)) place.fail(fmt::format("a sample is {} (no finite number)", count), "fetch the record again");
+        counts.push_back(count);
+    }
+}
+
+// samples follow one another within half a step, counted from the first: a clock that drifts further is a gap or overlap too
+void require_next(const RecordPlace& place, const Stream& stream, const MSRecord& record, UtcTime start) {
+    if (record.samprate != stream.rate) {
+        place.fail(fmt::format("sample rate of {} is {} Hz (before: {} Hz)", to_string(stream.codes), record.samprate, stream.rate),
+                   "split the file there");
+    }
+    const double expected = static_cast<double>(stream.counts.size()) / stream.rate;
+    const double elapsed = std::chrono::duration<double>(start - stream.first).count();
+    const double excess = elapsed - expected;
+    if (std::abs(excess) * stream.rate > 0.5) {
+        place.fail(fmt::format("{} of {:.6g} s in {}, {:.6f} s after its first sample (samples must follow one another)",
+                               excess > 0.0 ? "gap" : "overlap", std::abs(excess), to_string(stream.codes), expected),
+                   "cut the record there");
+    }
+}
+
+void add_record(const RecordPlace& place, const MSRecord& record, std::vector<Stream>& streams) {
+    if (!(record.samprate > 0.0) || !std::isfinite(record.samprate)) {
+        place.fail(fmt::format("sample rate is {} Hz (must be positive)", record.samprate), "fetch the record again");
+    }
+    const UtcTime start{std::chrono::microseconds(record.starttime)};
+    const StreamCodes codes{printable(record.network), printable(record.station), printable(record.location), printable(record.channel)};
+    auto stream = std::find_if(streams.begin(), streams.end(), [&](const Stream& candidate) { return candidate.codes == codes; });
+    if (stream == streams.end()) {
+        stream = streams.insert(streams.end(), {codes, start, record.samprate, {}});
+        const StreamCodes& first = streams.front().codes;
+        if (codes.network != first.network || codes.station != first.station) {
+            place.fail(fmt::format("{} follows {} (one station a file)", to_string(codes), to_string(first)), "split the file by stations");
+        }
+    }
+    require_next(place, *stream, record, start);
+    if (record.sampletype == 'i') append<std::int32_t>(place, record, stream->counts);
+    if (record.sampletype == 'f') append<float>(place, record, stream->counts);
+    if (record.sampletype == 'd') append<double>(place, record, stream->counts);
+}
+
+std::vector<Stream> read_streams(const BinaryFile& file) {
+    std::vector<Stream> streams;
+    std::size_t ordinal = 1;
+    for (std::size_t at = 0; at < file.bytes().size(); ++ordinal) {
+        const RecordPlace place{file, ordinal, at};
+        const RecordLayout layout = check_layout(place);
+        if (layout.count > 0) add_record(place, *unpack(place, layout), streams);
+        at += layout.length;
+    }
+    if (streams.empty()) file.fail("no samples in any record (logs or detections only)", "fetch the record again");
+    return streams;
+}
+
+// the second letter of a channel code: N accelerometer, H and L high and low gain seismometer
+std::optional<SampleQuantity> quantity_of(std::string_view channel) {
+    if (channel.size() < 2) return std::nullopt;
+    if (channel[1] == 'N') return SampleQuantity::acceleration;
+    if (channel[1] == 'H' || channel[1] == 'L') return SampleQuantity::velocity;
+    return std::nullopt;
+}
+
+StreamResponse response_from_number(const BinaryFile& file, const ReadOptions& options, const StreamCodes& codes) {
+    const double sensitivity = *options.sensitivity;
+    if (sensitivity == 0.0 || !std::isfinite(sensitivity)) {
+        file.fail(fmt::format("sensitivity is {} counts per SI unit (must be a number, not 0)", sensitivity), "correct --sensitivity");
+    }
+    const std::optional<SampleQuantity> told = quantity_of(codes.channel);
+    if (!told && !options.quantity) {
+        file.fail(
+            fmt::format("channel code {} does not tell what is measured (told by N, H or L)", quoted(std::string_view(codes.channel))),
+            "name it with --quantity");
+    }
+    return {.quantity = told ? *told : *options.quantity, .sensitivity = sensitivity};
+}
+
+StreamResponse find_response(const BinaryFile& file, const ReadOptions& options, const Stream& stream) {
+    if (options.sensitivity) return response_from_number(file, options, stream.codes);
+    const std::chrono::duration<double> length(static_cast<double>(stream.counts.size() - 1) / stream.rate);
+    if (!(length < std::chrono::years(1000)))
+        file.fail(fmt::format("{} lasts {} s (sample rate is damaged)", to_string(stream.codes), length.count()), "fetch the record again");
+    const UtcTime last = stream.first + std::chrono::duration_cast<std::chrono::microseconds>(length);
+    return read_stream_response(*options.station_xml, stream.codes, stream.first, last);
+}
+
+void check_options(const BinaryFile& file, const ReadOptions& options) {
+    if (options.sensitivity && options.station_xml) {
+        file.fail("sensitivity and StationXML are both given (they may differ)", "drop --sensitivity or --station-xml");
+    }
+    if (!options.sensitivity && !options.station_xml) {
+        file.fail("sensitivity is not told (miniSEED holds counts)",
+                  "give --station-xml FILE, or --sensitivity NUMBER in counts per m/s^2 (1 if the samples are SI)");
+    }
+    if (options.unit)
+        file.fail(fmt::format("unit {} is asked for (miniSEED holds counts)", *options.unit),
+                  "drop --unit; the sensitivity tells the unit");
+}
+
+// channel codes, with the location where a code occurs twice
+std::string component_name(const Stream& stream, std::span<const Stream> streams) {
+    const auto same =
+        std::count_if(streams.begin(), streams.end(), [&](const Stream& other) { return other.codes.channel == stream.codes.channel; });
+    return same > 1 ? stream.codes.location + '.' + stream.codes.channel : stream.codes.channel;
+}
+
+}  // namespace
+
+bool is_miniseed_header(std::string_view bytes) {
+    // six digits, a quality letter, a blank
+    return bytes.size() >= kHeaderBytes && std::all_of(bytes.begin(), bytes.begin() + 6, is_digit) &&
+           std::string_view("DRQM").find(bytes[6]) != std::string_view::npos && bytes[7] == ' ';
+}
+
+GroundMotion parse_miniseed(const BinaryFile& file, const ReadOptions& options) {
+    check_options(file, options);
+    std::vector<Stream> streams = read_streams(file);
+
+    GroundMotion motion{.source = file.path().string(), .format = "miniSEED"};
+    const auto earliest =
+        std::min_element(streams.begin(), streams.end(), [](const Stream& a, const Stream& b) { return a.first < b.first; });
+    // what has no clock counts from 1970, as the writer does
+    const UtcTime zero = is_clockless(earliest->first) ? UtcTime{} : earliest->first;
+    if (zero != UtcTime{}) motion.time_zero = zero;
+    motion.station = streams.front().codes.network + '.' + streams.front().codes.station;
+    std::string sensitivities;
+    for (Stream& stream : streams) {
+        const StreamResponse response = find_response(file, options, stream);
+        const scaling::Time dt = 1.0 / stream.rate * scaling::si::seconds;
+        refuse_contradictions(file, {.dt = options.dt, .quantity = options.quantity}, *find_sample_unit(si_unit_name(response.quantity)),
+                              dt);
+
+        for (double& count : stream.counts) {
+            count /= response.sensitivity;
+            if (!std::isfinite(count))
+                file.fail(fmt::format("a sample of {} overflows (sensitivity {})", to_string(stream.codes), response.sensitivity),
+                          "correct the sensitivity");
+        }
+        const double start = std::chrono::duration<double>(stream.first - zero).count();
+        sensitivities += fmt::format(", {} {} counts per {}", stream.codes.channel, response.sensitivity, si_unit_name(response.quantity));
+        motion.components.push_back({.name = component_name(stream, streams),
+                                     .azimuth_deg = response.azimuth_deg,
+                                     .series = {response.quantity, start * scaling::si::seconds, dt, std::move(stream.counts)}});
+    }
+    motion.integration_corner = kUncorrectedCornerHz * scaling::si::hertz;
+    motion.history.push_back(fmt::format("read miniSEED from {}{}", file.path().filename().string(), sensitivities));
+    return motion;
+}
+
+}  // namespace musim::records::detail

@@ -1,0 +1,192 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "records/detail/text.hpp"
+#include "records/formats/detail/direction.hpp"
+#include "records/formats/detail/header_checks.hpp"
+#include "records/formats/detail/numeric_header.hpp"
+#include "records/formats/detail/parsers.hpp"
+#include "records/formats/detail/timed_samples.hpp"
+
+namespace musim::records::detail {
+namespace {
+
+// 11 lines of text, 6 of integers, 10 of reals, comments, samples
+constexpr NumberBlock kIntegers{11, 48, {.per_line = 8, .width = 10, .is_integer = true}, "integer-header value"};
+constexpr NumberBlock kReals{17, 50, {.per_line = 5, .width = 15}, "real-header value"};
+constexpr double kUnknownInteger = -32768.0;
+constexpr double kUnknownReal = 1.7e38;
+
+/// Lines of the text header.
+enum TextLine : std::size_t { kTitleLine = 0, kEventLine = 3, kStationLine = 5 };
+/// Numbers of the numeric headers, counted from 1.
+enum IntegerNumber : std::size_t {
+    kStartYear = 2,
+    kStartDayOfYear,
+    kStartHour,
+    kStartMinute,
+    kStartSecond,
+    kStartMillisecond,
+    kAzimuth = 14,
+    kComments = 16,
+    kCount = 17,
+    kStationNumber = 30,
+    kDigits = 47
+};
+enum RealNumber : std::size_t { kRate = 2, kLargest = 30, kSmallest = 32 };
+
+/// What the first letter of the file says of its samples.
+struct Content {
+    SampleUnit unit;
+    bool is_corrected = true;
+};
+
+Content read_content(const TextFile& file, const ReadOptions& options) {
+    const auto in_centimeters = [](SampleQuantity quantity) { return *find_sample_unit(fmt::format("c{}", si_unit_name(quantity))); };
+    const std::string_view title = file.line(kTitleLine);
+    if (title.empty()) file.fail(kTitleLine, "title is missing (no '2 CORRECTED ACCELEROGRAM' or the like)", "fetch the record again");
+    switch (title.front()) {
+        case '0':
+            return {in_centimeters(options.quantity.value_or(SampleQuantity::acceleration))};
+        case '1':
+            return {in_centimeters(SampleQuantity::acceleration), false};
+        case '2':
+            return {in_centimeters(SampleQuantity::acceleration)};
+        case '3':
+            return {in_centimeters(SampleQuantity::velocity)};
+        case '4':
+            return {in_centimeters(SampleQuantity::displacement)};
+        default:
+            file.fail(kTitleLine, "file holds spectra (no time series)", "use the file of the accelerogram");
+    }
+}
+
+// below the real header: as many comments as the integer header says; the first line behind them
+std::size_t skip_comments(const TextFile& file, const NumericHeader& integers, std::size_t first) {
+    std::size_t end = first;
+    while (file.line(end).starts_with('|')) ++end;
+    const std::optional<double> stated = integers.find(kComments);
+    if (stated && *stated != static_cast<double>(end - first)) {
+        file.fail(integers.line_of(kComments),
+                  fmt::format("{} comments announced (found: {}; header or comments are damaged)", *stated, end - first),
+                  "fetch the record again");
+    }
+    return end;
+}
+
+std::size_t count_numbers(const TextFile& file, const NumericHeader& integers) {
+    const double count = integers.find(kCount).value_or(0.0);
+    if (count < 1.0) {
+        file.fail(integers.line_of(kCount),
+                  fmt::format("number of values is {} (must be a positive integer)", integers.numbers[kCount - 1]),
+                  "correct integer-header value 17");
+    }
+    return static_cast<std::size_t>(count);
+}
+
+// eight numbers of ten letters, unless the header asks for eight digits
+FixedColumns find_body_columns(const TextFile& file, const NumericHeader& integers) {
+    constexpr double kUsualDigits = 5.0;
+    constexpr double kManyDigits = 8.0;
+    const double digits = integers.find(kDigits).value_or(kUsualDigits);
+    if (digits == kUsualDigits) return {.per_line = 8, .width = 10};
+    if (digits == kManyDigits) return {.per_line = 5, .width = 14};
+    file.fail(integers.line_of(kDigits), fmt::format("{} digits a value (known: 5 and 8)", digits), "fetch the record again");
+}
+
+// the year and the rest tell when the record starts only where they tell it to the millisecond; else it is the earthquake's minute
+std::optional<UtcTime> find_start(const NumericHeader& integers) {
+    const std::optional<int> year = integers.find_small(kStartYear);
+    const std::optional<int> day = integers.find_small(kStartDayOfYear);
+    const std::optional<int> hour = integers.find_small(kStartHour);
+    const std::optional<int> minute = integers.find_small(kStartMinute);
+    const std::optional<int> second = integers.find_small(kStartSecond);
+    const std::optional<int> millisecond = integers.find_small(kStartMillisecond);
+    if (!year || !day || !hour || !minute || !second || !millisecond) return std::nullopt;
+    if (*day < 1 || *day > 366 || *millisecond > 999) return std::nullopt;
+    const std::optional<UtcTime> first_of_january = make_utc_time(*year, 1, 1, *hour, *minute, *second + 1e-3 * *millisecond);
+    if (!first_of_january) return std::nullopt;
+    return *first_of_january + std::chrono::days(*day - 1);
+}
+
+// "station = APEEL Array #2 - Redwood City  component=    133": what follows `name`, up to `end`
+std::string_view field_after(std::string_view line, std::string_view name, std::string_view end) {
+    const std::size_t found = find_ignoring_case(line, name);
+    if (found == std::string_view::npos) return {};
+    std::string_view rest = line.substr(found + name.size());
+    rest = rest.substr(std::min(rest.find('='), rest.size() - 1) + 1);
+    return trim(end.empty() ? rest : rest.substr(0, find_ignoring_case(rest, end)));
+}
+
+std::string read_station(const TextFile& file, const NumericHeader& integers) {
+    const std::string name(field_after(file.line(kStationLine), "station", "component"));
+    const std::optional<double> number = integers.find(kStationNumber);
+    return number && *number > 0.0 ? std::string(trim(fmt::format("{} {}", *number, name))) : name;
+}
+
+Direction read_component(const TextFile& file, const NumericHeader& integers) {
+    const std::string_view name = field_after(file.line(kStationLine), "component", "");
+    const std::optional<double> stored = integers.find(kAzimuth);
+    Direction direction = read_direction(name.empty() && stored ? fmt::format("{} Deg", *stored) : std::string(name));
+    check_azimuth(file, integers.line_of(kAzimuth), stored.value_or(0.0), direction, kStationLine);
+    if (direction.name.empty()) direction.name.push_back('1');
+    return direction;
+}
+
+void check_extremes(const TextFile& file, const NumericHeader& reals, std::span<const double> samples, const SampleUnit& unit) {
+    const std::optional<double> largest = reals.find(kLargest);
+    const std::optional<double> smallest = reals.find(kSmallest);
+    if (!largest || !smallest) return;
+    const double peak = std::max(std::abs(*largest), std::abs(*smallest));
+    check_peak(file, reals.line_of(kLargest), samples, {peak, 1e-4 * peak, unit.si, unit.name});  // samples have five digits
+}
+
+// some files are filled up with blanks or zero bytes
+void check_end(const TextFile& file, std::size_t index) {
+    for (; index < file.size(); ++index) {
+        if (file.line(index).find_first_not_of(std::string_view("\0 ", 2)) != std::string_view::npos) {
+            file.fail(index, "line behind the last sample (more values than the header's count)", "correct integer-header value 17");
+        }
+    }
+}
+
+}  // namespace
+
+GroundMotion parse_smc(const TextFile& file, const ReadOptions& options) {
+    const Content content = read_content(file, options);
+    const NumericHeader integers = read_numeric_header(file, kIntegers, kUnknownInteger);
+    const NumericHeader reals = read_numeric_header(file, kReals, kUnknownReal);
+    const NumberBlock body{skip_comments(file, integers, reals.end()), count_numbers(file, integers), find_body_columns(file, integers)};
+    GroundMotion motion{.source = file.path().string(), .format = "SMC"};
+    motion.history.push_back(fmt::format("read SMC from {}, unit {}", file.path().filename().string(), content.unit.name));
+
+    // without a sampling rate the numbers are pairs of time and value
+    std::optional<TimeSeries> series;
+    if (const std::optional<double> rate = reals.find(kRate)) {
+        const scaling::Time dt = checked_dt(file, reals.line_of(kRate), 1.0 / *rate);
+        std::vector<double> samples = read_block(file, body, content.unit.si);
+        check_extremes(file, reals, samples, content.unit);
+        series.emplace(content.unit.quantity, 0.0 * scaling::si::seconds, dt, std::move(samples));
+    } else {
+        const TimedSamples timed = read_timed_samples(file, body, content.unit.si);
+        check_extremes(file, reals, timed.samples, content.unit);
+        ResampledSeries resampled = resample(file, content.unit.quantity, timed);
+        if (!resampled.note.empty()) motion.history.push_back(std::move(resampled.note));
+        series = std::move(resampled.series);
+    }
+    check_end(file, body.line + lines_of(body.count, body.columns));
+    refuse_contradictions(file, options, content.unit, series->dt());
+
+    const std::string_view event = trim(file.line(kEventLine));
+    motion.event = event == "*" ? std::string_view{} : event;
+    motion.station = read_station(file, integers);
+    motion.time_zero = find_start(integers);
+    if (!content.is_corrected) motion.integration_corner = kUncorrectedCornerHz * scaling::si::hertz;
+    Direction direction = read_component(file, integers);
+    motion.components.push_back({std::move(direction.name), direction.azimuth_deg, *std::move(series)});
+    return motion;
+}
+
+}  // namespace musim::records::detail

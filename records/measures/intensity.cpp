@@ -1,0 +1,80 @@
+#include "records/measures/intensity.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "records/measures/motion_histories.hpp"
+#include "records/processing/energy.hpp"
+#include "records/processing/processing.hpp"
+
+namespace musim::records {
+namespace {
+
+template <class Quantity>
+Peak<Quantity> find_peak(const TimeSeries& series) {
+    const std::span<const double> samples = series.samples();
+    std::size_t largest = 0;
+    for (std::size_t i = 1; i < samples.size(); ++i) {
+        if (std::abs(samples[i]) > std::abs(samples[largest])) largest = i;
+    }
+    return {Quantity::from_value(samples[largest]), series.time(largest)};
+}
+
+}  // namespace
+
+Peak<scaling::Acceleration> find_peak_acceleration(const TimeSeries& acceleration) {
+    require_quantity(acceleration, SampleQuantity::acceleration, "PGA");
+    return find_peak<scaling::Acceleration>(acceleration);
+}
+
+Peak<scaling::Velocity> find_peak_velocity(const TimeSeries& velocity) {
+    require_quantity(velocity, SampleQuantity::velocity, "PGV");
+    return find_peak<scaling::Velocity>(velocity);
+}
+
+Peak<scaling::Length> find_peak_displacement(const TimeSeries& displacement) {
+    require_quantity(displacement, SampleQuantity::displacement, "PGD");
+    return find_peak<scaling::Length>(displacement);
+}
+
+scaling::Velocity compute_arias_intensity(const TimeSeries& acceleration, scaling::Acceleration gravity) {
+    require_quantity(acceleration, SampleQuantity::acceleration, "Arias intensity");
+    const double integral = detail::cumulative_square(acceleration).back();  // [m²/s³]
+    return scaling::Velocity::from_value(0.5 * std::numbers::pi / gravity.value() * integral);
+}
+
+scaling::Time compute_significant_duration(const TimeSeries& acceleration) {
+    return compute_significant_duration(acceleration, 0.05, 0.95);
+}
+
+scaling::Time compute_significant_duration(const TimeSeries& acceleration, double from, double to) {
+    require_quantity(acceleration, SampleQuantity::acceleration, "significant duration");
+    if (!(0.0 <= from && from < to && to <= 1.0)) {
+        throw ProcessingError(
+            fmt::format("no significant duration between the shares {} and {} (0 <= from < to <= 1); change them", from, to));
+    }
+    const std::vector<double> energy = detail::cumulative_square(acceleration);
+    if (!(energy.back() > 0.0)) return {};
+    return detail::time_of_share(acceleration, energy, to) - detail::time_of_share(acceleration, energy, from);
+}
+
+TimeSeries level_uncorrected(const TimeSeries& series, std::optional<scaling::Frequency> integration_corner) {
+    return integration_corner ? remove_initial_level(series) : series;
+}
+
+Intensity compute_intensity(const TimeSeries& series, std::optional<scaling::Frequency> integration_corner) {
+    const MotionHistories histories = compute_histories(series, integration_corner);
+    Intensity intensity;
+    if (histories.acceleration) {
+        intensity.pga = find_peak_acceleration(*histories.acceleration);
+        intensity.arias = compute_arias_intensity(*histories.acceleration);
+        intensity.d5_95 = compute_significant_duration(*histories.acceleration);
+    }
+    if (histories.velocity) intensity.pgv = find_peak_velocity(*histories.velocity);
+    intensity.pgd = find_peak_displacement(histories.displacement);
+    return intensity;
+}
+
+}  // namespace musim::records

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "records/processing/base_motion.hpp"
+#include "records/processing/recipe.hpp"
+
+/// The motion that a shake table is told to make.
+namespace musim::records {
+
+/// What is changed in a record before it is given to a table; frequencies are the model's.
+struct DriveSettings {
+    std::optional<scaling::Frequency> high_pass = {};  ///< order 2, no phase; none: the corner of an uncorrected record, else no filter
+    std::optional<scaling::Frequency> low_pass = {};   ///< order 4, no phase
+    double amplitude = 1.0;
+    std::optional<scaling::Time> dt = {};  ///< step of the table's controller; none: the record's
+};
+
+/// Acceleration, velocity and displacement of a table, on one clock, each the trapezoid integral of the one before.
+struct DriveMotion {
+    TimeSeries acceleration, velocity, displacement;
+};
+
+/// How the record of a model becomes an acceleration that starts and ends at rest: differentiated if it is no acceleration, aligned if it
+/// has several components, mean (of an uncorrected record) out, high- and low-pass, tapers of kDefaultTaper before and after them,
+/// amplitude, the controller's step, bring_to_rest(). As steps of a recipe, to be carried out by process() and told by the history.
+Recipe make_drive_recipe(const GroundMotion& model, const DriveSettings& settings = {});
+
+/// What the table does for each component. Throws ProcessingError as process() does.
+std::vector<DriveMotion> make_drive_motions(const GroundMotion& model, const DriveSettings& settings = {});
+
+/// Integrates an acceleration that process() brought to rest. Velocity and displacement start at zero and end there to rounding. Throws
+/// ProcessingError for another quantity.
+DriveMotion integrate_twice(const TimeSeries& acceleration_at_rest);
+
+/// The same with zeros before and after: the table stands. Also throws as pad() does.
+DriveMotion add_quiet(const DriveMotion& motion, scaling::Time quiet);
+
+}  // namespace musim::records

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "records/sample_unit.hpp"
+#include "scaling/uncertainty/uncertain_reading.hpp"
+#include "scaling/units.hpp"
+
+/// A shake table as data: what it can do, and what its controller reads.
+namespace musim::records {
+
+/// The largest acceleration with a specimen of some mass on the table.
+struct PayloadLimit {
+    scaling::Mass payload;
+    scaling::Acceleration limit;
+};
+
+/// The resonance of the oil column in the actuators: what lies above cannot be followed.
+struct OilColumn {
+    scaling::Frequency frequency;  ///< of the bare table
+    double share = 1.0;            ///< of the frequency that can be used [-]
+};
+
+/// What the table can do in one direction; what is not limited is not there.
+struct TableAxis {
+    std::string name;
+    std::optional<scaling::Length> displacement = {};  ///< to either side of the middle: half the stroke
+    std::optional<scaling::Velocity> velocity = {};
+    std::vector<PayloadLimit> acceleration = {};  ///< by increasing payload
+    std::optional<scaling::Force> force = {};     ///< of all actuators along the axis
+    std::optional<scaling::Mass> moving_mass = {};
+    std::optional<scaling::Moment> overturning_moment = {};
+    std::optional<scaling::Mass> payload = {};
+    std::optional<scaling::Frequency> lowest_frequency = {}, highest_frequency = {};
+    std::optional<OilColumn> oil_column = {};
+    std::optional<scaling::Frequency> controller_rate = {};  ///< the table's: samples a second
+};
+
+/// What a column of a drive file holds.
+enum class DriveColumn { time, displacement, velocity, acceleration };
+
+/// The file that the controller of a table reads: text, one row a sample.
+struct ControllerFormat {
+    scaling::Frequency rate;    ///< samples a second
+    scaling::Time quiet = {};   ///< before and after the motion
+    SampleUnit displacement{};  ///< units of the columns; time is in seconds
+    SampleUnit velocity{};
+    SampleUnit acceleration{};
+    std::vector<DriveColumn> columns{DriveColumn::time, DriveColumn::displacement, DriveColumn::velocity, DriveColumn::acceleration};
+    char separator = ',';
+    bool header = true;  ///< a first row with names and units
+    int digits = 9;
+};
+
+struct ShakeTable {
+    std::string name, source;
+    std::vector<TableAxis> axes;
+    double energy_share = 0.99;  ///< of ∫a² dt that must lie within the frequencies the table can follow, at either end of them
+    std::optional<ControllerFormat> controller = {};
+
+    /// Throws ReadError, listing those there are, when no axis is called `name`.
+    const TableAxis& find_axis(std::string_view name) const;
+};
+
+/// Reads {"schema": "musim-table/1", "name", "source", "energy_share": 0.99, "axes": [{"names": ["x", "y"], "displacement": "75 mm",
+/// "velocity": "80 cm/s", "acceleration": "1.5 g" or [{"payload": "5 t", "limit": "1.5 g"}, ...], "force", "moving_mass",
+/// "overturning_moment", "payload", "lowest_frequency", "highest_frequency", "oil_column": {"frequency", "share"}}, ...], "controller":
+/// {"rate", "quiet", "displacement": "mm", "velocity": "mm/s", "acceleration": "g", "columns": ["time", ...], "separator": "comma" | "tab"
+/// | "space", "header", "digits"}}. Quantities are SI numbers or text with a unit. A force and an oil column need the moving mass. Throws
+/// ReadError `source: place: what (why); what to do` for anything else, unknown keys, limits that are not positive and names that come
+/// twice included. `reading` takes limits and masses with standard uncertainties (scaling/uncertain.hpp), which are refused without it.
+ShakeTable parse_shake_table(std::string_view json, const std::string& source, scaling::UncertainReading* reading = nullptr);
+
+}  // namespace musim::records

@@ -1,0 +1,117 @@
+#pragma once
+
+#include <functional>
+#include <string_view>
+#include <vector>
+
+#include "records/shake_table/drive_motion.hpp"
+#include "records/shake_table/shake_table.hpp"
+#include "scaling/laws/model_scales.hpp"
+
+/// Whether a shake table can make a motion.
+namespace musim::records {
+
+/// Frequency up to which a motion at some sampling rate is left as it is by resample(), over that rate: 0.9 of 0.95 of a half.
+inline constexpr double kFollowedShare = 0.9 * 0.95 * 0.5;
+
+/// What a motion asks of a table.
+struct TableDemand {
+    scaling::Length displacement;          ///< largest, to either side of where it starts
+    scaling::Length half_range;            ///< half of what lies between the farthest points: what is needed from the best start
+    scaling::Velocity velocity;            ///< largest
+    scaling::Acceleration acceleration;    ///< largest
+    scaling::Frequency lowest_frequency;   ///< above it lies ShakeTable::energy_share of ∫a² dt
+    scaling::Frequency highest_frequency;  ///< below it lies as much
+};
+
+/// Throws ProcessingError for a motion that is zero everywhere.
+TableDemand find_demand(const DriveMotion& motion, double energy_share);
+
+/// What each component of a model's record asks, changed as `settings` say: its peaks at the step of the controller, its frequencies before
+/// that step takes any away. Throws ProcessingError as the steps do.
+std::vector<TableDemand> find_demands(const GroundMotion& model, const DriveSettings& settings, double energy_share);
+
+/// The demand of the model's motion in one direction, from the prototype's; and back.
+TableDemand to_model(const TableDemand& prototype, const scaling::ModelScales& scales,
+                     scaling::Shaking direction = scaling::Shaking::horizontal);
+TableDemand to_prototype(const TableDemand& model, const scaling::ModelScales& scales,
+                         scaling::Shaking direction = scaling::Shaking::horizontal);
+
+/// What stands on the table.
+struct Payload {
+    scaling::Mass mass;
+    scaling::Length height;     ///< of its centre of mass above the platen
+    bool is_prototype = false;  ///< mass and height are the prototype's, and scale as masses and heights do
+
+    /// What the model has.
+    Payload on_model(const scaling::ModelScales& scales) const;
+};
+
+enum class TableLimit {
+    displacement,
+    velocity,
+    acceleration,
+    force,
+    overturning_moment,
+    payload,
+    lowest_frequency,
+    highest_frequency,
+    oil_column,
+    controller_band,
+};
+
+/// "displacement", "velocity", ..., "oil column".
+std::string_view to_string(TableLimit limit);
+
+/// How far a limit is used.
+struct LimitUse {
+    TableLimit which;
+    double demand, limit;  ///< [SI unit of the limit]
+
+    /// demand/limit; for the lowest frequency limit/demand. Above 1 the table cannot do it.
+    double used() const { return which == TableLimit::lowest_frequency ? limit / demand : demand / limit; }
+};
+
+/// All limits of an axis, with a model (not a prototype) as payload:
+///   force (M + m) a and overturning moment m h a of a payload m that moves with the table of mass M;
+///   acceleration between the payloads given: straight lines of 1/a over m (a force that is constant moves mass at a ∝ 1/m), beyond the
+///   last as between the last two;
+///   oil column: the share of its frequency on the bare table, times √(M/(M + m)) [ConteTrombetti00];
+///   controller band: the frequencies that resample() keeps at its rate, kFollowedShare of it.
+std::vector<LimitUse> check_axis(const TableDemand& demand, const TableAxis& axis, const Payload& payload);
+
+/// What one component of a record, in its prototype form, asks of one axis.
+struct AxisLoad {
+    TableAxis axis;
+    TableDemand prototype;
+};
+
+/// Length scales at which all limits hold.
+struct ScaleRange {
+    double smallest, largest;                            ///< λ_l
+    std::optional<TableLimit> binds_below, binds_above;  ///< what is in the way beyond; nothing: the end of the search
+    std::string axis_below, axis_above;
+};
+
+/// Where the search for length scales ends: λ_l from kSmallestScale to 1.
+inline constexpr double kSmallestScale = 1.0 / 16384.0;
+
+/// Which limits are looked at.
+using LimitFilter = std::function<bool(const TableAxis&, TableLimit)>;
+
+/// How far a model of length scale λ_l uses each limit of an axis.
+using UsesOfAxis = std::function<std::vector<LimitUse>(const AxisLoad&, double length)>;
+
+/// The factors of a model of length scale λ_l, by any law.
+using ScalesOfLength = std::function<scaling::ModelScales(double length)>;
+
+/// All ranges of λ_l between kSmallestScale and 1 at which the table can do it, by rising λ_l; with a filter, as far as the limits that
+/// count are concerned. Looked for in steps of 2^(1/64), ends found by bisection to rounding; a range narrower than a step can be missed.
+/// An axis called z or vertical shakes vertically. Throws what `scales_of` throws.
+std::vector<ScaleRange> find_scales(const std::vector<AxisLoad>& loads, const Payload& payload, const ScalesOfLength& scales_of,
+                                    const LimitFilter& counts = {});
+
+/// The same for models that `find_uses` judges, as those whose heights and widths scale apart; throws what it throws.
+std::vector<ScaleRange> find_scales(const std::vector<AxisLoad>& loads, const UsesOfAxis& find_uses, const LimitFilter& counts = {});
+
+}  // namespace musim::records

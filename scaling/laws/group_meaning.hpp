@@ -1,0 +1,44 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scaling/laws/kept_numbers.hpp"
+
+namespace musim::scaling {
+
+/// What a dimensionless group of a block structure is about.
+enum class GroupClass { geometry, friction, contact, rocking, loading };
+
+/// "geometry", "friction", "contact", "rocking" or "loading".
+std::string_view to_string(GroupClass kind);
+
+/// The laws that ask for a group to be equal; `exact` asks for all of them.
+struct RequiringLaws {
+    bool mu = false;      ///< sliding of rigid blocks under assumptions A1 to A5
+    bool froude = false;  ///< rigid blocks that slide, rock and fall under their weight
+    bool cauchy = false;  ///< elastic blocks in contact, weight neglected
+};
+
+/// A group of similitude: where it belongs, who requires it, and what it does to the response.
+struct GroupMeaning {
+    std::string_view name;  ///< "mu/tan(alpha)"
+    GroupClass kind = GroupClass::geometry;
+    RequiringLaws laws = {};
+    std::string_view if_larger;                    ///< what changes in the model when its group is larger than the prototype's
+    std::string_view if_smaller;                   ///< when it is smaller
+    std::array<std::string_view, 2> sources = {};  ///< keys of docs/references.md, or "derived" (README.md); the rest is empty
+
+    /// By a law that keeps these numbers: whatever one of them asks for, all of it where a law keeps weight and elasticity at once, and
+    /// what every law asks for.
+    bool is_required_by(const KeptNumbers& kept) const;
+    std::string_view effect(double factor) const { return factor > 1.0 ? if_larger : if_smaller; }
+    std::vector<std::string> list_sources() const;
+};
+
+/// The meaning of the group called `name`. Throws std::out_of_range for a name that there is not, our own mistake.
+const GroupMeaning& find_group_meaning(std::string_view name);
+
+}  // namespace musim::scaling

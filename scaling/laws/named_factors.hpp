@@ -1,0 +1,59 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+#include <string_view>
+
+#include "scaling/factor_rounding.hpp"
+#include "scaling/laws/law_formulas.hpp"
+#include "scaling/rational_dimension.hpp"
+
+namespace musim::scaling::detail {
+
+/// Factors of a law by the names of its quantities.
+class NamedFactors {
+  public:
+    NamedFactors(const LawFormulas& formulas, const ChosenFactors& chosen)
+        : formulas_(formulas), solved_(formulas.solved()), chosen_(chosen) {}
+
+    [[noreturn]] void fail(std::string_view what) const {
+        throw SimilitudeError(fmt::format("law {}: {}; `musim scale` takes it, a similitude of motions does not", solved_.law.name, what));
+    }
+
+    /// The factor of a quantity; none when the law does not have it.
+    template <class Quantity>
+    std::optional<double> find(std::string_view name) const {
+        for (std::size_t j = 0; j < solved_.problem.quantities.size(); ++j) {
+            const PiQuantity& quantity = solved_.problem.quantities[j];
+            if (quantity.name != name) continue;
+            if (quantity.dimension != rational_dimension_of<Quantity>())
+                fail(fmt::format("its {} has another dimension than expected", name));
+            const auto value = formulas_.factor(j, chosen_);
+            if (!value) fail(fmt::format("{} is open (give --set {}=NUMBER)", name, name));
+            return value;
+        }
+        return std::nullopt;
+    }
+
+    /// The same; fails where the law does not have it.
+    template <class Quantity>
+    double require(std::string_view name) const {
+        const auto value = find<Quantity>(name);
+        if (!value) fail(fmt::format("it has no {}", name));
+        return *value;
+    }
+
+    /// Two ways to one factor must agree.
+    void require_equal(double a, double b, std::string_view product) const {
+        if (std::abs(a / b - 1.0) > kFactorRounding) fail(fmt::format("it does not keep {}", product));
+    }
+
+  private:
+    const LawFormulas& formulas_;
+    const SolvedLaw& solved_;
+    const ChosenFactors& chosen_;
+};
+
+}  // namespace musim::scaling::detail

@@ -1,0 +1,48 @@
+#include "scaling/laws/scale_law_catalogue.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "scaling/laws/law_texts.hpp"
+#include "scaling/laws/scale_law_json.hpp"
+#include "scaling/nearest_name.hpp"
+#include "scaling/regular_file.hpp"
+
+namespace musim::scaling {
+
+const std::vector<std::string>& scale_law_names() {
+    static const std::vector<std::string> kNames = [] {
+        std::vector<std::string> names;
+        for (const detail::LawText& law : detail::law_texts()) names.emplace_back(law.name);
+        return names;
+    }();
+    return kNames;
+}
+
+std::optional<ScaleLaw> find_scale_law(std::string_view name) {
+    for (const detail::LawText& law : detail::law_texts()) {
+        if (law.name == name) return parse_scale_law(law.json, fmt::format("law {}", name));
+    }
+    return std::nullopt;
+}
+
+ScaleLaw load_scale_law(const std::string& name_or_file) {
+    if (auto law = find_scale_law(name_or_file)) return *std::move(law);
+    const std::string obstacle = find_obstacle(name_or_file);
+    std::error_code ignored;
+    if (!obstacle.empty() && std::filesystem::exists(name_or_file, ignored)) {
+        throw PiError(fmt::format("{}: is {}; name a law file", name_or_file, obstacle));
+    }
+    if (!obstacle.empty()) throw PiError(no_such_law(name_or_file) + ", or give a law file");
+    const std::optional<std::string> text = read_regular_file(name_or_file);
+    if (!text) throw PiError(name_or_file + ": cannot be read; check its permissions");
+    return parse_scale_law(*text, name_or_file);
+}
+
+std::string no_such_law(std::string_view name) {
+    return fmt::format("there is no law \"{}\"{}; choose one of {}", name, hint_at_name(name, scale_law_names()),
+                       fmt::join(scale_law_names(), ", "));
+}
+
+}  // namespace musim::scaling

@@ -1,0 +1,117 @@
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <sstream>
+
+#include "records/shake_table/drive_motion.hpp"
+#include "records/shake_table/write_drive_file.hpp"
+#include "records/synthesis/synthetic.hpp"
+#include "tests/support/relative.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace musim::records {
+namespace {
+
+using lsdem::tests::relative;
+namespace si = scaling::si;
+using musim::tests::bytes_of;
+using musim::tests::TemporaryFolder;
+
+double largest(const TimeSeries& series) {
+    double peak = 0.0;
+    for (const double sample : series.samples()) peak = std::max(peak, std::abs(sample));
+    return peak;
+}
+
+GroundMotion make_record() { return make_synthetic_record({.duration = 10.0 * si::seconds}); }
+
+AxisMotion make_axis(const std::string& name, scaling::Time dt = 0.25 * si::seconds) {
+    const TimeSeries acceleration(SampleQuantity::acceleration, 0.0 * si::seconds, dt, {0.0, 0.8, -1.6, 0.8, 0.0});
+    return {name, add_quiet(integrate_twice(acceleration), 0.25 * si::seconds)};
+}
+
+ControllerFormat make_format() {
+    ControllerFormat format{.rate = 4.0 / si::seconds};
+    format.displacement = *find_sample_unit("mm");
+    format.velocity = *find_sample_unit("cm/s");
+    format.acceleration = *find_sample_unit("m/s^2");
+    format.digits = 4;
+    return format;
+}
+
+}  // namespace
+
+TEST_CASE("a table's motion starts and ends at rest, its parts are integrals of each other") {
+    DriveSettings settings;
+    settings.dt = 0.003 * si::seconds;
+    settings.high_pass = 0.3 / si::seconds;
+    settings.low_pass = 20.0 / si::seconds;
+    settings.amplitude = 0.5;
+    const DriveMotion bare = make_drive_motions(make_record(), settings).front();
+    CHECK(bare.acceleration.dt() == *settings.dt);
+    CHECK(bare.velocity == integrate(bare.acceleration));
+    CHECK(bare.displacement == integrate(bare.velocity));
+    // the polynomial that brings to rest does so to the rounding of its sums
+    CHECK(std::abs(bare.velocity.samples().back()) < 1e-12 * largest(bare.velocity));
+    CHECK(std::abs(bare.displacement.samples().back()) < 1e-12 * largest(bare.displacement));
+    CHECK(std::abs(bare.acceleration.samples().back()) < 1e-6 * largest(bare.acceleration));
+
+    const DriveMotion quiet = add_quiet(bare, 0.3 * si::seconds);
+    CHECK(quiet.displacement.size() == bare.displacement.size() + 200);
+    for (const TimeSeries* series : {&quiet.acceleration, &quiet.velocity, &quiet.displacement}) {
+        for (std::size_t i = 0; i < 100; ++i) {
+            CHECK(series->samples()[i] == 0.0);
+            CHECK(series->samples()[series->size() - 1 - i] == 0.0);
+        }
+    }
+    CHECK_THROWS_AS(integrate_twice(bare.velocity), ProcessingError);
+}
+
+TEST_CASE("velocities and displacements are differentiated first, uncorrected records filtered at their corner") {
+    const GroundMotion record = make_record();
+    const auto steps = [](const GroundMotion& motion) { return write_recipe(make_drive_recipe(motion)); };
+    const auto has = [](const std::string& text, const std::string& step) { return text.find("\"" + step + "\"") != std::string::npos; };
+    CHECK_FALSE(has(steps(record), "differentiate"));
+    CHECK_FALSE(has(steps(record), "filter"));
+    GroundMotion velocity = record;
+    velocity.components[0].series = integrate(record.components[0].series);
+    CHECK(has(steps(velocity), "differentiate"));
+    CHECK(largest(make_drive_motions(velocity).front().velocity) == relative(largest(velocity.components[0].series), 0.02));
+    GroundMotion uncorrected = record;
+    uncorrected.integration_corner = 0.1 / si::seconds;
+    CHECK(has(steps(uncorrected), "filter"));
+    CHECK(has(steps(uncorrected), "baseline"));
+    GroundMotion two = record;
+    two.components.push_back(record.components[0]);
+    CHECK(has(steps(two), "align"));
+}
+
+TEST_CASE("a drive file has the controller's columns, units and separators") {
+    const TemporaryFolder folder;
+    const auto path = folder.path() / "drive.csv";
+    ControllerFormat format = make_format();
+    write_drive_file(path, {make_axis("x")}, format);
+    // trapezoids of 0, 0.8, -1.6, 0.8, 0 m/s² at 0.25 s
+    CHECK(bytes_of(path) ==
+          "time [s],x displacement [mm],x velocity [cm/s],x acceleration [m/s^2]\n"
+          "0,0,0,0\n0.25,0,0,0\n0.5,12.5,10,0.8\n0.75,25,0,-1.6\n1,12.5,-10,0.8\n1.25,0,0,0\n1.5,0,0,0\n");
+
+    format.columns = {DriveColumn::time, DriveColumn::velocity};
+    format.separator = '\t';
+    format.header = false;
+    write_drive_file(path, {make_axis("x"), make_axis("y")}, format);
+    CHECK(bytes_of(path).starts_with("0\t0\t0\n0.25\t0\t0\n0.5\t10\t10\n"));
+}
+
+TEST_CASE("axes on different clocks make no drive file") {
+    const TemporaryFolder folder;
+    const auto path = folder.path() / "drive.csv";
+    CHECK_THROWS_WITH(write_drive_file(path, {}, make_format()), (path.string() + ": there is no motion to write; give one").c_str());
+    CHECK_THROWS_WITH(write_drive_file(path, {make_axis("x"), make_axis("y", 0.5 * si::seconds)}, make_format()),
+                      (path.string() + ": the axes have different clocks; align them first").c_str());
+    CHECK_THROWS_WITH(write_drive_file(path, {make_axis("x", 0.5 * si::seconds)}, make_format()),
+                      (path.string() + ": the motion has 2 samples a second, the controller 4; resample it").c_str());
+    CHECK_FALSE(std::filesystem::exists(path));
+}
+
+}  // namespace musim::records

@@ -1,0 +1,63 @@
+#include "lsdem/results/verdict.hpp"
+
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "tests/study/made_run.hpp"
+
+using namespace musim::lsdem;
+using namespace musim::lsdem::study;
+
+namespace {
+
+bool says(const std::string& text, const char* words) { return text.find(words) != std::string::npos; }
+
+RunResult make_diverged_run(double time_step) {
+    RunResult run = make_made_run(3);
+    run.status = RunStatus::diverged;
+    run.divergence = Divergence{Divergence::Kind::energy_out_of_bounds, 7, 0.25};
+    run.time_step = time_step;
+    run.critical_time_step = 0.01;
+    return run;
+}
+
+}  // namespace
+
+TEST_CASE("a run that diverged above the critical step is told the default step") {
+    const std::string text = describe_divergence(make_diverged_run(0.011));
+    for (const char* words : {"0.25 s", "block 7", "0.011 s", "0.01 s", "at most 0.008 s"}) CHECK_MESSAGE(says(text, words), text);
+}
+
+TEST_CASE("a run that diverged below the critical step is told to halve it") {
+    const std::string text = describe_divergence(make_diverged_run(0.009));
+    for (const char* words : {"0.25 s", "block 7", "0.0045 s"}) CHECK_MESSAGE(says(text, words), text);
+    RunResult unlimited = make_diverged_run(0.009);
+    unlimited.critical_time_step.reset();
+    CHECK(says(describe_divergence(unlimited), "0.0045 s"));
+}
+
+TEST_CASE("a sound run raises no doubt, a doubtful one says each number") {
+    RunResult run = make_made_run(3);
+    CHECK(find_doubts(run).empty());
+    run.critical_time_step = 0.0009;
+    run.statistics.max_overlap_over_height = 2.0 * kDeepOverlap;
+    run.energy_closure = 2.0 * kOpenBalance;
+    const auto doubts = find_doubts(run);
+    REQUIRE(doubts.size() == 3);
+    CHECK(says(doubts[0], "0.00072 s"));
+    CHECK(says(doubts[1], "0.1 of a block's height"));
+    CHECK(says(doubts[2], "open by 0.2"));
+    run.rest = Rest{.at_rest = false, .steps = 640, .kinetic = 0.001, .reaction_over_weight = 0.75};
+    REQUIRE(find_doubts(run).size() == 4);
+    CHECK(says(find_doubts(run)[0], "640 steps"));
+    CHECK(says(find_doubts(run)[0], "bore 0.750000 of the weight"));
+    run.rest->at_rest = true;
+    CHECK(find_doubts(run).size() == 3);
+    run.rest->fallen = 2;
+    REQUIRE(find_doubts(run).size() == 4);
+    CHECK(says(find_doubts(run)[0], "blocks had fallen from their layers before"));
+    // a run that diverged has its own sentence
+    run.divergence = Divergence{};
+    CHECK(find_doubts(run).empty());
+}
