@@ -113,9 +113,8 @@ std::size_t find_spine_domino(const TowerTiling& tiling) {
 
 /// The domino of a layer nearest to one of another layer; of several, the one farthest out towards +x.
 std::size_t find_nearest_domino(const TowerTiling& tiling, const std::array<int, 2>& double_center) {
-    const auto [from_x, from_y] = double_center;
-    return find_domino(tiling, [=](int x, int y) {
-        const int dx = x - from_x, dy = y - from_y;
+    return find_domino(tiling, [&](int x, int y) {
+        const int dx = x - double_center[0], dy = y - double_center[1];
         return std::tuple(dx * dx + dy * dy, -x, y);
     });
 }
