@@ -13,8 +13,6 @@
 namespace musim::records::detail {
 namespace {
 
-constexpr std::size_t kHeaderBytes = 48;
-
 /// Where a record of the file stands, and how messages call it.
 struct RecordPlace {
     const BinaryFile& file;
@@ -106,13 +104,14 @@ std::endian header_order(const RecordPlace& place, std::string_view bytes) {
 // libmseed trusts these offsets; they are checked before it sees the record
 RecordLayout check_layout(const RecordPlace& place) {
     const std::string_view bytes = place.file.bytes().substr(place.at);
-    if (bytes.size() < kHeaderBytes)
-        place.fail(fmt::format("{} bytes (a header has {}; file is truncated)", bytes.size(), kHeaderBytes), "fetch the record again");
+    if (bytes.size() < kMiniseedHeaderBytes)
+        place.fail(fmt::format("{} bytes (a header has {}; file is truncated)", bytes.size(), kMiniseedHeaderBytes),
+                   "fetch the record again");
     if (!is_miniseed_header(bytes)) place.fail("no record header (no sequence number and quality letter)", "fetch the record again");
     const std::endian order = header_order(place, bytes);
     const auto half_word = [&](std::size_t at) { return std::size_t{number_at<std::uint16_t>(bytes, at, order)}; };
 
-    std::size_t blockette_end = kHeaderBytes;
+    std::size_t blockette_end = kMiniseedHeaderBytes;
     std::size_t length = 0;
     unsigned encoding = 0;
     for (std::size_t at = half_word(46); at != 0;) {
@@ -144,7 +143,8 @@ RecordLayout check_layout(const RecordPlace& place) {
         place.fail(fmt::format("encoding {} (read: 16 and 32 bit integers, floats, Steim-1 and Steim-2)", encoding),
                    "convert it to Steim-2");
     const std::size_t data = half_word(44);
-    if (blockette_end > length || (layout.count > 0 && (data < kHeaderBytes || data >= length || layout.count * *width > length - data))) {
+    if (blockette_end > length ||
+        (layout.count > 0 && (data < kMiniseedHeaderBytes || data >= length || layout.count * *width > length - data))) {
         place.fail(fmt::format("{} samples from byte {} of {} (do not fit in the record)", layout.count, data, length),
                    "fetch the record again");
     }
@@ -280,12 +280,6 @@ std::string component_name(const Stream& stream, std::span<const Stream> streams
 }
 
 }  // namespace
-
-bool is_miniseed_header(std::string_view bytes) {
-    // six digits, a quality letter, a blank
-    return bytes.size() >= kHeaderBytes && std::all_of(bytes.begin(), bytes.begin() + 6, is_digit) &&
-           std::string_view("DRQM").find(bytes[6]) != std::string_view::npos && bytes[7] == ' ';
-}
 
 GroundMotion parse_miniseed(const BinaryFile& file, const ReadOptions& options) {
     check_options(file, options);

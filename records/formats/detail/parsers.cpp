@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "records/detail/text.hpp"
 
@@ -58,6 +60,12 @@ void refuse_contradictions(const InputFile& file, const ReadOptions& options, co
     if (options.dt && std::abs(options.dt->value() - dt.value()) > kSameTimeStep * dt.value()) {
         file.fail(fmt::format("file states its time step {} s (asked for: {} s)", dt.value(), options.dt->value()), "drop --dt");
     }
+}
+
+bool is_miniseed_header(std::string_view bytes) {
+    // six digits, a quality letter, a blank
+    return bytes.size() >= kMiniseedHeaderBytes && std::all_of(bytes.begin(), bytes.begin() + 6, is_digit) &&
+           std::string_view("DRQM").find(bytes[6]) != std::string_view::npos && bytes[7] == ' ';
 }
 
 }  // namespace musim::records::detail

@@ -31,6 +31,9 @@ GroundMotion parse_usc(const TextFile& file, const ReadOptions& options);
 /// True for files of the SCEC Broadband Platform, whose last leading comment names time and three axes with their units.
 bool looks_like_bbp(const TextFile& file);
 
+/// Bytes of the fixed header of a miniSEED 2 record.
+inline constexpr std::size_t kMiniseedHeaderBytes = 48;
+
 /// True when `bytes` begin as a miniSEED 2 record does.
 bool is_miniseed_header(std::string_view bytes);
 

@@ -1,0 +1,23 @@
+#include <fmt/format.h>
+
+#include "records/error.hpp"
+#include "records/formats/detail/parsers.hpp"
+#include "records/formats/write_record.hpp"
+
+/// Of a build without libmseed or pugixml.
+namespace musim::records {
+namespace {
+
+constexpr const char* kWhatToDo = "build it where Debian's libmseed-dev and libpugixml-dev are, or take another format";
+
+}  // namespace
+
+GroundMotion detail::parse_miniseed(const BinaryFile& file, const ReadOptions& /*options*/) {
+    file.fail("is miniSEED, which this build of musim does not read", kWhatToDo);
+}
+
+void write_miniseed(const std::filesystem::path& path, const GroundMotion& /*motion*/) {
+    throw WriteError(fmt::format("{}: this build of musim does not write miniSEED; {}", path.string(), kWhatToDo));
+}
+
+}  // namespace musim::records
