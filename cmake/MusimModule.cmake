@@ -15,9 +15,8 @@ function(musim_compile_rules target)
   if(MUSIM_SANITIZE)
     target_compile_options(${target} PRIVATE -fsanitize=${MUSIM_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
     target_link_options(${target} PUBLIC -fsanitize=${MUSIM_SANITIZE})
-    target_compile_definitions(${target} PUBLIC MUSIM_CONTRACTS=1)
   endif()
-  target_compile_definitions(${target} PUBLIC $<$<CONFIG:Debug>:MUSIM_CONTRACTS=1>)
+  target_compile_definitions(${target} PUBLIC $<$<CONFIG:Debug>:_GLIBCXX_ASSERTIONS=1>)
 endfunction()
 
 # For code whose speed nobody waits for (command line, pages, tests): a fraction of the compile time of -O3.
