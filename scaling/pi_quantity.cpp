@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <set>
@@ -71,14 +72,15 @@ void check_quantities(const std::vector<PiQuantity>& quantities) {
 }
 
 std::size_t find_quantity(const std::vector<PiQuantity>& quantities, std::string_view name, std::string_view owner) {
+    const auto found = std::find_if(quantities.begin(), quantities.end(), [&](const PiQuantity& each) { return each.name == name; });
+    if (found != quantities.end()) return static_cast<std::size_t>(found - quantities.begin());
     std::string_view nearest;
     int smallest = 2 * static_cast<int>(name.size());
-    for (std::size_t i = 0; i < quantities.size(); ++i) {
-        if (quantities[i].name == name) return i;
-        const int distance = detail::edit_distance(name, quantities[i].name);
+    for (const PiQuantity& quantity : quantities) {
+        const int distance = detail::edit_distance(name, quantity.name);
         if (distance >= smallest) continue;
         smallest = distance;
-        nearest = quantities[i].name;
+        nearest = quantity.name;
     }
     if (!nearest.empty()) throw PiError(fmt::format("\"{}\" is no quantity of {}; did you mean \"{}\"?", name, owner, nearest));
     std::vector<std::string_view> names;

@@ -138,8 +138,7 @@ ModelState find_state(const Setting& setting, const Models& models, double lengt
     return state;
 }
 
-std::vector<LimitRanges> find_limit_ranges(const Setting& setting, const Material& material, const DesignLaw& law) {
-    const Models models(setting.design, material, law);
+std::vector<LimitRanges> find_limit_ranges(const Setting& setting, const Models& models) {
     std::vector<LimitRanges> limits;
     for (const records::AxisLoad& load : setting.loads) {
         // the search of each limit asks for the same lengths: each is looked at once, 2.4 times as fast with a table
@@ -158,7 +157,7 @@ std::vector<LimitRanges> find_limit_ranges(const Setting& setting, const Materia
             limits.push_back(limit);
         }
     }
-    const auto own_uses = [&](double length) { return find_own_uses(setting.design, material, models.at(length)); };
+    const auto own_uses = [&](double length) { return find_own_uses(setting.design, models.material(), models.at(length)); };
     const std::vector<Use> own = own_uses(1.0);
     for (std::size_t i = 0; i < own.size(); ++i) {
         const auto used = [&](double length) { return own_uses(length)[i].used(); };
@@ -200,7 +199,7 @@ std::optional<Conflict> find_conflict(const std::vector<LimitRanges>& limits) {
 Candidate find_candidate(const Setting& setting, const Material& material, const DesignLaw& law) {
     Candidate candidate{.material = material, .law = law, .limits = {}, .ranges = {}};
     try {
-        candidate.limits = find_limit_ranges(setting, material, law);
+        candidate.limits = find_limit_ranges(setting, Models(setting.design, material, law));
     } catch (const scaling::SimilitudeError& error) {
         candidate.problem = error.what();
         return candidate;

@@ -54,7 +54,7 @@ struct LimitRanges {
 
 /// Of each limit by itself: the table's by records::find_scales(), others by scaling::find_length_range(); from records::kSmallestScale
 /// to 1.
-std::vector<LimitRanges> find_limit_ranges(const Setting& setting, const Material& material, const DesignLaw& law);
+std::vector<LimitRanges> find_limit_ranges(const Setting& setting, const Models& models);
 
 /// Length scales at which all limits hold.
 struct FeasibleRange {

@@ -1,6 +1,7 @@
 #include "records/design/models.hpp"
 
 #include <cmath>
+#include <utility>
 
 namespace musim::design {
 namespace {
@@ -29,6 +30,11 @@ Models::Models(const Design& design, const Material& material, const DesignLaw& 
       law_(law),
       // any length will do for the formulas
       formulas_(solve_law(law.law(), give(design.length.value_or(1.0)))) {
+    at(design.length.value_or(1.0));
+}
+
+Models::Models(const Design& design, const Material& material, const DesignLaw& law, scaling::LawFormulas formulas)
+    : prototype_(design.prototype), gravity_(design.gravity), material_(material), law_(law), formulas_(std::move(formulas)) {
     at(design.length.value_or(1.0));
 }
 

@@ -220,7 +220,7 @@ Design parse_design(std::string_view json, const std::string& source, const std:
     design.groups = read_groups(fields, design.laws);
     fields.refuse_unknown_keys();
     check_limits(fields, design);
-    check_laws(fields, design);
+    if (reading == nullptr || !reading->is_moved()) check_laws(fields, design);
     return design;
 }
 

@@ -31,15 +31,17 @@ double binds(const std::vector<FeasibleRange>& ranges, const std::string& end, c
 class Drawn {
   public:
     Drawn(const Setting& setting, const Candidate& candidate)
-        : candidate_(candidate), place_(setting.design, candidate), length_(find_told_length(candidate)) {}
+        : candidate_(candidate), place_(setting.design, candidate), length_(find_told_length(candidate)) {
+        if (!candidate.limits.empty()) formulas_ = Models(setting.design, candidate.material, candidate.law).formulas();
+    }
 
     void add_numbers(std::vector<double>& numbers, const Setting& drawn) const {
-        if (candidate_.limits.empty()) {
+        if (!formulas_) {
             numbers.insert(numbers.end(), {candidate_.is_feasible() ? 1.0 : 0.0, kNone, kNone});
             return;
         }
-        const std::vector<LimitRanges> limits =
-            find_limit_ranges(drawn, drawn.design.materials[place_.material], drawn.design.laws[place_.law]);
+        const Models models(drawn.design, drawn.design.materials[place_.material], drawn.design.laws[place_.law], *formulas_);
+        const std::vector<LimitRanges> limits = find_limit_ranges(drawn, models);
         const std::vector<FeasibleRange> ranges = find_common(limits);
         const std::string below = ranges.empty() ? "" : ranges.front().binds_below, above = ranges.empty() ? "" : ranges.back().binds_above;
         numbers.push_back(ranges.empty() ? 0.0 : 1.0);
@@ -71,6 +73,7 @@ class Drawn {
     const Candidate& candidate_;
     detail::Place place_;
     std::optional<double> length_;
+    std::optional<scaling::LawFormulas> formulas_;  ///< none where the material and the law contradict each other
 };
 
 }  // namespace

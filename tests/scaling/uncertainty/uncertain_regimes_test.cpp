@@ -52,10 +52,14 @@ struct Told {
 
 Told tell(const Say& say, const std::optional<MonteCarloSettings>& monte_carlo = {}) {
     constexpr double length = 1.0 / 107.0;
-    const KeptNumbers kept = find_kept_numbers(solve_law(*find_scale_law("mu"), {{"l", length}}));
+    const auto give = [](const ScaleFactors& factors) {
+        return std::vector<GivenFactor>{{"l", factors.length}, {"mu", factors.friction}, {"g", factors.gravity}, {"rho", factors.density}};
+    };
+    const LawFormulas formulas(solve_law(*find_scale_law("mu"), give({.length = length})));
+    const KeptNumbers kept = find_kept_numbers(formulas.solved());
     const auto read = [&](UncertainReading& reading) {
         const PairFacts facts = say(reading);
-        return FactsAndLaw{facts, make_similitude("mu", make_scale_factors(facts, length))};
+        return FactsAndLaw{facts, make_similitude(formulas, formulas.choose(give(make_scale_factors(facts, length))))};
     };
     UncertainReading reading("f.json");
     FactsAndLaw facts = read(reading);
