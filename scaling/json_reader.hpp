@@ -40,13 +40,13 @@ class JsonRules {
     /// The place of what stands at a key of an object, and at a position of a list.
     virtual std::string at(const std::string& place, const std::string& key) const { return JsonPlace{place}.at(key).text; }
     virtual std::string at(const std::string& place, std::size_t index) const { return JsonPlace{place}.at(index).text; }
-    /// What follows the place of a value of another kind; `range` tells the integers that are taken.
+    /// What follows the place of a value of another kind; `range` names the integers that are taken.
     virtual std::string wrong_kind(const Json& value, JsonKind kind, const std::string& range) const;
     /// What follows the place of an object without a key.
     virtual std::string missing(const std::string& key) const;
     /// The message for a key that is none of the known.
     virtual std::string unknown(const std::string& place, const std::string& key, const std::vector<std::string>& known) const;
-    /// SI value of a quantity, a number or text with a unit; `part` tells those apart that share a place.
+    /// SI value of a quantity, a number or text with a unit; `part` names the one of several that share a place.
     virtual double to_si(const JsonReader& value, Dimension dimension, std::string_view part) const;
     /// Is null a value, and "1/107" no number?
     virtual bool is_strict() const { return false; }

@@ -47,7 +47,7 @@ struct Frames {
 struct Falls {
     std::vector<double> time;           ///< first sample at which the block had fallen [s], ≤ 0: in an earlier stage; NaN while it stands
     std::vector<Vector3> displacement;  ///< of its centre of mass then [m]; likewise
-    std::vector<Vector3> at_collapse;   ///< of all blocks at RunResult::collapse_time [m]; empty before
+    std::vector<Vector3> at_collapse;   ///< of all blocks at RunData::collapse_time [m]; empty before
 };
 
 /// What a run that is a later stage of a sequence takes over from the stages before it. Falls count from here.

@@ -19,8 +19,8 @@ struct SequenceSettings {
     bool force = false;                                             ///< older results of another scene are replaced
     double checkpoint_interval = 60.0;                              ///< wall time between two checkpoints [s]; 0: one after every sample
     RunObserver observer = {};                                      ///< progress is that of the whole sequence
-    std::function<void(const std::string&)> on_stage = {};          ///< told the folder of every stage once it is stored
-    std::function<void(const std::string&)> on_no_checkpoint = {};  ///< told why a checkpoint could not be written; the run goes on
+    std::function<void(const std::string&)> on_stage = {};          ///< receives the folder of every stage once it is stored
+    std::function<void(const std::string&)> on_no_checkpoint = {};  ///< receives why a checkpoint could not be written; the run goes on
 };
 
 /// Shakes the structure of a scene with its motions, one after another, and stores every stage as a run of its own in DIR/stage-01-NAME,

@@ -20,7 +20,7 @@ class Models {
     /// make_model_scales() asks for.
     Models(const Design& design, const Material& material, const DesignLaw& law);
 
-    /// The same by the formulas of a design that tells the same properties, as samples of one do: solved once.
+    /// The same by the formulas of a design that gives the same properties, as samples of one do: solved once.
     Models(const Design& design, const Material& material, const DesignLaw& law, scaling::LawFormulas formulas);
 
     const scaling::LawFormulas& formulas() const { return formulas_; }

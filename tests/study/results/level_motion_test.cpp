@@ -2,12 +2,15 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <cstddef>
 #include <stdexcept>
 #include <utility>
 
 #include "lsdem/results/read_results.hpp"
 #include "lsdem/results/write_results.hpp"
+#include "lsdem/run/run.hpp"
+#include "lsdem/scene/scene_json.hpp"
 #include "scaling/laws/law_similitude.hpp"
 #include "tests/study/made_run.hpp"
 #include "tests/support/relative.hpp"
@@ -53,4 +56,19 @@ TEST_CASE("a model moves as its prototype, in the prototype's units, also when i
         CHECK(of_model[k].x.value() == relative(expected[k].x.value(), 1e-12));
         CHECK(of_stored[k].x.value() == of_model[k].x.value());
     }
+}
+
+TEST_CASE("a model that is made and run moves as its prototype to the bit where all factors are powers of two") {
+    const scene::Scene prototype = scene::parse_scene(R"({"schema": "musim-scene/1", "name": "column", "material": "wood",
+        "structure": {"kind": "column", "layers": 4, "block": ["1.36 m", "2.82 m", "4.25 m"]},
+        "base_motion": {"signal": "half_sine", "direction": "x", "amplitude": "0.5 g", "duration": "0.5 s"},
+        "time": {"duration": "0.5 s"}, "output": {"spine_rate": "100 Hz"}})");
+    const auto whole = measure_top(run_scene(prototype));
+    const auto model = measure_top(run_model(prototype, make_similitude("exact", {.length = 1.0 / 16.0})));
+    REQUIRE(model.size() == whole.size());
+    for (std::size_t k = 0; k < whole.size(); ++k) {
+        CHECK(model[k].time.value() == whole[k].time.value());
+        CHECK(model[k].x.value() == whole[k].x.value());
+    }
+    CHECK(std::abs(whole.back().x.value()) > 0.0);
 }
