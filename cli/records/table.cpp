@@ -98,7 +98,7 @@ void write_drive(const TableOptions& options, const records::ShakeTable& table, 
 struct Verdict {
     std::vector<records::ComponentUse> uses;
     std::vector<records::ScaleRange> scales;
-    std::vector<LimitScales> limit_scales;
+    std::vector<records::LimitScales> limit_scales;
     std::vector<records::Correction> corrections;  ///< best first; empty when it fits as it is
     bool fits = false;
 };
@@ -120,19 +120,8 @@ Verdict judge(const TableOptions& options, const records::TableTask& task, const
     std::vector<records::AxisLoad> loads;
     for (std::size_t c = 0; c < verdict.uses.size(); ++c)
         loads.push_back({task.axes[c], to_prototype(verdict.uses[c].demand, scales, find_shaking(task.axes[c]))});
-    const records::ScalesOfLength scales_of = vary_length(options.scales);
-    const auto find = [&](const records::LimitFilter& counts) { return records::find_scales(loads, payload, scales_of, counts); };
-    verdict.scales = find({});
-    for (const records::ComponentUse& component : verdict.uses) {
-        for (const records::LimitUse& use : component.uses) {
-            const auto counts = [&](const records::TableAxis& axis, records::TableLimit limit) {
-                return axis.name == component.axis && limit == use.which;
-            };
-            LimitScales limit{component.axis, use.which, {}};
-            for (const records::ScaleRange& range : find(counts)) limit.ranges.push_back({range.smallest, range.largest});
-            verdict.limit_scales.push_back(std::move(limit));
-        }
-    }
+    verdict.limit_scales = find_limit_scales(loads, payload, vary_length(options.scales));
+    verdict.scales = find_scales(verdict.limit_scales);
     verdict.fits = records::find_largest_use(verdict.uses) <= 1.0;
     if (!verdict.fits) verdict.corrections = records::find_corrections(task, find_periods(options, scales, verdict.uses));
     return verdict;

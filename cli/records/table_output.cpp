@@ -65,15 +65,16 @@ std::string describe_end(const std::optional<TableLimit>& limit, const std::stri
     return fmt::format("{} of axis {}", to_string(*limit), axis);
 }
 
-const std::vector<scaling::LengthRange>* find_ranges(const std::vector<LimitScales>& scales, const std::string& axis, TableLimit limit) {
-    for (const LimitScales& each : scales)
-        if (each.axis == axis && each.limit == limit) return &each.ranges;
+const std::vector<scaling::LengthRange>* find_ranges(const std::vector<records::LimitScales>& scales, const std::string& axis,
+                                                     TableLimit limit) {
+    for (const records::LimitScales& each : scales)
+        if (each.axis == axis && each.which == limit) return &each.ranges;
     return nullptr;
 }
 
 }  // namespace
 
-nlohmann::json to_json(const std::vector<records::ComponentUse>& uses, const std::vector<LimitScales>& scales) {
+nlohmann::json to_json(const std::vector<records::ComponentUse>& uses, const std::vector<records::LimitScales>& scales) {
     nlohmann::json list = nlohmann::json::array();
     for (const records::ComponentUse& component : uses) {
         nlohmann::json limits = nlohmann::json::array();
@@ -133,7 +134,7 @@ nlohmann::json to_json(const records::Correction& correction, const scaling::Mod
             {"spectra", spectra}};
 }
 
-void print_uses(const std::vector<records::ComponentUse>& uses, const std::vector<LimitScales>& scales) {
+void print_uses(const std::vector<records::ComponentUse>& uses, const std::vector<records::LimitScales>& scales) {
     print("{:<10} {:<8} {:<20} {:>10} {:>10} {:<5} {:>7}  {}\n", "component", "axis", "limit", "record", "table", "", "used",
           "length scales");
     for (const records::ComponentUse& component : uses) {

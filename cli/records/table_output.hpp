@@ -5,24 +5,16 @@
 #include <vector>
 
 #include "records/shake_table/table_correction.hpp"
-#include "scaling/laws/length_range.hpp"
 
 namespace musim::cli {
 
-/// Length scales at which one limit of an axis holds, whatever the others say.
-struct LimitScales {
-    std::string axis;
-    records::TableLimit limit;
-    std::vector<scaling::LengthRange> ranges;
-};
-
 /// Uses of all limits; with the length scales that each of them leaves where they are given.
-nlohmann::json to_json(const std::vector<records::ComponentUse>& uses, const std::vector<LimitScales>& scales = {});
+nlohmann::json to_json(const std::vector<records::ComponentUse>& uses, const std::vector<records::LimitScales>& scales = {});
 nlohmann::json to_json(const records::ScaleRange& range);
 nlohmann::json to_json(const records::Correction& correction, const scaling::ModelScales& scales);
 
 /// One row for each limit of each component: what is asked, what the table can do, how far it is used, which length scales it leaves.
-void print_uses(const std::vector<records::ComponentUse>& uses, const std::vector<LimitScales>& scales);
+void print_uses(const std::vector<records::ComponentUse>& uses, const std::vector<records::LimitScales>& scales);
 
 /// Which length scales the table can do, and what is in the way of others.
 void print_scales(const std::vector<records::ScaleRange>& ranges);

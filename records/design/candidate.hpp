@@ -52,8 +52,8 @@ struct LimitRanges {
     std::vector<scaling::LengthRange> ranges;
 };
 
-/// Of each limit by itself: the table's by records::find_scales(), others by scaling::find_length_range(); from records::kSmallestScale
-/// to 1.
+/// Of each limit by itself: the table's by records::find_limit_scales(), others by scaling::find_length_range(); from
+/// records::kSmallestScale to 1.
 std::vector<LimitRanges> find_limit_ranges(const Setting& setting, const Models& models);
 
 /// Length scales at which all limits hold.

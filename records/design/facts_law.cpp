@@ -6,6 +6,7 @@
 
 #include "records/design/known_factors.hpp"
 #include "scaling/laws/law_similitude.hpp"
+#include "scaling/laws/model_scales.hpp"
 #include "scaling/structures/distortion.hpp"
 #include "scaling/structures/structural_speed.hpp"
 
@@ -17,10 +18,10 @@ std::optional<double> find_ratio(const std::optional<Quantity>& model, const std
     return model && prototype ? std::optional(static_cast<double>(*model / *prototype)) : std::nullopt;
 }
 
-KnownFactors find_known(const scaling::PairFacts& facts, double length) {
+KnownFactors find_known(const DesignLaw& law, const scaling::PairFacts& facts, double length) {
     const scaling::ScaleFactors told = make_scale_factors(facts, length);
     const scaling::StructureFacts &prototype = facts.prototype, &model = facts.model;
-    return {.length = length,
+    return {.length = {find_length_name(law.law(), law.set()), length},
             .friction = told.friction,
             .density = told.density,
             .gravity = told.gravity,
@@ -52,11 +53,11 @@ void require_gravity(const DesignLaw& law, double told) {
 
 scaling::LawFormulas solve_for(const DesignLaw& law, const scaling::PairFacts& facts, double length) {
     require_single_length(law);
-    return scaling::LawFormulas(solve_law(law.law(), give_factors(law, find_known(facts, length))));
+    return scaling::LawFormulas(solve_law(law.law(), give_factors(law, find_known(law, facts, length))));
 }
 
 scaling::Similitude apply_law(const DesignLaw& law, const scaling::LawFormulas& formulas, const scaling::PairFacts& facts, double length) {
-    const KnownFactors known = find_known(facts, length);
+    const KnownFactors known = find_known(law, facts, length);
     require_gravity(law, *known.gravity);
     return make_similitude(formulas, formulas.choose(give_factors(law, known)));
 }

@@ -1,12 +1,10 @@
 #include "records/design/known_factors.hpp"
 
-#include "scaling/laws/model_scales.hpp"
-
 namespace musim::design {
 
 std::vector<scaling::GivenFactor> give_factors(const DesignLaw& law, const KnownFactors& known) {
     std::vector<scaling::GivenFactor> given = law.set();
-    given.push_back({find_length_name(law.law(), law.set()), known.length});
+    given.push_back(known.length);
     if (law.has("mu")) given.push_back({"mu", known.friction});
     if (law.has("rho")) given.push_back({law.has("rho_s") ? "rho_s" : "rho", known.density});
     if (known.gravity && law.has("g") && !law.sets("g")) given.push_back({"g", *known.gravity});

@@ -16,15 +16,15 @@ struct KnownProperty {
 
 /// What is known of a model before its law has said anything.
 struct KnownFactors {
-    double length = 1.0, friction = 1.0, density = 1.0;
+    scaling::GivenFactor length;  ///< by the name that scaling::find_length_name() has for it
+    double friction = 1.0, density = 1.0;
     std::optional<double> gravity = {};
     std::vector<KnownProperty> properties = {};  ///< E, e, k_s
 };
 
-/// What a law is given of it, under the names of scaling/laws: the law's own factors; the length as
-/// scaling::find_length_name() has it; mu;
-/// the density as rho_s where the law has one, else as rho; g where it is known; and properties that the law expects to be chosen. What the
-/// law sets goes before g and properties. Throws SimilitudeError as find_length_name().
+/// What a law is given of it, under the names of scaling/laws: the law's own factors; the length; mu; the density as rho_s where the law
+/// has one, else as rho; g where it is known; and properties that the law expects to be chosen. What the law sets goes before g and
+/// properties.
 std::vector<scaling::GivenFactor> give_factors(const DesignLaw& law, const KnownFactors& known);
 
 }  // namespace musim::design

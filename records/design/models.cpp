@@ -28,13 +28,19 @@ Models::Models(const Design& design, const Material& material, const DesignLaw& 
       gravity_(design.gravity),
       material_(material),
       law_(law),
+      length_name_(find_length_name(law.law(), law.set())),
       // any length will do for the formulas
       formulas_(solve_law(law.law(), give(design.length.value_or(1.0)))) {
     at(design.length.value_or(1.0));
 }
 
 Models::Models(const Design& design, const Material& material, const DesignLaw& law, scaling::LawFormulas formulas)
-    : prototype_(design.prototype), gravity_(design.gravity), material_(material), law_(law), formulas_(std::move(formulas)) {
+    : prototype_(design.prototype),
+      gravity_(design.gravity),
+      material_(material),
+      law_(law),
+      length_name_(find_length_name(law.law(), law.set())),
+      formulas_(std::move(formulas)) {
     at(design.length.value_or(1.0));
 }
 
@@ -45,7 +51,7 @@ std::vector<KnownProperty> Models::properties(double length) const {
 }
 
 std::vector<scaling::GivenFactor> Models::give(double length) const {
-    return give_factors(law_, {.length = length,
+    return give_factors(law_, {.length = {length_name_, length},
                                .friction = material_.friction / prototype_.friction,
                                .density = (material_.density / prototype_.density).value(),
                                .gravity = gravity_,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "records/design/design.hpp"
@@ -48,6 +49,7 @@ class Models {
     std::optional<double> gravity_;
     Material material_;
     DesignLaw law_;
+    std::string length_name_;  ///< of the quantity that a length scale is given to
     scaling::LawFormulas formulas_;
 };
 

@@ -7,7 +7,7 @@
 
 #include "records/measures/measures.hpp"
 #include "records/shake_table/table_axes.hpp"
-#include "scaling/laws/length_range.hpp"
+#include "scaling/memoized.hpp"
 
 namespace musim::records {
 namespace {
@@ -38,25 +38,9 @@ scaling::Acceleration find_acceleration_limit(const std::vector<PayloadLimit>& l
     while (above + 1 < limits.size() && limits[above].payload < payload) ++above;
     const PayloadLimit &a = limits[above - 1], &b = limits[above];
     const double along = std::max(((payload - a.payload) / (b.payload - a.payload)).value(), 0.0);
-    const double inverse = (1.0 - along) / a.limit.value() + along / b.limit.value();
+    // a line that falls ends at zero: beyond it the payload is no limit
+    const double inverse = std::max((1.0 - along) / a.limit.value() + along / b.limit.value(), 0.0);
     return scaling::Acceleration::from_value(1.0 / inverse);
-}
-
-/// The limit that is used most, and by how much.
-struct Worst {
-    LimitUse use;
-    std::string axis;
-};
-
-Worst find_worst(const std::vector<AxisLoad>& loads, const UsesOfAxis& find_uses, const LimitFilter& counts, double length) {
-    std::optional<Worst> worst;
-    for (const AxisLoad& load : loads) {
-        for (const LimitUse& use : find_uses(load, length)) {
-            if ((!counts || counts(load.axis, use.which)) && (!worst || use.used() > worst->use.used())) worst = Worst{use, load.axis.name};
-        }
-    }
-    // a table without limits can do everything
-    return worst.value_or(Worst{{TableLimit::displacement, 0.0, 1.0}, ""});
 }
 
 }  // namespace
@@ -144,52 +128,42 @@ std::vector<LimitUse> check_axis(const TableDemand& demand, const TableAxis& axi
     return uses;
 }
 
-std::vector<ScaleRange> find_scales(const std::vector<AxisLoad>& loads, const Payload& payload, const ScalesOfLength& scales_of,
-                                    const LimitFilter& counts) {
-    const auto find_uses = [&](const AxisLoad& load, double length) {
-        const scaling::ModelScales scales = scales_of(length);
-        return check_axis(to_model(load.prototype, scales, find_shaking(load.axis)), load.axis, payload.on_model(scales));
-    };
-    return find_scales(loads, UsesOfAxis(find_uses), counts);
+std::vector<LimitScales> find_limit_scales(const std::vector<AxisLoad>& loads, const Payload& payload, const ScalesOfLength& scales_of) {
+    const scaling::Memoized<scaling::ModelScales> scales(scales_of);
+    return find_limit_scales(loads, [&](const AxisLoad& load, double length) {
+        return check_axis(to_model(load.prototype, scales(length), find_shaking(load.axis)), load.axis, payload.on_model(scales(length)));
+    });
 }
 
-std::vector<ScaleRange> find_scales(const std::vector<AxisLoad>& loads, const UsesOfAxis& find_uses, const LimitFilter& counts) {
-    constexpr int kStepsPerOctave = 64;
-    const auto worst = [&](double length) { return find_worst(loads, find_uses, counts, length); };
-    const auto used = [&](double length) { return worst(length).use.used(); };
-    // the last scale that fits on the way to one that does not, and what is in the way there
-    const auto find_end = [&](double inside, double outside) {
-        const scaling::LengthRange part = scaling::find_length_range(used, {std::min(inside, outside), std::max(inside, outside)}).front();
-        const double end = inside < outside ? part.largest : part.smallest;
-        return std::pair(end, worst(std::nextafter(end, outside)));
-    };
-    const int steps = static_cast<int>(std::lround(std::log2(1.0 / kSmallestScale))) * kStepsPerOctave;
-    std::vector<ScaleRange> ranges;
-    bool inside = false;
-    double before = kSmallestScale;
-    for (int i = 0; i <= steps; ++i) {
-        const double length = kSmallestScale * std::exp2(static_cast<double>(i) / kStepsPerOctave);
-        const bool now = used(length) <= 1.0;
-        if (now && !inside) {
-            ScaleRange range{length, length, {}, {}, {}, {}};
-            if (i > 0) {
-                const auto [end, beyond] = find_end(length, before);
-                range.smallest = end;
-                range.binds_below = beyond.use.which;
-                range.axis_below = beyond.axis;
-            }
-            ranges.push_back(range);
-        } else if (!now && inside) {
-            const auto [end, beyond] = find_end(before, length);
-            ranges.back().largest = end;
-            ranges.back().binds_above = beyond.use.which;
-            ranges.back().axis_above = beyond.axis;
+std::vector<LimitScales> find_limit_scales(const std::vector<AxisLoad>& loads, const UsesOfAxis& find_uses) {
+    std::vector<LimitScales> limits;
+    for (const AxisLoad& load : loads) {
+        // the searches of all limits ask for the same lengths
+        const scaling::Memoized<std::vector<LimitUse>> uses([&](double length) { return find_uses(load, length); });
+        for (std::size_t i = 0; i < uses(1.0).size(); ++i) {
+            const auto used = [&](double length) { return uses(length)[i].used(); };
+            limits.push_back({load.axis.name, uses(1.0)[i].which, scaling::find_length_ranges(used, {kSmallestScale, 1.0})});
         }
-        if (now) ranges.back().largest = length;
-        inside = now;
-        before = length;
     }
-    return ranges;
+    return limits;
+}
+
+std::vector<ScaleRange> find_scales(const std::vector<LimitScales>& limits) {
+    std::vector<std::vector<scaling::LengthRange>> ranges;
+    for (const LimitScales& limit : limits) ranges.push_back(limit.ranges);
+    std::vector<ScaleRange> scales;
+    for (const scaling::CommonRange& common : find_common(ranges, {kSmallestScale, 1.0})) {
+        ScaleRange& range = scales.emplace_back(ScaleRange{common.scales.smallest, common.scales.largest, {}, {}, {}, {}});
+        if (common.binds_below) {
+            range.binds_below = limits[*common.binds_below].which;
+            range.axis_below = limits[*common.binds_below].axis;
+        }
+        if (common.binds_above) {
+            range.binds_above = limits[*common.binds_above].which;
+            range.axis_above = limits[*common.binds_above].axis;
+        }
+    }
+    return scales;
 }
 
 }  // namespace musim::records

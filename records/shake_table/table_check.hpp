@@ -1,11 +1,14 @@
 #pragma once
 
 #include <functional>
+#include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "records/shake_table/drive_motion.hpp"
 #include "records/shake_table/shake_table.hpp"
+#include "scaling/laws/length_range.hpp"
 #include "scaling/laws/model_scales.hpp"
 
 /// Whether a shake table can make a motion.
@@ -86,6 +89,13 @@ struct AxisLoad {
     TableDemand prototype;
 };
 
+/// Length scales between kSmallestScale and 1 at which one limit of an axis holds, by rising λ_l.
+struct LimitScales {
+    std::string axis;
+    TableLimit which;
+    std::vector<scaling::LengthRange> ranges;
+};
+
 /// Length scales at which all limits hold.
 struct ScaleRange {
     double smallest, largest;                            ///< λ_l
@@ -96,22 +106,20 @@ struct ScaleRange {
 /// Where the search for length scales ends: λ_l from kSmallestScale to 1.
 inline constexpr double kSmallestScale = 1.0 / 16384.0;
 
-/// Which limits are looked at.
-using LimitFilter = std::function<bool(const TableAxis&, TableLimit)>;
-
 /// How far a model of length scale λ_l uses each limit of an axis.
 using UsesOfAxis = std::function<std::vector<LimitUse>(const AxisLoad&, double length)>;
 
 /// The factors of a model of length scale λ_l, by any law.
 using ScalesOfLength = std::function<scaling::ModelScales(double length)>;
 
-/// All ranges of λ_l between kSmallestScale and 1 at which the table can do it, by rising λ_l; with a filter, as far as the limits that
-/// count are concerned. Looked for in steps of 2^(1/64), ends found by bisection to rounding; a range narrower than a step can be missed.
-/// An axis called z or vertical shakes vertically. Throws what `scales_of` throws.
-std::vector<ScaleRange> find_scales(const std::vector<AxisLoad>& loads, const Payload& payload, const ScalesOfLength& scales_of,
-                                    const LimitFilter& counts = {});
+/// Of each limit of each axis by itself, as scaling::find_length_ranges() does. An axis called z or vertical shakes vertically. Throws what
+/// `scales_of` throws.
+std::vector<LimitScales> find_limit_scales(const std::vector<AxisLoad>& loads, const Payload& payload, const ScalesOfLength& scales_of);
 
 /// The same for models that `find_uses` judges, as those whose heights and widths scale apart; throws what it throws.
-std::vector<ScaleRange> find_scales(const std::vector<AxisLoad>& loads, const UsesOfAxis& find_uses, const LimitFilter& counts = {});
+std::vector<LimitScales> find_limit_scales(const std::vector<AxisLoad>& loads, const UsesOfAxis& find_uses);
+
+/// All ranges of λ_l between kSmallestScale and 1 at which the table can do it, by rising λ_l.
+std::vector<ScaleRange> find_scales(const std::vector<LimitScales>& limits);
 
 }  // namespace musim::records

@@ -36,7 +36,7 @@ WideProduct::Scaled WideProduct::power(double value, std::int64_t n) {
     Scaled result;
     for (; n > 0; n /= 2) {
         if (n % 2 == 1) result.multiply(square);
-        square.multiply(square);
+        if (n > 1) square.multiply(square);
     }
     return result;
 }

@@ -3,21 +3,68 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numeric>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+#include <cstdint>
+#include <limits>
 
 namespace musim::scaling {
 
-std::vector<LengthRange> find_length_range(const ShareUsed& used, const LengthRange& within) {
-    const auto fits = [&](double length) { return used(length) <= 1.0; };
-    const bool fits_smallest = fits(within.smallest), fits_largest = fits(within.largest);
-    if (fits_smallest && fits_largest) return {within};
-    if (!fits_smallest && !fits_largest) return {};
-    double inside = fits_smallest ? within.smallest : within.largest;
-    double outside = fits_smallest ? within.largest : within.smallest;
-    for (double middle = std::midpoint(inside, outside); middle != inside && middle != outside; middle = std::midpoint(inside, outside)) {
-        (fits(middle) ? inside : outside) = middle;
+namespace {
+
+/// Beyond all logarithms of doubles.
+constexpr double kLargestLogarithm = 1000.0;
+
+/// Evaluations after which a search ends wherever it is: three times those of bisection to neighbouring doubles, which the method needs at
+/// worst.
+constexpr std::uintmax_t kLongestSearch = 256;
+
+/// Position of the first limit with a range that ends at a length.
+template <class End>
+std::optional<std::size_t> find_binding(const std::vector<std::vector<LengthRange>>& limits, double length, const End& end) {
+    for (std::size_t i = 0; i < limits.size(); ++i) {
+        if (std::any_of(limits[i].begin(), limits[i].end(), [&](const LengthRange& range) { return end(range) == length; })) return i;
     }
-    return {fits_smallest ? LengthRange{within.smallest, inside} : LengthRange{inside, within.largest}};
+    return {};
+}
+
+}  // namespace
+
+std::vector<LengthRange> find_length_range(const ShareUsed& used, const LengthRange& within) {
+    // ln used(λ_l), finite; never zero, so that the search goes on until a neighbouring double breaks the limit
+    const auto excess = [&](double length) {
+        const double share = used(length);
+        if (share == 1.0) return -std::numeric_limits<double>::epsilon();
+        return std::clamp(std::log(share), -kLargestLogarithm, kLargestLogarithm);
+    };
+    const double smallest = excess(within.smallest), largest = excess(within.largest);
+    if (smallest < 0.0 && largest < 0.0) return {within};
+    if (smallest > 0.0 && largest > 0.0) return {};
+    const auto are_neighbours = [](double a, double b) { return std::nextafter(a, b) == b; };
+    std::uintmax_t steps = kLongestSearch;
+    const auto [low, high] =
+        boost::math::tools::toms748_solve(excess, within.smallest, within.largest, smallest, largest, are_neighbours, steps);
+    return {smallest < 0.0 ? LengthRange{within.smallest, low} : LengthRange{high, within.largest}};
+}
+
+std::vector<LengthRange> find_length_ranges(const ShareUsed& used, const LengthRange& within) {
+    constexpr int kStepsPerOctave = 16;
+    const int steps = static_cast<int>(std::ceil(std::log2(within.largest / within.smallest) * kStepsPerOctave));
+    std::vector<LengthRange> ranges;
+    double before = within.smallest;
+    for (int i = 1; i <= steps; ++i) {
+        const double length = i == steps ? within.largest : within.smallest * std::exp2(static_cast<double>(i) / kStepsPerOctave);
+        for (const LengthRange& part : find_length_range(used, {before, length})) {
+            const bool goes_on = !ranges.empty() && part.smallest == before && ranges.back().largest == before;
+            if (goes_on) {
+                ranges.back().largest = part.largest;
+            } else {
+                ranges.push_back(part);
+            }
+        }
+        before = length;
+    }
+    return ranges;
 }
 
 std::vector<LengthRange> intersect(const std::vector<LengthRange>& a, const std::vector<LengthRange>& b) {
@@ -29,6 +76,22 @@ std::vector<LengthRange> intersect(const std::vector<LengthRange>& a, const std:
         }
     }
     return common;
+}
+
+std::vector<CommonRange> find_common(const std::vector<std::vector<LengthRange>>& limits, const LengthRange& within) {
+    std::vector<LengthRange> common{within};
+    for (const std::vector<LengthRange>& ranges : limits) common = intersect(common, ranges);
+    std::vector<CommonRange> result;
+    for (const LengthRange& scales : common) {
+        CommonRange& range = result.emplace_back(CommonRange{scales, {}, {}});
+        if (scales.smallest > within.smallest) {
+            range.binds_below = find_binding(limits, scales.smallest, [](const LengthRange& each) { return each.smallest; });
+        }
+        if (scales.largest < within.largest) {
+            range.binds_above = find_binding(limits, scales.largest, [](const LengthRange& each) { return each.largest; });
+        }
+    }
+    return result;
 }
 
 std::string describe_scale(double length) { return length == 1.0 ? "1" : fmt::format("1/{:.4g}", 1.0 / length); }

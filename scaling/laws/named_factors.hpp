@@ -28,8 +28,8 @@ class NamedFactors {
         for (std::size_t j = 0; j < solved_.problem.quantities.size(); ++j) {
             const PiQuantity& quantity = solved_.problem.quantities[j];
             if (quantity.name != name) continue;
-            if (quantity.dimension != rational_dimension_of<Quantity>())
-                fail(fmt::format("its {} has another dimension than expected", name));
+            static const RationalDimension kExpected = rational_dimension_of<Quantity>();
+            if (quantity.dimension != kExpected) fail(fmt::format("its {} has another dimension than expected", name));
             const auto value = formulas_.factor(j, chosen_);
             if (!value) fail(fmt::format("{} is open (give --set {}=NUMBER)", name, name));
             return value;

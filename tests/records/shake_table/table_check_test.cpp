@@ -50,7 +50,7 @@ ScalesOfLength by(const char* law) {
 
 /// The one range of scales; its ends are found to the last bits, products of a few roundings.
 ScaleRange only_range(const TableAxis& axis, const Payload& payload, const char* law = "mu") {
-    const auto ranges = find_scales({{axis, demand()}}, payload, by(law));
+    const auto ranges = find_scales(find_limit_scales({{axis, demand()}}, payload, by(law)));
     REQUIRE(ranges.size() == 1);
     return ranges.front();
 }
@@ -95,6 +95,9 @@ TEST_CASE("between payloads the table's force is the same, beyond them too") {
     CHECK(limit(1000.0) == relative(6.0, kRounding));
     CHECK(limit(2000.0) == relative(4.0, kRounding));
     CHECK(limit(5000.0) == relative(2.0, kRounding));
+    // two limits with errors of their own may rise: far beyond them none is left, and never a negative one
+    std::swap(table.acceleration[1].limit, table.acceleration[2].limit);
+    CHECK(use_of(table, TableLimit::acceleration, load(1e6)) == 0.0);
     table.acceleration.resize(1);
     CHECK(limit(5000.0) == relative(12.0, kRounding));
 }
@@ -132,12 +135,13 @@ TEST_CASE("limits can leave no scale, or all, or be looked at alone") {
     table.displacement = 0.01 * si::meters;
     table.highest_frequency = 20.0 / si::seconds;
     const std::vector<AxisLoad> loads{{table, demand()}};
-    CHECK(find_scales(loads, load(0.0), by("mu")).empty());
-    const auto alone =
-        find_scales(loads, load(0.0), by("mu"), [](const TableAxis&, TableLimit limit) { return limit == TableLimit::displacement; });
-    REQUIRE(alone.size() == 1);
-    CHECK(alone.front().smallest == kSmallestScale);
-    const auto all = find_scales({{axis(), demand()}}, load(1e9), by("mu"));
+    const std::vector<LimitScales> limits = find_limit_scales(loads, load(0.0), by("mu"));
+    CHECK(find_scales(limits).empty());
+    REQUIRE(limits.size() == 2);
+    CHECK(limits.front().which == TableLimit::displacement);
+    REQUIRE(limits.front().ranges.size() == 1);
+    CHECK(limits.front().ranges.front().smallest == kSmallestScale);
+    const auto all = find_scales(find_limit_scales({{axis(), demand()}}, load(1e9), by("mu")));
     REQUIRE(all.size() == 1);
     CHECK(all.front().smallest == kSmallestScale);
     CHECK(all.front().largest == 1.0);
@@ -147,7 +151,7 @@ TEST_CASE("a payload that grows and an acceleration that falls can leave two end
     TableAxis table = axis();
     table.moving_mass = 100.0 * si::kilograms;
     table.force = 10e3 * si::newtons;
-    const auto ranges = find_scales({{table, demand()}}, load(1e4, 0.0, true), by("cauchy"));  // (M + m λ³) a/λ
+    const auto ranges = find_scales(find_limit_scales({{table, demand()}}, load(1e4, 0.0, true), by("cauchy")));  // (M + m λ³) a/λ
     REQUIRE(ranges.size() == 1);
     for (const double end : {ranges[0].smallest, ranges[0].largest})
         CHECK((100.0 + 1e4 * end * end * end) * 6.0 / end == relative(10e3, 1e-12));
