@@ -296,60 +296,69 @@ int run_pair(const PairOptions& options) {
     return judge(options.scene, pair->study);
 }
 
+/// Which models, of what and by which law; whether they are accepted.
+void add_model_options(CLI::App& command, PairOptions& options) {
+    CLI::Option* models =
+        command.add_option("models", options.models, "Scene files of models of the same blocks, instead of scaling the prototype")
+            ->type_name("MODEL.json...");
+    command.add_option("--length", options.lengths, "Length factor of a model; repeat for several (default 1/25 and 1/107)")
+        ->type_name("NUMBER")
+        ->check(above_zero())
+        ->excludes(models);
+    command
+        .add_option("--materials", options.materials,
+                    "exact: scaled so that every group is equal; own: measured for each scale (default: exact, of scene files own)")
+        ->check(one_of({"exact", "own"}));
+    CLI::Option* law = command
+                           .add_option("--law", options.law,
+                                       "With exact materials: scale by this law of `musim scale --laws` or law file (default: exact)")
+                           ->type_name("LAW");
+    command.add_option("--set", options.factors, "Factor of another quantity of the law, e.g. mu=0.63/0.59; repeat for several")
+        ->type_name("NAME=NUMBER")
+        ->expected(1)
+        ->take_all()
+        ->needs(law);
+    command
+        .add_option(
+            "--material", options.own,
+            "Own material of each model: a preset, a material file, or a scene whose it is (default: the one measured at that scale)")
+        ->type_name("NAME|FILE")
+        ->excludes(models);
+    command
+        .add_option("--specimens", options.specimens,
+                    "Other specimens of the prototype to hold own models against (default: 4 when block heights are drawn)")
+        ->type_name("N")
+        ->check(whole_between(0, 1000));
+    command
+        .add_option("--accept", options.accept,
+                    "Accept own models whose peak velocity and residual displacement of the top and losses differ by no more, e.g. 5%; "
+                    "else exit code 6")
+        ->type_name("NUMBER");
+    command.add_flag("--each-alone", options.each_alone,
+                     "With own materials: also run a model for each property that differs, exact otherwise, and say what it does alone");
+}
+
+/// What they are held against.
+void add_judging_options(CLI::App& command, PairOptions& options) {
+    command.add_option("--twins", options.twins, "Twins to judge by; 0: none (default: none when models agree to rounding, else 2 or 8)")
+        ->type_name("N")
+        ->check(whole_between(0, 1000));
+    command.add_option("--seed", options.seed, "Of the twins")->type_name("N")->check(not_negative())->capture_default_str();
+    command
+        .add_option("--specimen", options.specimen, "one: exact models start from the prototype's specimen; each: every scale lays its own")
+        ->check(one_of({"one", "each"}))
+        ->capture_default_str();
+    command.add_flag("--no-half-step", options.no_half_step, "Leave out the prototype's run at half its time step");
+}
+
 }  // namespace
 
 void add_pair_command(CLI::App& app, Action& action) {
     auto options = std::make_shared<PairOptions>();
     CLI::App* command = app.add_subcommand("pair", "A scene as prototype and as models at other scales, compared in dimensionless form");
     command->add_option("scene", options->scene, "Scene file of the prototype")->required()->type_name("SCENE.json");
-    CLI::Option* models =
-        command->add_option("models", options->models, "Scene files of models of the same blocks, instead of scaling the prototype")
-            ->type_name("MODEL.json...");
-    command->add_option("--length", options->lengths, "Length factor of a model; repeat for several (default 1/25 and 1/107)")
-        ->type_name("NUMBER")
-        ->check(above_zero())
-        ->excludes(models);
-    command
-        ->add_option("--materials", options->materials,
-                     "exact: scaled so that every group is equal; own: measured for each scale (default: exact, of scene files own)")
-        ->check(one_of({"exact", "own"}));
-    CLI::Option* law = command
-                           ->add_option("--law", options->law,
-                                        "With exact materials: scale by this law of `musim scale --laws` or law file (default: exact)")
-                           ->type_name("LAW");
-    command->add_option("--set", options->factors, "Factor of another quantity of the law, e.g. mu=0.63/0.59; repeat for several")
-        ->type_name("NAME=NUMBER")
-        ->expected(1)
-        ->take_all()
-        ->needs(law);
-    command
-        ->add_option(
-            "--material", options->own,
-            "Own material of each model: a preset, a material file, or a scene whose it is (default: the one measured at that scale)")
-        ->type_name("NAME|FILE")
-        ->excludes(models);
-    command
-        ->add_option("--specimens", options->specimens,
-                     "Other specimens of the prototype to hold own models against (default: 4 when block heights are drawn)")
-        ->type_name("N")
-        ->check(whole_between(0, 1000));
-    command
-        ->add_option("--accept", options->accept,
-                     "Accept own models whose peak velocity and residual displacement of the top and losses differ by no more, e.g. 5%; "
-                     "else exit code 6")
-        ->type_name("NUMBER");
-    command->add_flag("--each-alone", options->each_alone,
-                      "With own materials: also run a model for each property that differs, exact otherwise, and tell what it does alone");
-    command->add_option("--twins", options->twins, "Twins to judge by; 0: none (default: none when models agree to rounding, else 2 or 8)")
-        ->type_name("N")
-        ->check(whole_between(0, 1000));
-    command->add_option("--seed", options->seed, "Of the twins")->type_name("N")->check(not_negative())->capture_default_str();
-    command
-        ->add_option("--specimen", options->specimen,
-                     "one: exact models start from the prototype's specimen; each: every scale lays its own")
-        ->check(one_of({"one", "each"}))
-        ->capture_default_str();
-    command->add_flag("--no-half-step", options->no_half_step, "Leave out the prototype's run at half its time step");
+    add_model_options(*command, *options);
+    add_judging_options(*command, *options);
     CLI::Option* record =
         command->add_option("--record", options->record, "Shake with the strong motion of this record instead of the scene's")
             ->type_name("FILE");

@@ -31,6 +31,13 @@ struct RelativePose {
     Row position_change;  ///< [m]
 
     RelativePose(const Matrix3& q, const Vector3& t, const Matrix3& old_q, const Vector3& old_t);
+
+    /// A vector of the follower's frame in the leader's.
+    Row in_leader_frame(const Row& v) const {
+        Row result;
+        for (std::size_t a = 0; a < 3; ++a) result[a] = rotation[0][a] * v[0] + rotation[1][a] * v[1] + rotation[2][a] * v[2];
+        return result;
+    }
 };
 
 /// A contact that begins with more than this part of its area counts as noticed late [-]. One that slides over an edge begins, because the

@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "scaling/json_text.hpp"
+#include "scaling/nearest_name.hpp"
 #include "scaling/regular_file.hpp"
 #include "scaling/shorten.hpp"
 
@@ -90,6 +91,30 @@ double SceneRules::to_si(const scaling::JsonReader& value, scaling::Dimension di
         *plain_number_ = value.place().substr(value.place().find(": /") + 2);
     }
     return JsonRules::to_si(value, dimension, part);
+}
+
+std::size_t to_choice(const scaling::JsonReader& value, const std::vector<std::string>& names) {
+    const std::string name = value.text();
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end()) {
+        value.fail(fmt::format("\"{}\" is not known{}; use one of {}", name, scaling::hint_at_name(name, names), fmt::join(names, ", ")));
+    }
+    return static_cast<std::size_t>(found - names.begin());
+}
+
+std::string read_kind(const scaling::JsonReader& value, const std::string& key, const std::vector<std::string>& kinds) {
+    if (!value.json().is_object() || !value.json().contains(key)) {
+        value.fail(fmt::format("an object with a \"{}\" is wanted ({}); add it", key, fmt::join(kinds, ", ")));
+    }
+    std::string kind = value.at(key).text();
+    if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) {
+        value.at(key).fail(fmt::format("\"{}\" is not known; {}", kind, scaling::suggest_name(kind, kinds)));
+    }
+    return kind;
+}
+
+std::filesystem::path resolve(const std::string& file, const std::filesystem::path& origin) {
+    return std::filesystem::absolute(origin.parent_path() / file).lexically_normal();
 }
 
 }  // namespace musim::lsdem::scene::detail

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "lsdem/scene/scene_json.hpp"
 #include "scaling/json_reader.hpp"
@@ -38,5 +40,14 @@ class SceneRules final : public scaling::JsonRules {
 inline scaling::JsonReader to_object(const scaling::JsonReader& value, const std::string& kind) {
     return value.object(scene_keys().at(kind));
 }
+
+/// Position in `names` of a text. Throws SceneError, which lists them.
+std::size_t to_choice(const scaling::JsonReader& value, const std::vector<std::string>& names);
+
+/// The text at `key`, which says the kind of an object and so which other keys it may have. Throws SceneError where it is none of `kinds`.
+std::string read_kind(const scaling::JsonReader& value, const std::string& key, const std::vector<std::string>& kinds);
+
+/// A file named in a scene, beside the scene's own.
+std::filesystem::path resolve(const std::string& file, const std::filesystem::path& origin);
 
 }  // namespace musim::lsdem::scene::detail
