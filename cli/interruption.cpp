@@ -29,7 +29,7 @@ int run_interruptible(const std::function<int()>& work, const std::function<std:
 int run_resumable(const std::function<int()>& work, const std::string& command, const std::string& directory) {
     return run_interruptible(work, [&]() -> std::string {
         if (directory.empty()) return kWithoutFolder;
-        if (!std::filesystem::exists(std::filesystem::path(directory) / lsdem::study::kCheckpointName)) {
+        if (!std::filesystem::exists(std::filesystem::path(directory) / lsdem::kCheckpointName)) {
             return "it had not begun to compute, and nothing was written; start the command again";
         }
         return fmt::format("continue with `{} --resume {}`", command, directory);

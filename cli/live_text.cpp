@@ -11,7 +11,7 @@
 
 namespace musim::cli {
 
-std::string describe_live(const lsdem::study::LiveRun& live) {
+std::string describe_live(const lsdem::LiveRun& live) {
     std::string text = live.stage > 1 ? fmt::format("motion {}, ", live.stage) : "";
     text += fmt::format("{:.3f} of {:.3f} s, kinetic energy {}, largest drift {:.2g} %", live.time, live.duration,
                         scaling::format_quantity(live.kinetic_energy * scaling::si::joules, 3), 100.0 * live.drift);
@@ -20,9 +20,9 @@ std::string describe_live(const lsdem::study::LiveRun& live) {
     return text;
 }
 
-std::string draw_live(const lsdem::study::LiveRun& live) {
+std::string draw_live(const lsdem::LiveRun& live) {
     if (live.top_velocity.empty()) return {};
-    return fmt::format(" top v_{} {}", lsdem::study::axis_name(live.axis), make_sparkline(live.top_velocity));
+    return fmt::format(" top v_{} {}", lsdem::axis_name(live.axis), make_sparkline(live.top_velocity));
 }
 
 std::string format_duration(double seconds) {

@@ -7,10 +7,10 @@
 namespace musim::cli {
 
 /// Where a run stands: "0.61 of 1.365 s, kinetic energy 1.2 mJ, largest drift 0.84 %, 12 of 7144 blocks fallen".
-std::string describe_live(const lsdem::study::LiveRun& live);
+std::string describe_live(const lsdem::LiveRun& live);
 
 /// The velocity of the top as a line of bars with its axis, " top v_x ▁▅█"; empty when there is none.
-std::string draw_live(const lsdem::study::LiveRun& live);
+std::string draw_live(const lsdem::LiveRun& live);
 
 /// "1 h 05 min", "3 min 20 s" or "12 s".
 std::string format_duration(double seconds);

@@ -41,12 +41,12 @@ void OverwritingOption::add_to(CLI::App& app) {
     app.add_flag("--force", force, "Replace results in the directory that are of another scene, version or options");
 }
 
-lsdem::study::ResultOrigin OverwritingOption::origin() const {
+lsdem::ResultOrigin OverwritingOption::origin() const {
     return {.command = name_command(*command), .program_version = kVersion, .parts = {}};
 }
 
-lsdem::study::ResultOrigin OverwritingOption::origin_with_options(const std::map<std::string, std::size_t>& counts) const {
-    lsdem::study::ResultOrigin origin = this->origin();
+lsdem::ResultOrigin OverwritingOption::origin_with_options(const std::map<std::string, std::size_t>& counts) const {
+    lsdem::ResultOrigin origin = this->origin();
     origin.counts = counts;
     for (const CLI::Option* option : command->get_options()) {
         const std::string name = option->get_single_name();

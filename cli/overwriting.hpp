@@ -17,14 +17,14 @@ struct OverwritingOption {
     /// Adds --force.
     void add_to(CLI::App& app);
 
-    lsdem::study::Overwriting choice() const { return force ? lsdem::study::Overwriting::force : lsdem::study::Overwriting::refuse; }
+    lsdem::Overwriting choice() const { return force ? lsdem::Overwriting::force : lsdem::Overwriting::refuse; }
 
     /// The command by its name ("bench twins") and this program's version, without scenes and options.
-    lsdem::study::ResultOrigin origin() const;
+    lsdem::ResultOrigin origin() const;
 
     /// That and the options given, by their values, but for those that change no result (--out, --threads, --json, ...). `counts`: options
     /// that may have a larger value than that of the results in the directory, which are then a beginning.
-    lsdem::study::ResultOrigin origin_with_options(const std::map<std::string, std::size_t>& counts = {}) const;
+    lsdem::ResultOrigin origin_with_options(const std::map<std::string, std::size_t>& counts = {}) const;
 };
 
 }  // namespace musim::cli

@@ -7,11 +7,10 @@
 
 namespace musim::cli {
 
-std::vector<design::Material> make_preset_materials() {
-    namespace scene = lsdem::scene;
-    std::vector<design::Material> materials;
-    for (const std::string& name : scene::material_preset_names()) {
-        const scene::MaterialPreset& preset = scene::find_material_preset(name);
+std::vector<records::Material> make_preset_materials() {
+    std::vector<records::Material> materials;
+    for (const std::string& name : lsdem::material_preset_names()) {
+        const lsdem::MaterialPreset& preset = lsdem::find_material_preset(name);
         const auto& [thin, wide, height] = preset.reference_block;
         const scaling::Area face = thin * wide;
         materials.push_back({.name = name,

@@ -20,14 +20,14 @@ constexpr auto kPatience = 2s;
 constexpr std::size_t kLeastOfName = 12;
 
 /// All of a line but the name.
-std::string compose_tail(double fraction, const std::optional<lsdem::study::LiveRun>& seen, const std::string& left) {
+std::string compose_tail(double fraction, const std::optional<lsdem::LiveRun>& seen, const std::string& left) {
     return fmt::format(": {:.0f} %, {}{} left", 100.0 * fraction, seen ? describe_live(*seen) + ", " : "", left);
 }
 
 /// A line that leaves the last column free, since a terminal goes to the next line there: of the name as much as there is room for, and
 /// bars and state only where they fit.
-std::string compose_line(const std::string& name, double fraction, const std::optional<lsdem::study::LiveRun>& seen,
-                         const std::string& left, std::size_t columns) {
+std::string compose_line(const std::string& name, double fraction, const std::optional<lsdem::LiveRun>& seen, const std::string& left,
+                         std::size_t columns) {
     std::vector<std::string> tails;
     if (seen) tails = {compose_tail(fraction, seen, left) + draw_live(*seen), compose_tail(fraction, seen, left)};
     tails.push_back(compose_tail(fraction, std::nullopt, left));
@@ -81,9 +81,9 @@ void ProgressLine::name(const std::string& what) {
     what_ = what;
 }
 
-void ProgressLine::see(const lsdem::study::RunResult& run, const lsdem::study::TimePlan& plan) {
+void ProgressLine::see(const lsdem::RunResult& run, const lsdem::TimePlan& plan) {
     const std::lock_guard lock(mutex_);
-    if (Clock::now() >= next_) seen_ = lsdem::study::observe_run(run, plan);
+    if (Clock::now() >= next_) seen_ = lsdem::observe_run(run, plan);
 }
 
 void ProgressInParts::begin_part(const std::string& what, double share) {
@@ -95,7 +95,7 @@ std::function<void(double)> ProgressInParts::of_spare() {
     return [this](double part) { line_.spare(joined_.of_all(part)); };
 }
 
-lsdem::study::RunObserver ProgressInParts::observer() {
+lsdem::RunObserver ProgressInParts::observer() {
     const auto show = [this](const std::string& what, double fraction) {
         line_.name(what);
         line_.update(fraction);
@@ -103,7 +103,7 @@ lsdem::study::RunObserver ProgressInParts::observer() {
     return {.on_progress = [=, this](double fraction) { show(what_, joined_.after_running(fraction)); },
             .on_preparation = [=, this](double fraction) { show(what_ + ", preparing", joined_.after_preparing(fraction)); },
             .on_preparation_spare = [this](double part) { line_.spare(joined_.of_whole_part(part)); },
-            .on_sample = [this](const lsdem::study::RunResult& run, const lsdem::study::TimePlan& plan) { line_.see(run, plan); }};
+            .on_sample = [this](const lsdem::RunResult& run, const lsdem::TimePlan& plan) { line_.see(run, plan); }};
 }
 
 }  // namespace musim::cli

@@ -32,13 +32,13 @@ class ProgressLine {
     void name(const std::string& what);
 
     /// Where the run stands, for the lines from now on. As often as one likes: looked at only when a line falls due.
-    void see(const lsdem::study::RunResult& run, const lsdem::study::TimePlan& plan);
+    void see(const lsdem::RunResult& run, const lsdem::TimePlan& plan);
 
   private:
     using Clock = std::chrono::steady_clock;
 
     std::string what_;
-    std::optional<lsdem::study::LiveRun> seen_;
+    std::optional<lsdem::LiveRun> seen_;
     bool continues_;
     double fraction_before_ = 0.0, spare_ = 0.0;
     bool terminal_;
@@ -58,14 +58,14 @@ class ProgressInParts {
     void begin_part(const std::string& what, double share);
 
     /// Shows what is observed, samples before the part that is done then.
-    lsdem::study::RunObserver observer();
+    lsdem::RunObserver observer();
     /// The part of the runs, 0 to 1, that may not be needed.
     std::function<void(double)> of_spare();
 
   private:
     std::string what_;
     ProgressLine line_;
-    lsdem::study::JoinedProgress joined_;
+    lsdem::JoinedProgress joined_;
 };
 
 }  // namespace musim::cli

@@ -18,7 +18,7 @@ nlohmann::json to_json(const std::vector<scaling::NamedFactor>& factors) {
 }
 
 nlohmann::json to_json(const scaling::ModelScales& scales) {
-    if (scales.similitude) return study::to_json(*scales.similitude);
+    if (scales.similitude) return lsdem::to_json(*scales.similitude);
     return {{"law", scales.law},
             {"chosen", {{scales.length_name, scales.height}, {"friction", scales.friction}, {"gravity", scales.gravity}}},
             {"factors", to_json(scales.factors())}};
@@ -68,18 +68,18 @@ void print_distortions(const std::vector<scaling::Distortion>& distortions) {
     for (const std::string& line : describe_distortions(distortions)) print("{}\n", line);
 }
 
-bool report_divergence(const std::string& where, const study::RunResult& run) {
+bool report_divergence(const std::string& where, const lsdem::RunResult& run) {
     if (!run.divergence) return false;
-    note("musim: error: {}: {}\n", where, study::describe_divergence(run));
+    note("musim: error: {}: {}\n", where, lsdem::describe_divergence(run));
     return true;
 }
 
-void report_doubts(const std::string& where, const study::RunResult& run) {
-    for (const std::string& doubt : study::find_doubts(run)) note("musim: warning: {}: {}\n", where, doubt);
+void report_doubts(const std::string& where, const lsdem::RunResult& run) {
+    for (const std::string& doubt : lsdem::find_doubts(run)) note("musim: warning: {}: {}\n", where, doubt);
 }
 
-lsdem::scene::Scene read_scene(const std::filesystem::path& file) {
-    lsdem::scene::Scene scene = lsdem::scene::read_scene(file);
+lsdem::Scene read_scene(const std::filesystem::path& file) {
+    lsdem::Scene scene = lsdem::read_scene(file);
     for (const std::string& remark : scene.text.remarks) note("musim: warning: {}\n", remark);
     if (!scene.text.plain_number.empty()) {
         note_at_end(
@@ -90,8 +90,8 @@ lsdem::scene::Scene read_scene(const std::filesystem::path& file) {
     return scene;
 }
 
-void note_cut_motions(const std::string& where, const lsdem::scene::Scene& scene) {
-    for (const std::string& line : lsdem::scene::describe_cut_motions(scene)) note("musim: warning: {}: {}\n", where, line);
+void note_cut_motions(const std::string& where, const lsdem::Scene& scene) {
+    for (const std::string& line : lsdem::describe_cut_motions(scene)) note("musim: warning: {}: {}\n", where, line);
 }
 
 }  // namespace musim::cli

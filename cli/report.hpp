@@ -14,12 +14,10 @@
 
 namespace musim::cli {
 
-namespace study = lsdem::study;
-
 /// Named factors as one JSON object.
 nlohmann::json to_json(const std::vector<scaling::NamedFactor>& factors);
 
-/// {"law", "chosen", "factors"}, as study::to_json() of a similitude; the length that is chosen goes by its name where it is not l.
+/// {"law", "chosen", "factors"}, as lsdem::to_json() of a similitude; the length that is chosen goes by its name where it is not l.
 nlohmann::json to_json(const scaling::ModelScales& scales);
 
 /// "height H 0.04, width 0.012, " where these may scale apart; nothing of a similitude.
@@ -40,15 +38,15 @@ void print_distortions(const std::vector<scaling::Distortion>& distortions);
 std::vector<std::string> describe_elasticity(const scaling::ModelScales& scales);
 
 /// If the run diverged, says so on stderr in one line with block, time and the step that would work, and returns true.
-bool report_divergence(const std::string& where, const lsdem::study::RunResult& run);
+bool report_divergence(const std::string& where, const lsdem::RunResult& run);
 
 /// One line on stderr, `musim: warning: ...`, for everything doubtful about a run that reached its end.
-void report_doubts(const std::string& where, const lsdem::study::RunResult& run);
+void report_doubts(const std::string& where, const lsdem::RunResult& run);
 
 /// The scene of a file; what is to be said about its text, on stderr, `musim: warning: ...`.
-lsdem::scene::Scene read_scene(const std::filesystem::path& file);
+lsdem::Scene read_scene(const std::filesystem::path& file);
 
 /// One line on stderr, `musim: warning: ...`, for every motion of a scene that its duration cuts.
-void note_cut_motions(const std::string& where, const lsdem::scene::Scene& scene);
+void note_cut_motions(const std::string& where, const lsdem::Scene& scene);
 
 }  // namespace musim::cli

@@ -19,8 +19,6 @@
 namespace musim::cli {
 namespace {
 
-namespace study = lsdem::study;
-
 struct BenchAccuracyOptions {
     std::string out;
     std::string record;
@@ -32,11 +30,11 @@ struct BenchAccuracyOptions {
 };
 
 /// An error that is no finite number is null.
-nlohmann::json to_json(const study::AccuracySweep& sweep) {
+nlohmann::json to_json(const lsdem::AccuracySweep& sweep) {
     nlohmann::json panels = nlohmann::json::array();
-    for (const study::AccuracyPanel& panel : sweep.panels) {
+    for (const lsdem::AccuracyPanel& panel : sweep.panels) {
         nlohmann::json rows = nlohmann::json::array();
-        for (const study::AccuracyRow& row : panel.rows) {
+        for (const lsdem::AccuracyRow& row : panel.rows) {
             rows.push_back({{"family", row.family},
                             {"label", row.label},
                             {"error", row.outcome.error},
@@ -51,14 +49,14 @@ nlohmann::json to_json(const study::AccuracySweep& sweep) {
 }
 
 /// The Pareto front of every problem, cheapest first as the table goes, and the presets.
-void print_sweep(const study::AccuracySweep& sweep) {
+void print_sweep(const lsdem::AccuracySweep& sweep) {
     print("Earthquake of the mini-tower: {}\n", sweep.earthquake);
-    for (const study::AccuracyPanel& panel : sweep.panels) {
+    for (const lsdem::AccuracyPanel& panel : sweep.panels) {
         print("\n{} ({})\n  {:<10} {:>9} {:>11} {:>12} {:>10}\n", panel.title, panel.name, "family", "setting", "error", "us/block/step",
               "time [s]");
-        for (const study::AccuracyRow& row : panel.rows) {
+        for (const lsdem::AccuracyRow& row : panel.rows) {
             if (!row.pareto && row.family != "preset" && row.family != "shadow") continue;
-            const study::AccuracyOutcome& o = row.outcome;
+            const lsdem::AccuracyOutcome& o = row.outcome;
             print("  {:<10} {:>9} {:>11.3g} {:>12.3g} {:>10.3g}{}\n", row.family, row.label, o.error,
                   o.block_steps > 0 ? 1e6 * o.seconds / static_cast<double>(o.block_steps) : 0.0, o.seconds, row.pareto ? "  Pareto" : "");
         }
@@ -66,20 +64,20 @@ void print_sweep(const study::AccuracySweep& sweep) {
 }
 
 int run_bench_accuracy(const BenchAccuracyOptions& options) {
-    std::optional<study::ResultFolder> folder;
+    std::optional<lsdem::ResultFolder> folder;
     if (!options.out.empty()) folder.emplace(options.out, options.overwriting.origin_with_options(), options.overwriting.choice());
 
-    study::SweepOptions wanted{.record = options.record, .components = {}, .quick = options.quick, .threads = options.threads};
+    lsdem::SweepOptions wanted{.record = options.record, .components = {}, .quick = options.quick, .threads = options.threads};
     if (!options.component.empty()) wanted.components[0] = options.component;
-    study::AccuracySweep sweep;
+    lsdem::AccuracySweep sweep;
     {
         ProgressLine progress("accuracy");
         wanted.on_progress = [&](double fraction) { progress.update(fraction); };
-        sweep = study::sweep_accuracy(wanted);
+        sweep = lsdem::sweep_accuracy(wanted);
     }
     if (folder) {
-        folder->add_text("accuracy.csv", study::make_accuracy_csv(sweep));
-        folder->add_text("accuracy.svg", study::make_accuracy_svg(sweep));
+        folder->add_text("accuracy.csv", lsdem::make_accuracy_csv(sweep));
+        folder->add_text("accuracy.svg", lsdem::make_accuracy_svg(sweep));
         folder->commit();
     }
     if (options.json) {

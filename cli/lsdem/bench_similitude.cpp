@@ -22,8 +22,6 @@
 namespace musim::cli {
 namespace {
 
-namespace study = lsdem::study;
-
 struct BenchSimilitudeOptions {
     std::string out;
     std::string law;
@@ -34,21 +32,21 @@ struct BenchSimilitudeOptions {
 };
 
 /// "friction x 1.1", or "-".
-std::string describe(const study::Break& broken) {
-    if (broken.group == study::BrokenGroup::none) return "-";
-    return fmt::format("{} x {:.4g}", study::to_string(broken.group), broken.factor);
+std::string describe(const lsdem::Break& broken) {
+    if (broken.group == lsdem::BrokenGroup::none) return "-";
+    return fmt::format("{} x {:.4g}", lsdem::to_string(broken.group), broken.factor);
 }
 
-std::string judge(const study::SimilitudeOutcome& outcome) {
+std::string judge(const lsdem::SimilitudeOutcome& outcome) {
     if (outcome.holds()) return "holds";
     return outcome.diverged ? "DIVERGED" : "FAILS";
 }
 
-NamedValues list_values(const study::SimilitudeOutcome& outcome) {
-    const study::SimilitudeCase& wanted = outcome.wanted;
+NamedValues list_values(const lsdem::SimilitudeOutcome& outcome) {
+    const lsdem::SimilitudeCase& wanted = outcome.wanted;
     const scaling::Similitude& scales = wanted.scales.similitude;
     return {{"law", "law", wanted.law},
-            {"scene", "scene", study::to_string(wanted.scene)},
+            {"scene", "scene", lsdem::to_string(wanted.scene)},
             {"length", "length", scales.length()},
             {"friction", "mu", scales.friction()},
             {"gravity", "g", scales.gravity()},
@@ -56,9 +54,9 @@ NamedValues list_values(const study::SimilitudeOutcome& outcome) {
             {"acceleration", "a", scales.acceleration()},
             {"heights", "heights", wanted.scales.heights},
             {{}, "broken", describe(wanted.broken)},
-            {"broken", {}, study::to_string(wanted.broken.group)},
+            {"broken", {}, lsdem::to_string(wanted.broken.group)},
             {"factor", {}, wanted.broken.factor},
-            {"measure", "measure", study::to_string(wanted.measure)},
+            {"measure", "measure", lsdem::to_string(wanted.measure)},
             {{}, "predicted", fmt::format("{:.5g} +/- {:.1g}", wanted.prediction.ratio, wanted.prediction.tolerance)},
             {"predicted", {}, wanted.prediction.ratio},
             {"tolerance", {}, wanted.prediction.tolerance},
@@ -70,28 +68,28 @@ NamedValues list_values(const study::SimilitudeOutcome& outcome) {
 }
 
 int run_bench_similitude(const BenchSimilitudeOptions& options) {
-    const std::vector<study::SimilitudeCase> cases = study::make_similitude_cases(options.law);
-    std::optional<study::ResultFolder> folder;
+    const std::vector<lsdem::SimilitudeCase> cases = lsdem::make_similitude_cases(options.law);
+    std::optional<lsdem::ResultFolder> folder;
     if (!options.out.empty()) folder.emplace(options.out, options.overwriting.origin_with_options(), options.overwriting.choice());
 
-    std::vector<study::SimilitudeOutcome> outcomes;
+    std::vector<lsdem::SimilitudeOutcome> outcomes;
     {
         ProgressLine progress("similitude");
-        outcomes = study::run_similitude_cases(cases, options.threads, [&](double fraction) { progress.update(fraction); });
+        outcomes = lsdem::run_similitude_cases(cases, options.threads, [&](double fraction) { progress.update(fraction); });
     }
     if (folder) {
-        folder->add_text("similitude.csv", study::make_similitude_csv(outcomes));
-        for (const std::string& law : study::similitude_law_names()) {
+        folder->add_text("similitude.csv", lsdem::make_similitude_csv(outcomes));
+        for (const std::string& law : lsdem::similitude_law_names()) {
             if (options.law.empty() || options.law == law) {
-                folder->add_text("similitude_" + law + ".svg", study::make_similitude_svg(law, outcomes));
+                folder->add_text("similitude_" + law + ".svg", lsdem::make_similitude_svg(law, outcomes));
             }
         }
         folder->commit();
     }
     std::vector<NamedValues> rows;
     rows.reserve(outcomes.size());
-    for (const study::SimilitudeOutcome& outcome : outcomes) rows.push_back(list_values(outcome));
-    const bool all_hold = study::all_hold(outcomes);
+    for (const lsdem::SimilitudeOutcome& outcome : outcomes) rows.push_back(list_values(outcome));
+    const bool all_hold = lsdem::all_hold(outcomes);
     if (options.json) {
         print_json({{"cases", to_json(rows)}, {"all_hold", all_hold}});
     } else {
@@ -107,7 +105,7 @@ void add_bench_similitude_command(CLI::App& bench, Action& action) {
     CLI::App* command =
         bench.add_subcommand("similitude", "Laws of similitude against the simulator: groups kept equal, and one broken on purpose");
     command->add_option("-o,--out", options->out, "Directory for similitude.csv and a figure per law")->type_name("DIR");
-    command->add_option("--law", options->law, "Only this law (default: all)")->check(one_of(study::similitude_law_names()));
+    command->add_option("--law", options->law, "Only this law (default: all)")->check(one_of(lsdem::similitude_law_names()));
     add_format_option(*command, options->style, "Form of the table");
     add_threads_option(*command, options->threads);
     options->overwriting.add_to(*command);

@@ -26,9 +26,6 @@
 namespace musim::cli {
 namespace {
 
-namespace scene = lsdem::scene;
-namespace study = lsdem::study;
-
 struct BenchTwinsOptions {
     std::vector<std::string> scenes;
     std::string out;
@@ -44,37 +41,37 @@ struct BenchTwinsOptions {
 
 /// A study and what it comes to.
 struct Measured {
-    study::TwinStudy study;
-    study::TwinSummary summary;
+    lsdem::TwinStudy study;
+    lsdem::TwinSummary summary;
 };
 
-std::vector<study::TwinChoice> choose_twins(const BenchTwinsOptions& options) {
-    if (options.shifts.empty()) return study::choose_models(options.models, options.seed);
-    return study::choose_shifted({options.shifts.begin(), options.shifts.end()}, options.models, options.seed);
+std::vector<lsdem::TwinChoice> choose_twins(const BenchTwinsOptions& options) {
+    if (options.shifts.empty()) return lsdem::choose_models(options.models, options.seed);
+    return lsdem::choose_shifted({options.shifts.begin(), options.shifts.end()}, options.models, options.seed);
 }
 
-scene::Scene read_prototype(const std::string& file, const BenchTwinsOptions& options) {
-    scene::Scene prototype = read_scene(file);
+lsdem::Scene read_prototype(const std::string& file, const BenchTwinsOptions& options) {
+    lsdem::Scene prototype = read_scene(file);
     if (options.duration) prototype.time.duration = options.duration->value * scaling::si::seconds;
-    scene::check_scene(prototype, file);
+    lsdem::check_scene(prototype, file);
     note_cut_motions(file, prototype);
     return prototype;
 }
 
-Measured measure_twins(const scene::Scene& prototype, const BenchTwinsOptions& options, ProgressInParts& progress) {
-    study::TwinSettings settings{
+Measured measure_twins(const lsdem::Scene& prototype, const BenchTwinsOptions& options, ProgressInParts& progress) {
+    lsdem::TwinSettings settings{
         .directory = options.out, .version = kVersion, .threads = options.threads, .observer = progress.observer()};
     settings.on_warning = [](const std::string& why) { note("musim: warning: no checkpoint: {}\n", why); };
-    study::TwinStudy twins = study::run_twins(prototype, choose_twins(options), settings);
-    study::TwinSummary summary = study::summarize(twins);
+    lsdem::TwinStudy twins = lsdem::run_twins(prototype, choose_twins(options), settings);
+    lsdem::TwinSummary summary = lsdem::summarize(twins);
     return {std::move(twins), std::move(summary)};
 }
 
 scaling::TextTable make_table(const Measured& measured) {
     scaling::TextTable table{{"length", "moved by", "directions", "parts at [s]", "largest growth", "at [s]", "from", "at the end"}};
     for (std::size_t i = 0; i < measured.study.twins.size(); ++i) {
-        const study::TwinRun& twin = measured.study.twins[i];
-        const study::TwinGrowth& growth = measured.summary.twins[i];
+        const lsdem::TwinRun& twin = measured.study.twins[i];
+        const lsdem::TwinGrowth& growth = measured.summary.twins[i];
         const bool moved = twin.choice.shift > 0.0;
         table.rows.push_back({fmt::format("{:.6g}", twin.choice.length), moved ? fmt::format("{:g}", twin.choice.shift) : "-",
                               moved ? fmt::format("{}", twin.choice.directions) : "-", or_dash(growth.parting_time, 4),
@@ -86,10 +83,10 @@ scaling::TextTable make_table(const Measured& measured) {
 }
 
 void print_study(const Measured& measured, scaling::ReportStyle style) {
-    const study::TwinStudy& twins = measured.study;
-    const study::TwinSummary& summary = measured.summary;
-    const study::TwinPrototype& prototype = twins.prototype;
-    const study::Growth& fastest = summary.twins[summary.fastest].growth;
+    const lsdem::TwinStudy& twins = measured.study;
+    const lsdem::TwinSummary& summary = measured.summary;
+    const lsdem::TwinPrototype& prototype = twins.prototype;
+    const lsdem::Growth& fastest = summary.twins[summary.fastest].growth;
     print("{}: {} moving blocks, largest velocity {:.4g} m/s\n\n{}\n", twins.name, prototype.moving_blocks, prototype.peak,
           scaling::make_table(make_table(measured), style));
     print(
@@ -98,12 +95,12 @@ void print_study(const Measured& measured, scaling::ReportStyle style) {
         prototype.rounding / prototype.peak, 1e3 * static_cast<double>(prototype.window()) * prototype.interval, fastest.factor,
         fastest.time, fastest.from);
     print("Horizon {:.4g} s", summary.horizon);
-    if (const study::LogSpread& spread = summary.at_horizon; spread.count > 0) {
+    if (const lsdem::LogSpread& spread = summary.at_horizon; spread.count > 0) {
         print("; at {:.4g} s log10 of the difference is {:.3f}, standard deviation {:.3f}, of {} models", spread.time, spread.mean,
               spread.sd, spread.count);
     }
     print("\n");
-    for (const study::Proportionality& set : study::find_proportionality(twins, summary.twins)) {
+    for (const lsdem::Proportionality& set : lsdem::find_proportionality(twins, summary.twins)) {
         print("Directions {}: {}\n", set.directions,
               set.departure ? fmt::format("difference over shift differs by at most a factor {:.4g}, at {:.4g} s where it is {:.1e}",
                                           *set.departure, set.time, set.level)
@@ -114,39 +111,39 @@ void print_study(const Measured& measured, scaling::ReportStyle style) {
 
 nlohmann::json to_json(const std::vector<Measured>& all) {
     nlohmann::json scenes = nlohmann::json::array();
-    for (const Measured& measured : all) scenes.push_back(study::to_json(measured.study, measured.summary));
-    return {{"parting_level", study::kPartingLevel}, {"program_version", kVersion}, {"scenes", scenes}};
+    for (const Measured& measured : all) scenes.push_back(lsdem::to_json(measured.study, measured.summary));
+    return {{"parting_level", lsdem::kPartingLevel}, {"program_version", kVersion}, {"scenes", scenes}};
 }
 
-void write_results(study::ResultFolder& folder, const std::vector<Measured>& all) {
-    std::vector<study::TwinStudy> studies;
+void write_results(lsdem::ResultFolder& folder, const std::vector<Measured>& all) {
+    std::vector<lsdem::TwinStudy> studies;
     studies.reserve(all.size());
     for (const Measured& measured : all) studies.push_back(measured.study);
-    folder.add_text("twins.csv", study::make_twins_csv(studies));
-    folder.add_text("spread.csv", study::make_spread_csv(studies));
+    folder.add_text("twins.csv", lsdem::make_twins_csv(studies));
+    folder.add_text("spread.csv", lsdem::make_spread_csv(studies));
     folder.add_text("summary.json", to_json(all).dump(2) + "\n");
     folder.commit();
 }
 
 int run_bench_twins(const BenchTwinsOptions& options) {
-    std::vector<scene::Scene> prototypes;
+    std::vector<lsdem::Scene> prototypes;
     for (const std::string& file : options.scenes) prototypes.push_back(read_prototype(file, options));
-    std::optional<study::ResultFolder> folder;
+    std::optional<lsdem::ResultFolder> folder;
     if (!options.out.empty()) {
-        study::ResultOrigin origin = options.overwriting.origin_with_options({{"--models", options.models}});
-        for (const scene::Scene& prototype : prototypes) origin.add(prototype, prototype.name + ": ");
+        lsdem::ResultOrigin origin = options.overwriting.origin_with_options({{"--models", options.models}});
+        for (const lsdem::Scene& prototype : prototypes) origin.add(prototype, prototype.name + ": ");
         folder.emplace(options.out, std::move(origin), options.overwriting.choice());
     }
 
     std::vector<Measured> all;
     bool diverged = false;
-    const std::vector<double> shares = study::share_work(prototypes);
+    const std::vector<double> shares = lsdem::share_work(prototypes);
     ProgressInParts progress(prototypes.front().name);
     for (std::size_t k = 0; k < prototypes.size(); ++k) {
         progress.begin_part(prototypes[k].name, shares[k]);
         const Measured& measured = all.emplace_back(measure_twins(prototypes[k], options, progress));
         diverged |= measured.study.prototype.diverged;
-        for (const study::TwinRun& twin : measured.study.twins) diverged |= twin.diverged;
+        for (const lsdem::TwinRun& twin : measured.study.twins) diverged |= twin.diverged;
         if (!options.json) print_study(measured, options.style);
     }
     if (folder) write_results(*folder, all);

@@ -25,16 +25,13 @@
 namespace musim::cli {
 namespace {
 
-namespace scene = lsdem::scene;
-namespace study = lsdem::study;
-
-using Models = std::vector<study::JudgedModel>;
+using Models = std::vector<lsdem::JudgedModel>;
 
 struct BenchVerdictOptions {
     std::vector<std::string> scenes;
     std::string out;
     std::optional<Number> duration;
-    study::VerdictBenchPlan plan;
+    lsdem::VerdictBenchPlan plan;
     std::vector<std::string> errors;
     std::vector<Number> sizes;
     scaling::ReportStyle style = scaling::ReportStyle::plain;
@@ -45,53 +42,53 @@ struct BenchVerdictOptions {
 
 std::vector<std::string> error_names() {
     std::vector<std::string> names{"all"};
-    for (const study::ModelError error : study::all_model_errors()) names.push_back(study::to_string(error));
+    for (const lsdem::ModelError error : lsdem::all_model_errors()) names.push_back(lsdem::to_string(error));
     return names;
 }
 
-study::VerdictBenchPlan make_plan(const BenchVerdictOptions& options) {
-    study::VerdictBenchPlan plan = options.plan;
+lsdem::VerdictBenchPlan make_plan(const BenchVerdictOptions& options) {
+    lsdem::VerdictBenchPlan plan = options.plan;
     const auto asked = [&](const std::string& name) {
         return std::find(options.errors.begin(), options.errors.end(), name) != options.errors.end();
     };
-    for (const study::ModelError error : study::all_model_errors()) {
-        if (asked("all") || asked(study::to_string(error))) plan.errors.push_back(error);
+    for (const lsdem::ModelError error : lsdem::all_model_errors()) {
+        if (asked("all") || asked(lsdem::to_string(error))) plan.errors.push_back(error);
     }
     if (!options.sizes.empty()) plan.sizes.assign(options.sizes.begin(), options.sizes.end());
     return plan;
 }
 
-scene::Scene read_prototype(const std::string& file, const BenchVerdictOptions& options) {
-    scene::Scene prototype = read_scene(file);
+lsdem::Scene read_prototype(const std::string& file, const BenchVerdictOptions& options) {
+    lsdem::Scene prototype = read_scene(file);
     if (options.duration) prototype.time.duration = options.duration->value * scaling::si::seconds;
-    scene::check_scene(prototype, file);
+    lsdem::check_scene(prototype, file);
     return prototype;
 }
 
-study::VerdictBench measure(const std::string& file, const scene::Scene& prototype, const study::VerdictBenchPlan& plan,
+lsdem::VerdictBench measure(const std::string& file, const lsdem::Scene& prototype, const lsdem::VerdictBenchPlan& plan,
                             const BenchVerdictOptions& options, ProgressInParts& progress) {
     note_cut_motions(file, prototype);
-    study::TwinSettings settings{
+    lsdem::TwinSettings settings{
         .directory = options.out, .version = kVersion, .threads = options.threads, .observer = progress.observer()};
     settings.on_warning = [](const std::string& why) { note("musim: warning: no checkpoint: {}\n", why); };
-    study::VerdictBench bench = study::run_verdict_bench(prototype, plan, settings);
+    lsdem::VerdictBench bench = lsdem::run_verdict_bench(prototype, plan, settings);
     bench.scene = std::filesystem::path(file).stem().string();
     return bench;
 }
 
-std::string format_tally(const study::Tally& tally) {
+std::string format_tally(const lsdem::Tally& tally) {
     return fmt::format("{} of {} ({:.3g} to {:.3g} %)", tally.count, tally.of, 100.0 * tally.low, 100.0 * tally.high);
 }
 
 double largest_lead(const Models& models) {
     double largest = 0.0;
-    for (const study::JudgedModel& model : models) largest = std::max(largest, model.lead);
+    for (const lsdem::JudgedModel& model : models) largest = std::max(largest, model.lead);
     return largest;
 }
 
 double median_lead(const Models& models) {
     std::vector<double> leads;
-    for (const study::JudgedModel& model : models) leads.push_back(model.lead);
+    for (const lsdem::JudgedModel& model : models) leads.push_back(model.lead);
     if (leads.empty()) return 0.0;
     std::nth_element(leads.begin(), leads.begin() + static_cast<std::ptrdiff_t>(leads.size() / 2), leads.end());
     return leads[leads.size() / 2];
@@ -99,19 +96,19 @@ double median_lead(const Models& models) {
 
 double least_probability(const Models& models) {
     double least = 1.0;
-    for (const study::JudgedModel& model : models) least = std::min(least, model.probability);
+    for (const lsdem::JudgedModel& model : models) least = std::min(least, model.probability);
     return least;
 }
 
-scaling::TextTable make_exact_table(const std::vector<study::VerdictBench>& benches) {
+scaling::TextTable make_exact_table(const std::vector<lsdem::VerdictBench>& benches) {
     scaling::TextTable table{
         {"scene", "twins from", "horizon [s]", "exact models", "differ", "undecided", "largest lead", "least p", "images over copies"}};
-    for (const study::VerdictBench& bench : benches) {
-        for (const study::JudgedSet& set : bench.sets) {
+    for (const lsdem::VerdictBench& bench : benches) {
+        for (const lsdem::JudgedSet& set : bench.sets) {
             table.rows.push_back({bench.scene, fmt::format("{}", set.seed), fmt::format("{:.4g}", set.horizon),
                                   fmt::format("{}", set.models.size()),
-                                  fmt::format("{}", study::tally(set.models, study::Agreement::differ).count),
-                                  fmt::format("{}", study::tally(set.models, study::Agreement::undecided).count),
+                                  fmt::format("{}", lsdem::tally(set.models, lsdem::Agreement::differ).count),
+                                  fmt::format("{}", lsdem::tally(set.models, lsdem::Agreement::undecided).count),
                                   fmt::format("{:.2f}", largest_lead(set.models)), fmt::format("{:.2g}", least_probability(set.models)),
                                   set.of_images ? fmt::format("{:.2f}", set.of_images->lead) : "-"});
         }
@@ -119,36 +116,36 @@ scaling::TextTable make_exact_table(const std::vector<study::VerdictBench>& benc
     return table;
 }
 
-std::string format_size(const std::optional<study::FoundSize>& size) {
+std::string format_size(const std::optional<lsdem::FoundSize>& size) {
     return size ? fmt::format("{:.1e} ({:.1e} to {:.1e})", size->size, size->low, size->high) : "-";
 }
 
-scaling::TextTable make_error_table(const study::VerdictBench& bench) {
+scaling::TextTable make_error_table(const lsdem::VerdictBench& bench) {
     scaling::TextTable table{{"error", "in", "size", "found", "lead", "found in 95 of 100"}};
-    const auto add = [&](const char* where, Models study::JudgedError::*models) {
-        std::optional<study::ModelError> before;
-        for (const study::JudgedError& judged : bench.errors) {
-            const std::string size = before == judged.error ? "" : format_size(study::find_size(bench, judged.error, models));
-            table.rows.push_back({study::to_string(judged.error), where, fmt::format("{:g}", judged.size),
-                                  format_tally(study::tally(judged.*models, study::Agreement::differ)),
+    const auto add = [&](const char* where, Models lsdem::JudgedError::*models) {
+        std::optional<lsdem::ModelError> before;
+        for (const lsdem::JudgedError& judged : bench.errors) {
+            const std::string size = before == judged.error ? "" : format_size(lsdem::find_size(bench, judged.error, models));
+            table.rows.push_back({lsdem::to_string(judged.error), where, fmt::format("{:g}", judged.size),
+                                  format_tally(lsdem::tally(judged.*models, lsdem::Agreement::differ)),
                                   fmt::format("{:.2f}", median_lead(judged.*models)), size});
             before = judged.error;
         }
     };
-    add("one model", &study::JudgedError::alone);
-    add("models and images", &study::JudgedError::shared);
+    add("one model", &lsdem::JudgedError::alone);
+    add("models and images", &lsdem::JudgedError::shared);
     return table;
 }
 
-nlohmann::json to_json(const study::Tally& tally) {
+nlohmann::json to_json(const lsdem::Tally& tally) {
     return {{"count", tally.count}, {"of", tally.of}, {"low", tally.low}, {"high", tally.high}};
 }
 
 nlohmann::json to_json(const Models& models) {
     nlohmann::json list = nlohmann::json::array();
-    for (const study::JudgedModel& model : models) {
+    for (const lsdem::JudgedModel& model : models) {
         list.push_back({{"length", model.length},
-                        {"agreement", study::to_string(model.agreement)},
+                        {"agreement", lsdem::to_string(model.agreement)},
                         {"lead_sd", model.lead},
                         {"lead_time_s", model.lead_time},
                         {"probability", model.probability}});
@@ -156,65 +153,65 @@ nlohmann::json to_json(const Models& models) {
     return list;
 }
 
-nlohmann::json to_json(const std::optional<study::FoundSize>& size) {
+nlohmann::json to_json(const std::optional<lsdem::FoundSize>& size) {
     if (!size) return nullptr;
     return {{"size", size->size}, {"low", size->low}, {"high", size->high}};
 }
 
-nlohmann::json to_json(const std::vector<study::VerdictBench>& benches) {
+nlohmann::json to_json(const std::vector<lsdem::VerdictBench>& benches) {
     nlohmann::json scenes = nlohmann::json::array();
-    for (const study::VerdictBench& bench : benches) {
+    for (const lsdem::VerdictBench& bench : benches) {
         nlohmann::json sets = nlohmann::json::array(), errors = nlohmann::json::array();
-        for (const study::JudgedSet& set : bench.sets) {
+        for (const lsdem::JudgedSet& set : bench.sets) {
             sets.push_back({{"seed", set.seed},
                             {"horizon_s", set.horizon},
                             {"lead_of_images_sd", set.of_images ? nlohmann::json(set.of_images->lead) : nlohmann::json()},
                             {"models", to_json(set.models)}});
         }
-        for (const study::JudgedError& judged : bench.errors) {
-            const auto of = [&](Models study::JudgedError::*models) -> nlohmann::json {
-                return {{"found", to_json(study::tally(judged.*models, study::Agreement::differ))},
-                        {"found_in_95_of_100", to_json(study::find_size(bench, judged.error, models))},
+        for (const lsdem::JudgedError& judged : bench.errors) {
+            const auto of = [&](Models lsdem::JudgedError::*models) -> nlohmann::json {
+                return {{"found", to_json(lsdem::tally(judged.*models, lsdem::Agreement::differ))},
+                        {"found_in_95_of_100", to_json(lsdem::find_size(bench, judged.error, models))},
                         {"models", to_json(judged.*models)}};
             };
-            errors.push_back({{"error", study::to_string(judged.error)},
+            errors.push_back({{"error", lsdem::to_string(judged.error)},
                               {"size", judged.size},
-                              {"in_one_model", of(&study::JudgedError::alone)},
-                              {"in_models_and_images", of(&study::JudgedError::shared)}});
+                              {"in_one_model", of(&lsdem::JudgedError::alone)},
+                              {"in_models_and_images", of(&lsdem::JudgedError::shared)}});
         }
         scenes.push_back({{"scene", bench.scene}, {"sets", sets}, {"errors", errors}});
     }
     return {{"program_version", kVersion},
-            {"differ", to_json(study::tally_exact(benches, study::Agreement::differ))},
-            {"undecided", to_json(study::tally_exact(benches, study::Agreement::undecided))},
+            {"differ", to_json(lsdem::tally_exact(benches, lsdem::Agreement::differ))},
+            {"undecided", to_json(lsdem::tally_exact(benches, lsdem::Agreement::undecided))},
             {"scenes", scenes}};
 }
 
-void print_benches(const std::vector<study::VerdictBench>& benches, scaling::ReportStyle style) {
+void print_benches(const std::vector<lsdem::VerdictBench>& benches, scaling::ReportStyle style) {
     print("Exact models\n\n{}\n", scaling::make_table(make_exact_table(benches), style));
     print("Called different: {}, undecided: {}; in brackets limits of 95 %\n",
-          format_tally(study::tally_exact(benches, study::Agreement::differ)),
-          format_tally(study::tally_exact(benches, study::Agreement::undecided)));
-    for (const study::VerdictBench& bench : benches) {
+          format_tally(lsdem::tally_exact(benches, lsdem::Agreement::differ)),
+          format_tally(lsdem::tally_exact(benches, lsdem::Agreement::undecided)));
+    for (const lsdem::VerdictBench& bench : benches) {
         if (bench.errors.empty()) continue;
         print("\nWrong models of {}\n\n{}", bench.scene, scaling::make_table(make_error_table(bench), style));
     }
 }
 
 int run_bench_verdict(const BenchVerdictOptions& options) {
-    const study::VerdictBenchPlan plan = make_plan(options);
-    std::vector<scene::Scene> prototypes;
+    const lsdem::VerdictBenchPlan plan = make_plan(options);
+    std::vector<lsdem::Scene> prototypes;
     for (const std::string& file : options.scenes) prototypes.push_back(read_prototype(file, options));
-    std::optional<study::ResultFolder> folder;
+    std::optional<lsdem::ResultFolder> folder;
     if (!options.out.empty()) {
-        study::ResultOrigin origin =
+        lsdem::ResultOrigin origin =
             options.overwriting.origin_with_options({{"--sets", plan.sets}, {"--models", plan.models}, {"--images", plan.images}});
         for (std::size_t k = 0; k < prototypes.size(); ++k) origin.add(prototypes[k], options.scenes[k] + ": ");
         folder.emplace(options.out, std::move(origin), options.overwriting.choice());
     }
-    std::vector<study::VerdictBench> benches;
+    std::vector<lsdem::VerdictBench> benches;
     {
-        const std::vector<double> shares = study::share_work(prototypes);
+        const std::vector<double> shares = lsdem::share_work(prototypes);
         ProgressInParts progress(prototypes.front().name);
         for (std::size_t k = 0; k < prototypes.size(); ++k) {
             progress.begin_part(prototypes[k].name, shares[k]);
@@ -238,7 +235,7 @@ int run_bench_verdict(const BenchVerdictOptions& options) {
 void add_bench_verdict_command(CLI::App& bench, Action& action) {
     auto options = std::make_shared<BenchVerdictOptions>();
     CLI::App* command = bench.add_subcommand("verdict", "How often `musim pair` calls exact models different, and which errors it finds");
-    study::VerdictBenchPlan& plan = options->plan;
+    lsdem::VerdictBenchPlan& plan = options->plan;
     command->add_option("scenes", options->scenes, "Scene files of prototypes")->required()->type_name("SCENE.json...");
     command->add_option("-o,--out", options->out, "Directory for verdicts.json and what each run leaves")->type_name("DIR");
     const auto add_count = [&](const char* name, std::size_t& value, const char* text, std::size_t least) {

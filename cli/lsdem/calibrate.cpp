@@ -8,14 +8,11 @@
 
 namespace musim::cli {
 
-namespace study = lsdem::study;
-namespace scene = lsdem::scene;
-
 void SampleOptions::add_to(CLI::App& command) {
     command.add_option("--material", material, "Preset for block and contacts (`musim calibrate presets` lists them)")
         ->required()
         ->type_name("PRESET")
-        ->check(one_of(scene::material_preset_names()));
+        ->check(one_of(lsdem::material_preset_names()));
     command.add_option("--block", block, "Edge lengths b w H [m], instead of the preset's; its stiffnesses are fitted to them")
         ->expected(3)
         ->type_name("NUMBER")
@@ -37,22 +34,22 @@ void SampleOptions::add_to(CLI::App& command) {
         ->check(between(0.0, 1.0));
 }
 
-study::BlockSample SampleOptions::sample() const {
-    scene::MaterialPreset preset = scene::find_material_preset(material);
+lsdem::BlockSample SampleOptions::sample() const {
+    lsdem::MaterialPreset preset = lsdem::find_material_preset(material);
     if (!block.empty()) {
-        const scene::Triple<scaling::Length> size{block[0] * scaling::si::meter, block[1] * scaling::si::meter,
+        const lsdem::Triple<scaling::Length> size{block[0] * scaling::si::meter, block[1] * scaling::si::meter,
                                                   block[2] * scaling::si::meter};
-        preset.material = scene::fit_to_block(preset, size);
+        preset.material = lsdem::fit_to_block(preset, size);
         preset.reference_block = size;
     }
-    study::BlockSample sample = study::make_sample(preset);
+    lsdem::BlockSample sample = lsdem::make_sample(preset);
     if (density) sample.density = *density;
     if (normal_stiffness) sample.normal_stiffness = *normal_stiffness;
     if (shear_stiffness) sample.shear_stiffness = *shear_stiffness;
     if (friction) sample.friction = sample.ground_friction = *friction;
     if (ground_friction) sample.ground_friction = *ground_friction;
     if (restitution) sample.restitution = *restitution;
-    study::make_model(sample);  // refuses what cannot be
+    lsdem::make_model(sample);  // refuses what cannot be
     return sample;
 }
 
@@ -64,12 +61,12 @@ void TestOptions::add_to(CLI::App& command, const char* files) {
     add_json_option(command, json);
 }
 
-std::optional<study::ResultFolder> TestOptions::make_folder() const {
-    if (out.empty()) return std::optional<study::ResultFolder>();
-    return std::optional<study::ResultFolder>(std::in_place, out, overwriting.origin_with_options(), overwriting.choice());
+std::optional<lsdem::ResultFolder> TestOptions::make_folder() const {
+    if (out.empty()) return std::optional<lsdem::ResultFolder>();
+    return std::optional<lsdem::ResultFolder>(std::in_place, out, overwriting.origin_with_options(), overwriting.choice());
 }
 
-nlohmann::json describe_sample(const study::BlockSample& sample) {
+nlohmann::json describe_sample(const lsdem::BlockSample& sample) {
     return {{"block_m", {sample.size.x(), sample.size.y(), sample.size.z()}},
             {"mass_kg", sample.mass()},
             {"density_kg_m3", sample.density},

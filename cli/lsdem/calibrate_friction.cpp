@@ -17,30 +17,28 @@
 namespace musim::cli {
 namespace {
 
-namespace study = lsdem::study;
-
 struct FrictionOptions {
     TestOptions test;
     Number resolution{0.001};  ///< [degree]
 };
 
 /// Every block on every support, on its side and upright.
-std::vector<study::TiltCase> list_cases() {
-    std::vector<study::TiltCase> cases;
-    for (const auto pose : {study::TiltPose::lying, study::TiltPose::upright}) {
-        for (const auto support : {study::TiltSupport::ground, study::TiltSupport::block}) {
-            for (const auto side : {study::TiltSide::wide, study::TiltSide::other}) cases.push_back({support, pose, side});
+std::vector<lsdem::TiltCase> list_cases() {
+    std::vector<lsdem::TiltCase> cases;
+    for (const auto pose : {lsdem::TiltPose::lying, lsdem::TiltPose::upright}) {
+        for (const auto support : {lsdem::TiltSupport::ground, lsdem::TiltSupport::block}) {
+            for (const auto side : {lsdem::TiltSide::wide, lsdem::TiltSide::other}) cases.push_back({support, pose, side});
         }
     }
     return cases;
 }
 
-std::vector<study::TiltResult> compute_tests(const FrictionOptions& options, const study::BlockSample& sample,
-                                             const std::vector<study::TiltCase>& cases) {
-    std::vector<study::TiltResult> results(cases.size());
+std::vector<lsdem::TiltResult> compute_tests(const FrictionOptions& options, const lsdem::BlockSample& sample,
+                                             const std::vector<lsdem::TiltCase>& cases) {
+    std::vector<lsdem::TiltResult> results(cases.size());
     std::vector<std::function<void()>> jobs;
     for (std::size_t i = 0; i < cases.size(); ++i) {
-        jobs.emplace_back([&, i] { results[i] = study::run_tilt_test(sample, cases[i], options.resolution * kDegree); });
+        jobs.emplace_back([&, i] { results[i] = lsdem::run_tilt_test(sample, cases[i], options.resolution * kDegree); });
     }
     ProgressLine progress("friction");
     scaling::run_side_by_side(jobs, options.test.threads, [&](double fraction) { progress.update(fraction); });
@@ -48,12 +46,12 @@ std::vector<study::TiltResult> compute_tests(const FrictionOptions& options, con
 }
 
 /// One test, its pose in front of a line.
-NamedValues list_values(const study::TiltCase& test, const study::TiltResult& result) {
+NamedValues list_values(const lsdem::TiltCase& test, const lsdem::TiltResult& result) {
     const double angle = result.angle() / kDegree, half = 0.5 * (result.high - result.low) / kDegree;
-    const auto friction = result.event == study::TiltEvent::slips ? std::optional(result.friction()) : std::nullopt;
+    const auto friction = result.event == lsdem::TiltEvent::slips ? std::optional(result.friction()) : std::nullopt;
     return {{"pose", {}, to_string(test.pose)},
             {"support", "support", to_string(test.support), "", -7},
-            {"downhill", "downhill", study::downhill_edge(test), "", -9},
+            {"downhill", "downhill", lsdem::downhill_edge(test), "", -9},
             {"event", "first", to_string(result.event), "", -8},
             {{}, "angle [deg]", fmt::format("{:.4f} +-{:.4f}", angle, half), "", 17},
             {"angle_deg", {}, angle},
@@ -65,12 +63,12 @@ NamedValues list_values(const study::TiltCase& test, const study::TiltResult& re
 }
 
 int run_friction(const FrictionOptions& options) {
-    std::optional<study::ResultFolder> folder = options.test.make_folder();
-    const study::BlockSample sample = options.test.sample.sample();
-    const std::vector<study::TiltCase> cases = list_cases();
-    const std::vector<study::TiltResult> results = compute_tests(options, sample, cases);
+    std::optional<lsdem::ResultFolder> folder = options.test.make_folder();
+    const lsdem::BlockSample sample = options.test.sample.sample();
+    const std::vector<lsdem::TiltCase> cases = list_cases();
+    const std::vector<lsdem::TiltResult> results = compute_tests(options, sample, cases);
     if (folder) {
-        folder->add_text("friction.csv", study::make_tilt_csv(cases, results));
+        folder->add_text("friction.csv", lsdem::make_tilt_csv(cases, results));
         folder->commit();
     }
     std::vector<NamedValues> rows;

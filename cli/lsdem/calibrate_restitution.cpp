@@ -20,8 +20,6 @@
 namespace musim::cli {
 namespace {
 
-namespace study = lsdem::study;
-
 struct RestitutionOptions {
     TestOptions test;
     std::vector<Number> restitutions;
@@ -40,45 +38,45 @@ std::vector<double> to_values(const std::vector<Number>& numbers, double factor 
 
 /// A search on one curve.
 struct NamedSearch {
-    const study::RockingCurve* curve = nullptr;
-    study::RestitutionSearch search;
+    const lsdem::RockingCurve* curve = nullptr;
+    lsdem::RestitutionSearch search;
 };
 
-nlohmann::json to_json(const study::BlockSample& sample, const study::RockingCurve& curve) {
+nlohmann::json to_json(const lsdem::BlockSample& sample, const lsdem::RockingCurve& curve) {
     nlohmann::json points = nlohmann::json::array();
     for (std::size_t i = 0; i < curve.restitution.size(); ++i) {
-        const study::RockingResult& r = curve.result[i];
+        const lsdem::RockingResult& r = curve.result[i];
         points.push_back({{"restitution", curve.restitution[i]},
                           {"first", r.first},
                           {"mean", r.mean},
                           {"impacts", r.impacts},
                           {"slip_over_side", r.slip_over_side}});
     }
-    const std::optional<double> paper = study::find_published_ratio(curve.start);
+    const std::optional<double> paper = lsdem::find_published_ratio(curve.start);
     return {{"support", to_string(curve.support)},       {"side", to_string(curve.side)},
-            {"start_deg", curve.start / kDegree},        {"housner", study::housner_ratio(sample, curve.side)},
+            {"start_deg", curve.start / kDegree},        {"housner", lsdem::housner_ratio(sample, curve.side)},
             {"published_wood", scaling::or_null(paper)}, {"points", points}};
 }
 
-void print_curves(const study::BlockSample& sample, const std::vector<study::RockingCurve>& curves) {
-    for (const study::RockingCurve& curve : curves) {
+void print_curves(const lsdem::BlockSample& sample, const std::vector<lsdem::RockingCurve>& curves) {
+    for (const lsdem::RockingCurve& curve : curves) {
         print("\n  {} side on {}, let go at {:.4g} degrees; Housner {:.3f}", to_string(curve.side), to_string(curve.support),
-              curve.start / kDegree, study::housner_ratio(sample, curve.side));
-        if (const auto paper = study::find_published_ratio(curve.start)) print("; measured on wood by Harmon et al. about {}", *paper);
+              curve.start / kDegree, lsdem::housner_ratio(sample, curve.side));
+        if (const auto paper = lsdem::find_published_ratio(curve.start)) print("; measured on wood by Harmon et al. about {}", *paper);
         print("\n    {:<22}", "C_res");
         for (const double e : curve.restitution) print(" {:>6.3g}", e);
         print("\n    {:<22}", "r, first impact");
-        for (const study::RockingResult& r : curve.result) print(" {:>6.3f}", r.first);
+        for (const lsdem::RockingResult& r : curve.result) print(" {:>6.3f}", r.first);
         print("\n    {:<22}", "r, mean of up to five");
-        for (const study::RockingResult& r : curve.result) print(" {:>6.3f}", r.mean);
+        for (const lsdem::RockingResult& r : curve.result) print(" {:>6.3f}", r.mean);
         print("\n");
     }
 }
 
 int run_restitution(const RestitutionOptions& options) {
-    std::optional<study::ResultFolder> folder = options.test.make_folder();
-    const study::BlockSample sample = options.test.sample.sample();
-    study::RockingSweep sweep{.restitutions = to_values(options.restitutions),
+    std::optional<lsdem::ResultFolder> folder = options.test.make_folder();
+    const lsdem::BlockSample sample = options.test.sample.sample();
+    lsdem::RockingSweep sweep{.restitutions = to_values(options.restitutions),
                               .angles = to_values(options.angles, kDegree),
                               .supports = {},
                               .safety = options.safety,
@@ -87,38 +85,38 @@ int run_restitution(const RestitutionOptions& options) {
         for (int i = 1; i <= 9; ++i) sweep.restitutions.push_back(0.1 * i);
     }
     std::sort(sweep.restitutions.begin(), sweep.restitutions.end());
-    if (options.support != "two_blocks") sweep.supports.push_back(study::RockingSupport::ground);
-    if (options.support != "ground") sweep.supports.push_back(study::RockingSupport::two_blocks);
+    if (options.support != "two_blocks") sweep.supports.push_back(lsdem::RockingSupport::ground);
+    if (options.support != "ground") sweep.supports.push_back(lsdem::RockingSupport::two_blocks);
 
-    std::vector<study::RockingCurve> curves;
+    std::vector<lsdem::RockingCurve> curves;
     std::vector<NamedSearch> searches;
     {
         ProgressLine progress("restitution");
         sweep.on_progress = [&](double fraction) { progress.update(fraction); };
-        curves = study::sweep_rocking(sample, sweep);
+        curves = lsdem::sweep_rocking(sample, sweep);
     }
     if (curves.empty()) throw std::invalid_argument("rocking test: at every angle the block overturns; take smaller ones");
     if (options.target) {
         ProgressLine progress("search");
-        for (const study::RockingCurve& curve : curves) searches.push_back({&curve, {}});
+        for (const lsdem::RockingCurve& curve : curves) searches.push_back({&curve, {}});
         std::vector<std::function<void()>> jobs;
         jobs.reserve(searches.size());
         for (NamedSearch& s : searches) {
-            jobs.emplace_back([&] { s.search = study::find_restitution(sample, *s.curve, *options.target, options.safety); });
+            jobs.emplace_back([&] { s.search = lsdem::find_restitution(sample, *s.curve, *options.target, options.safety); });
         }
         scaling::run_side_by_side(jobs, options.test.threads, [&](double fraction) { progress.update(fraction); });
     }
     if (folder) {
-        folder->add_text("restitution.csv", study::make_rocking_csv(sample, curves));
-        for (const study::RockingSupport support : sweep.supports) {
-            folder->add_text("restitution_" + to_string(support) + ".svg", study::make_rocking_svg(sample, curves, support));
+        folder->add_text("restitution.csv", lsdem::make_rocking_csv(sample, curves));
+        for (const lsdem::RockingSupport support : sweep.supports) {
+            folder->add_text("restitution_" + to_string(support) + ".svg", lsdem::make_rocking_svg(sample, curves, support));
         }
         folder->commit();
     }
 
     if (options.test.json) {
         nlohmann::json list = nlohmann::json::array(), found = nlohmann::json::array();
-        for (const study::RockingCurve& curve : curves) list.push_back(to_json(sample, curve));
+        for (const lsdem::RockingCurve& curve : curves) list.push_back(to_json(sample, curve));
         for (const NamedSearch& s : searches) {
             found.push_back({{"support", to_string(s.curve->support)},
                              {"side", to_string(s.curve->side)},

@@ -21,9 +21,6 @@
 namespace musim::cli {
 namespace {
 
-namespace study = lsdem::study;
-namespace scene = lsdem::scene;
-
 /// Above this ratio of a simulated wave speed to the solid's own, or below its inverse, the stiffness does not fit the solid.
 constexpr double kSpeedMisfit = 1.2;
 
@@ -38,17 +35,17 @@ struct StiffnessOptions {
 
 /// One direction of the stiffness test.
 struct Direction {
-    study::WaveKind kind = study::WaveKind::normal;
+    lsdem::WaveKind kind = lsdem::WaveKind::normal;
     std::string name;
     std::optional<double> target;
-    study::WaveSpeed measured;                     ///< with the sample's own stiffness
-    std::optional<study::StiffnessSearch> search;  ///< when a speed is wanted
-    study::WaveHistory history;
+    lsdem::WaveSpeed measured;                     ///< with the sample's own stiffness
+    std::optional<lsdem::StiffnessSearch> search;  ///< when a speed is wanted
+    lsdem::WaveHistory history;
 };
 
-std::vector<Direction> make_directions(const StiffnessOptions& options, const study::BlockSample& sample) {
-    Direction normal{.kind = study::WaveKind::normal, .name = "normal", .target = {}, .measured = {}, .search = {}, .history = {}};
-    Direction shear{.kind = study::WaveKind::shear, .name = "shear", .target = {}, .measured = {}, .search = {}, .history = {}};
+std::vector<Direction> make_directions(const StiffnessOptions& options, const lsdem::BlockSample& sample) {
+    Direction normal{.kind = lsdem::WaveKind::normal, .name = "normal", .target = {}, .measured = {}, .search = {}, .history = {}};
+    Direction shear{.kind = lsdem::WaveKind::shear, .name = "shear", .target = {}, .measured = {}, .search = {}, .history = {}};
     if (options.youngs_modulus) {
         // bar speeds of an isotropic solid: G = E/(2(1 + nu))
         const double e = *options.youngs_modulus;
@@ -60,15 +57,15 @@ std::vector<Direction> make_directions(const StiffnessOptions& options, const st
     return {normal, shear};
 }
 
-nlohmann::json to_json(const Direction& d, const study::BlockSample& sample) {
-    const auto speed = [](const study::WaveSpeed& s) {
+nlohmann::json to_json(const Direction& d, const lsdem::BlockSample& sample) {
+    const auto speed = [](const lsdem::WaveSpeed& s) {
         return nlohmann::json{{"effective_speed_m_s", s.effective()},   {"criterion_speed_m_s", s.speed},
                               {"standard_error_m_s", s.standard_error}, {"front_factor", s.front_factor},
                               {"first_layer", s.first_layer},           {"last_layer", s.last_layer}};
     };
     nlohmann::json object{{"direction", d.name},
-                          {"stiffness_n_m", d.kind == study::WaveKind::normal ? sample.normal_stiffness : sample.shear_stiffness},
-                          {"closed_form_speed_m_s", study::closed_form_speed(sample, d.kind)},
+                          {"stiffness_n_m", d.kind == lsdem::WaveKind::normal ? sample.normal_stiffness : sample.shear_stiffness},
+                          {"closed_form_speed_m_s", lsdem::closed_form_speed(sample, d.kind)},
                           {"measured", speed(d.measured)}};
     if (d.search) {
         object["search"] = {{"target_m_s", d.search->target},
@@ -81,15 +78,15 @@ nlohmann::json to_json(const Direction& d, const study::BlockSample& sample) {
     return object;
 }
 
-void print_direction(const Direction& d, const study::BlockSample& sample) {
-    const double stiffness = d.kind == study::WaveKind::normal ? sample.normal_stiffness : sample.shear_stiffness;
-    const study::WaveSpeed& s = d.measured;
+void print_direction(const Direction& d, const lsdem::BlockSample& sample) {
+    const double stiffness = d.kind == lsdem::WaveKind::normal ? sample.normal_stiffness : sample.shear_stiffness;
+    const lsdem::WaveSpeed& s = d.measured;
     print(
         "  {:<7} k = {:.6g} MN/m: {:.1f} m/s effective; {:.1f} +- {:.1f} m/s by the criterion, layers {} to {}, {:.4f} of an ideal chain's "
         "c0; "
         "closed form H sqrt(k/m) {:.1f} m/s\n",
         d.name, stiffness / kMega, s.effective(), s.speed, s.standard_error, s.first_layer, s.last_layer, s.front_factor,
-        study::closed_form_speed(sample, d.kind));
+        lsdem::closed_form_speed(sample, d.kind));
     if (d.search) {
         print("          for {:.6g} m/s: k = {:.6g} MN/m found in {} runs (closed form m (c/H)^2: {:.6g} MN/m)\n", d.search->target,
               d.search->stiffness / kMega, d.search->runs, d.search->closed_form / kMega);
@@ -98,7 +95,7 @@ void print_direction(const Direction& d, const study::BlockSample& sample) {
 
 /// What the simulated speed says about the preset, when the solid's own is known.
 std::optional<std::string> judge_preset(const std::string& material, const Direction& normal) {
-    const auto bar = scene::find_material_preset(material).bar_wave_speed;
+    const auto bar = lsdem::find_material_preset(material).bar_wave_speed;
     if (!bar) return std::nullopt;
     const double ratio = normal.measured.effective() / bar->value();
     const bool fits = ratio < kSpeedMisfit && ratio > 1.0 / kSpeedMisfit;
@@ -107,20 +104,20 @@ std::optional<std::string> judge_preset(const std::string& material, const Direc
 }
 
 int run_stiffness(const StiffnessOptions& options) {
-    std::optional<study::ResultFolder> folder = options.test.make_folder();
-    const study::BlockSample sample = options.test.sample.sample();
-    const study::WaveSettings settings{
+    std::optional<lsdem::ResultFolder> folder = options.test.make_folder();
+    const lsdem::BlockSample sample = options.test.sample.sample();
+    const lsdem::WaveSettings settings{
         .layers = options.layers,
-        .criterion = options.criterion == "displacement" ? study::ArrivalCriterion::displacement : study::ArrivalCriterion::half_velocity,
+        .criterion = options.criterion == "displacement" ? lsdem::ArrivalCriterion::displacement : lsdem::ArrivalCriterion::half_velocity,
         .damped = options.damped};
     std::vector<Direction> directions = make_directions(options, sample);
     std::vector<std::function<void()>> jobs;
     jobs.reserve(directions.size());
     for (Direction& d : directions) {
         jobs.emplace_back([&] {
-            d.measured = study::measure_wave_speed(sample, d.kind, settings);
-            d.history = study::run_wave_test(sample, d.kind, settings);
-            if (d.target) d.search = study::find_stiffness(sample, d.kind, *d.target, settings, options.raw);
+            d.measured = lsdem::measure_wave_speed(sample, d.kind, settings);
+            d.history = lsdem::run_wave_test(sample, d.kind, settings);
+            if (d.target) d.search = lsdem::find_stiffness(sample, d.kind, *d.target, settings, options.raw);
         });
     }
     {
@@ -131,9 +128,9 @@ int run_stiffness(const StiffnessOptions& options) {
     const std::optional<std::string> verdict = judge_preset(options.test.sample.material, directions[0]);
     if (folder) {
         for (const Direction& d : directions) {
-            folder->add_text("wave_" + d.name + ".csv", study::make_wave_csv(d.history));
+            folder->add_text("wave_" + d.name + ".csv", lsdem::make_wave_csv(d.history));
             folder->add_text("wave_" + d.name + ".svg",
-                             study::make_wave_svg(d.history, sample, options.test.sample.material + ", " + d.name + " wave", d.measured));
+                             lsdem::make_wave_svg(d.history, sample, options.test.sample.material + ", " + d.name + " wave", d.measured));
         }
         folder->commit();
     }
@@ -149,7 +146,7 @@ int run_stiffness(const StiffnessOptions& options) {
         print_json(object);
     } else {
         print("{}: step of the base velocity, {:.4g} m/s, under a column of {} blocks; arrival by {}\n", options.test.sample.material,
-              study::base_velocity(sample), options.layers, options.criterion);
+              lsdem::base_velocity(sample), options.layers, options.criterion);
         for (const Direction& d : directions) print_direction(d, sample);
         if (verdict) print("  {}\n", *verdict);
         if (folder) print("Curves in {}\n", options.test.out);

@@ -26,7 +26,7 @@ struct SampleOptions {
     std::optional<Number> density, normal_stiffness, shear_stiffness, friction, ground_friction, restitution;
 
     void add_to(CLI::App& command);
-    lsdem::study::BlockSample sample() const;
+    lsdem::BlockSample sample() const;
 };
 
 /// What every test has besides its own options.
@@ -38,10 +38,10 @@ struct TestOptions {
     OverwritingOption overwriting;
 
     void add_to(CLI::App& command, const char* files);
-    std::optional<lsdem::study::ResultFolder> make_folder() const;
+    std::optional<lsdem::ResultFolder> make_folder() const;
 };
 
-nlohmann::json describe_sample(const lsdem::study::BlockSample& sample);
+nlohmann::json describe_sample(const lsdem::BlockSample& sample);
 
 void add_stiffness_command(CLI::App& calibrate, Action& action);
 void add_friction_command(CLI::App& calibrate, Action& action);

@@ -29,9 +29,7 @@
 namespace musim::cli {
 namespace {
 
-namespace scene = lsdem::scene;
-namespace study = lsdem::study;
-using study::MemberStatus;
+using lsdem::MemberStatus;
 
 struct EnsembleOptions {
     std::string scene;
@@ -60,9 +58,9 @@ int exit_code_of(MemberStatus status) {
 }
 
 /// One line on stderr for every member that is no result; the exit code: a numerical failure goes before a failed job.
-int report_members(const EnsembleOptions& options, const std::vector<study::MemberResult>& members) {
+int report_members(const EnsembleOptions& options, const std::vector<lsdem::MemberResult>& members) {
     int exit_code = kDone;
-    for (const study::MemberResult& member : members) {
+    for (const lsdem::MemberResult& member : members) {
         const int own = exit_code_of(member.status);
         if (own == kDone) continue;
         note("musim: error: {}: {} (seed {}): {}\n", options.scene, member.name, member.seed, member.reason);
@@ -71,41 +69,41 @@ int report_members(const EnsembleOptions& options, const std::vector<study::Memb
     return exit_code;
 }
 
-std::string with_sd(const study::SampleMoments& moments, Eigen::Index i, double unit = 1.0) {
+std::string with_sd(const lsdem::SampleMoments& moments, Eigen::Index i, double unit = 1.0) {
     if (moments.count() == 0) return "-";
     if (moments.count() == 1) return fmt::format("{:.4g}", moments.mean()[i] / unit);
     return fmt::format("{:.4g} +- {:.2g}", moments.mean()[i] / unit, moments.sd()[i] / unit);
 }
 
-void print_summary(const study::EnsembleSummary& summary, const std::vector<study::MemberReport>& reports) {
-    const auto before = std::count_if(reports.begin(), reports.end(), [](const study::MemberReport& r) { return r.reused; });
-    const auto resumed = std::count_if(reports.begin(), reports.end(), [](const study::MemberReport& r) { return r.resumed; });
+void print_summary(const lsdem::EnsembleSummary& summary, const std::vector<lsdem::MemberReport>& reports) {
+    const auto before = std::count_if(reports.begin(), reports.end(), [](const lsdem::MemberReport& r) { return r.reused; });
+    const auto resumed = std::count_if(reports.begin(), reports.end(), [](const lsdem::MemberReport& r) { return r.resumed; });
     print("{}: {} members ({} there before, {} resumed): {} completed, {} collapsed, {} diverged, {} unsettled, {} failed\n", summary.name,
           summary.members.size(), before, resumed, summary.count(MemberStatus::completed), summary.count(MemberStatus::collapsed),
           summary.count(MemberStatus::diverged), summary.count(MemberStatus::unsettled), summary.count(MemberStatus::failed));
-    for (const study::MemberResult& member : summary.members) {
-        print("  {}  seed {:<6} {}", member.name, member.seed, study::to_string(member.status));
+    for (const lsdem::MemberResult& member : summary.members) {
+        print("  {}  seed {:<6} {}", member.name, member.seed, lsdem::to_string(member.status));
         if (member.collapse_time) print(" at {:.4g} s", *member.collapse_time);
         print("\n");
     }
     if (summary.levels.empty()) return;
-    const std::string axis = study::axis_name(summary.axis);
+    const std::string axis = lsdem::axis_name(summary.axis);
     print("\n  mean +- standard deviation over the {} completed members, motion along {}\n", summary.count(MemberStatus::completed), axis);
     print("  {:>5} {:>24} {:>24} {:>24}\n", "level", "peak v [m/s]", "peak " + axis + " [mm]", "residual " + axis + " [mm]");
     for (auto level = summary.levels.rbegin(); level != summary.levels.rend(); ++level) {
         print("  {:>5} {:>24} {:>24} {:>24}\n", level->level, with_sd(level->peak_velocity, summary.axis),
               with_sd(level->peak_displacement, summary.axis, 1e-3), with_sd(level->residual_displacement, summary.axis, 1e-3));
     }
-    for (const study::SpeedMoments& speed : summary.speeds) {
+    for (const lsdem::SpeedMoments& speed : summary.speeds) {
         print("  speed by {:<17} {} m/s, {} members\n", speed.method, with_sd(speed.speed, 0), speed.speed.count());
     }
     print("  damage index {}\n", with_sd(summary.damage, 0));
 }
 
-int list_members(const EnsembleOptions& options, const std::vector<study::EnsembleMember>& members) {
+int list_members(const EnsembleOptions& options, const std::vector<lsdem::EnsembleMember>& members) {
     nlohmann::json list = nlohmann::json::array();
     for (std::size_t i = 0; i < members.size(); ++i) {
-        const std::string state = study::to_string(study::find_state(options.out, members[i]));
+        const std::string state = lsdem::to_string(lsdem::find_state(options.out, members[i]));
         list.push_back({{"index", i + 1}, {"name", members[i].name}, {"seed", members[i].seed}, {"state", state}});
         if (!options.json) print("{:>4}  {}  seed {:<6} {}\n", i + 1, members[i].name, members[i].seed, state);
     }
@@ -113,34 +111,34 @@ int list_members(const EnsembleOptions& options, const std::vector<study::Ensemb
     return kDone;
 }
 
-std::vector<study::MemberReport> carry_out(const EnsembleOptions& options, const std::vector<study::EnsembleMember>& members,
+std::vector<lsdem::MemberReport> carry_out(const EnsembleOptions& options, const std::vector<lsdem::EnsembleMember>& members,
                                            ProgressInParts& progress) {
-    const study::MemberSettings settings{
+    const lsdem::MemberSettings settings{
         .directory = options.out,
         .version = kVersion,
         .threads = options.threads,
         .checkpoint_interval = options.checkpoint_interval,
         .on_progress = progress.observer().on_progress,
         .on_no_checkpoint = [](const std::string& why) { note("musim: warning: no checkpoint: {}\n", why); }};
-    return study::run_members(members, settings);
+    return lsdem::run_members(members, settings);
 }
 
 /// Has the members use what is in the folder of specimens, and prepares there what is missing.
-void take_specimens(const EnsembleOptions& options, std::vector<study::EnsembleMember>& members, ProgressInParts& progress) {
-    study::SpecimenBatch batch = begin_batch(options.specimens, options.threads, options.checkpoint_interval);
+void take_specimens(const EnsembleOptions& options, std::vector<lsdem::EnsembleMember>& members, ProgressInParts& progress) {
+    lsdem::SpecimenBatch batch = begin_batch(options.specimens, options.threads, options.checkpoint_interval);
     batch.on_progress = progress.observer().on_preparation;
-    for (const study::SpecimenReport& report : study::use_specimens(members, std::move(batch))) warn_of_fallen(report);
+    for (const lsdem::SpecimenReport& report : lsdem::use_specimens(members, std::move(batch))) warn_of_fallen(report);
 }
 
 /// One member alone; the summary of the ensemble is for whoever runs them all.
-int run_one(const EnsembleOptions& options, const study::EnsembleMember& member, ProgressInParts& progress) {
-    const std::vector<study::MemberReport> reports = carry_out(options, {member}, progress);
-    const study::EnsembleSummary summary = study::summarize_ensemble(options.out, {member}, reports, options.axis_index());
-    const study::MemberResult& result = summary.members.front();
+int run_one(const EnsembleOptions& options, const lsdem::EnsembleMember& member, ProgressInParts& progress) {
+    const std::vector<lsdem::MemberReport> reports = carry_out(options, {member}, progress);
+    const lsdem::EnsembleSummary summary = lsdem::summarize_ensemble(options.out, {member}, reports, options.axis_index());
+    const lsdem::MemberResult& result = summary.members.front();
     if (options.json) {
-        print_json(study::to_json(result));
+        print_json(lsdem::to_json(result));
     } else if (reports.front().error.empty()) {
-        print("{}: seed {}, {}{}\n", study::member_folder(options.out, member).string(), member.seed, study::to_string(result.status),
+        print("{}: seed {}, {}{}\n", lsdem::member_folder(options.out, member).string(), member.seed, lsdem::to_string(result.status),
               reports.front().reused ? " before" : "");
     }
     return report_members(options, summary.members);
@@ -148,11 +146,11 @@ int run_one(const EnsembleOptions& options, const study::EnsembleMember& member,
 
 /// Every ensemble against the first.
 int compare_ensembles(const EnsembleOptions& options) {
-    const study::DimensionlessBands first = study::read_bands(options.compare.front());
+    const lsdem::DimensionlessBands first = lsdem::read_bands(options.compare.front());
     nlohmann::json list = nlohmann::json::array();
     for (auto directory = options.compare.begin() + 1; directory != options.compare.end(); ++directory) {
-        const study::BandOverlap overlap = study::compare_bands(first, study::read_bands(*directory));
-        list.push_back(study::to_json(overlap));
+        const lsdem::BandOverlap overlap = lsdem::compare_bands(first, lsdem::read_bands(*directory));
+        list.push_back(lsdem::to_json(overlap));
         list.back()["directory"] = *directory;
         if (options.json) continue;
         print("{} against {}: {} levels and times\n", *directory, first.name, overlap.points);
@@ -165,35 +163,35 @@ int compare_ensembles(const EnsembleOptions& options) {
 
 int run_ensemble(const EnsembleOptions& options) {
     if (!options.compare.empty()) return compare_ensembles(options);
-    const scene::Scene scene = read_scene(options.scene);
-    std::vector<study::EnsembleMember> members = study::plan_ensemble(scene, options.members, kVersion);
+    const lsdem::Scene scene = read_scene(options.scene);
+    std::vector<lsdem::EnsembleMember> members = lsdem::plan_ensemble(scene, options.members, kVersion);
     if (options.list) {
-        if (!options.specimens.empty()) study::use_prepared_specimens(members, options.specimens, kVersion);
+        if (!options.specimens.empty()) lsdem::use_prepared_specimens(members, options.specimens, kVersion);
         return list_members(options, members);
     }
 
     // what would be wrong with every member is one error, and found before any runs
-    study::make_upright_specimen(members.front().scene);
-    std::optional<study::ResultFolder> folder;
+    lsdem::make_upright_specimen(members.front().scene);
+    std::optional<lsdem::ResultFolder> folder;
     if (options.only == 0) {
-        study::ResultOrigin origin = options.overwriting.origin();
+        lsdem::ResultOrigin origin = options.overwriting.origin();
         origin.add(scene);
         folder.emplace(options.out, std::move(origin), options.overwriting.choice());
     }
     note_cut_motions(options.scene, scene);
     if (options.only > 0) members = {members[static_cast<std::size_t>(options.only - 1)]};
-    std::vector<study::MemberReport> reports;
+    std::vector<lsdem::MemberReport> reports;
     {
         ProgressInParts progress(scene.name);
         if (!options.specimens.empty()) take_specimens(options, members, progress);
         if (options.only > 0) return run_one(options, members.front(), progress);
         reports = carry_out(options, members, progress);
     }
-    const study::EnsembleSummary summary = study::summarize_ensemble(options.out, members, reports, options.axis_index());
-    study::add_ensemble(*folder, summary, kVersion);
+    const lsdem::EnsembleSummary summary = lsdem::summarize_ensemble(options.out, members, reports, options.axis_index());
+    lsdem::add_ensemble(*folder, summary, kVersion);
     folder->commit();
     if (options.json) {
-        print_json(study::to_json(summary, kVersion));
+        print_json(lsdem::to_json(summary, kVersion));
     } else {
         print_summary(summary, reports);
         print("Summary and members in {}\n", options.out);

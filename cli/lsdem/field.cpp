@@ -19,8 +19,6 @@
 namespace musim::cli {
 namespace {
 
-namespace study = lsdem::study;
-
 struct FieldCommand {
     std::string directory;
     std::string out;
@@ -38,7 +36,7 @@ struct FieldCommand {
 /// Times that are drawn when none are asked for.
 constexpr std::size_t kUsualTimes = 6;
 
-std::vector<double> choose_times(const study::StoredRun& run, const FieldCommand& options) {
+std::vector<double> choose_times(const lsdem::StoredRun& run, const FieldCommand& options) {
     std::vector<double> times(options.times.begin(), options.times.end());
     if (!times.empty()) return times;
     const double first = run.frames.time.front(), last = run.frames.time.back();
@@ -55,7 +53,7 @@ double read_limit(const std::string& text) {
     throw CLI::ValidationError("--limit", fmt::format("{}: colours end at a velocity above zero; give one, e.g. \"5 cm/s\"", text));
 }
 
-study::FieldPicture make_picture(const FieldCommand& options, study::CameraSide side) {
+lsdem::FieldPicture make_picture(const FieldCommand& options, lsdem::CameraSide side) {
     return {.side = side, .component = options.look.shown(), .limit = read_limit(options.limit), .name = options.directory};
 }
 
@@ -65,21 +63,21 @@ struct Drawn {
     std::vector<std::string> pictures;
 };
 
-Drawn draw_times(study::ResultFolder& folder, const study::StoredRun& run, const FieldCommand& options,
-                 const study::CameraSettings& camera) {
-    const std::vector<study::FieldView> views = study::take_views(run, choose_times(run, options), camera);
-    study::FieldPicture picture = make_picture(options, camera.side);
-    if (!(picture.limit > 0.0)) picture.limit = study::find_field_limit(run, views, picture.side, picture.component);
-    const std::string svg = study::make_field_svg(run, views, picture);
+Drawn draw_times(lsdem::ResultFolder& folder, const lsdem::StoredRun& run, const FieldCommand& options,
+                 const lsdem::CameraSettings& camera) {
+    const std::vector<lsdem::FieldView> views = lsdem::take_views(run, choose_times(run, options), camera);
+    lsdem::FieldPicture picture = make_picture(options, camera.side);
+    if (!(picture.limit > 0.0)) picture.limit = lsdem::find_field_limit(run, views, picture.side, picture.component);
+    const std::string svg = lsdem::make_field_svg(run, views, picture);
     Drawn drawn{.json = {{"limit_m_s", picture.limit}}, .pictures = {}};
     for (const std::string& format : options.formats) {
         drawn.pictures.push_back("field." + format);
-        folder.add_text(drawn.pictures.back(), study::make_picture_bytes(svg, format));
+        folder.add_text(drawn.pictures.back(), lsdem::make_picture_bytes(svg, format));
     }
     nlohmann::json grids = nlohmann::json::array();
-    for (const study::FieldView& view : views) {
+    for (const lsdem::FieldView& view : views) {
         const std::string name = fmt::format("field_{:.6g}s.csv", view.image.time);
-        folder.add_text(name, study::make_field_csv(run, view.frame, view.image, camera.side));
+        folder.add_text(name, lsdem::make_field_csv(run, view.frame, view.image, camera.side));
         grids.push_back({{"time_s", view.image.time}, {"grid", name}});
     }
     drawn.json["fields"] = grids;
@@ -87,54 +85,54 @@ Drawn draw_times(study::ResultFolder& folder, const study::StoredRun& run, const
 }
 
 /// The frames within the window, or all.
-std::vector<std::size_t> choose_frames(const study::StoredRun& run, const FieldCommand& options) {
+std::vector<std::size_t> choose_frames(const lsdem::StoredRun& run, const FieldCommand& options) {
     if (options.window.empty()) {
         std::vector<std::size_t> all(run.frames.time.size());
         for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
         return all;
     }
-    const std::size_t first = study::find_frame(run, options.window[0]), last = study::find_frame(run, options.window[1]);
+    const std::size_t first = lsdem::find_frame(run, options.window[0]), last = lsdem::find_frame(run, options.window[1]);
     std::vector<std::size_t> frames;
     for (std::size_t i = first; i <= last; ++i) frames.push_back(i);
     if (frames.empty()) throw CLI::ValidationError("--window", "it ends before it begins; give FROM TO in seconds");
     return frames;
 }
 
-Drawn draw_film(study::ResultFolder& folder, const study::StoredRun& run, const FieldCommand& options,
-                const study::CameraSettings& camera) {
-    if (options.film != "png" && !study::can_write_film()) {
+Drawn draw_film(lsdem::ResultFolder& folder, const lsdem::StoredRun& run, const FieldCommand& options,
+                const lsdem::CameraSettings& camera) {
+    if (options.film != "png" && !lsdem::can_write_film()) {
         throw std::runtime_error("--film " + options.film +
                                  ": there is no ffmpeg to make a film with; install it (apt-get install ffmpeg), or take --film png");
     }
     ProgressLine progress(options.directory);
-    const study::AnimationSettings settings{.frames = choose_frames(run, options),
+    const lsdem::AnimationSettings settings{.frames = choose_frames(run, options),
                                             .camera = camera,
                                             .picture = make_picture(options, camera.side),
                                             .threads = options.threads,
                                             .on_progress = [&](double fraction) { progress.update(fraction); }};
     Drawn drawn;
-    drawn.json["limit_m_s"] = study::add_animation_frames(folder, run, settings);
+    drawn.json["limit_m_s"] = lsdem::add_animation_frames(folder, run, settings);
     drawn.json["frames"] = settings.frames.size();
-    drawn.json["frame_names"] = study::kAnimationFrames;
+    drawn.json["frame_names"] = lsdem::kAnimationFrames;
     folder.commit();
-    drawn.pictures.emplace_back(study::kAnimationFrames);
+    drawn.pictures.emplace_back(lsdem::kAnimationFrames);
     if (options.film == "png") return drawn;
     drawn.pictures.push_back("field." + options.film);
-    study::write_film(options.out, drawn.pictures.back(), options.rate);
+    lsdem::write_film(options.out, drawn.pictures.back(), options.rate);
     drawn.json["film"] = drawn.pictures.back();
     return drawn;
 }
 
 int run_field(FieldCommand options) {
     if (options.formats.empty()) {
-        options.formats = study::can_write_png() ? std::vector<std::string>{"svg", "png"} : std::vector<std::string>{"svg"};
+        options.formats = lsdem::can_write_png() ? std::vector<std::string>{"svg", "png"} : std::vector<std::string>{"svg"};
     }
-    for (const std::string& format : options.formats) study::require_picture_name("field." + format);
+    for (const std::string& format : options.formats) lsdem::require_picture_name("field." + format);
     read_limit(options.limit);  // a bad one is refused before anything is read
-    const study::StoredRun run = study::read_run(options.directory);
-    study::require_frames(run);
-    const study::CameraSettings camera = options.look.camera(study::find_strongest_axis(run.history));
-    study::ResultFolder folder(options.out);
+    const lsdem::StoredRun run = lsdem::read_run(options.directory);
+    lsdem::require_frames(run);
+    const lsdem::CameraSettings camera = options.look.camera(lsdem::find_strongest_axis(run.history));
+    lsdem::ResultFolder folder(options.out);
     Drawn drawn = options.film.empty() ? draw_times(folder, run, options, camera) : draw_film(folder, run, options, camera);
     folder.commit();
     drawn.json["pictures"] = drawn.pictures;

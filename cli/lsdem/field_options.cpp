@@ -6,8 +6,6 @@
 
 namespace musim::cli {
 
-namespace study = lsdem::study;
-
 void FieldOptions::add_to(CLI::App& command) {
     command.add_option("--view", side, "Side on which the camera stands (default: the motion goes from left to right)")
         ->check(one_of({"+x", "-x", "+y", "-y"}));
@@ -17,18 +15,18 @@ void FieldOptions::add_to(CLI::App& command) {
     command.add_option("--pixels", pixels, "Columns of the image grid")->capture_default_str()->check(whole_between(8, 4000));
 }
 
-study::CameraSettings FieldOptions::camera(int axis) const {
-    study::CameraSettings camera{.side = study::find_side_facing(axis), .columns = static_cast<std::size_t>(pixels)};
-    if (side == "+x") camera.side = study::CameraSide::plus_x;
-    if (side == "-x") camera.side = study::CameraSide::minus_x;
-    if (side == "+y") camera.side = study::CameraSide::plus_y;
-    if (side == "-y") camera.side = study::CameraSide::minus_y;
+lsdem::CameraSettings FieldOptions::camera(int axis) const {
+    lsdem::CameraSettings camera{.side = lsdem::find_side_facing(axis), .columns = static_cast<std::size_t>(pixels)};
+    if (side == "+x") camera.side = lsdem::CameraSide::plus_x;
+    if (side == "-x") camera.side = lsdem::CameraSide::minus_x;
+    if (side == "+y") camera.side = lsdem::CameraSide::plus_y;
+    if (side == "-y") camera.side = lsdem::CameraSide::minus_y;
     return camera;
 }
 
-study::FieldComponent FieldOptions::shown() const {
-    if (component == "up") return study::FieldComponent::up;
-    return component == "speed" ? study::FieldComponent::speed : study::FieldComponent::right;
+lsdem::FieldComponent FieldOptions::shown() const {
+    if (component == "up") return lsdem::FieldComponent::up;
+    return component == "speed" ? lsdem::FieldComponent::speed : lsdem::FieldComponent::right;
 }
 
 }  // namespace musim::cli

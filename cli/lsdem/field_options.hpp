@@ -16,8 +16,8 @@ struct FieldOptions {
     void add_to(CLI::App& command);
 
     /// `axis`: of the motion, which goes from left to right unless --view says otherwise.
-    lsdem::study::CameraSettings camera(int axis) const;
-    lsdem::study::FieldComponent shown() const;
+    lsdem::CameraSettings camera(int axis) const;
+    lsdem::FieldComponent shown() const;
 };
 
 }  // namespace musim::cli

@@ -20,9 +20,6 @@
 namespace musim::cli {
 namespace {
 
-namespace reports = lsdem::report;
-namespace study = lsdem::study;
-
 struct ReportOptions {
     std::vector<std::string> places;
     RecordSourceOptions source;
@@ -33,14 +30,14 @@ struct ReportOptions {
 };
 
 /// Every plot as files of its own, its data beside it; their names.
-std::vector<std::string> write_figures(const std::vector<reports::ReportSection>& sections, const ReportOptions& options) {
-    study::ResultFolder folder(options.figures);
+std::vector<std::string> write_figures(const std::vector<lsdem::ReportSection>& sections, const ReportOptions& options) {
+    lsdem::ResultFolder folder(options.figures);
     std::vector<std::string> names;
-    for (const reports::ReportSection& section : sections) {
-        for (const reports::ReportFigure& figure : section.figures) {
+    for (const lsdem::ReportSection& section : sections) {
+        for (const lsdem::ReportFigure& figure : section.figures) {
             for (const std::string& format : options.formats) {
                 names.push_back(figure.name + "." + format);
-                folder.add_text(names.back(), study::make_picture_bytes(figure.svg, format));
+                folder.add_text(names.back(), lsdem::make_picture_bytes(figure.svg, format));
             }
             if (figure.csv.empty()) continue;
             names.push_back(figure.name + ".csv");
@@ -52,7 +49,7 @@ std::vector<std::string> write_figures(const std::vector<reports::ReportSection>
 }
 
 /// "3 runs", "1 specimen, 2 records".
-std::string count_contents(const reports::ReportContent& content) {
+std::string count_contents(const lsdem::ReportContent& content) {
     std::string text;
     const auto add = [&](std::size_t number, const char* name) {
         if (number > 0) text += fmt::format("{}{} {}{}", text.empty() ? "" : ", ", number, name, number == 1 ? "" : "s");
@@ -65,18 +62,18 @@ std::string count_contents(const reports::ReportContent& content) {
 }
 
 int run_report(const ReportOptions& options) {
-    for (const std::string& format : options.formats) study::require_picture_name("figure." + format);
-    const reports::ReportContent content =
-        reports::read_content({options.places.begin(), options.places.end()},
-                              [&](const std::filesystem::path& file) { return options.source.load(file.string()); });
-    const std::vector<reports::ReportSection> sections = reports::make_sections(content);
-    const std::string page = reports::make_page(content, sections, kVersion);
+    for (const std::string& format : options.formats) lsdem::require_picture_name("figure." + format);
+    const lsdem::ReportContent content =
+        lsdem::read_content({options.places.begin(), options.places.end()},
+                            [&](const std::filesystem::path& file) { return options.source.load(file.string()); });
+    const std::vector<lsdem::ReportSection> sections = lsdem::make_sections(content);
+    const std::string page = lsdem::make_page(content, sections, kVersion);
     records::write_file_atomically(options.out, page);
     std::vector<std::string> figures;
     if (!options.figures.empty()) figures = write_figures(sections, options);
     if (options.json) {
         nlohmann::json titles = nlohmann::json::array();
-        for (const reports::ReportSection& section : sections) titles.push_back(section.title);
+        for (const lsdem::ReportSection& section : sections) titles.push_back(section.title);
         print_json({{"report", options.out},
                     {"bytes", page.size()},
                     {"runs", content.runs.size()},

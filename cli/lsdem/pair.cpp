@@ -33,7 +33,6 @@ namespace musim::cli {
 namespace {
 
 namespace fs = std::filesystem;
-namespace scene = lsdem::scene;
 
 struct PairOptions {
     std::string scene;
@@ -61,8 +60,8 @@ struct PairOptions {
 };
 
 /// "x=360 y=90" as names along the axes.
-study::AxisComponents parse_components(const std::vector<std::string>& texts) {
-    study::AxisComponents components;
+lsdem::AxisComponents parse_components(const std::vector<std::string>& texts) {
+    lsdem::AxisComponents components;
     for (const std::string& text : texts) {
         const std::size_t axis = text.size() > 2 && text[1] == '=' ? std::string("xyz").find(text[0]) : std::string::npos;
         if (axis == std::string::npos) throw CLI::ValidationError("--component", "'" + text + "' is not AXIS=NAME, e.g. x=360");
@@ -72,13 +71,13 @@ study::AxisComponents parse_components(const std::vector<std::string>& texts) {
 }
 
 /// Scenes of their own are compared as they are; else exact is meant unless own materials are asked for.
-study::Materials find_materials(const PairOptions& options) {
-    if (options.materials.empty()) return options.models.empty() ? study::Materials::exact : study::Materials::own;
-    return options.materials == "own" ? study::Materials::own : study::Materials::exact;
+lsdem::Materials find_materials(const PairOptions& options) {
+    if (options.materials.empty()) return options.models.empty() ? lsdem::Materials::exact : lsdem::Materials::own;
+    return options.materials == "own" ? lsdem::Materials::own : lsdem::Materials::exact;
 }
 
 void check_options(const PairOptions& options) {
-    const bool own = find_materials(options) == study::Materials::own;
+    const bool own = find_materials(options) == lsdem::Materials::own;
     if (options.each_alone && (!own || !options.models.empty())) {
         throw CLI::ValidationError("--each-alone", "exact materials distort nothing; add --materials own");
     }
@@ -96,12 +95,12 @@ void check_options(const PairOptions& options) {
     if (options.accept && !(options.accept->value > 0.0)) throw CLI::ValidationError("--accept", "must be above zero, such as 5% or 0.05");
 }
 
-std::vector<study::ModelChoice> make_choices(const PairOptions& options) {
+std::vector<lsdem::ModelChoice> make_choices(const PairOptions& options) {
     check_options(options);
-    std::vector<study::ModelChoice> choices;
+    std::vector<lsdem::ModelChoice> choices;
     for (const std::string& file : options.models) {
         choices.push_back({.scene = read_scene(file)});
-        scene::check_scene(*choices.back().scene, file);
+        lsdem::check_scene(*choices.back().scene, file);
     }
     if (!options.models.empty()) return choices;
     for (std::size_t i = 0; i < options.lengths.size(); ++i) {
@@ -116,27 +115,27 @@ std::vector<study::ModelChoice> make_choices(const PairOptions& options) {
     return choices;
 }
 
-scene::Scene make_prototype(const PairOptions& options) {
-    scene::Scene prototype = read_scene(options.scene);
+lsdem::Scene make_prototype(const PairOptions& options) {
+    lsdem::Scene prototype = read_scene(options.scene);
     if (!prototype.motions.empty() && (options.duration || !options.record.empty())) {
-        throw scene::SceneError(fmt::format("{}: it has a list of motions, each with its own duration; leave {} out", options.scene,
+        throw lsdem::SceneError(fmt::format("{}: it has a list of motions, each with its own duration; leave {} out", options.scene,
                                             options.duration ? "--duration" : "--record"));
     }
     if (!options.record.empty()) {
-        const std::vector<std::string> steps = study::use_record(prototype, options.record, parse_components(options.components));
+        const std::vector<std::string> steps = lsdem::use_record(prototype, options.record, parse_components(options.components));
         for (const std::string& step : steps) note("{}: {}\n", options.record, step);
     }
     if (options.duration) prototype.time.duration = options.duration->value * scaling::si::seconds;
-    scene::check_scene(prototype, options.scene);
+    lsdem::check_scene(prototype, options.scene);
     return prototype;
 }
 
-std::string format_losses(const study::RunDifference& difference) {
+std::string format_losses(const lsdem::RunDifference& difference) {
     return difference.losses ? fmt::format("{:.3g}", *difference.losses) : "-";
 }
 
 /// `parting`: nothing of the prototype.
-void print_row(const std::string& label, double length, study::RunStatus status, const study::RunDifference* difference,
+void print_row(const std::string& label, double length, lsdem::RunStatus status, const lsdem::RunDifference* difference,
                const std::optional<double>& parting, const std::string& verdict) {
     std::string numbers = fmt::format("{:>11} {:>11} {:>11} {:>11} {:>8}", "-", "-", "-", "-", "-");
     if (difference != nullptr) {
@@ -145,43 +144,43 @@ void print_row(const std::string& label, double length, study::RunStatus status,
                               difference->bitwise_identical ? "yes" : "no");
     }
     print("{:<12} {:>12.7g} {}  {}{}\n", label, length, numbers,
-          status == study::RunStatus::completed ? "" : study::to_string(status) + ", ", verdict);
+          status == lsdem::RunStatus::completed ? "" : lsdem::to_string(status) + ", ", verdict);
 }
 
 /// What each property of a model's own material does alone, the largest effect first.
-void print_alone(const study::PairedRun& model) {
+void print_alone(const lsdem::PairedRun& model) {
     if (model.alone.empty()) return;
-    std::vector<study::LoneDistortion> alone = model.alone;
+    std::vector<lsdem::LoneDistortion> alone = model.alone;
     std::sort(alone.begin(), alone.end(),
               [](const auto& a, const auto& b) { return a.difference.rms_velocity > b.difference.rms_velocity; });
     print("\nEach property of {} alone, in a model that is exact otherwise\n", model.label);
     print("{:<18} {:>10} {:>11} {:>11} {:>11}\n", "property", "factor", "rms diff.", "max diff.", "loss diff.");
-    for (const study::LoneDistortion& lone : alone) {
+    for (const lsdem::LoneDistortion& lone : alone) {
         print("{:<18} {:>10.4g} {:>11.3g} {:>11.3g} {:>11}{}\n", lone.property, lone.factor, lone.difference.rms_velocity,
               lone.difference.max_velocity, format_losses(lone.difference),
-              lone.status == study::RunStatus::completed ? "" : "  " + study::to_string(lone.status));
+              lone.status == lsdem::RunStatus::completed ? "" : "  " + lsdem::to_string(lone.status));
     }
 }
 
-std::string describe_agreement(const study::PairStudy& study, const study::PairedRun& model) {
-    if (study.materials == study::Materials::own) return model.material;
+std::string describe_agreement(const lsdem::PairStudy& study, const lsdem::PairedRun& model) {
+    if (study.materials == lsdem::Materials::own) return model.material;
     if (model.judgement.within_rounding) return "agrees to rounding";
-    if (model.judgement.agreement == study::Agreement::not_judged) return "not judged";
-    return fmt::format("{} ({:+.1f} sd, p {:.2g})", study::to_string(model.judgement.agreement), model.judgement.lead,
+    if (model.judgement.agreement == lsdem::Agreement::not_judged) return "not judged";
+    return fmt::format("{} ({:+.1f} sd, p {:.2g})", lsdem::to_string(model.judgement.agreement), model.judgement.lead,
                        model.judgement.least_probability);
 }
 
-void print_table(const study::PairStudy& study) {
+void print_table(const lsdem::PairStudy& study) {
     print("{:<12} {:>12} {:>11} {:>11} {:>11} {:>11} {:>8}  {}\n", "run", "length", "rms diff.", "max diff.", "loss diff.", "parting [s]",
           "bitwise", "judgement");
-    const study::Yardstick yardstick = study.yardstick();
+    const lsdem::Yardstick yardstick = study.yardstick();
     print_row("prototype", 1.0, study.prototype.status, nullptr, {}, "reference");
-    for (const study::PairedRun& model : study.models) {
+    for (const lsdem::PairedRun& model : study.models) {
         print_row(model.label, model.run.similitude.length(), model.run.status, &model.difference, model.judgement.parting_time,
                   describe_agreement(study, model));
     }
     for (std::size_t i = 0; i < study.twins.size(); ++i) {
-        const study::PairedTwin& twin = study.twins[i];
+        const lsdem::PairedTwin& twin = study.twins[i];
         print_row("twin", twin.choice.length, twin.status, &twin.difference, yardstick.parting_time(study.twin_traces[i]),
                   twin.choice.last_place ? "last places moved" : "exact image");
     }
@@ -191,85 +190,85 @@ void print_table(const study::PairStudy& study) {
     }
 }
 
-void print_study(const study::ScenePair& pair) {
-    const study::PairStudy& study = pair.study;
-    for (const std::string& line : study::describe_verdict(study)) print("{}\n", line);
+void print_study(const lsdem::ScenePair& pair) {
+    const lsdem::PairStudy& study = pair.study;
+    for (const std::string& line : lsdem::describe_verdict(study)) print("{}\n", line);
     print("\n{}, {} materials: spine velocities v/λ_v at t/λ_t against the prototype\n", pair.prototype.name,
-          study::to_string(study.materials));
+          lsdem::to_string(study.materials));
     print_table(study);
     print(
         "`parting`: prototype time at which a velocity first differs by {:g} of the largest; `loss diff.`: of the energy dissipated,\n"
         "level by level, as a part of all that the prototype dissipated\n",
-        study::kPartingLevel);
-    for (const study::PairedRun& model : study.models) {
+        lsdem::kPartingLevel);
+    for (const lsdem::PairedRun& model : study.models) {
         if (model.distortions.empty()) continue;
         print("\nDistortions of {}{}\n", model.label, model.material.empty() ? "" : ", " + model.material);
         print_distortions(model.distortions);
     }
-    for (const study::PairedRun& model : study.models) print_alone(model);
+    for (const lsdem::PairedRun& model : study.models) print_alone(model);
 }
 
-void write_study(study::ResultFolder& folder, const study::ScenePair& pair) {
-    const study::PairStudy& study = pair.study;
-    folder.add_run("prototype", study.prototype, {scene::write_scene(pair.prototype), kVersion});
+void write_study(lsdem::ResultFolder& folder, const lsdem::ScenePair& pair) {
+    const lsdem::PairStudy& study = pair.study;
+    folder.add_run("prototype", study.prototype, {lsdem::write_scene(pair.prototype), kVersion});
     for (std::size_t m = 0; m < study.models.size(); ++m) {
-        const study::PairedRun& model = study.models[m];
-        folder.add_run(study::name_folder(model.label), model.run, {scene::write_scene(pair.models[m]), kVersion});
+        const lsdem::PairedRun& model = study.models[m];
+        folder.add_run(lsdem::name_folder(model.label), model.run, {lsdem::write_scene(pair.models[m]), kVersion});
     }
-    folder.add_text("spine.svg", study::make_svg(study::make_spine_plot(study, pair.scales, pair.prototype.name)));
-    folder.add_text("departure.svg", study::make_svg(study::make_departure_plot(study::find_departure(study), pair.prototype.name)));
-    folder.add_json("pair.json", study::to_json(study));
+    folder.add_text("spine.svg", lsdem::make_svg(lsdem::make_spine_plot(study, pair.scales, pair.prototype.name)));
+    folder.add_text("departure.svg", lsdem::make_svg(lsdem::make_departure_plot(lsdem::find_departure(study), pair.prototype.name)));
+    folder.add_json("pair.json", lsdem::to_json(study));
     folder.commit();
 }
 
 /// Says which runs diverged; the exit code that follows.
-int judge(const std::string& scene, const study::PairStudy& study) {
+int judge(const std::string& scene, const lsdem::PairStudy& study) {
     bool diverged = report_divergence(scene + ", prototype", study.prototype);
-    for (const study::PairedRun& model : study.models) diverged |= report_divergence(scene + ", " + model.label, model.run);
+    for (const lsdem::PairedRun& model : study.models) diverged |= report_divergence(scene + ", " + model.label, model.run);
     const auto twin = std::find_if(study.twins.begin(), study.twins.end(),
-                                   [](const study::PairedTwin& t) { return t.status == study::RunStatus::diverged; });
+                                   [](const lsdem::PairedTwin& t) { return t.status == lsdem::RunStatus::diverged; });
     if (!diverged && twin != study.twins.end()) {
         note("musim: error: {}: a twin of length {:.6g} diverged where the prototype did not; take a smaller \"safety\"\n", scene,
              twin->choice.length);
     }
     if (study.diverged()) return kNumericalFailure;
     report_doubts(scene + ", prototype", study.prototype);
-    for (const study::PairedRun& model : study.models) report_doubts(scene + ", " + model.label, model.run);
-    const auto refused = [&](const study::PairedRun& model) { return !study::judge_own(study, model).accepted.value_or(true); };
+    for (const lsdem::PairedRun& model : study.models) report_doubts(scene + ", " + model.label, model.run);
+    const auto refused = [&](const lsdem::PairedRun& model) { return !lsdem::judge_own(study, model).accepted.value_or(true); };
     if (std::any_of(study.models.begin(), study.models.end(), refused)) return kNotAccepted;
-    const bool judged = study.agreement() != study::Agreement::not_judged;
+    const bool judged = study.agreement() != lsdem::Agreement::not_judged;
     return study.consistent() || !judged ? kDone : kCheckFailed;
 }
 
 int run_pair(const PairOptions& options) {
-    const scene::Scene prototype = make_prototype(options);
-    const std::vector<study::ModelChoice> choices = make_choices(options);
-    std::optional<study::ResultFolder> folder;
+    const lsdem::Scene prototype = make_prototype(options);
+    const std::vector<lsdem::ModelChoice> choices = make_choices(options);
+    std::optional<lsdem::ResultFolder> folder;
     if (!options.out.empty()) {
-        study::ResultOrigin origin = options.overwriting.origin_with_options();
+        lsdem::ResultOrigin origin = options.overwriting.origin_with_options();
         origin.add(prototype);
-        for (const study::ModelChoice& choice : choices) {
+        for (const lsdem::ModelChoice& choice : choices) {
             if (choice.scene) origin.add(*choice.scene, choice.scene->name + ": ");
         }
         folder.emplace(options.out, std::move(origin), options.overwriting.choice());
     }
     note_cut_motions(options.scene, prototype);
 
-    std::optional<study::ScenePair> pair;
+    std::optional<lsdem::ScenePair> pair;
     {
         ProgressInParts progress(prototype.name);
-        study::RunSettings settings{.threads = options.threads, .observer = progress.observer()};
+        lsdem::RunSettings settings{.threads = options.threads, .observer = progress.observer()};
         if (folder) {
-            settings.checkpoint = study::CheckpointSettings{
+            settings.checkpoint = lsdem::CheckpointSettings{
                 .file = options.out,
-                .scene = scene::write_scene(prototype),
+                .scene = lsdem::write_scene(prototype),
                 .program_version = kVersion,
                 .interval = options.checkpoint_interval,
                 .on_failure = [](const std::string& why) { note_at_end("musim: warning: no checkpoint: " + why); }};
         }
-        std::optional<study::LiveFile> live;
+        std::optional<lsdem::LiveFile> live;
         if (folder) live.emplace(options.out, prototype.name).listen_to(settings.observer);
-        study::PairSceneSettings how{.specimen = options.specimen == "each" ? study::PairSpecimen::each : study::PairSpecimen::one,
+        lsdem::PairSceneSettings how{.specimen = options.specimen == "each" ? lsdem::PairSpecimen::each : lsdem::PairSpecimen::one,
                                      .judging = {.twins = options.twins, .seed = options.seed, .half_step = !options.no_half_step},
                                      .each_alone = options.each_alone,
                                      .specimens = options.specimens,
@@ -278,7 +277,7 @@ int run_pair(const PairOptions& options) {
             tell(part);
             if (live) live->tell_spare(part);
         };
-        pair = study::pair_scene(prototype, choices, find_materials(options), settings, how);
+        pair = lsdem::pair_scene(prototype, choices, find_materials(options), settings, how);
     }
     if (folder) {
         if (pair->resumed) note("{}: went on from what a pair that was killed had left in {}\n", options.scene, pair->unfinished.string());
@@ -288,7 +287,7 @@ int run_pair(const PairOptions& options) {
     }
 
     if (options.json) {
-        print_json(study::to_json(pair->study));
+        print_json(lsdem::to_json(pair->study));
     } else {
         print_study(*pair);
         if (folder) print("Results in {}, pictures spine.svg and departure.svg there\n", options.out);

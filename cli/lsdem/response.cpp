@@ -22,8 +22,6 @@
 namespace musim::cli {
 namespace {
 
-namespace study = lsdem::study;
-
 using scaling::kDegree;
 
 struct ResponseOptions {
@@ -37,26 +35,26 @@ struct ResponseOptions {
     bool json = false;
 };
 
-void print_losses(const study::Damage& damage) {
+void print_losses(const lsdem::Damage& damage) {
     if (!damage.loss) {
         print("\n  energy dissipated per level: not in these results; run the scene again\n");
         return;
     }
     print("\n  energy dissipated: friction {:.4g} J, damping {:.4g} J\n", damage.loss->friction, damage.loss->damping);
     print("  below level: {:>14} {:>14} {:>8}\n", "friction [J]", "damping [J]", "share");
-    for (const study::LevelDamage& l : damage.levels) {
+    for (const lsdem::LevelDamage& l : damage.levels) {
         print("  {:>11}  {:>14.4g} {:>14.4g} {:>7.2f}%\n", l.level, l.loss->friction, l.loss->damping,
-              100.0 * study::find_loss_share(l, damage));
+              100.0 * lsdem::find_loss_share(l, damage));
     }
 }
 
-void print_response(const study::Response& r) {
-    print("{}: motion along {}, {}\n", study::to_string(r.status), study::axis_name(r.axis),
-          study::describe_pga(r.pga[r.axis], r.source_pga[static_cast<std::size_t>(r.axis)]));
+void print_response(const lsdem::Response& r) {
+    print("{}: motion along {}, {}\n", lsdem::to_string(r.status), lsdem::axis_name(r.axis),
+          lsdem::describe_pga(r.pga[r.axis], r.source_pga[static_cast<std::size_t>(r.axis)]));
     if (r.collapse_time) print("  collapsed at {:.4g} s\n", *r.collapse_time);
-    if (r.failure) print("  {}\n", study::describe(*r.failure));
+    if (r.failure) print("  {}\n", lsdem::describe(*r.failure));
     print("  elastic speed H sqrt(k/m) {:.5g} m/s, sqrt(mu g l) {:.5g} m/s\n", r.scales.elastic_speed, r.scales.sliding_speed());
-    for (const study::SpeedEstimate& e : r.speeds) {
+    for (const lsdem::SpeedEstimate& e : r.speeds) {
         if (e.speed) {
             print("  {:<17} {:>9.5g} +- {:<8.3g} m/s, S^N {:.4g}, {} levels\n", e.method, *e.speed, e.speed_error,
                   *e.speed / r.scales.sliding_speed(), e.height.size());
@@ -64,19 +62,19 @@ void print_response(const study::Response& r) {
             print("  {:<17} none: {}\n", e.method, e.why);
         }
     }
-    const std::string axis = study::axis_name(r.axis);
+    const std::string axis = lsdem::axis_name(r.axis);
     print("\n  spine: {:>5} {:>14} {:>14} {:>14} {:>19} {:>19}\n", "level", "residual " + axis + " [mm]", "peak " + axis + " [mm]",
           "peak v [m/s]", "in plane [deg]", "vertical [deg]");
-    for (const study::SpineLevel& l : r.spine) {
+    for (const lsdem::SpineLevel& l : r.spine) {
         print("         {:>5} {:>14.4g} {:>14.4g} {:>14.4g} {:>9.3g} {:>9.3g} {:>9.3g} {:>9.3g}\n", l.level,
               1e3 * l.residual_displacement[r.axis], 1e3 * l.peak_displacement[r.axis], l.peak_velocity[r.axis], l.in_plane_peak / kDegree,
               l.in_plane_residual / kDegree, l.vertical_peak / kDegree, l.vertical_residual / kDegree);
     }
     print("  (rotations: peak and residual)\n");
-    const study::Damage& d = r.damage;
+    const lsdem::Damage& d = r.damage;
     print("\n  damage index {:.4g}; {} of {} blocks fallen\n", d.index, d.fallen, d.blocks);
     print("  level: {:>6} {:>20} {:>20} {:>20} {:>9}\n", "fallen", "slip below [mm]", "rotation [deg]", "tilt at end [deg]", "index");
-    for (const study::LevelDamage& l : d.levels) {
+    for (const lsdem::LevelDamage& l : d.levels) {
         print("  {:>5}  {:>6} {:>10.3g} {:>9.3g} {:>10.3g} {:>9.3g} {:>10.3g} {:>9.3g} {:>9.3g}\n", l.level, l.fallen, 1e3 * l.slip.mean,
               1e3 * l.slip.max, l.rotation.mean / kDegree, l.rotation.max / kDegree, l.final_tilt.mean / kDegree,
               l.final_tilt.max / kDegree, l.index);
@@ -86,38 +84,38 @@ void print_response(const study::Response& r) {
 }
 
 /// Pictures of the velocity field at the times wanted, all with the same colours.
-nlohmann::json add_fields(study::ResultFolder& folder, const study::StoredRun& run, const ResponseOptions& options, int axis) {
-    const study::CameraSettings camera = options.look.camera(axis);
-    study::FieldPicture picture{.side = camera.side, .component = options.look.shown(), .limit = 0.0, .name = options.directory};
-    const std::vector<study::FieldView> views = study::take_views(run, {options.fields.begin(), options.fields.end()}, camera);
-    picture.limit = study::find_field_limit(run, views, picture.side, picture.component);
+nlohmann::json add_fields(lsdem::ResultFolder& folder, const lsdem::StoredRun& run, const ResponseOptions& options, int axis) {
+    const lsdem::CameraSettings camera = options.look.camera(axis);
+    lsdem::FieldPicture picture{.side = camera.side, .component = options.look.shown(), .limit = 0.0, .name = options.directory};
+    const std::vector<lsdem::FieldView> views = lsdem::take_views(run, {options.fields.begin(), options.fields.end()}, camera);
+    picture.limit = lsdem::find_field_limit(run, views, picture.side, picture.component);
     nlohmann::json list = nlohmann::json::array();
-    for (const study::FieldView& view : views) {
+    for (const lsdem::FieldView& view : views) {
         const std::string name = fmt::format("field_{:.6g}s", view.image.time);
-        folder.add_text(name + ".csv", study::make_field_csv(run, view.frame, view.image, camera.side));
-        folder.add_text(name + ".svg", study::make_field_svg(run, {view}, picture));
+        folder.add_text(name + ".csv", lsdem::make_field_csv(run, view.frame, view.image, camera.side));
+        folder.add_text(name + ".svg", lsdem::make_field_svg(run, {view}, picture));
         list.push_back({{"time_s", view.image.time}, {"picture", name + ".svg"}, {"grid", name + ".csv"}});
     }
     return list;
 }
 
 int run_response(const ResponseOptions& options) {
-    const study::StoredRun run = study::read_run(options.directory);
-    study::ResponseSettings settings{.axis = {}, .threshold = options.threshold, .window = {}};
+    const lsdem::StoredRun run = lsdem::read_run(options.directory);
+    lsdem::ResponseSettings settings{.axis = {}, .threshold = options.threshold, .window = {}};
     if (!options.axis.empty()) settings.axis = static_cast<int>(std::string("xyz").find(options.axis));
     if (!options.window.empty()) settings.window = {{options.window[0], options.window[1]}};
-    const study::Response response = study::measure_response(run, settings);
+    const lsdem::Response response = lsdem::measure_response(run, settings);
 
-    nlohmann::json object = study::to_json(response);
+    nlohmann::json object = lsdem::to_json(response);
     if (!options.out.empty()) {
-        study::ResultFolder folder(options.out);
+        lsdem::ResultFolder folder(options.out);
         if (!options.fields.empty()) object["fields"] = add_fields(folder, run, options, response.axis);
         folder.add_text("response.json", object.dump(2) + "\n");
-        folder.add_text("response_spine.csv", study::make_spine_levels_csv(response));
-        folder.add_text("response_levels.csv", study::make_damage_csv(response.damage));
-        folder.add_text("residual.svg", study::make_residual_svg(response, options.directory));
-        folder.add_text("rotation.svg", study::make_rotation_svg(response, options.directory));
-        folder.add_text("lag.svg", study::make_lag_svg(response, options.directory));
+        folder.add_text("response_spine.csv", lsdem::make_spine_levels_csv(response));
+        folder.add_text("response_levels.csv", lsdem::make_damage_csv(response.damage));
+        folder.add_text("residual.svg", lsdem::make_residual_svg(response, options.directory));
+        folder.add_text("rotation.svg", lsdem::make_rotation_svg(response, options.directory));
+        folder.add_text("lag.svg", lsdem::make_lag_svg(response, options.directory));
         folder.commit();
     }
     if (options.json) {

@@ -28,7 +28,6 @@ namespace musim::cli {
 namespace {
 
 namespace fs = std::filesystem;
-namespace scene = lsdem::scene;
 
 struct RunOptions {
     std::string scene;
@@ -42,42 +41,42 @@ struct RunOptions {
 };
 
 /// The similitude by which the scene's record was made that of a model; nothing for other scenes.
-std::optional<scaling::Similitude> find_similitude(const scene::Scene& scene) {
-    const auto* record = std::get_if<scene::RecordMotion>(&scene.base_motion.source);
+std::optional<scaling::Similitude> find_similitude(const lsdem::Scene& scene) {
+    const auto* record = std::get_if<lsdem::RecordMotion>(&scene.base_motion.source);
     if (record == nullptr || !record->scale) return std::nullopt;
-    return scene::make_similitude(*record->scale);
+    return lsdem::make_similitude(*record->scale);
 }
 
-void print_run(const scene::Scene& scene, const study::RunResult& run) {
-    print("{}: {}\n", scene.name, study::to_string(run.status));
-    const study::Outcome outcome = study::find_outcome(run);
-    for (const std::string& line : study::describe(outcome)) print("  {}\n", line);
+void print_run(const lsdem::Scene& scene, const lsdem::RunResult& run) {
+    print("{}: {}\n", scene.name, lsdem::to_string(run.status));
+    const lsdem::Outcome outcome = lsdem::find_outcome(run);
+    for (const std::string& line : lsdem::describe(outcome)) print("  {}\n", line);
     if (const auto similitude = find_similitude(scene)) {
         print("  as in the prototype, of which this is a model at 1:{:.6g} by law {}:\n", 1.0 / similitude->length(),
               similitude->law_name());
-        for (const std::string& line : study::describe(study::scale_back(outcome, *similitude))) print("    {}\n", line);
+        for (const std::string& line : lsdem::describe(lsdem::scale_back(outcome, *similitude))) print("    {}\n", line);
     }
     if (run.collapse_time) print("  collapsed at {:.4g} s\n", *run.collapse_time);
-    if (const auto failure = study::find_failure(run)) print("  {}\n", study::describe(*failure));
+    if (const auto failure = lsdem::find_failure(run)) print("  {}\n", lsdem::describe(*failure));
     print("  {:.6g} s simulated in {:.2f} s, {} steps of {:.3g} s; energy balance closes to {:.2g}; state {}\n", run.final.time,
           run.wall_time, run.steps, run.time_step, run.energy_closure, run.state_hash);
 }
 
-fs::path checkpoint_in(const std::string& directory) { return fs::path(directory) / study::kCheckpointName; }
+fs::path checkpoint_in(const std::string& directory) { return fs::path(directory) / lsdem::kCheckpointName; }
 
 /// What a run starts or continues with.
 struct Begin {
-    scene::Scene scene;
+    lsdem::Scene scene;
     std::string scene_text;
-    std::optional<study::Checkpoint> checkpoint;  ///< of a run to resume
+    std::optional<lsdem::Checkpoint> checkpoint;  ///< of a run to resume
 };
 
 Begin begin_anew(const RunOptions& options) {
     Begin begin{.scene = read_scene(options.scene), .scene_text = {}, .checkpoint = {}};
     if (options.duration) begin.scene.time.duration = options.duration->value * scaling::si::seconds;
-    scene::check_scene(begin.scene, options.scene);
-    scene::require_single_motion(begin.scene, "a run");
-    begin.scene_text = scene::write_scene(begin.scene);
+    lsdem::check_scene(begin.scene, options.scene);
+    lsdem::require_single_motion(begin.scene, "a run");
+    begin.scene_text = lsdem::write_scene(begin.scene);
     return begin;
 }
 
@@ -102,9 +101,9 @@ void require_checkpoint(const std::string& directory) {
 
 Begin begin_from(const std::string& directory) {
     const fs::path file = checkpoint_in(directory);
-    Begin begin{.scene = {}, .scene_text = {}, .checkpoint = study::read_checkpoint(file, kVersion)};
+    Begin begin{.scene = {}, .scene_text = {}, .checkpoint = lsdem::read_checkpoint(file, kVersion)};
     begin.scene_text = begin.checkpoint->scene;
-    begin.scene = scene::parse_scene(begin.scene_text, file);
+    begin.scene = lsdem::parse_scene(begin.scene_text, file);
     if (!begin.scene.motions.empty()) {
         throw std::runtime_error(fmt::format(
             "{}: the checkpoint is of a sequence of motions; continue it with `musim sequence --resume {}`", file.string(), directory));
@@ -112,11 +111,11 @@ Begin begin_from(const std::string& directory) {
     return begin;
 }
 
-study::RunResult carry_out(Begin begin, const RunOptions& options, const std::string& directory) {
-    study::RunSettings settings{.threads = options.threads};
+lsdem::RunResult carry_out(Begin begin, const RunOptions& options, const std::string& directory) {
+    lsdem::RunSettings settings{.threads = options.threads};
     if (!directory.empty()) {
         settings.checkpoint =
-            study::CheckpointSettings{.file = checkpoint_in(directory),
+            lsdem::CheckpointSettings{.file = checkpoint_in(directory),
                                       .scene = begin.scene_text,
                                       .program_version = kVersion,
                                       .interval = options.checkpoint_interval,
@@ -124,11 +123,11 @@ study::RunResult carry_out(Begin begin, const RunOptions& options, const std::st
     }
     ProgressInParts progress(begin.scene.name, begin.checkpoint.has_value());
     settings.observer = progress.observer();
-    std::optional<study::LiveFile> live;
+    std::optional<lsdem::LiveFile> live;
     if (!directory.empty()) live.emplace(directory, begin.scene.name).listen_to(settings.observer);
-    if (!begin.checkpoint) return study::run_scene(begin.scene, settings);
+    if (!begin.checkpoint) return lsdem::run_scene(begin.scene, settings);
     try {
-        return study::resume_scene(begin.scene, std::move(*begin.checkpoint), settings);
+        return lsdem::resume_scene(begin.scene, std::move(*begin.checkpoint), settings);
     } catch (const std::runtime_error& error) {
         throw std::runtime_error(
             fmt::format("{}: the run cannot be continued ({}); has the scene's record or the program changed since? If so, start it anew",
@@ -142,7 +141,7 @@ int run_run(const RunOptions& options) {
     std::optional<Begin> begin;
     if (!resumes) begin = begin_anew(options);
     // the folder first: better no run than one without a place for its results, and no checkpoint that another musim still writes
-    std::optional<study::ResultFolder> folder;
+    std::optional<lsdem::ResultFolder> folder;
     if (resumes && !fs::is_directory(directory)) require_checkpoint(directory);
     if (!directory.empty()) folder.emplace(directory);
     if (resumes) {
@@ -150,23 +149,23 @@ int run_run(const RunOptions& options) {
         begin = begin_from(directory);
     }
     if (folder) {
-        study::ResultOrigin origin = options.overwriting.origin();
+        lsdem::ResultOrigin origin = options.overwriting.origin();
         origin.add(begin->scene);
-        folder->set_origin(std::move(origin), resumes ? study::Overwriting::resume : options.overwriting.choice());
+        folder->set_origin(std::move(origin), resumes ? lsdem::Overwriting::resume : options.overwriting.choice());
         if (!resumes) refuse_old_checkpoint(directory);
     }
-    const scene::Scene scene = begin->scene;
+    const lsdem::Scene scene = begin->scene;
     if (!resumes) note_cut_motions(options.scene, scene);
     const std::string scene_text = begin->scene_text;
-    const study::RunResult run = carry_out(std::move(*begin), options, directory);
+    const lsdem::RunResult run = carry_out(std::move(*begin), options, directory);
     if (folder) {
         folder->add_run("", run, {.scene = scene_text, .program_version = kVersion});
         folder->commit();
-        study::remove_checkpoint(checkpoint_in(directory));
+        lsdem::remove_checkpoint(checkpoint_in(directory));
     }
 
     if (options.json) {
-        print_json(study::make_summary(run));
+        print_json(lsdem::make_summary(run));
     } else {
         print_run(scene, run);
         if (folder) print("Results in {}\n", directory);

@@ -22,9 +22,6 @@
 namespace musim::cli {
 namespace {
 
-namespace scene = lsdem::scene;
-namespace study = lsdem::study;
-
 struct SequenceOptions {
     std::string scene;
     std::string out;
@@ -37,65 +34,65 @@ struct SequenceOptions {
     const std::string& directory() const { return resume.empty() ? out : resume; }
 };
 
-study::SequenceSummary carry_out(const SequenceOptions& options) {
+lsdem::SequenceSummary carry_out(const SequenceOptions& options) {
     const bool resumes = !options.resume.empty();
     ProgressInParts progress(resumes ? options.resume : options.scene, resumes);
-    study::SequenceSettings settings{.directory = options.directory(),
+    lsdem::SequenceSettings settings{.directory = options.directory(),
                                      .version = kVersion,
                                      .threads = options.threads,
                                      .force = options.overwriting.force,
                                      .checkpoint_interval = options.checkpoint_interval,
                                      .observer = progress.observer(),
                                      .on_no_checkpoint = [](const std::string& why) { note("musim: warning: no checkpoint: {}\n", why); }};
-    std::optional<scene::Scene> scene;
+    std::optional<lsdem::Scene> scene;
     if (!resumes) {
         scene = read_scene(options.scene);
         note_cut_motions(options.scene, *scene);
     }
-    study::LiveFile live(options.directory(), scene ? scene->name : options.resume);
+    lsdem::LiveFile live(options.directory(), scene ? scene->name : options.resume);
     live.listen_to(settings.observer);
-    return scene ? study::run_sequence(*scene, settings) : study::resume_sequence(settings);
+    return scene ? lsdem::run_sequence(*scene, settings) : lsdem::resume_sequence(settings);
 }
 
-void print_sequence(const study::SequenceSummary& summary) {
+void print_sequence(const lsdem::SequenceSummary& summary) {
     print("{}: {} of {} motions, {:.6g} s of shaking, {}\n", summary.name, summary.stages.size(), summary.planned, summary.duration(),
-          study::to_string(summary.status()));
+          lsdem::to_string(summary.status()));
     print("  {:>5} {:<20} {:>10} {:>10} {:>10} {:>10} {:>8}  {}\n", "stage", "name", "base v", "base a", "damage", "damage", "fallen",
           "status");
     print("  {:>5} {:<20} {:>10} {:>10} {:>10} {:>10} {:>10} {:>8}\n", "", "", "[m/s]", "[g]", "at start", "of stage", "total", "blocks");
     for (std::size_t k = 0; k < summary.stages.size(); ++k) {
-        const study::StageSummary& stage = summary.stages[k];
+        const lsdem::StageSummary& stage = summary.stages[k];
         print("  {:>5} {:<20.20} {:>10.4g} {:>10.4g} {:>10.4g} {:>10.4g} {:>10.4g} {:>8}  {}\n", k + 1, stage.where.name,
               stage.peak_velocity, stage.peak_acceleration / scaling::kStandardGravity.value(),
               stage.at_start ? stage.at_start->damage.index : 0.0, stage.of_stage.damage.index, stage.of_sequence.damage.index,
-              stage.fallen, study::to_string(stage.status));
+              stage.fallen, lsdem::to_string(stage.status));
     }
-    for (const study::StageSummary& stage : summary.stages) {
+    for (const lsdem::StageSummary& stage : summary.stages) {
         if (!stage.pga.empty()) print("  {} {}\n", stage.where.folder, stage.pga);
     }
     if (const auto time = summary.collapse_time()) {
-        const study::StageSummary& last = summary.stages.back();
+        const lsdem::StageSummary& last = summary.stages.back();
         print("  collapsed {:.4g} s after the start of {}{}, {:.4g} s of shaking in all\n", *last.collapse_time, last.where.folder,
               *last.collapse_time > last.duration ? " (while it came to rest after the motion)" : "", *time);
     }
-    if (summary.failure) print("  {}\n", study::describe(*summary.failure));
+    if (summary.failure) print("  {}\n", lsdem::describe(*summary.failure));
 }
 
 /// One line on stderr for what is wrong or doubtful; the exit code.
-int report_stages(const std::string& where, const study::SequenceSummary& summary) {
-    for (const study::StageSummary& stage : summary.stages) {
+int report_stages(const std::string& where, const lsdem::SequenceSummary& summary) {
+    for (const lsdem::StageSummary& stage : summary.stages) {
         for (const std::string& doubt : stage.doubts) note("musim: warning: {}: {}: {}\n", where, stage.where.folder, doubt);
     }
-    const study::StageSummary& last = summary.stages.back();
+    const lsdem::StageSummary& last = summary.stages.back();
     if (last.divergence.empty()) return kDone;
     note("musim: error: {}: {}: {}\n", where, last.where.folder, last.divergence);
     return kNumericalFailure;
 }
 
 int run_sequence(const SequenceOptions& options) {
-    const study::SequenceSummary summary = carry_out(options);
+    const lsdem::SequenceSummary summary = carry_out(options);
     if (options.json) {
-        print_json(study::to_json(summary));
+        print_json(lsdem::to_json(summary));
     } else {
         print_sequence(summary);
         print("Results in {}\n", options.directory());

@@ -20,8 +20,6 @@
 namespace musim::cli {
 namespace {
 
-namespace scene = lsdem::scene;
-
 struct SpecimenOptions {
     std::string scene;
     std::vector<std::string> compare;
@@ -33,19 +31,19 @@ struct SpecimenOptions {
     bool json = false;
 };
 
-double largest_tilt(const study::PreparedSpecimen& prepared) {
+double largest_tilt(const lsdem::PreparedSpecimen& prepared) {
     double largest = 0.0;
-    for (const study::LayerState& layer : prepared.layers) largest = std::max(largest, layer.max_tilt);
+    for (const lsdem::LayerState& layer : prepared.layers) largest = std::max(largest, layer.max_tilt);
     return largest;
 }
 
-nlohmann::json describe(const study::SpecimenReport& report) {
+nlohmann::json describe(const lsdem::SpecimenReport& report) {
     nlohmann::json object{{"file", report.file.string()}, {"seed", report.seed},     {"reused", report.reused},
                           {"resumed", report.resumed},    {"blocks", report.blocks}, {"fallen", report.fallen}};
     if (report.reused) return object;
-    const study::PreparedSpecimen& prepared = report.prepared;
+    const lsdem::PreparedSpecimen& prepared = report.prepared;
     nlohmann::json layers = nlohmann::json::array();
-    for (const study::LayerState& layer : prepared.layers) {
+    for (const lsdem::LayerState& layer : prepared.layers) {
         layers.push_back({{"mean_tilt_deg", layer.mean_tilt * scaling::kDegrees},
                           {"max_tilt_deg", layer.max_tilt * scaling::kDegrees},
                           {"mean_force_N", layer.mean_force},
@@ -62,12 +60,12 @@ nlohmann::json describe(const study::SpecimenReport& report) {
     return object;
 }
 
-void print_report(const study::SpecimenReport& report) {
+void print_report(const lsdem::SpecimenReport& report) {
     if (report.reused) {
         print("{}: seed {}, {} blocks, made before from the same inputs\n", report.file.string(), report.seed, report.blocks);
         return;
     }
-    const study::PreparedSpecimen& prepared = report.prepared;
+    const lsdem::PreparedSpecimen& prepared = report.prepared;
     print("{}: seed {}, {} blocks{}\n", report.file.string(), report.seed, report.blocks,
           report.resumed ? ", gone on with from a checkpoint" : "");
     print("  {} after {} steps in {:.2f} s; base reaction {:.6f} of the weight, largest tilt {:.3g} degrees, overlap {:.3g} of a height\n",
@@ -75,12 +73,12 @@ void print_report(const study::SpecimenReport& report) {
           largest_tilt(prepared) * scaling::kDegrees, prepared.max_overlap);
 }
 
-void print_quantity(const char* name, const std::vector<study::LayerComparison>& layers,
-                    study::QuantityComparison study::LayerComparison::*quantity, double unit) {
+void print_quantity(const char* name, const std::vector<lsdem::LayerComparison>& layers,
+                    lsdem::QuantityComparison lsdem::LayerComparison::*quantity, double unit) {
     print("\n  {:<24} {:>18} {:>18} {:>20} {:>8} {:>8}\n", name, "first (sd)", "second (sd)", "same seeds differ by", "p mean", "p sd");
-    for (const study::LayerComparison& layer : layers) {
-        const study::QuantityComparison& compared = layer.*quantity;
-        const study::TwoSamples& samples = compared.samples;
+    for (const lsdem::LayerComparison& layer : layers) {
+        const lsdem::QuantityComparison& compared = layer.*quantity;
+        const lsdem::TwoSamples& samples = compared.samples;
         const std::string pairs =
             compared.pairs > 1 ? fmt::format("{:+.3f} +- {:.3f}", compared.pair_difference * unit, compared.pair_error * unit) : "-";
         print("  {:<24} {:>18} {:>18} {:>20} {:>8.2f} {:>8.2f}\n", fmt::format("layers {}-{}", layer.first, layer.last),
@@ -90,52 +88,52 @@ void print_quantity(const char* name, const std::vector<study::LayerComparison>&
     }
 }
 
-nlohmann::json describe(const study::SpecimenSet& set) {
+nlohmann::json describe(const lsdem::SpecimenSet& set) {
     return {{"file", set.name}, {"specimens", set.specimens.size()}, {"fallen", set.fallen()}, {"block_steps", set.block_steps()}};
 }
 
 /// What was printed of two ways of preparing, beside each other.
 int compare_specimens(const SpecimenOptions& options) {
-    const study::SpecimenSet first = study::read_specimen_set(options.compare[0]), second = study::read_specimen_set(options.compare[1]);
-    const std::vector<study::LayerComparison> layers = study::compare_specimens(first, second);
+    const lsdem::SpecimenSet first = lsdem::read_specimen_set(options.compare[0]), second = lsdem::read_specimen_set(options.compare[1]);
+    const std::vector<lsdem::LayerComparison> layers = lsdem::compare_specimens(first, second);
     if (options.json) {
         nlohmann::json list = nlohmann::json::array();
-        for (const study::LayerComparison& layer : layers) list.push_back(study::to_json(layer));
+        for (const lsdem::LayerComparison& layer : layers) list.push_back(lsdem::to_json(layer));
         print_json({{"first", describe(first)}, {"second", describe(second)}, {"compared", list}});
         return kDone;
     }
-    for (const study::SpecimenSet* set : {&first, &second}) {
+    for (const lsdem::SpecimenSet* set : {&first, &second}) {
         print("{}: {} specimens, {:.3g} block steps each, {} blocks fell\n", set->name, set->specimens.size(), set->block_steps(),
               set->fallen());
     }
-    print_quantity("mean tilt [deg]", layers, &study::LayerComparison::tilt, scaling::kDegrees);
-    print_quantity("largest of a layer [deg]", layers, &study::LayerComparison::largest_tilt, scaling::kDegrees);
-    print_quantity("scatter of forces [N]", layers, &study::LayerComparison::force_scatter, 1.0);
+    print_quantity("mean tilt [deg]", layers, &lsdem::LayerComparison::tilt, scaling::kDegrees);
+    print_quantity("largest of a layer [deg]", layers, &lsdem::LayerComparison::largest_tilt, scaling::kDegrees);
+    print_quantity("scatter of forces [N]", layers, &lsdem::LayerComparison::force_scatter, 1.0);
     print("\n  p: how probable so large a difference is between samples of one population; of twenty, one is below 0.05 by chance\n");
     return kDone;
 }
 
 int run_specimen(const SpecimenOptions& options) {
     if (!options.compare.empty()) return compare_specimens(options);
-    study::SpecimenBatch batch = begin_batch(options.out, options.threads, options.checkpoint_interval);
+    lsdem::SpecimenBatch batch = begin_batch(options.out, options.threads, options.checkpoint_interval);
     batch.scene = read_scene(options.scene);
     if (!options.placing.empty()) {
-        const auto& names = scene::placing_names();
+        const auto& names = lsdem::placing_names();
         if (!batch.scene.preparation) batch.scene.preparation.emplace();
         batch.scene.preparation->placing =
-            static_cast<scene::Placing>(std::find(names.begin(), names.end(), options.placing) - names.begin());
-        scene::check_scene(batch.scene, options.scene);
+            static_cast<lsdem::Placing>(std::find(names.begin(), names.end(), options.placing) - names.begin());
+        lsdem::check_scene(batch.scene, options.scene);
     }
-    for (int i = 0; i < options.seeds; ++i) batch.seeds.push_back(static_cast<std::uint64_t>(i) + study::seed_of(batch.scene));
-    std::vector<study::SpecimenReport> reports;
+    for (int i = 0; i < options.seeds; ++i) batch.seeds.push_back(static_cast<std::uint64_t>(i) + lsdem::seed_of(batch.scene));
+    std::vector<lsdem::SpecimenReport> reports;
     {
         ProgressLine progress(batch.scene.name);
         batch.on_progress = [&](double fraction) { progress.update(fraction); };
-        reports = study::make_specimens(batch);
+        reports = lsdem::make_specimens(batch);
     }
     nlohmann::json list = nlohmann::json::array();
     bool all_at_rest = true;
-    for (const study::SpecimenReport& report : reports) {
+    for (const lsdem::SpecimenReport& report : reports) {
         warn_of_fallen(report);
         all_at_rest = all_at_rest && (report.reused || report.prepared.rest.at_rest);
         if (options.json) {
@@ -169,7 +167,7 @@ void add_specimen_command(CLI::App& app, Action& action) {
         ->excludes(out);
     command->add_option("--placing", options->placing, "How blocks come to their places, instead of the scene's own way")
         ->type_name("quick_layers|layers|resting|as_drawn")
-        ->check(one_of(scene::placing_names()));
+        ->check(one_of(lsdem::placing_names()));
     command->add_option("--seeds", options->seeds, "Specimens with as many seeds, from the scene's on")
         ->type_name("N")
         ->check(above_zero())

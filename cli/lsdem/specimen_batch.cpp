@@ -5,8 +5,8 @@
 
 namespace musim::cli {
 
-lsdem::study::SpecimenBatch begin_batch(const std::string& folder, int threads, double checkpoint_interval) {
-    lsdem::study::SpecimenBatch batch;
+lsdem::SpecimenBatch begin_batch(const std::string& folder, int threads, double checkpoint_interval) {
+    lsdem::SpecimenBatch batch;
     batch.folder = folder;
     batch.version = kVersion;
     batch.threads = threads;
@@ -15,7 +15,7 @@ lsdem::study::SpecimenBatch begin_batch(const std::string& folder, int threads, 
     return batch;
 }
 
-void warn_of_fallen(const lsdem::study::SpecimenReport& report) {
+void warn_of_fallen(const lsdem::SpecimenReport& report) {
     if (report.fallen == 0) return;
     note("musim: warning: {}: {} of {} blocks fell from their layers while it was prepared; take another seed, or another --placing\n",
          report.file.string(), report.fallen, report.blocks);

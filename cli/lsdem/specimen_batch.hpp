@@ -8,9 +8,9 @@
 namespace musim::cli {
 
 /// A batch without scene and seeds that goes to `folder` and tells its warnings on stderr.
-lsdem::study::SpecimenBatch begin_batch(const std::string& folder, int threads, double checkpoint_interval);
+lsdem::SpecimenBatch begin_batch(const std::string& folder, int threads, double checkpoint_interval);
 
 /// One line on stderr when blocks of a specimen fell while it was prepared.
-void warn_of_fallen(const lsdem::study::SpecimenReport& report);
+void warn_of_fallen(const lsdem::SpecimenReport& report);
 
 }  // namespace musim::cli

@@ -17,8 +17,6 @@
 namespace musim::cli {
 namespace {
 
-namespace study = lsdem::study;
-
 struct WatchOptions {
     std::string directory;
     bool once = false;
@@ -29,8 +27,8 @@ struct WatchOptions {
 constexpr auto kLook = std::chrono::milliseconds(500);
 constexpr int kLooksPerLine = 20;
 
-std::string describe(const study::WatchedRun& run) {
-    const study::LiveState& state = run.state;
+std::string describe(const lsdem::WatchedRun& run) {
+    const lsdem::LiveState& state = run.state;
     std::string text = fmt::format("{}: {}{:.0f} %", state.name, state.prepares ? "preparing, " : "", 100.0 * state.fraction);
     if (state.run) text += ", " + describe_live(*state.run);
     if (!run.works) return text + ", killed";
@@ -39,10 +37,10 @@ std::string describe(const study::WatchedRun& run) {
 }
 
 /// A line for each run; bars on a terminal, and no line longer than it is wide, so that they can be written anew.
-std::vector<std::string> make_lines(const study::WatchedFolder& watched) {
+std::vector<std::string> make_lines(const lsdem::WatchedFolder& watched) {
     const bool terminal = is_terminal(stdout);
     std::vector<std::string> lines;
-    for (const study::WatchedRun& run : watched.runs) {
+    for (const lsdem::WatchedRun& run : watched.runs) {
         const std::string text = describe(run);
         const std::string bars = terminal && run.state.run ? draw_live(*run.state.run) : "";
         const std::size_t columns = terminal ? count_columns(stdout) - 1 : text.size();
@@ -61,24 +59,24 @@ void show(const std::vector<std::string>& lines, std::size_t before) {
     std::fflush(stdout);
 }
 
-std::string to_text(study::FolderState state) {
+std::string to_text(lsdem::FolderState state) {
     switch (state) {
-        case study::FolderState::empty:
+        case lsdem::FolderState::empty:
             return "empty";
-        case study::FolderState::working:
+        case lsdem::FolderState::working:
             return "working";
-        case study::FolderState::killed:
+        case lsdem::FolderState::killed:
             return "killed";
-        case study::FolderState::finished:
+        case lsdem::FolderState::finished:
             return "finished";
     }
     return {};
 }
 
-int report_json(const study::WatchedFolder& watched, const std::string& directory) {
+int report_json(const lsdem::WatchedFolder& watched, const std::string& directory) {
     nlohmann::json runs = nlohmann::json::array();
-    for (const study::WatchedRun& run : watched.runs) {
-        runs.push_back(study::to_json(run.state));
+    for (const lsdem::WatchedRun& run : watched.runs) {
+        runs.push_back(lsdem::to_json(run.state));
         runs.back()["folder"] = run.folder.string();
         runs.back()["works"] = run.works;
     }
@@ -89,14 +87,14 @@ int report_json(const study::WatchedFolder& watched, const std::string& director
 }
 
 /// How it ended, and the exit code.
-int report_end(const study::WatchedFolder& watched, const std::string& directory) {
-    if (watched.state == study::FolderState::killed) {
+int report_end(const lsdem::WatchedFolder& watched, const std::string& directory) {
+    if (watched.state == lsdem::FolderState::killed) {
         throw std::runtime_error(
             fmt::format("{}: what worked here was killed; go on with --resume {} of the command that began it (an ensemble: the same "
                         "command again)",
                         directory, directory));
     }
-    if (watched.state == study::FolderState::empty) {
+    if (watched.state == lsdem::FolderState::empty) {
         throw std::runtime_error(
             fmt::format("{}: nothing works here, and there are no results; give the directory of `musim run`, `pair`, `sequence` or "
                         "`ensemble` (-o)",
@@ -110,10 +108,10 @@ int report_end(const study::WatchedFolder& watched, const std::string& directory
 }
 
 int run_watch(const WatchOptions& options) {
-    study::WatchedFolder watched = study::look_into(options.directory);
-    if (options.json && watched.state != study::FolderState::empty) return report_json(watched, options.directory);
+    lsdem::WatchedFolder watched = lsdem::look_into(options.directory);
+    if (options.json && watched.state != lsdem::FolderState::empty) return report_json(watched, options.directory);
     std::size_t shown = 0;
-    for (int look = 0; watched.state == study::FolderState::working; ++look) {
+    for (int look = 0; watched.state == lsdem::FolderState::working; ++look) {
         if (is_terminal(stdout) || look % kLooksPerLine == 0) {
             const std::vector<std::string> lines = make_lines(watched);
             show(lines, shown);
@@ -121,7 +119,7 @@ int run_watch(const WatchOptions& options) {
         }
         if (options.once) return kDone;
         std::this_thread::sleep_for(kLook);
-        watched = study::look_into(options.directory);
+        watched = lsdem::look_into(options.directory);
     }
     return report_end(watched, options.directory);
 }

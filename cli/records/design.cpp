@@ -43,22 +43,22 @@ class DesignFiles {
     explicit DesignFiles(const DesignOptions& options)
         : options_(options), json_(read_input_file(options.file, "a design (musim-design/1)")), presets_(make_preset_materials()) {}
 
-    design::Setting read(scaling::UncertainReading& reading) {
-        design::Setting setting{design::parse_design(json_, options_.file, presets_, &reading), {}};
-        const design::Design& design = setting.design;
+    records::Setting read(scaling::UncertainReading& reading) {
+        records::Setting setting{records::parse_design(json_, options_.file, presets_, &reading), {}};
+        const records::Design& design = setting.design;
         if (design.table_file.empty()) return setting;
         const records::ShakeTable table = read_shake_table(find_beside(options_.file, design.table_file), &reading);
-        if (const auto* const peaks = std::get_if<std::vector<design::GivenPeaks>>(&design.motion)) {
+        if (const auto* const peaks = std::get_if<std::vector<records::GivenPeaks>>(&design.motion)) {
             setting.loads = make_loads(*peaks, table, options_.file);
             return setting;
         }
-        setting.loads = loads_of_record(std::get<design::RecordFile>(design.motion), table);
+        setting.loads = loads_of_record(std::get<records::RecordFile>(design.motion), table);
         return setting;
     }
 
   private:
     /// A record asks the same of every table: it is measured once.
-    std::vector<records::AxisLoad> loads_of_record(const design::RecordFile& record, const records::ShakeTable& table) {
+    std::vector<records::AxisLoad> loads_of_record(const records::RecordFile& record, const records::ShakeTable& table) {
         if (!of_record_) of_record_ = make_loads(options_.source.load_beside(options_.file, record.file), record, table);
         std::vector<records::AxisLoad> loads = *of_record_;
         for (records::AxisLoad& load : loads) load.axis = table.find_axis(load.axis.name);
@@ -67,23 +67,23 @@ class DesignFiles {
 
     const DesignOptions& options_;
     std::string json_;
-    std::vector<design::Material> presets_;
+    std::vector<records::Material> presets_;
     std::optional<std::vector<records::AxisLoad>> of_record_;
 };
 
-DesignUncertainty find_uncertainty(DesignFiles& files, const scaling::UncertainReading& reading, const design::Setting& setting,
-                                   const std::vector<design::Candidate>& candidates,
+DesignUncertainty find_uncertainty(DesignFiles& files, const scaling::UncertainReading& reading, const records::Setting& setting,
+                                   const std::vector<records::Candidate>& candidates,
                                    const std::optional<scaling::MonteCarloSettings>& monte_carlo) {
     if (reading.inputs().empty() && !monte_carlo) return {};
     const auto read = [&](scaling::UncertainReading& each) { return files.read(each); };
-    std::vector<design::MovedSetting> settings;
+    std::vector<records::MovedSetting> settings;
     for (auto& moved : scaling::read_moved(reading, read)) settings.push_back({std::move(moved.below), std::move(moved.above)});
-    DesignUncertainty uncertainty{reading.inputs(), design::propagate(setting, candidates, reading.inputs(), settings), {}};
+    DesignUncertainty uncertainty{reading.inputs(), records::propagate(setting, candidates, reading.inputs(), settings), {}};
     if (monte_carlo) {
         ProgressLine progress("samples");
         const auto draw = [&](std::span<const double> values) { return scaling::read_drawn(reading, values, read); };
-        uncertainty.samples = design::draw_candidates(setting, candidates, reading.inputs(), draw, *monte_carlo,
-                                                      [&](double fraction) { progress.update(fraction); });
+        uncertainty.samples = records::draw_candidates(setting, candidates, reading.inputs(), draw, *monte_carlo,
+                                                       [&](double fraction) { progress.update(fraction); });
     }
     return uncertainty;
 }
@@ -91,8 +91,8 @@ DesignUncertainty find_uncertainty(DesignFiles& files, const scaling::UncertainR
 int run_design(const DesignOptions& options) {
     DesignFiles files(options);
     scaling::UncertainReading reading(options.file);
-    const design::Setting setting = files.read(reading);
-    const std::vector<design::Candidate> candidates = design::find_candidates(setting);
+    const records::Setting setting = files.read(reading);
+    const std::vector<records::Candidate> candidates = records::find_candidates(setting);
     const DesignUncertainty uncertainty = find_uncertainty(files, reading, setting, candidates, options.monte_carlo.make());
     if (options.json) {
         print_json(to_json(setting.design, candidates, uncertainty));

@@ -14,8 +14,8 @@
 namespace musim::cli {
 namespace {
 
-using design::Candidate;
-using design::ModelState;
+using records::Candidate;
+using records::ModelState;
 using scaling::describe_scale;
 
 /// "1", "2", ...; "-" for what changes the regime or is infeasible.
@@ -41,7 +41,7 @@ scaling::TextTable make_ranking(const std::vector<Candidate>& candidates) {
     for (std::size_t i = 0; i < candidates.size(); ++i) {
         const Candidate& candidate = candidates[i];
         std::string scales, below, above;
-        for (const design::FeasibleRange& range : candidate.ranges) {
+        for (const records::FeasibleRange& range : candidate.ranges) {
             const std::string separator = scales.empty() ? "" : ", ";
             scales += separator + describe_scale(range.scales.smallest) + " ... " + describe_scale(range.scales.largest);
             below += separator + describe_end(range.binds_below);
@@ -64,11 +64,11 @@ scaling::TextTable make_ranking(const std::vector<Candidate>& candidates) {
 /// A model that a candidate is looked at, with its uncertain side; null where all is certain.
 struct ToldState {
     const ModelState* state;
-    const design::UncertainState* uncertain;
+    const records::UncertainState* uncertain;
 };
 
 /// The ends of its ranges, and the length in mind.
-std::vector<ToldState> find_states(const Candidate& candidate, const design::UncertainCandidate* uncertain) {
+std::vector<ToldState> find_states(const Candidate& candidate, const records::UncertainCandidate* uncertain) {
     std::vector<ToldState> states;
     for (std::size_t i = 0; i < candidate.ends.size(); ++i) {
         states.push_back({&candidate.ends[i], uncertain == nullptr ? nullptr : &uncertain->ends[i]});
@@ -77,9 +77,9 @@ std::vector<ToldState> find_states(const Candidate& candidate, const design::Unc
     return states;
 }
 
-scaling::TextTable make_limits(const Candidate& candidate, const design::UncertainCandidate* uncertain_candidate) {
+scaling::TextTable make_limits(const Candidate& candidate, const records::UncertainCandidate* uncertain_candidate) {
     scaling::TextTable table{{"limit", "length scales"}};
-    for (const design::LimitRanges& limit : candidate.limits) table.rows.push_back({limit.limit, describe_ranges(limit.ranges)});
+    for (const records::LimitRanges& limit : candidate.limits) table.rows.push_back({limit.limit, describe_ranges(limit.ranges)});
     if (uncertain_candidate != nullptr) {
         table.header.push_back(coverage_title());
         for (std::size_t i = 0; i < table.rows.size(); ++i) table.rows[i].push_back(describe_ends(uncertain_candidate->limits[i]));
@@ -98,9 +98,9 @@ scaling::TextTable make_limits(const Candidate& candidate, const design::Uncerta
     table.header.push_back("asked at " + describe_scale(last.length));
     table.header.emplace_back("limit is");
     for (std::size_t i = 0; i < table.rows.size(); ++i) {
-        const design::Use& use = last.uses[i];
-        table.rows[i].push_back(design::describe_amount(use.demand, use.unit));
-        table.rows[i].push_back(design::describe_amount(use.bound, use.unit));
+        const records::Use& use = last.uses[i];
+        table.rows[i].push_back(records::describe_amount(use.demand, use.unit));
+        table.rows[i].push_back(records::describe_amount(use.bound, use.unit));
     }
     return table;
 }
@@ -125,9 +125,9 @@ scaling::TextTable make_factors(const std::vector<ToldState>& states) {
     return table;
 }
 
-scaling::TextTable make_groups(const design::Design& design, const Candidate& candidate, const std::vector<ToldState>& states) {
+scaling::TextTable make_groups(const records::Design& design, const Candidate& candidate, const std::vector<ToldState>& states) {
     scaling::TextTable table{{"group", "weighed"}};
-    for (const design::GroupFactor& group : states.front().state->groups) {
+    for (const records::GroupFactor& group : states.front().state->groups) {
         const bool is_weighed = std::find(design.groups.begin(), design.groups.end(), group.name) != design.groups.end();
         table.rows.push_back({group.name, is_weighed ? "yes" : ""});
     }
@@ -146,16 +146,16 @@ std::string name_candidate(const Candidate& candidate) { return fmt::format("{},
 
 nlohmann::json to_json(const scaling::LengthRange& range) { return {range.smallest, range.largest}; }
 
-nlohmann::json to_json(const std::vector<design::GroupFactor>& groups) {
+nlohmann::json to_json(const std::vector<records::GroupFactor>& groups) {
     nlohmann::json object = nlohmann::json::object();
-    for (const design::GroupFactor& group : groups) object[group.name] = group.value;
+    for (const records::GroupFactor& group : groups) object[group.name] = group.value;
     return object;
 }
 
 nlohmann::json to_json(const ToldState& told, const std::vector<scaling::UncertainInput>& inputs) {
     const ModelState& state = *told.state;
     nlohmann::json uses = nlohmann::json::array();
-    for (const design::Use& use : state.uses) {
+    for (const records::Use& use : state.uses) {
         uses.push_back({{"limit", use.limit},
                         {"unit", use.unit},
                         {"demand", use.demand},
@@ -169,7 +169,7 @@ nlohmann::json to_json(const ToldState& told, const std::vector<scaling::Uncerta
                              {"factors", factors},
                              {"uses", uses},
                              {"groups", to_json(state.groups)},
-                             {"distortions", study::to_json(state.distortions)},
+                             {"distortions", lsdem::to_json(state.distortions)},
                              {"measure", state.measure},
                              {"mass_kg", state.mass.value()},
                              {"added_mass_kg", state.added_mass.value()},
@@ -178,13 +178,13 @@ nlohmann::json to_json(const ToldState& told, const std::vector<scaling::Uncerta
     return object;
 }
 
-nlohmann::json to_json(const Candidate& candidate, const design::UncertainCandidate* uncertain,
+nlohmann::json to_json(const Candidate& candidate, const records::UncertainCandidate* uncertain,
                        const std::vector<scaling::UncertainInput>& inputs) {
     const std::vector<ToldState> states = find_states(candidate, uncertain);
     nlohmann::json ranges = nlohmann::json::array(), limits = nlohmann::json::array(), conflict, ranked;
     if (candidate.ranked) ranked = to_json({&*candidate.ranked, uncertain == nullptr ? nullptr : &*uncertain->ranked}, inputs);
     for (std::size_t i = 0; i < candidate.ranges.size(); ++i) {
-        const design::FeasibleRange& range = candidate.ranges[i];
+        const records::FeasibleRange& range = candidate.ranges[i];
         ranges.push_back({{"smallest", range.scales.smallest},
                           {"largest", range.scales.largest},
                           {"binds_below", text_or_null(range.binds_below)},
@@ -194,12 +194,12 @@ nlohmann::json to_json(const Candidate& candidate, const design::UncertainCandid
         if (uncertain != nullptr) ranges.back()["uncertainty"] = cli::to_json(uncertain->ranges[i], inputs);
     }
     for (std::size_t i = 0; i < candidate.limits.size(); ++i) {
-        const design::LimitRanges& limit = candidate.limits[i];
+        const records::LimitRanges& limit = candidate.limits[i];
         limits.push_back({{"limit", limit.limit}, {"scales", nlohmann::json::array()}});
         for (const scaling::LengthRange& range : limit.ranges) limits.back()["scales"].push_back(to_json(range));
         if (uncertain == nullptr) continue;
         limits.back()["uncertainty"] = nlohmann::json::array();
-        for (const design::UncertainRange& range : uncertain->limits[i]) {
+        for (const records::UncertainRange& range : uncertain->limits[i]) {
             limits.back()["uncertainty"].push_back(cli::to_json(range, inputs));
         }
     }
@@ -223,8 +223,8 @@ nlohmann::json to_json(const Candidate& candidate, const design::UncertainCandid
 
 }  // namespace
 
-std::string make_design_report(const design::Design& design, const std::vector<Candidate>& candidates, const DesignUncertainty& uncertainty,
-                               scaling::ReportStyle style) {
+std::string make_design_report(const records::Design& design, const std::vector<Candidate>& candidates,
+                               const DesignUncertainty& uncertainty, scaling::ReportStyle style) {
     std::string text = make_title(design.name.empty() ? "Design" : design.name, style) + make_table(make_ranking(candidates), style);
     for (const Candidate& candidate : candidates) {
         if (candidate.is_feasible()) continue;
@@ -245,7 +245,7 @@ std::string make_design_report(const design::Design& design, const std::vector<C
     for (std::size_t i = 0; i < candidates.size(); ++i) {
         const Candidate& candidate = candidates[i];
         if (candidate.limits.empty()) continue;
-        const design::UncertainCandidate* const uncertain = uncertainty.find(i);
+        const records::UncertainCandidate* const uncertain = uncertainty.find(i);
         text += make_heading(name_candidate(candidate) + ": limits", style) + make_table(make_limits(candidate, uncertain), style);
         const std::vector<ToldState> states = find_states(candidate, uncertain);
         if (states.empty()) continue;
@@ -256,7 +256,7 @@ std::string make_design_report(const design::Design& design, const std::vector<C
     return text;
 }
 
-nlohmann::json to_json(const design::Design& design, const std::vector<Candidate>& candidates, const DesignUncertainty& uncertainty) {
+nlohmann::json to_json(const records::Design& design, const std::vector<Candidate>& candidates, const DesignUncertainty& uncertainty) {
     nlohmann::json list = nlohmann::json::array();
     for (std::size_t i = 0; i < candidates.size(); ++i) {
         list.push_back(to_json(candidates[i], uncertainty.find(i), uncertainty.inputs));

@@ -39,10 +39,10 @@ nlohmann::json scales_to_json(const scaling::SampleSummary& scales) {
 
 }  // namespace
 
-scaling::TextTable make_ends_table(const std::vector<design::Candidate>& candidates, const DesignUncertainty& uncertainty) {
+scaling::TextTable make_ends_table(const std::vector<records::Candidate>& candidates, const DesignUncertainty& uncertainty) {
     scaling::TextTable table{{"material", "law", "end", "in the way", "length scale", "u/value", coverage_title(), "mostly by"}};
     for (std::size_t c = 0; c < candidates.size(); ++c) {
-        const design::Candidate& candidate = candidates[c];
+        const records::Candidate& candidate = candidates[c];
         const auto add = [&](const char* name, const End& end, const std::string& limit) {
             if (!end) return;
             table.rows.push_back({candidate.material.name, candidate.law.name(), name, limit, scaling::describe_scale(end->value),
@@ -56,10 +56,10 @@ scaling::TextTable make_ends_table(const std::vector<design::Candidate>& candida
     return table;
 }
 
-scaling::TextTable make_sampled_ends_table(const std::vector<design::Candidate>& candidates, const design::SampledDesign& samples) {
+scaling::TextTable make_sampled_ends_table(const std::vector<records::Candidate>& candidates, const records::SampledDesign& samples) {
     scaling::TextTable table{{"material", "law", "feasible in", "smallest: median", coverage_title(), "largest: median", coverage_title()}};
     for (std::size_t i = 0; i < candidates.size(); ++i) {
-        const design::SampledCandidate& sampled = samples.candidates[i];
+        const records::SampledCandidate& sampled = samples.candidates[i];
         std::vector<std::string> row{candidates[i].material.name, candidates[i].law.name(), format_share(sampled.feasible)};
         for (const std::string& cell : describe_scales(sampled.smallest)) row.push_back(cell);
         for (const std::string& cell : describe_scales(sampled.largest)) row.push_back(cell);
@@ -68,12 +68,12 @@ scaling::TextTable make_sampled_ends_table(const std::vector<design::Candidate>&
     return table;
 }
 
-scaling::TextTable make_sampled_limits_table(const std::vector<design::Candidate>& candidates, const design::SampledDesign& samples) {
+scaling::TextTable make_sampled_limits_table(const std::vector<records::Candidate>& candidates, const records::SampledDesign& samples) {
     scaling::TextTable table{{"material", "law", "limit", "smaller: in the way in", "larger: in the way in", "too much in", "at"}};
     for (std::size_t c = 0; c < candidates.size(); ++c) {
-        const design::SampledCandidate& sampled = samples.candidates[c];
+        const records::SampledCandidate& sampled = samples.candidates[c];
         for (std::size_t i = 0; i < sampled.limits.size(); ++i) {
-            const design::SampledLimit& limit = sampled.limits[i];
+            const records::SampledLimit& limit = sampled.limits[i];
             if (limit.sets_smallest == 0.0 && limit.sets_largest == 0.0 && limit.broken.value_or(0.0) == 0.0) continue;
             table.rows.push_back({candidates[c].material.name, candidates[c].law.name(), candidates[c].limits[i].limit,
                                   format_share(limit.sets_smallest), format_share(limit.sets_largest),
@@ -84,10 +84,10 @@ scaling::TextTable make_sampled_limits_table(const std::vector<design::Candidate
     return table;
 }
 
-nlohmann::json to_json(const design::Candidate& candidate, const design::SampledCandidate& sampled) {
+nlohmann::json to_json(const records::Candidate& candidate, const records::SampledCandidate& sampled) {
     nlohmann::json limits = nlohmann::json::array();
     for (std::size_t i = 0; i < sampled.limits.size(); ++i) {
-        const design::SampledLimit& limit = sampled.limits[i];
+        const records::SampledLimit& limit = sampled.limits[i];
         limits.push_back({{"limit", candidate.limits[i].limit},
                           {"sets_smallest_share", limit.sets_smallest},
                           {"sets_largest_share", limit.sets_largest},
@@ -100,13 +100,13 @@ nlohmann::json to_json(const design::Candidate& candidate, const design::Sampled
             {"limits", limits}};
 }
 
-std::string describe_ends(const std::vector<design::UncertainRange>& ranges) {
+std::string describe_ends(const std::vector<records::UncertainRange>& ranges) {
     std::string text;
-    const auto is_certain = [](const design::UncertainRange& range) {
+    const auto is_certain = [](const records::UncertainRange& range) {
         return describe_end_interval(range.smallest) == "-" && describe_end_interval(range.largest) == "-";
     };
     if (std::all_of(ranges.begin(), ranges.end(), is_certain)) return "-";
-    for (const design::UncertainRange& range : ranges) {
+    for (const records::UncertainRange& range : ranges) {
         text += fmt::format("{}{} ... {}", text.empty() ? "" : ", ", describe_end_interval(range.smallest),
                             describe_end_interval(range.largest));
     }
@@ -118,11 +118,11 @@ void add_intervals(scaling::TextTable& table, const std::vector<scaling::FirstOr
     for (std::size_t i = 0; i < results.size(); ++i) table.rows[i].push_back(describe_interval(results[i]));
 }
 
-nlohmann::json to_json(const design::UncertainRange& range, const std::vector<scaling::UncertainInput>& inputs) {
+nlohmann::json to_json(const records::UncertainRange& range, const std::vector<scaling::UncertainInput>& inputs) {
     return {{"smallest", end_to_json(range.smallest, inputs)}, {"largest", end_to_json(range.largest, inputs)}};
 }
 
-nlohmann::json to_json(const design::ModelState& state, const design::UncertainState& uncertain,
+nlohmann::json to_json(const records::ModelState& state, const records::UncertainState& uncertain,
                        const std::vector<scaling::UncertainInput>& inputs) {
     nlohmann::json groups = nlohmann::json::object(), factors = nlohmann::json::object(), used = nlohmann::json::array();
     for (std::size_t i = 0; i < state.groups.size(); ++i) groups[state.groups[i].name] = cli::to_json(uncertain.groups[i], inputs);

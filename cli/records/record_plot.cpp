@@ -21,8 +21,6 @@
 namespace musim::cli {
 namespace {
 
-namespace reports = lsdem::report;
-
 struct RecordPlotOptions {
     std::vector<std::string> files;
     RecordSourceOptions source;
@@ -71,7 +69,7 @@ void add_components(std::vector<records::ComponentCurves>& list, const records::
 void require_looks(const std::vector<records::GroundMotion>& motions, bool with_models) {
     std::size_t components = 0;
     for (const records::GroundMotion& motion : motions) components += motion.components.size();
-    const std::size_t most = lsdem::study::count_looks(reports::find_looks(with_models)) / (with_models ? 2 : 1);
+    const std::size_t most = lsdem::count_looks(lsdem::find_looks(with_models)) / (with_models ? 2 : 1);
     if (components > most) {
         throw records::ProcessingError(fmt::format(
             "record plot: {} components are too many for one figure (at most {}{} look different); draw fewer files, or one --component",
@@ -81,23 +79,23 @@ void require_looks(const std::vector<records::GroundMotion>& motions, bool with_
 
 int run_record_plot(const RecordPlotOptions& options) {
     // what is asked for is looked at before anything is computed
-    read_option("--out", [&] { lsdem::study::require_picture_name(options.out); });
+    read_option("--out", [&] { lsdem::require_picture_name(options.out); });
     refuse_overwriting(options.source.find_files(options.files), {options.out, options.csv});
     options.scales.note_values_used();
     const records::CurveRequest request = make_request(options);
-    reports::RecordFigure figure{.components = {},
-                                 .damping = request.damping,
-                                 .windowed = request.window.has_value(),
-                                 .title = {},
-                                 .model_of = options.scaled ? std::optional(options.scales.model_scales()) : std::nullopt};
+    lsdem::RecordFigure figure{.components = {},
+                               .damping = request.damping,
+                               .windowed = request.window.has_value(),
+                               .title = {},
+                               .model_of = options.scaled ? std::optional(options.scales.model_scales()) : std::nullopt};
     std::vector<records::GroundMotion> motions;
     for (const std::string& file : options.files) motions.push_back(load_wanted(options, file));
     require_looks(motions, options.scaled);
     for (const records::GroundMotion& motion : motions) add_components(figure.components, motion, request, figure.model_of);
-    figure.title = motions.size() == 1 ? reports::make_title(motions.front()) : fmt::format("{} records", motions.size());
+    figure.title = motions.size() == 1 ? lsdem::make_title(motions.front()) : fmt::format("{} records", motions.size());
 
-    const reports::ReportFigure drawn = reports::make_figure("records", figure);
-    lsdem::study::write_picture(options.out, drawn.svg);
+    const lsdem::ReportFigure drawn = lsdem::make_figure("records", figure);
+    lsdem::write_picture(options.out, drawn.svg);
     if (!options.csv.empty()) records::write_file_atomically(options.csv, drawn.csv);
     if (options.json) {
         nlohmann::json object{{"out", options.out}, {"components", to_json(figure.components)}};

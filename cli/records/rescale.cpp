@@ -74,7 +74,7 @@ int run_rescale(const RescaleOptions& options) {
         nlohmann::json object = to_json(scales);
         object["out"] = options.output.out;
         object["components"] = components;
-        object["distortions"] = study::to_json(distortions);
+        object["distortions"] = lsdem::to_json(distortions);
         object["solid_elasticity"] = scaling::find_solid_elasticity(scales);
         add_to_json(object, uncertain);
         print_json(object);

@@ -82,13 +82,13 @@ std::string make_csv(const std::vector<SpectrumTable>& tables) {
 
 std::string make_svg(const std::vector<SpectrumTable>& tables) {
     const bool many_files = differ(tables, &SpectrumTable::file), many_dampings = differ(tables, &SpectrumTable::damping);
-    lsdem::study::LinePlot plot{.title = "Pseudo-spectral acceleration",
-                                .subtitle = many_dampings ? "" : "damping " + percent(tables.front().damping),
-                                .x_label = "period [s]",
-                                .y_label = "PSA [g]",
-                                .series = {},
-                                .x_logarithmic = true,
-                                .y_logarithmic = true};
+    lsdem::LinePlot plot{.title = "Pseudo-spectral acceleration",
+                         .subtitle = many_dampings ? "" : "damping " + percent(tables.front().damping),
+                         .x_label = "period [s]",
+                         .y_label = "PSA [g]",
+                         .series = {},
+                         .x_logarithmic = true,
+                         .y_logarithmic = true};
     for (const SpectrumTable& table : tables) {
         for (const SpectrumColumn& column : table.columns) {
             if (column.curve.empty()) continue;
@@ -99,7 +99,7 @@ std::string make_svg(const std::vector<SpectrumTable>& tables) {
             plot.series.push_back({.label = label, .x = table.period, .y = column.values, .y_error = {}});
         }
     }
-    return lsdem::study::make_svg(plot);
+    return lsdem::make_svg(plot);
 }
 
 }  // namespace musim::cli

@@ -200,7 +200,7 @@ nlohmann::json to_json(const FactsReport& report) {
     for (const Direction direction : {Direction::thin, Direction::wide}) {
         rocking[std::string(to_string(direction))] = to_json(make_rocking_rows(report.facts, report.similitude, direction));
     }
-    nlohmann::json object = study::to_json(report.similitude);
+    nlohmann::json object = lsdem::to_json(report.similitude);
     object["groups"] = cli::to_json(group_factors(report.similitude, make_model_facts(report.facts)));
     object["distortions"] = cli::to_json(list_groups(report, [](const GroupComparison& group) { return group.severity.has_value(); }));
     nlohmann::json motion;

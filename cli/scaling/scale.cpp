@@ -72,9 +72,9 @@ int run_similitude(const ScaleOptions& options) {
     options.scales.note_doubtful_factors(options.structure.friction.has_value());
 
     if (options.json) {
-        nlohmann::json object = study::to_json(similitude);
+        nlohmann::json object = lsdem::to_json(similitude);
         object["groups"] = to_json(groups);
-        object["distortions"] = study::to_json(distortions);
+        object["distortions"] = lsdem::to_json(distortions);
         object["solid_elasticity"] = scaling::find_solid_elasticity(similitude);
         add_to_json(object, uncertain);
         print_json(object);

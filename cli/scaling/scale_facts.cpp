@@ -34,8 +34,8 @@ void require_agreement(const CLI::App& command, const std::string& file, const c
 }
 
 /// The law of the file, or the one typed; they must not be two.
-design::DesignLaw find_law(const CLI::App& command, const SimilitudeOptions& scales, const std::string& file,
-                           const std::optional<design::DesignLaw>& told) {
+records::DesignLaw find_law(const CLI::App& command, const SimilitudeOptions& scales, const std::string& file,
+                            const std::optional<records::DesignLaw>& told) {
     const bool is_typed = command.count("--law") > 0;
     if (told) {
         if ((is_typed && scales.law != told->name()) || !scales.factors.empty()) {
@@ -68,7 +68,7 @@ class FactsFiles {
     /// Facts, and the similitude that they ask for; the motion of a model that was not given one is left open. The law is solved at the
     /// first call, others may come from any thread.
     Read read(scaling::UncertainReading& reading) {
-        const design::Facts facts = design::parse_facts(json_, options_.file, presets_, length_, &reading);
+        const records::Facts facts = records::parse_facts(json_, options_.file, presets_, length_, &reading);
         scaling::PairFacts pair{.prototype = facts.prototype,
                                 .model = facts.model,
                                 .motion = find_motion(facts.motion, measured_motion_),
@@ -82,13 +82,13 @@ class FactsFiles {
     const scaling::SolvedLaw& solved() const { return formulas_->solved(); }
 
   private:
-    scaling::Similitude apply_law(const design::Facts& facts, const scaling::PairFacts& pair, const scaling::UncertainReading& reading) {
+    scaling::Similitude apply_law(const records::Facts& facts, const scaling::PairFacts& pair, const scaling::UncertainReading& reading) {
         if (!law_) law_ = find_law(command_, scales_, options_.file, facts.law);
         // a law of the file may have set another value by now
-        const design::DesignLaw& law = facts.law ? *facts.law : *law_;
+        const records::DesignLaw& law = facts.law ? *facts.law : *law_;
         try {
-            if (!formulas_) formulas_ = design::solve_for(law, pair, length_);
-            return design::apply_law(law, *formulas_, pair, length_);
+            if (!formulas_) formulas_ = records::solve_for(law, pair, length_);
+            return records::apply_law(law, *formulas_, pair, length_);
         } catch (const scaling::SimilitudeError& error) {
             const scaling::UncertainInput* const moved = reading.moved_input();
             if (moved == nullptr) throw scaling::SimilitudeError(fmt::format("{}: {}", options_.file, error.what()));
@@ -99,21 +99,21 @@ class FactsFiles {
     }
 
     /// A record says the same whatever the facts: it is measured once.
-    std::optional<scaling::MotionFacts> find_motion(const std::optional<design::MotionSource>& source,
+    std::optional<scaling::MotionFacts> find_motion(const std::optional<records::MotionSource>& source,
                                                     std::optional<scaling::MotionFacts>& measured) const {
         if (!source) return std::nullopt;
         if (const auto* const told = std::get_if<scaling::MotionFacts>(&*source)) return *told;
-        const auto& record = std::get<design::RecordOfMotion>(*source);
-        if (!measured) measured = design::measure_motion(options_.source.load_beside(options_.file, record.file), record);
+        const auto& record = std::get<records::RecordOfMotion>(*source);
+        if (!measured) measured = records::measure_motion(options_.source.load_beside(options_.file, record.file), record);
         return measured;
     }
 
-    std::optional<scaling::Bandwidth> find_table(const design::Facts& facts, scaling::UncertainReading& reading) const {
+    std::optional<scaling::Bandwidth> find_table(const records::Facts& facts, scaling::UncertainReading& reading) const {
         if (const auto* const told = std::get_if<scaling::Bandwidth>(&facts.table)) return *told;
-        const auto* const named = std::get_if<design::AxisOfTable>(&facts.table);
+        const auto* const named = std::get_if<records::AxisOfTable>(&facts.table);
         if (named == nullptr) return std::nullopt;
         const records::ShakeTable table = read_shake_table(find_beside(options_.file, named->file), &reading);
-        return design::find_bandwidth(table.find_axis(named->axis), design::find_mass(facts.model));
+        return records::find_bandwidth(table.find_axis(named->axis), records::find_mass(facts.model));
     }
 
     const CLI::App& command_;
@@ -121,8 +121,8 @@ class FactsFiles {
     const FactsOptions& options_;
     double length_;
     std::string json_;
-    std::vector<design::Material> presets_;
-    std::optional<design::DesignLaw> law_;
+    std::vector<records::Material> presets_;
+    std::optional<records::DesignLaw> law_;
     std::optional<scaling::LawFormulas> formulas_;
     std::optional<scaling::MotionFacts> measured_motion_, measured_model_motion_;
 };

@@ -25,7 +25,7 @@ struct FactsOptions {
 
 /// Prints the report of distortions and regimes, with uncertainties where the facts have some: to first order, and by
 /// samples if `monte_carlo` is given. λ_μ, λ_g and λ_ρ are those of
-/// the facts, the law is theirs or the one typed; throws SimilitudeError when `command` was given others, as design::apply_law() does, and
+/// the facts, the law is theirs or the one typed; throws SimilitudeError when `command` was given others, as records::apply_law() does, and
 /// what reading facts, records and tables throws. Returns an exit code.
 int run_scale_facts(const CLI::App& command, const SimilitudeOptions& scales, const FactsOptions& options,
                     const std::optional<scaling::MonteCarloSettings>& monte_carlo, scaling::ReportStyle style, bool json);

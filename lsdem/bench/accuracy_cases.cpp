@@ -8,7 +8,7 @@
 
 #include "lsdem/contact_law.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -348,4 +348,4 @@ std::vector<AccuracyCase> make_closed_form_cases() {
             {"bounce", "Restitution of an impact", run_bounce}};
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

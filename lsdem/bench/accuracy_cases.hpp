@@ -6,7 +6,7 @@
 
 #include "lsdem/bench/accuracy_setting.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// A problem with a known answer, run with any setting.
 struct AccuracyCase {
@@ -41,4 +41,4 @@ double compute_pulse_slip(double a, double duration, double limit, double omega)
 /// Errors are relative. A run that does not get there has an infinite one.
 std::vector<AccuracyCase> make_closed_form_cases();
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

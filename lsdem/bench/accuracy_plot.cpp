@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 /// Sizes of the picture [px].
@@ -168,4 +168,4 @@ std::string make_accuracy_svg(const AccuracySweep& sweep) {
     return svg;
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -6,7 +6,7 @@
 
 #include "lsdem/time_step.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 Shape make_shape(const AccuracySetting& setting, const Vector3& size, const Vector3& whole) {
     const NodeLattice base = make_node_lattice(whole, setting.nodes_per_face);
@@ -46,4 +46,4 @@ void MeteredSimulation::add_to(AccuracyOutcome& outcome) const {
     outcome.seconds += read_thread_time() - start_;
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -6,7 +6,7 @@
 #include "lsdem/model.hpp"
 #include "lsdem/simulation.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// What a user can trade for run time.
 struct AccuracySetting {
@@ -57,4 +57,4 @@ class MeteredSimulation {
     double start_ = 0.0;
 };
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

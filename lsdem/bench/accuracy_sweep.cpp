@@ -11,7 +11,7 @@
 #include "lsdem/bench/accuracy_tower.hpp"
 #include "scaling/side_by_side.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 /// Runs shorter than this are repeated, since the clock and the caches make up much of them [s].
@@ -28,7 +28,7 @@ AccuracyRow make_row(std::string family, std::string label, const AccuracySettin
 /// Every knob turned alone, the others at the standard preset.
 std::vector<AccuracyRow> make_rows(bool quick) {
     using Counts = std::vector<int>;
-    const AccuracySetting standard = to_setting(scene::find_accuracy_preset(scene::Accuracy::standard));
+    const AccuracySetting standard = to_setting(find_accuracy_preset(Accuracy::standard));
     std::vector<AccuracyRow> rows;
     const auto add_step = [&](double safety) {
         AccuracySetting setting = standard;
@@ -53,10 +53,10 @@ std::vector<AccuracyRow> make_rows(bool quick) {
     add_nodes("nodes", quick ? Counts{12, 44} : Counts{4, 12, 24, 44, 176, 440}, ContactNodes::leader);
     add_nodes("two-sided", quick ? Counts{44} : Counts{12, 44, 176}, ContactNodes::both);
     for (const double voxel : quick ? std::vector{0.05} : std::vector{0.1, 0.05, 0.025}) add_grid(voxel);
-    for (const auto accuracy : {scene::Accuracy::fast, scene::Accuracy::standard, scene::Accuracy::reference}) {
-        const scene::AccuracyPreset& preset = scene::find_accuracy_preset(accuracy);
-        if (quick && accuracy == scene::Accuracy::reference) continue;
-        rows.push_back(make_row("preset", scene::to_string(accuracy), to_setting(preset)));
+    for (const auto accuracy : {Accuracy::fast, Accuracy::standard, Accuracy::reference}) {
+        const AccuracyPreset& preset = find_accuracy_preset(accuracy);
+        if (quick && accuracy == Accuracy::reference) continue;
+        rows.push_back(make_row("preset", to_string(accuracy), to_setting(preset)));
     }
     return rows;
 }
@@ -125,7 +125,7 @@ class TowerPanels {
 
 }  // namespace
 
-AccuracySetting to_setting(const scene::AccuracyPreset& preset) { return {.safety = preset.safety}; }
+AccuracySetting to_setting(const AccuracyPreset& preset) { return {.safety = preset.safety}; }
 
 void mark_pareto(AccuracyPanel& panel) {
     const auto counts = [](const AccuracyRow& row) { return std::isfinite(row.outcome.error) && row.family != "shadow"; };
@@ -186,4 +186,4 @@ std::string make_accuracy_csv(const AccuracySweep& sweep) {
     return csv;
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -9,7 +9,7 @@
 #include "lsdem/run/use_record.hpp"
 #include "lsdem/scene/accuracy_presets.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// One setting tried on one problem.
 struct AccuracyRow {
@@ -52,11 +52,11 @@ AccuracySweep sweep_accuracy(const SweepOptions& options = {});
 void mark_pareto(AccuracyPanel& panel);
 
 /// The settings a preset stands for.
-AccuracySetting to_setting(const scene::AccuracyPreset& preset);
+AccuracySetting to_setting(const AccuracyPreset& preset);
 
 /// One line per row: case, family, label, step, nodes (per face; 0 where boxes overlap), faces, sides (whose nodes; none where boxes
 /// overlap), voxel, error, us_per_block_step, steps, block_steps, seconds, pareto. Numbers are the shortest text that reads back the same;
 /// `inf` is a run that did not get there.
 std::string make_accuracy_csv(const AccuracySweep& sweep);
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -15,7 +15,7 @@
 #include "scaling/interruption.hpp"
 #include "scaling/laws/law_similitude.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 /// Parts of the earthquake that are used: a part alone may by chance agree well or badly.
@@ -32,33 +32,33 @@ const scaling::Similitude& mini_scale() {
     return kScale;
 }
 
-scene::Scene make_wall(int courses) {
-    scene::Scene wall;
+Scene make_wall(int courses) {
+    Scene wall;
     wall.name = "mini-tower";
-    wall.material = scene::find_material_preset("wood").material;
+    wall.material = find_material_preset("wood").material;
     const auto mm = [](double length) { return 1e-3 * length * scaling::si::meters; };
-    wall.structure = scene::Wall{.layers = courses, .blocks_per_layer = 3, .block = {mm(12.710), mm(26.355), mm(39.780)}, .pitch = {}};
+    wall.structure = Wall{.layers = courses, .blocks_per_layer = 3, .block = {mm(12.710), mm(26.355), mm(39.780)}, .pitch = {}};
     wall.time.duration = 1.0 * scaling::si::seconds;
     return wall;
 }
 
 /// The earthquake along x at the wall's scale; whole.
 BaseComponent make_earthquake(const std::filesystem::path& record, const AxisComponents& components, std::string& description) {
-    scene::Scene scene;
+    Scene scene;
     if (record.empty()) {
         const records::SyntheticSettings synthetic;
-        scene.base_motion.source = scene::SignalMotion{
-            .signal = scene::SyntheticSignal{synthetic.pga, synthetic.pgv, synthetic.duration, synthetic.dt, synthetic.seed},
-            .axis = 0,
-            .start = {},
-            .dt = {}};
+        scene.base_motion.source =
+            SignalMotion{.signal = SyntheticSignal{synthetic.pga, synthetic.pgv, synthetic.duration, synthetic.dt, synthetic.seed},
+                         .axis = 0,
+                         .start = {},
+                         .dt = {}};
         description = "synthetic record";
     } else {
         const std::vector<std::string> steps = use_record(scene, record, components);
         description = fmt::format("{}, {}", record.filename().string(), steps.front());
     }
     scene.base_motion.factors = {mini_scale().time(), mini_scale().velocity()};
-    return scene::make_base_components(scene.base_motion)[0];
+    return make_base_components(scene.base_motion)[0];
 }
 
 /// The part of a motion from `start` to `start + duration` [s], from rest.
@@ -86,21 +86,21 @@ std::vector<double> find_peak_times(const BaseComponent& motion, double apart) {
     return times;
 }
 
-Specimen build_specimen(const scene::Scene& wall) {
-    scene::BuiltModel built = scene::build_model(wall);
+Specimen build_specimen(const Scene& wall) {
+    BuiltModel built = build_model(wall);
     return {std::move(built.model), {}, std::move(built.structure.layer), {}};
 }
 
 /// The wall at rest under its weight: in equilibrium by overlaps. By nodes it stands in the same places, where its faces are parallel and
 /// bear as much; what friction holds in joints that do not slip is then left out.
 Specimen make_specimen(int courses, const AccuracySetting& setting) {
-    scene::Scene wall = make_wall(courses);
+    Scene wall = make_wall(courses);
     Specimen at_rest = build_specimen(wall);
     put_in_equilibrium(at_rest, compute_critical_time_step(at_rest.model));
-    wall.shape = scene::BoxShape{setting.nodes_per_face};
+    wall.shape = BoxShape{setting.nodes_per_face};
     if (setting.voxel > 0.0) {
-        const auto thin = std::get<scene::Wall>(wall.structure).block[0];
-        wall.shape = scene::GridShape{setting.nodes_per_face, setting.voxel * thin};
+        const auto thin = std::get<Wall>(wall.structure).block[0];
+        wall.shape = GridShape{setting.nodes_per_face, setting.voxel * thin};
     }
     wall.face_contact = setting.faces;
     wall.contact_nodes = setting.sides;
@@ -191,4 +191,4 @@ TopMotion MiniTower::run(const AccuracySetting& setting, bool shadow) const {
     return motion;
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

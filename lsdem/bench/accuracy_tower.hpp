@@ -6,7 +6,7 @@
 #include "lsdem/bench/accuracy_setting.hpp"
 #include "lsdem/run/use_record.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// Motion of the top of the mini-tower in one part of the earthquake: velocity along x, relative to the base, mean of the top course, at
 /// even times [m/s]; short when the run diverged.
@@ -35,7 +35,7 @@ class MiniTower {
   public:
     /// `record`: file of the earthquake at prototype scale, brought to 1:107 by the mu law; empty: the built-in synthetic one.
     /// `components`: along x; none: the strongest horizontal one. `courses`: 38, fewer for a quick look.
-    /// Throws records::ReadError, records::ProcessingError, scene::SceneError.
+    /// Throws records::ReadError, records::ProcessingError, SceneError.
     MiniTower(const std::filesystem::path& record, const AxisComponents& components, int courses = kMiniTowerCourses);
 
     /// Runs 0.4 s of the prototype's time around each of the highest peaks of acceleration, 0.15 s of them before it. With `shadow` every
@@ -51,4 +51,4 @@ class MiniTower {
     double duration_ = 0.0;  ///< [s]
 };
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

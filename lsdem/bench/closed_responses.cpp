@@ -7,7 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 using std::numbers::pi;
 
@@ -61,4 +61,4 @@ double compute_soft_tilt(double strength, double rate, double sinking) {
     return std::min(greatest, 1.0);
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// What a rigid block does on a base that is pushed once by a(t) = A·sin(πt/T), 0 ≤ t ≤ T, and then keeps its velocity; numbers only.
 
@@ -26,4 +26,4 @@ double compute_pushed_tilt(double strength, double rate);
 /// by Verlet's method in a fiftieth of 1/ω, ω² = 1/(6e). `sinking`: e, above zero.
 double compute_soft_tilt(double strength, double rate, double sinking);
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -13,7 +13,7 @@
 #include "lsdem/study/pair.hpp"
 #include "scaling/side_by_side.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 /// Two curves are one up to this many times what the shadow differs by: both start from one rounding error per block.
@@ -27,7 +27,7 @@ struct ScaledRun {
 
 /// A prototype, and its shadow, blocks moved by a last place, as a measure of what rounding becomes.
 struct PrototypeRuns {
-    scene::Scene scene;
+    Scene scene;
     ScaledRun run, shadow;
 };
 
@@ -48,7 +48,7 @@ ScaledResponse scale_back(const RunResult& run, BenchScene scene, double start, 
 }
 
 /// When the base of a prototype begins to move [s].
-double find_start(const scene::Scene& prototype) { return std::get<scene::SignalMotion>(prototype.base_motion.source).start.value(); }
+double find_start(const Scene& prototype) { return std::get<SignalMotion>(prototype.base_motion.source).start.value(); }
 
 ScaledRun run_scaled(const Specimen& specimen, const TimePlan& plan, BenchScene scene, double start, const TwinScales& scales) {
     const RunResult run = simulate(specimen, plan);
@@ -56,8 +56,8 @@ ScaledRun run_scaled(const Specimen& specimen, const TimePlan& plan, BenchScene 
 }
 
 /// The model takes the prototype's steps, scaled, unless its springs ask for others.
-ScaledRun run_model(const SimilitudeCase& wanted, const scene::Scene& prototype) {
-    const scene::Scene scene = make_model_scene(wanted.scene, wanted.scales, wanted.broken);
+ScaledRun run_model(const SimilitudeCase& wanted, const Scene& prototype) {
+    const Scene scene = make_model_scene(wanted.scene, wanted.scales, wanted.broken);
     const Specimen specimen = make_upright_specimen(scene);
     const TimePlan plan = wanted.broken.shifts_frequencies()
                               ? make_time_plan(scene, specimen.model, Sampling::at_rate)
@@ -177,4 +177,4 @@ std::string make_similitude_csv(const std::vector<SimilitudeOutcome>& outcomes) 
     return csv;
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

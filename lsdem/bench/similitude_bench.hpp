@@ -6,7 +6,7 @@
 
 #include "lsdem/bench/similitude_cases.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// Response of a run in the prototype's units: times over λ_t, lengths over λ_l, velocities over λ_v, angles over λ_θ.
 struct ScaledResponse {
@@ -46,4 +46,4 @@ std::vector<SimilitudeOutcome> run_similitude_cases(const std::vector<Similitude
 /// measure, predicted, tolerance, measured, difference, yardstick, holds. Numbers are the shortest text that reads back the same.
 std::string make_similitude_csv(const std::vector<SimilitudeOutcome>& outcomes);
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -8,7 +8,7 @@
 #include <initializer_list>
 #include <utility>
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 using Factors = std::vector<scaling::GivenFactor>;
@@ -253,4 +253,4 @@ std::vector<SimilitudeCase> make_similitude_cases(const std::string& law) {
     return all;
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

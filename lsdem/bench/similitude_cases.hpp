@@ -7,7 +7,7 @@
 #include "lsdem/bench/similitude_prediction.hpp"
 #include "lsdem/bench/similitude_scenes.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// One model of one prototype, and what should come of it.
 struct SimilitudeCase {
@@ -26,4 +26,4 @@ const std::vector<std::string>& similitude_law_names();
 /// The cases of a law, or of all when the name is empty. Throws scaling::SimilitudeError for another name.
 std::vector<SimilitudeCase> make_similitude_cases(const std::string& law = "");
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -8,7 +8,7 @@
 
 #include "lsdem/plot/figure.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 std::string name(const SimilitudeCase& shown) {
@@ -117,4 +117,4 @@ std::string make_similitude_svg(const std::string& law, const std::vector<Simili
     return make_svg(figure);
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

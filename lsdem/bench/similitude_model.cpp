@@ -8,7 +8,7 @@
 #include "scaling/laws/law_similitude.hpp"
 #include "scaling/laws/scale_law_catalogue.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 /// A law that tells heights H from widths b, as seen by the widths.
@@ -20,14 +20,14 @@ scaling::Similitude make_width_similitude(const scaling::SolvedLaw& solved) {
     return scaling::Similitude(widths, solved.factor("a").value(), solved.law.name);
 }
 
-scene::Triple<scaling::Length>& block_of(scene::Scene& scene) { return std::get<scene::Column>(scene.structure).block; }
+Triple<scaling::Length>& block_of(Scene& scene) { return std::get<Column>(scene.structure).block; }
 
-void multiply_stiffness(double factor, scene::BlockMaterial& material) {
+void multiply_stiffness(double factor, BlockMaterial& material) {
     material.normal_stiffness *= factor;
     material.shear_stiffness *= factor;
 }
 
-void multiply(const Break& broken, scene::Scene& scene) {
+void multiply(const Break& broken, Scene& scene) {
     switch (broken.group) {
         case BrokenGroup::none:
             break;
@@ -74,8 +74,8 @@ bool Break::shifts_frequencies() const {
     return group == BrokenGroup::stiffness || group == BrokenGroup::density || group == BrokenGroup::height;
 }
 
-scene::Scene make_model_scene(BenchScene scene, const TwinScales& scales, const Break& broken) {
-    scene::Scene model = scene::scale_scene(make_bench_scene(scene), scales.similitude);
+Scene make_model_scene(BenchScene scene, const TwinScales& scales, const Break& broken) {
+    Scene model = scale_scene(make_bench_scene(scene), scales.similitude);
     // higher blocks are heavier, and so much stiffer are their contacts: T²k/m stays
     block_of(model)[2] *= scales.heights;
     multiply_stiffness(scales.heights, model.material);
@@ -83,4 +83,4 @@ scene::Scene make_model_scene(BenchScene scene, const TwinScales& scales, const 
     return model;
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

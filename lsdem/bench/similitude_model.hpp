@@ -9,7 +9,7 @@
 #include "scaling/laws/scale_law.hpp"
 #include "scaling/laws/similitude.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// How a similar twin is made of a prototype: by one similitude, or with heights that scale apart from all other lengths.
 struct TwinScales {
@@ -48,6 +48,6 @@ struct Break {
 };
 
 /// The similar twin of a prototype, with one quantity wrong.
-scene::Scene make_model_scene(BenchScene scene, const TwinScales& scales, const Break& broken);
+Scene make_model_scene(BenchScene scene, const TwinScales& scales, const Break& broken);
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

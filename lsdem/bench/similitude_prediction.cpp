@@ -7,7 +7,7 @@
 
 #include "lsdem/bench/closed_responses.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 using scaling::Similitude;
@@ -138,4 +138,4 @@ Prediction predict(BenchScene scene, const TwinScales& scales, const Break& brok
     throw std::invalid_argument("prediction: the column has no closed form; compare it with its shadow");
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -4,7 +4,7 @@
 
 #include "lsdem/bench/similitude_model.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// What is compared between model and prototype, both scaled back.
 enum class Measure {
@@ -24,4 +24,4 @@ struct Prediction {
 /// std::invalid_argument for the column, which has no closed form, and as the closed forms do.
 Prediction predict(BenchScene scene, const TwinScales& scales, const Break& broken, Measure measure);
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -9,7 +9,7 @@
 #include "lsdem/run/no_slip.hpp"
 #include "lsdem/scene/material_presets.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 using scaling::Acceleration;
@@ -19,7 +19,7 @@ using scaling::Time;
 using std::numbers::pi;
 namespace si = scaling::si;
 
-using Size = scene::Triple<Length>;
+using Size = Triple<Length>;
 
 /// Samples of a run; a peak between two is missed by (π/n)²/8 of it at most, n samples a half wave.
 constexpr double kRunSamples = 2000.0;
@@ -37,9 +37,9 @@ const Size kSlender{kRockSlenderness * 6.0 * si::meters, 0.6 * si::meters, 6.0 *
 const Time kStart = 0.1 * si::seconds;
 const Time kSlidePush = 0.4 * si::seconds;
 
-scene::BlockMaterial concrete(const Size& block) { return scene::fit_to_block(scene::find_material_preset("concrete"), block); }
+BlockMaterial concrete(const Size& block) { return fit_to_block(find_material_preset("concrete"), block); }
 
-scaling::Mass mass(const scene::BlockMaterial& material, const Size& size) { return material.density * size[0] * size[1] * size[2]; }
+scaling::Mass mass(const BlockMaterial& material, const Size& size) { return material.density * size[0] * size[1] * size[2]; }
 
 /// Housner's p = √(3g/(4R)).
 scaling::Frequency frequency_parameter(const Size& size) {
@@ -49,11 +49,11 @@ scaling::Frequency frequency_parameter(const Size& size) {
 
 Time rock_push() { return pi / (kRockRate * frequency_parameter(kSlender)); }
 
-scene::Scene make_column(BenchScene which, int layers, const Size& block, bool locked, Time duration) {
-    scene::Scene made;
+Scene make_column(BenchScene which, int layers, const Size& block, bool locked, Time duration) {
+    Scene made;
     made.name = to_string(which);
     made.material = concrete(block);
-    made.structure = scene::Column{.layers = layers, .block = block, .rotation_locked = locked, .height_deviation = {}};
+    made.structure = Column{.layers = layers, .block = block, .rotation_locked = locked, .height_deviation = {}};
     made.time.duration = duration;
     made.output.spine_rate = kRunSamples / duration;
     // by nodes a flat contact has the papers' springs, K S d²/2; the rims of boxes that overlap depend on depth over width, a group that
@@ -62,45 +62,45 @@ scene::Scene make_column(BenchScene which, int layers, const Size& block, bool l
     return made;
 }
 
-void shake(scene::Scene& shaken, const scene::Signal& signal, std::optional<Time> dt = {}) {
-    shaken.base_motion.source = scene::SignalMotion{.signal = signal, .axis = 0, .start = kStart, .dt = dt};
+void shake(Scene& shaken, const Signal& signal, std::optional<Time> dt = {}) {
+    shaken.base_motion.source = SignalMotion{.signal = signal, .axis = 0, .start = kStart, .dt = dt};
 }
 
-scene::Scene make_slide() {
-    scene::Scene made = make_column(BenchScene::slide, 1, kLying, true, kStart + 10.0 * kSlidePush);
-    shake(made, scene::HalfSineSignal{kSlideStrength * made.material.friction * kStandardGravity, kSlidePush}, kSlidePush / kPushSamples);
+Scene make_slide() {
+    Scene made = make_column(BenchScene::slide, 1, kLying, true, kStart + 10.0 * kSlidePush);
+    shake(made, HalfSineSignal{kSlideStrength * made.material.friction * kStandardGravity, kSlidePush}, kSlidePush / kPushSamples);
     return made;
 }
 
-scene::BlockMaterial stiff_concrete() {
-    scene::BlockMaterial material = concrete(kSlender);
+BlockMaterial stiff_concrete() {
+    BlockMaterial material = concrete(kSlender);
     material.normal_stiffness *= kStiffBase;
     material.shear_stiffness *= kStiffBase;
     return material;
 }
 
-scene::Scene make_rock() {
+Scene make_rock() {
     // it is back at about 2/p after the push began
-    scene::Scene made = make_column(BenchScene::rock, 1, kSlender, false, kStart + 3.5 / frequency_parameter(kSlender));
+    Scene made = make_column(BenchScene::rock, 1, kSlender, false, kStart + 3.5 / frequency_parameter(kSlender));
     made.material = stiff_concrete();
     made.face_contact = FaceContact::overlap;
-    shake(made, scene::HalfSineSignal{kRockStrength * kRockSlenderness * kStandardGravity, rock_push()}, rock_push() / kPushSamples);
+    shake(made, HalfSineSignal{kRockStrength * kRockSlenderness * kStandardGravity, rock_push()}, rock_push() / kPushSamples);
     return made;
 }
 
-scene::Scene make_shaken_column() {
-    scene::Scene made = make_column(BenchScene::column, 5, kUpright, false, 2.5 * si::seconds);
-    shake(made, scene::SineSignal{0.5 * kStandardGravity, 1.0 * si::hertz, 2.0});
+Scene make_shaken_column() {
+    Scene made = make_column(BenchScene::column, 5, kUpright, false, 2.5 * si::seconds);
+    shake(made, SineSignal{0.5 * kStandardGravity, 1.0 * si::hertz, 2.0});
     return made;
 }
 
-scene::Scene make_chain() {
+Scene make_chain() {
     // the base starts between two samples, not on one, where rounding would decide which of its two velocities is seen
-    scene::Scene made = make_column(BenchScene::chain, 5, kUpright, true, 0.26 * si::seconds);
+    Scene made = make_column(BenchScene::chain, 5, kUpright, true, 0.26 * si::seconds);
     made.material.friction = detail::kNoSlip;
     made.material.shear_damping_ratio = kChainDamping;
     made.time.safety = kChainSafety;
-    shake(made, scene::StepSignal{0.1 * si::meters_per_second});
+    shake(made, StepSignal{0.1 * si::meters_per_second});
     return made;
 }
 
@@ -111,7 +111,7 @@ std::string_view to_string(BenchScene scene) {
     return kNames[static_cast<std::size_t>(scene)];
 }
 
-scene::Scene make_bench_scene(BenchScene scene) {
+Scene make_bench_scene(BenchScene scene) {
     switch (scene) {
         case BenchScene::slide:
             return make_slide();
@@ -126,13 +126,13 @@ scene::Scene make_bench_scene(BenchScene scene) {
 }
 
 double slide_rigidity() {
-    const scene::BlockMaterial material = concrete(kLying);
+    const BlockMaterial material = concrete(kLying);
     return std::sqrt(scaling::Ratio(material.shear_stiffness / mass(material, kLying) * kSlidePush * kSlidePush).value());
 }
 
 double rock_sinking() {
-    const scene::BlockMaterial material = stiff_concrete();
+    const BlockMaterial material = stiff_concrete();
     return scaling::Ratio(mass(material, kSlender) * kStandardGravity / material.normal_stiffness / kSlender[0]).value();
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -4,7 +4,7 @@
 
 #include "lsdem/scene/scene.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// Small prototypes that show whether a law of similitude holds.
 enum class BenchScene {
@@ -18,7 +18,7 @@ enum class BenchScene {
 std::string_view to_string(BenchScene scene);
 
 /// The prototype: concrete of the papers, base motion along x.
-scene::Scene make_bench_scene(BenchScene scene);
+Scene make_bench_scene(BenchScene scene);
 
 /// The groups of the prototypes, for their closed forms [-].
 inline constexpr double kSlideStrength = 3.0;     ///< A/(μg)
@@ -34,4 +34,4 @@ double slide_rigidity();
 /// How deep the rocking block sinks under its weight over its thin side, m g/(k_n b) [-].
 double rock_sinking();
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -20,7 +20,7 @@
 #include "scaling/random_bits.hpp"
 #include "scaling/side_by_side.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 namespace fs = std::filesystem;
@@ -49,14 +49,14 @@ JudgedModel to_judged(double length, const Judgement& judgement) {
 /// One scene on its way.
 class BenchWork {
   public:
-    BenchWork(const scene::Scene& scene, const VerdictBenchPlan& plan, const TwinSettings& settings)
+    BenchWork(const Scene& scene, const VerdictBenchPlan& plan, const TwinSettings& settings)
         : scene_(scene), plan_(plan), settings_(settings) {
         if (!settings.directory.empty()) {
             folder_ = twin_folder(settings.directory, scene, settings.version);
             make_folder(folder_);
         }
         for (std::size_t s = 0; s < plan.sets; ++s) {
-            add_trials(fmt::format("twin_{}", plan.seed + s), study::choose_twins(plan.twins, plan.seed + s));
+            add_trials(fmt::format("twin_{}", plan.seed + s), choose_twins(plan.twins, plan.seed + s));
             add_trials(fmt::format("exact_{}", plan.seed + s), choose_models(plan.models, (plan.seed + s) ^ kSeedOfModels));
         }
         for (const ModelError error : plan.errors) {
@@ -171,7 +171,7 @@ class BenchWork {
         return judged;
     }
 
-    const scene::Scene& scene_;
+    const Scene& scene_;
     const VerdictBenchPlan& plan_;
     const TwinSettings& settings_;
     fs::path folder_;  ///< empty: nothing is kept
@@ -196,8 +196,8 @@ std::size_t count_of(const std::vector<JudgedModel>& models, Agreement agreement
 
 }  // namespace
 
-VerdictBench run_verdict_bench(const scene::Scene& scene, const VerdictBenchPlan& plan, const TwinSettings& settings) {
-    scene::require_single_motion(scene, "a study of verdicts");
+VerdictBench run_verdict_bench(const Scene& scene, const VerdictBenchPlan& plan, const TwinSettings& settings) {
+    require_single_motion(scene, "a study of verdicts");
     return BenchWork(scene, plan, settings).run();
 }
 
@@ -236,4 +236,4 @@ std::optional<FoundSize> find_size(const VerdictBench& bench, ModelError error, 
     return FoundSize{std::pow(10.0, at), std::pow(10.0, at - kBothSides * error_of_at), std::pow(10.0, at + kBothSides * error_of_at)};
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

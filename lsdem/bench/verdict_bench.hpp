@@ -13,7 +13,7 @@
 #include "lsdem/study/yardstick.hpp"
 
 /// How often models are judged wrongly (run_pair): exact ones that are called different, and wrong ones that are not.
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// What is run of every scene.
 struct VerdictBenchPlan {
@@ -61,7 +61,7 @@ struct VerdictBench {
 
 /// Lays the specimen of a scene once, and runs and judges. Runs that are kept in the folder are not run again. Throws as lay_specimen and
 /// Simulation do, SceneError for a scene with a list of motions, records::WriteError.
-VerdictBench run_verdict_bench(const scene::Scene& scene, const VerdictBenchPlan& plan, const TwinSettings& settings = {});
+VerdictBench run_verdict_bench(const Scene& scene, const VerdictBenchPlan& plan, const TwinSettings& settings = {});
 
 /// Of some models, those that are called so.
 struct Tally {
@@ -80,4 +80,4 @@ struct FoundSize {
 /// Of one error over its sizes; nothing where leads do not grow with the size. `models`: JudgedError::alone or shared.
 std::optional<FoundSize> find_size(const VerdictBench& bench, ModelError error, std::vector<JudgedModel> JudgedError::*models);
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 void require_positive(double value, const char* what) {
@@ -16,8 +16,8 @@ void require_positive(double value, const char* what) {
 
 }  // namespace
 
-BlockSample make_sample(const scene::MaterialPreset& preset) {
-    const scene::BlockMaterial& m = preset.material;
+BlockSample make_sample(const MaterialPreset& preset) {
+    const BlockMaterial& m = preset.material;
     const auto& block = preset.reference_block;
     return {.size = {block[0].value(), block[1].value(), block[2].value()},
             .density = m.density.value(),
@@ -64,4 +64,4 @@ Block make_block(const BlockSample& sample, const Vector3& position, const Quate
     return block;
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -3,7 +3,7 @@
 #include "lsdem/model.hpp"
 #include "lsdem/scene/material_presets.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// One kind of block and what its contacts are made of, as tests on single blocks take it. Upright: b along x, w along y, H along z.
 struct BlockSample {
@@ -24,7 +24,7 @@ struct BlockSample {
 };
 
 /// The block of a preset under standard gravity; the ground is of the same material.
-BlockSample make_sample(const scene::MaterialPreset& preset);
+BlockSample make_sample(const MaterialPreset& preset);
 
 /// The same block turned by 90° about the vertical: w along x.
 BlockSample turned(BlockSample sample);
@@ -36,4 +36,4 @@ Model make_model(const BlockSample& sample);
 /// A block of the sample.
 Block make_block(const BlockSample& sample, const Vector3& position, const Quaternion& orientation = Quaternion::Identity());
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

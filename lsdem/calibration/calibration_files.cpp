@@ -11,7 +11,7 @@
 #include "lsdem/plot/line_plot.hpp"
 #include "scaling/angle.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 using scaling::kDegree;
@@ -124,4 +124,4 @@ std::string make_rocking_svg(const BlockSample& sample, const std::vector<Rockin
     return make_svg(plot);
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -9,7 +9,7 @@
 #include "lsdem/calibration/wave_speed.hpp"
 
 /// Tests on single blocks as tables and pictures.
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// time_s, base_m, layer1_m, ...: displacements of a wave test; at most 2000 rows, evenly thinned.
 std::string make_wave_csv(const WaveHistory& history);
@@ -29,4 +29,4 @@ std::optional<double> find_published_ratio(double start);
 /// Mean energy ratio over restitution for one support, with Housner's values and the published measurements.
 std::string make_rocking_svg(const BlockSample& sample, const std::vector<RockingCurve>& curves, RockingSupport support);
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -15,7 +15,7 @@
 #include "scaling/interruption.hpp"
 #include "scaling/side_by_side.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 constexpr int kMostImpacts = 5;                 ///< over which [Harmon23] averages
@@ -29,7 +29,7 @@ BlockSample orient(const BlockSample& sample, RockingSide side) { return side ==
 /// Two fixed blocks below the origin, in running bond with the one above.
 void add_two_blocks(Model& model, const BlockSample& sample, RockingSide side) {
     const double wide = side == RockingSide::thin ? sample.size.y() : sample.size.x();
-    const double pitch = scene::default_pitch({scaling::Length{}, wide * scaling::si::meter, scaling::Length{}}).value();
+    const double pitch = default_pitch({scaling::Length{}, wide * scaling::si::meter, scaling::Length{}}).value();
     const Vector3 along = side == RockingSide::thin ? Vector3::UnitY() : Vector3::UnitX();
     for (const double sign : {-1.0, 1.0}) {
         Block block = make_block(sample, sign * pitch * along - 0.5 * sample.size.z() * Vector3::UnitZ());
@@ -181,4 +181,4 @@ std::string make_rocking_csv(const BlockSample& sample, const std::vector<Rockin
     return csv;
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -8,7 +8,7 @@
 #include "lsdem/calibration/block_sample.hpp"
 
 /// What a rocking block loses at an impact, against the coefficient of restitution of its contacts [Harmon23, appendix].
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// The side along which the block rocks: pivots are b or w apart.
 enum class RockingSide { thin, wide };
@@ -85,4 +85,4 @@ RestitutionSearch find_restitution(const BlockSample& sample, const RockingCurve
 /// support,side,start_deg,restitution,r_first,r_mean,impacts,slip_over_side,housner: one line per test.
 std::string make_rocking_csv(const BlockSample& sample, const std::vector<RockingCurve>& curves);
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

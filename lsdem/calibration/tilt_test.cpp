@@ -13,7 +13,7 @@
 #include "lsdem/simulation.hpp"
 #include "lsdem/time_step.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -160,4 +160,4 @@ TiltResult run_tilt_test(const BlockSample& given, const TiltCase& test, double 
     return result;
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -5,7 +5,7 @@
 #include "lsdem/calibration/block_sample.hpp"
 
 /// Friction from an incline that is tilted until the block on it moves [Harmon23, 4.3].
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// What the block stands on.
 enum class TiltSupport { ground, block };
@@ -51,4 +51,4 @@ struct TiltResult {
 /// Throws std::invalid_argument for a resolution outside (0, 0.1] rad and a sample that make_model refuses.
 TiltResult run_tilt_test(const BlockSample& sample, const TiltCase& test, double resolution);
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -15,7 +15,7 @@
 #include "lsdem/time_step.hpp"
 #include "scaling/interruption.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 /// Velocity of the base [block heights per second] [Harmon23, 4.2].
@@ -193,4 +193,4 @@ StiffnessSearch find_stiffness(BlockSample sample, WaveKind kind, double target,
     throw std::runtime_error(fmt::format("wave test: no stiffness gives {} m/s within {} runs; choose another target", target, kMostRuns));
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -6,7 +6,7 @@
 #include "lsdem/calibration/block_sample.hpp"
 
 /// The stiffness of contacts from the speed at which motion travels up a stack [Harmon23, 4.2].
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// Along the column on its normal springs, or across it on its shear springs.
 enum class WaveKind { normal, shear };
@@ -77,4 +77,4 @@ struct StiffnessSearch {
 /// that is not positive, std::runtime_error when 20 runs are not enough.
 StiffnessSearch find_stiffness(BlockSample sample, WaveKind kind, double target, const WaveSettings& settings, bool of_raw_speed = false);
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

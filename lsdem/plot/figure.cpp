@@ -11,7 +11,7 @@
 #include "lsdem/plot/svg.hpp"
 #include "lsdem/plot/text_room.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 using detail::draw_text;
@@ -164,4 +164,4 @@ std::string make_svg(const Figure& figure) {
     return detail::open_svg(right + kRight, y + kCaptionLine) + content + "</svg>\n";
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

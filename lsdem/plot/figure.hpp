@@ -6,7 +6,7 @@
 
 #include "lsdem/plot/line_plot.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// A horizontal axis in other units, above a panel.
 struct SecondAxis {
@@ -50,4 +50,4 @@ struct Figure {
 /// The figure as an SVG document. Throws std::invalid_argument when x and y of a series differ in length.
 std::string make_svg(const Figure& figure);
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

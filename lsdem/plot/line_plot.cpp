@@ -7,7 +7,7 @@
 #include "lsdem/plot/plot_panel.hpp"
 #include "lsdem/plot/svg.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 /// Sizes of the picture [px].
@@ -45,4 +45,4 @@ std::string make_svg(const LinePlot& plot) {
     return svg;
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

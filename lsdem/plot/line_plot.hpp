@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// A stretch of the horizontal axis.
 struct PlotBand {
@@ -40,4 +40,4 @@ struct LinePlot {
 /// in length.
 std::string make_svg(const LinePlot& plot);
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

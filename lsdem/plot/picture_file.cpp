@@ -3,7 +3,7 @@
 #include "lsdem/plot/render_svg.hpp"
 #include "records/atomic_file.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 /// 300 dots per inch for 120 SVG pixels per inch: a picture of 864 px is 7.2 inches wide then.
@@ -38,4 +38,4 @@ void write_picture(const std::filesystem::path& path, const std::string& svg) {
     records::write_file_atomically(path, make_picture_bytes(svg, path.extension().string().substr(1)));
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

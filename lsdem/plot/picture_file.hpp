@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// Can pictures be written as PNG and PDF? Only when musim was built with librsvg.
 bool can_write_png();
@@ -20,4 +20,4 @@ std::string make_picture_bytes(const std::string& svg, const std::string& kind);
 /// SVG pixels per inch. The file is complete or absent. Throws records::WriteError.
 void write_picture(const std::filesystem::path& path, const std::string& svg);
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -12,7 +12,7 @@
 #include "lsdem/plot/svg.hpp"
 #include "lsdem/plot/text_room.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 /// Sizes of the picture [px].
@@ -240,4 +240,4 @@ std::string make_svg(const StackedPlot& plot) {
     return svg;
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

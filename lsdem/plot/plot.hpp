@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// One run in a stacked plot.
 struct PlotCurves {
@@ -30,4 +30,4 @@ struct StackedPlot {
 /// than abscissas.
 std::string make_svg(const StackedPlot& plot);
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -11,7 +11,7 @@
 
 #include "lsdem/plot/thin_path.hpp"
 
-namespace musim::lsdem::study::detail {
+namespace musim::lsdem::detail {
 namespace {
 
 /// Room a tick's text takes along its axis [px]; closer ones would touch.
@@ -247,4 +247,4 @@ void draw_sample(std::string& svg, double x, double y, const PlotSeries& series,
     if (series.marks) svg += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"2.6\" fill=\"{}\"/>\n", x, y, style.color);
 }
 
-}  // namespace musim::lsdem::study::detail
+}  // namespace musim::lsdem::detail

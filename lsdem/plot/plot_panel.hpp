@@ -10,7 +10,7 @@
 #include "lsdem/plot/svg.hpp"
 
 /// One pair of axes with its curves, as single plots and figures of several panels draw them.
-namespace musim::lsdem::study::detail {
+namespace musim::lsdem::detail {
 
 /// Where the axes of a panel stand [px].
 struct PanelFrame {
@@ -61,4 +61,4 @@ void draw_panel(std::string& svg, const LinePlot& plot, const PanelPlace& place,
 /// A short piece of a curve, its middle at (x, y) [px], and its mark: for legends.
 void draw_sample(std::string& svg, double x, double y, const PlotSeries& series, const LineStyle& style);
 
-}  // namespace musim::lsdem::study::detail
+}  // namespace musim::lsdem::detail

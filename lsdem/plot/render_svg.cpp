@@ -8,7 +8,7 @@
 #include <memory>
 #include <stdexcept>
 
-namespace musim::lsdem::study::detail {
+namespace musim::lsdem::detail {
 namespace {
 
 /// Owners of what the C libraries hand out.
@@ -90,4 +90,4 @@ std::string render_pdf(const std::string& svg, double scale) {
     return bytes;
 }
 
-}  // namespace musim::lsdem::study::detail
+}  // namespace musim::lsdem::detail

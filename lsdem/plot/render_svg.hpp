@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace musim::lsdem::study::detail {
+namespace musim::lsdem::detail {
 
 /// Was musim built with librsvg? The functions below throw std::logic_error otherwise.
 bool can_render_svg();
@@ -14,4 +14,4 @@ std::string render_png(const std::string& svg, double scale);
 /// The same as the bytes of a PDF file of one page, `scale` points for each of its pixels; the same bytes at any time.
 std::string render_pdf(const std::string& svg, double scale);
 
-}  // namespace musim::lsdem::study::detail
+}  // namespace musim::lsdem::detail

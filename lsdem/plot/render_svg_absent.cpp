@@ -2,7 +2,7 @@
 
 #include "lsdem/plot/render_svg.hpp"
 
-namespace musim::lsdem::study::detail {
+namespace musim::lsdem::detail {
 
 bool can_render_svg() { return false; }
 
@@ -10,4 +10,4 @@ std::string render_png(const std::string&, double) { throw std::logic_error("PNG
 
 std::string render_pdf(const std::string&, double) { throw std::logic_error("PDF asked of a build without librsvg"); }
 
-}  // namespace musim::lsdem::study::detail
+}  // namespace musim::lsdem::detail

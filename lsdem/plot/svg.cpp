@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace musim::lsdem::study::detail {
+namespace musim::lsdem::detail {
 
 std::string escape(const std::string& text) {
     std::string safe;
@@ -73,4 +73,4 @@ std::string stroke(const LineStyle& line) {
     return fmt::format("stroke=\"{}\" stroke-width=\"{}\"{} fill=\"none\" stroke-linejoin=\"round\"", line.color, line.width, dash);
 }
 
-}  // namespace musim::lsdem::study::detail
+}  // namespace musim::lsdem::detail

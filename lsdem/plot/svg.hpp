@@ -5,7 +5,7 @@
 #include <string>
 
 /// What all pictures of musim share: text, lines, colours, round numbers.
-namespace musim::lsdem::study::detail {
+namespace musim::lsdem::detail {
 
 /// Linear map of data to pixels.
 struct PlotAxis {
@@ -68,4 +68,4 @@ void draw_frame(std::string& svg, double x, double y, double width, double heigh
 /// Attributes of a curve.
 std::string stroke(const LineStyle& line);
 
-}  // namespace musim::lsdem::study::detail
+}  // namespace musim::lsdem::detail

@@ -4,7 +4,7 @@
 #include <sstream>
 #include <vector>
 
-namespace musim::lsdem::study::detail {
+namespace musim::lsdem::detail {
 namespace {
 
 /// Advance widths of DejaVu Sans from space to ~ [font size/1000], of its table hmtx.
@@ -70,4 +70,4 @@ std::vector<std::string> wrap(const std::string& text, double font_size, double 
     return lines;
 }
 
-}  // namespace musim::lsdem::study::detail
+}  // namespace musim::lsdem::detail

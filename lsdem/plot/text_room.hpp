@@ -4,7 +4,7 @@
 #include <vector>
 
 /// How much room text takes in a picture, which no renderer tells when the SVG is made.
-namespace musim::lsdem::study::detail {
+namespace musim::lsdem::detail {
 
 /// Width [px] of `text` (UTF-8) in DejaVu Sans, the first of the fonts in open_svg() and the widest of them; letters beyond ASCII count as
 /// the widest, so that it is never too small.
@@ -17,4 +17,4 @@ std::string shorten(const std::string& text, double font_size, double room);
 /// `text` in lines no wider than `room` [px], parted at spaces; a single word may be wider.
 std::vector<std::string> wrap(const std::string& text, double font_size, double room);
 
-}  // namespace musim::lsdem::study::detail
+}  // namespace musim::lsdem::detail

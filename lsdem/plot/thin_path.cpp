@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace musim::lsdem::study::detail {
+namespace musim::lsdem::detail {
 
 std::vector<PicturePoint> thin_path(const std::vector<PicturePoint>& path) {
     std::vector<PicturePoint> thinned;
@@ -26,4 +26,4 @@ std::vector<PicturePoint> thin_path(const std::vector<PicturePoint>& path) {
     return thinned;
 }
 
-}  // namespace musim::lsdem::study::detail
+}  // namespace musim::lsdem::detail

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-namespace musim::lsdem::study::detail {
+namespace musim::lsdem::detail {
 
 /// A place in a picture [px].
 struct PicturePoint {
@@ -15,4 +15,4 @@ struct PicturePoint {
 /// So a column has two points at most each time the path enters it, peaks stay, and a path without such rows stays as it is.
 std::vector<PicturePoint> thin_path(const std::vector<PicturePoint>& path);
 
-}  // namespace musim::lsdem::study::detail
+}  // namespace musim::lsdem::detail

@@ -9,7 +9,7 @@
 #include "lsdem/report/html.hpp"
 #include "lsdem/report/json_parts.hpp"
 
-namespace musim::lsdem::report {
+namespace musim::lsdem {
 namespace {
 
 using nlohmann::json;
@@ -122,4 +122,4 @@ ReportSection make_document_section(const ReportedDocument& document, std::size_
     return {.id = fmt::format("document-{}", number), .title = document.label, .html = to_html(document.json, document.label)};
 }
 
-}  // namespace musim::lsdem::report
+}  // namespace musim::lsdem

@@ -6,7 +6,7 @@
 #include "lsdem/report/report_content.hpp"
 #include "lsdem/report/report_section.hpp"
 
-namespace musim::lsdem::report {
+namespace musim::lsdem {
 
 /// What musim scale, pi, design, record and others printed with --json: everything in it, as tables.
 ReportSection make_document_section(const ReportedDocument& document, std::size_t number);
@@ -18,4 +18,4 @@ std::string make_document_verdict(const ReportedDocument& document);
 /// captions of its own.
 std::string to_html(const nlohmann::json& json, const std::string& caption);
 
-}  // namespace musim::lsdem::report
+}  // namespace musim::lsdem

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace musim::lsdem::report {
+namespace musim::lsdem {
 namespace {
 
 std::string to_html(const HtmlCell& cell, const char* tag, const char* attributes) {
@@ -83,4 +83,4 @@ std::string make_statement(Tone tone, const std::string& text) {
     return fmt::format("<p class=\"statement {0}\"><strong>{0}</strong> {1}</p>\n", to_string(tone), escape_html(text));
 }
 
-}  // namespace musim::lsdem::report
+}  // namespace musim::lsdem

@@ -4,7 +4,7 @@
 #include <vector>
 
 /// Reports of runs as HTML pages that stand alone.
-namespace musim::lsdem::report {
+namespace musim::lsdem {
 
 /// Text with the characters that HTML reserves replaced, also for attributes.
 std::string escape_html(const std::string& text);
@@ -38,4 +38,4 @@ std::string to_html(const HtmlTable& table);
 /// A paragraph of a tone, its word before the text.
 std::string make_statement(Tone tone, const std::string& text);
 
-}  // namespace musim::lsdem::report
+}  // namespace musim::lsdem

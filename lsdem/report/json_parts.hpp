@@ -6,7 +6,7 @@
 #include <vector>
 
 /// Parts of files that may be missing, null, or of another kind than is expected, in files that are damaged or of another version.
-namespace musim::lsdem::report {
+namespace musim::lsdem {
 
 /// The value of a key; `fallback` where `object` has no such key, or a value of another kind than `fallback` at it.
 inline nlohmann::json find_part(const nlohmann::json& object, const std::string& key, nlohmann::json fallback) {
@@ -47,4 +47,4 @@ inline std::string find_text(const nlohmann::json& object, const std::string& ke
 /// False when it is not said.
 inline bool find_flag(const nlohmann::json& object, const std::string& key) { return find_part(object, key, false).get<bool>(); }
 
-}  // namespace musim::lsdem::report
+}  // namespace musim::lsdem

@@ -6,7 +6,7 @@
 
 #include "scaling/angle.hpp"
 
-namespace musim::lsdem::report {
+namespace musim::lsdem {
 namespace {
 
 /// The smallest value that at least this share of the sorted values does not exceed.
@@ -23,18 +23,18 @@ ReportFigure make_tilt_figure(const std::string& name, const std::string& whose,
     for (std::size_t b = 0; b < tilt.size(); ++b) {
         if (layer[b] > 0) levels[layer[b]].push_back(tilt[b] / scaling::kDegree);
     }
-    study::LinePlot plot{.title = "Tilt of the blocks at the start",
-                         .subtitle = whose,
-                         .x_label = "tilt [degrees]",
-                         .y_label = "level",
-                         .series = {},
-                         .y_from_zero = true};
+    LinePlot plot{.title = "Tilt of the blocks at the start",
+                  .subtitle = whose,
+                  .x_label = "tilt [degrees]",
+                  .y_label = "level",
+                  .series = {},
+                  .y_from_zero = true};
     const struct {
         const char* label;
         double share;
     } kinds[] = {{"median", 0.5}, {"nine of ten below", 0.9}, {"largest", 1.0}};
     for (const auto& kind : kinds) {
-        study::PlotSeries series{.label = kind.label, .x = {}, .y = {}, .marks = true, .y_error = {}};
+        PlotSeries series{.label = kind.label, .x = {}, .y = {}, .marks = true, .y_error = {}};
         for (auto& [level, tilts] : levels) {
             std::sort(tilts.begin(), tilts.end());
             series.x.push_back(find_quantile(tilts, kind.share));
@@ -45,4 +45,4 @@ ReportFigure make_tilt_figure(const std::string& name, const std::string& whose,
     return make_figure(name, plot);
 }
 
-}  // namespace musim::lsdem::report
+}  // namespace musim::lsdem

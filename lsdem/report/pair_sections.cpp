@@ -7,7 +7,7 @@
 
 #include "lsdem/report/json_parts.hpp"
 
-namespace musim::lsdem::report {
+namespace musim::lsdem {
 namespace {
 
 Tone find_tone(const std::string& severity) {
@@ -79,4 +79,4 @@ ReportSection make_scale_section(const ReportContent& content) {
     return section;
 }
 
-}  // namespace musim::lsdem::report
+}  // namespace musim::lsdem

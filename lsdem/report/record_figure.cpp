@@ -10,17 +10,13 @@
 #include "lsdem/plot/figure.hpp"
 #include "records/formats/csv_cell.hpp"
 
-namespace musim::lsdem::report {
+namespace musim::lsdem {
 namespace {
 
 using records::ComponentCurves;
 using records::Curve;
 using records::CurveKind;
 using records::CurvePeak;
-using study::FigureColumn;
-using study::KeyRow;
-using study::LinePlot;
-using study::PlotSeries;
 
 /// Widths of the axes [px]: with the margins 7.2 inches at 120 px per inch.
 constexpr double kHistoryWidth = 424.0, kSpectrumWidth = 256.0;
@@ -256,7 +252,7 @@ HtmlTable make_twin(const RecordFigure& figure, const std::vector<KeyRow>& key) 
 
 }  // namespace
 
-study::CurveLooks find_looks(bool with_models) { return with_models ? study::CurveLooks::pairs : study::CurveLooks::apart; }
+CurveLooks find_looks(bool with_models) { return with_models ? CurveLooks::pairs : CurveLooks::apart; }
 
 std::string make_title(const records::GroundMotion& motion) {
     if (motion.event.empty() && motion.station.empty()) return std::filesystem::path(motion.source).filename().string();
@@ -275,17 +271,14 @@ ReportFigure make_figure(const std::string& name, const RecordFigure& figure) {
     std::vector<FigureColumn> columns{std::move(histories)};
     if (!spectra.panels.empty()) columns.push_back(std::move(spectra));
     const std::vector<KeyRow> key = make_key(figure);
-    const study::Figure drawing{.title = figure.title,
-                                .key_headings = kKeyHeadings,
-                                .key = key,
-                                .columns = std::move(columns),
-                                .caption = make_caption(figure),
-                                .looks = find_looks(figure.model_of.has_value())};
-    return {.name = name,
-            .title = figure.title,
-            .svg = study::make_svg(drawing),
-            .csv = make_csv(figure.components),
-            .twin = make_twin(figure, key)};
+    const Figure drawing{.title = figure.title,
+                         .key_headings = kKeyHeadings,
+                         .key = key,
+                         .columns = std::move(columns),
+                         .caption = make_caption(figure),
+                         .looks = find_looks(figure.model_of.has_value())};
+    return {
+        .name = name, .title = figure.title, .svg = make_svg(drawing), .csv = make_csv(figure.components), .twin = make_twin(figure, key)};
 }
 
-}  // namespace musim::lsdem::report
+}  // namespace musim::lsdem

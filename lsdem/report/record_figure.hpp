@@ -10,7 +10,7 @@
 #include "records/measures/record_curves.hpp"
 #include "scaling/laws/model_scales.hpp"
 
-namespace musim::lsdem::report {
+namespace musim::lsdem {
 
 /// Components as a figure.
 struct RecordFigure {
@@ -22,7 +22,7 @@ struct RecordFigure {
 };
 
 /// How curves of components, or of prototypes and their models, are told apart.
-study::CurveLooks find_looks(bool with_models);
+CurveLooks find_looks(bool with_models);
 
 /// Event and station, as far as the record tells, or else its file.
 std::string make_title(const records::GroundMotion& motion);
@@ -32,4 +32,4 @@ std::string make_title(const records::GroundMotion& motion);
 /// model), the names of value and abscissa with their units, both.
 ReportFigure make_figure(const std::string& name, const RecordFigure& figure);
 
-}  // namespace musim::lsdem::report
+}  // namespace musim::lsdem

@@ -10,7 +10,7 @@
 #include "lsdem/scene/scene_json.hpp"
 #include "records/processing/scale_record.hpp"
 
-namespace musim::lsdem::report {
+namespace musim::lsdem {
 namespace {
 
 using records::GroundMotion;
@@ -22,14 +22,14 @@ constexpr std::array<const char*, 3> kAxes{"x", "y", "z"};
 /// From the record to the base, by the scene that the run carries; nothing for a scene that cannot be read or scales nothing.
 std::optional<ModelScales> find_scales(const ReportedRun& reported) {
     try {
-        const scene::BaseMotion motion = scene::parse_scene(reported.run.scene).base_motion;
-        const auto* record = std::get_if<scene::RecordMotion>(&motion.source);
+        const SceneMotion motion = parse_scene(reported.run.scene).base_motion;
+        const auto* record = std::get_if<RecordMotion>(&motion.source);
         const bool scales_record = record != nullptr && record->scale.has_value();
-        const scene::MotionFactors& more = motion.factors;
-        const bool is_model = !(more == scene::MotionFactors{});
+        const MotionFactors& more = motion.factors;
+        const bool is_model = !(more == MotionFactors{});
         if (!scales_record && !is_model) return std::nullopt;
         ModelScales scales;
-        if (scales_record) scales = ModelScales(scene::make_similitude(*record->scale));
+        if (scales_record) scales = ModelScales(make_similitude(*record->scale));
         if (is_model) {
             const std::string law = find_text(find_object(reported.summary, "similitude"), "law", "its scene's own");
             scales.law += (scales.law.empty() ? "" : ", then ") + law;
@@ -50,7 +50,7 @@ std::optional<ModelScales> find_scales(const ReportedRun& reported) {
 
 /// The components along which the base moves, over the scales that are given.
 GroundMotion make_motion(const ReportedRun& reported, const ModelScales& over) {
-    const study::History& history = reported.run.history;
+    const History& history = reported.run.history;
     GroundMotion motion{.source = reported.label};
     if (history.samples() < 3) return motion;
     const double interval = (history.time.back() - history.time.front()) / static_cast<double>(history.samples() - 1);
@@ -84,9 +84,9 @@ std::string make_pga_notes(const ReportedRun& reported) {
     std::string html;
     for (std::size_t axis = 0; axis < kAxes.size(); ++axis) {
         const double pga = reported.run.peak_base_acceleration[static_cast<int>(axis)];
-        const study::SourcePga& source = reported.run.source_pga[axis];
+        const SourcePga& source = reported.run.source_pga[axis];
         if (!source.differs_from(pga)) continue;
-        html += make_statement(Tone::note, fmt::format("{} along {}: {}", reported.label, kAxes[axis], study::describe_pga(pga, source)));
+        html += make_statement(Tone::note, fmt::format("{} along {}: {}", reported.label, kAxes[axis], describe_pga(pga, source)));
     }
     return html;
 }
@@ -118,7 +118,7 @@ ReportSection make_record_section(const ReportContent& content) {
                     .heads = {"file", "format", "station", "component", "samples", "step [s]", "duration [s]", "integrated"},
                     .rows = {}};
     // more components than looks are drawn in figures of their own
-    const std::size_t most = study::count_looks(find_looks(false));
+    const std::size_t most = count_looks(find_looks(false));
     for (const ReportedRecord& record : content.records) {
         const GroundMotion& motion = record.motion;
         for (const records::Component& component : motion.components) {
@@ -161,4 +161,4 @@ std::optional<ReportSection> make_base_motion_section(const ReportContent& conte
     return section;
 }
 
-}  // namespace musim::lsdem::report
+}  // namespace musim::lsdem

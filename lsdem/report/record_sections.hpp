@@ -5,7 +5,7 @@
 #include "lsdem/report/report_content.hpp"
 #include "lsdem/report/report_section.hpp"
 
-namespace musim::lsdem::report {
+namespace musim::lsdem {
 
 /// Records as files hold them: histories, peaks, spectra, one figure a file.
 ReportSection make_record_section(const ReportContent& content);
@@ -14,4 +14,4 @@ ReportSection make_record_section(const ReportContent& content);
 /// histories and spectra of both. Accelerations are means between two samples of the run. Nothing for runs whose base stands.
 std::optional<ReportSection> make_base_motion_section(const ReportContent& content);
 
-}  // namespace musim::lsdem::report
+}  // namespace musim::lsdem

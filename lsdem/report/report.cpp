@@ -11,7 +11,7 @@
 #include "lsdem/report/tower_section.hpp"
 #include "lsdem/report/web_assets.hpp"
 
-namespace musim::lsdem::report {
+namespace musim::lsdem {
 
 namespace {
 
@@ -58,4 +58,4 @@ std::string make_page(const ReportContent& content, const std::vector<ReportSect
     return page + "<script>\n" + kReportScript + "\n</script>\n</body>\n</html>\n";
 }
 
-}  // namespace musim::lsdem::report
+}  // namespace musim::lsdem

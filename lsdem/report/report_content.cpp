@@ -19,7 +19,7 @@
 #include "scaling/quantity_text.hpp"
 #include "scaling/regular_file.hpp"
 
-namespace musim::lsdem::report {
+namespace musim::lsdem {
 namespace {
 
 namespace fs = std::filesystem;
@@ -33,7 +33,7 @@ nlohmann::json read_json(const fs::path& file) {
     }
 }
 
-std::string describe_material(const scene::BlockMaterial& material) {
+std::string describe_material(const BlockMaterial& material) {
     return fmt::format("{}, k_n {}, k_s {}, μ {:.4g}, e {:.4g}", scaling::format_quantity(material.density, 4),
                        scaling::format_quantity(material.normal_stiffness, 4), scaling::format_quantity(material.shear_stiffness, 4),
                        material.friction, material.restitution);
@@ -41,7 +41,7 @@ std::string describe_material(const scene::BlockMaterial& material) {
 
 void take_scene(ReportedRun& reported) {
     try {
-        const scene::Scene scene = scene::parse_scene(reported.run.scene);
+        const Scene scene = parse_scene(reported.run.scene);
         reported.scene_name = scene.name;
         reported.material = describe_material(scene.material);
     } catch (const std::runtime_error&) {
@@ -59,8 +59,8 @@ class Reader {
     /// What a command has written to be read back; empty, with a remark, when it is damaged.
     nlohmann::json read_object(const fs::path& file) {
         try {
-            return study::read_checked_json(file);
-        } catch (const study::ResultError& error) {
+            return read_checked_json(file);
+        } catch (const ResultError& error) {
             content.remarks.emplace_back(error.what());
             return nlohmann::json::object();
         }
@@ -69,7 +69,7 @@ class Reader {
     void add_run(const fs::path& folder, const std::string& label) {
         ReportedRun reported{.label = label, .folder = folder, .run = {}, .response = {}, .summary = {}, .scene_name = {}, .material = {}};
         try {
-            reported.run = study::read_run(folder, study::Reading::what_there_is);
+            reported.run = read_run(folder, Reading::what_there_is);
         } catch (const std::runtime_error& error) {
             content.remarks.emplace_back(error.what());
             return;
@@ -77,7 +77,7 @@ class Reader {
         content.remarks.insert(content.remarks.end(), reported.run.gaps.begin(), reported.run.gaps.end());
         if (reported.run.is_status_known) reported.summary = read_object(folder / "summary.json");
         try {
-            reported.response = study::measure_response(reported.run);
+            reported.response = measure_response(reported.run);
         } catch (const std::runtime_error& error) {
             content.remarks.push_back(fmt::format("{}: no speeds, rotations and damage: {}", label, error.what()));
         }
@@ -105,7 +105,7 @@ class Reader {
         content.summary = read_object(folder / "pair.json");
         add_run(folder / "prototype", "prototype");
         for (const nlohmann::json& model : find_list(content.summary, "pairs")) {
-            const std::string name = study::name_folder(find_text(model, "label"));
+            const std::string name = name_folder(find_text(model, "label"));
             if (!name.empty()) add_model(folder / name, name);
         }
         // the largest first: the prototype, then models as they get smaller
@@ -126,8 +126,8 @@ class Reader {
         content.kind = ReportKind::ensemble;
         ReportedEnsemble ensemble{.label = label, .folder = folder, .summary = read_object(folder / "ensemble.json"), .bands = {}};
         try {
-            ensemble.bands = study::read_bands(folder);
-        } catch (const study::ResultError& error) {
+            ensemble.bands = read_bands(folder);
+        } catch (const ResultError& error) {
             content.remarks.push_back(fmt::format("{}: no bands: {}", label, error.what()));
         }
         for (const nlohmann::json& member : find_list(ensemble.summary, "members")) {
@@ -156,15 +156,15 @@ class Reader {
 
     void add_specimen(const fs::path& file) {
         try {
-            content.specimens.push_back({.label = file.stem().string(), .specimen = study::read_specimen(file)});
-        } catch (const study::ResultError& error) {
+            content.specimens.push_back({.label = file.stem().string(), .specimen = read_specimen(file)});
+        } catch (const ResultError& error) {
             content.remarks.emplace_back(error.what());
         }
     }
 
     void add_document(const fs::path& file) {
         nlohmann::json json = read_json(file);
-        if (json.is_object() && json.contains("checksum") && !study::agrees_with_checksum(json)) {
+        if (json.is_object() && json.contains("checksum") && !agrees_with_checksum(json)) {
             content.remarks.push_back(fmt::format("{}: is damaged (its checksum does not match); make it again", file.string()));
         } else if (json.is_object()) {
             content.documents.push_back({.label = file.filename().string(), .json = std::move(json)});
@@ -207,8 +207,8 @@ class Reader {
         const std::string label = folder.filename().empty() ? folder.parent_path().filename().string() : folder.filename().string();
         const bool unfinished = note_unfinished(folder);
         try {
-            study::require_complete(folder);
-        } catch (const study::ResultError& error) {
+            require_complete(folder);
+        } catch (const ResultError& error) {
             content.remarks.emplace_back(error.what());
             return;
         }
@@ -245,14 +245,14 @@ class Reader {
 
     /// Is anybody at work there, or was?
     bool note_unfinished(const fs::path& folder) {
-        const study::WatchedFolder watched = study::look_into(folder);
-        if (watched.state == study::FolderState::working) {
+        const WatchedFolder watched = look_into(folder);
+        if (watched.state == FolderState::working) {
             content.remarks.push_back(
                 fmt::format("{}: a musim works here now; what is shown is older (`musim watch {}`)", folder.string(), folder.string()));
         }
-        if (watched.state != study::FolderState::killed) return watched.state == study::FolderState::working;
+        if (watched.state != FolderState::killed) return watched.state == FolderState::working;
         std::string text = fmt::format("{}: a run was killed here before it had results", folder.string());
-        for (const study::WatchedRun& run : watched.runs) text += fmt::format(", at {:.0f} %", 100.0 * run.state.fraction);
+        for (const WatchedRun& run : watched.runs) text += fmt::format(", at {:.0f} %", 100.0 * run.state.fraction);
         content.remarks.push_back(text + "; continue it with --resume");
         return true;
     }
@@ -309,8 +309,8 @@ ReportContent read_content(const std::vector<fs::path>& places, const RecordRead
     ReportContent& content = reader.content;
     if (content.runs.empty() && content.specimens.empty() && content.records.empty() && content.documents.empty() &&
         content.ensembles.empty() && content.summary.is_null()) {
-        throw study::ResultError(content.remarks.empty() ? "there is nothing to report on; give the directory of `musim run -o`"
-                                                         : content.remarks.front());
+        throw ResultError(content.remarks.empty() ? "there is nothing to report on; give the directory of `musim run -o`"
+                                                  : content.remarks.front());
     }
     if (content.kind == ReportKind::nothing && !content.runs.empty()) {
         content.kind = content.runs.size() == 1 ? ReportKind::run : ReportKind::runs;
@@ -320,4 +320,4 @@ ReportContent read_content(const std::vector<fs::path>& places, const RecordRead
     return std::move(content);
 }
 
-}  // namespace musim::lsdem::report
+}  // namespace musim::lsdem

@@ -12,17 +12,17 @@
 #include "lsdem/study/compare_ensembles.hpp"
 #include "records/ground_motion.hpp"
 
-namespace musim::lsdem::report {
+namespace musim::lsdem {
 
 /// A stored run, and how it stands to the others beside it.
 struct ReportedRun {
     std::string label;  ///< its folder
     std::filesystem::path folder;
-    study::StoredRun run;
-    std::optional<study::Response> response;  ///< nothing when it cannot be measured
-    nlohmann::json summary;                   ///< summary.json
-    std::string scene_name, material;         ///< as its scene says; empty when it says nothing
-    bool stands = false;                      ///< a specimen, whose blocks are shown as those of a run
+    StoredRun run;
+    std::optional<Response> response;  ///< nothing when it cannot be measured
+    nlohmann::json summary;            ///< summary.json
+    std::string scene_name, material;  ///< as its scene says; empty when it says nothing
+    bool stands = false;               ///< a specimen, whose blocks are shown as those of a run
 };
 
 /// A record of a motion.
@@ -40,15 +40,15 @@ struct ReportedDocument {
 /// A prepared structure.
 struct ReportedSpecimen {
     std::string label;  ///< its file
-    study::StoredSpecimen specimen;
+    StoredSpecimen specimen;
 };
 
 /// Seeds of one scene.
 struct ReportedEnsemble {
     std::string label;  ///< its folder
     std::filesystem::path folder;
-    nlohmann::json summary;                          ///< ensemble.json
-    std::optional<study::DimensionlessBands> bands;  ///< nothing when no member is a result, or nothing makes them dimensionless
+    nlohmann::json summary;                   ///< ensemble.json
+    std::optional<DimensionlessBands> bands;  ///< nothing when no member is a result, or nothing makes them dimensionless
 };
 
 /// What the runs of a report have to do with each other.
@@ -78,8 +78,8 @@ struct ReportContent {
 using RecordReader = std::function<records::GroundMotion(const std::filesystem::path&)>;
 
 /// Reads what lies in folders of `musim run`, `pair`, `sequence`, `ensemble` and `specimen`, or in several of runs; specimens, records and
-/// what a command printed with --json as files of their own. What cannot be read becomes a remark. Throws study::ResultError when nothing
+/// what a command printed with --json as files of their own. What cannot be read becomes a remark. Throws ResultError when nothing
 /// at all can be shown.
 ReportContent read_content(const std::vector<std::filesystem::path>& places, const RecordReader& read_record);
 
-}  // namespace musim::lsdem::report
+}  // namespace musim::lsdem

@@ -9,10 +9,10 @@
 
 #include "records/formats/csv_cell.hpp"
 
-namespace musim::lsdem::report {
+namespace musim::lsdem {
 namespace {
 
-std::vector<HtmlCell> describe_series(const study::PlotSeries& series) {
+std::vector<HtmlCell> describe_series(const PlotSeries& series) {
     std::vector<std::size_t> finite;
     for (std::size_t i = 0; i < series.y.size(); ++i) {
         if (std::isfinite(series.x[i]) && std::isfinite(series.y[i])) finite.push_back(i);
@@ -31,7 +31,7 @@ std::vector<HtmlCell> describe_series(const study::PlotSeries& series) {
 }
 
 /// Largest magnitude, when that is, last value, and the widest half of a band; nothing for a curve without a finite point.
-std::vector<HtmlCell> describe_curve(const study::PlotCurves& run, std::size_t row) {
+std::vector<HtmlCell> describe_curve(const PlotCurves& run, std::size_t row) {
     std::optional<std::size_t> peak, last;
     const std::vector<double>& y = run.y[row];
     double widest = std::nan("");
@@ -57,15 +57,15 @@ std::string name_apart(std::string svg, const std::string& name) {
     return svg;
 }
 
-std::string name_row(const study::StackedPlot& plot, std::size_t row) { return row < plot.row_labels.size() ? plot.row_labels[row] : ""; }
+std::string name_row(const StackedPlot& plot, std::size_t row) { return row < plot.row_labels.size() ? plot.row_labels[row] : ""; }
 
 }  // namespace
 
-ReportFigure make_figure(const std::string& name, const study::LinePlot& plot) {
+ReportFigure make_figure(const std::string& name, const LinePlot& plot) {
     ReportFigure figure{.name = name, .title = plot.title, .svg = make_svg(plot), .csv = "series,x,y\n", .twin = {}};
     figure.twin.caption = fmt::format("{}: {} over {}", plot.title, plot.y_label, plot.x_label);
     figure.twin.heads = {"series", "points", "first x", "last x", "smallest", "at x", "largest", "at x"};
-    for (const study::PlotSeries& series : plot.series) {
+    for (const PlotSeries& series : plot.series) {
         for (std::size_t i = 0; i < series.x.size(); ++i) {
             fmt::format_to(std::back_inserter(figure.csv), "{},{},{}\n", records::csv_cell(series.label), series.x[i], series.y[i]);
         }
@@ -78,14 +78,13 @@ ReportFigure make_figure(const std::string& name, const study::LinePlot& plot) {
     return figure;
 }
 
-ReportFigure make_figure(const std::string& name, const study::StackedPlot& plot) {
+ReportFigure make_figure(const std::string& name, const StackedPlot& plot) {
     ReportFigure figure{.name = name, .title = plot.title, .svg = make_svg(plot), .csv = "run,row,x,y,spread\n", .twin = {}};
     figure.twin.caption = fmt::format("{}: {} over {}", plot.title, plot.y_label, plot.x_label);
     figure.twin.heads = {"run", "row", "largest magnitude", "at", "last value"};
-    const bool has_bands =
-        std::any_of(plot.runs.begin(), plot.runs.end(), [](const study::PlotCurves& run) { return !run.spread.empty(); });
+    const bool has_bands = std::any_of(plot.runs.begin(), plot.runs.end(), [](const PlotCurves& run) { return !run.spread.empty(); });
     if (has_bands) figure.twin.heads.emplace_back("widest half of the band");
-    for (const study::PlotCurves& run : plot.runs) {
+    for (const PlotCurves& run : plot.runs) {
         for (std::size_t row = 0; row < run.y.size(); ++row) {
             const std::vector<double>& y = run.y[row];
             for (std::size_t k = 0; k < y.size(); ++k) {
@@ -113,4 +112,4 @@ std::string to_html(const ReportFigure& figure) {
         numbers);
 }
 
-}  // namespace musim::lsdem::report
+}  // namespace musim::lsdem

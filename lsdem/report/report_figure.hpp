@@ -6,7 +6,7 @@
 #include "lsdem/plot/plot.hpp"
 #include "lsdem/report/html.hpp"
 
-namespace musim::lsdem::report {
+namespace musim::lsdem {
 
 /// A plot in a report, which can also be a file of its own for a paper.
 struct ReportFigure {
@@ -19,13 +19,13 @@ struct ReportFigure {
 
 /// Curves over one pair of axes. CSV: series,x,y, one line per point; of a shaded stretch a second series. Twin: for each series its ends
 /// and its smallest and largest value.
-ReportFigure make_figure(const std::string& name, const study::LinePlot& plot);
+ReportFigure make_figure(const std::string& name, const LinePlot& plot);
 
 /// Stacked curves. CSV: run,row,x,y,spread (half width of the band, or empty). Twin: for each run and row the value of largest magnitude,
 /// when that is, the last one, and the widest half of the band.
-ReportFigure make_figure(const std::string& name, const study::StackedPlot& plot);
+ReportFigure make_figure(const std::string& name, const StackedPlot& plot);
 
 /// The figure with its twin folded below.
 std::string to_html(const ReportFigure& figure);
 
-}  // namespace musim::lsdem::report
+}  // namespace musim::lsdem

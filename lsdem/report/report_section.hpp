@@ -5,7 +5,7 @@
 
 #include "lsdem/report/report_figure.hpp"
 
-namespace musim::lsdem::report {
+namespace musim::lsdem {
 
 /// A part of a report under a heading of its own.
 struct ReportSection {
@@ -15,4 +15,4 @@ struct ReportSection {
     std::vector<ReportFigure> figures = {};
 };
 
-}  // namespace musim::lsdem::report
+}  // namespace musim::lsdem

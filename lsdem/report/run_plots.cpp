@@ -13,12 +13,10 @@
 #include "lsdem/study/spine_plot.hpp"
 #include "scaling/angle.hpp"
 
-namespace musim::lsdem::report {
+namespace musim::lsdem {
 namespace {
 
 using scaling::kDegree;
-using study::LinePlot;
-using study::PlotSeries;
 
 bool are_of_several_scales(const std::vector<ReportedRun>& runs) {
     return std::any_of(runs.begin(), runs.end(),
@@ -42,13 +40,13 @@ std::string name_figure(const std::string& what, const std::string& label) {
 /// A value of every level over the level, one series for each run that was measured.
 ReportFigure make_level_figure(const std::string& name, const std::string& title, const std::string& x_label,
                                const std::vector<ReportedRun>& runs,
-                               const std::function<double(const study::LevelDamage&, const ReportedRun&)>& value) {
+                               const std::function<double(const LevelDamage&, const ReportedRun&)>& value) {
     LinePlot plot{
         .title = title, .subtitle = describe_runs(runs), .x_label = x_label, .y_label = "level", .series = {}, .y_from_zero = true};
     for (const ReportedRun& run : runs) {
         if (!run.response) continue;
         PlotSeries series{.label = run.label, .x = {}, .y = {}, .marks = true, .y_error = {}};
-        for (const study::LevelDamage& level : run.response->damage.levels) {
+        for (const LevelDamage& level : run.response->damage.levels) {
             series.x.push_back(value(level, run));
             series.y.push_back(level.level);
         }
@@ -67,9 +65,9 @@ ReportFigure make_residual_figure(const std::vector<ReportedRun>& runs) {
     for (const ReportedRun& run : runs) {
         if (!run.response) continue;
         for (const int axis : {0, 1, 2}) {
-            const std::string along = "along " + study::axis_name(axis);
+            const std::string along = "along " + axis_name(axis);
             PlotSeries series{.label = runs.size() == 1 ? along : run.label + ", " + along, .x = {}, .y = {}, .marks = true, .y_error = {}};
-            for (const study::SpineLevel& level : run.response->spine) {
+            for (const SpineLevel& level : run.response->spine) {
                 series.x.push_back(1e3 * level.residual_displacement[axis] / run.run.similitude.length());
                 series.y.push_back(level.level);
             }
@@ -83,17 +81,17 @@ ReportFigure make_residual_figure(const std::vector<ReportedRun>& runs) {
 ReportFigure make_initial_tilt_figure(const std::vector<ReportedRun>& runs) {
     if (runs.size() > 1) {
         return make_level_figure("initial_tilt", "Tilt of the blocks at the start, mean", "tilt [degrees]", runs,
-                                 [](const study::LevelDamage& level, const ReportedRun&) { return level.initial_tilt.mean / kDegree; });
+                                 [](const LevelDamage& level, const ReportedRun&) { return level.initial_tilt.mean / kDegree; });
     }
-    const study::StoredRun& run = runs.front().run;
+    const StoredRun& run = runs.front().run;
     std::vector<double> tilt;
-    for (const Quaternion& orientation : run.initial.orientation) tilt.push_back(study::find_tilt(orientation));
+    for (const Quaternion& orientation : run.initial.orientation) tilt.push_back(find_tilt(orientation));
     return make_tilt_figure("initial_tilt", runs.front().label, run.blocks.layer, tilt);
 }
 
 /// Were two runs sampled at the same dimensionless times?
 bool samples_alike(const ReportedRun& a, const ReportedRun& b) {
-    const study::History &first = a.run.history, &second = b.run.history;
+    const History &first = a.run.history, &second = b.run.history;
     if (a.run.spine.size() != b.run.spine.size() || first.samples() < 2 || second.samples() < 2) return false;
     const double interval = first.time[1] - first.time[0];
     const std::size_t last = std::min(first.samples(), second.samples()) - 1;
@@ -103,7 +101,7 @@ bool samples_alike(const ReportedRun& a, const ReportedRun& b) {
 }
 
 /// About the first run, when the band is of the same curves.
-void add_twin_band(study::StackedPlot& plot, const nlohmann::json& band, int axis, double velocity) {
+void add_twin_band(StackedPlot& plot, const nlohmann::json& band, int axis, double velocity) {
     std::vector<std::vector<double>> spread;
     for (const nlohmann::json& row : find_list(band, "half_width_m_s")) {
         std::vector<double>& widths = spread.emplace_back(to_numbers(row));
@@ -120,13 +118,13 @@ void add_twin_band(study::StackedPlot& plot, const nlohmann::json& band, int axi
 std::optional<ReportFigure> make_spine_figure(const std::vector<ReportedRun>& runs, const nlohmann::json& pair) {
     const ReportedRun& first = runs.front();
     if (first.run.spine.size() == 0 || first.run.history.samples() < 2) return std::nullopt;
-    const int axis = study::find_strongest_axis(first.run.history);
-    study::StackedPlot plot{.title = fmt::format("Velocity of the spine along {}", study::axis_name(axis)),
-                            .subtitle = describe_runs(runs),
-                            .x_label = "t [s]",
-                            .y_label = "v [cm/s], one row per level",
-                            .row_labels = {},
-                            .runs = {}};
+    const int axis = find_strongest_axis(first.run.history);
+    StackedPlot plot{.title = fmt::format("Velocity of the spine along {}", axis_name(axis)),
+                     .subtitle = describe_runs(runs),
+                     .x_label = "t [s]",
+                     .y_label = "v [cm/s], one row per level",
+                     .row_labels = {},
+                     .runs = {}};
     double time = 1.0, velocity = 1e2;
     const double sliding = first.response ? first.response->scales.sliding_speed() : 0.0;
     if (are_of_several_scales(runs) && sliding > 0.0) {
@@ -135,12 +133,12 @@ std::optional<ReportFigure> make_spine_figure(const std::vector<ReportedRun>& ru
         time = sliding / first.response->scales.height;
         velocity = 1.0 / sliding;
     }
-    const std::vector<std::size_t> rows = study::choose_rows(first.run.spine.size());
+    const std::vector<std::size_t> rows = choose_rows(first.run.spine.size());
     for (const std::size_t row : rows) plot.row_labels.push_back(fmt::format("level {}", first.run.spine.level[row]));
     for (const ReportedRun& run : runs) {
         const std::size_t spine = run.run.spine.size();
         if (spine != first.run.spine.size()) continue;
-        study::PlotCurves curves{.label = run.label, .x = {}, .y = std::vector<std::vector<double>>(rows.size())};
+        PlotCurves curves{.label = run.label, .x = {}, .y = std::vector<std::vector<double>>(rows.size())};
         for (std::size_t k = 0; k < run.run.history.samples(); ++k) {
             curves.x.push_back(time * run.run.history.time[k] / run.run.similitude.time());
             for (std::size_t r = 0; r < rows.size(); ++r) {
@@ -155,17 +153,17 @@ std::optional<ReportFigure> make_spine_figure(const std::vector<ReportedRun>& ru
 
 std::optional<ReportFigure> make_departure_figure(const nlohmann::json& pair, const std::string& name) {
     const nlohmann::json kept = find_object(pair, "departure");
-    study::Departure departure{.time = find_numbers(kept, "time_s"),
-                               .models = {},
-                               .twins = static_cast<std::size_t>(std::max(0.0, find_number(kept, "twins", 0.0))),
-                               .twins_low = find_numbers(kept, "twins_low"),
-                               .twins_high = find_numbers(kept, "twins_high")};
+    Departure departure{.time = find_numbers(kept, "time_s"),
+                        .models = {},
+                        .twins = static_cast<std::size_t>(std::max(0.0, find_number(kept, "twins", 0.0))),
+                        .twins_low = find_numbers(kept, "twins_low"),
+                        .twins_high = find_numbers(kept, "twins_high")};
     for (const nlohmann::json& model : find_list(kept, "models")) {
         departure.models.push_back({find_text(model, "label"), find_numbers(model, "largest_difference")});
     }
     if (departure.time.empty()) return std::nullopt;
     if (const double horizon = find_number(kept, "horizon_s"); std::isfinite(horizon)) departure.horizon = horizon;
-    return make_figure("departure", study::make_departure_plot(departure, name));
+    return make_figure("departure", make_departure_plot(departure, name));
 }
 
 std::optional<ReportFigure> make_difference_figure(const std::vector<ReportedRun>& runs) {
@@ -213,13 +211,13 @@ std::optional<ReportFigure> make_difference_figure(const std::vector<ReportedRun
 
 std::optional<ReportFigure> make_lag_figure(const ReportedRun& run) {
     if (!run.response || run.response->speeds.empty()) return std::nullopt;
-    LinePlot plot{.title = fmt::format("Arrival along {} over height", study::axis_name(run.response->axis)),
+    LinePlot plot{.title = fmt::format("Arrival along {} over height", axis_name(run.response->axis)),
                   .subtitle = run.label,
                   .x_label = "height above the lowest level of the spine [m]",
                   .y_label = "lag [ms]",
                   .series = {},
                   .y_from_zero = true};
-    for (const study::SpeedEstimate& estimate : run.response->speeds) {
+    for (const SpeedEstimate& estimate : run.response->speeds) {
         const std::string speed = estimate.speed ? fmt::format(" {:.4g} m/s", *estimate.speed) : "";
         PlotSeries series{
             .label = estimate.method + speed, .x = estimate.height, .y = estimate.lag, .marks = true, .line = false, .y_error = {}};
@@ -232,18 +230,17 @@ std::optional<ReportFigure> make_lag_figure(const ReportedRun& run) {
 std::vector<ReportFigure> make_profile_figures(const std::vector<ReportedRun>& runs) {
     if (std::none_of(runs.begin(), runs.end(), [](const ReportedRun& run) { return run.response.has_value(); })) return {};
     return {make_residual_figure(runs),
-            make_level_figure("slip", "Slip below each level at the end, mean", "slip [mm]", runs,
-                              [](const study::LevelDamage& level, const ReportedRun& run) {
-                                  return 1e3 * level.slip.mean / run.run.similitude.length();
-                              }),
+            make_level_figure(
+                "slip", "Slip below each level at the end, mean", "slip [mm]", runs,
+                [](const LevelDamage& level, const ReportedRun& run) { return 1e3 * level.slip.mean / run.run.similitude.length(); }),
             make_level_figure("rotation", "Rotation of the blocks since the start, mean", "rotation [degrees]", runs,
-                              [](const study::LevelDamage& level, const ReportedRun&) { return level.rotation.mean / kDegree; }),
+                              [](const LevelDamage& level, const ReportedRun&) { return level.rotation.mean / kDegree; }),
             make_initial_tilt_figure(runs)};
 }
 
 ReportFigure make_energy_figure(const ReportedRun& run) {
     LinePlot plot{.title = "Energy over time", .subtitle = run.label, .x_label = "t [s]", .y_label = "energy [J]", .series = {}};
-    const study::History& history = run.run.history;
+    const History& history = run.run.history;
     const auto add = [&](const std::string& label, const std::function<double(const Energy&)>& value) {
         PlotSeries series{.label = label, .x = history.time, .y = {}, .y_error = {}};
         for (const Energy& energy : history.energy) series.y.push_back(value(energy));
@@ -263,10 +260,9 @@ std::optional<ReportFigure> make_loss_figure(const std::vector<ReportedRun>& run
     for (const ReportedRun& run : runs) {
         if (!run.response || !run.response->damage.loss) return std::nullopt;
     }
-    return make_level_figure("losses", "Energy dissipated below each level, of all", "share [%]", runs,
-                             [](const study::LevelDamage& level, const ReportedRun& run) {
-                                 return 100.0 * study::find_loss_share(level, run.response->damage);
-                             });
+    return make_level_figure(
+        "losses", "Energy dissipated below each level, of all", "share [%]", runs,
+        [](const LevelDamage& level, const ReportedRun& run) { return 100.0 * find_loss_share(level, run.response->damage); });
 }
 
-}  // namespace musim::lsdem::report
+}  // namespace musim::lsdem

@@ -6,14 +6,14 @@
 #include "lsdem/report/report_content.hpp"
 #include "lsdem/report/report_figure.hpp"
 
-namespace musim::lsdem::report {
+namespace musim::lsdem {
 
 /// Velocities of the spine along the strongest axis of the first run, all runs scaled back to it: cm/s over s, or v/√(μ g l) over t √(μ
 /// g/l) when they are of several scales; at most ten levels, the lowest at the bottom, as Fig. 8 of [Harmon23]. Nothing without a spine.
 /// `pair`: of pair.json, whose twins are a band about the first run; any other object draws none.
 std::optional<ReportFigure> make_spine_figure(const std::vector<ReportedRun>& runs, const nlohmann::json& pair = {});
 
-/// How models and twins of a pair depart from their prototype (study::make_departure_plot). Nothing for a pair.json of versions before it
+/// How models and twins of a pair depart from their prototype (make_departure_plot). Nothing for a pair.json of versions before it
 /// was kept.
 std::optional<ReportFigure> make_departure_figure(const nlohmann::json& pair, const std::string& name);
 
@@ -34,4 +34,4 @@ ReportFigure make_energy_figure(const ReportedRun& run);
 /// What interfaces dissipated, level by level, over all. Nothing for results without it.
 std::optional<ReportFigure> make_loss_figure(const std::vector<ReportedRun>& runs);
 
-}  // namespace musim::lsdem::report
+}  // namespace musim::lsdem

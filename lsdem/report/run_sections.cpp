@@ -13,26 +13,26 @@
 #include "lsdem/results/fallen_blocks.hpp"
 #include "scaling/angle.hpp"
 
-namespace musim::lsdem::report {
+namespace musim::lsdem {
 namespace {
 
 /// Energy that appears from nowhere beyond this share of what is in play is doubtful; runs call themselves so from a tenth on.
 constexpr double kGoodClosure = 0.01;
 
 std::string describe_status(const ReportedRun& run) {
-    if (run.run.status == study::RunStatus::diverged) return "diverged: " + run.run.divergence;
+    if (run.run.status == RunStatus::diverged) return "diverged: " + run.run.divergence;
     if (!run.run.is_status_known) return "how it ended is not known";
     if (run.run.collapse_time) return fmt::format("collapsed at {:.4g} s", *run.run.collapse_time);
     return "ran to its end";
 }
 
-Tone find_tone(study::RunStatus status) {
+Tone find_tone(RunStatus status) {
     switch (status) {
-        case study::RunStatus::completed:
+        case RunStatus::completed:
             return Tone::good;
-        case study::RunStatus::collapsed:
+        case RunStatus::collapsed:
             return Tone::warning;
-        case study::RunStatus::diverged:
+        case RunStatus::diverged:
             return Tone::bad;
     }
     return Tone::plain;
@@ -41,9 +41,9 @@ Tone find_tone(study::RunStatus status) {
 std::string make_run_verdict(const ReportedRun& run) {
     std::string text = run.label + ": " + describe_status(run);
     if (run.response) {
-        const study::Damage& damage = run.response->damage;
+        const Damage& damage = run.response->damage;
         text += fmt::format("; {} of {} blocks fallen, damage index {:.3g}", damage.fallen, damage.blocks, damage.index);
-        if (run.response->failure) text += "; " + study::describe(*run.response->failure);
+        if (run.response->failure) text += "; " + describe(*run.response->failure);
     }
     std::string html = make_statement(run.run.is_status_known ? find_tone(run.run.status) : Tone::note, text);
     const double closure = find_number(run.summary, "energy_closure");
@@ -93,9 +93,9 @@ std::string make_ensemble_verdict(const ReportedEnsemble& ensemble) {
 }
 
 std::string make_specimen_verdict(const ReportedSpecimen& reported) {
-    const study::StoredSpecimen& specimen = reported.specimen;
+    const StoredSpecimen& specimen = reported.specimen;
     const double largest = specimen.tilt.empty() ? 0.0 : *std::max_element(specimen.tilt.begin(), specimen.tilt.end());
-    const std::size_t fallen = study::count_fallen(specimen.size, specimen.layer, specimen.places);
+    const std::size_t fallen = count_fallen(specimen.size, specimen.layer, specimen.places);
     const std::string what = fmt::format("{}: {} blocks prepared, at rest", reported.label, specimen.layer.size());
     if (fallen > 0) return make_statement(Tone::warning, fmt::format("{}, but {} of them fell from their layers", what, fallen));
     return make_statement(Tone::good, fmt::format("{}; the largest tilt is {:.3g}°", what, largest / scaling::kDegree));
@@ -119,7 +119,7 @@ ReportSection make_speed_section(const std::vector<ReportedRun>& runs) {
     for (const ReportedRun& run : runs) {
         if (!run.response) continue;
         const double sliding = run.response->scales.sliding_speed();
-        for (const study::SpeedEstimate& estimate : run.response->speeds) {
+        for (const SpeedEstimate& estimate : run.response->speeds) {
             if (!estimate.speed) {
                 table.rows.push_back({{.text = run.label}, {.text = estimate.method}, {.text = "none: " + estimate.why}});
                 continue;
@@ -153,7 +153,7 @@ ReportSection make_energy_section(const std::vector<ReportedRun>& runs) {
                               number_cell(last.friction_loss),
                               number_cell(last.damping_loss),
                               number_cell(last.base_work),
-                              number_cell(study::compute_energy_closure(energy), 2)});
+                              number_cell(compute_energy_closure(energy), 2)});
     }
     section.html =
         to_html(table) +
@@ -211,4 +211,4 @@ std::vector<ReportSection> make_run_sections(const ReportContent& content) {
     return {make_spine_section(content), make_speed_section(runs), std::move(profiles), make_energy_section(runs)};
 }
 
-}  // namespace musim::lsdem::report
+}  // namespace musim::lsdem

@@ -7,7 +7,7 @@
 #include "lsdem/report/document_sections.hpp"
 #include "lsdem/report/json_parts.hpp"
 
-namespace musim::lsdem::report {
+namespace musim::lsdem {
 namespace {
 
 Tone find_status_tone(const std::string& status) {
@@ -34,19 +34,19 @@ HtmlTable make_member_table(const ReportedEnsemble& ensemble) {
 }
 
 /// How far the others' means lie in the first one's band.
-HtmlTable make_overlap_table(const std::vector<study::DimensionlessBands>& bands) {
+HtmlTable make_overlap_table(const std::vector<DimensionlessBands>& bands) {
     HtmlTable table{.caption = fmt::format("Agreement with {}, dimensionless", bands.front().name),
                     .heads = {"ensemble", "levels and times", "means within mean ± sd [%]", "within two standard errors [%]", "why not"},
                     .rows = {}};
     for (std::size_t i = 1; i < bands.size(); ++i) {
         try {
-            const study::BandOverlap overlap = study::compare_bands(bands.front(), bands[i]);
+            const BandOverlap overlap = compare_bands(bands.front(), bands[i]);
             table.rows.push_back({{.text = bands[i].name},
                                   number_cell(static_cast<double>(overlap.points), 9),
                                   number_cell(100.0 * overlap.within_sd),
                                   number_cell(100.0 * overlap.within_error),
                                   {}});
-        } catch (const study::ResultError& error) {
+        } catch (const ResultError& error) {
             table.rows.push_back({{.text = bands[i].name}, {.text = "-"}, {.text = "-"}, {.text = "-"}, {.text = error.what()}});
         }
     }
@@ -81,7 +81,7 @@ ReportSection make_sequence_section(const ReportContent& content) {
 
 ReportSection make_ensemble_section(const ReportContent& content) {
     ReportSection section{.id = "members", .title = "Members", .html = {}};
-    std::vector<study::DimensionlessBands> bands;
+    std::vector<DimensionlessBands> bands;
     for (const ReportedEnsemble& ensemble : content.ensembles) {
         section.html += to_html(make_member_table(ensemble));
         if (!ensemble.bands) continue;
@@ -90,8 +90,8 @@ ReportSection make_ensemble_section(const ReportContent& content) {
     }
     if (bands.empty()) return section;
     if (bands.size() > 1) section.html += to_html(make_overlap_table(bands));
-    section.figures.push_back(make_figure("bands", study::make_bands_plot(bands)));
+    section.figures.push_back(make_figure("bands", make_bands_plot(bands)));
     return section;
 }
 
-}  // namespace musim::lsdem::report
+}  // namespace musim::lsdem

@@ -3,7 +3,7 @@
 #include "lsdem/report/report_content.hpp"
 #include "lsdem/report/report_section.hpp"
 
-namespace musim::lsdem::report {
+namespace musim::lsdem {
 
 /// The stages of a sequence: what each did, and what all have left.
 ReportSection make_sequence_section(const ReportContent& content);
@@ -11,4 +11,4 @@ ReportSection make_sequence_section(const ReportContent& content);
 /// The members of an ensemble, mean and scatter of what they show, and the bands of their motion.
 ReportSection make_ensemble_section(const ReportContent& content);
 
-}  // namespace musim::lsdem::report
+}  // namespace musim::lsdem

@@ -8,24 +8,24 @@
 #include "lsdem/report/level_tilts.hpp"
 #include "scaling/angle.hpp"
 
-namespace musim::lsdem::report {
+namespace musim::lsdem {
 namespace {
 
 /// Bins of the distribution of forces, from 0 to the largest.
 constexpr int kBins = 40;
 
 ReportFigure make_force_figure(const std::vector<ReportedSpecimen>& specimens) {
-    study::LinePlot plot{.title = "Forces between blocks of two layers",
-                         .subtitle = "share of the contacts that bear more",
-                         .x_label = "vertical force over the weight of a block",
-                         .y_label = "contacts [%]",
-                         .series = {},
-                         .y_from_zero = true};
+    LinePlot plot{.title = "Forces between blocks of two layers",
+                  .subtitle = "share of the contacts that bear more",
+                  .x_label = "vertical force over the weight of a block",
+                  .y_label = "contacts [%]",
+                  .series = {},
+                  .y_from_zero = true};
     for (const ReportedSpecimen& reported : specimens) {
         std::vector<double> force = reported.specimen.force;
         if (force.empty()) continue;
         std::sort(force.begin(), force.end());
-        study::PlotSeries series{.label = reported.label, .x = {}, .y = {}, .y_error = {}};
+        PlotSeries series{.label = reported.label, .x = {}, .y = {}, .y_error = {}};
         for (int k = 0; k <= kBins; ++k) {
             const double level = force.back() * k / kBins;
             const auto above = force.end() - std::upper_bound(force.begin(), force.end(), level);
@@ -46,7 +46,7 @@ ReportSection make_specimen_section(const ReportContent& content) {
                               "largest", "musim"},
                     .rows = {}};
     for (const ReportedSpecimen& reported : content.specimens) {
-        const study::StoredSpecimen& specimen = reported.specimen;
+        const StoredSpecimen& specimen = reported.specimen;
         const auto mean = [](const std::vector<double>& values) {
             double sum = 0.0;
             for (const double value : values) sum += value;
@@ -89,4 +89,4 @@ std::vector<ReportedRun> make_standing_runs(const std::vector<ReportedSpecimen>&
     return runs;
 }
 
-}  // namespace musim::lsdem::report
+}  // namespace musim::lsdem

@@ -12,7 +12,7 @@
 
 #include "lsdem/rotation.hpp"
 
-namespace musim::lsdem::report {
+namespace musim::lsdem {
 namespace {
 
 /// Displacements, rotations and velocities of all blocks at one instant.
@@ -27,10 +27,10 @@ Quaternion to_quaternion(const Eigen::Vector4f& wxyz) {
         .normalized();
 }
 
-std::vector<TowerFrame> list_frames(const study::StoredRun& run) {
+std::vector<TowerFrame> list_frames(const StoredRun& run) {
     const std::size_t blocks = run.blocks.size.size();
     std::vector<TowerFrame> list;
-    const study::Frames& frames = run.frames;
+    const Frames& frames = run.frames;
     for (std::size_t k = 0; k < frames.time.size(); ++k) {
         TowerFrame& frame = list.emplace_back();
         frame.time = frames.time[k];
@@ -109,7 +109,7 @@ void append(std::string& bytes, Number number) {
     bytes.append(raw.data(), raw.size());
 }
 
-std::string list_start(const study::StoredRun& run) {
+std::string list_start(const StoredRun& run) {
     std::string bytes;
     for (std::size_t b = 0; b < run.blocks.size.size(); ++b) {
         const Quaternion& q = run.initial.orientation[b];
@@ -123,7 +123,7 @@ std::string list_start(const study::StoredRun& run) {
 std::string list_slips(const ReportedRun& reported) {
     std::vector<float> slip(reported.run.blocks.size.size(), 0.0F);
     if (reported.response) {
-        for (const study::Joint& joint : reported.response->damage.joints) {
+        for (const Joint& joint : reported.response->damage.joints) {
             slip[joint.upper] = std::max(slip[joint.upper], static_cast<float>(joint.slip));
         }
     }
@@ -134,7 +134,7 @@ std::string list_slips(const ReportedRun& reported) {
 
 /// Contact forces on all blocks, over their weights, frame by frame; nothing when the run has not kept them.
 std::vector<double> list_forces(const ReportedRun& reported) {
-    const study::StoredRun& run = reported.run;
+    const StoredRun& run = reported.run;
     if (!reported.response || !(reported.response->scales.gravity > 0.0)) return {};
     std::vector<double> forces;
     forces.reserve(run.frames.contact_force.size());
@@ -162,7 +162,7 @@ std::string code_forces(const std::vector<double>& forces, std::size_t blocks, d
 }
 
 /// Displacement of the base at the sample nearest to a time.
-std::array<double, 3> find_base(const study::History& history, double time) {
+std::array<double, 3> find_base(const History& history, double time) {
     const auto after = std::lower_bound(history.time.begin(), history.time.end(), time);
     std::size_t k = static_cast<std::size_t>(after - history.time.begin());
     if (k == history.time.size() || (k > 0 && time - history.time[k - 1] < history.time[k] - time)) --k;
@@ -185,7 +185,7 @@ std::string encode_base64(const std::string& bytes) {
 }
 
 TowerData make_tower_data(const ReportedRun& reported) {
-    const study::StoredRun& run = reported.run;
+    const StoredRun& run = reported.run;
     const std::size_t blocks = run.blocks.size.size();
     const std::vector<TowerFrame> frames = list_frames(run);
     const double far = find_largest(frames, &TowerFrame::displacement), turned = find_largest(frames, &TowerFrame::rotation),
@@ -227,4 +227,4 @@ TowerData make_tower_data(const ReportedRun& reported) {
                          .force = largest_force / kForceSteps}};
 }
 
-}  // namespace musim::lsdem::report
+}  // namespace musim::lsdem

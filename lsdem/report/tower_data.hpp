@@ -6,7 +6,7 @@
 
 #include "lsdem/report/report_content.hpp"
 
-namespace musim::lsdem::report {
+namespace musim::lsdem {
 
 /// How far what a browser shows may be from what was stored, by the rounding of frames.
 struct TowerRounding {
@@ -36,4 +36,4 @@ TowerData make_tower_data(const ReportedRun& run);
 /// Bytes as text [RFC 4648].
 std::string encode_base64(const std::string& bytes);
 
-}  // namespace musim::lsdem::report
+}  // namespace musim::lsdem

@@ -10,7 +10,7 @@
 #include "scaling/angle.hpp"
 #include "scaling/regular_file.hpp"
 
-namespace musim::lsdem::report {
+namespace musim::lsdem {
 namespace {
 
 namespace fs = std::filesystem;
@@ -89,4 +89,4 @@ ReportSection make_tower_section(const ReportContent& content) {
     return section;
 }
 
-}  // namespace musim::lsdem::report
+}  // namespace musim::lsdem

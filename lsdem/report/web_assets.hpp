@@ -1,11 +1,11 @@
 #pragma once
 
 /// What is in lsdem/report/web, as text; made part of the program when it is built.
-namespace musim::lsdem::report {
+namespace musim::lsdem {
 
 extern const char* const kReportStyle;   ///< report.css
 extern const char* const kReportScript;  ///< report.js
 extern const char* const kTowerScript;   ///< tower.js
 extern const char* const kThreeFolder;   ///< where three.min.js lies (Debian's libjs-three)
 
-}  // namespace musim::lsdem::report
+}  // namespace musim::lsdem

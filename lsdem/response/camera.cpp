@@ -4,7 +4,7 @@
 #include <array>
 #include <iterator>
 
-namespace musim::lsdem::study::detail {
+namespace musim::lsdem::detail {
 
 CameraAxes find_axes(CameraSide side) {
     Vector3 toward = Vector3::Zero();
@@ -47,4 +47,4 @@ std::vector<Eigen::Vector2d> find_outline(const Seen& seen) {
     return hull;
 }
 
-}  // namespace musim::lsdem::study::detail
+}  // namespace musim::lsdem::detail

@@ -5,7 +5,7 @@
 #include "lsdem/response/camera_view.hpp"
 
 /// How blocks look to a camera far in front of a structure, for what pictures are made of.
-namespace musim::lsdem::study::detail {
+namespace musim::lsdem::detail {
 
 /// Directions of an image: to the right, and from the structure to the camera.
 struct CameraAxes {
@@ -25,4 +25,4 @@ Seen look_at(const StoredRun& run, std::size_t frame, std::size_t block, const C
 /// Outline of a block in the image plane: the convex hull of its corners, counterclockwise [monotone chain].
 std::vector<Eigen::Vector2d> find_outline(const Seen& seen);
 
-}  // namespace musim::lsdem::study::detail
+}  // namespace musim::lsdem::detail

@@ -9,7 +9,7 @@
 
 #include "lsdem/response/camera.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 using detail::CameraAxes;
@@ -142,4 +142,4 @@ std::string make_field_csv(const StoredRun& run, std::size_t frame, const Camera
     return csv;
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

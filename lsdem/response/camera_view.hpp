@@ -7,7 +7,7 @@
 #include "lsdem/results/read_results.hpp"
 
 /// The velocity field of a structure as a camera far in front of it sees it [Andrade22; Harmon23, Figs. 5 to 7 of the experiments].
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// Where the camera stands: on the side of +x, -x, +y or -y of the structure, looking at it horizontally.
 enum class CameraSide { plus_x, minus_x, plus_y, minus_y };
@@ -48,4 +48,4 @@ double find_velocity(const StoredRun& run, std::size_t frame, std::size_t block,
 /// column,row,right_m,z_m,block,level,v_right_m_s,v_up_m_s: one line per pixel in which a block is seen.
 std::string make_field_csv(const StoredRun& run, std::size_t frame, const CameraImage& image, CameraSide side);
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

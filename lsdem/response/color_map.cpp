@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace musim::lsdem::study::detail {
+namespace musim::lsdem::detail {
 
 std::string find_color(const ColorMap& map, double place) {
     const double scaled = std::clamp(place, 0.0, 1.0) * static_cast<double>(map.size() - 1);
@@ -16,4 +16,4 @@ std::string find_color(const ColorMap& map, double place) {
     return fmt::format("#{:02x}{:02x}{:02x}", rgb[0], rgb[1], rgb[2]);
 }
 
-}  // namespace musim::lsdem::study::detail
+}  // namespace musim::lsdem::detail

@@ -3,7 +3,7 @@
 #include <array>
 #include <string>
 
-namespace musim::lsdem::study::detail {
+namespace musim::lsdem::detail {
 
 /// Red, green, blue, 0 to 255 each.
 using Color = std::array<double, 3>;
@@ -40,4 +40,4 @@ inline constexpr ColorMap kSequentialMap{{{68, 1, 84},
 /// Colour of a place in a map, 0 to 1, as "#rrggbb"; places beyond the ends get the colours there.
 std::string find_color(const ColorMap& map, double place);
 
-}  // namespace musim::lsdem::study::detail
+}  // namespace musim::lsdem::detail

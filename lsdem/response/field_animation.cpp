@@ -11,7 +11,7 @@
 #include "records/error.hpp"
 #include "scaling/side_by_side.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 namespace fs = std::filesystem;
@@ -90,4 +90,4 @@ void write_film(const fs::path& folder, const std::string& name, double rate) {
                                                    : "it could not be started"));
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

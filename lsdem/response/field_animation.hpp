@@ -8,7 +8,7 @@
 #include "lsdem/response/field_picture.hpp"
 #include "lsdem/results/write_results.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// Which frames of a run move, and how.
 struct AnimationSettings {
@@ -32,4 +32,4 @@ void write_film(const std::filesystem::path& folder, const std::string& name, do
 /// Is there an ffmpeg on the PATH?
 bool can_write_film();
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -11,7 +11,7 @@
 #include "lsdem/response/color_map.hpp"
 #include "scaling/interruption.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 /// Sizes of the picture [px].
@@ -213,4 +213,4 @@ std::string make_field_svg(const StoredRun& run, const std::vector<FieldView>& v
     return svg;
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -7,7 +7,7 @@
 #include "lsdem/response/camera_view.hpp"
 
 /// Pictures of the velocity field, as the papers' Figs. 5 and 7.
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// One frame as the camera saw it.
 struct FieldView {
@@ -34,4 +34,4 @@ double find_field_limit(const StoredRun& run, const std::vector<FieldView>& view
 /// Signed components get a diverging map, white at rest, the speed a sequential one. There is one view at least.
 std::string make_field_svg(const StoredRun& run, const std::vector<FieldView>& views, const FieldPicture& picture);
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

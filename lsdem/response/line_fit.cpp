@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <stdexcept>
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 LineFit fit_line(std::span<const double> x, std::span<const double> y) {
     if (x.size() != y.size() || x.size() < 2) throw std::invalid_argument("line fit: needs two points or more, as many x as y");
@@ -28,4 +28,4 @@ LineFit fit_line(std::span<const double> x, std::span<const double> y) {
     return fit;
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

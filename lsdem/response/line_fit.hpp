@@ -2,7 +2,7 @@
 
 #include <span>
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// Least-squares line y = intercept + slope·x.
 struct LineFit {
@@ -14,4 +14,4 @@ struct LineFit {
 /// Fits a line through at least two points with different x. Throws std::invalid_argument otherwise.
 LineFit fit_line(std::span<const double> x, std::span<const double> y);
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -15,7 +15,7 @@
 #include "scaling/angle.hpp"
 #include "scaling/json_optional.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 using scaling::kDegree;
@@ -53,10 +53,10 @@ Receivers make_receivers(const StoredRun& run, int axis, const std::array<std::s
 }
 
 SpeedScales find_scales(const StoredRun& run, int axis) {
-    scene::Scene scene;
+    Scene scene;
     try {
-        scene = scene::parse_scene(run.scene, run.directory / "result.h5");
-    } catch (const scene::SceneError& error) {
+        scene = parse_scene(run.scene, run.directory / "result.h5");
+    } catch (const SceneError& error) {
         throw ResultError(std::string(error.what()) + " (the scene that the results carry)");
     }
     SpeedScales scales{.friction = scene.material.friction, .gravity = 0.0, .height = 0.0, .elastic_speed = 0.0};
@@ -261,4 +261,4 @@ std::string make_lag_svg(const Response& response, const std::string& name) {
     return make_svg(plot);
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -13,7 +13,7 @@
 #include "lsdem/results/spine_measures.hpp"
 
 /// Response of one run: how motion travelled up, how far blocks moved and turned, what was left.
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 struct ResponseSettings {
     std::optional<int> axis;  ///< 0, 1, 2: x, y, z of the speeds; nothing: along which the base moves most, or the spine when it stands
@@ -62,4 +62,4 @@ std::string make_rotation_svg(const Response& response, const std::string& name)
 /// Lag over height for every estimate of the speed.
 std::string make_lag_svg(const Response& response, const std::string& name);
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

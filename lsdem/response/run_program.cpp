@@ -10,7 +10,7 @@
 #include <filesystem>
 #include <sstream>
 
-namespace musim::lsdem::study::detail {
+namespace musim::lsdem::detail {
 
 bool has_program(const std::string& name) {
     const char* const path = std::getenv("PATH");
@@ -41,4 +41,4 @@ std::optional<int> run_program(const std::vector<std::string>& command) {
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
-}  // namespace musim::lsdem::study::detail
+}  // namespace musim::lsdem::detail

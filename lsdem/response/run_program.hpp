@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace musim::lsdem::study::detail {
+namespace musim::lsdem::detail {
 
 /// Is there a program of this name on the PATH?
 bool has_program(const std::string& name);
@@ -13,4 +13,4 @@ bool has_program(const std::string& name);
 /// ended it, or nothing when it cannot be started.
 std::optional<int> run_program(const std::vector<std::string>& command);
 
-}  // namespace musim::lsdem::study::detail
+}  // namespace musim::lsdem::detail

@@ -12,7 +12,7 @@
 
 #include "lsdem/response/line_fit.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
@@ -196,4 +196,4 @@ std::vector<SpeedEstimate> estimate_speeds(const Receivers& receivers, const Spe
     return estimates;
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -5,7 +5,7 @@
 #include <vector>
 
 /// How fast motion travels up a structure, from velocity histories at several heights.
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// Velocities at several heights, sampled at the same even times.
 struct Receivers {
@@ -48,4 +48,4 @@ struct SpeedEstimate {
 /// that do not increase, or a dt that is not positive.
 std::vector<SpeedEstimate> estimate_speeds(const Receivers& receivers, const SpeedSettings& settings = {});
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -10,7 +10,7 @@
 #include "scaling/json_text.hpp"
 #include "scaling/regular_file.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 constexpr const char* kChecksum = "checksum";
@@ -52,4 +52,4 @@ nlohmann::json read_checked_json(const std::filesystem::path& file) {
     return object;
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

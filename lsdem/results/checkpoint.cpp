@@ -36,7 +36,7 @@ static void exchange(Archive& archive, BaseState& b) { archive(b.displacement, b
 
 }  // namespace musim::lsdem
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 static void exchange(Archive& archive, TimePlan& p) { archive(p.time_step, p.steps_per_sample, p.samples, p.samples_per_frame); }
 
@@ -199,4 +199,4 @@ void CheckpointWriter::note_written() {
     wait_ = settings_.interval;
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

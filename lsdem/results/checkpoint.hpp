@@ -14,7 +14,7 @@
 #include "lsdem/results/time_plan.hpp"
 #include "lsdem/simulation.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// Where and how often a run writes what it needs to go on after it was killed.
 struct CheckpointSettings {
@@ -102,4 +102,4 @@ class CheckpointWriter {
     Clock::time_point last_ = Clock::now();
 };
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-namespace musim::lsdem::study::detail {
+namespace musim::lsdem::detail {
 
 void ContentHash::add(std::string_view piece) {
     for (const char c : piece) hash_ = (hash_ ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
@@ -16,4 +16,4 @@ std::string name_content(std::string_view content) {
     return hash.name();
 }
 
-}  // namespace musim::lsdem::study::detail
+}  // namespace musim::lsdem::detail

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace musim::lsdem::study::detail {
+namespace musim::lsdem::detail {
 
 /// 64-bit FNV-1a hash of content that comes in pieces. A change of one byte always changes it; of other changes it misses 1 in 2^64.
 class ContentHash {
@@ -20,4 +20,4 @@ class ContentHash {
 /// Name for content: its ContentHash as 16 hexadecimal digits. Equal contents have equal names on every machine.
 std::string name_content(std::string_view content);
 
-}  // namespace musim::lsdem::study::detail
+}  // namespace musim::lsdem::detail

@@ -10,7 +10,7 @@
 #include "lsdem/fallen.hpp"
 #include "scaling/angle.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 /// How far apart the lower face of a block and what carries it may be at the start [heights of the block]: blocks of a specimen lean and
@@ -208,4 +208,4 @@ std::string make_damage_csv(const Damage& damage) {
     return csv;
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -8,7 +8,7 @@
 #include "lsdem/results/history.hpp"
 
 /// What a motion has left behind: slip between blocks, rotations, fallen blocks.
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// Two blocks that stood on each other at the start, or a block on the ground.
 struct Joint {
@@ -78,4 +78,4 @@ double find_loss_share(const LevelDamage& level, const Damage& damage);
 /// last three are empty when the results hold no losses.
 std::string make_damage_csv(const Damage& damage);
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <utility>
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 /// Blocks surround the axis when no gap between their directions, seen from it, is as wide as this [rad].
@@ -157,4 +157,4 @@ Failure find_failure(const FailureData& data) {
     return failure;
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -8,7 +8,7 @@
 #include "lsdem/results/history.hpp"
 
 /// How a structure failed, told from the way its blocks moved.
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// Failure modes of towers [Harmon23, section 6, Fig. 9].
 enum class FailureMode {
@@ -80,4 +80,4 @@ std::optional<Failure> find_failure(const Run& run) {
     return find_failure(FailureData{run.blocks, run.standing_position(), run.falls, *run.collapse_time});
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -5,7 +5,7 @@
 #include "lsdem/block_height.hpp"
 #include "lsdem/fallen.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 /// Median height of the centres of each layer, from layer 0 [m].
@@ -45,4 +45,4 @@ std::size_t count_fallen(const Simulation& simulation, const std::vector<int>& l
     return count_fallen(size, layer, simulation.kinematics());
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

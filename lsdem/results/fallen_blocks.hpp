@@ -6,7 +6,7 @@
 #include "lsdem/simulation.hpp"
 #include "lsdem/types.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// Blocks of layers that stand no more: turned by more than 45° from upright, or lower than the median centre of their layer by more than a
 /// quarter of their height (has_fallen). Where they were put need not be known, so this tells of a specimen what fell while it was
@@ -19,4 +19,4 @@ std::size_t count_fallen(const std::vector<Vector3>& size, const std::vector<int
 /// The same of a simulation as it stands.
 std::size_t count_fallen(const Simulation& simulation, const std::vector<int>& layer);
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

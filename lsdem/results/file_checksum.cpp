@@ -9,7 +9,7 @@
 #include "lsdem/results/content_name.hpp"
 #include "lsdem/results/result_error.hpp"
 
-namespace musim::lsdem::study::detail {
+namespace musim::lsdem::detail {
 namespace {
 
 constexpr std::string_view kLineStart = "musim-checksum ";
@@ -54,4 +54,4 @@ std::string require_checksum(const std::filesystem::path& file) {
     return hash.name();
 }
 
-}  // namespace musim::lsdem::study::detail
+}  // namespace musim::lsdem::detail

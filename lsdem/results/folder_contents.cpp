@@ -12,7 +12,7 @@
 #include "lsdem/scene/scene_json.hpp"
 #include "records/atomic_file.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 namespace fs = std::filesystem;
@@ -57,8 +57,8 @@ std::optional<FolderContents> read_usable_contents(const fs::path& directory) {
 
 }  // namespace
 
-void ResultOrigin::add(const scene::Scene& scene, const std::string& prefix) {
-    const auto text = nlohmann::json::parse(scene::write_scene(with_file_contents(scene)));
+void ResultOrigin::add(const Scene& scene, const std::string& prefix) {
+    const auto text = nlohmann::json::parse(write_scene(with_file_contents(scene)));
     for (const auto& [key, value] : text.items()) parts[prefix + key] = detail::name_content(value.dump());
 }
 
@@ -140,4 +140,4 @@ void refuse_other_results(const fs::path& directory, const ResultOrigin& origin)
     }
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -9,7 +9,7 @@
 
 #include "lsdem/scene/scene.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// What results are made from: command and version, and by name the parts of scenes and the options. Equal origins make equal results.
 struct ResultOrigin {
@@ -21,7 +21,7 @@ struct ResultOrigin {
     std::map<std::string, std::size_t> counts = {};
 
     /// Adds the parts of a scene; `prefix` parts several. Throws records::ReadError for a file of it that cannot be read.
-    void add(const scene::Scene& scene, const std::string& prefix = "");
+    void add(const Scene& scene, const std::string& prefix = "");
 
     bool operator==(const ResultOrigin&) const = default;
 };
@@ -57,4 +57,4 @@ void require_complete(const std::filesystem::path& directory);
 /// these. Throws ResultError `FILE: what differs; what to do`.
 void refuse_other_results(const std::filesystem::path& directory, const ResultOrigin& origin);
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -11,7 +11,7 @@
 
 #include "records/error.hpp"
 
-namespace musim::lsdem::study::detail {
+namespace musim::lsdem::detail {
 
 FolderLock::FolderLock(const std::filesystem::path& directory)
     : descriptor_(::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
@@ -60,4 +60,4 @@ std::optional<bool> is_locked(const std::filesystem::path& directory) {
     return told ? std::optional(!free) : std::nullopt;
 }
 
-}  // namespace musim::lsdem::study::detail
+}  // namespace musim::lsdem::detail

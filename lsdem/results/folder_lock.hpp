@@ -4,7 +4,7 @@
 #include <optional>
 #include <utility>
 
-namespace musim::lsdem::study::detail {
+namespace musim::lsdem::detail {
 
 /// Keeps a directory to one process: the lock goes with the process, however that ends, and leaves no file. On file systems that cannot
 /// lock a directory it holds nothing off.
@@ -38,4 +38,4 @@ class FileLock {
 /// Does a process hold a directory now? Nothing on file systems that cannot tell.
 std::optional<bool> is_locked(const std::filesystem::path& directory);
 
-}  // namespace musim::lsdem::study::detail
+}  // namespace musim::lsdem::detail

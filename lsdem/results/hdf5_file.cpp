@@ -4,7 +4,7 @@
 
 #include "lsdem/results/file_checksum.hpp"
 
-namespace musim::lsdem::study::detail {
+namespace musim::lsdem::detail {
 namespace {
 
 /// Growth of the file in memory [bytes]: large enough for few reallocations, small enough not to matter for a small run.
@@ -88,4 +88,4 @@ void Hdf5File::write_dataset(const std::string& path, const std::vector<hsize_t>
     write_text_attribute(set, "units", units);
 }
 
-}  // namespace musim::lsdem::study::detail
+}  // namespace musim::lsdem::detail

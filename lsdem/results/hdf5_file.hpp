@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace musim::lsdem::study::detail {
+namespace musim::lsdem::detail {
 
 /// Owns one HDF5 identifier and closes it with the function of its kind. Throws std::runtime_error on an invalid identifier.
 class Hdf5Handle {
@@ -49,4 +49,4 @@ class Hdf5File {
     Hdf5Handle file_;
 };
 
-}  // namespace musim::lsdem::study::detail
+}  // namespace musim::lsdem::detail

@@ -8,7 +8,7 @@
 #include "lsdem/results/result_error.hpp"
 #include "scaling/regular_file.hpp"
 
-namespace musim::lsdem::study::detail {
+namespace musim::lsdem::detail {
 namespace {
 
 /// The library takes damaged numbers as they are, and damaged structure for anything: the checksum comes first.
@@ -119,4 +119,4 @@ std::string Hdf5Reader::attribute(const std::string& name) const {
     return *text;
 }
 
-}  // namespace musim::lsdem::study::detail
+}  // namespace musim::lsdem::detail

@@ -8,7 +8,7 @@
 
 #include "lsdem/results/hdf5_file.hpp"
 
-namespace musim::lsdem::study::detail {
+namespace musim::lsdem::detail {
 
 /// A dataset in memory, row by row.
 template <class Number>
@@ -53,4 +53,4 @@ class Hdf5Reader {
     Hdf5Handle file_;
 };
 
-}  // namespace musim::lsdem::study::detail
+}  // namespace musim::lsdem::detail

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 std::string to_string(RunStatus status) {
     switch (status) {
@@ -39,4 +39,4 @@ double compute_energy_closure(const std::vector<Energy>& energy) {
     return in_play > 0.0 ? change / in_play : 0.0;
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

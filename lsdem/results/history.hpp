@@ -15,9 +15,7 @@
 #include "scaling/laws/similitude.hpp"
 
 /// Studies on scenes: single runs, paired runs at several scales, their results on disk and their picture.
-namespace musim::lsdem::study {
-
-using scene::Spine;
+namespace musim::lsdem {
 
 /// Motion sampled at even intervals, world frame. Spine values are stored time by time: value of spine block s at sample k in [k·ns + s].
 struct History {
@@ -119,4 +117,4 @@ std::vector<std::size_t> sort_spine_by_height(const RunData& run);
 /// both over the sampled history [-]; 0 when nothing ever moves.
 double compute_energy_closure(const std::vector<Energy>& energy);
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -6,7 +6,7 @@
 #include <system_error>
 #include <vector>
 
-namespace musim::lsdem::study::detail {
+namespace musim::lsdem::detail {
 
 void remove_leftovers(const std::filesystem::path& file) noexcept {
     std::error_code ignored;
@@ -26,4 +26,4 @@ void remove_with_leftovers(const std::filesystem::path& file) noexcept {
     remove_leftovers(file);
 }
 
-}  // namespace musim::lsdem::study::detail
+}  // namespace musim::lsdem::detail

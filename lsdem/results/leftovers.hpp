@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-namespace musim::lsdem::study::detail {
+namespace musim::lsdem::detail {
 
 /// Removes what a kill left of a file that was being written by records::write_file_atomically().
 void remove_leftovers(const std::filesystem::path& file) noexcept;
@@ -11,4 +11,4 @@ void remove_leftovers(const std::filesystem::path& file) noexcept;
 /// happens when there is none.
 void remove_with_leftovers(const std::filesystem::path& file) noexcept;
 
-}  // namespace musim::lsdem::study::detail
+}  // namespace musim::lsdem::detail

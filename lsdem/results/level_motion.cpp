@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <stdexcept>
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 std::vector<LevelSample> measure_block(const RunData& run, std::size_t spine_block) {
@@ -39,4 +39,4 @@ std::vector<LevelSample> measure_top(const RunData& run) {
     return measure_block(run, sort_spine_by_height(run).back());
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -5,7 +5,7 @@
 #include "lsdem/results/history.hpp"
 #include "scaling/units.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// Where a block was at an instant.
 struct LevelSample {
@@ -20,4 +20,4 @@ std::vector<LevelSample> measure_level(const RunData& run, int level);
 /// The same of the highest block of the spine.
 std::vector<LevelSample> measure_top(const RunData& run);
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

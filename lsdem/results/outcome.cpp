@@ -10,7 +10,7 @@
 #include "scaling/angle.hpp"
 #include "scaling/quantity_text.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 template <class Quantity>
@@ -144,4 +144,4 @@ nlohmann::json to_json(const Outcome& outcome) {
             {"blocks", outcome.blocks}};
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -11,7 +11,7 @@
 #include "lsdem/results/history.hpp"
 #include "scaling/laws/similitude.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// A largest value, and the block that has it.
 struct LargestAt {
@@ -49,4 +49,4 @@ std::vector<std::string> describe(const Outcome& outcome);
 /// largest_slip and largest_rotation (m or deg, block, level; null when no block stands), fallen, blocks.
 nlohmann::json to_json(const Outcome& outcome);
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -10,7 +10,7 @@
 #include "lsdem/simulation.hpp"
 #include "lsdem/types.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// Where the blocks of a prepared specimen are, and what their contacts hold.
 struct PreparedPlaces {
@@ -30,4 +30,4 @@ struct PreparationState {
     std::optional<PreparedPlaces> start;       ///< where the blocks were when their own inertia was given back to them, if it was
 };
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

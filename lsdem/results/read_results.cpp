@@ -11,7 +11,7 @@
 #include "lsdem/results/summary.hpp"
 #include "scaling/units.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 namespace fs = std::filesystem;
@@ -258,4 +258,4 @@ StoredRun read_run(const fs::path& directory, Reading reading) {
     return run;
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

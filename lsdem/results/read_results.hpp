@@ -7,7 +7,7 @@
 #include "lsdem/results/history.hpp"
 #include "lsdem/results/result_error.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// A run as a result directory holds it. Of results of older versions, the base's peak acceleration is that at the samples.
 struct StoredRun : RunData {
@@ -30,4 +30,4 @@ enum class Reading {
 /// another layout, or holds no sample; for Reading::what_there_is only when that keeps blocks or histories from being read.
 StoredRun read_run(const std::filesystem::path& directory, Reading reading = Reading::whole);
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// How a structure is brought to rest before anything is done to it.
 struct Settling {
@@ -31,4 +31,4 @@ struct SettlingState {
     double liveliest = 0.0;   ///< largest kinetic energy of a block so far, over its weight times its height [-]
 };
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -2,7 +2,7 @@
 
 #include "scaling/error.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// A directory or file that holds no usable results: says where, what, why and what to do, in one line.
 class ResultError : public Error {
@@ -10,4 +10,4 @@ class ResultError : public Error {
     using Error::Error;
 };
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <utility>
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 /// Of one number for each spine block: `of(spine block, sample)`.
@@ -58,4 +58,4 @@ std::vector<QuantityFamily> find_quantities(const RunResult& run, const scaling:
     return families;
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

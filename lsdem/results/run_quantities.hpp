@@ -7,7 +7,7 @@
 #include "lsdem/results/history.hpp"
 #include "scaling/laws/similitude.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// What a motion came to, in numbers that can be held against those of another run: one for every level of the spine or of the structure.
 struct QuantityFamily {
@@ -29,4 +29,4 @@ struct QuantityFamily {
 ///   damage_index, fallen_blocks   of the structure, see Damage
 std::vector<QuantityFamily> find_quantities(const RunResult& run, const scaling::Similitude& similitude);
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

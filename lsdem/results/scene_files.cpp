@@ -10,7 +10,7 @@
 #include "records/error.hpp"
 #include "scaling/regular_file.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 namespace fs = std::filesystem;
@@ -23,19 +23,19 @@ std::string name_file_content(const fs::path& path) {
 
 }  // namespace
 
-scene::Scene rename_files(scene::Scene scene, const std::function<std::string(const fs::path&)>& name) {
-    const auto rename_record = [&](scene::BaseMotion& motion) {
-        if (auto* record = std::get_if<scene::RecordMotion>(&motion.source)) record->file = name(record->file);
+Scene rename_files(Scene scene, const std::function<std::string(const fs::path&)>& name) {
+    const auto rename_record = [&](SceneMotion& motion) {
+        if (auto* record = std::get_if<RecordMotion>(&motion.source)) record->file = name(record->file);
     };
     rename_record(scene.base_motion);
     for (auto& entry : scene.motions) rename_record(entry.base_motion);
-    if (auto* tower = std::get_if<scene::Tower>(&scene.structure); tower != nullptr && tower->tiling_file) {
+    if (auto* tower = std::get_if<Tower>(&scene.structure); tower != nullptr && tower->tiling_file) {
         tower->tiling_file = name(*tower->tiling_file);
     }
     if (scene.preparation && scene.preparation->specimen) scene.preparation->specimen = name(*scene.preparation->specimen);
     return scene;
 }
 
-scene::Scene with_file_contents(const scene::Scene& scene) { return rename_files(scene, name_file_content); }
+Scene with_file_contents(const Scene& scene) { return rename_files(scene, name_file_content); }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -9,7 +9,7 @@
 #include "lsdem/base_motion.hpp"
 #include "scaling/units.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 std::string in_gravities(double acceleration) { return fmt::format("{:.4g} g", acceleration / scaling::kStandardGravity.value()); }
@@ -67,4 +67,4 @@ std::array<SourcePga, 3> parse_source_pga(const nlohmann::json& json) {
     return sources;
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

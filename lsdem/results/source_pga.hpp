@@ -6,7 +6,7 @@
 
 #include "lsdem/model.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// PGA of the record, or of the formula, that one component of the base's motion was made from. The base itself may have another one: its
 /// velocity is linear between samples, so that its acceleration is the mean of two samples, and records are cut and filtered.
@@ -32,4 +32,4 @@ nlohmann::json to_json(const std::array<SourcePga, 3>& sources);
 /// Of to_json. Throws nlohmann::json::exception for anything else.
 std::array<SourcePga, 3> parse_source_pga(const nlohmann::json& json);
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 int find_strongest_axis(const History& history) {
     Vector3 base = Vector3::Zero(), spine = Vector3::Zero();
@@ -42,4 +42,4 @@ std::vector<SpineLevel> measure_spine(const RunData& run, int axis) {
 
 std::string axis_name(int axis) { return std::string(1, "xyz"[axis]); }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

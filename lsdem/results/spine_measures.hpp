@@ -6,7 +6,7 @@
 #include "lsdem/results/history.hpp"
 
 /// How the spine of a run moved, level by level.
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// One level of the spine. Displacements relative to the base, rotations relative to the start.
 struct SpineLevel {
@@ -29,4 +29,4 @@ std::vector<SpineLevel> measure_spine(const RunData& run, int axis);
 /// "x", "y" or "z".
 std::string axis_name(int axis);
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -7,7 +7,7 @@
 
 #include "records/atomic_file.hpp"
 
-namespace musim::lsdem::study::detail {
+namespace musim::lsdem::detail {
 namespace {
 
 namespace fs = std::filesystem;
@@ -79,4 +79,4 @@ void StagedFiles::remove_all() noexcept {
     for (const fs::path& made : created_) fs::remove(made, ignored);
 }
 
-}  // namespace musim::lsdem::study::detail
+}  // namespace musim::lsdem::detail

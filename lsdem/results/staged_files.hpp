@@ -7,7 +7,7 @@
 
 #include "lsdem/results/folder_lock.hpp"
 
-namespace musim::lsdem::study::detail {
+namespace musim::lsdem::detail {
 
 /// Files that appear in a directory all together or not at all.
 ///
@@ -42,4 +42,4 @@ class StagedFiles {
     std::vector<std::filesystem::path> names_;
 };
 
-}  // namespace musim::lsdem::study::detail
+}  // namespace musim::lsdem::detail

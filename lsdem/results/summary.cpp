@@ -7,7 +7,7 @@
 #include "lsdem/results/verdict.hpp"
 #include "scaling/json_optional.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 nlohmann::json make_summary(const RunResult& run) {
     nlohmann::json summary{{"status", to_string(run.status)},
@@ -90,4 +90,4 @@ nlohmann::json to_json(const std::vector<scaling::Distortion>& distortions) {
     return list;
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

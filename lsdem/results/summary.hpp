@@ -8,7 +8,7 @@
 #include "scaling/laws/similitude.hpp"
 #include "scaling/structures/distortion.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// The run in one JSON object: status, blocks, steps, dt_s, critical_dt_s (null when no block can move), duration_s, wall_s, contacts
 /// (pairs that touch at the end), contact_nodes (that touch, of pairs that meet by nodes; 0 where boxes overlap), state_hash,
@@ -31,4 +31,4 @@ scaling::Similitude parse_similitude(const nlohmann::json& json);
 /// A list of distortions, each with group, factor, severity and effect.
 nlohmann::json to_json(const std::vector<scaling::Distortion>& distortions);
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

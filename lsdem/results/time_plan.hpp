@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// When a run steps, samples and ends. Counts, so that similar runs do exactly the same steps.
 struct TimePlan {
@@ -32,4 +32,4 @@ struct TimePlan {
     }
 };
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -7,13 +7,13 @@
 
 #include "lsdem/scene/scene.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 bool above_critical(const RunResult& run) { return run.critical_time_step && run.time_step > *run.critical_time_step; }
 
 /// The step that "step": "auto" takes [s].
-double default_step(const RunResult& run) { return scene::TimeSettings{}.safety * *run.critical_time_step; }
+double default_step(const RunResult& run) { return TimeSettings{}.safety * *run.critical_time_step; }
 
 /// The fastest that the base moves [m/s].
 double find_peak_of_base(const RunResult& run) {
@@ -123,4 +123,4 @@ std::vector<std::string> find_doubts(const RunResult& run) {
     return doubts;
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -6,7 +6,7 @@
 
 #include "lsdem/results/history.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// Deepest overlap that still counts as contact [fraction of a block's height]. Stiff blocks that fall on each other overlap by a few
 /// hundredths at a corner and by 1e-5 at rest; beyond this they may end up inside each other. Changes what is reported only.
@@ -33,4 +33,4 @@ std::string describe_divergence(const RunResult& run);
 /// motion. Empty for a sound run, and for one that diverged.
 std::vector<std::string> find_doubts(const RunResult& run);
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -15,7 +15,7 @@
 #include "lsdem/results/leftovers.hpp"
 #include "lsdem/results/summary.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 using detail::Hdf5File;
@@ -294,4 +294,4 @@ void ResultFolder::add_json(const std::filesystem::path& name, const nlohmann::j
     files_.write(name, make_checked_json(object));
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

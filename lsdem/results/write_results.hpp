@@ -10,7 +10,7 @@
 #include "lsdem/results/history.hpp"
 #include "lsdem/results/staged_files.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// What a result file says about the run besides its numbers.
 struct ResultHeader {
@@ -60,4 +60,4 @@ class ResultFolder {
     std::vector<std::string> older_;          ///< files of results that these replace
 };
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -6,7 +6,7 @@
 #include "lsdem/simulation.hpp"
 #include "scaling/interruption.hpp"
 
-namespace musim::lsdem::study::detail {
+namespace musim::lsdem::detail {
 
 /// Steps between two looks at what else is to be done: progress, checkpoints, a request to stop. So many cost far more than the look.
 inline constexpr std::uint64_t kPiece = 64;
@@ -25,4 +25,4 @@ void advance_in_pieces(Simulation& simulation, std::uint64_t steps, const Betwee
     }
 }
 
-}  // namespace musim::lsdem::study::detail
+}  // namespace musim::lsdem::detail

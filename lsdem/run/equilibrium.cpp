@@ -14,7 +14,7 @@
 #include "lsdem/block_height.hpp"
 #include "lsdem/contact/area_stiffness.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
@@ -218,4 +218,4 @@ Equilibrium put_in_equilibrium(Specimen& specimen, double time_step, int threads
     return equilibrium;
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

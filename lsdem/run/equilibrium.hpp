@@ -4,7 +4,7 @@
 
 #include "lsdem/run/simulate.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// How near to equilibrium a structure was brought.
 struct Equilibrium {
@@ -29,4 +29,4 @@ Equilibrium put_in_equilibrium(Specimen& specimen, double time_step, int threads
 /// overlap: 2e-9 in a tower 160 m high.
 inline constexpr double kInEquilibrium = 1e-6;
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// Preparation and runs as one scale from 0 to 1 that never falls.
 class JoinedProgress {
@@ -35,4 +35,4 @@ class JoinedProgress {
     double prepared_ = 0.0, done_ = 0.0;
 };
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -4,9 +4,9 @@
 
 #include "lsdem/run/run.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
-LaidSpecimen lay_specimen(const scene::Scene& scene, RunSettings settings) {
+LaidSpecimen lay_specimen(const Scene& scene, RunSettings settings) {
     std::optional<Checkpoint> from;
     if (settings.checkpoint && std::filesystem::exists(settings.checkpoint->file)) {
         from = read_checkpoint(settings.checkpoint->file, settings.checkpoint->program_version);
@@ -26,4 +26,4 @@ LaidSpecimen lay_specimen(const scene::Scene& scene, RunSettings settings) {
     return laid;
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -5,7 +5,7 @@
 #include "lsdem/run/simulate.hpp"
 #include "lsdem/scene/scene.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// A specimen as it stands before it runs.
 struct LaidSpecimen {
@@ -16,6 +16,6 @@ struct LaidSpecimen {
 /// Lays the specimen of a scene and lets it come to rest, when the scene asks for that. To let every image of it come to rest again would
 /// be a choice on rounding: they start as it stands. With settings.checkpoint it is kept in that file once it is laid, and found there
 /// again, or laid on from where it was. Throws as make_specimen and read_checkpoint do.
-LaidSpecimen lay_specimen(const scene::Scene& scene, RunSettings settings = {});
+LaidSpecimen lay_specimen(const Scene& scene, RunSettings settings = {});
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -11,7 +11,7 @@
 #include "records/atomic_file.hpp"
 #include "scaling/regular_file.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 constexpr const char* kLiveSchema = "musim-live/1";
@@ -110,4 +110,4 @@ std::optional<LiveState> read_live_file(const std::filesystem::path& directory) 
     }
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -10,7 +10,7 @@
 #include "lsdem/run/live_run.hpp"
 #include "lsdem/run/simulate.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// What a run that goes on says of itself in its folder.
 struct LiveState {
@@ -71,4 +71,4 @@ class LiveFile {
 /// What the file in a folder says; nothing when there is none, or none that this program wrote.
 std::optional<LiveState> read_live_file(const std::filesystem::path& directory);
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -6,7 +6,7 @@
 
 #include "lsdem/results/spine_measures.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 /// A line of the spine, or the base, as drift sees it.
@@ -93,4 +93,4 @@ LiveRun parse_live_run(const nlohmann::json& json) {
     return live;
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

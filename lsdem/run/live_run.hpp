@@ -7,7 +7,7 @@
 #include "lsdem/results/history.hpp"
 #include "lsdem/results/time_plan.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// Where a run stands while it goes on, for whoever looks on.
 struct LiveRun {
@@ -44,4 +44,4 @@ nlohmann::json to_json(const LiveRun& live);
 /// Throws nlohmann::json::exception for anything else than to_json() makes.
 LiveRun parse_live_run(const nlohmann::json& json);
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -12,7 +12,7 @@
 #include "lsdem/run/equilibrium.hpp"
 #include "lsdem/scene/resting_pose.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 /// A round before the last ends when the base bears what is there to this part of it: looser than at the end, since a block that still tips
@@ -48,9 +48,7 @@ class WorkDone {
     double part_ = 0.0;
 };
 
-scene::BoxPose box_of(const Model& model, const Block& block) {
-    return {2.0 * half_extents(model, block), block.position, block.orientation};
-}
+BoxPose box_of(const Model& model, const Block& block) { return {2.0 * half_extents(model, block), block.position, block.orientation}; }
 
 /// Blocks [first, last) of each layer, from 1.
 std::vector<std::pair<std::size_t, std::size_t>> find_layers(const Specimen& specimen) {
@@ -76,10 +74,10 @@ double find_clearance(const Vector3& size) { return 0.5 * std::hypot(size.x(), s
 
 /// One preparation on its way: layer after layer comes to rest, each put onto those that have, upright and let down, or as it will rest;
 /// then the whole.
-class Preparation {
+class PreparationRun {
   public:
-    Preparation(const Specimen& upright, double time_step, const PreparationSettings& settings, int threads,
-                const std::optional<PreparationState>& from)
+    PreparationRun(const Specimen& upright, double time_step, const PreparationSettings& settings, int threads,
+                   const std::optional<PreparationState>& from)
         : placing_(settings.placing),
           layers_(by_layers() ? find_layers(upright) : Layers{}),
           settings_(settings),
@@ -133,9 +131,9 @@ class Preparation {
   private:
     using Layers = std::vector<std::pair<std::size_t, std::size_t>>;
 
-    bool by_layers() const { return placing_ != scene::Placing::as_drawn; }
-    bool resting() const { return placing_ == scene::Placing::resting; }
-    bool adds_inertia() const { return resting() || placing_ == scene::Placing::quick_layers; }
+    bool by_layers() const { return placing_ != Placing::as_drawn; }
+    bool resting() const { return placing_ == Placing::resting; }
+    bool adds_inertia() const { return resting() || placing_ == Placing::quick_layers; }
     std::size_t layer_rounds() const { return layers_.size(); }
     bool in_layers() const { return state_.round < layer_rounds(); }
     bool is_last() const { return state_.round + 1 == layer_rounds() + settings_.whole_rounds; }
@@ -216,17 +214,17 @@ class Preparation {
         const Model& model = simulation_.model();
         const auto [first_below, first] = layers_[k - 1];
         const std::size_t last = layers_[k].second;
-        std::vector<scene::BoxPose> below, boxes;
+        std::vector<BoxPose> below, boxes;
         for (std::size_t i = first_below; i < first; ++i) {
             below.push_back({2.0 * half_extents(model, model.blocks[i]), simulation_.position(i), simulation_.orientation(i)});
         }
         for (std::size_t i = first; i < last; ++i) boxes.push_back(box_of(model, model.blocks[i]));
         const double clearance = find_clearance(boxes.front().size);
-        if (resting()) scene::put_to_rest(below, boxes, clearance);
+        if (resting()) put_to_rest(below, boxes, clearance);
         std::vector<Release> releases;
         for (std::size_t i = first; i < last; ++i) {
-            scene::BoxPose& box = boxes[i - first];
-            if (!resting()) box = scene::tilt_onto(box, {}, scene::find_support_points(box, below), 0.0);
+            BoxPose& box = boxes[i - first];
+            if (!resting()) box = tilt_onto(box, {}, find_support_points(box, below), 0.0);
             const double speed = resting() ? 0.0 : settings_.lowering * std::sqrt(model.gravity.norm() * box.size.z());
             releases.push_back({i, box.position + clearance * Vector3::UnitZ(), box.orientation, {0.0, 0.0, -speed}});
         }
@@ -234,7 +232,7 @@ class Preparation {
         state_.releases.insert(state_.releases.end(), releases.begin(), releases.end());
     }
 
-    scene::Placing placing_;
+    Placing placing_;
     Layers layers_;
     const PreparationSettings& settings_;
     PreparationState state_;
@@ -298,16 +296,16 @@ PreparedSpecimen prepare(const Specimen& upright, double time_step, const Prepar
     if (!own) {
         Specimen placed = upright;
         if (preparation.from_equilibrium) put_in_equilibrium(placed, time_step, settings.threads);
-        Preparation work(placed, time_step, preparation, settings.threads, from);
+        PreparationRun work(placed, time_step, preparation, settings.threads, from);
         work.run(settings, prepared, progress);
         if (!work.wants_own_inertia(prepared.rest)) return finish(work.simulation(), 0.0);
         own = work.begin_again();
     }
     put_in_place(*own->start, prepared.specimen);
     PreparationSettings standing = preparation;
-    standing.placing = scene::Placing::as_drawn;
+    standing.placing = Placing::as_drawn;
     standing.whole_rounds = 1;
-    Preparation work(prepared.specimen, time_step, standing, settings.threads, own);
+    PreparationRun work(prepared.specimen, time_step, standing, settings.threads, own);
     work.run(settings, prepared, progress);
     return finish(work.simulation(), own->max_overlap);
 }
@@ -344,4 +342,4 @@ void put_in_place(const PreparedPlaces& places, Specimen& specimen) {
     specimen.model.preload = places.preload;
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

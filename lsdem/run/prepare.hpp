@@ -8,11 +8,11 @@
 #include "lsdem/run/simulate.hpp"
 #include "lsdem/scene/preparation.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// How a specimen is prepared.
 struct PreparationSettings {
-    scene::Placing placing = scene::Placing::quick_layers;
+    Placing placing = Placing::quick_layers;
     Settling settling;
     bool from_equilibrium = false;  ///< of Placing::as_drawn: settles from put_in_equilibrium, not from where nothing bears yet
     /// Time step over that of a run, of Placing::quick_layers and resting: blocks that touch little are stable in it, the others get
@@ -78,4 +78,4 @@ PreparedPlaces places_of(const Specimen& specimen);
 /// Puts the blocks of a specimen where they were. Throws std::runtime_error when those are other blocks.
 void put_in_place(const PreparedPlaces& places, Specimen& specimen);
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

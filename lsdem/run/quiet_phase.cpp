@@ -5,7 +5,7 @@
 
 #include "lsdem/run/advance_in_pieces.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -61,4 +61,4 @@ std::array<BaseComponent, 3> find_motion(const SequenceStage& stage, const Quiet
     return state.stop.isZero(0.0) ? stage.motion : make_stop(stage.motion, state.stop);
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -8,7 +8,7 @@
 #include "lsdem/run/settle.hpp"
 #include "lsdem/simulation.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// What is told in a quiet phase, at every look; either may be empty.
 struct QuietWatch {
@@ -31,4 +31,4 @@ QuietEnd come_to_rest(Simulation& simulation, const SequenceStage& stage, const 
 /// The motion that the base has in a quiet phase, for restoring its simulation.
 std::array<BaseComponent, 3> find_motion(const SequenceStage& stage, const QuietState& state);
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -13,7 +13,7 @@
 #include "lsdem/scene/scale_scene.hpp"
 #include "lsdem/scene/scene_error.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 bool differ_in_height(const Specimen& specimen) {
@@ -21,18 +21,16 @@ bool differ_in_height(const Specimen& specimen) {
     return std::any_of(blocks.begin(), blocks.end(), [](const Block& block) { return block.height_offset != 0.0; });
 }
 
-bool is_listed(const scene::Scene& scene) { return std::holds_alternative<scene::BlockList>(scene.structure); }
+bool is_listed(const Scene& scene) { return std::holds_alternative<BlockList>(scene.structure); }
 
-bool base_moves(const scene::Scene& scene) {
-    return !scene.motions.empty() || !std::holds_alternative<std::monostate>(scene.base_motion.source);
-}
+bool base_moves(const Scene& scene) { return !scene.motions.empty() || !std::holds_alternative<std::monostate>(scene.base_motion.source); }
 
 /// Single blocks that are listed without velocities on a base that moves are in equilibrium when it begins, where they stand.
-void let_listed_stand(const scene::Scene& scene, Specimen& specimen) {
+void let_listed_stand(const Scene& scene, Specimen& specimen) {
     const std::vector<Block>& blocks = specimen.model.blocks;
     const bool starts = std::all_of(blocks.begin(), blocks.end(),
                                     [](const Block& block) { return block.velocity.isZero(0.0) && block.angular_velocity.isZero(0.0); });
-    if (starts && base_moves(scene)) put_in_equilibrium(specimen, scene::compute_time_step(scene, specimen.model).value());
+    if (starts && base_moves(scene)) put_in_equilibrium(specimen, compute_time_step(scene, specimen.model).value());
 }
 
 /// Steps that a double counts one by one, and samples of which histories are some hundred gigabytes.
@@ -46,7 +44,7 @@ constexpr double kWhole = 1e-9;
 
 /// Time between samples of the spine, 0 for one a step: the rate's own, when the duration is a whole number of them, else so much shorter
 /// that it is [s].
-double find_sample_interval(const scene::Scene& scene) {
+double find_sample_interval(const Scene& scene) {
     const double rate = scene.output.spine_rate.value(), duration = scene.time.duration.value();
     if (!(rate > 0.0)) return 0.0;
     const double samples = duration * rate, whole = std::round(samples);
@@ -67,23 +65,23 @@ std::uint64_t divide_evenly(std::uint64_t all, std::uint64_t most) {
 
 }  // namespace
 
-Specimen make_upright_specimen(const scene::Scene& scene) {
-    scene::BuiltModel built = scene::build_model(scene);
+Specimen make_upright_specimen(const Scene& scene) {
+    BuiltModel built = build_model(scene);
     return {
         std::move(built.model), std::move(built.structure.spine), std::move(built.structure.layer), {}, std::move(built.structure.level)};
 }
 
-bool wants_preparation(const scene::Scene& scene, const Specimen& upright) {
+bool wants_preparation(const Scene& scene, const Specimen& upright) {
     if (scene.preparation) return !scene.preparation->none;
     return !is_listed(scene) || differ_in_height(upright);
 }
 
-PreparationSettings find_preparation(const scene::Scene& scene, const Specimen& upright) {
+PreparationSettings find_preparation(const Scene& scene, const Specimen& upright) {
     const std::vector<Block>& blocks = upright.model.blocks;
-    const scene::Preparation wanted = scene.preparation.value_or(scene::Preparation{});
+    const Preparation wanted = scene.preparation.value_or(Preparation{});
     PreparationSettings preparation;
-    preparation.placing = wanted.placing.value_or(differ_in_height(upright) ? scene::Placing::quick_layers : scene::Placing::as_drawn);
-    preparation.from_equilibrium = preparation.placing == scene::Placing::as_drawn;
+    preparation.placing = wanted.placing.value_or(differ_in_height(upright) ? Placing::quick_layers : Placing::as_drawn);
+    preparation.from_equilibrium = preparation.placing == Placing::as_drawn;
     if (preparation.from_equilibrium) preparation.whole_rounds = 1;
     preparation.settling.damping_rate =
         wanted.damping_rate
@@ -92,7 +90,7 @@ PreparationSettings find_preparation(const scene::Scene& scene, const Specimen& 
     return preparation;
 }
 
-Specimen make_specimen(const scene::Scene& scene, const RunSettings& settings, const Checkpoint* from) {
+Specimen make_specimen(const Scene& scene, const RunSettings& settings, const Checkpoint* from) {
     Specimen specimen = make_upright_specimen(scene);
     // a plan that is refused is refused before anything is computed
     const TimePlan plan = make_time_plan(scene, specimen.model);
@@ -106,11 +104,11 @@ Specimen make_specimen(const scene::Scene& scene, const RunSettings& settings, c
     } else {
         if (scene.preparation && scene.preparation->specimen) {
             take_places(*scene.preparation->specimen, specimen);
-            preparation.placing = scene::Placing::as_drawn;
+            preparation.placing = Placing::as_drawn;
             preparation.from_equilibrium = false;
             preparation.whole_rounds = 1;
         }
-        const double time_step = scene::compute_time_step(scene, specimen.model).value();
+        const double time_step = compute_time_step(scene, specimen.model).value();
         RunSettings own = settings;
         own.observer.on_progress = settings.observer.on_preparation;
         const WorkToFollow to_follow{
@@ -127,19 +125,19 @@ RunSettings keep_places(RunSettings settings, const Specimen& specimen) {
     return settings;
 }
 
-TimePlan make_time_plan(const scene::Scene& scene, const Model& model, Sampling sampling) {
-    const double limit = scene::compute_time_step(scene, model).value();
+TimePlan make_time_plan(const Scene& scene, const Model& model, Sampling sampling) {
+    const double limit = compute_time_step(scene, model).value();
     const double interval = find_sample_interval(scene);
     // an automatic step fits the samples, a given one is kept
     const bool fits = !scene.time.step && interval > 0.0 && (interval > limit || sampling == Sampling::at_rate);
     return make_time_plan(scene, fits ? interval / std::ceil(interval / limit) : limit);
 }
 
-TimePlan make_time_plan(const scene::Scene& scene, double time_step) {
+TimePlan make_time_plan(const Scene& scene, double time_step) {
     const double duration = scene.time.duration.value(), steps = duration / time_step;
     const double per_sample = std::max(1.0, std::round(find_sample_interval(scene) / time_step));
     if (!(steps <= kMostSteps) || !(steps / per_sample <= kMostSamples)) {
-        throw scene::SceneError(fmt::format(
+        throw SceneError(fmt::format(
             "{}: {:.3g} s in steps of {:.3g} s are {:.1g} steps and {:.1g} samples (at most {:.0g} and {:.0g} can be counted and "
             "kept); give a shorter \"duration\", or a lower \"spine_rate\"",
             scene.place(), duration, time_step, steps, steps / per_sample, kMostSteps, kMostSamples));
@@ -155,20 +153,20 @@ TimePlan make_time_plan(const scene::Scene& scene, double time_step) {
     return plan;
 }
 
-RunResult run_scene(const scene::Scene& scene, const RunSettings& settings) {
-    scene::require_single_motion(scene, "a run");
+RunResult run_scene(const Scene& scene, const RunSettings& settings) {
+    require_single_motion(scene, "a run");
     const Specimen specimen = make_specimen(scene, settings);
     return simulate(specimen, make_time_plan(scene, specimen.model), keep_places(settings, specimen));
 }
 
-RunResult run_model(const scene::Scene& prototype, const scaling::Similitude& similitude, const RunSettings& settings) {
-    scene::check_scene(prototype, prototype.place());
-    RunResult run = run_scene(scene::scale_scene(prototype, similitude), settings);
+RunResult run_model(const Scene& prototype, const scaling::Similitude& similitude, const RunSettings& settings) {
+    check_scene(prototype, prototype.place());
+    RunResult run = run_scene(scale_scene(prototype, similitude), settings);
     run.similitude = similitude;
     return run;
 }
 
-RunResult resume_scene(const scene::Scene& scene, Checkpoint checkpoint, const RunSettings& settings) {
+RunResult resume_scene(const Scene& scene, Checkpoint checkpoint, const RunSettings& settings) {
     const Specimen specimen = make_specimen(scene, settings, &checkpoint);
     const RunSettings with_places = keep_places(settings, specimen);
     const TimePlan plan = make_time_plan(scene, specimen.model);
@@ -177,4 +175,4 @@ RunResult resume_scene(const scene::Scene& scene, Checkpoint checkpoint, const R
     return resume(specimen, std::move(checkpoint), with_places);
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -6,25 +6,25 @@
 #include "lsdem/run/simulate.hpp"
 #include "lsdem/scene/scene.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// The kernel's model of a scene as it is drawn, with its spine and layers: blocks of unequal height stand upright, without touching deeper
-/// than contact. Throws scene::SceneError, records::ReadError, records::ProcessingError.
-Specimen make_upright_specimen(const scene::Scene& scene);
+/// than contact. Throws SceneError, records::ReadError, records::ProcessingError.
+Specimen make_upright_specimen(const Scene& scene);
 
 /// Does the specimen of a scene come to rest before it runs? Unless the scene asks for none, or lists single blocks of one height and says
 /// nothing: these begin as they are listed.
-bool wants_preparation(const scene::Scene& scene, const Specimen& upright);
+bool wants_preparation(const Scene& scene, const Specimen& upright);
 
 /// How the specimen of a scene is prepared: as the scene says, else layer by layer when blocks differ in height, else as drawn.
 /// Velocities decay at the scene's rate, else at that of choose_damping_rate for the first block.
-PreparationSettings find_preparation(const scene::Scene& scene, const Specimen& upright);
+PreparationSettings find_preparation(const Scene& scene, const Specimen& upright);
 
 /// The specimen of a scene in its places and at rest there, when it is to be prepared: placed as drawn, as a file has it, on resting
 /// planes, or layer by layer. Single blocks that are listed at rest, on a base that moves, are put in equilibrium where they stand, if they
 /// do. The preparation runs with `settings`; it is not done again, or from where it was, when a checkpoint says so.
 /// Throws as make_upright_specimen and prepare do.
-Specimen make_specimen(const scene::Scene& scene, const RunSettings& settings = {}, const Checkpoint* from = nullptr);
+Specimen make_specimen(const Scene& scene, const RunSettings& settings = {}, const Checkpoint* from = nullptr);
 
 /// The settings of a run whose checkpoints hold where the blocks of its specimen are, when it was prepared.
 RunSettings keep_places(RunSettings settings, const Specimen& specimen);
@@ -39,20 +39,20 @@ enum class Sampling { every_step, at_rate };
 /// safety·compute_critical_time_step(model), shortened until the time between samples is a whole number of steps. A step given in the scene
 /// is kept: the run has as many as the duration holds, rounded, one at least; up to as many of them as the rate asks for, no fewer than
 /// half, make a sample, such that as few as can be, mostly none, are left over and not run.
-/// Throws scene::SceneError for more steps or samples than can be counted and kept.
-TimePlan make_time_plan(const scene::Scene& scene, const Model& model, Sampling sampling = Sampling::every_step);
+/// Throws SceneError for more steps or samples than can be counted and kept.
+TimePlan make_time_plan(const Scene& scene, const Model& model, Sampling sampling = Sampling::every_step);
 
 /// The same with a given time step [s].
-TimePlan make_time_plan(const scene::Scene& scene, double time_step);
+TimePlan make_time_plan(const Scene& scene, double time_step);
 
 /// Runs a scene. Throws as make_specimen does, and SceneError for one with a list of motions.
-RunResult run_scene(const scene::Scene& scene, const RunSettings& settings = {});
+RunResult run_scene(const Scene& scene, const RunSettings& settings = {});
 
 /// Runs the model of a prototype (scale_scene); the result has the similitude. Throws as scale_scene, check_scene and run_scene do.
-RunResult run_model(const scene::Scene& prototype, const scaling::Similitude& similitude, const RunSettings& settings = {});
+RunResult run_model(const Scene& prototype, const scaling::Similitude& similitude, const RunSettings& settings = {});
 
 /// Carries on the run of a scene from a checkpoint, see resume(). The scene is the checkpoint's own; a record that it names is read again.
 /// Throws std::runtime_error also when the record has changed: the model is then another one.
-RunResult resume_scene(const scene::Scene& scene, Checkpoint checkpoint, const RunSettings& settings = {});
+RunResult resume_scene(const Scene& scene, Checkpoint checkpoint, const RunSettings& settings = {});
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -11,7 +11,7 @@
 #include "scaling/error.hpp"
 #include "scaling/units.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 /// Multiplies plain SI numbers in place by the factor of the quantity they are.
@@ -113,4 +113,4 @@ std::array<BaseComponent, 3> scale_motion(std::array<BaseComponent, 3> motion, c
     return motion;
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

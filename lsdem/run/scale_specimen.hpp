@@ -5,7 +5,7 @@
 #include "lsdem/run/simulate.hpp"
 #include "scaling/laws/similitude.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// The exact image of a specimen in other units: every number multiplied by the factor of its dimension.
 ///
@@ -14,7 +14,7 @@ namespace musim::lsdem::study {
 /// bear, too: energies by λ_ρ λ_l⁴ λ_g, friction by λ_ρ λ_l³ λ_g, tractions by λ_ρ λ_l λ_g, couples by λ_ρ λ_l⁴ λ_g. Angles, ratios,
 /// counts, spine and layers stay.
 ///
-/// A scene that is scaled (scene::scale_scene) and built gives the same model, but a specimen that was laid would be laid anew, and come to
+/// A scene that is scaled (scale_scene) and built gives the same model, but a specimen that was laid would be laid anew, and come to
 /// rest in another way: an image stands and bears as its prototype does. One multiplication a number: where the factors are powers of two
 /// (λ_l/λ_g a power of four, λ_ρ of two) it is exact, and the two models are one to the last bit; else each number is off by its own
 /// rounding. Its run takes `plan.scaled(similitude.time())`.
@@ -26,4 +26,4 @@ Specimen scale_specimen(const Specimen& specimen, const scaling::Similitude& sim
 /// The image of a motion of the base.
 std::array<BaseComponent, 3> scale_motion(std::array<BaseComponent, 3> motion, const scaling::Similitude& similitude);
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -18,7 +18,7 @@
 #include "lsdem/scene/motions.hpp"
 #include "lsdem/scene/scene_json.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 namespace fs = std::filesystem;
@@ -38,12 +38,12 @@ double steps_of(const SequencePlan& plan) {
 }
 
 /// How its specimen is prepared and where its checkpoints go.
-RunSettings find_run_settings(const scene::Scene& scene, const SequencePlan& plan, const SequenceSettings& settings) {
+RunSettings find_run_settings(const Scene& scene, const SequencePlan& plan, const SequenceSettings& settings) {
     return {.threads = settings.threads,
             .observer = settings.observer,
             .runs_to_follow = steps_of(plan) / static_cast<double>(plan.stages.front().plan.steps()),
             .checkpoint = CheckpointSettings{.file = settings.directory / kCheckpointName,
-                                             .scene = scene::write_scene(scene),
+                                             .scene = write_scene(scene),
                                              .program_version = settings.version,
                                              .interval = settings.checkpoint_interval,
                                              .on_failure = settings.on_no_checkpoint}};
@@ -52,7 +52,7 @@ RunSettings find_run_settings(const scene::Scene& scene, const SequencePlan& pla
 /// One sequence on its way through its stages.
 class Sequence {
   public:
-    Sequence(const scene::Scene& scene, SequencePlan plan, ResultFolder& folder, const SequenceSettings& settings)
+    Sequence(const Scene& scene, SequencePlan plan, ResultFolder& folder, const SequenceSettings& settings)
         : name_(scene.name),
           plan_(std::move(plan)),
           checkpoint_(keep_places(find_run_settings(scene, plan_, settings), plan_.specimen).checkpoint),
@@ -87,7 +87,7 @@ class Sequence {
             plan_.specimen.model.ground.motion = checkpoint.quiet ? find_motion(now, *checkpoint.quiet) : now.motion;
             Simulation simulation = restore(plan_.specimen, checkpoint, settings_.threads);
             RunResult run = checkpoint.quiet ? recall_finished(plan_.specimen, std::move(checkpoint))
-                                             : study::resume(simulation, plan_.specimen, std::move(checkpoint), settings_of(stage));
+                                             : lsdem::resume(simulation, plan_.specimen, std::move(checkpoint), settings_of(stage));
             return {std::move(simulation), std::move(run)};
         } catch (const std::runtime_error& error) {
             throw ResultError(
@@ -163,7 +163,7 @@ class Sequence {
 
     void store(std::size_t stage, const RunResult& run) {
         const SequenceStage& now = plan_.stages[stage];
-        folder_.add_run(now.folder, run, {.scene = scene::write_scene(now.scene), .program_version = settings_.version});
+        folder_.add_run(now.folder, run, {.scene = write_scene(now.scene), .program_version = settings_.version});
         folder_.commit();
         if (settings_.on_stage) settings_.on_stage(now.folder);
     }
@@ -200,7 +200,7 @@ void refuse_old_checkpoint(const fs::path& directory) {
     }
 }
 
-ResultOrigin find_origin(const scene::Scene& scene, const SequenceSettings& settings) {
+ResultOrigin find_origin(const Scene& scene, const SequenceSettings& settings) {
     ResultOrigin origin{.command = "sequence", .program_version = settings.version, .parts = {}};
     origin.add(scene);
     return origin;
@@ -217,7 +217,7 @@ void require_checkpoint(const fs::path& directory) {
 
 }  // namespace
 
-SequenceSummary run_sequence(const scene::Scene& scene, const SequenceSettings& settings) {
+SequenceSummary run_sequence(const Scene& scene, const SequenceSettings& settings) {
     SequencePlan plan = plan_sequence(scene);
     ResultFolder folder(settings.directory, find_origin(scene, settings), settings.force ? Overwriting::force : Overwriting::refuse);
     refuse_old_checkpoint(settings.directory);
@@ -232,7 +232,7 @@ SequenceSummary resume_sequence(const SequenceSettings& settings) {
     require_checkpoint(settings.directory);
     const fs::path file = settings.directory / kCheckpointName;
     Checkpoint checkpoint = read_checkpoint(file, settings.version);
-    const scene::Scene scene = scene::parse_scene(checkpoint.scene, file);
+    const Scene scene = parse_scene(checkpoint.scene, file);
     if (scene.motions.empty()) {
         throw ResultError(fmt::format("{}: the checkpoint is of a single run; continue it with `musim run --resume {}`", file.string(),
                                       settings.directory.string()));
@@ -244,4 +244,4 @@ SequenceSummary resume_sequence(const SequenceSettings& settings) {
     return checkpoint.preparation ? sequence.run() : sequence.resume(std::move(checkpoint));
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -9,7 +9,7 @@
 #include "lsdem/scene/scene.hpp"
 
 /// Several motions one after another on the same structure, until it has collapsed.
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// How to carry out a sequence; none of it changes the results.
 struct SequenceSettings {
@@ -34,11 +34,11 @@ struct SequenceSettings {
 ///
 /// Throws as plan_sequence does; records::WriteError when the directory cannot be used; ResultError when it holds an unfinished
 /// sequence, or results of another origin and `force` is not set.
-SequenceSummary run_sequence(const scene::Scene& scene, const SequenceSettings& settings);
+SequenceSummary run_sequence(const Scene& scene, const SequenceSettings& settings);
 
 /// Continues a sequence that was killed, from its checkpoint, to the same results as without the interruption but for the wall times.
 /// Stages that were stored are not run again. Throws std::runtime_error, in one line, when there is no checkpoint or it cannot be
 /// continued.
 SequenceSummary resume_sequence(const SequenceSettings& settings);
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

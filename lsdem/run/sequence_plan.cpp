@@ -11,7 +11,7 @@
 #include "lsdem/scene/motions.hpp"
 #include "lsdem/scene/scene_error.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 /// A folder's name stays readable in a listing.
@@ -42,19 +42,19 @@ double find_peak_acceleration(const std::array<BaseComponent, 3>& motion) {
 }
 
 /// Refuses two motions between which the base would jump.
-void check_seam(const scene::Scene& scene, const SequenceStage& before, std::size_t entry, const SequenceStage& after) {
+void check_seam(const Scene& scene, const SequenceStage& before, std::size_t entry, const SequenceStage& after) {
     const auto name = [&](const SequenceStage& stage) { return fmt::format("{} (\"{}\")", stage.folder, stage.name); };
     const Vector3 end = BaseMotion(before.motion).velocity(before.plan.duration());
     if (after.settle) {
         if (end.isZero(0.0) || find_peak_acceleration(before.motion) > 0.0) return;
-        throw scene::SceneError(
+        throw SceneError(
             fmt::format("{}: /motions/{}: at the end of {} the base still has the velocity that it took at once (nothing says how it is "
                         "to stop for {}); use a motion that ends at rest",
                         scene.place(), entry, name(before), name(after)));
     }
     const double jump = (BaseMotion(after.motion).velocity(0.0) - end).norm();
     if (jump <= kSeamlessVelocity * std::max(find_peak_velocity(before.motion), find_peak_velocity(after.motion))) return;
-    throw scene::SceneError(
+    throw SceneError(
         fmt::format("{}: /motions/{}: the base would jump by {:.3g} m/s from {} to {} (without a quiet phase between them one must begin "
                     "with the velocity that the other ends with); leave \"settle\": false out, or give the first a longer \"duration\"",
                     scene.place(), entry, jump, name(before), name(after)));
@@ -62,10 +62,10 @@ void check_seam(const scene::Scene& scene, const SequenceStage& before, std::siz
 
 }  // namespace
 
-SequencePlan plan_sequence(const scene::Scene& scene, Sampling sampling) {
-    std::vector<scene::StageScene> scenes = scene::expand_motions(scene);
+SequencePlan plan_sequence(const Scene& scene, Sampling sampling) {
+    std::vector<StageScene> scenes = expand_motions(scene);
     if (scenes.empty()) {
-        throw scene::SceneError(
+        throw SceneError(
             fmt::format("{}: has no list of motions (one motion is a plain run); use `musim run`, or give \"motions\"", scene.place()));
     }
     SequencePlan plan;
@@ -78,8 +78,8 @@ SequencePlan plan_sequence(const scene::Scene& scene, Sampling sampling) {
                             .scene = std::move(scenes[k].scene),
                             .motion = {},
                             .plan = {}};
-        stage.motion = scene::make_base_components(stage.scene.base_motion,
-                                                   fmt::format("{}: /motions/{}/base_motion", scene.place(), scenes[k].entry));
+        stage.motion =
+            make_base_components(stage.scene.base_motion, fmt::format("{}: /motions/{}/base_motion", scene.place(), scenes[k].entry));
         plan.stages.push_back(std::move(stage));
     }
     // one step for all, that fits the samples of the shortest
@@ -102,4 +102,4 @@ std::array<BaseComponent, 3> make_stop(const std::array<BaseComponent, 3>& motio
     return stop;
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

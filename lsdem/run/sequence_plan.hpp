@@ -12,14 +12,14 @@
 #include "lsdem/run/simulate.hpp"
 #include "lsdem/scene/scene.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// One motion of a sequence.
 struct SequenceStage {
     std::string name;                     ///< for people
     std::string folder;                   ///< of its results: stage-01-NAME
     bool settle = true;                   ///< the structure comes to rest before it
-    scene::Scene scene;                   ///< the scene with this motion alone
+    Scene scene;                          ///< the scene with this motion alone
     std::array<BaseComponent, 3> motion;  ///< of the base
     TimePlan plan;                        ///< of the same time step in all stages
 };
@@ -35,16 +35,16 @@ struct SequencePlan {
 /// [-]. Formulas that end at rest do so to 1e-16; a jump of a millionth is far below what sampling a formula costs (1e-4, scene/README.md).
 inline constexpr double kSeamlessVelocity = 1e-6;
 
-/// Plans the motions of a scene (scene::expand_motions). Between two motions the structure comes to rest at the damping rate of
+/// Plans the motions of a scene (expand_motions). Between two motions the structure comes to rest at the damping rate of
 /// find_preparation.
 ///
 /// Throws SceneError for a scene without a list of motions; for a motion without a quiet phase before it that does not begin with the
 /// velocity that the one before it ends with; for a base that keeps a velocity it took in a jump, before a quiet phase, since nothing says
 /// how it stops. Else as make_upright_specimen does.
-SequencePlan plan_sequence(const scene::Scene& scene, Sampling sampling = Sampling::every_step);
+SequencePlan plan_sequence(const Scene& scene, Sampling sampling = Sampling::every_step);
 
 /// How the base comes to rest from `velocity` [m/s] before a quiet phase: at the largest acceleration of the motion it ends, no harder than
 /// the motion itself. Requires that the motion has an acceleration.
 std::array<BaseComponent, 3> make_stop(const std::array<BaseComponent, 3>& motion, const Vector3& velocity);
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -14,7 +14,7 @@
 #include "scaling/angle.hpp"
 #include "scaling/json_optional.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 using scaling::kDegree;
@@ -251,4 +251,4 @@ std::string make_sequence_levels_csv(const SequenceSummary& summary) {
     return csv;
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -12,7 +12,7 @@
 #include "lsdem/results/spine_measures.hpp"
 
 /// What a sequence of motions did to a structure, stage by stage.
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// A stage of a sequence on disk.
 struct StageFolder {
@@ -77,4 +77,4 @@ std::string make_sequence_csv(const SequenceSummary& summary);
 /// stage,level,...: residual displacements and rotations of the spine, since the start of the stage and of the sequence.
 std::string make_sequence_levels_csv(const SequenceSummary& summary);
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -6,7 +6,7 @@
 #include "lsdem/block_height.hpp"
 #include "scaling/interruption.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 /// Steps between two looks at energy and reaction, which cost about a step each.
@@ -78,4 +78,4 @@ Rest settle(Simulation& simulation, const Settling& settling, const SettlingWatc
     return rest;
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -6,7 +6,7 @@
 #include "lsdem/results/rest.hpp"
 #include "lsdem/simulation.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// Damping rate in which blocks come to rest soonest: half their frequency parameter p = √(3g/(4R)) about the longer lower edge
 /// [Housner63].
@@ -30,4 +30,4 @@ struct SettlingWatch {
 /// scaling::Interrupted when the program is asked to stop, after telling where it stands.
 Rest settle(Simulation& simulation, const Settling& settling, const SettlingWatch& watch = {}, SettlingState state = {});
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace musim::lsdem::study::detail {
+namespace musim::lsdem::detail {
 
 /// Progress of several jobs side by side as one fraction: their mean, weighted by the work of each.
 class SharedProgress {
@@ -33,4 +33,4 @@ class SharedProgress {
     std::mutex mutex_;
 };
 
-}  // namespace musim::lsdem::study::detail
+}  // namespace musim::lsdem::detail

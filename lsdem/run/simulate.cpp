@@ -17,7 +17,7 @@
 #include "lsdem/time_step.hpp"
 #include "scaling/interruption.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -276,4 +276,4 @@ Specimen make_shadow(Specimen specimen) {
     return specimen;
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

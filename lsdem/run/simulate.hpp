@@ -10,7 +10,7 @@
 #include "lsdem/results/time_plan.hpp"
 #include "lsdem/run/settle.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// A model with the places in it that results speak of.
 struct Specimen {
@@ -18,7 +18,7 @@ struct Specimen {
     Spine spine;
     std::vector<int> layer;            ///< of every block, from 1 at the base; 0: in no layer
     std::optional<Settling> settling;  ///< how it comes to rest before t = 0; nothing: it starts as it is
-    std::vector<int> level = {};       ///< of every block, from 1 at the base, see scene::StructureInfo; empty: the layers
+    std::vector<int> level = {};       ///< of every block, from 1 at the base, see StructureInfo; empty: the layers
 };
 
 /// Who watches a run; none of it changes the results. Parts are from 0 to 1.
@@ -92,4 +92,4 @@ RunResult resume(const Specimen& specimen, Checkpoint checkpoint, const RunSetti
 /// because at a coordinate of zero that unit would be the smallest double and change nothing.
 Specimen make_shadow(Specimen specimen);
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -19,7 +19,7 @@
 #include "records/error.hpp"
 #include "scaling/side_by_side.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -58,7 +58,7 @@ std::optional<detail::FileLock> keep_missing(const std::filesystem::path& file) 
 SpecimenReport make_specimen_file(const SpecimenBatch& batch, std::size_t index, std::mutex& files, detail::SharedProgress& progress) {
     const std::uint64_t seed = batch.seeds[index];
     const Clock::time_point start = Clock::now();
-    const scene::Scene scene = with_seed(batch.scene, seed);
+    const Scene scene = with_seed(batch.scene, seed);
     const Specimen upright = make_upright_specimen(scene);
     const PreparationSettings preparation = find_preparation(scene, upright);
 
@@ -91,7 +91,7 @@ SpecimenReport make_specimen_file(const SpecimenBatch& batch, std::size_t index,
     report.resumed = from.has_value();
     const WorkToFollow to_follow{.block_steps = batch.runs_to_follow * static_cast<double>(make_time_plan(scene, upright.model).steps()) *
                                                 static_cast<double>(upright.model.blocks.size())};
-    report.prepared = prepare(upright, scene::compute_time_step(scene, upright.model).value(), preparation, settings, from, to_follow);
+    report.prepared = prepare(upright, compute_time_step(scene, upright.model).value(), preparation, settings, from, to_follow);
     report.fallen = report.prepared.rest.fallen;
     if (report.prepared.rest.at_rest) {
         const std::lock_guard lock(files);
@@ -104,17 +104,17 @@ SpecimenReport make_specimen_file(const SpecimenBatch& batch, std::size_t index,
 
 }  // namespace
 
-std::string specimen_file_of(const scene::Scene& scene) {
+std::string specimen_file_of(const Scene& scene) {
     return specimen_file_name(describe_inputs(scene, find_preparation(scene, make_upright_specimen(scene))));
 }
 
-scene::Scene with_seed(scene::Scene scene, std::uint64_t seed) {
+Scene with_seed(Scene scene, std::uint64_t seed) {
     std::visit(
         [&](auto& structure) {
             if constexpr (requires { structure.seed; }) {
                 structure.seed = seed;
             } else {
-                throw scene::SceneError(
+                throw SceneError(
                     scene.place() +
                     ": specimens are made of columns, towers and walls (single blocks are placed as they are); name such a scene");
             }
@@ -123,7 +123,7 @@ scene::Scene with_seed(scene::Scene scene, std::uint64_t seed) {
     return scene;
 }
 
-std::uint64_t seed_of(const scene::Scene& scene) {
+std::uint64_t seed_of(const Scene& scene) {
     return std::visit(
         [](const auto& structure) -> std::uint64_t {
             if constexpr (requires { structure.seed; }) return structure.seed;
@@ -134,8 +134,7 @@ std::uint64_t seed_of(const scene::Scene& scene) {
 
 std::vector<SpecimenReport> make_specimens(const SpecimenBatch& batch) {
     if (batch.scene.preparation && batch.scene.preparation->none) {
-        throw scene::SceneError(
-            fmt::format("{}: \"preparation\" is \"none\", so there is no specimen to lay; leave it out", batch.scene.place()));
+        throw SceneError(fmt::format("{}: \"preparation\" is \"none\", so there is no specimen to lay; leave it out", batch.scene.place()));
     }
     std::error_code error;
     std::filesystem::create_directories(batch.folder, error);
@@ -160,4 +159,4 @@ std::vector<SpecimenReport> make_specimens(const SpecimenBatch& batch) {
     return reports;
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

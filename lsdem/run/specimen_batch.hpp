@@ -9,11 +9,11 @@
 #include "lsdem/run/prepare.hpp"
 #include "lsdem/scene/scene.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// Specimens of one scene with several seeds of their blocks' heights.
 struct SpecimenBatch {
-    scene::Scene scene;
+    Scene scene;
     std::vector<std::uint64_t> seeds;   ///< at least one
     std::filesystem::path folder;       ///< where the files go; they are named by content
     std::string version;                ///< of the program, for the files
@@ -38,17 +38,17 @@ struct SpecimenReport {
 
 /// Prepares the specimens of a batch, as the scene's `preparation` says (default: layer by layer), side by side. A file that is there is
 /// not made again. A preparation that is killed leaves its checkpoint beside where the file would be, and the next call goes on from there,
-/// to the same file. Specimens that are not there are locked first, so that no two processes make one. Throws scene::SceneError for a scene
+/// to the same file. Specimens that are not there are locked first, so that no two processes make one. Throws SceneError for a scene
 /// without layers or seeds to vary, or with "preparation": "none", records::WriteError, and ResultError for a file in the way.
 std::vector<SpecimenReport> make_specimens(const SpecimenBatch& batch);
 
 /// Name of the file that holds the specimen of a scene, once it has been made.
-std::string specimen_file_of(const scene::Scene& scene);
+std::string specimen_file_of(const Scene& scene);
 
-/// The scene with another seed of its blocks' heights. Throws scene::SceneError for an explicit list of blocks.
-scene::Scene with_seed(scene::Scene scene, std::uint64_t seed);
+/// The scene with another seed of its blocks' heights. Throws SceneError for an explicit list of blocks.
+Scene with_seed(Scene scene, std::uint64_t seed);
 
 /// The seed of a scene's block heights; 1 for an explicit list of blocks.
-std::uint64_t seed_of(const scene::Scene& scene);
+std::uint64_t seed_of(const Scene& scene);
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -14,7 +14,7 @@
 #include "lsdem/scene/scene_json.hpp"
 #include "records/atomic_file.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 constexpr std::string_view kFormat = "musim-specimen/5";
@@ -88,11 +88,11 @@ std::vector<Preload> read_preloads(const detail::Hdf5Reader& reader, const std::
 
 }  // namespace
 
-std::string describe_inputs(const scene::Scene& scene, const PreparationSettings& preparation) {
-    auto inputs = nlohmann::ordered_json::parse(scene::write_scene(scene));
+std::string describe_inputs(const Scene& scene, const PreparationSettings& preparation) {
+    auto inputs = nlohmann::ordered_json::parse(write_scene(scene));
     for (const char* key : kUnrelated) inputs.erase(key);
     inputs["time"].erase("duration");
-    inputs["preparation"] = {{"placing", scene::to_string(preparation.placing)},
+    inputs["preparation"] = {{"placing", to_string(preparation.placing)},
                              {"damping_rate", preparation.settling.damping_rate},
                              {"rest", preparation.settling.rest},
                              {"reaction", preparation.settling.reaction},
@@ -220,4 +220,4 @@ void take_places(const std::filesystem::path& file, Specimen& specimen) {
     specimen.model.preload = read_preloads(reader, file, specimen.model);
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -7,11 +7,11 @@
 #include "lsdem/run/prepare.hpp"
 #include "lsdem/scene/scene.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// Everything that a prepared specimen follows from, as JSON text: structure, shapes, materials, ground, gravity, contact and step of the
 /// scene, and how it is prepared; not its name, motion, duration or output. Equal texts make equal specimens, bit for bit.
-std::string describe_inputs(const scene::Scene& scene, const PreparationSettings& preparation);
+std::string describe_inputs(const Scene& scene, const PreparationSettings& preparation);
 
 /// Name of the file of a specimen made from `inputs`: "specimen-", the name of the text (detail::name_content), ".h5".
 std::string specimen_file_name(const std::string& inputs);
@@ -42,4 +42,4 @@ std::string read_specimen_inputs(const std::filesystem::path& file);
 /// lengths to within 1e-9 of themselves.
 void take_places(const std::filesystem::path& file, Specimen& specimen);
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -8,7 +8,7 @@
 #include "lsdem/rotation.hpp"
 #include "lsdem/run/scale_specimen.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 Quaternion to_quaternion(const Vector3& rotation_vector) {
@@ -167,4 +167,4 @@ RunResult run_stages(Simulation& simulation, const Specimen& specimen, const Sta
     return std::move(*whole);
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -8,7 +8,7 @@
 #include "lsdem/run/simulate.hpp"
 #include "scaling/laws/similitude.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// Several motions that shake a specimen one after another.
 struct StagedMotion {
@@ -34,4 +34,4 @@ RunStart pass_on(const Simulation& simulation, const TimePlan& plan, std::size_t
 RunResult run_stages(Simulation& simulation, const Specimen& specimen, const StagedMotion& motion, RunStart begin,
                      const RunSettings& settings);
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

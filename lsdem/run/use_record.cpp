@@ -9,7 +9,7 @@
 #include "records/measures/strongest_component.hpp"
 #include "records/processing/processing.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 double peak_acceleration(const records::Component& component) {
@@ -18,11 +18,11 @@ double peak_acceleration(const records::Component& component) {
 
 }  // namespace
 
-std::vector<std::string> use_record(scene::Scene& scene, const std::filesystem::path& file, const AxisComponents& components) {
+std::vector<std::string> use_record(Scene& scene, const std::filesystem::path& file, const AxisComponents& components) {
     const records::GroundMotion motion = records::read_record(file);
     std::vector<std::string> steps;
 
-    scene::RecordMotion source;
+    RecordMotion source;
     source.file = std::filesystem::absolute(file);
     source.components = components;
     if (std::none_of(components.begin(), components.end(), [](const auto& name) { return name.has_value(); })) {
@@ -53,4 +53,4 @@ std::vector<std::string> use_record(scene::Scene& scene, const std::filesystem::
     return steps;
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -8,7 +8,7 @@
 
 #include "lsdem/scene/scene.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// Names of a record's components along x, y, z; nothing leaves an axis at rest.
 using AxisComponents = std::array<std::optional<std::string>, 3>;
@@ -18,6 +18,6 @@ using AxisComponents = std::array<std::optional<std::string>, 3>;
 /// With no component named, the one with the largest PGA among the horizontal ones (those with an azimuth; all, when no azimuth is known)
 /// goes along x. The window is records::find_strong_motion of the first component used; the high-pass corner is the record's own (0.05 Hz
 /// for uncorrected records). Returns what was done, one line each. Throws records::ReadError and records::ProcessingError.
-std::vector<std::string> use_record(scene::Scene& scene, const std::filesystem::path& file, const AxisComponents& components);
+std::vector<std::string> use_record(Scene& scene, const std::filesystem::path& file, const AxisComponents& components);
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

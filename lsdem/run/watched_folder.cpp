@@ -10,7 +10,7 @@
 #include "lsdem/results/folder_lock.hpp"
 #include "lsdem/results/result_error.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 namespace fs = std::filesystem;
@@ -86,4 +86,4 @@ WatchedFolder look_into(const fs::path& directory) {
     return watched;
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -6,7 +6,7 @@
 
 #include "lsdem/run/live_file.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// One that goes on in a folder, or did when it was killed.
 struct WatchedRun {
@@ -35,4 +35,4 @@ struct WatchedFolder {
 /// ten seconds), what they told, and what results are there. A folder that does not exist is empty.
 WatchedFolder look_into(const std::filesystem::path& directory);
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -3,7 +3,7 @@
 #include <array>
 #include <cstddef>
 
-namespace musim::lsdem::scene {
+namespace musim::lsdem {
 
 const AccuracyPreset& find_accuracy_preset(Accuracy accuracy) {
     static constexpr std::array<AccuracyPreset, 3> kPresets{{{.safety = 0.8}, {.safety = 0.4}, {.safety = 0.1}}};
@@ -17,4 +17,4 @@ const std::vector<std::string>& accuracy_names() {
 
 std::string to_string(Accuracy accuracy) { return accuracy_names()[static_cast<std::size_t>(accuracy)]; }
 
-}  // namespace musim::lsdem::scene
+}  // namespace musim::lsdem

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace musim::lsdem::scene {
+namespace musim::lsdem {
 
 /// How exact a run should be, for scenes that do not want to choose every number.
 enum class Accuracy { fast, standard, reference };
@@ -19,4 +19,4 @@ const AccuracyPreset& find_accuracy_preset(Accuracy accuracy);
 const std::vector<std::string>& accuracy_names();
 std::string to_string(Accuracy accuracy);
 
-}  // namespace musim::lsdem::scene
+}  // namespace musim::lsdem

@@ -13,7 +13,7 @@
 #include "records/synthesis/ricker.hpp"
 #include "records/synthesis/synthetic.hpp"
 
-namespace musim::lsdem::scene {
+namespace musim::lsdem {
 
 namespace {
 
@@ -146,7 +146,7 @@ void scale(std::array<BaseComponent, 3>& components, const MotionFactors& factor
 
 }  // namespace
 
-std::array<BaseComponent, 3> make_base_components(const BaseMotion& motion, const std::string& place) {
+std::array<BaseComponent, 3> make_base_components(const SceneMotion& motion, const std::string& place) {
     try {
         auto components = std::visit([](const auto& source) { return make_components(source); }, motion.source);
         if (const auto* record = std::get_if<RecordMotion>(&motion.source); record != nullptr && record->scale) {
@@ -160,4 +160,4 @@ std::array<BaseComponent, 3> make_base_components(const BaseMotion& motion, cons
     }
 }
 
-}  // namespace musim::lsdem::scene
+}  // namespace musim::lsdem

@@ -6,7 +6,7 @@
 #include "lsdem/model.hpp"
 #include "lsdem/scene/scene.hpp"
 
-namespace musim::lsdem::scene {
+namespace musim::lsdem {
 
 /// Velocity of the base along x, y and z for the kernel [m/s, s].
 ///
@@ -15,6 +15,6 @@ namespace musim::lsdem::scene {
 /// come last, one multiplication a sample, so that factors that are powers of two are exact.
 /// Throws records::ReadError for a record that cannot be used, and SceneError, which names the motion's `place` in the scene, for one that
 /// cannot be processed as asked.
-std::array<BaseComponent, 3> make_base_components(const BaseMotion& motion, const std::string& place = "scene: /base_motion");
+std::array<BaseComponent, 3> make_base_components(const SceneMotion& motion, const std::string& place = "scene: /base_motion");
 
-}  // namespace musim::lsdem::scene
+}  // namespace musim::lsdem

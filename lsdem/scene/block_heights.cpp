@@ -5,7 +5,7 @@
 
 #include "lsdem/scene/detail/split_mix64.hpp"
 
-namespace musim::lsdem::scene {
+namespace musim::lsdem {
 namespace {
 
 /// One normal number from two uniform ones.
@@ -39,4 +39,4 @@ std::vector<double> draw_deviates(std::size_t count, std::uint64_t seed) {
     return deviates;
 }
 
-}  // namespace musim::lsdem::scene
+}  // namespace musim::lsdem

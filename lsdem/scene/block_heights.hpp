@@ -8,7 +8,7 @@
 #include "lsdem/scene/scene.hpp"
 #include "scaling/units.hpp"
 
-namespace musim::lsdem::scene {
+namespace musim::lsdem {
 
 /// Heights are cut off at this many standard deviations: 6 in 100,000 draws are made again.
 inline constexpr double kMostDeviates = 4.0;
@@ -31,4 +31,4 @@ std::optional<HeightVariation> find_height_variation(const Scene& scene);
 /// [BoxMuller58].
 std::vector<double> draw_deviates(std::size_t count, std::uint64_t seed);
 
-}  // namespace musim::lsdem::scene
+}  // namespace musim::lsdem

@@ -16,7 +16,7 @@
 #include "lsdem/time_step.hpp"
 #include "scaling/quantity_text.hpp"
 
-namespace musim::lsdem::scene {
+namespace musim::lsdem {
 
 namespace {
 
@@ -196,4 +196,4 @@ scaling::Time compute_time_step(const Scene& scene, const Model& model) {
     return *scene.time.step;
 }
 
-}  // namespace musim::lsdem::scene
+}  // namespace musim::lsdem

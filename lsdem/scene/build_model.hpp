@@ -6,7 +6,7 @@
 #include "lsdem/scene/scene.hpp"
 #include "lsdem/scene/spine.hpp"
 
-namespace musim::lsdem::scene {
+namespace musim::lsdem {
 
 /// Places in a model that results speak of.
 struct StructureInfo {
@@ -42,4 +42,4 @@ inline constexpr double kLargestStep = 1.5;
 /// above kLargestStep times the critical one.
 scaling::Time compute_time_step(const Scene& scene, const Model& model);
 
-}  // namespace musim::lsdem::scene
+}  // namespace musim::lsdem

@@ -11,7 +11,7 @@
 #include "scaling/laws/scale_law_catalogue.hpp"
 #include "scaling/quantity_text.hpp"
 
-namespace musim::lsdem::scene {
+namespace musim::lsdem {
 
 namespace {
 
@@ -227,7 +227,7 @@ void check(const Preparation& preparation, const JsonPlace& place, const Scene& 
 
 void check(std::monostate /*still*/, const JsonPlace& /*place*/) {}
 
-void check(const BaseMotion& motion, const JsonPlace& place, const Scene& scene) {
+void check(const SceneMotion& motion, const JsonPlace& place, const Scene& scene) {
     std::visit([&](const auto& source) { check(source, place); }, motion.source);
     require_positive(motion.factors.time, place.at("factors").at("time"));
     require_positive(motion.factors.velocity, place.at("factors").at("velocity"));
@@ -306,4 +306,4 @@ void check_scene(const Scene& scene, const std::string& origin) {
     if (scene.output.frame_rate) require_positive(*scene.output.frame_rate, root.at("output").at("frame_rate"));
 }
 
-}  // namespace musim::lsdem::scene
+}  // namespace musim::lsdem

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <numeric>
 
-namespace musim::lsdem::scene {
+namespace musim::lsdem {
 namespace {
 
 /// Part of the height of the lower of two blocks by which centres of two levels differ at least [-].
@@ -27,4 +27,4 @@ std::vector<int> find_levels(const std::vector<Vector3>& position, const std::ve
     return levels;
 }
 
-}  // namespace musim::lsdem::scene
+}  // namespace musim::lsdem

@@ -8,7 +8,7 @@
 #include "lsdem/scene/scene_error.hpp"
 #include "scaling/nearest_name.hpp"
 
-namespace musim::lsdem::scene {
+namespace musim::lsdem {
 
 namespace {
 
@@ -89,4 +89,4 @@ BlockMaterial fit_to_block(const MeasuredMaterial& measured, const Triple<scalin
     return material;
 }
 
-}  // namespace musim::lsdem::scene
+}  // namespace musim::lsdem

@@ -8,7 +8,7 @@
 
 #include "scaling/units.hpp"
 
-namespace musim::lsdem::scene {
+namespace musim::lsdem {
 
 /// Three components along x, y, z, or edge lengths (thin b, wide w, height H).
 template <class Quantity>
@@ -59,4 +59,4 @@ std::vector<std::string> material_preset_names();
 /// c = H·√(k/m)). At the reference block this is the preset itself, to rounding.
 BlockMaterial fit_to_block(const MeasuredMaterial& measured, const Triple<scaling::Length>& block);
 
-}  // namespace musim::lsdem::scene
+}  // namespace musim::lsdem

@@ -15,7 +15,7 @@
 #include "lsdem/scene/scene_json.hpp"
 #include "scaling/nearest_name.hpp"
 
-namespace musim::lsdem::scene {
+namespace musim::lsdem {
 namespace {
 
 constexpr const char* kMaterialSchema = "musim-material/1";
@@ -70,4 +70,4 @@ MeasuredMaterial find_material_at(double length) {
         fmt::format("no preset was measured at a length factor of {:.6g} (there are {}); name a material", length, fmt::join(known, ", ")));
 }
 
-}  // namespace musim::lsdem::scene
+}  // namespace musim::lsdem

@@ -4,7 +4,7 @@
 
 #include "lsdem/scene/material_presets.hpp"
 
-namespace musim::lsdem::scene {
+namespace musim::lsdem {
 
 /// A measured material by name or from a file:
 ///
@@ -19,4 +19,4 @@ MeasuredMaterial find_measured_material(const std::string& preset_or_file);
 /// The preset that was measured at this length scale. Throws SceneError when there is none, with the scales that there are.
 MeasuredMaterial find_material_at(double length);
 
-}  // namespace musim::lsdem::scene
+}  // namespace musim::lsdem

@@ -10,7 +10,7 @@
 #include "lsdem/scene/scene_error.hpp"
 #include "scaling/detail/overloaded.hpp"
 
-namespace musim::lsdem::scene {
+namespace musim::lsdem {
 namespace {
 
 using scaling::detail::Overloaded;
@@ -31,7 +31,7 @@ std::string name_of(const MotionEntry& entry) {
 }
 
 /// When the last component ends.
-scaling::Time find_end(const BaseMotion& motion, const std::string& place) {
+scaling::Time find_end(const SceneMotion& motion, const std::string& place) {
     double end = 0.0;
     for (const BaseComponent& c : make_base_components(motion, place)) {
         if (c.velocity.size() > 1) end = std::max(end, c.start + static_cast<double>(c.velocity.size() - 1) * c.dt);
@@ -56,7 +56,7 @@ std::optional<double> find_end_beyond(const std::array<BaseComponent, 3>& motion
 
 std::vector<std::string> describe_cut_motions(const Scene& scene) {
     std::vector<std::string> cut;
-    const auto look_at = [&](const BaseMotion& motion, double duration, const std::string& place) {
+    const auto look_at = [&](const SceneMotion& motion, double duration, const std::string& place) {
         const std::optional<double> end = find_end_beyond(make_base_components(motion, place), duration);
         if (end) {
             cut.push_back(fmt::format("{}: the motion lasts {:.4g} s, and \"duration\" cuts it at {:.4g} s (what comes after is not run)",
@@ -99,4 +99,4 @@ void require_single_motion(const Scene& scene, const std::string& what) {
                     scene.place(), what));
 }
 
-}  // namespace musim::lsdem::scene
+}  // namespace musim::lsdem

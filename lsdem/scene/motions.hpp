@@ -7,7 +7,7 @@
 #include "lsdem/scene/scene.hpp"
 
 /// Scenes whose structure is shaken by several motions one after another.
-namespace musim::lsdem::scene {
+namespace musim::lsdem {
 
 /// One shaking of such a scene.
 struct StageScene {
@@ -28,4 +28,4 @@ std::vector<std::string> describe_cut_motions(const Scene& scene);
 /// Throws SceneError for a scene with a list of motions, where only one can be used. `what` cannot: "musim pair".
 void require_single_motion(const Scene& scene, const std::string& what);
 
-}  // namespace musim::lsdem::scene
+}  // namespace musim::lsdem

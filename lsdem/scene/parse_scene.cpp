@@ -6,7 +6,7 @@
 #include "lsdem/scene/detail/parse_structure.hpp"
 #include "lsdem/scene/scene_json.hpp"
 
-namespace musim::lsdem::scene {
+namespace musim::lsdem {
 namespace {
 
 using detail::Json;
@@ -193,4 +193,4 @@ Scene parse_scene(std::string_view json_text, const std::filesystem::path& origi
 
 Scene read_scene(const std::filesystem::path& path) { return parse_scene(detail::read_text(path), path); }
 
-}  // namespace musim::lsdem::scene
+}  // namespace musim::lsdem

@@ -1,6 +1,6 @@
 #include "lsdem/scene/preparation.hpp"
 
-namespace musim::lsdem::scene {
+namespace musim::lsdem {
 
 const std::vector<std::string>& placing_names() {
     static const std::vector<std::string> kNames{"as_drawn", "resting", "layers", "quick_layers"};
@@ -9,4 +9,4 @@ const std::vector<std::string>& placing_names() {
 
 std::string to_string(Placing placing) { return placing_names()[static_cast<std::size_t>(placing)]; }
 
-}  // namespace musim::lsdem::scene
+}  // namespace musim::lsdem

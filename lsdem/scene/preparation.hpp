@@ -7,7 +7,7 @@
 
 #include "scaling/units.hpp"
 
-namespace musim::lsdem::scene {
+namespace musim::lsdem {
 
 /// How blocks come to their places before the motion begins.
 enum class Placing {
@@ -32,4 +32,4 @@ struct Preparation {
 const std::vector<std::string>& placing_names();
 std::string to_string(Placing placing);
 
-}  // namespace musim::lsdem::scene
+}  // namespace musim::lsdem

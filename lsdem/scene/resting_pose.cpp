@@ -8,7 +8,7 @@
 
 #include "lsdem/scene/detail/overlap.hpp"
 
-namespace musim::lsdem::scene {
+namespace musim::lsdem {
 namespace {
 
 /// Heights that differ by less than this part of the footprint are one: rounding of coordinates, not geometry.
@@ -270,4 +270,4 @@ void put_to_rest(std::span<const BoxPose> below, std::span<BoxPose> boxes, doubl
     Layer(below, boxes, clearance).come_to_rest();
 }
 
-}  // namespace musim::lsdem::scene
+}  // namespace musim::lsdem

@@ -5,7 +5,7 @@
 
 #include "lsdem/types.hpp"
 
-namespace musim::lsdem::scene {
+namespace musim::lsdem {
 
 /// A box: edge lengths in the body frame [m], middle and axes in the world frame.
 struct BoxPose {
@@ -43,4 +43,4 @@ BoxPose tilt_onto(const BoxPose& box, const RestingPlane& plane, std::span<const
 /// because a neighbor may have made room; no two come closer than `clearance` [m], or than they are when upright.
 void put_to_rest(std::span<const BoxPose> below, std::span<BoxPose> boxes, double clearance = 0.0);
 
-}  // namespace musim::lsdem::scene
+}  // namespace musim::lsdem

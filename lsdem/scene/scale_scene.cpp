@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-namespace musim::lsdem::scene {
+namespace musim::lsdem {
 
 namespace {
 
@@ -61,7 +61,7 @@ class Scaler {
         scale(wall.height_deviation);
     }
 
-    void scale(BaseMotion& motion) const {
+    void scale(SceneMotion& motion) const {
         if (std::holds_alternative<std::monostate>(motion.source)) return;
         motion.factors.time *= similitude_.time();
         motion.factors.velocity *= similitude_.velocity();
@@ -117,4 +117,4 @@ Triple<scaling::Length> reference_block(const Scene& scene) {
     return std::get<Tower>(scene.structure).block;
 }
 
-}  // namespace musim::lsdem::scene
+}  // namespace musim::lsdem

@@ -3,7 +3,7 @@
 #include "lsdem/scene/scene.hpp"
 #include "scaling/laws/similitude.hpp"
 
-namespace musim::lsdem::scene {
+namespace musim::lsdem {
 
 /// The similar twin of a scene: every quantity multiplied by its scale factor, which its dimension and the law give.
 ///
@@ -22,4 +22,4 @@ Scene scale_with_own_material(const Scene& scene, const scaling::Similitude& sim
 /// Size of the block that a scene's stiffnesses belong to, when it names one size: the structure's block, or the first of a list.
 Triple<scaling::Length> reference_block(const Scene& scene);
 
-}  // namespace musim::lsdem::scene
+}  // namespace musim::lsdem

@@ -20,7 +20,7 @@
 #include "scaling/units.hpp"
 
 /// Scenes: what to simulate, in typed quantities; from and to JSON, scaled by a similitude, turned into the kernel's Model.
-namespace musim::lsdem::scene {
+namespace musim::lsdem {
 
 /// Blocks as boxes with a closed-form level set.
 struct BoxShape {
@@ -199,18 +199,18 @@ struct MotionFactors {
     bool operator==(const MotionFactors&) const = default;
 };
 
-/// Motion of the ground.
-struct BaseMotion {
+/// Motion of the ground, as a scene describes it.
+struct SceneMotion {
     std::variant<std::monostate, RecordMotion, SignalMotion> source;
     MotionFactors factors;
 
-    bool operator==(const BaseMotion&) const = default;
+    bool operator==(const SceneMotion&) const = default;
 };
 
 /// One of several motions that shake the same structure one after another.
 struct MotionEntry {
     std::string name;                       ///< for people and folders; empty: named after its record or signal
-    BaseMotion base_motion;                 ///< its displacement and velocity count from where the motion before it has left the base
+    SceneMotion base_motion;                ///< its displacement and velocity count from where the motion before it has left the base
     std::optional<scaling::Time> duration;  ///< default: TimeSettings::duration, or else until the motion ends
     bool settle = true;                     ///< does the structure come to rest before it? The first: as without a list of motions
     int repeat = 1;                         ///< how many times
@@ -260,7 +260,7 @@ struct Scene {
     std::map<std::string, BlockMaterial> materials;  ///< further ones, for entries of a BlockList
     ShapeSettings shape;
     Structure structure;
-    BaseMotion base_motion;
+    SceneMotion base_motion;
     std::vector<MotionEntry> motions;  ///< instead of base_motion: one after another, see motions.hpp
     GroundSettings ground;
     std::optional<Preparation> preparation;  ///< default: at rest under its weight; single blocks begin as listed
@@ -283,4 +283,4 @@ struct Scene {
 /// Throws SceneError `origin: /json/path: what (why); what to do`.
 void check_scene(const Scene& scene, const std::string& origin);
 
-}  // namespace musim::lsdem::scene
+}  // namespace musim::lsdem

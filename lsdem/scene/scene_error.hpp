@@ -2,7 +2,7 @@
 
 #include "scaling/error.hpp"
 
-namespace musim::lsdem::scene {
+namespace musim::lsdem {
 
 /// Bad input in a scene: says where (file and JSON path), what, why, and what to do, in one line.
 class SceneError : public Error {
@@ -10,4 +10,4 @@ class SceneError : public Error {
     using Error::Error;
 };
 
-}  // namespace musim::lsdem::scene
+}  // namespace musim::lsdem

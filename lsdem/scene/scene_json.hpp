@@ -9,7 +9,7 @@
 #include "lsdem/scene/scene.hpp"
 #include "lsdem/scene/scene_error.hpp"
 
-namespace musim::lsdem::scene {
+namespace musim::lsdem {
 
 /// Scene from JSON text of the schema musim-scene-1.schema.json.
 ///
@@ -28,4 +28,4 @@ std::string write_scene(const Scene& scene);
 /// The keys that parse_scene knows, per kind of object: the properties of the definitions of the schema, in their order.
 const std::map<std::string, std::vector<std::string>>& scene_keys();
 
-}  // namespace musim::lsdem::scene
+}  // namespace musim::lsdem

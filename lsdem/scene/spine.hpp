@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace musim::lsdem::scene {
+namespace musim::lsdem {
 
 /// The blocks whose motion is kept: a line of blocks at the same place of every second layer (levels 1, 3, ...) of a structure, on its
 /// outer face, and, where the line ends below the top layer, the block of that layer above it. Of an explicit list: all blocks, or 64
@@ -18,4 +18,4 @@ struct Spine {
     std::size_t line() const { return block.size() - (has_top ? 1 : 0); }
 };
 
-}  // namespace musim::lsdem::scene
+}  // namespace musim::lsdem

@@ -16,7 +16,7 @@
 #include "lsdem/scene/detail/tiling_search.hpp"
 #include "lsdem/scene/scene_error.hpp"
 
-namespace musim::lsdem::scene {
+namespace musim::lsdem {
 
 namespace {
 
@@ -290,4 +290,4 @@ TowerTiling parse_tiling(std::string_view json_text, const std::string& origin) 
 
 TowerTiling read_tiling(const std::filesystem::path& path) { return parse_tiling(detail::read_text(path), path.string()); }
 
-}  // namespace musim::lsdem::scene
+}  // namespace musim::lsdem

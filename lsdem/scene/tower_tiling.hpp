@@ -7,7 +7,7 @@
 #include <tuple>
 #include <vector>
 
-namespace musim::lsdem::scene {
+namespace musim::lsdem {
 
 /// A block's place in a layer: the cell (i, j) and its neighbor one step along x (i + 1) or y (j + 1). Cells count from the lower left
 /// corner of the grid.
@@ -92,4 +92,4 @@ TowerTiling parse_tiling(std::string_view json_text, const std::string& origin);
 /// parse_tiling of a file. Throws SceneError also when the file cannot be read.
 TowerTiling read_tiling(const std::filesystem::path& path);
 
-}  // namespace musim::lsdem::scene
+}  // namespace musim::lsdem

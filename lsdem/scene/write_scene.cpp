@@ -3,7 +3,7 @@
 #include "lsdem/scene/scene_json.hpp"
 #include "scaling/detail/overloaded.hpp"
 
-namespace musim::lsdem::scene {
+namespace musim::lsdem {
 
 const std::vector<std::string>& face_contact_names() {
     static const std::vector<std::string> kNames{"overlap", "nodes"};
@@ -157,7 +157,7 @@ ordered_json to_json(const SignalMotion& motion) {
     return object;
 }
 
-ordered_json to_json(const BaseMotion& motion) {
+ordered_json to_json(const SceneMotion& motion) {
     ordered_json object =
         std::visit(Overloaded{[](std::monostate) -> ordered_json { return nullptr; }, [](const auto& source) { return to_json(source); }},
                    motion.source);
@@ -227,4 +227,4 @@ std::string write_scene(const Scene& scene) {
     return root.dump(2) + "\n";
 }
 
-}  // namespace musim::lsdem::scene
+}  // namespace musim::lsdem

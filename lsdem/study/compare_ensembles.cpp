@@ -15,7 +15,7 @@
 #include "scaling/error.hpp"
 #include "scaling/json_text.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 /// Mean, deviation and count of one level at one time.
@@ -149,4 +149,4 @@ nlohmann::json to_json(const BandOverlap& overlap) {
     return {{"points", overlap.points}, {"within_sd", overlap.within_sd}, {"within_error", overlap.within_error}};
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -8,7 +8,7 @@
 #include "lsdem/plot/plot.hpp"
 #include "lsdem/study/ensemble_bands.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// Bands of an ensemble as ensemble.h5 holds them, dimensionless: velocity over √(μ g l), time times √(μ g/l). `base` stays empty.
 struct DimensionlessBands {
@@ -39,4 +39,4 @@ StackedPlot make_bands_plot(const std::vector<DimensionlessBands>& ensembles);
 /// points, within_sd, within_error.
 nlohmann::json to_json(const BandOverlap& overlap);
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 /// Significant decimal digits of a double.
@@ -150,4 +150,4 @@ RunDifference compare_runs(const RunResult& prototype, const RunResult& model, c
     return worst;
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

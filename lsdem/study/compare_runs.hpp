@@ -5,7 +5,7 @@
 #include "lsdem/results/history.hpp"
 #include "scaling/laws/similitude.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// Difference [fraction of the block's peak velocity] at which two chaotic runs count as parted: three digits, the resolution of a good
 /// measurement. Changes what is reported, not the verdict.
@@ -36,4 +36,4 @@ struct RunDifference {
 /// Throws std::invalid_argument when the runs have spines of different length, or losses of other blocks.
 RunDifference compare_runs(const RunResult& prototype, const RunResult& model, const scaling::Similitude& similitude);
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -13,7 +13,7 @@
 #include "scaling/angle.hpp"
 #include "scaling/regular_file.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 [[noreturn]] void refuse(const std::filesystem::path& file, const std::string& what) {
@@ -151,4 +151,4 @@ nlohmann::json to_json(const LayerComparison& comparison) {
             {"sd_force_N", describe_quantity(comparison.force_scatter, 1.0)}};
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

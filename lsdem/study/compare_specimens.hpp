@@ -9,7 +9,7 @@
 #include "lsdem/run/prepare.hpp"
 #include "lsdem/study/two_samples.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// A specimen as `musim specimen --json` told of it.
 struct ToldSpecimen {
@@ -56,4 +56,4 @@ std::vector<LayerComparison> compare_specimens(const SpecimenSet& first, const S
 /// Tilts in degrees, forces in newtons, probabilities; null where there were too few.
 nlohmann::json to_json(const LayerComparison& comparison);
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

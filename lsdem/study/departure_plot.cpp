@@ -9,7 +9,7 @@
 #include "lsdem/response/response.hpp"
 #include "lsdem/study/spine_plot.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 constexpr int kStyleOfTwins = 5, kStyleOfHorizon = 11;  ///< black, and black and dashed
@@ -94,4 +94,4 @@ std::optional<TwinBand> find_twin_band(const PairStudy& study) {
     return band;
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

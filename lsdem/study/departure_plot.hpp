@@ -7,7 +7,7 @@
 #include "lsdem/plot/line_plot.hpp"
 #include "lsdem/study/pair.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// How models and twins of a pair depart from their prototype: R over its time, see RunTrace.
 struct Departure {
@@ -35,4 +35,4 @@ struct TwinBand {
 /// Nothing without twins.
 std::optional<TwinBand> find_twin_band(const PairStudy& study);
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -5,7 +5,7 @@
 
 #include "lsdem/results/read_results.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 MemberStatus judge(const StoredRun& run) {
@@ -110,4 +110,4 @@ EnsembleSummary summarize_ensemble(const std::filesystem::path& directory, const
     return summary;
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -10,7 +10,7 @@
 #include "lsdem/study/run_members.hpp"
 #include "lsdem/study/sample_moments.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// How a member ended. Only `completed` and `collapsed` are results; `unsettled` did not come to rest before t = 0, `failed` has none.
 enum class MemberStatus { completed, collapsed, diverged, unsettled, failed };
@@ -65,4 +65,4 @@ struct EnsembleSummary {
 EnsembleSummary summarize_ensemble(const std::filesystem::path& directory, const std::vector<EnsembleMember>& members,
                                    const std::vector<MemberReport>& reports, std::optional<int> axis = {});
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 /// Sampling times agree within this part of the interval. They are counts times a step that was fitted to the interval: rounding only.
@@ -53,4 +53,4 @@ Bands BandSum::bands() const {
     return bands;
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

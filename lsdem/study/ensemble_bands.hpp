@@ -7,7 +7,7 @@
 #include "lsdem/results/history.hpp"
 #include "lsdem/study/sample_moments.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// Mean and scatter of the spine's velocity over members, world frame. Value of level s at sample k in [k·ns + s], as in History.
 struct Bands {
@@ -40,4 +40,4 @@ class BandSum {
     std::vector<SampleMoments> velocity_;  ///< per sample, three components per level
 };
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

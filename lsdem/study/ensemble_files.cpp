@@ -11,7 +11,7 @@
 #include "scaling/angle.hpp"
 #include "scaling/json_optional.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 using scaling::kDegree;
@@ -175,4 +175,4 @@ void add_ensemble(ResultFolder& folder, const EnsembleSummary& summary, const st
     folder.add_text("ensemble.svg", make_svg(make_ensemble_plot(summary)));
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -7,7 +7,7 @@
 #include "lsdem/results/write_results.hpp"
 #include "lsdem/study/ensemble.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// The summary but for its histories, in one JSON object; layout in README.md. What a sample cannot give (the deviation of one member) is
 /// null. Holds nothing that differs from one computation of the same members to the next, such as run times.
@@ -24,4 +24,4 @@ StackedPlot make_ensemble_plot(const EnsembleSummary& summary);
 /// in README.md. Throws records::WriteError.
 void add_ensemble(ResultFolder& folder, const EnsembleSummary& summary, const std::string& version);
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

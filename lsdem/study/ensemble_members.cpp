@@ -15,13 +15,13 @@
 #include "lsdem/scene/scene_error.hpp"
 #include "lsdem/scene/scene_json.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 namespace fs = std::filesystem;
 
 /// Standard deviation of the block heights [m]; 0 for an explicit list of blocks.
-double height_deviation_of(const scene::Scene& scene) {
+double height_deviation_of(const Scene& scene) {
     return std::visit(
         [](const auto& structure) {
             if constexpr (requires { structure.height_deviation; }) return structure.height_deviation.value();
@@ -30,22 +30,22 @@ double height_deviation_of(const scene::Scene& scene) {
         scene.structure);
 }
 
-void require_ensemble(const scene::Scene& scene) {
-    scene::require_single_motion(scene, "an ensemble");
+void require_ensemble(const Scene& scene) {
+    require_single_motion(scene, "an ensemble");
     if (!(height_deviation_of(scene) > 0.0)) {
-        throw scene::SceneError(
+        throw SceneError(
             fmt::format("{}: all members would be the same (its blocks are of one height); give a column, tower or wall a "
                         "\"height_deviation\"",
                         scene.place()));
     }
     if (scene.preparation && scene.preparation->specimen) {
-        throw scene::SceneError(fmt::format(
+        throw SceneError(fmt::format(
             "{}: names one specimen, {} (members have blocks of other heights); leave \"preparation.specimen\" out, each is then "
             "laid by itself, or comes from the folder of --specimens",
             scene.place(), scene.preparation->specimen->string()));
     }
     if (!scene.time.step && !(scene.output.spine_rate.value() > 0.0)) {
-        throw scene::SceneError(fmt::format(
+        throw SceneError(fmt::format(
             "{}: members would be sampled at different times (an automatic step depends on the blocks); give an \"output.spine_rate\"",
             scene.place()));
     }
@@ -53,17 +53,17 @@ void require_ensemble(const scene::Scene& scene) {
 
 }  // namespace
 
-EnsembleMember make_member(scene::Scene scene, const std::string& version) {
+EnsembleMember make_member(Scene scene, const std::string& version) {
     EnsembleMember member;
     member.seed = seed_of(scene);
     member.scene = std::move(scene);
-    member.scene_text = scene::write_scene(member.scene);
-    const std::string content = scene::write_scene(with_file_contents(member.scene));
+    member.scene_text = write_scene(member.scene);
+    const std::string content = write_scene(with_file_contents(member.scene));
     member.name = "member-" + detail::name_content(nlohmann::json{content, version}.dump());
     return member;
 }
 
-std::vector<EnsembleMember> plan_ensemble(const scene::Scene& scene, int members, const std::string& version) {
+std::vector<EnsembleMember> plan_ensemble(const Scene& scene, int members, const std::string& version) {
     require_ensemble(scene);
     std::vector<EnsembleMember> plan;
     plan.reserve(static_cast<std::size_t>(members));
@@ -96,7 +96,7 @@ MemberState find_state(const fs::path& directory, const EnsembleMember& member) 
 
 bool is_scene_of(const std::string& scene_text, const EnsembleMember& member) {
     const auto forget = [](const fs::path&) { return fs::path("/file"); };
-    return rename_files(scene::parse_scene(scene_text), forget) == rename_files(member.scene, forget);
+    return rename_files(parse_scene(scene_text), forget) == rename_files(member.scene, forget);
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -8,13 +8,13 @@
 #include "lsdem/scene/scene.hpp"
 
 /// Ensembles: one scene with several seeds of its blocks' heights.
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// One member: an independent job whose name says what it computes.
 struct EnsembleMember {
     std::string name;  ///< "member-" and 16 hexadecimal digits
     std::uint64_t seed = 0;
-    scene::Scene scene;
+    Scene scene;
     std::string scene_text;  ///< the scene as JSON
 };
 
@@ -22,12 +22,12 @@ struct EnsembleMember {
 ///
 /// A name is the hash of the complete scene as JSON, the program's version, and the contents (not the paths) of the record, tiling and
 /// specimen that the scene names: equal names mean equal results, to the last bit, wherever a member runs.
-/// Throws scene::SceneError for a scene whose members would be equal (no height deviation, or one specimen file for all) or would have no
+/// Throws SceneError for a scene whose members would be equal (no height deviation, or one specimen file for all) or would have no
 /// common sampling times ("step": "auto" without a spine rate); records::ReadError when a file it names cannot be read.
-std::vector<EnsembleMember> plan_ensemble(const scene::Scene& scene, int members, const std::string& version);
+std::vector<EnsembleMember> plan_ensemble(const Scene& scene, int members, const std::string& version);
 
 /// The member that a scene is.
-EnsembleMember make_member(scene::Scene scene, const std::string& version);
+EnsembleMember make_member(Scene scene, const std::string& version);
 
 /// Where a member's results go: DIR/members/NAME.
 std::filesystem::path member_folder(const std::filesystem::path& directory, const EnsembleMember& member);
@@ -44,4 +44,4 @@ MemberState find_state(const std::filesystem::path& directory, const EnsembleMem
 /// Are the results' scene and the member's the same but for the paths of files they name?
 bool is_scene_of(const std::string& scene_text, const EnsembleMember& member);
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -7,13 +7,13 @@
 
 #include "lsdem/results/result_error.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 /// The member whose blocks stand where `file` has them.
 EnsembleMember with_specimen(const EnsembleMember& member, const std::filesystem::path& file, const std::string& version) {
-    scene::Scene scene = member.scene;
-    scene::Preparation preparation = scene.preparation.value_or(scene::Preparation{});
+    Scene scene = member.scene;
+    Preparation preparation = scene.preparation.value_or(Preparation{});
     preparation.placing.reset();
     preparation.specimen = std::filesystem::absolute(file);
     scene.preparation = preparation;
@@ -49,4 +49,4 @@ void use_prepared_specimens(std::vector<EnsembleMember>& members, const std::fil
     }
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

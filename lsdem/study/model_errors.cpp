@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 /// What a tolerance of size 1 rounds to, the same number of metres at every scale: the error itself.
@@ -78,4 +78,4 @@ void inject(ModelError error, double size, Model& model) {
     }
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

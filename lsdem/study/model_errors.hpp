@@ -5,7 +5,7 @@
 
 #include "lsdem/model.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// Errors that a program could make when it scales a structure, put into a model on purpose to see whether they are found.
 enum class ModelError {
@@ -29,4 +29,4 @@ std::vector<ModelError> all_model_errors();
 /// Puts an error of this size [-] into a model.
 void inject(ModelError error, double size, Model& model);
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -11,7 +11,7 @@
 #include "lsdem/study/pair_text.hpp"
 #include "scaling/side_by_side.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 /// What an own model is judged by, and its name.
@@ -48,8 +48,7 @@ std::string describe_acceptance(double tolerance, const OwnJudgement& judgement,
 
 }  // namespace
 
-std::vector<RunTrace> run_other_specimens(const scene::Scene& scene, const RunResult& prototype, std::size_t count,
-                                          const RunSettings& settings) {
+std::vector<RunTrace> run_other_specimens(const Scene& scene, const RunResult& prototype, std::size_t count, const RunSettings& settings) {
     std::vector<RunTrace> traces(count);
     const int each = scaling::threads_of_each(settings.threads, count);
     detail::SharedProgress progress(count, settings.observer.on_progress);
@@ -57,7 +56,7 @@ std::vector<RunTrace> run_other_specimens(const scene::Scene& scene, const RunRe
     for (std::size_t i = 0; i < count; ++i) {
         jobs.emplace_back([&, i] {
             constexpr double kLaying = 0.5;  // of the progress of one, a guess
-            const scene::Scene other = with_seed(scene, seed_of(scene) + 1 + i);
+            const Scene other = with_seed(scene, seed_of(scene) + 1 + i);
             const auto settings_of = [&](const char* what) {
                 RunSettings own{.threads = each, .checkpoint = settings.checkpoint};
                 if (own.checkpoint) own.checkpoint->file /= fmt::format("other-{}.{}", i + 1, what);
@@ -110,4 +109,4 @@ std::string describe_own(const PairStudy& study, const PairedRun& model) {
     return text;
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

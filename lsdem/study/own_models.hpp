@@ -9,13 +9,12 @@
 #include "lsdem/study/pair.hpp"
 
 /// Models of their own material: what is distortion, and what is chance. See lsdem/study/README.md, "Own models".
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// The prototype's scene with other seeds of its blocks' heights (the next ones), laid, shaken and held against the prototype: no workshop
 /// makes the same heights twice. As many side by side as the threads allow; results do not depend on them. With settings.checkpoint its
 /// file is a folder, in which specimens and runs are kept. Throws as lay_specimen does, and SceneError for a scene without heights to draw.
-std::vector<RunTrace> run_other_specimens(const scene::Scene& scene, const RunResult& prototype, std::size_t count,
-                                          const RunSettings& settings);
+std::vector<RunTrace> run_other_specimens(const Scene& scene, const RunResult& prototype, std::size_t count, const RunSettings& settings);
 
 /// What a difference of an own model comes from: more than chance when twins, and other specimens, are so far from each other with a
 /// probability below this, for one of the quantities that are judged [-]. The usual level: of five specimens a smaller one would ask for
@@ -41,4 +40,4 @@ OwnJudgement judge_own(const PairStudy& study, const PairedRun& model);
 /// In words: what is off by how much, and whether that is distortion or chance; and whether it is within the tolerance.
 std::string describe_own(const PairStudy& study, const PairedRun& model);
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -12,7 +12,7 @@
 #include "scaling/random_bits.hpp"
 #include "scaling/side_by_side.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 /// A model is surely no twin, or surely one, where its judgement is this far from the limits: then no more twins are asked for.
@@ -92,10 +92,10 @@ PairMember make_twin_member(const PairMember& prototype, const std::string& labe
 }
 
 /// A pair on its way.
-class PairWork {
+class PairRunner {
   public:
-    PairWork(const PairMember& prototype, const std::vector<PairMember>& models, const RunSettings& settings, const PairSettings& judging,
-             PairStudy& study)
+    PairRunner(const PairMember& prototype, const std::vector<PairMember>& models, const RunSettings& settings, const PairSettings& judging,
+               PairStudy& study)
         : prototype_(prototype), models_(models), settings_(settings), judging_(judging), study_(study) {
         most_twins_ = judging.twins.value_or(kMostTwins);
         expected_ = static_cast<double>(count_runs(models.size(), judging));
@@ -232,7 +232,7 @@ PairStudy run_pair(const PairMember& prototype, const std::vector<PairMember>& m
                    const PairSettings& judging) {
     PairStudy study{
         .materials = materials, .prototype = {}, .twins = {}, .twin_traces = {}, .same_bits = {}, .half_step = {}, .models = {}};
-    PairWork work(prototype, models, settings, judging, study);
+    PairRunner work(prototype, models, settings, judging, study);
     // exact models that agree within rounding need none
     const std::size_t fewest = materials == Materials::exact && !models.empty() ? 0 : kFewestTwins;
     work.expect_twins(judging.twins.value_or(fewest));
@@ -252,4 +252,4 @@ PairStudy run_pair(const PairMember& prototype, const std::vector<PairMember>& m
     return study;
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

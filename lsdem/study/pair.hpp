@@ -15,7 +15,7 @@
 #include "scaling/laws/similitude.hpp"
 #include "scaling/structures/distortion.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// Whether a model's material is the prototype's, scaled so that every group is equal, or its own measured one.
 enum class Materials { exact, own };
@@ -99,4 +99,4 @@ std::vector<TwinChoice> choose_twins(std::size_t twins, std::uint64_t seed);
 PairStudy run_pair(const PairMember& prototype, const std::vector<PairMember>& models, Materials materials,
                    const RunSettings& settings = {}, const PairSettings& judging = {});
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -8,7 +8,7 @@
 #include "lsdem/run/lay_specimen.hpp"
 #include "lsdem/run/scale_specimen.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 std::optional<Checkpoint> find_kept(const std::optional<CheckpointSettings>& settings) {
@@ -41,14 +41,14 @@ std::string name_folder(std::string label) {
     return label;
 }
 
-PairMember lay_member(const std::string& label, const scene::Scene& scene, const scaling::Similitude& similitude,
-                      const RunSettings& settings, Sampling sampling) {
+PairMember lay_member(const std::string& label, const Scene& scene, const scaling::Similitude& similitude, const RunSettings& settings,
+                      Sampling sampling) {
     std::optional<StagedMotion> staged;
     if (!scene.motions.empty()) {
         SequencePlan plan = plan_sequence(scene, sampling);
         staged = StagedMotion{std::move(plan.stages), plan.quiet};
     }
-    const scene::Scene& first = staged ? staged->stages.front().scene : scene;
+    const Scene& first = staged ? staged->stages.front().scene : scene;
     LaidSpecimen laid = lay_specimen(first, settings);
     const TimePlan plan = make_time_plan(first, laid.specimen.model, sampling);
     return {label, std::move(laid.specimen), plan, similitude, {}, laid.rest, {}, std::move(staged)};
@@ -88,4 +88,4 @@ RunResult run_member(const PairMember& member, const RunSettings& settings) {
     return run;
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -11,7 +11,7 @@
 #include "scaling/laws/similitude.hpp"
 #include "scaling/structures/distortion.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// A run to be compared with its prototype's.
 struct PairMember {
@@ -30,8 +30,8 @@ std::string name_folder(std::string label);
 
 /// A scene laid (lay_specimen), with its motion or motions, that steps as its own stiffness asks and is sampled as `sampling` says. Throws
 /// as lay_specimen and plan_sequence do.
-PairMember lay_member(const std::string& label, const scene::Scene& scene, const scaling::Similitude& similitude,
-                      const RunSettings& settings = {}, Sampling sampling = Sampling::at_rate);
+PairMember lay_member(const std::string& label, const Scene& scene, const scaling::Similitude& similitude, const RunSettings& settings = {},
+                      Sampling sampling = Sampling::at_rate);
 
 /// The exact image of a member: the same counts in other units.
 PairMember make_image(const PairMember& member, const std::string& label, const scaling::Similitude& similitude);
@@ -44,4 +44,4 @@ void drop_frames(PairMember& member);
 /// file must be of this very run: its name is to say so. One that cannot be read is as good as none. A run that diverged is not kept.
 RunResult run_member(const PairMember& member, const RunSettings& settings);
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -25,14 +25,14 @@
 #include "lsdem/study/twin_files.hpp"
 #include "scaling/laws/law_similitude.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 using scaling::Similitude;
 
 /// A model's scene with its similitude to the prototype and what that distorts.
 struct ScaledScene {
-    scene::Scene scene;
+    Scene scene;
     Similitude similitude;
     std::vector<scaling::Distortion> distortions;
     std::string material = {};  ///< name of its own
@@ -42,21 +42,20 @@ struct ScaledScene {
 struct LoneScene {
     std::string property;
     double factor = 1.0;
-    scene::Scene scene;
+    Scene scene;
     Similitude similitude;
 };
 
-ScaledScene scale_by_law(const scene::Scene& prototype, const ModelChoice& choice) {
+ScaledScene scale_by_law(const Scene& prototype, const ModelChoice& choice) {
     const Similitude similitude = choice.similitude ? *choice.similitude : scaling::make_similitude("exact", {.length = choice.length});
-    return {scene::scale_scene(prototype, similitude), similitude, scaling::find_distortions(similitude)};
+    return {scale_scene(prototype, similitude), similitude, scaling::find_distortions(similitude)};
 }
 
 /// What a model has of its own, besides scale, density, friction and gravity.
-std::vector<scaling::Distortion> find_own_distortions(const scene::Scene& prototype, const scene::Scene& model,
-                                                      const Similitude& similitude) {
-    const scene::BlockMaterial &from = prototype.material, &to = model.material;
-    const auto block = scene::reference_block(prototype);
-    const auto heights = scene::find_height_variation(prototype), of_model = scene::find_height_variation(model);
+std::vector<scaling::Distortion> find_own_distortions(const Scene& prototype, const Scene& model, const Similitude& similitude) {
+    const BlockMaterial &from = prototype.material, &to = model.material;
+    const auto block = reference_block(prototype);
+    const auto heights = find_height_variation(prototype), of_model = find_height_variation(model);
     scaling::ModelFacts facts{.friction_prototype = from.friction,
                               .slenderness = {block[0] / block[2], block[1] / block[2]},
                               .normal_stiffness = to.normal_stiffness / from.normal_stiffness,
@@ -67,29 +66,28 @@ std::vector<scaling::Distortion> find_own_distortions(const scene::Scene& protot
     return scaling::find_distortions(similitude, facts);
 }
 
-ScaledScene scale_with_own(const scene::Scene& prototype, const ModelChoice& choice) {
-    const scene::MeasuredMaterial own =
-        choice.material.empty() ? scene::find_material_at(choice.length) : scene::find_measured_material(choice.material);
+ScaledScene scale_with_own(const Scene& prototype, const ModelChoice& choice) {
+    const MeasuredMaterial own = choice.material.empty() ? find_material_at(choice.length) : find_measured_material(choice.material);
     const scaling::ScaleFactors factors{.length = choice.length,
                                         .friction = own.material.friction / prototype.material.friction,
                                         .gravity = 1.0,
                                         .density = own.material.density / prototype.material.density};
     const Similitude similitude = scaling::make_similitude("mu", factors);
-    ScaledScene scaled{scene::scale_with_own_material(prototype, similitude, own), similitude, {}, own.name};
+    ScaledScene scaled{scale_with_own_material(prototype, similitude, own), similitude, {}, own.name};
     scaled.distortions = find_own_distortions(prototype, scaled.scene, similitude);
     return scaled;
 }
 
-double strength(const scene::Scene& scene) {
+double strength(const Scene& scene) {
     double squares = 0.0;
     for (const scaling::Acceleration& component : scene.gravity) squares += component.value() * component.value();
     return std::sqrt(squares);
 }
 
 /// A scene of its own as a model: it runs as long as the prototype does, and is sampled at the same dimensionless times.
-ScaledScene take_as_model(const scene::Scene& prototype, const scene::Scene& model) {
-    for (const scene::Scene* scene : {&prototype, &model}) scene::require_single_motion(*scene, "a pair of two scenes");
-    const auto of_prototype = scene::reference_block(prototype), of_model = scene::reference_block(model);
+ScaledScene take_as_model(const Scene& prototype, const Scene& model) {
+    for (const Scene* scene : {&prototype, &model}) require_single_motion(*scene, "a pair of two scenes");
+    const auto of_prototype = reference_block(prototype), of_model = reference_block(model);
     const scaling::ScaleFactors factors{.length = of_model[2] / of_prototype[2],
                                         .friction = model.material.friction / prototype.material.friction,
                                         .gravity = strength(model) / strength(prototype),
@@ -106,7 +104,7 @@ ScaledScene take_as_model(const scene::Scene& prototype, const scene::Scene& mod
 }
 
 /// Runs that take steps of their own are compared at the prototype's samples, which need not be those of its scene's rate.
-void sample_as(const PairMember& prototype, const Similitude& similitude, scene::Scene& scene) {
+void sample_as(const PairMember& prototype, const Similitude& similitude, Scene& scene) {
     const auto differ = [](double a, double b) { return !(std::abs(a - b) <= scaling::kFactorRounding * std::abs(b)); };
     const TimePlan& plan = prototype.staged ? prototype.staged->stages.front().plan : prototype.plan;
     const double rate = 1.0 / (static_cast<double>(plan.steps_per_sample) * plan.time_step * similitude.time());
@@ -120,29 +118,26 @@ void sample_as(const PairMember& prototype, const Similitude& similitude, scene:
 void require_same_structure(const Specimen& prototype, const Specimen& model, const std::string& place) {
     const std::size_t wanted = prototype.model.blocks.size(), has = model.model.blocks.size();
     if (has != wanted) {
-        throw scene::SceneError(
-            fmt::format("{}: {} blocks where the prototype has {}; a pair needs similar structures", place, has, wanted));
+        throw SceneError(fmt::format("{}: {} blocks where the prototype has {}; a pair needs similar structures", place, has, wanted));
     }
     if (model.layer != prototype.layer || model.spine.block != prototype.spine.block) {
-        throw scene::SceneError(
-            fmt::format("{}: its layers are not the prototype's; a pair needs similar structures, block by block", place));
+        throw SceneError(fmt::format("{}: its layers are not the prototype's; a pair needs similar structures, block by block", place));
     }
 }
 
 /// One scene for every property in which `own` is not what its similitude asks for.
-std::vector<LoneScene> find_lone_scenes(const scene::Scene& prototype, const ScaledScene& own) {
+std::vector<LoneScene> find_lone_scenes(const Scene& prototype, const ScaledScene& own) {
     const Similitude exact = scaling::make_similitude("exact", {.length = own.similitude.length(), .density = own.similitude.density()});
-    const scene::Scene by_law = scene::scale_scene(prototype, own.similitude), twin = scene::scale_scene(prototype, exact);
-    const scene::BlockMaterial &has = own.scene.material, &asked = by_law.material;
+    const Scene by_law = scale_scene(prototype, own.similitude), twin = scale_scene(prototype, exact);
+    const BlockMaterial &has = own.scene.material, &asked = by_law.material;
     std::vector<LoneScene> scenes;
-    const auto add = [&](const char* property, double factor, const scene::Scene& scene, const Similitude& similitude,
-                         const auto& distort) {
+    const auto add = [&](const char* property, double factor, const Scene& scene, const Similitude& similitude, const auto& distort) {
         if (std::abs(factor - 1.0) <= scaling::kFactorRounding) return;
         scenes.push_back({property, factor, scene, similitude});
         scenes.back().scene.time.step.reset();
         distort(scenes.back().scene.material);
     };
-    using Material = scene::BlockMaterial;
+    using Material = BlockMaterial;
     add("friction", own.similitude.friction(), by_law, own.similitude, [](Material&) {});
     const double normal = has.normal_stiffness / asked.normal_stiffness, shear = has.shear_stiffness / asked.shear_stiffness,
                  restitution = has.restitution / asked.restitution;
@@ -163,7 +158,7 @@ std::string make_label(double length, const std::vector<PairMember>& members) {
     return label;
 }
 
-ScaledScene make_scaled(const scene::Scene& prototype, const ModelChoice& choice, Materials materials) {
+ScaledScene make_scaled(const Scene& prototype, const ModelChoice& choice, Materials materials) {
     if (choice.scene) return take_as_model(prototype, *choice.scene);
     return materials == Materials::exact ? scale_by_law(prototype, choice) : scale_with_own(prototype, choice);
 }
@@ -171,7 +166,7 @@ ScaledScene make_scaled(const scene::Scene& prototype, const ModelChoice& choice
 /// Where specimens and runs of a pair are kept until its results are.
 class KeptPair {
   public:
-    KeptPair(const scene::Scene& prototype, const std::vector<ScaledScene>& models, Materials materials, const PairSceneSettings& how,
+    KeptPair(const Scene& prototype, const std::vector<ScaledScene>& models, Materials materials, const PairSceneSettings& how,
              const RunSettings& settings) {
         if (!settings.checkpoint) return;
         // scenes are named by the files that they name, too; the number of twins decides on no run
@@ -243,11 +238,10 @@ class LayingProgress {
 /// in runs for the progress, and a specimen that is laid first as two.
 class OtherSpecimens {
   public:
-    OtherSpecimens(const scene::Scene& prototype, Materials materials, const PairSceneSettings& how, std::size_t runs) : scene_(prototype) {
-        const bool drawn =
-            scene::find_height_variation(prototype).has_value() && !(prototype.preparation && prototype.preparation->specimen);
+    OtherSpecimens(const Scene& prototype, Materials materials, const PairSceneSettings& how, std::size_t runs) : scene_(prototype) {
+        const bool drawn = find_height_variation(prototype).has_value() && !(prototype.preparation && prototype.preparation->specimen);
         if (how.specimens.value_or(0) > 0 && !drawn) {
-            throw scene::SceneError(
+            throw SceneError(
                 fmt::format("{}: its block heights are not drawn (height_deviation), so it has one specimen only; leave "
                             "--specimens out",
                             prototype.place()));
@@ -273,7 +267,7 @@ class OtherSpecimens {
         return settings;
     }
 
-    const scene::Scene& scene_;
+    const Scene& scene_;
     std::size_t count_ = 0;
     double share_ = 1.0;
 };
@@ -287,8 +281,8 @@ std::string make_scale_label(double length) {
     return is_whole ? fmt::format("1:{:.0f}", whole) : fmt::format("x{}", length);
 }
 
-ScenePair pair_scene(const scene::Scene& prototype, const std::vector<ModelChoice>& models, Materials materials,
-                     const RunSettings& settings, const PairSceneSettings& how) {
+ScenePair pair_scene(const Scene& prototype, const std::vector<ModelChoice>& models, Materials materials, const RunSettings& settings,
+                     const PairSceneSettings& how) {
     std::vector<ScaledScene> scaled_scenes;
     scaled_scenes.reserve(models.size());
     for (const ModelChoice& choice : models) scaled_scenes.push_back(make_scaled(prototype, choice, materials));
@@ -321,7 +315,7 @@ ScenePair pair_scene(const scene::Scene& prototype, const std::vector<ModelChoic
         ScaledScene& scaled = scaled_scenes[m];
         if (materials == Materials::own || choice.scene) sample_as(original, scaled.similitude, scaled.scene);
         const std::string label = make_label(scaled.similitude.length(), members);
-        const auto lay = [&](const std::string& name, const scene::Scene& scene, const Similitude& similitude) {
+        const auto lay = [&](const std::string& name, const Scene& scene, const Similitude& similitude) {
             return lay_member(name, scene, similitude, layings.next(kept.settings_of(name, settings)));
         };
         members.push_back(is_image(m) ? make_image(original, label, scaled.similitude) : lay(label, scaled.scene, scaled.similitude));
@@ -337,7 +331,7 @@ ScenePair pair_scene(const scene::Scene& prototype, const std::vector<ModelChoic
         pair.models.push_back(std::move(scaled.scene));
     }
     members.insert(members.end(), std::make_move_iterator(lone_members.begin()), std::make_move_iterator(lone_members.end()));
-    scene::Scene sampled = prototype;
+    Scene sampled = prototype;
     sample_as(original, original.similitude, sampled);
     const OtherSpecimens others(sampled, materials, how, count_runs(members.size(), how.judging));
     pair.study = run_pair(original, members, materials, others.settings_of_pair(kept.settings_of_all(settings)),
@@ -359,4 +353,4 @@ ScenePair pair_scene(const scene::Scene& prototype, const std::vector<ModelChoic
     return pair;
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

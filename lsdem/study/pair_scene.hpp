@@ -9,18 +9,18 @@
 #include "lsdem/study/pair.hpp"
 #include "lsdem/study/spine_plot.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// A model of a scene: its scale, and the material it is built of when that is its own.
 struct ModelChoice {
     double length = 1.0;  ///< λ_l
-    /// For Materials::own: preset or file (scene::find_measured_material); empty: the one measured for a tower of this scale.
+    /// For Materials::own: preset or file (find_measured_material); empty: the one measured for a tower of this scale.
     std::string material = {};
     std::optional<scaling::Similitude> similitude = {};  ///< for Materials::exact: scaled by this, not by law `exact`
     /// A scene of its own instead: as many blocks in as many layers as the prototype's. Its scale, density, friction and gravity are those
     /// of its first block over the prototype's; duration and sampling are the prototype's, scaled, its
     /// step is automatic.
-    std::optional<scene::Scene> scene = {};
+    std::optional<Scene> scene = {};
 };
 
 /// What specimen a model starts from.
@@ -42,9 +42,9 @@ inline constexpr std::size_t kOtherSpecimens = 4;
 
 /// A scene at its own scale and at others.
 struct ScenePair {
-    scene::Scene prototype;
-    std::vector<scene::Scene> models;  ///< in the order of PairStudy::models
-    MotionScales scales;               ///< of the prototype
+    Scene prototype;
+    std::vector<Scene> models;  ///< in the order of PairStudy::models
+    MotionScales scales;        ///< of the prototype
     PairStudy study;
     /// With settings.checkpoint: the folder in which specimens and runs were kept, for whoever stores the results to remove then.
     std::filesystem::path unfinished = {};
@@ -61,12 +61,12 @@ std::string make_scale_label(double length);
 /// stiffness, friction and restitution of what was measured, fitted to its block size, and gets the base motion of the mu law, or is a
 /// scene of its own; what that distorts is listed, and it is held against other specimens of the prototype, too. With `each_alone` every
 /// model has runs beside it that tell what each property of its material that differs does alone (PairedRun::alone): stiffnesses and
-/// restitution in a model that is exact otherwise, friction with the base motion of the mu law. Throws scene::SceneError (also for an
+/// restitution in a model that is exact otherwise, friction with the base motion of the mu law. Throws SceneError (also for an
 /// unknown material, a scale without one, a model of another structure), scaling::SimilitudeError, records::ReadError.
 ///
 /// With settings.checkpoint its file is the folder of the results: specimens and runs are kept in a folder there that is named by all that
 /// decides on them, so that the same pair, begun again after it was killed, goes on.
-ScenePair pair_scene(const scene::Scene& prototype, const std::vector<ModelChoice>& models, Materials materials,
-                     const RunSettings& settings = {}, const PairSceneSettings& how = {});
+ScenePair pair_scene(const Scene& prototype, const std::vector<ModelChoice>& models, Materials materials, const RunSettings& settings = {},
+                     const PairSceneSettings& how = {});
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

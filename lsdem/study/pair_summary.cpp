@@ -13,7 +13,7 @@
 #include "lsdem/study/pair_text.hpp"
 #include "scaling/json_optional.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 nlohmann::json make_labelled_summary(const std::string& label, const RunResult& run) {
@@ -171,4 +171,4 @@ nlohmann::json to_json(const PairStudy& study) {
     return json;
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -4,7 +4,7 @@
 
 #include "lsdem/study/pair.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// A paired study in one JSON object: runs (prototype, models; summaries with label), pairs (one per model: length, materials, differences,
 /// agreement and what it rests on, quantities beside those of the twins, distortions), consistent, agreement and verdict (sentences) of
@@ -12,4 +12,4 @@ namespace musim::lsdem::study {
 /// in README.md.
 nlohmann::json to_json(const PairStudy& study);
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -10,7 +10,7 @@
 
 #include "lsdem/study/own_models.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 std::string format_percent(double part) {
     if (part < kRoundingLevel) return fmt::format("below {:.0g} %", 100.0 * kRoundingLevel);
@@ -158,4 +158,4 @@ std::vector<std::string> describe_verdict(const PairStudy& study) {
     return lines;
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -5,7 +5,7 @@
 
 #include "lsdem/study/pair.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// What a pair shows, in sentences for people who run shake tables, the verdict first: whether models agree with the prototype, up to when
 /// in detail, by how much peaks, residual displacements and losses are apart beside those of the twins, and what was not checked.
@@ -18,4 +18,4 @@ std::string format_up_to(double part);
 /// "a, b and c".
 std::string join_words(const std::vector<std::string>& words);
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -11,7 +11,7 @@
 #include "scaling/interruption.hpp"
 #include "scaling/side_by_side.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 namespace fs = std::filesystem;
@@ -79,4 +79,4 @@ std::vector<MemberReport> run_members(const std::vector<EnsembleMember>& members
     return reports;
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

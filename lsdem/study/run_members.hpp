@@ -7,7 +7,7 @@
 
 #include "lsdem/study/ensemble_members.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// How members are run; none of it changes their results.
 struct MemberSettings {
@@ -30,4 +30,4 @@ struct MemberReport {
 /// again, one with a checkpoint is continued. What a member throws becomes its report's error; the others go on.
 std::vector<MemberReport> run_members(const std::vector<EnsembleMember>& members, const MemberSettings& settings);
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -3,7 +3,7 @@
 #include <limits>
 #include <stdexcept>
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
@@ -25,4 +25,4 @@ Eigen::ArrayXd SampleMoments::sd() const {
     return (squares_ / static_cast<double>(count_ - 1)).sqrt();
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// Mean and standard deviation of several quantities over a sample, one member at a time (Welford's sums: no cancellation where the scatter
 /// is far below the mean). The order of the members changes the last bits; whoever wants the same bits keeps it.
@@ -25,4 +25,4 @@ class SampleMoments {
     Eigen::ArrayXd squares_;  ///< Σ (x − mean)²
 };
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -11,7 +11,7 @@
 #include "lsdem/response/response.hpp"
 #include "lsdem/study/departure_plot.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 constexpr std::size_t kMaxRows = 10;
@@ -109,4 +109,4 @@ StackedPlot make_spine_plot(const PairStudy& study, const MotionScales& scales, 
     return plot;
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -7,7 +7,7 @@
 #include "lsdem/plot/plot.hpp"
 #include "lsdem/study/pair.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// What makes a structure's motion dimensionless: time times √(μ g/l), velocities over √(μ g l) [Andrade22].
 struct MotionScales {
@@ -27,4 +27,4 @@ std::vector<std::size_t> choose_rows(std::size_t spine);
 /// evenly chosen. About the prototype's is the band of its twins, when there are any. `name` says of what.
 StackedPlot make_spine_plot(const PairStudy& study, const MotionScales& scales, const std::string& name);
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -8,7 +8,7 @@
 #include "lsdem/results/result_error.hpp"
 #include "records/atomic_file.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 constexpr const char* kFormat = "musim-trace/1";
@@ -47,4 +47,4 @@ std::optional<RunTrace> read_trace(const std::filesystem::path& file) {
     }
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

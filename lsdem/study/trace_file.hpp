@@ -5,7 +5,7 @@
 
 #include "lsdem/study/yardstick.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// Keeps what is compared of a run as JSON: format, diverged, image, running, quantities. The file appears whole or not at all. Throws
 /// records::WriteError.
@@ -14,4 +14,4 @@ void write_trace(const std::filesystem::path& file, const RunTrace& trace);
 /// Reads it back, to the same bits; nothing when there is none, or none that is whole.
 std::optional<RunTrace> read_trace(const std::filesystem::path& file);
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

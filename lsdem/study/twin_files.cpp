@@ -19,7 +19,7 @@
 #include "scaling/json_optional.hpp"
 #include "scaling/regular_file.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 namespace fs = std::filesystem;
@@ -182,4 +182,4 @@ std::string make_spread_csv(const std::vector<TwinStudy>& studies) {
     return csv;
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

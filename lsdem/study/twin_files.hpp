@@ -9,7 +9,7 @@
 #include "lsdem/study/twin_growth.hpp"
 #include "lsdem/types.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// The laid specimen in the folder of a scene's twins, as a checkpoint before the first step.
 inline constexpr const char* kTwinSpecimenName = "specimen.checkpoint";
@@ -44,4 +44,4 @@ std::string make_twins_csv(const std::vector<TwinStudy>& studies);
 /// gives none. Copies that begin elsewhere are left out.
 std::string make_spread_csv(const std::vector<TwinStudy>& studies);
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -10,7 +10,7 @@
 #include "lsdem/study/sample_moments.hpp"
 #include "scaling/random_bits.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 /// The spread of differences is reported at this part of the horizon: before the earliest twin parts, where all are still on their way.
@@ -132,4 +132,4 @@ std::vector<TwinChoice> choose_shifted(const std::vector<double>& shifts, std::s
     return choices;
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

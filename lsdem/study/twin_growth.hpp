@@ -7,7 +7,7 @@
 #include <vector>
 
 /// How exact models, or copies that begin a little elsewhere, part from their prototype. Everything here is in the prototype's units.
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// Growth is measured over this time, in √(H/g) of a block's height H: 10 ms of a tower of blocks 4.25 m high. Blocks rock and hit each
 /// other in about √(H/g): within a hundredth of that nothing that is continuous multiplies a difference much.
@@ -120,4 +120,4 @@ std::vector<TwinChoice> choose_models(std::size_t models, std::uint64_t seed);
 /// Copies of length 1, for every one of `sets` seeds of directions from `seed` on one of each shift.
 std::vector<TwinChoice> choose_shifted(const std::vector<double>& shifts, std::size_t sets, std::uint64_t seed);
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -27,7 +27,7 @@
 #include "scaling/laws/law_similitude.hpp"
 #include "scaling/side_by_side.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 namespace fs = std::filesystem;
@@ -36,7 +36,7 @@ namespace fs = std::filesystem;
 /// is rounding [-].
 constexpr double kLeastMotion = 1e-4;
 
-scene::Scene with_rate(scene::Scene scene) {
+Scene with_rate(Scene scene) {
     if (!(scene.output.spine_rate.value() > 0.0)) scene.output.spine_rate = scaling::Frequency::from_value(kTwinRate);
     return scene;
 }
@@ -66,7 +66,7 @@ struct TapeGuard {
 /// One scene's prototype and twins on their way.
 class TwinWork {
   public:
-    TwinWork(const scene::Scene& scene, const std::vector<TwinChoice>& choices, const TwinSettings& settings)
+    TwinWork(const Scene& scene, const std::vector<TwinChoice>& choices, const TwinSettings& settings)
         : scene_(scene), settings_(settings) {
         if (!settings.directory.empty()) folder_ = twin_folder(settings.directory, scene, settings.version);
         for (const TwinChoice& choice : choices) study_.twins.push_back({.choice = choice, .difference = {}});
@@ -166,7 +166,7 @@ class TwinWork {
         tell(1.0);
     }
 
-    const scene::Scene& scene_;
+    const Scene& scene_;
     const TwinSettings& settings_;
     fs::path folder_;  ///< empty: nothing is kept
     TwinStudy study_;
@@ -178,15 +178,15 @@ class TwinWork {
 
 }  // namespace
 
-fs::path twin_folder(const fs::path& directory, const scene::Scene& scene, const std::string& version) {
+fs::path twin_folder(const fs::path& directory, const Scene& scene, const std::string& version) {
     return directory / ("twins-" + detail::name_content(describe_build() + make_member(with_rate(scene), version).name));
 }
 
-Specimen lay_twin_specimen(const scene::Scene& scene, const fs::path& folder, const TwinSettings& settings, double runs_to_follow) {
+Specimen lay_twin_specimen(const Scene& scene, const fs::path& folder, const TwinSettings& settings, double runs_to_follow) {
     RunSettings run_settings{.threads = settings.threads, .observer = settings.observer, .runs_to_follow = runs_to_follow};
     if (!folder.empty()) {
         run_settings.checkpoint = CheckpointSettings{.file = folder / kTwinSpecimenName,
-                                                     .scene = scene::write_scene(scene),
+                                                     .scene = write_scene(scene),
                                                      .program_version = settings.version,
                                                      .interval = settings.checkpoint_interval,
                                                      .on_failure = settings.on_warning};
@@ -194,10 +194,10 @@ Specimen lay_twin_specimen(const scene::Scene& scene, const fs::path& folder, co
     return lay_specimen(scene, std::move(run_settings)).specimen;
 }
 
-std::vector<double> share_work(const std::vector<scene::Scene>& scenes) {
+std::vector<double> share_work(const std::vector<Scene>& scenes) {
     std::vector<double> shares;
     double all = 0.0;
-    for (const scene::Scene& scene : scenes) {
+    for (const Scene& scene : scenes) {
         const Model model = make_upright_specimen(scene).model;
         shares.push_back(static_cast<double>(make_time_plan(scene, model).steps()) * static_cast<double>(model.blocks.size()));
         all += shares.back();
@@ -206,16 +206,16 @@ std::vector<double> share_work(const std::vector<scene::Scene>& scenes) {
     return shares;
 }
 
-TwinStudy run_twins(const scene::Scene& scene, const std::vector<TwinChoice>& choices, const TwinSettings& settings) {
-    scene::require_single_motion(scene, "a comparison of twins");
-    const scene::Scene sampled = with_rate(scene);
+TwinStudy run_twins(const Scene& scene, const std::vector<TwinChoice>& choices, const TwinSettings& settings) {
+    require_single_motion(scene, "a comparison of twins");
+    const Scene sampled = with_rate(scene);
     TwinStudy study = TwinWork(sampled, choices, settings).run();
     const TwinPrototype& prototype = study.prototype;
     if (prototype.peak > kLeastMotion * std::sqrt(prototype.gravity * prototype.height)) return study;
-    throw scene::SceneError(
+    throw SceneError(
         fmt::format("{}: no block moves relative to the base (differences are measured by how fast one does); give a base motion, or a "
                     "longer duration",
                     scene.place()));
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -9,7 +9,7 @@
 #include "lsdem/scene/scene.hpp"
 #include "lsdem/study/twin_growth.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// How twins are run; but for the folder, none of it changes results.
 struct TwinSettings {
@@ -25,12 +25,11 @@ struct TwinSettings {
 inline constexpr double kTwinRate = 100.0;
 
 /// Where the twins of a scene are kept: DIR/twins-HASH, the hash being of the scene, the contents of the files it names and the version.
-std::filesystem::path twin_folder(const std::filesystem::path& directory, const scene::Scene& scene, const std::string& version);
+std::filesystem::path twin_folder(const std::filesystem::path& directory, const Scene& scene, const std::string& version);
 
 /// The specimen of a scene, laid now or taken from the folder of its twins, where it is left; nothing is left when `folder` is empty. See
 /// lay_specimen. `runs_to_follow`: for the progress, see RunSettings.
-Specimen lay_twin_specimen(const scene::Scene& scene, const std::filesystem::path& folder, const TwinSettings& settings,
-                           double runs_to_follow);
+Specimen lay_twin_specimen(const Scene& scene, const std::filesystem::path& folder, const TwinSettings& settings, double runs_to_follow);
 
 /// Runs a scene as prototype, and twins of the same specimen, and compares the velocities of all blocks that move at every sample of the
 /// spine (kTwinRate when the scene has no rate).
@@ -41,10 +40,10 @@ Specimen lay_twin_specimen(const scene::Scene& scene, const std::filesystem::pat
 /// found again: only what is missing is run. Another build of one version may give other bits; it should have another directory.
 ///
 /// Throws as make_specimen and Simulation do, SceneError for a scene with a list of motions, records::WriteError.
-TwinStudy run_twins(const scene::Scene& scene, const std::vector<TwinChoice>& choices, const TwinSettings& settings = {});
+TwinStudy run_twins(const Scene& scene, const std::vector<TwinChoice>& choices, const TwinSettings& settings = {});
 
 /// The share of each scene in the work of one run of all, in block steps: for one progress over several studies. Throws as
 /// make_upright_specimen does.
-std::vector<double> share_work(const std::vector<scene::Scene>& scenes);
+std::vector<double> share_work(const std::vector<Scene>& scenes);
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

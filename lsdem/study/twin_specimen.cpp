@@ -9,7 +9,7 @@
 #include "scaling/laws/law_similitude.hpp"
 #include "scaling/random_bits.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 /// Below this length a random vector has no direction to speak of [-].
@@ -63,4 +63,4 @@ Specimen make_twin(const Specimen& prototype, const TwinChoice& choice) {
     return scale_specimen(twin, scaling::make_similitude("exact", {.length = choice.length}));
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

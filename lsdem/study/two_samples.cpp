@@ -7,7 +7,7 @@
 
 #include "lsdem/study/sample_moments.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 SampleMoments moments_of(const std::vector<double>& sample) {
@@ -52,4 +52,4 @@ TwoSamples compare_samples(const std::vector<double>& first, const std::vector<d
             .scatter_probability = find_probability(moments_of(distances_from_median(first)), moments_of(distances_from_median(second)))};
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

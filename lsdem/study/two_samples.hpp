@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// Two samples of one quantity beside each other, in its unit. Standard deviations are those of the populations, √(Σ (x − mean)²/(n − 1)).
 struct TwoSamples {
@@ -22,4 +22,4 @@ struct TwoSamples {
 /// probability is 1 when they are the same, else 0.
 TwoSamples compare_samples(const std::vector<double>& first, const std::vector<double>& second);
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -10,7 +10,7 @@
 #include "lsdem/study/compare_runs.hpp"
 #include "lsdem/study/sample_moments.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 namespace {
 
 /// A structure is shaken once a spine block is faster than this part of its peak [-].
@@ -273,4 +273,4 @@ Judgement Yardstick::judge(const RunTrace& model) const {
     return judgement;
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -10,7 +10,7 @@
 
 /// When exact models agree with their prototype. The measure are twins: runs of the same structure that differ by rounding only. See
 /// lsdem/study/README.md, "When models agree". Everything here is in the prototype's units.
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// What is compared of a run.
 struct RunTrace {
@@ -138,4 +138,4 @@ class Yardstick {
     bool parted_ = false, moves_ = false;
 };
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

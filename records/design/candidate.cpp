@@ -7,7 +7,7 @@
 
 #include "scaling/memoized.hpp"
 
-namespace musim::design {
+namespace musim::records {
 namespace {
 
 bool has_group(const std::vector<GroupFactor>& groups, std::string_view name) {
@@ -221,4 +221,4 @@ std::vector<Candidate> find_candidates(const Setting& setting) {
     return candidates;
 }
 
-}  // namespace musim::design
+}  // namespace musim::records

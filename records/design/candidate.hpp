@@ -10,7 +10,7 @@
 #include "scaling/structures/distortion.hpp"
 
 /// What is possible in one material by one law.
-namespace musim::design {
+namespace musim::records {
 
 /// The length scales that are looked at.
 inline constexpr scaling::LengthRange kSearch{records::kSmallestScale, 1.0};
@@ -97,4 +97,4 @@ Candidate find_candidate(const Setting& setting, const Material& material, const
 /// same, then the infeasible; equal ones (to seven digits) as the design lists them.
 std::vector<Candidate> find_candidates(const Setting& setting);
 
-}  // namespace musim::design
+}  // namespace musim::records

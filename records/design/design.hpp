@@ -13,7 +13,7 @@
 #include "scaling/laws/similitude.hpp"
 
 /// Inverse design: from a prototype, a shake table and what a workshop can make to the length scales, materials and laws that will do.
-namespace musim::design {
+namespace musim::records {
 
 /// The structure to be modelled. What is optional leaves out the groups and limits that need it.
 struct Prototype {
@@ -88,4 +88,4 @@ std::vector<records::AxisLoad> make_loads(const records::GroundMotion& motion, c
 std::vector<records::AxisLoad> make_loads(const std::vector<GivenPeaks>& peaks, const records::ShakeTable& table,
                                           const std::string& source);
 
-}  // namespace musim::design
+}  // namespace musim::records

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace musim::design {
+namespace musim::records {
 namespace {
 
 /// How laws write groups that scaling::group_factors() tells by name.
@@ -77,4 +77,4 @@ bool DesignLaw::operator==(const DesignLaw& other) const {
     return name_ == other.name_ && std::equal(set_.begin(), set_.end(), other.set_.begin(), other.set_.end(), same);
 }
 
-}  // namespace musim::design
+}  // namespace musim::records

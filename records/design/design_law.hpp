@@ -9,7 +9,7 @@
 
 #include "scaling/laws/scale_law.hpp"
 
-namespace musim::design {
+namespace musim::records {
 
 /// A law by which models are searched, with factors of its own.
 class DesignLaw {
@@ -43,4 +43,4 @@ class DesignLaw {
     std::map<std::string, std::string> common_names_;  ///< by the law's own texts
 };
 
-}  // namespace musim::design
+}  // namespace musim::records

@@ -13,7 +13,7 @@
 #include "records/shake_table/table_axes.hpp"
 #include "records/shake_table/table_check.hpp"
 
-namespace musim::design {
+namespace musim::records {
 namespace {
 
 template <class Quantity>
@@ -96,4 +96,4 @@ scaling::Mass find_mass(const scaling::StructureFacts& facts) {
     return static_cast<double>(facts.blocks_per_layer.value_or(0)) * static_cast<double>(facts.layers) * facts.block_mass();
 }
 
-}  // namespace musim::design
+}  // namespace musim::records

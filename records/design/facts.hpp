@@ -10,7 +10,7 @@
 #include "scaling/structures/structure_facts.hpp"
 
 /// What a laboratory knows of a prototype and the model it has built.
-namespace musim::design {
+namespace musim::records {
 
 /// A motion that is a record: measured, not told.
 struct RecordOfMotion {
@@ -49,4 +49,4 @@ scaling::Bandwidth find_bandwidth(const records::TableAxis& axis, scaling::Mass 
 /// Mass of all blocks of a structure; zero where it is not told how many there are in a layer.
 scaling::Mass find_mass(const scaling::StructureFacts& facts);
 
-}  // namespace musim::design
+}  // namespace musim::records

@@ -10,7 +10,7 @@
 #include "scaling/structures/distortion.hpp"
 #include "scaling/structures/structural_speed.hpp"
 
-namespace musim::design {
+namespace musim::records {
 namespace {
 
 template <class Quantity>
@@ -62,4 +62,4 @@ scaling::Similitude apply_law(const DesignLaw& law, const scaling::LawFormulas& 
     return make_similitude(formulas, formulas.choose(give_factors(law, known)));
 }
 
-}  // namespace musim::design
+}  // namespace musim::records

@@ -5,7 +5,7 @@
 #include "scaling/laws/similitude.hpp"
 #include "scaling/structures/structure_facts.hpp"
 
-namespace musim::design {
+namespace musim::records {
 
 /// A law as facts ask for it: λ_μ, λ_g and λ_ρ, where it expects them λ_E, e and k_s, are theirs; λ_l is the chosen one. Throws
 /// SimilitudeError, which names the law: it settles no single length, or the facts contradict it; as solve_law() does.
@@ -15,4 +15,4 @@ scaling::LawFormulas solve_for(const DesignLaw& law, const scaling::PairFacts& f
 /// model does not stand in; as LawFormulas::choose() and make_similitude() do.
 scaling::Similitude apply_law(const DesignLaw& law, const scaling::LawFormulas& formulas, const scaling::PairFacts& facts, double length);
 
-}  // namespace musim::design
+}  // namespace musim::records

@@ -1,6 +1,6 @@
 #include "records/design/known_factors.hpp"
 
-namespace musim::design {
+namespace musim::records {
 
 std::vector<scaling::GivenFactor> give_factors(const DesignLaw& law, const KnownFactors& known) {
     std::vector<scaling::GivenFactor> given = law.set();
@@ -14,4 +14,4 @@ std::vector<scaling::GivenFactor> give_factors(const DesignLaw& law, const Known
     return given;
 }
 
-}  // namespace musim::design
+}  // namespace musim::records

@@ -6,7 +6,7 @@
 
 #include "records/design/design_law.hpp"
 
-namespace musim::design {
+namespace musim::records {
 
 /// λ of a property that a real model has, whatever its law asks for.
 struct KnownProperty {
@@ -27,4 +27,4 @@ struct KnownFactors {
 /// properties.
 std::vector<scaling::GivenFactor> give_factors(const DesignLaw& law, const KnownFactors& known);
 
-}  // namespace musim::design
+}  // namespace musim::records

@@ -4,7 +4,7 @@
 #include "records/error.hpp"
 #include "records/shake_table/table_axes.hpp"
 
-namespace musim::design {
+namespace musim::records {
 namespace {
 
 /// A peak that may be left out where the axis has no limit to hold it against.
@@ -53,4 +53,4 @@ std::vector<records::AxisLoad> make_loads(const std::vector<GivenPeaks>& peaks, 
     return loads;
 }
 
-}  // namespace musim::design
+}  // namespace musim::records

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-namespace musim::design {
+namespace musim::records {
 namespace {
 
 std::optional<double> find_ratio(const std::optional<double>& model, const std::optional<double>& prototype) {
@@ -106,4 +106,4 @@ double Models::solid_mass(const scaling::ModelScales& scales) const {
     return (material_.density / prototype_.density).value() * scales.width * scales.width * scales.height;
 }
 
-}  // namespace musim::design
+}  // namespace musim::records

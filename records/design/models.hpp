@@ -9,7 +9,7 @@
 #include "scaling/laws/law_formulas.hpp"
 #include "scaling/structures/distortion.hpp"
 
-namespace musim::design {
+namespace musim::records {
 
 /// The models of one material by one law, at any length scale.
 ///
@@ -53,4 +53,4 @@ class Models {
     scaling::LawFormulas formulas_;
 };
 
-}  // namespace musim::design
+}  // namespace musim::records

@@ -13,7 +13,7 @@
 #include "records/error.hpp"
 #include "scaling/laws/scale_law_catalogue.hpp"
 
-namespace musim::design {
+namespace musim::records {
 namespace {
 
 using detail::Json;
@@ -224,4 +224,4 @@ Design parse_design(std::string_view json, const std::string& source, const std:
     return design;
 }
 
-}  // namespace musim::design
+}  // namespace musim::records

@@ -7,7 +7,7 @@
 #include "records/design/design.hpp"
 #include "scaling/uncertainty/uncertain_reading.hpp"
 
-namespace musim::design {
+namespace musim::records {
 
 /// Reads {"schema": "musim-design/1", "name",
 ///   "prototype": {"block": [b, w, H], "height", "density", "friction", "mass", "mass_center", "restitution", "modulus" or
@@ -27,4 +27,4 @@ namespace musim::design {
 Design parse_design(std::string_view json, const std::string& source, const std::vector<Material>& presets,
                     scaling::UncertainReading* reading = nullptr);
 
-}  // namespace musim::design
+}  // namespace musim::records

@@ -3,7 +3,7 @@
 #include "records/design/detail/law_fields.hpp"
 #include "records/design/detail/material_fields.hpp"
 
-namespace musim::design {
+namespace musim::records {
 namespace {
 
 using detail::Block;
@@ -139,4 +139,4 @@ Facts parse_facts(std::string_view json, const std::string& source, const std::v
     return facts;
 }
 
-}  // namespace musim::design
+}  // namespace musim::records

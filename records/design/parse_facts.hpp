@@ -8,7 +8,7 @@
 #include "records/design/facts.hpp"
 #include "scaling/uncertainty/uncertain_reading.hpp"
 
-namespace musim::design {
+namespace musim::records {
 
 /// Reads {"schema": "musim-facts/1", "name",
 ///   "prototype", "model": {"preset": "concrete", "name", "block": [b, w, H], "layers", "density", "friction", "restitution", "modulus" or
@@ -28,4 +28,4 @@ namespace musim::design {
 Facts parse_facts(std::string_view json, const std::string& source, const std::vector<Material>& presets, double length,
                   scaling::UncertainReading* reading = nullptr);
 
-}  // namespace musim::design
+}  // namespace musim::records

@@ -6,7 +6,7 @@
 
 #include "records/design/detail/place.hpp"
 
-namespace musim::design {
+namespace musim::records {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
@@ -97,4 +97,4 @@ SampledDesign draw_candidates(const Setting& setting, const std::vector<Candidat
     return sampled;
 }
 
-}  // namespace musim::design
+}  // namespace musim::records

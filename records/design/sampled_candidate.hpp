@@ -9,7 +9,7 @@
 #include "scaling/uncertainty/monte_carlo.hpp"
 
 /// What uncertain values of a design do to its answer, by samples of them.
-namespace musim::design {
+namespace musim::records {
 
 /// In which share of the samples a limit does what.
 struct SampledLimit {
@@ -41,4 +41,4 @@ SampledDesign draw_candidates(const Setting& setting, const std::vector<Candidat
                               const std::vector<scaling::UncertainInput>& inputs, const DrawSetting& draw,
                               const scaling::MonteCarloSettings& settings, const std::function<void(double)>& on_progress = {});
 
-}  // namespace musim::design
+}  // namespace musim::records

@@ -8,7 +8,7 @@
 
 #include "records/design/detail/place.hpp"
 
-namespace musim::design {
+namespace musim::records {
 namespace {
 
 using scaling::FirstOrder;
@@ -144,4 +144,4 @@ std::vector<UncertainCandidate> propagate(const Setting& setting, const std::vec
     return uncertain;
 }
 
-}  // namespace musim::design
+}  // namespace musim::records

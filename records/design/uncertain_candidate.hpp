@@ -7,7 +7,7 @@
 #include "scaling/uncertainty/propagate.hpp"
 
 /// What uncertain values of a design do to its answer, to first order.
-namespace musim::design {
+namespace musim::records {
 
 /// A design with one of its uncertain values moved (scaling::read_moved).
 struct MovedSetting {
@@ -46,4 +46,4 @@ struct UncertainCandidate {
 std::vector<UncertainCandidate> propagate(const Setting& setting, const std::vector<Candidate>& candidates,
                                           const std::vector<scaling::UncertainInput>& inputs, const std::vector<MovedSetting>& moved);
 
-}  // namespace musim::design
+}  // namespace musim::records

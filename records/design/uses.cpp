@@ -8,7 +8,7 @@
 #include "scaling/laws/groups.hpp"
 #include "scaling/quantity_text.hpp"
 
-namespace musim::design {
+namespace musim::records {
 namespace {
 
 std::string find_unit(records::TableLimit limit) {
@@ -100,4 +100,4 @@ std::vector<Use> find_uses(const Setting& setting, const Material& material, con
     return uses;
 }
 
-}  // namespace musim::design
+}  // namespace musim::records

@@ -7,7 +7,7 @@
 #include "scaling/laws/model_scales.hpp"
 
 /// How far a model uses each limit of a design.
-namespace musim::design {
+namespace musim::records {
 
 /// A limit and how far one model uses it.
 struct Use {
@@ -48,4 +48,4 @@ std::string describe_amount(double value, const std::string& unit);
 /// "displacement of axis x".
 std::string name_table_limit(records::TableLimit limit, const std::string& axis);
 
-}  // namespace musim::design
+}  // namespace musim::records

@@ -15,12 +15,12 @@
 namespace musim::benchmarks {
 namespace {
 
-using lsdem::scene::Scene;
+using lsdem::Scene;
 
 constexpr int kLayers = 38;
 
 Scene wood_scene() {
-    const auto& preset = lsdem::scene::find_material_preset("wood");
+    const auto& preset = lsdem::find_material_preset("wood");
     Scene scene;
     scene.material = preset.material;
     scene.time.duration = 1.0 * scaling::si::second;
@@ -29,23 +29,23 @@ Scene wood_scene() {
 
 /// Under its weight before it is timed; what has no equilibrium stays as it is.
 lsdem::Model at_rest(lsdem::Model model) {
-    lsdem::study::Specimen specimen{std::move(model), {}, {}, {}};
-    lsdem::study::put_in_equilibrium(specimen, lsdem::compute_critical_time_step(specimen.model));
+    lsdem::Specimen specimen{std::move(model), {}, {}, {}};
+    lsdem::put_in_equilibrium(specimen, lsdem::compute_critical_time_step(specimen.model));
     return std::move(specimen.model);
 }
 
 lsdem::Model make_column(int layers) {
     Scene scene = wood_scene();
-    scene.structure = lsdem::scene::Column{.layers = layers, .block = lsdem::scene::find_material_preset("wood").reference_block};
-    lsdem::Model model = at_rest(lsdem::scene::make_model(scene));
+    scene.structure = lsdem::Column{.layers = layers, .block = lsdem::find_material_preset("wood").reference_block};
+    lsdem::Model model = at_rest(lsdem::make_model(scene));
     model.skip_quiet = false;
     return model;
 }
 
 Scene tower_scene() {
-    lsdem::scene::Tower tower;
+    lsdem::Tower tower;
     tower.layers = kLayers;
-    tower.block = lsdem::scene::find_material_preset("wood").reference_block;
+    tower.block = lsdem::find_material_preset("wood").reference_block;
     Scene scene = wood_scene();
     scene.structure = tower;
     return scene;
@@ -54,7 +54,7 @@ Scene tower_scene() {
 lsdem::Model make_tower(lsdem::FaceContact faces = lsdem::FaceContact::overlap) {
     Scene scene = tower_scene();
     scene.face_contact = faces;
-    lsdem::Model model = at_rest(lsdem::scene::make_model(scene));
+    lsdem::Model model = at_rest(lsdem::make_model(scene));
     model.skip_quiet = false;
     return model;
 }
@@ -86,7 +86,7 @@ lsdem::Model make_sliding_tower() {
     constexpr double kSpeed = 0.01;
     Scene scene = tower_scene();
     scene.material.friction = 0.01;
-    lsdem::scene::BuiltModel built = lsdem::scene::build_model(scene);
+    lsdem::BuiltModel built = lsdem::build_model(scene);
     for (std::size_t i = 0; i < built.model.blocks.size(); ++i)
         built.model.blocks[i].velocity.x() = built.structure.layer[i] % 2 == 0 ? kSpeed : -kSpeed;
     built.model.skip_quiet = false;
@@ -133,8 +133,8 @@ lsdem::Model without_rotation(lsdem::Model model) {
 
 lsdem::Model make_grid_tower() {
     Scene scene = tower_scene();
-    scene.shape = lsdem::scene::GridShape{.nodes_per_face = 44, .voxel = 0.65e-3 * scaling::si::meter};
-    lsdem::Model model = lsdem::scene::make_model(scene);
+    scene.shape = lsdem::GridShape{.nodes_per_face = 44, .voxel = 0.65e-3 * scaling::si::meter};
+    lsdem::Model model = lsdem::make_model(scene);
     model.skip_quiet = false;
     return model;
 }

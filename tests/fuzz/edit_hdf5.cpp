@@ -14,7 +14,7 @@
 namespace musim::tests {
 namespace {
 
-using lsdem::study::detail::Hdf5Handle;
+using lsdem::detail::Hdf5Handle;
 
 /// Growth of a file in memory [bytes].
 constexpr std::size_t kIncrement = 1 << 16;
@@ -161,7 +161,7 @@ std::vector<char> edit_hdf5(const std::filesystem::path& file, FuzzedDataProvide
     require(H5Fflush(opened, H5F_SCOPE_GLOBAL));
     std::vector<char> bytes(static_cast<std::size_t>(H5Fget_file_image(opened, nullptr, 0)));
     if (H5Fget_file_image(opened, bytes.data(), bytes.size()) < 0) std::abort();
-    lsdem::study::detail::append_checksum(bytes);
+    lsdem::detail::append_checksum(bytes);
     return bytes;
 }
 

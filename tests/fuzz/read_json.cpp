@@ -25,15 +25,15 @@ struct Reader {
 };
 
 void read_scene(const std::string& text) {
-    const lsdem::scene::Scene scene = lsdem::scene::parse_scene(text, "fuzzed");
-    lsdem::scene::check_scene(scene, "fuzzed");
-    if (lsdem::scene::parse_scene(lsdem::scene::write_scene(scene), "fuzzed") != scene) __builtin_trap();
+    const lsdem::Scene scene = lsdem::parse_scene(text, "fuzzed");
+    lsdem::check_scene(scene, "fuzzed");
+    if (lsdem::parse_scene(lsdem::write_scene(scene), "fuzzed") != scene) __builtin_trap();
 }
 
 constexpr Reader kReaders[] = {
     {"scene", read_scene},
-    {"design", [](const std::string& text) { design::parse_design(text, "fuzzed", {}); }},
-    {"facts", [](const std::string& text) { design::parse_facts(text, "fuzzed", {}, 0.04); }},
+    {"design", [](const std::string& text) { records::parse_design(text, "fuzzed", {}); }},
+    {"facts", [](const std::string& text) { records::parse_facts(text, "fuzzed", {}, 0.04); }},
     {"law", [](const std::string& text) { scaling::parse_scale_law(text, "fuzzed"); }},
     {"pi", [](const std::string& text) { scaling::parse_pi_problem(text, "fuzzed"); }},
     {"table", [](const std::string& text) { records::parse_shake_table(text, "fuzzed", nullptr); }},

@@ -41,7 +41,6 @@ namespace {
 
 using namespace musim;
 namespace fs = std::filesystem;
-namespace study = lsdem::study;
 
 const fs::path& examples() {
     static const fs::path folder = [] {
@@ -71,7 +70,7 @@ class Copy {
 std::string stamp_json(const std::string& text) {
     try {
         nlohmann::json object = scaling::parse_json_text(text);
-        if (object.is_object()) return study::make_checked_json(std::move(object));
+        if (object.is_object()) return lsdem::make_checked_json(std::move(object));
     } catch (const scaling::ParseError&) {
         // no JSON, which readers say
     }
@@ -106,16 +105,16 @@ void allow_refusal(const Read& read) {
 
 void report(const fs::path& place) {
     allow_refusal([&] {
-        const lsdem::report::ReportContent content = lsdem::report::read_content(
-            {place}, [](const fs::path&) -> records::GroundMotion { throw std::logic_error("no record was named"); });
+        const lsdem::ReportContent content =
+            lsdem::read_content({place}, [](const fs::path&) -> records::GroundMotion { throw std::logic_error("no record was named"); });
         for (const std::string& remark : content.remarks) require_line(remark);
-        lsdem::report::make_sections(content);
+        lsdem::make_sections(content);
     });
 }
 
 void read_everything(const fs::path& folder) {
-    allow_refusal([&] { study::measure_response(study::read_run(folder)); });
-    study::look_into(folder);
+    allow_refusal([&] { lsdem::measure_response(lsdem::read_run(folder)); });
+    lsdem::look_into(folder);
     report(folder);
 }
 
@@ -124,17 +123,17 @@ struct Stop {};
 
 void read_checkpoint(const std::string& bytes) {
     static const Copy copy("killed");
-    static const std::string scene_text = study::read_checkpoint(examples() / "killed/checkpoint", cli::kVersion).scene;
+    static const std::string scene_text = lsdem::read_checkpoint(examples() / "killed/checkpoint", cli::kVersion).scene;
     const fs::path file = copy.write("checkpoint", stamp_seal(bytes));
     allow_refusal([&] {
-        study::Checkpoint checkpoint = study::read_checkpoint(file, cli::kVersion);
+        lsdem::Checkpoint checkpoint = lsdem::read_checkpoint(file, cli::kVersion);
         // another scene may be a large one
-        static const lsdem::scene::Scene scene = lsdem::scene::parse_scene(scene_text, "checkpoint");
-        study::RunSettings settings;
+        static const lsdem::Scene scene = lsdem::parse_scene(scene_text, "checkpoint");
+        lsdem::RunSettings settings;
         settings.observer.on_sample = [](const auto&...) { throw Stop(); };
         settings.observer.on_preparation = [](double) { throw Stop(); };
         try {
-            study::resume_scene(scene, std::move(checkpoint), settings);
+            lsdem::resume_scene(scene, std::move(checkpoint), settings);
         } catch (const Stop&) {
             // it goes on
         }
@@ -163,9 +162,9 @@ std::string edit_bytes(std::string bytes, FuzzedDataProvider& draw) {
 
 /// The input says how the simulation that a checkpoint holds is changed, which has a seal of its own.
 void read_state(const std::string& edits) {
-    static const study::Checkpoint whole = study::read_checkpoint(examples() / "killed/checkpoint", cli::kVersion);
-    static const lsdem::scene::Scene scene = lsdem::scene::parse_scene(whole.scene, "checkpoint");
-    static const study::Specimen specimen = study::make_specimen(scene, {}, &whole);
+    static const lsdem::Checkpoint whole = lsdem::read_checkpoint(examples() / "killed/checkpoint", cli::kVersion);
+    static const lsdem::Scene scene = lsdem::parse_scene(whole.scene, "checkpoint");
+    static const lsdem::Specimen specimen = lsdem::make_specimen(scene, {}, &whole);
     static const std::string state = [] {
         std::istringstream in(whole.state);
         return lsdem::read_sealed(in, lsdem::kStateKind);
@@ -173,13 +172,13 @@ void read_state(const std::string& edits) {
     FuzzedDataProvider draw(reinterpret_cast<const std::uint8_t*>(edits.data()), edits.size());
     std::ostringstream sealed;
     lsdem::write_sealed(sealed, lsdem::kStateKind, edit_bytes(state, draw));
-    study::Checkpoint checkpoint = whole;
+    lsdem::Checkpoint checkpoint = whole;
     checkpoint.state = sealed.str();
-    study::RunSettings settings;
+    lsdem::RunSettings settings;
     settings.observer.on_sample = [](const auto&...) { throw Stop(); };
     allow_refusal([&] {
         try {
-            study::resume(specimen, std::move(checkpoint), settings);
+            lsdem::resume(specimen, std::move(checkpoint), settings);
         } catch (const Stop&) {
             // it goes on
         }
@@ -195,17 +194,17 @@ void read_summary(const std::string& text) {
 void read_contents(const std::string& text) {
     static const Copy copy("run");
     copy.write("contents.json", stamp_json(text));
-    allow_refusal([&] { study::require_complete(copy.path()); });
-    allow_refusal([&] { study::refuse_other_results(copy.path(), {}); });
-    study::list_results(copy.path());
-    study::look_into(copy.path());
+    allow_refusal([&] { lsdem::require_complete(copy.path()); });
+    allow_refusal([&] { lsdem::refuse_other_results(copy.path(), {}); });
+    lsdem::list_results(copy.path());
+    lsdem::look_into(copy.path());
 }
 
 template <const char* kFolder, const char* kFile>
 void report_with(const std::string& text) {
     static const Copy copy(kFolder);
     copy.write(kFile, stamp_json(text));
-    study::look_into(copy.path());
+    lsdem::look_into(copy.path());
     report(copy.path());
 }
 constexpr char kPair[] = "pair", kPairFile[] = "pair.json", kSequence[] = "sequence", kSequenceFile[] = "sequence.json",
@@ -219,12 +218,12 @@ void read_document(const std::string& text) {
 void read_live(const std::string& text) {
     static const tests::TemporaryFolder folder;
     folder.write("live.json", text);
-    study::look_into(folder.path());
+    lsdem::look_into(folder.path());
 }
 
 void read_trace(const std::string& text) {
     static const tests::TemporaryFolder folder;
-    study::read_trace(folder.write("trace.json", stamp_json(text)));
+    lsdem::read_trace(folder.write("trace.json", stamp_json(text)));
 }
 
 std::string edit(const fs::path& file, const std::string& edits) {
@@ -236,13 +235,13 @@ std::string edit(const fs::path& file, const std::string& edits) {
 /// The input says how the specimen is changed. One that is taken stands in finite places, on quaternions that are rotations.
 void read_specimen(const std::string& edits) {
     static const tests::TemporaryFolder folder;
-    static const study::Specimen upright = study::make_upright_specimen(lsdem::scene::read_scene(examples() / "scene.json"));
+    static const lsdem::Specimen upright = lsdem::make_upright_specimen(lsdem::read_scene(examples() / "scene.json"));
     const fs::path file = folder.write("specimen.h5", edit(examples() / "specimen.h5", edits));
     report(file);
-    allow_refusal([&] { study::read_specimen_inputs(file); });
+    allow_refusal([&] { lsdem::read_specimen_inputs(file); });
     allow_refusal([&] {
-        study::Specimen specimen = upright;
-        study::take_places(file, specimen);
+        lsdem::Specimen specimen = upright;
+        lsdem::take_places(file, specimen);
         for (const lsdem::Block& block : specimen.model.blocks) {
             if (!block.position.allFinite() || !(std::abs(block.orientation.norm() - 1.0) < 1e-6)) __builtin_trap();
         }
@@ -252,13 +251,13 @@ void read_specimen(const std::string& edits) {
 /// The input says how the result is changed.
 void read_result(const std::string& edits) {
     static const Copy copy("run");
-    static const nlohmann::json whole = study::read_checked_json(examples() / "run/summary.json");
+    static const nlohmann::json whole = lsdem::read_checked_json(examples() / "run/summary.json");
     const std::string bytes = edit(examples() / "run/result.h5", edits);
     nlohmann::json summary = whole;
     constexpr std::size_t kHash = 16;
     summary["result_checksum"] = bytes.substr(bytes.size() - kHash - 1, kHash);
     copy.write("result.h5", bytes);
-    copy.write("summary.json", study::make_checked_json(std::move(summary)));
+    copy.write("summary.json", lsdem::make_checked_json(std::move(summary)));
     read_everything(copy.path());
 }
 
@@ -266,7 +265,7 @@ void read_result(const std::string& edits) {
 void read_bands(const std::string& edits) {
     static const Copy copy("ensemble");
     copy.write("ensemble.h5", edit(examples() / "ensemble/ensemble.h5", edits));
-    allow_refusal([&] { study::read_bands(copy.path()); });
+    allow_refusal([&] { lsdem::read_bands(copy.path()); });
     report(copy.path());
 }
 

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-using namespace musim::lsdem::report;
+using namespace musim::lsdem;
 
 TEST_CASE("text from outside cannot become markup") {
     CHECK(escape_html("<b a=\"1\" c='2'>&amp;</b>") == "&lt;b a=&quot;1&quot; c=&#39;2&#39;&gt;&amp;amp;&lt;/b&gt;");

@@ -6,14 +6,14 @@
 #include "lsdem/report/report_content.hpp"
 #include "lsdem/rotation.hpp"
 
-namespace musim::lsdem::report {
+namespace musim::lsdem {
 
 /// Three blocks on each other that wander and turn over `frames` frames, as no simulation made them.
 inline ReportedRun make_stored_run(std::size_t frames) {
     constexpr std::size_t kBlocks = 3;
     ReportedRun reported{
         .label = "made", .folder = "made", .run = {}, .response = {}, .summary = {}, .scene_name = "made", .material = "wood"};
-    study::StoredRun& run = reported.run;
+    lsdem::StoredRun& run = reported.run;
     for (std::size_t b = 0; b < kBlocks; ++b) {
         const auto height = static_cast<double>(b);
         run.blocks.size.emplace_back(1.0, 2.0, 1.0);
@@ -58,4 +58,4 @@ inline ReportedRun make_stored_run(std::size_t frames) {
     return reported;
 }
 
-}  // namespace musim::lsdem::report
+}  // namespace musim::lsdem

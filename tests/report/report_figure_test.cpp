@@ -10,15 +10,14 @@
 #include "tests/report/made_stored_run.hpp"
 
 using namespace musim::lsdem;
-using namespace musim::lsdem::report;
 
 TEST_CASE("a figure says in numbers what it draws, and gives all of it as CSV") {
     const double none = std::numeric_limits<double>::quiet_NaN();
-    const study::LinePlot plot{.title = "title",
-                               .subtitle = "",
-                               .x_label = "x",
-                               .y_label = "y",
-                               .series = {{.label = "a \"b\", c", .x = {0.0, 1.0, 2.0, 3.0}, .y = {1.0, -4.0, none, 2.5}, .y_error = {}}}};
+    const LinePlot plot{.title = "title",
+                        .subtitle = "",
+                        .x_label = "x",
+                        .y_label = "y",
+                        .series = {{.label = "a \"b\", c", .x = {0.0, 1.0, 2.0, 3.0}, .y = {1.0, -4.0, none, 2.5}, .y_error = {}}}};
     const ReportFigure figure = make_figure("name", plot);
     CHECK(figure.csv ==
           "series,x,y\n\"a \"\"b\"\", c\",0,1\n\"a \"\"b\"\", c\",1,-4\n\"a \"\"b\"\", c\",2,nan\n\"a \"\"b\"\", c\",3,2.5\n");
@@ -37,12 +36,12 @@ TEST_CASE("a figure says in numbers what it draws, and gives all of it as CSV") 
 }
 
 TEST_CASE("stacked curves tell for each run and row the peak, when it is, and the last value") {
-    const study::StackedPlot plot{.title = "t",
-                                  .subtitle = "",
-                                  .x_label = "x",
-                                  .y_label = "y",
-                                  .row_labels = {"low", "high"},
-                                  .runs = {{.label = "run", .x = {0.0, 1.0, 2.0}, .y = {{0.0, -3.0, 2.0}, {1.0, 0.5, 0.25}}}}};
+    const StackedPlot plot{.title = "t",
+                           .subtitle = "",
+                           .x_label = "x",
+                           .y_label = "y",
+                           .row_labels = {"low", "high"},
+                           .runs = {{.label = "run", .x = {0.0, 1.0, 2.0}, .y = {{0.0, -3.0, 2.0}, {1.0, 0.5, 0.25}}}}};
     const ReportFigure figure = make_figure("stack", plot);
     REQUIRE(figure.twin.rows.size() == 2);
     CHECK(figure.twin.rows[0][2].text == "-3");

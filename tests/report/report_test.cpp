@@ -28,7 +28,6 @@
 #include "tests/support/temporary_folder.hpp"
 
 using namespace musim::lsdem;
-using namespace musim::lsdem::report;
 using musim::tests::message_of;
 using musim::tests::TemporaryFolder;
 
@@ -45,11 +44,11 @@ const std::string kColumn = [] {
 }();
 
 /// A column that is shaken, run into a folder; its name is hostile.
-study::RunResult run_column(const std::filesystem::path& folder, bool frames) {
-    const scene::Scene scene = scene::parse_scene(frames ? std::string(kColumnWithFrames) : kColumn);
-    study::ResultFolder results(folder);
-    study::RunResult run = study::run_scene(scene);
-    results.add_run("", run, {.scene = scene::write_scene(scene), .program_version = "test"});
+RunResult run_column(const std::filesystem::path& folder, bool frames) {
+    const Scene scene = parse_scene(frames ? std::string(kColumnWithFrames) : kColumn);
+    ResultFolder results(folder);
+    RunResult run = run_scene(scene);
+    results.add_run("", run, {.scene = write_scene(scene), .program_version = "test"});
     results.commit();
     return run;
 }
@@ -67,13 +66,11 @@ std::string make_report(const std::vector<std::filesystem::path>& folders) {
 void renew_checksum(const std::filesystem::path& file) {
     const std::string bytes = musim::tests::bytes_of(file);
     std::vector<char> renewed(bytes.begin(), bytes.end());
-    study::detail::append_checksum(renewed);
+    detail::append_checksum(renewed);
     std::ofstream(file, std::ios::binary).write(renewed.data(), static_cast<std::streamsize>(renewed.size()));
 }
 
-void write_json(const std::filesystem::path& file, const nlohmann::json& object) {
-    std::ofstream(file) << study::make_checked_json(object);
-}
+void write_json(const std::filesystem::path& file, const nlohmann::json& object) { std::ofstream(file) << make_checked_json(object); }
 
 bool holds(const std::string& page, const std::string& text) { return page.find(text) != std::string::npos; }
 
@@ -81,7 +78,7 @@ bool holds(const std::string& page, const std::string& text) { return page.find(
 
 TEST_CASE("a run's report tells its verdict and the numbers of its results, and lets no markup in") {
     const TemporaryFolder place;
-    const study::RunResult run = run_column(place.path() / "out", true);
+    const RunResult run = run_column(place.path() / "out", true);
     const std::string page = make_report({place.path() / "out"});
     CHECK(page.starts_with("<!DOCTYPE html>"));
     CHECK_FALSE(holds(page, "<b>column</b>"));
@@ -187,14 +184,14 @@ TEST_CASE("of a result of another version what can be read is shown, and the res
     }
     CHECK(holds(make_page(content, make_sections(content), "test"), "id=\"figure-spine_velocity\""));
     // whoever needs all of it is told
-    CHECK_THROWS_AS(study::read_run(place.path() / "out"), study::ResultError);
+    CHECK_THROWS_AS(read_run(place.path() / "out"), ResultError);
 }
 
 TEST_CASE("numbers and texts that are of another kind than they should be are left out") {
     const TemporaryFolder place;
     run_column(place.path() / "pair/prototype", false);
     run_column(place.path() / "pair/1-25", false);
-    nlohmann::json summary = study::read_checked_json(place.path() / "pair/1-25/summary.json");
+    nlohmann::json summary = read_checked_json(place.path() / "pair/1-25/summary.json");
     summary.update({{"energy_closure", nullptr}, {"similitude", nullptr}, {"steps", "many"}, {"doubts", nlohmann::json::array()}});
     write_json(place.path() / "pair/1-25/summary.json", summary);
     write_json(place.path() / "pair/pair.json",
@@ -217,21 +214,21 @@ TEST_CASE("numbers and texts that are of another kind than they should be are le
 TEST_CASE("a folder with nothing to show is refused with what would help") {
     const TemporaryFolder place;
     for (const std::filesystem::path& folder : {place.path(), place.path() / "nowhere"}) {
-        const std::string why = message_of<study::ResultError>([&] { read_places({folder}); });
+        const std::string why = message_of<ResultError>([&] { read_places({folder}); });
         CHECK_MESSAGE(why.starts_with(folder.string() + ": there"), why);
     }
 }
 
 TEST_CASE("a specimen's report shows its blocks, tilts and forces as they were prepared") {
     const TemporaryFolder place;
-    const study::SpecimenBatch batch{.scene = scene::parse_scene(R"({"schema": "musim-scene/1", "name": "wall", "material": "wood",
+    const SpecimenBatch batch{.scene = parse_scene(R"({"schema": "musim-scene/1", "name": "wall", "material": "wood",
         "structure": {"kind": "wall", "layers": 3, "blocks_per_layer": 2, "block": ["12.710 mm", "26.355 mm", "39.780 mm"],
                       "height_deviation": "0.155 mm"}, "time": {"duration": "1 s"}, "output": {"spine_rate": "100 Hz"}})"),
-                                     .seeds = {1},
-                                     .folder = place.path(),
-                                     .version = "test",
-                                     .threads = 1};
-    const study::SpecimenReport made = study::make_specimens(batch).front();
+                              .seeds = {1},
+                              .folder = place.path(),
+                              .version = "test",
+                              .threads = 1};
+    const SpecimenReport made = make_specimens(batch).front();
     const std::vector<double>& tilt = made.prepared.tilt;
     const ReportContent content = read_places({place.path()});
     REQUIRE(content.specimens.size() == 1);
@@ -298,10 +295,10 @@ TEST_CASE("what a command printed as JSON is told whole, its distortions first")
 
 TEST_CASE("the base motion of a model is shown before and after it was rescaled") {
     const TemporaryFolder place;
-    const scene::Scene prototype = scene::parse_scene(kColumn);
-    const scene::Scene model = scene::scale_scene(prototype, musim::scaling::make_similitude("exact", {.length = 1.0 / 16.0}));
-    study::ResultFolder results(place.path() / "out");
-    results.add_run("", study::run_scene(model), {.scene = scene::write_scene(model), .program_version = "test"});
+    const Scene prototype = parse_scene(kColumn);
+    const Scene model = scale_scene(prototype, musim::scaling::make_similitude("exact", {.length = 1.0 / 16.0}));
+    ResultFolder results(place.path() / "out");
+    results.add_run("", run_scene(model), {.scene = write_scene(model), .program_version = "test"});
     results.commit();
     const ReportContent content = read_places({place.path() / "out"});
     const std::optional<ReportSection> section = make_base_motion_section(content);
@@ -321,18 +318,17 @@ TEST_CASE("the base motion of a model is shown before and after it was rescaled"
 
 TEST_CASE("ensembles stand beside each other with their bands and how far they agree, and pairs and sequences have a page each") {
     const TemporaryFolder place;
-    const scene::Scene wall = scene::parse_scene(R"({"schema": "musim-scene/1", "name": "wall", "material": "wood",
+    const Scene wall = parse_scene(R"({"schema": "musim-scene/1", "name": "wall", "material": "wood",
         "structure": {"kind": "wall", "layers": 2, "blocks_per_layer": 2, "block": ["12.710 mm", "26.355 mm", "39.780 mm"],
                       "height_deviation": "0.1 mm"},
         "base_motion": {"signal": "half_sine", "direction": "x", "amplitude": "0.3 g", "duration": "20 ms"},
         "time": {"duration": "20 ms"}, "output": {"spine_rate": "1 kHz"}})");
     for (const char* name : {"first", "second"}) {
         const std::filesystem::path folder = place.path() / name;
-        study::ResultFolder results(folder);
-        const std::vector<study::EnsembleMember> members = study::plan_ensemble(wall, 2, "test");
-        const std::vector<study::MemberReport> reports =
-            study::run_members(members, {.directory = folder, .version = "test", .threads = 1});
-        study::add_ensemble(results, study::summarize_ensemble(folder, members, reports, std::nullopt), "test");
+        ResultFolder results(folder);
+        const std::vector<EnsembleMember> members = plan_ensemble(wall, 2, "test");
+        const std::vector<MemberReport> reports = run_members(members, {.directory = folder, .version = "test", .threads = 1});
+        add_ensemble(results, summarize_ensemble(folder, members, reports, std::nullopt), "test");
         results.commit();
     }
     const ReportContent content = read_places({place.path() / "first", place.path() / "second"});

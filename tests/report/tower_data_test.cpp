@@ -9,7 +9,6 @@
 #include "tests/report/made_stored_run.hpp"
 
 using namespace musim::lsdem;
-using namespace musim::lsdem::report;
 
 namespace {
 

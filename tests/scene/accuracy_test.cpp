@@ -14,8 +14,7 @@
 
 using namespace musim;
 using namespace musim::lsdem;
-using namespace musim::lsdem::scene;
-using namespace musim::lsdem::scene::testing;
+using namespace musim::lsdem::testing;
 
 namespace {
 

@@ -15,8 +15,8 @@
 #include "tests/support/temporary_folder.hpp"
 
 using namespace musim;
-using namespace musim::lsdem::scene;
-using namespace musim::lsdem::scene::testing;
+using namespace musim::lsdem;
+using namespace musim::lsdem::testing;
 using musim::lsdem::BaseComponent;
 using musim::lsdem::MotionSource;
 
@@ -24,7 +24,7 @@ namespace {
 
 using std::numbers::pi;
 
-BaseMotion parse_motion(const std::string& text, const std::filesystem::path& origin = "scene") {
+SceneMotion parse_motion(const std::string& text, const std::filesystem::path& origin = "scene") {
     return parse_scene(make_scene_text(kColumn, R"(, "base_motion": )" + text), origin).base_motion;
 }
 
@@ -189,7 +189,7 @@ TEST_CASE("a record that is not there or lacks the component is refused") {
                     records::ReadError);
     CHECK_THROWS_AS(make_base_components(parse_motion(R"({"record": "motion.txt", "components": {"x": "7"}})", record.scene())),
                     records::ReadError);
-    const BaseMotion beyond =
+    const SceneMotion beyond =
         parse_motion(R"({"record": "motion.txt", "components": {"x": "1"}, "window": ["50 s", "60 s"]})", record.scene());
     check_message(error_of([&] { make_base_components(beyond); }), {"/base_motion"});
 }
@@ -197,7 +197,7 @@ TEST_CASE("a record that is not there or lacks the component is refused") {
 TEST_CASE("the papers' Ridgecrest record drives a base at rest before and after") {
     if (!tests::have_shared_records()) return;
     const auto file = (tests::shared_records() / "csmip" / "CICLC.v1").string();
-    const BaseMotion motion =
+    const SceneMotion motion =
         parse_motion(R"({"record": ")" + file + R"(", "components": {"x": "360", "y": "90", "z": "Up"}, "window": ["225 s", "265 s"]})");
     for (const BaseComponent& component : make_base_components(motion)) {
         CHECK(component.velocity.front() == 0.0);

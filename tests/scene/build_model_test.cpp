@@ -10,8 +10,7 @@
 
 using namespace musim;
 using namespace musim::lsdem;
-using namespace musim::lsdem::scene;
-using namespace musim::lsdem::scene::testing;
+using namespace musim::lsdem::testing;
 
 TEST_CASE("a column stands block on block without gap or overlap") {
     const BuiltModel built = build_model(parse_scene(make_scene_text(kColumn)));

@@ -15,8 +15,8 @@
 #include "tests/scene/made_scene.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-using namespace musim::lsdem::scene;
-using namespace musim::lsdem::scene::testing;
+using namespace musim::lsdem;
+using namespace musim::lsdem::testing;
 using nlohmann::json;
 
 namespace {

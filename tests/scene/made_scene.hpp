@@ -8,7 +8,7 @@
 #include "lsdem/scene/scene_json.hpp"
 
 /// Scenes that several tests share.
-namespace musim::lsdem::scene::testing {
+namespace musim::lsdem::testing {
 
 /// A scene of wood with the given structure and further members, as JSON text.
 inline std::string make_scene_text(const std::string& structure, const std::string& more = "") {
@@ -52,4 +52,4 @@ inline void check_message(const std::string& message, const std::vector<std::str
     }
 }
 
-}  // namespace musim::lsdem::scene::testing
+}  // namespace musim::lsdem::testing

@@ -11,7 +11,7 @@
 #include "tests/scene/made_scene.hpp"
 
 using namespace musim;
-using namespace musim::lsdem::scene;
+using namespace musim::lsdem;
 
 namespace {
 
@@ -59,12 +59,12 @@ TEST_CASE("the same solid in a larger block keeps its wave speed and becomes sti
 }
 
 TEST_CASE("an unknown material is refused with the known ones") {
-    musim::lsdem::scene::testing::check_message(musim::lsdem::scene::testing::error_of([] { find_material_preset("marble"); }),
-                                                {"\"marble\"", "wood", "concrete", "aluminium"});
+    musim::lsdem::testing::check_message(musim::lsdem::testing::error_of([] { find_material_preset("marble"); }),
+                                         {"\"marble\"", "wood", "concrete", "aluminium"});
 }
 
 TEST_CASE("a name that holds control characters is refused in one line") {
-    const std::string told = musim::lsdem::scene::testing::error_of([] {
+    const std::string told = musim::lsdem::testing::error_of([] {
         parse_scene(R"({"schema": "musim-scene/1", "material": "wood\n\u001b[31m",
                  "structure": {"kind": "column", "layers": 1, "block": [1, 2, 3]}, "time": {"duration": 1}})");
     });

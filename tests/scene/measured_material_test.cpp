@@ -8,7 +8,7 @@
 #include "lsdem/scene/scene_error.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-using namespace musim::lsdem::scene;
+using namespace musim::lsdem;
 using musim::tests::TemporaryFolder;
 
 namespace {

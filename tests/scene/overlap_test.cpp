@@ -6,7 +6,7 @@
 #include <numbers>
 
 using namespace musim::lsdem;
-using namespace musim::lsdem::scene::detail;
+using namespace musim::lsdem::detail;
 
 namespace {
 

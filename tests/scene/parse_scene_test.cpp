@@ -7,8 +7,8 @@
 #include "tests/scene/made_scene.hpp"
 
 using namespace musim;
-using namespace musim::lsdem::scene;
-using namespace musim::lsdem::scene::testing;
+using namespace musim::lsdem;
+using namespace musim::lsdem::testing;
 
 namespace {
 

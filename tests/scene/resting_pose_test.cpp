@@ -8,7 +8,6 @@
 #include <vector>
 
 using namespace musim::lsdem;
-using namespace musim::lsdem::scene;
 
 namespace {
 

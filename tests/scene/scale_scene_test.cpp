@@ -11,8 +11,7 @@
 
 using namespace musim;
 using namespace musim::lsdem;
-using namespace musim::lsdem::scene;
-using namespace musim::lsdem::scene::testing;
+using namespace musim::lsdem::testing;
 using scaling::make_similitude;
 using scaling::Similitude;
 

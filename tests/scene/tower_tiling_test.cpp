@@ -12,9 +12,9 @@
 
 #include "tests/scene/made_scene.hpp"
 
-using namespace musim::lsdem::scene;
-using musim::lsdem::scene::testing::check_message;
-using musim::lsdem::scene::testing::error_of;
+using namespace musim::lsdem;
+using musim::lsdem::testing::check_message;
+using musim::lsdem::testing::error_of;
 
 namespace {
 

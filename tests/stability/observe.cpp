@@ -28,7 +28,7 @@ double greatest_height(const Model& model) {
 /// Deepest overlap of two boxes, or of a box and the ground, from the poses alone [m].
 double measure_overlap(const Simulation& simulation) {
     const Model& model = simulation.model();
-    std::vector<scene::detail::Body> bodies;
+    std::vector<lsdem::detail::Body> bodies;
     double deepest = 0.0;
     for (std::size_t i = 0; i < model.blocks.size(); ++i) {
         const Block& block = model.blocks[i];
@@ -38,7 +38,7 @@ double measure_overlap(const Simulation& simulation) {
         const double lowest = simulation.position(i).z() - axes.row(2).cwiseAbs().dot(bodies.back().half);
         deepest = std::max(deepest, simulation.base().displacement.z() - lowest);
     }
-    const auto overlap = scene::detail::find_deepest_overlap(bodies);
+    const auto overlap = lsdem::detail::find_deepest_overlap(bodies);
     return overlap ? std::max(deepest, overlap->depth) : deepest;
 }
 
@@ -72,7 +72,7 @@ class EnergyWatch {
 
 }  // namespace
 
-double default_time_step(const Model& model) { return scene::TimeSettings{}.safety * compute_critical_time_step(model); }
+double default_time_step(const Model& model) { return lsdem::TimeSettings{}.safety * compute_critical_time_step(model); }
 
 Observation observe(const Model& model, double time_step, double duration, int samples,
                     const std::function<void(const Simulation&)>& look) {

@@ -17,9 +17,9 @@ namespace {
 /// Depth to which the two blocks of a model overlap, negative when they are apart [m]: separating axes, independent of the kernel.
 double measure_depth(const Model& model) {
     const auto body = [&](std::size_t i) {
-        return scene::detail::Body{model.shapes[0].half_extents, model.blocks[i].position, model.blocks[i].orientation.toRotationMatrix()};
+        return detail::Body{model.shapes[0].half_extents, model.blocks[i].position, model.blocks[i].orientation.toRotationMatrix()};
     };
-    return scene::detail::compute_overlap(body(0), body(1));
+    return detail::compute_overlap(body(0), body(1));
 }
 
 /// Moves the second block along `direction` until the two overlap by `depth` [m].

@@ -9,7 +9,7 @@
 
 #include "lsdem/results/read_results.hpp"
 
-using namespace musim::lsdem::study;
+using namespace musim::lsdem;
 
 namespace {
 

@@ -18,7 +18,6 @@
 #include "tests/support/temporary_folder.hpp"
 
 using namespace musim::lsdem;
-using namespace musim::lsdem::study;
 
 namespace {
 
@@ -39,12 +38,12 @@ History make_history(double value) {
 
 const Spine kSpine{.block = {0, 1}, .level = {1, 3}};
 
-scene::Scene make_wall(const std::string& more = "") {
-    return scene::parse_scene(R"({"schema": "musim-scene/1", "name": "wall", "material": "concrete",
+Scene make_wall(const std::string& more = "") {
+    return parse_scene(R"({"schema": "musim-scene/1", "name": "wall", "material": "concrete",
  "structure": {"kind": "wall", "layers": 3, "blocks_per_layer": 2, "block": ["54.4 mm", "112.8 mm", "170 mm"], "seed": 7,
                "height_deviation": "0.3 mm"},
  "time": {"duration": "0.1 s"})" +
-                              more + "}");
+                       more + "}");
 }
 
 constexpr const char* kRate = R"(, "output": {"spine_rate": "500 Hz"})";
@@ -149,13 +148,13 @@ TEST_CASE("what changes nothing in a scene changes no name, and texts of older v
 }
 
 TEST_CASE("a scene that makes no ensemble is refused with the reason") {
-    CHECK_THROWS_WITH_AS(plan_ensemble(make_wall(), 2, "1"), doctest::Contains("spine_rate"), scene::SceneError);
-    scene::Scene even = make_wall(kRate);
-    std::get<musim::lsdem::scene::Wall>(even.structure).height_deviation = musim::scaling::Length{};
-    CHECK_THROWS_WITH_AS(plan_ensemble(even, 2, "1"), doctest::Contains("height_deviation"), scene::SceneError);
-    scene::Scene prepared = make_wall(kRate);
+    CHECK_THROWS_WITH_AS(plan_ensemble(make_wall(), 2, "1"), doctest::Contains("spine_rate"), SceneError);
+    Scene even = make_wall(kRate);
+    std::get<musim::lsdem::Wall>(even.structure).height_deviation = musim::scaling::Length{};
+    CHECK_THROWS_WITH_AS(plan_ensemble(even, 2, "1"), doctest::Contains("height_deviation"), SceneError);
+    Scene prepared = make_wall(kRate);
     prepared.preparation.emplace().specimen = "/tmp/specimen.h5";
-    CHECK_THROWS_WITH_AS(plan_ensemble(prepared, 2, "1"), doctest::Contains("preparation.specimen"), scene::SceneError);
+    CHECK_THROWS_WITH_AS(plan_ensemble(prepared, 2, "1"), doctest::Contains("preparation.specimen"), SceneError);
 }
 
 TEST_CASE("a summary keeps every member, and takes means over those that are results") {

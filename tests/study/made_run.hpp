@@ -8,7 +8,7 @@
 #include "lsdem/results/history.hpp"
 #include "scaling/laws/similitude.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// A run that no simulation made: `samples` samples of two spine blocks that swing with different amplitudes, prototype scale.
 inline RunResult make_made_run(std::size_t samples) {
@@ -67,4 +67,4 @@ inline RunResult scale_run(RunResult run, const scaling::Similitude& s) {
     return run;
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -5,7 +5,7 @@
 #include "lsdem/run/simulate.hpp"
 #include "lsdem/time_step.hpp"
 
-namespace musim::lsdem::study {
+namespace musim::lsdem {
 
 /// A column of unit cubes of 1000 kg on a ground of friction 0.5 that jerks along x: 2 m/s² for 0.25 s, then back to rest. It slides
 /// at once if the friction is below 0.2. Each cube sinks by its static overlap, so that the column starts in equilibrium.
@@ -43,4 +43,4 @@ inline TimePlan make_plan(const Specimen& specimen, std::uint64_t samples) {
     return {.time_step = 0.5 * compute_critical_time_step(specimen.model), .steps_per_sample = 20, .samples = samples};
 }
 
-}  // namespace musim::lsdem::study
+}  // namespace musim::lsdem

@@ -17,8 +17,8 @@
 
 namespace {
 
+using musim::lsdem::Scene;
 using musim::lsdem::Simulation;
-using musim::lsdem::scene::Scene;
 using musim::scaling::make_similitude;
 using musim::scaling::Similitude;
 
@@ -28,7 +28,7 @@ constexpr int kSamples = 400;
 /// A concrete slab, so flat that no edge lifts even when friction turns around (eccentricity 3 mu H/2 below the kernel w/6), under the
 /// built-in record of PGA 1.5 g and PGV 100 cm/s.
 Scene make_prototype() {
-    return musim::lsdem::scene::parse_scene(R"({
+    return musim::lsdem::parse_scene(R"({
         "schema": "musim-scene/1", "name": "sliding block",
         "material": { "density": "2320 kg/m^3", "normal_stiffness": "26.25 GN/m", "shear_stiffness": "25 GN/m", "friction": 0.59,
                       "restitution": 0.5 },
@@ -36,13 +36,13 @@ Scene make_prototype() {
         "base_motion": { "signal": "synthetic", "direction": "x", "pga": "1.5 g", "pgv": "100 cm/s", "duration": "8 s", "dt": "0.005 s",
                          "seed": 2 },
         "time": { "duration": "8 s" } })",
-                                            "mu_number_test");
+                                     "mu_number_test");
 }
 
 /// Slip of the block on the ground at equal parts of the duration [m].
 std::vector<double> simulate_slip(const Scene& scene) {
-    const musim::lsdem::Model model = musim::lsdem::scene::make_model(scene);
-    const double limit = musim::lsdem::scene::compute_time_step(scene, model).value();
+    const musim::lsdem::Model model = musim::lsdem::make_model(scene);
+    const double limit = musim::lsdem::compute_time_step(scene, model).value();
     const double interval = scene.time.duration.value() / kSamples;
     const auto steps = static_cast<std::uint64_t>(std::ceil(interval / limit));
     Simulation simulation(model, interval / static_cast<double>(steps));

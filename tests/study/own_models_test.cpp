@@ -13,14 +13,13 @@
 #include "tests/study/pushed_wall.hpp"
 
 using namespace musim::lsdem;
-using namespace musim::lsdem::study;
 using musim::lsdem::tests::make_pushed_wall;
 using musim::scaling::make_similitude;
 using musim::scaling::Similitude;
 
 namespace {
 
-ScenePair run(const scene::Scene& model, const PairSceneSettings& how, Materials materials = Materials::own) {
+ScenePair run(const Scene& model, const PairSceneSettings& how, Materials materials = Materials::own) {
     return pair_scene(make_pushed_wall(), {{.scene = model}}, materials, {.threads = 2}, how);
 }
 
@@ -31,7 +30,7 @@ PairSceneSettings accept(double tolerance, std::size_t specimens) {
 }  // namespace
 
 TEST_CASE("a scene that is the prototype's image is its model, to the last bit at a power of four") {
-    const scene::Scene image = scene::scale_scene(make_pushed_wall(), make_similitude("exact", {.length = 1.0 / 16.0}));
+    const Scene image = scale_scene(make_pushed_wall(), make_similitude("exact", {.length = 1.0 / 16.0}));
     const ScenePair pair = run(image, {}, Materials::exact);
     REQUIRE(pair.study.models.size() == 1);
     CHECK(pair.study.models[0].label == "1:16");
@@ -40,7 +39,7 @@ TEST_CASE("a scene that is the prototype's image is its model, to the last bit a
 }
 
 TEST_CASE("a model that differs by nothing is accepted, unless chance alone does more") {
-    const scene::Scene same = make_pushed_wall();
+    const Scene same = make_pushed_wall();
     const ScenePair alone = run(same, accept(0.01, 0));
     const OwnJudgement accepted = judge_own(alone.study, alone.study.models[0]);
     REQUIRE(accepted.quantities.size() == 3);
@@ -59,7 +58,7 @@ TEST_CASE("a model that differs by nothing is accepted, unless chance alone does
 }
 
 TEST_CASE("a model of a tenth of the friction is distorted, more than other specimens") {
-    scene::Scene slippery = make_pushed_wall();
+    Scene slippery = make_pushed_wall();
     slippery.material.friction *= 0.1;
     const ScenePair pair = run(slippery, accept(0.05, 6));
     const PairedRun& model = pair.study.models[0];
@@ -71,9 +70,9 @@ TEST_CASE("a model of a tenth of the friction is distorted, more than other spec
 }
 
 TEST_CASE("a scene without a rate is compared at the prototype's times, whatever step its model takes") {
-    scene::Scene prototype = make_pushed_wall();
+    Scene prototype = make_pushed_wall();
     prototype.output.spine_rate = {};
-    scene::Scene stiff = prototype;
+    Scene stiff = prototype;
     stiff.material.normal_stiffness *= 4.0;
     stiff.material.shear_stiffness *= 4.0;
     const ScenePair pair = pair_scene(prototype, {{.scene = stiff}}, Materials::own, {.threads = 2}, accept(0.05, 1));
@@ -85,10 +84,10 @@ TEST_CASE("a scene without a rate is compared at the prototype's times, whatever
 }
 
 TEST_CASE("other structures are no models, and structures without drawn heights have no other specimens") {
-    scene::Scene taller = make_pushed_wall();
-    std::get<scene::Wall>(taller.structure).layers = 3;
-    CHECK_THROWS_AS(run(taller, {}), scene::SceneError);
-    scene::Scene even = make_pushed_wall();
-    std::get<scene::Wall>(even.structure).height_deviation = {};
-    CHECK_THROWS_AS(pair_scene(even, {{.scene = even}}, Materials::own, {}, accept(0.05, 3)), scene::SceneError);
+    Scene taller = make_pushed_wall();
+    std::get<Wall>(taller.structure).layers = 3;
+    CHECK_THROWS_AS(run(taller, {}), SceneError);
+    Scene even = make_pushed_wall();
+    std::get<Wall>(even.structure).height_deviation = {};
+    CHECK_THROWS_AS(pair_scene(even, {{.scene = even}}, Materials::own, {}, accept(0.05, 3)), SceneError);
 }

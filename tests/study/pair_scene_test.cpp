@@ -11,7 +11,6 @@
 #include "tests/support/relative.hpp"
 
 using namespace musim::lsdem;
-using namespace musim::lsdem::study;
 using musim::lsdem::tests::relative;
 using musim::scaling::make_similitude;
 using musim::scaling::Similitude;
@@ -21,23 +20,23 @@ namespace {
 constexpr double kLength = 1.0 / 107.0;
 
 /// Three blocks on each other that slide, as prototype of the tower's wood: its own model at 1:107 distorts nothing.
-scene::Scene make_prototype() {
-    scene::Scene prototype = scene::parse_scene(R"({
+Scene make_prototype() {
+    Scene prototype = parse_scene(R"({
         "schema": "musim-scene/1", "name": "pair scene", "material": "wood",
         "structure": { "kind": "column", "layers": 3, "block": ["1.36 m", "2.82 m", "4.25 m"] },
         "base_motion": { "signal": "synthetic", "direction": "x", "pga": "1.2 g", "pgv": "80 cm/s", "duration": "2 s", "dt": "0.005 s",
                          "seed": 2 },
         "time": { "duration": "2 s" } })",
-                                                "pair_scene_test");
+                                  "pair_scene_test");
     const Similitude enlarged = make_similitude("exact", {.length = 1.0 / kLength});
-    const scene::MaterialPreset& wood = scene::find_material_preset("wood");
+    const MaterialPreset& wood = find_material_preset("wood");
     prototype.material = wood.material;
     prototype.material.normal_stiffness *= enlarged.stiffness();
     prototype.material.shear_stiffness *= enlarged.stiffness();
     return prototype;
 }
 
-PairStudy run_own(const scene::Scene& prototype) {
+PairStudy run_own(const Scene& prototype) {
     const ScenePair pair = pair_scene(prototype, {{kLength, "wood"}}, Materials::own, {.threads = 2},
                                       {.judging = {.twins = 0, .half_step = false}, .each_alone = true});
     REQUIRE(pair.study.models.size() == 1);
@@ -55,7 +54,7 @@ TEST_CASE("a scale is named so that who reads it has it") {
 }
 
 TEST_CASE("a material that similitude asks for has no property that differs") {
-    scene::Scene prototype = make_prototype();
+    Scene prototype = make_prototype();
     prototype.time.duration = 1.0 * musim::scaling::si::second;  // before rounding has grown to what can be seen
     const PairStudy study = run_own(prototype);
     CHECK(study.models.front().alone.empty());
@@ -63,7 +62,7 @@ TEST_CASE("a material that similitude asks for has no property that differs") {
 }
 
 TEST_CASE("the one property of a model that differs makes all of its difference" * doctest::test_suite("slow")) {
-    scene::Scene prototype = make_prototype();
+    Scene prototype = make_prototype();
     prototype.material.restitution = 0.6;
     const PairedRun model = run_own(prototype).models.front();
     REQUIRE(model.alone.size() == 1);
@@ -74,7 +73,7 @@ TEST_CASE("the one property of a model that differs makes all of its difference"
 }
 
 TEST_CASE("every property that differs is found with its factor" * doctest::test_suite("slow")) {
-    scene::Scene prototype = make_prototype();
+    Scene prototype = make_prototype();
     prototype.material.friction = 0.42;
     prototype.material.normal_stiffness *= 4.0;
     prototype.material.shear_stiffness *= 2.0;
@@ -95,7 +94,7 @@ TEST_CASE("every property that differs is found with its factor" * doctest::test
 }
 
 TEST_CASE("without being asked no property is run alone" * doctest::test_suite("slow")) {
-    scene::Scene prototype = make_prototype();
+    Scene prototype = make_prototype();
     prototype.material.restitution = 0.6;
     const ScenePair pair = pair_scene(prototype, {{kLength, "wood"}}, Materials::own, {}, {.judging = {.twins = 0, .half_step = false}});
     CHECK(pair.study.models.front().alone.empty());

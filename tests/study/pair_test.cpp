@@ -10,7 +10,6 @@
 #include "tests/study/made_specimen.hpp"
 
 using namespace musim::lsdem;
-using namespace musim::lsdem::study;
 using musim::scaling::make_similitude;
 using musim::scaling::Similitude;
 

@@ -10,7 +10,7 @@
 #include "lsdem/study/twin_files.hpp"
 #include "tests/support/relative.hpp"
 
-using namespace musim::lsdem::study;
+using namespace musim::lsdem;
 using musim::lsdem::tests::relative;
 
 namespace {

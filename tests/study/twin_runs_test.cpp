@@ -18,7 +18,6 @@
 #include "tests/support/temporary_folder.hpp"
 
 using namespace musim::lsdem;
-using namespace musim::lsdem::study;
 using musim::lsdem::tests::make_pushed_wall;
 using musim::lsdem::tests::relative;
 using musim::tests::message_of;
@@ -27,8 +26,8 @@ using musim::tests::TemporaryFolder;
 namespace {
 
 /// Overlaps at rest are 1e-4 of a block's height.
-scene::Scene make_column() {
-    return scene::parse_scene(R"({"schema": "musim-scene/1", "name": "pushed column",
+Scene make_column() {
+    return parse_scene(R"({"schema": "musim-scene/1", "name": "pushed column",
         "material": {"density": 800, "normal_stiffness": "30 kN/m", "shear_stiffness": "26 kN/m", "friction": 0.63, "restitution": 0.3},
         "structure": {"kind": "column", "layers": 3, "block": ["12.71 mm", "26.355 mm", "39.78 mm"]},
         "base_motion": {"signal": "half_sine", "direction": "y", "amplitude": "1.2 g", "duration": "0.05 s"},
@@ -83,7 +82,7 @@ TEST_CASE("a scene without a rate is sampled a hundred times a second, and block
 
 TEST_CASE("what is there is not run again, what is missing or damaged is, to the same bits") {
     const TemporaryFolder folder;
-    const scene::Scene wall = make_pushed_wall();
+    const Scene wall = make_pushed_wall();
     const TwinStudy fresh = run_twins(wall, kLengths);
     std::vector<double> preparation, progress;
     TwinSettings settings{.directory = folder.path(), .version = "test", .threads = 1};
@@ -116,7 +115,7 @@ TEST_CASE("what is there is not run again, what is missing or damaged is, to the
 
     // another version, another duration: other runs
     CHECK(twin_folder(folder.path(), wall, "other") != runs);
-    scene::Scene longer = wall;
+    Scene longer = wall;
     longer.time.duration = 2.0 * wall.time.duration;
     CHECK(twin_folder(folder.path(), longer, "test") != runs);
 }
@@ -137,7 +136,7 @@ TEST_CASE("copies moved in the same directions part in proportion to how far") {
 
 // Its blocks are drawn in contact and rebound flat when gravity begins, so that rounding alone chooses the edge by which they part.
 TEST_CASE("exact models of the demo tower part smoothly" * doctest::test_suite("slow")) {
-    scene::Scene tower = scene::read_scene(std::filesystem::path(MUSIM_SOURCE_DIR) / "examples/twins/tower_as_drawn.json");
+    Scene tower = read_scene(std::filesystem::path(MUSIM_SOURCE_DIR) / "examples/twins/tower_as_drawn.json");
     tower.time.duration = musim::scaling::Time::from_value(3.0);
     const TwinStudy study = run_twins(tower, choose_models(6, 1), {.threads = 0});
     const TwinSummary summary = summarize(study);
@@ -146,6 +145,6 @@ TEST_CASE("exact models of the demo tower part smoothly" * doctest::test_suite("
 }
 
 TEST_CASE("twins that cannot be compared are refused with what to do") {
-    CHECK(message_of<scene::SceneError>([] { run_twins(make_pushed_wall(""), {{.length = 0.3}}); }).find("give a base motion") !=
+    CHECK(message_of<SceneError>([] { run_twins(make_pushed_wall(""), {{.length = 0.3}}); }).find("give a base motion") !=
           std::string::npos);
 }

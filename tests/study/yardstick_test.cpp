@@ -9,7 +9,6 @@
 #include "tests/study/made_specimen.hpp"
 
 using namespace musim::lsdem;
-using namespace musim::lsdem::study;
 using musim::scaling::Similitude;
 
 namespace {

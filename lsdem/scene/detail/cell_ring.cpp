@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
-namespace musim::lsdem::scene::detail {
+namespace musim::lsdem::detail {
 
 namespace {
 
@@ -144,4 +144,4 @@ LoopCounts count_loops(const Partners& odd, const Partners& even) {
     return counts;
 }
 
-}  // namespace musim::lsdem::scene::detail
+}  // namespace musim::lsdem::detail

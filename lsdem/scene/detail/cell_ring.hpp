@@ -5,7 +5,7 @@
 
 #include "lsdem/scene/tower_tiling.hpp"
 
-namespace musim::lsdem::scene::detail {
+namespace musim::lsdem::detail {
 
 /// Marks a missing cell or partner.
 inline constexpr int kNone = -1;
@@ -58,4 +58,4 @@ struct LoopCounts {
 /// Counts the loops of two alternating layers.
 LoopCounts count_loops(const Partners& odd, const Partners& even);
 
-}  // namespace musim::lsdem::scene::detail
+}  // namespace musim::lsdem::detail

@@ -12,7 +12,7 @@
 #include "scaling/regular_file.hpp"
 #include "scaling/shorten.hpp"
 
-namespace musim::lsdem::scene::detail {
+namespace musim::lsdem::detail {
 
 namespace {
 
@@ -117,4 +117,4 @@ std::filesystem::path resolve(const std::string& file, const std::filesystem::pa
     return std::filesystem::absolute(origin.parent_path() / file).lexically_normal();
 }
 
-}  // namespace musim::lsdem::scene::detail
+}  // namespace musim::lsdem::detail

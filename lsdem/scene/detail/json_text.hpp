@@ -9,7 +9,7 @@
 #include "lsdem/scene/scene_json.hpp"
 #include "scaling/json_reader.hpp"
 
-namespace musim::lsdem::scene::detail {
+namespace musim::lsdem::detail {
 
 using Json = scaling::JsonReader::Json;
 using scaling::JsonPlace;
@@ -50,4 +50,4 @@ std::string read_kind(const scaling::JsonReader& value, const std::string& key, 
 /// A file named in a scene, beside the scene's own.
 std::filesystem::path resolve(const std::string& file, const std::filesystem::path& origin);
 
-}  // namespace musim::lsdem::scene::detail
+}  // namespace musim::lsdem::detail

@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-namespace musim::lsdem::scene::detail {
+namespace musim::lsdem::detail {
 
 namespace {
 
@@ -146,4 +146,4 @@ std::optional<Overlap> find_deepest_overlap(const std::vector<Body>& bodies) {
     return deepest.result();
 }
 
-}  // namespace musim::lsdem::scene::detail
+}  // namespace musim::lsdem::detail

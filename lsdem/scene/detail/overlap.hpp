@@ -6,7 +6,7 @@
 
 #include "lsdem/types.hpp"
 
-namespace musim::lsdem::scene::detail {
+namespace musim::lsdem::detail {
 
 /// A body for the overlap check: a box, or a sphere when all half extents are its radius and `round` is set.
 struct Body {
@@ -37,4 +37,4 @@ double compute_overlap(const Body& a, const Body& b);
 /// with all others).
 std::optional<Overlap> find_deepest_overlap(const std::vector<Body>& bodies);
 
-}  // namespace musim::lsdem::scene::detail
+}  // namespace musim::lsdem::detail

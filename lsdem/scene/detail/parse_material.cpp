@@ -5,7 +5,7 @@
 #include "lsdem/scene/detail/json_text.hpp"
 #include "lsdem/scene/scene_error.hpp"
 
-namespace musim::lsdem::scene::detail {
+namespace musim::lsdem::detail {
 namespace {
 
 using scaling::JsonReader;
@@ -44,4 +44,4 @@ BlockMaterial parse_material(const JsonReader& value) {
     return material;
 }
 
-}  // namespace musim::lsdem::scene::detail
+}  // namespace musim::lsdem::detail

@@ -5,7 +5,7 @@
 #include "lsdem/scene/detail/json_text.hpp"
 #include "scaling/laws/scale_law_catalogue.hpp"
 
-namespace musim::lsdem::scene::detail {
+namespace musim::lsdem::detail {
 namespace {
 
 using scaling::JsonReader;
@@ -92,9 +92,9 @@ SignalMotion parse_signal(const JsonReader& value) {
 
 }  // namespace
 
-BaseMotion parse_base_motion(const JsonReader& value, const std::filesystem::path& origin) {
+SceneMotion parse_base_motion(const JsonReader& value, const std::filesystem::path& origin) {
     const Json& json = value.json();
-    BaseMotion motion;
+    SceneMotion motion;
     if (!json.is_object() || json.contains("record") == json.contains("signal")) {
         value.fail("an object with either a \"record\" or a \"signal\" is wanted; add one of them, or leave base_motion out");
     }
@@ -137,4 +137,4 @@ std::vector<MotionEntry> parse_motions(const JsonReader& list, const std::filesy
     return motions;
 }
 
-}  // namespace musim::lsdem::scene::detail
+}  // namespace musim::lsdem::detail

@@ -3,7 +3,7 @@
 #include "lsdem/scene/detail/json_text.hpp"
 #include "lsdem/scene/tower_tiling.hpp"
 
-namespace musim::lsdem::scene::detail {
+namespace musim::lsdem::detail {
 
 using scaling::JsonReader;
 
@@ -120,4 +120,4 @@ Structure parse_structure(const JsonReader& value, const std::filesystem::path& 
     return parse_tower(object, origin);
 }
 
-}  // namespace musim::lsdem::scene::detail
+}  // namespace musim::lsdem::detail

@@ -11,7 +11,7 @@
 #include "lsdem/scene/levels.hpp"
 #include "lsdem/scene/tower_tiling.hpp"
 
-namespace musim::lsdem::scene::detail {
+namespace musim::lsdem::detail {
 
 namespace {
 
@@ -197,4 +197,4 @@ Arrangement arrange(const Scene& scene) {
     return arrangement;
 }
 
-}  // namespace musim::lsdem::scene::detail
+}  // namespace musim::lsdem::detail

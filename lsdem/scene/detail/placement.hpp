@@ -7,7 +7,7 @@
 #include "lsdem/scene/scene.hpp"
 #include "lsdem/types.hpp"
 
-namespace musim::lsdem::scene::detail {
+namespace musim::lsdem::detail {
 
 /// A block in its place, in SI; what all blocks of a scene have in common is left to the scene.
 struct Placement {
@@ -43,4 +43,4 @@ Vector3 to_vector(const Triple<Quantity>& triple) {
     return {triple[0].value(), triple[1].value(), triple[2].value()};
 }
 
-}  // namespace musim::lsdem::scene::detail
+}  // namespace musim::lsdem::detail

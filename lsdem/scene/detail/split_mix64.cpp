@@ -4,7 +4,7 @@
 
 #include "scaling/random_bits.hpp"
 
-namespace musim::lsdem::scene::detail {
+namespace musim::lsdem::detail {
 
 std::uint64_t SplitMix64::next() { return scaling::random_bits(seed_, drawn_++); }
 
@@ -14,4 +14,4 @@ std::uint64_t SplitMix64::halvings() { return static_cast<std::uint64_t>(std::co
 
 double SplitMix64::uniform() { return static_cast<double>((next() >> 11U) + 1) * 0x1p-53; }
 
-}  // namespace musim::lsdem::scene::detail
+}  // namespace musim::lsdem::detail

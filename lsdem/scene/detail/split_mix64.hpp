@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-namespace musim::lsdem::scene::detail {
+namespace musim::lsdem::detail {
 
 /// Random numbers that are the same everywhere: SplitMix64 [Steele14].
 class SplitMix64 {
@@ -22,4 +22,4 @@ class SplitMix64 {
     std::uint64_t drawn_ = 0;
 };
 
-}  // namespace musim::lsdem::scene::detail
+}  // namespace musim::lsdem::detail

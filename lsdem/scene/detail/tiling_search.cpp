@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace musim::lsdem::scene::detail {
+namespace musim::lsdem::detail {
 
 namespace {
 
@@ -201,4 +201,4 @@ std::uint64_t improve_interlock(const CellRing& ring, Partners& partners, SplitM
     return accepted;
 }
 
-}  // namespace musim::lsdem::scene::detail
+}  // namespace musim::lsdem::detail

@@ -6,7 +6,7 @@
 #include "lsdem/scene/detail/cell_ring.hpp"
 #include "lsdem/scene/detail/split_mix64.hpp"
 
-namespace musim::lsdem::scene::detail {
+namespace musim::lsdem::detail {
 
 /// Outcome of the exact cover.
 struct Cover {
@@ -27,4 +27,4 @@ int compute_penalty(const CellRing& ring, const Partners& partners);
 /// quarter turn.
 std::uint64_t improve_interlock(const CellRing& ring, Partners& partners, SplitMix64& random, std::uint64_t trials);
 
-}  // namespace musim::lsdem::scene::detail
+}  // namespace musim::lsdem::detail

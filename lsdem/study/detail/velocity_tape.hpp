@@ -9,7 +9,7 @@
 
 #include "lsdem/types.hpp"
 
-namespace musim::lsdem::study::detail {
+namespace musim::lsdem::detail {
 
 /// Velocities of one run, sample by sample. While one thread runs and adds to it, others that run the same in other units read what is
 /// there, and wait for what is not yet.
@@ -64,4 +64,4 @@ class VelocityTape {
     bool ended_ = false, complete_ = false;
 };
 
-}  // namespace musim::lsdem::study::detail
+}  // namespace musim::lsdem::detail

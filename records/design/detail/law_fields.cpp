@@ -6,7 +6,7 @@
 
 #include "scaling/laws/scale_law_catalogue.hpp"
 
-namespace musim::design::detail {
+namespace musim::records::detail {
 namespace {
 
 /// A law by name, or from a file beside the one that names it.
@@ -44,4 +44,4 @@ DesignLaw read_law(const JsonReader& value, const std::string& source) {
     }
 }
 
-}  // namespace musim::design::detail
+}  // namespace musim::records::detail

@@ -6,7 +6,7 @@
 
 #include "records/error.hpp"
 
-namespace musim::design::detail {
+namespace musim::records::detail {
 
 std::optional<double> read_number(const JsonReader& fields, const std::string& key) {
     const auto value = read_positive<scaling::Ratio>(fields, key);
@@ -86,4 +86,4 @@ Material read_properties(const JsonReader& fields, const std::optional<Material>
     return material;
 }
 
-}  // namespace musim::design::detail
+}  // namespace musim::records::detail

@@ -14,7 +14,7 @@
 #include "records/json_rules.hpp"
 
 /// Readers that files about prototypes, materials and models share. All throw ReadError `place: what (why); what to do`.
-namespace musim::design::detail {
+namespace musim::records::detail {
 
 using records::detail::Json;
 using records::detail::JsonRules;
@@ -68,4 +68,4 @@ void replace(std::optional<Value>& old, const std::optional<Value>& given) {
     if (given) old = given;
 }
 
-}  // namespace musim::design::detail
+}  // namespace musim::records::detail

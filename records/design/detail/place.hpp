@@ -4,7 +4,7 @@
 
 #include "records/design/candidate.hpp"
 
-namespace musim::design::detail {
+namespace musim::records::detail {
 
 /// Where a candidate's material and law stand in the design: the same places in the design read again, which may have other values there.
 struct Place {
@@ -16,4 +16,4 @@ struct Place {
     }
 };
 
-}  // namespace musim::design::detail
+}  // namespace musim::records::detail

@@ -13,7 +13,7 @@
 #include "tests/support/relative.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace musim::design::tests {
+namespace musim::records::tests {
 
 using lsdem::tests::relative;
 using musim::tests::message_of;
@@ -235,4 +235,4 @@ TEST_CASE("designs name laws, with factors, products and files of one's own") {
     CHECK(message(R"([{"law": "mu", "set": {"E": -1}}])").find("E is not above zero") != std::string::npos);
 }
 
-}  // namespace musim::design::tests
+}  // namespace musim::records::tests

@@ -14,7 +14,7 @@
 #include "tests/support/relative.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace musim::design::tests {
+namespace musim::records::tests {
 namespace {
 
 using lsdem::tests::relative;
@@ -220,4 +220,4 @@ TEST_CASE("a law takes from the facts what it asks for") {
     CHECK(refusal(R"({"law": "mechanics", "set": {"t": 0.2, "g": 25}})", same).find("law mechanics: it sets g to 25, where gravity") == 0);
 }
 
-}  // namespace musim::design::tests
+}  // namespace musim::records::tests

@@ -15,7 +15,7 @@
 #include "tests/support/relative.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace musim::design::tests {
+namespace musim::records::tests {
 namespace {
 
 using lsdem::tests::relative;
@@ -241,4 +241,4 @@ TEST_CASE("the share in which a limit is broken at the length told is that of th
     CHECK(draw_answer(more, kWood, settings).sampled.largest.upper != answer.sampled.largest.upper);
 }
 
-}  // namespace musim::design::tests
+}  // namespace musim::records::tests

@@ -15,7 +15,6 @@
 #include "tests/support/relative.hpp"
 
 using namespace musim::lsdem;
-using namespace musim::lsdem::study;
 using musim::lsdem::tests::relative;
 
 namespace {

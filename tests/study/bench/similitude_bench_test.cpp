@@ -16,7 +16,7 @@
 #include "scaling/laws/scale_law_catalogue.hpp"
 #include "tests/support/relative.hpp"
 
-using namespace musim::lsdem::study;
+using namespace musim::lsdem;
 using musim::lsdem::tests::relative;
 
 namespace {
@@ -125,7 +125,7 @@ TEST_CASE("a model with its own scale of heights is as high and as wide as its l
     CHECK(scales.similitude.acceleration() == relative(0.3, 1e-14));
     CHECK(scales.similitude.time() == relative(1.0 / 5.0, 1e-14));
     CHECK(scales.heights == relative(1.0 / 0.3, 1e-14));
-    const auto block = [](const musim::lsdem::scene::Scene& scene) { return std::get<musim::lsdem::scene::Column>(scene.structure).block; };
+    const auto block = [](const musim::lsdem::Scene& scene) { return std::get<musim::lsdem::Column>(scene.structure).block; };
     const auto prototype = block(make_bench_scene(BenchScene::rock)), model = block(make_model_scene(BenchScene::rock, scales, {}));
     CHECK(model[0].value() == relative(prototype[0].value() * 0.3 / 25.0, 1e-14));
     CHECK(model[1].value() == relative(prototype[1].value() * 0.3 / 25.0, 1e-14));

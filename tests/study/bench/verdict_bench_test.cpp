@@ -10,7 +10,6 @@
 #include "tests/support/temporary_folder.hpp"
 
 using namespace musim::lsdem;
-using namespace musim::lsdem::study;
 using musim::lsdem::tests::make_pushed_wall;
 using musim::tests::TemporaryFolder;
 

@@ -11,13 +11,12 @@
 #include "lsdem/calibration/wave_speed.hpp"
 
 using namespace musim::lsdem;
-using namespace musim::lsdem::study;
 
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
-BlockSample preset(const char* name) { return make_sample(scene::find_material_preset(name)); }
+BlockSample preset(const char* name) { return make_sample(find_material_preset(name)); }
 
 }  // namespace
 

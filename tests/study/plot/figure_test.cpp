@@ -17,7 +17,7 @@
 #include "records/error.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-using namespace musim::lsdem::study;
+using namespace musim::lsdem;
 using detail::PicturePoint;
 using detail::thin_path;
 

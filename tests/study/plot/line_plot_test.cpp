@@ -8,7 +8,7 @@
 
 #include "lsdem/plot/line_plot.hpp"
 
-using namespace musim::lsdem::study;
+using namespace musim::lsdem;
 
 namespace {
 

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-using namespace musim::lsdem::study;
+using namespace musim::lsdem;
 
 namespace {
 

@@ -16,7 +16,6 @@
 #include "tests/support/temporary_folder.hpp"
 
 using namespace musim::lsdem;
-using namespace musim::lsdem::study;
 
 namespace {
 
@@ -55,9 +54,9 @@ void add_frame(StoredRun& run) {
 
 /// A small scene run into a folder.
 void run_into(const std::filesystem::path& folder, const std::string& scene_text) {
-    const scene::Scene scene = scene::parse_scene(scene_text);
+    const Scene scene = parse_scene(scene_text);
     ResultFolder results(folder);
-    results.add_run("", run_scene(scene), {.scene = scene::write_scene(scene), .program_version = "test"});
+    results.add_run("", run_scene(scene), {.scene = write_scene(scene), .program_version = "test"});
     results.commit();
 }
 
@@ -244,7 +243,7 @@ TEST_CASE("a run reads back as it was written") {
     CHECK(response.spine[1].residual_displacement ==
           run.final.position[2] - run.initial.position[2] - run.history.base.back().displacement);
     // the losses in the file are those of the ledger: four terms, each rounded once
-    const RunResult again = run_scene(scene::parse_scene(run.scene));
+    const RunResult again = run_scene(parse_scene(run.scene));
     REQUIRE(again.history.energy.back().friction_loss > 0.0);
     CHECK(response.damage.loss->friction == doctest::Approx(again.history.energy.back().friction_loss).epsilon(1e-14));
     CHECK(response.damage.loss->damping == doctest::Approx(again.history.energy.back().damping_loss).epsilon(1e-14));

@@ -13,7 +13,7 @@
 #include "lsdem/run/simulate.hpp"
 #include "tests/support/models.hpp"
 
-using namespace musim::lsdem::study;
+using namespace musim::lsdem;
 
 namespace {
 
@@ -148,16 +148,16 @@ TEST_CASE("levels that never reach the threshold are left out of the first arriv
 TEST_CASE("in a slipping column equal velocities climb at half of the elastic speed") {
     namespace lsdem = musim::lsdem;
     constexpr std::size_t kBlocks = 38;
-    const lsdem::tests::Stone stone = lsdem::tests::wood();
+    const tests::Stone stone = tests::wood();
     Specimen specimen;
-    specimen.model = lsdem::tests::make_resting_column(stone, kBlocks, true);
+    specimen.model = tests::make_resting_column(stone, kBlocks, true);
     for (std::size_t i = 0; i < kBlocks; ++i) {
         specimen.spine.block.push_back(i);
         specimen.spine.level.push_back(static_cast<int>(i) + 1);
     }
     const double height = kBlocks * stone.size.z(), elastic = stone.size.z() * std::sqrt(stone.shear_stiffness / stone.mass());
     // faster than the lowest block will be within the run, 2.5 l/c_e
-    const double base = 8.0 * stone.friction * lsdem::tests::kGravity * height / elastic;
+    const double base = 8.0 * stone.friction * tests::kGravity * height / elastic;
     specimen.model.ground.motion[0] = {.start = 0.0, .dt = 0.0, .velocity = {base}};
     const double step = 0.05 * stone.size.z() / elastic;
     const RunResult run = simulate(
@@ -172,7 +172,7 @@ TEST_CASE("in a slipping column equal velocities climb at half of the elastic sp
             receivers.velocity.back().push_back(run.history.spine_velocity[k * kBlocks + i].x());
     }
     // the velocity that every level reaches behind the front: μ g l/c_e
-    const double level = stone.friction * lsdem::tests::kGravity * height / elastic;
+    const double level = stone.friction * tests::kGravity * height / elastic;
     const SpeedEstimate first = find(estimate_speeds(receivers, {.threshold = level / base, .reference_peak = base}), "first_arrival");
     REQUIRE(first.speed.has_value());
     MESSAGE("slip front: " << *first.speed / elastic << " c_e");

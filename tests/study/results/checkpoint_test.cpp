@@ -19,7 +19,6 @@
 #include "tests/support/temporary_folder.hpp"
 
 using namespace musim::lsdem;
-using namespace musim::lsdem::study;
 using musim::tests::bytes_of;
 
 namespace {

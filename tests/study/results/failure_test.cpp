@@ -20,7 +20,6 @@
 #include "tests/support/temporary_folder.hpp"
 
 using namespace musim::lsdem;
-using namespace musim::lsdem::study;
 namespace scaling = musim::scaling;
 
 namespace {
@@ -87,14 +86,14 @@ const char* const kTower = R"({"schema": "musim-scene/1", "name": "ring",
     "time": {"duration": "0.12 s"}, "output": {"spine_rate": "500 Hz"}})";
 
 struct PushedTower {
-    scene::Scene scene;
+    Scene scene;
     RunResult run;
 };
 
 PushedTower push_tower(Push push, double length = 1.0) {
-    scene::Scene scene = scene::parse_scene(kTower);
+    Scene scene = parse_scene(kTower);
     const scaling::Similitude similitude = scaling::make_similitude("exact", {.length = length});
-    if (length != 1.0) scene = scene::scale_scene(scene, similitude);
+    if (length != 1.0) scene = scale_scene(scene, similitude);
     Specimen specimen = make_specimen(scene);
     specimen.settling.reset();  // it is pushed at once
     Vector3 center = Vector3::Zero();
@@ -186,7 +185,7 @@ TEST_CASE("simulated towers pushed out on one side and at mid-height are told ap
     // the results on disk tell the same
     const musim::tests::TemporaryFolder folder;
     ResultFolder results(folder.path() / "run");
-    results.add_run("", peeled.run, {.scene = scene::write_scene(peeled.scene), .program_version = "test"});
+    results.add_run("", peeled.run, {.scene = write_scene(peeled.scene), .program_version = "test"});
     results.commit();
     const nlohmann::json stored = to_json(measure_response(read_run(folder.path() / "run")));
     CHECK(stored["failure"] == to_json(*peeling));

@@ -17,7 +17,6 @@
 #include "tests/support/temporary_folder.hpp"
 
 using namespace musim::lsdem;
-using namespace musim::lsdem::study;
 using musim::lsdem::tests::relative;
 using musim::scaling::make_similitude;
 using musim::tests::TemporaryFolder;
@@ -59,7 +58,7 @@ TEST_CASE("a model moves as its prototype, in the prototype's units, also when i
 }
 
 TEST_CASE("a model that is made and run moves as its prototype to the bit where all factors are powers of two") {
-    const scene::Scene prototype = scene::parse_scene(R"({"schema": "musim-scene/1", "name": "column", "material": "wood",
+    const Scene prototype = parse_scene(R"({"schema": "musim-scene/1", "name": "column", "material": "wood",
         "structure": {"kind": "column", "layers": 4, "block": ["1.36 m", "2.82 m", "4.25 m"]},
         "base_motion": {"signal": "half_sine", "direction": "x", "amplitude": "0.5 g", "duration": "0.5 s"},
         "time": {"duration": "0.5 s"}, "output": {"spine_rate": "100 Hz"}})");

@@ -8,7 +8,6 @@
 #include "tests/study/made_run.hpp"
 
 using namespace musim::lsdem;
-using namespace musim::lsdem::study;
 
 namespace {
 

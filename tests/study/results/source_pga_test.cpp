@@ -7,7 +7,6 @@
 #include "scaling/units.hpp"
 
 using namespace musim::lsdem;
-using namespace musim::lsdem::study;
 
 namespace {
 

@@ -9,26 +9,25 @@
 #include "lsdem/scene/scene_json.hpp"
 
 using namespace musim::lsdem;
-using namespace musim::lsdem::study;
 
 namespace {
 
-scene::Scene make_scene(const std::string& rate, const std::string& time = R"("duration": "0.5 s")") {
-    return scene::parse_scene(fmt::format(R"({{"schema": "musim-scene/1", "material": "wood",
+Scene make_scene(const std::string& rate, const std::string& time = R"("duration": "0.5 s")") {
+    return parse_scene(fmt::format(R"({{"schema": "musim-scene/1", "material": "wood",
         "structure": {{"kind": "column", "layers": 2, "block": ["12.71 mm", "26.355 mm", "39.78 mm"]}},
         "time": {{{}}}, "output": {{"spine_rate": "{}"}}}})",
-                                          time, rate));
+                                   time, rate));
 }
 
-TimePlan plan_of(const scene::Scene& scene) { return make_time_plan(scene, make_upright_specimen(scene).model); }
+TimePlan plan_of(const Scene& scene) { return make_time_plan(scene, make_upright_specimen(scene).model); }
 
 constexpr const char* kRates[] = {"1 uHz", "1 Hz", "3 Hz", "200 Hz", "333.3 Hz", "4801 Hz", "1 GHz"};
 
 }  // namespace
 
 TEST_CASE("the rate of the spine decides when samples are taken and not how long a run is") {
-    const scene::Scene some = make_scene("200 Hz");
-    const double limit = scene::compute_time_step(some, make_upright_specimen(some).model).value();
+    const Scene some = make_scene("200 Hz");
+    const double limit = compute_time_step(some, make_upright_specimen(some).model).value();
     for (const char* rate : kRates) {
         CAPTURE(rate);
         const TimePlan plan = plan_of(make_scene(rate));
@@ -58,7 +57,7 @@ TEST_CASE("a step of the scene's own is kept and the run has as many as the dura
 }
 
 TEST_CASE("runs with steps of their own are sampled at the same times when that is asked for") {
-    const scene::Scene scene = make_scene("1 MHz");
+    const Scene scene = make_scene("1 MHz");
     const Model model = make_upright_specimen(scene).model;
     const TimePlan plan = make_time_plan(scene, model, Sampling::at_rate);
     CHECK(plan.time_step == 1e-6);
@@ -71,7 +70,7 @@ TEST_CASE("the stages of a sequence share one step and are as long as they are t
         "motions": [{"base_motion": {"signal": "sine", "direction": "x", "amplitude": "0.1 g", "frequency": "10 Hz", "cycles": 3}},
                     {"base_motion": {"signal": "sine", "direction": "x", "amplitude": "0.1 g", "frequency": "30 Hz", "cycles": 1}}],
         "output": {"spine_rate": "7 Hz"}})";
-    const SequencePlan plan = plan_sequence(scene::parse_scene(motions));
+    const SequencePlan plan = plan_sequence(parse_scene(motions));
     REQUIRE(plan.stages.size() == 2);
     const double step = plan.stages[0].plan.time_step;
     CHECK(plan.stages[1].plan.time_step == step);

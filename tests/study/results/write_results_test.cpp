@@ -19,7 +19,7 @@
 #include "tests/study/made_run.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-using namespace musim::lsdem::study;
+using namespace musim::lsdem;
 using musim::tests::bytes_of;
 using musim::tests::TemporaryFolder;
 namespace fs = std::filesystem;

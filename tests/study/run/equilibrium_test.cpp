@@ -14,7 +14,6 @@
 #include "tests/study/made_specimen.hpp"
 
 using namespace musim::lsdem;
-using namespace musim::lsdem::study;
 using musim::scaling::make_similitude;
 using musim::scaling::Similitude;
 
@@ -22,12 +21,12 @@ namespace {
 
 constexpr double kGravity = 9.80665, kHeight = 4.25;
 
-scene::Scene make_still(const std::string& structure, const std::string& more = "") {
-    return scene::parse_scene(R"({"schema": "musim-scene/1", "name": "still",
+Scene make_still(const std::string& structure, const std::string& more = "") {
+    return parse_scene(R"({"schema": "musim-scene/1", "name": "still",
         "material": {"density": 2320, "normal_stiffness": "26.25 GN/m", "shear_stiffness": "25 GN/m", "friction": 0.59, "restitution": 0.5},
         "structure": )" + structure +
-                                  more + R"(, "time": {"duration": "0.5 s"}, "output": {"spine_rate": "100 Hz"}})",
-                              "equilibrium_test");
+                           more + R"(, "time": {"duration": "0.5 s"}, "output": {"spine_rate": "100 Hz"}})",
+                       "equilibrium_test");
 }
 
 const char* const kTower = R"({"kind": "tower", "layers": 6, "block": ["1.36 m", "2.82 m", "4.25 m"], "tiling": "ring_14"})";

@@ -6,7 +6,7 @@
 
 #include "lsdem/run/shared_progress.hpp"
 
-using namespace musim::lsdem::study;
+using namespace musim::lsdem;
 
 TEST_CASE("several preparations with their runs are one scale that never falls") {
     JoinedProgress progress;

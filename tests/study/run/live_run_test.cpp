@@ -12,7 +12,6 @@
 #include "tests/support/temporary_folder.hpp"
 
 using namespace musim::lsdem;
-using namespace musim::lsdem::study;
 
 namespace {
 

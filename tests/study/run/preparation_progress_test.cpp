@@ -12,16 +12,15 @@
 #include "lsdem/study/pair_scene.hpp"
 
 using namespace musim::lsdem;
-using namespace musim::lsdem::study;
 
 namespace {
 
-scene::Scene make_uneven(const std::string& structure, const std::string& more = "") {
-    return scene::parse_scene(R"({"schema": "musim-scene/1", "name": "uneven", "material": "wood", "structure": {)" + structure +
-                                  R"(, "block": ["12.710 mm", "26.355 mm", "39.780 mm"], "height_deviation": "0.155 mm", "seed": 3},
+Scene make_uneven(const std::string& structure, const std::string& more = "") {
+    return parse_scene(R"({"schema": "musim-scene/1", "name": "uneven", "material": "wood", "structure": {)" + structure +
+                           R"(, "block": ["12.710 mm", "26.355 mm", "39.780 mm"], "height_deviation": "0.155 mm", "seed": 3},
         "time": {"duration": "10 ms"}, "output": {"spine_rate": "4800 Hz"})" +
-                                  more + "}",
-                              "test");
+                           more + "}",
+                       "test");
 }
 
 /// What a preparation tells at one look.
@@ -34,7 +33,7 @@ struct Preparing {
     double block_steps = 0.0;  ///< of all of it
 };
 
-Preparing prepare_telling(const scene::Scene& scene, const WorkToFollow& to_follow) {
+Preparing prepare_telling(const Scene& scene, const WorkToFollow& to_follow) {
     const Specimen upright = make_upright_specimen(scene);
     Preparing preparing;
     double spare = 0.0;
@@ -44,7 +43,7 @@ Preparing prepare_telling(const scene::Scene& scene, const WorkToFollow& to_foll
                                  preparing.told.push_back({part, spare});
                              },
                          .on_preparation_spare = [&](double part) { spare = part; }};
-    const double time_step = scene::compute_time_step(scene, upright.model).value();
+    const double time_step = compute_time_step(scene, upright.model).value();
     const PreparedSpecimen prepared = prepare(upright, time_step, find_preparation(scene, upright), settings, {}, to_follow);
     preparing.block_steps = static_cast<double>(prepared.block_steps);
     return preparing;
@@ -56,7 +55,7 @@ TEST_CASE("the work that is left of coming to rest is in the range that is given
     for (const char* structure :
          {R"("kind": "wall", "layers": 3, "blocks_per_layer": 2)", R"("kind": "wall", "layers": 4, "blocks_per_layer": 2)"}) {
         CAPTURE(structure);
-        const scene::Scene scene = make_uneven(structure);
+        const Scene scene = make_uneven(structure);
         const Preparing alone = prepare_telling(scene, {});
         const double all = alone.block_steps;
         CHECK(alone.told.back().part == 1.0);
@@ -78,7 +77,7 @@ TEST_CASE("the work that is left of coming to rest is in the range that is given
 }
 
 TEST_CASE("the specimens that a pair lays are one scale with its runs") {
-    const scene::Scene scene = make_uneven(R"("kind": "wall", "layers": 3, "blocks_per_layer": 2)");
+    const Scene scene = make_uneven(R"("kind": "wall", "layers": 3, "blocks_per_layer": 2)");
     std::vector<double> told;
     std::size_t preparing = 0;
     RunSettings settings;

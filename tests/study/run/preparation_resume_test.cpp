@@ -15,7 +15,6 @@
 #include "tests/support/temporary_folder.hpp"
 
 using namespace musim::lsdem;
-using namespace musim::lsdem::study;
 using musim::tests::bytes_of;
 using musim::tests::TemporaryFolder;
 
@@ -25,8 +24,8 @@ namespace fs = std::filesystem;
 
 struct Killed {};
 
-scene::Scene make_wall_scene(const std::string& more = R"(, "time": {"duration": "10 ms"}, "output": {"spine_rate": "4800 Hz"})") {
-    return scene::parse_scene(
+Scene make_wall_scene(const std::string& more = R"(, "time": {"duration": "10 ms"}, "output": {"spine_rate": "4800 Hz"})") {
+    return parse_scene(
         R"({"schema": "musim-scene/1", "name": "uneven wall", "material": "wood", "structure": {"kind": "wall", "layers": 3,
         "blocks_per_layer": 2, "block": ["12.710 mm", "26.355 mm", "39.780 mm"], "height_deviation": "0.155 mm", "seed": 3})" +
             more + "}",
@@ -60,18 +59,18 @@ void check_same(const PreparedSpecimen& a, const PreparedSpecimen& b) {
 }  // namespace
 
 TEST_CASE("a preparation resumed from any of its checkpoints ends in the bits of an uninterrupted one" * doctest::test_suite("slow")) {
-    const scene::Scene scene = make_wall_scene();
+    const Scene scene = make_wall_scene();
     const Specimen upright = make_upright_specimen(scene);
-    const double step = scene::compute_time_step(scene, upright.model).value();
+    const double step = compute_time_step(scene, upright.model).value();
     PreparationSettings settings = find_preparation(scene, upright);
     struct Way {
-        scene::Placing placing;
+        Placing placing;
         double added_patience;
     };
     // the last one gets its own inertia back before it is at rest
     const double patient = settings.added_patience;
-    for (const Way& way : {Way{scene::Placing::quick_layers, patient}, Way{scene::Placing::resting, patient},
-                           Way{scene::Placing::layers, patient}, Way{scene::Placing::quick_layers, 1e-2}}) {
+    for (const Way& way : {Way{Placing::quick_layers, patient}, Way{Placing::resting, patient}, Way{Placing::layers, patient},
+                           Way{Placing::quick_layers, 1e-2}}) {
         settings.placing = way.placing;
         settings.added_patience = way.added_patience;
         int looks = 0;
@@ -91,7 +90,7 @@ TEST_CASE("a preparation resumed from any of its checkpoints ends in the bits of
 }
 
 TEST_CASE("a run that is killed while its specimen is prepared, or later, goes on from there") {
-    const scene::Scene scene = make_wall_scene();
+    const Scene scene = make_wall_scene();
     const RunResult whole = run_scene(scene);
     for (const int look : {2, 100, 0}) {
         CAPTURE(look);
@@ -113,7 +112,7 @@ TEST_CASE("a run that is killed while its specimen is prepared, or later, goes o
 }
 
 TEST_CASE("a preparation that began in equilibrium is resumed to the same bits") {
-    const scene::Scene scene = scene::parse_scene(
+    const Scene scene = parse_scene(
         R"({"schema": "musim-scene/1", "name": "even wall", "material": "wood", "structure": {"kind": "wall", "layers": 3,
         "blocks_per_layer": 2, "block": ["12.710 mm", "26.355 mm", "39.780 mm"]}, "time": {"duration": "10 ms"},
         "output": {"spine_rate": "4800 Hz"}})",
@@ -128,7 +127,7 @@ TEST_CASE("a preparation that began in equilibrium is resumed to the same bits")
 }
 
 TEST_CASE("a checkpoint of a preparation of other blocks is refused") {
-    const scene::Scene scene = make_wall_scene();
+    const Scene scene = make_wall_scene();
     const TemporaryFolder folder;
     CHECK_THROWS_AS(run_scene(scene, {.observer = {.on_preparation = killer(3)}, .checkpoint = checkpoint_in(folder.path())}), Killed);
     const Checkpoint checkpoint = read_checkpoint(folder.path() / kCheckpointName, "1.2");
@@ -136,7 +135,7 @@ TEST_CASE("a checkpoint of a preparation of other blocks is refused") {
 }
 
 TEST_CASE("blocks in no layers are prepared as they are drawn") {
-    const scene::Scene scene = scene::parse_scene(
+    const Scene scene = parse_scene(
         R"({"schema": "musim-scene/1", "name": "block", "material": "wood", "structure": {"kind": "blocks", "blocks":
         [{"size": ["12.710 mm", "26.355 mm", "39.780 mm"], "position": [0, 0, "19.89 mm"]}]}, "preparation": {"placing": "as_drawn"},
         "time": {"duration": "5 ms"}, "output": {"spine_rate": "4800 Hz"}})",
@@ -188,7 +187,7 @@ TEST_CASE("specimens whose preparation was killed are the same files in the end 
 }
 
 TEST_CASE("a sequence that is killed while its specimen is prepared goes on from there") {
-    const scene::Scene scene = make_wall_scene(
+    const Scene scene = make_wall_scene(
         R"(, "motions": [{"base_motion": {"signal": "sine", "direction": "y", "amplitude": "0.2 g", "frequency": "40 Hz", "cycles": 1}}],
         "output": {"spine_rate": "4800 Hz"})");
     const TemporaryFolder folder;

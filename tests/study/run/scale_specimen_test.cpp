@@ -17,7 +17,6 @@
 #include "tests/study/made_specimen.hpp"
 
 using namespace musim::lsdem;
-using namespace musim::lsdem::study;
 using musim::scaling::make_similitude;
 using musim::scaling::ScaleFactors;
 using musim::scaling::Similitude;
@@ -25,8 +24,8 @@ using musim::scaling::Similitude;
 namespace {
 
 /// examples/uneven_wall.json, lower and shaken at once.
-const scene::Scene& uneven_wall() {
-    static const scene::Scene wall = scene::parse_scene(R"({
+const Scene& uneven_wall() {
+    static const Scene wall = parse_scene(R"({
         "schema": "musim-scene/1", "name": "uneven wall", "material": "concrete", 
         "structure": { "kind": "wall", "layers": 4, "blocks_per_layer": 2, "block": ["54.4 mm", "112.8 mm", "170 mm"],
                        "height_deviation": "0.2 mm", "seed": 1 },
@@ -86,9 +85,9 @@ TEST_CASE("the image of a column and of its shadow run to the same bits") {
 
 TEST_CASE("an image is the model of the scaled scene, number by number") {
     const auto with = [](const std::string& shape, const std::string& structure) {
-        return scene::parse_scene(R"({"schema": "musim-scene/1", "name": "any", "material": "wood", "shape": )" + shape +
-                                  R"(, "structure": )" + structure +
-                                  R"(, "base_motion": {"signal": "ricker", "direction": "z", "amplitude": "0.3 g", "frequency": "20 Hz"},
+        return parse_scene(R"({"schema": "musim-scene/1", "name": "any", "material": "wood", "shape": )" + shape + R"(, "structure": )" +
+                           structure +
+                           R"(, "base_motion": {"signal": "ricker", "direction": "z", "amplitude": "0.3 g", "frequency": "20 Hz"},
                                   "time": {"duration": "0.1 s"}})");
     };
     const std::string wall = R"({"kind": "wall", "layers": 3, "blocks_per_layer": 2, "block": ["12.71 mm", "26.355 mm", "39.78 mm"],
@@ -96,11 +95,10 @@ TEST_CASE("an image is the model of the scaled scene, number by number") {
     const std::string spheres = R"({"kind": "blocks", "blocks": [{"size": ["2 cm", "2 cm", "2 cm"], "position": [0, 0, "1 cm"],
         "velocity": ["1 m/s", 0, 0], "angular_velocity": [0, "3 Hz", 0]}]})";
     const Similitude similitude = make_similitude("exact", {.length = 1.0 / 64.0, .gravity = 4.0, .density = 2.0});
-    for (const scene::Scene& scene :
-         {with(R"({"kind": "box"})", wall), with(R"({"kind": "box", "level_set": "grid", "voxel": "0.65 mm"})", wall),
-          with(R"({"kind": "sphere", "radius": "1 cm", "nodes": 50, "voxel": "1 mm"})", spheres)}) {
+    for (const Scene& scene : {with(R"({"kind": "box"})", wall), with(R"({"kind": "box", "level_set": "grid", "voxel": "0.65 mm"})", wall),
+                               with(R"({"kind": "sphere", "radius": "1 cm", "nodes": 50, "voxel": "1 mm"})", spheres)}) {
         const Specimen image = scale_specimen(make_upright_specimen(scene), similitude);
-        const Specimen built = make_upright_specimen(scene::scale_scene(scene, similitude));
+        const Specimen built = make_upright_specimen(scale_scene(scene, similitude));
         CHECK(hash_model(image.model, 1.0) == hash_model(built.model, 1.0));
         CHECK(image.layer == built.layer);
         CHECK(image.spine.block == built.spine.block);
@@ -111,7 +109,7 @@ TEST_CASE("at a scale that is no power of two every number is off by its own rou
     const double length = std::pow(4.0, 0.37);
     const Similitude similitude = make_similitude("exact", {.length = length});
     const Specimen image = scale_specimen(laid_wall(), similitude);
-    const Specimen built = make_upright_specimen(scene::scale_scene(uneven_wall(), similitude));
+    const Specimen built = make_upright_specimen(scale_scene(uneven_wall(), similitude));
     constexpr double kUlp = 0x1p-52;
     for (std::size_t i = 0; i < image.model.blocks.size(); ++i) {
         const Block &block = image.model.blocks[i], &prototype = laid_wall().model.blocks[i], &other = built.model.blocks[i];

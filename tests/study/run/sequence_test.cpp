@@ -24,7 +24,6 @@
 #include "tests/support/temporary_folder.hpp"
 
 using namespace musim::lsdem;
-using namespace musim::lsdem::study;
 using musim::tests::bytes_of;
 using musim::tests::message_of;
 using musim::tests::TemporaryFolder;
@@ -46,15 +45,15 @@ std::string make_text(const std::string& structure, const std::string& motions, 
            structure + ", " + motions + R"(, "time": )" + time + R"(, "output": {"spine_rate": "400 Hz"}})";
 }
 
-scene::Scene make_scene(const std::string& structure, const std::string& motions) {
-    return scene::parse_scene(make_text(structure, "\"motions\": [" + motions + "]"));
+Scene make_scene(const std::string& structure, const std::string& motions) {
+    return parse_scene(make_text(structure, "\"motions\": [" + motions + "]"));
 }
 
 SequenceSettings settings_for(const fs::path& directory, int threads = 1) {
     return {.directory = directory, .version = "test", .threads = threads, .checkpoint_interval = 1e9};
 }
 
-SequenceSummary shake(const scene::Scene& scene, const fs::path& directory, int threads = 1) {
+SequenceSummary shake(const Scene& scene, const fs::path& directory, int threads = 1) {
     return run_sequence(scene, settings_for(directory, threads));
 }
 
@@ -94,7 +93,7 @@ void check_same_files(const fs::path& a, const fs::path& b) {
 struct Killed {};
 
 /// Runs a sequence that dies as soon as `fraction` of it is done, or a stage of that folder is stored.
-void kill_at(const scene::Scene* scene, const fs::path& directory, double fraction, const std::string& stored = "") {
+void kill_at(const Scene* scene, const fs::path& directory, double fraction, const std::string& stored = "") {
     SequenceSettings settings = settings_for(directory);
     settings.checkpoint_interval = 0.0;
     settings.observer.on_progress = [&](double done) {
@@ -121,20 +120,20 @@ std::string make_lone_blocks(std::size_t count, const std::map<std::size_t, int>
 
 TEST_CASE("a sequence of one motion is the plain run, to the byte") {
     const std::string motion = R"({"signal": "sine", "direction": "y", "amplitude": "0.4 g", "frequency": "8 Hz", "cycles": 1})";
-    const scene::Scene plain = scene::parse_scene(make_text(kColumn, "\"base_motion\": " + motion));
+    const Scene plain = parse_scene(make_text(kColumn, "\"base_motion\": " + motion));
     const TemporaryFolder folder;
     const SequenceSummary summary = shake(make_scene(kColumn, sine("0.4 g")), folder.path() / "sequence");
     CHECK(summary.status() == RunStatus::completed);
     CHECK_FALSE(summary.stages.front().at_start.has_value());
     ResultFolder results(folder.path() / "plain");
-    results.add_run("", run_scene(plain), {.scene = scene::write_scene(plain), .program_version = "test"});
+    results.add_run("", run_scene(plain), {.scene = write_scene(plain), .program_version = "test"});
     results.commit();
     check_same_files(folder.path() / "plain", folder.path() / "sequence" / "stage-01-sine");
 }
 
 TEST_CASE("every stage begins where the one before left the structure, at rest, with the base and the ledger anew") {
     const TemporaryFolder folder;
-    const scene::Scene scene = make_scene(kColumn, sine("0.5 g", R"(, "name": "first one", "repeat": 2)") + ", " + sine("0.4 g"));
+    const Scene scene = make_scene(kColumn, sine("0.5 g", R"(, "name": "first one", "repeat": 2)") + ", " + sine("0.4 g"));
     const SequenceSummary summary = shake(scene, folder.path());
     REQUIRE(summary.stages.size() == 3);
     CHECK(summary.stages[0].where.folder == "stage-01-first-one");
@@ -156,7 +155,7 @@ TEST_CASE("every stage begins where the one before left the structure, at rest, 
         // what a step in which blocks touch or part books wrongly, see lsdem/README.md
         CHECK(json["energy_closure"] < 0.01);
         CHECK(json["doubts"].empty());
-        CHECK(scene::parse_scene(run.scene).motions.empty());
+        CHECK(parse_scene(run.scene).motions.empty());
         if (k == 0) continue;
         CHECK(json["rest"]["at_rest"] == true);
         CHECK(run.origin->stage == k);
@@ -198,13 +197,13 @@ TEST_CASE("residuals since the first start add up over the stages, relative to t
 }
 
 TEST_CASE("a sequence at 1:16 is the same bits in all stages and its summary") {
-    const scene::Scene scene = make_scene(
-        kColumn, sine("0.7 g") + ", " + R"({"base_motion": {"signal": "half_sine", "amplitude": "0.3 g", "duration": "0.06 s"}})" + ", " +
-                     sine("0.5 g"));
+    const Scene scene = make_scene(kColumn, sine("0.7 g") + ", " +
+                                                R"({"base_motion": {"signal": "half_sine", "amplitude": "0.3 g", "duration": "0.06 s"}})" +
+                                                ", " + sine("0.5 g"));
     const musim::scaling::Similitude similitude = musim::scaling::make_similitude("exact", {.length = 1.0 / 16.0});
     const TemporaryFolder folder;
     const SequenceSummary large = shake(scene, folder.path() / "large");
-    const SequenceSummary small = shake(scene::scale_scene(scene, similitude), folder.path() / "small");
+    const SequenceSummary small = shake(scale_scene(scene, similitude), folder.path() / "small");
     REQUIRE(large.stages.size() == 3);
     REQUIRE(small.stages.size() == 3);
     const auto a = read_stages(folder.path() / "large", large), b = read_stages(folder.path() / "small", small);
@@ -264,7 +263,7 @@ TEST_CASE("a stage without a quiet phase goes on with the velocities of the one 
 
 TEST_CASE("the sequence ends with the stage in which the structure collapses, which is dated") {
     const TemporaryFolder folder;
-    const scene::Scene scene = make_scene(kColumn, sine("0.3 g") + ", " + sine("3 g", R"(, "duration": "0.5 s")") + ", " + sine("0.3 g"));
+    const Scene scene = make_scene(kColumn, sine("0.3 g") + ", " + sine("3 g", R"(, "duration": "0.5 s")") + ", " + sine("0.3 g"));
     const SequenceSummary summary = shake(scene, folder.path());
     CHECK(summary.planned == 3);
     REQUIRE(summary.stages.size() == 2);
@@ -313,8 +312,7 @@ TEST_CASE("blocks that earlier stages have thrown down count for the collapse" *
 
 TEST_CASE("a structure that collapses while it comes to rest has collapsed after its motion") {
     const TemporaryFolder folder;
-    const scene::Scene scene =
-        make_scene(make_lone_blocks(1, {}, 100), sine("1 g", R"(, "duration": "0.125 s")", "x") + ", " + sine("0.1 g"));
+    const Scene scene = make_scene(make_lone_blocks(1, {}, 100), sine("1 g", R"(, "duration": "0.125 s")", "x") + ", " + sine("0.1 g"));
     const SequenceSummary summary = shake(scene, folder.path());
     REQUIRE(summary.stages.size() == 1);
     CHECK(summary.status() == RunStatus::collapsed);
@@ -324,7 +322,7 @@ TEST_CASE("a structure that collapses while it comes to rest has collapsed after
 }
 
 TEST_CASE("a sequence killed anywhere and resumed has the files of one that was not to the byte" * doctest::test_suite("slow")) {
-    const scene::Scene scene = make_scene(kColumn, sine("0.5 g", R"(, "repeat": 2)") + ", " + sine("0.4 g"));
+    const Scene scene = make_scene(kColumn, sine("0.5 g", R"(, "repeat": 2)") + ", " + sine("0.4 g"));
     const TemporaryFolder folder;
     const fs::path whole = folder.path() / "whole";
     shake(scene, whole);
@@ -351,8 +349,8 @@ TEST_CASE("a sequence is resumed with the same records only, where there is one,
     const TemporaryFolder folder;
     const fs::path record = folder.write("record.csv", "0 0 0\n0.01 1 0\n0.02 -1 0\n0.03 0 0\n0.04 0 0\n0.05 0 0\n");
     const std::string motion = R"({"base_motion": {"record": "record.csv", "components": {"x": "1"}}, "duration": "0.05 s"})";
-    const scene::Scene scene =
-        scene::parse_scene(make_text(kColumn, "\"motions\": [" + sine("0.1 g") + ", " + motion + "]"), folder.path() / "scene.json");
+    const Scene scene =
+        parse_scene(make_text(kColumn, "\"motions\": [" + sine("0.1 g") + ", " + motion + "]"), folder.path() / "scene.json");
     const fs::path out = folder.path() / "out";
     CHECK(message_of<std::runtime_error>([&] { resume_sequence(settings_for(out)); }).find("no checkpoint") != std::string::npos);
     CHECK_FALSE(fs::exists(out));
@@ -367,7 +365,7 @@ TEST_CASE("a sequence is resumed with the same records only, where there is one,
     const SequenceSummary again = shake(scene, out);
     REQUIRE(again.stages.size() == 2);
     const fs::path second = out / again.stages[1].where.folder;
-    const scene::Scene shorter = make_scene(kColumn, sine("0.1 g"));
+    const Scene shorter = make_scene(kColumn, sine("0.1 g"));
     CHECK(message_of<ResultError>([&] { shake(shorter, out); }).find("contents.json: here are results of another scene") !=
           std::string::npos);
     CHECK(fs::exists(second));
@@ -391,12 +389,12 @@ TEST_CASE("motions that the base could only join by a jump are refused before an
     const std::string half = sine("0.5 g", R"(, "duration": "0.0625 s")");
     refused(half + ", " + sine("0.1 g", R"(, "settle": false)"), "/motions/1: the base would jump by 0.195 m/s from stage-01-sine");
     CHECK_NOTHROW(plan_sequence(make_scene(kColumn, sine("0.1 g") + ", " + step)));
-    const scene::Scene plain = scene::parse_scene(make_text(kColumn, R"("base_motion": null)"));
+    const Scene plain = parse_scene(make_text(kColumn, R"("base_motion": null)"));
     CHECK(message_of<std::runtime_error>([&] { plan_sequence(plain); }).find("use `musim run`") != std::string::npos);
 }
 
 TEST_CASE("a scene with a list of motions is refused where one can be used") {
-    const scene::Scene scene = make_scene(kColumn, sine("0.1 g"));
+    const Scene scene = make_scene(kColumn, sine("0.1 g"));
     CHECK(message_of<std::runtime_error>([&] { run_scene(scene); }).find("use `musim sequence`") != std::string::npos);
 }
 
@@ -405,7 +403,7 @@ TEST_CASE("a sequence gives the same files with any number of threads") {
     const std::string wall = R"({"kind": "wall", "layers": 9, "blocks_per_layer": 33, "block": ["12.710 mm", "26.355 mm", "39.780 mm"]})";
     const std::string jolt =
         R"({"base_motion": {"signal": "sine", "direction": "x", "amplitude": "2 g", "frequency": "400 Hz", "cycles": 1}, "duration": "2.5 ms")";
-    const scene::Scene scene = make_scene(wall, jolt + "}, " + jolt + R"(, "settle": false})");
+    const Scene scene = make_scene(wall, jolt + "}, " + jolt + R"(, "settle": false})");
     const TemporaryFolder folder;
     const SequenceSummary summary = shake(scene, folder.path() / "one", 1);
     REQUIRE(summary.stages.size() == 2);

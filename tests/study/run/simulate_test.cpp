@@ -10,7 +10,6 @@
 #include "tests/study/made_specimen.hpp"
 
 using namespace musim::lsdem;
-using namespace musim::lsdem::study;
 
 TEST_CASE("a run keeps one sample per plan entry, and its spine is the blocks asked for") {
     const Specimen column = make_column(3);

@@ -28,14 +28,13 @@
 
 using namespace musim;
 using namespace musim::lsdem;
-using namespace musim::lsdem::study;
 using musim::tests::bytes_of;
 using musim::tests::TemporaryFolder;
 
 namespace {
 
-scene::Scene make_wall_scene(int layers = 4, const std::string& more = "") {
-    return scene::parse_scene(
+lsdem::Scene make_wall_scene(int layers = 4, const std::string& more = "") {
+    return lsdem::parse_scene(
         R"({"schema": "musim-scene/1", "name": "uneven wall", "material": "wood", "structure": {"kind": "wall", "layers": )" +
         std::to_string(layers) +
         R"(, "blocks_per_layer": 2, "block": ["12.710 mm", "26.355 mm", "39.780 mm"], "height_deviation": "0.155 mm",
@@ -49,16 +48,16 @@ double total_mass(const Model& model) {
     return mass;
 }
 
-double prepared_rate(const scene::Scene& scene, const Specimen& upright) { return find_preparation(scene, upright).settling.damping_rate; }
+double prepared_rate(const lsdem::Scene& scene, const Specimen& upright) { return find_preparation(scene, upright).settling.damping_rate; }
 
-SpecimenBatch make_batch(const std::filesystem::path& folder, const scene::Scene& scene) {
+SpecimenBatch make_batch(const std::filesystem::path& folder, const lsdem::Scene& scene) {
     return {.scene = scene, .seeds = {3}, .folder = folder, .version = "test", .threads = 1};
 }
 
 }  // namespace
 
 TEST_CASE("blocks of unequal height come to rest before the motion, the base bears the weight, and nothing creeps") {
-    const scene::Scene scene = make_wall_scene();
+    const lsdem::Scene scene = make_wall_scene();
     const RunResult run = run_scene(scene);
     REQUIRE(run.rest.has_value());
     CHECK(run.rest->at_rest);
@@ -92,15 +91,15 @@ TEST_CASE("a block that leans or lies below its layer has fallen while the speci
 }
 
 TEST_CASE("layer by layer or quickly or by resting planes the same blocks come to about the same places" * doctest::test_suite("slow")) {
-    const scene::Scene scene = make_wall_scene();
+    const lsdem::Scene scene = make_wall_scene();
     const Specimen upright = make_upright_specimen(scene);
-    const double step = scene::compute_time_step(scene, upright.model).value();
+    const double step = lsdem::compute_time_step(scene, upright.model).value();
     PreparationSettings settings = find_preparation(scene, upright);
-    REQUIRE(settings.placing == scene::Placing::quick_layers);
+    REQUIRE(settings.placing == lsdem::Placing::quick_layers);
     const PreparedSpecimen quick = prepare(upright, step, settings);
-    settings.placing = scene::Placing::resting;
+    settings.placing = lsdem::Placing::resting;
     const PreparedSpecimen resting = prepare(upright, step, settings);
-    settings.placing = scene::Placing::layers;
+    settings.placing = lsdem::Placing::layers;
     const PreparedSpecimen layers = prepare(upright, step, settings);
     REQUIRE(quick.rest.at_rest);
     REQUIRE(resting.rest.at_rest);
@@ -125,9 +124,9 @@ TEST_CASE("layer by layer or quickly or by resting planes the same blocks come t
 }
 
 TEST_CASE("what has no time to come to rest with inertia added does so with its own, where it stands") {
-    const scene::Scene scene = make_wall_scene();
+    const lsdem::Scene scene = make_wall_scene();
     const Specimen upright = make_upright_specimen(scene);
-    const double step = scene::compute_time_step(scene, upright.model).value();
+    const double step = lsdem::compute_time_step(scene, upright.model).value();
     PreparationSettings settings = find_preparation(scene, upright);
     const PreparedSpecimen patient = prepare(upright, step, settings);
     // the layers have theirs, all of the whole is left to the blocks' own inertia
@@ -146,7 +145,7 @@ TEST_CASE("what has no time to come to rest with inertia added does so with its 
 // The same blocks in the same places, so that differences block by block tell more than two means. Forces have no such partners: a contact
 // of the one may be open in the other.
 TEST_CASE("specimens of quick layers are those of layer by layer in the mean and cost less" * doctest::test_suite("slow")) {
-    scene::Scene scene = scene::parse_scene(
+    lsdem::Scene scene = lsdem::parse_scene(
         R"({"schema": "musim-scene/1", "name": "ring", "material": "wood", "structure": {"kind": "tower", "layers": 6, "tiling": "ring_14",
         "block": ["12.710 mm", "26.355 mm", "39.780 mm"], "height_deviation": "0.155 mm", "seed": 1}, "time": {"duration": "10 ms"}})",
         "test");
@@ -162,14 +161,14 @@ TEST_CASE("specimens of quick layers are those of layer by layer in the mean and
     Sample tilt_difference, tilt, quick_force, force;
     std::uint64_t quick_cost = 0, cost = 0;
     for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
-        std::get<scene::Tower>(scene.structure).seed = seed;
+        std::get<lsdem::Tower>(scene.structure).seed = seed;
         const Specimen upright = make_upright_specimen(scene);
-        const auto prepare_by = [&](scene::Placing placing) {
+        const auto prepare_by = [&](lsdem::Placing placing) {
             PreparationSettings settings = find_preparation(scene, upright);
             settings.placing = placing;
-            return prepare(upright, scene::compute_time_step(scene, upright.model).value(), settings);
+            return prepare(upright, lsdem::compute_time_step(scene, upright.model).value(), settings);
         };
-        const PreparedSpecimen quick = prepare_by(scene::Placing::quick_layers), layers = prepare_by(scene::Placing::layers);
+        const PreparedSpecimen quick = prepare_by(lsdem::Placing::quick_layers), layers = prepare_by(lsdem::Placing::layers);
         REQUIRE(quick.rest.at_rest);
         REQUIRE(layers.rest.at_rest);
         quick_cost += quick.block_steps, cost += layers.block_steps;
@@ -192,9 +191,9 @@ TEST_CASE("specimens of quick layers are those of layer by layer in the mean and
 }
 
 TEST_CASE("a prepared specimen bears what it bore, and its blocks stay where they stand") {
-    const scene::Scene scene = make_wall_scene(3);
+    const lsdem::Scene scene = make_wall_scene(3);
     const Specimen upright = make_upright_specimen(scene);
-    const double step = scene::compute_time_step(scene, upright.model).value();
+    const double step = lsdem::compute_time_step(scene, upright.model).value();
     const PreparedSpecimen prepared = prepare(upright, step, find_preparation(scene, upright));
     REQUIRE(prepared.rest.at_rest);
     REQUIRE_FALSE(prepared.specimen.model.preload.empty());
@@ -222,11 +221,11 @@ TEST_CASE("a prepared specimen bears what it bore, and its blocks stay where the
 
 TEST_CASE("a specimen is made once from the same inputs, and again from others") {
     const TemporaryFolder folder;
-    const scene::Scene scene = make_wall_scene(3);
+    const lsdem::Scene scene = make_wall_scene(3);
     const auto first = make_specimens(make_batch(folder.path(), scene));
     REQUIRE(first.size() == 1);
     CHECK_FALSE(first[0].reused);
-    scene::Scene renamed = scene;
+    lsdem::Scene renamed = scene;
     renamed.name = "other name, same wall";
     renamed.time.duration = 2.0 * scene.time.duration;
     // as a kill leaves it between the specimen and the end
@@ -236,11 +235,11 @@ TEST_CASE("a specimen is made once from the same inputs, and again from others")
     CHECK_FALSE(std::filesystem::exists(checkpoint));
     CHECK(second[0].reused);
     CHECK(second[0].file == first[0].file);
-    scene::Scene slippery = scene;
+    lsdem::Scene slippery = scene;
     slippery.material.friction = 0.5;
     CHECK(make_specimens(make_batch(folder.path(), slippery))[0].file != first[0].file);
     // what changes nothing names the same file; the text it is named by has nothing of older versions
-    const scene::Scene idle = make_wall_scene(3, R"(, "shape": {"kind": "box", "nodes_per_face": 9},
+    const lsdem::Scene idle = make_wall_scene(3, R"(, "shape": {"kind": "box", "nodes_per_face": 9},
         "contact": {"faces": "patch", "nodes": "both", "spacing": "even"})");
     CHECK(make_specimens(make_batch(folder.path(), idle))[0].file == first[0].file);
     const std::string inputs = read_specimen_inputs(first[0].file);
@@ -252,7 +251,7 @@ TEST_CASE("a specimen is made once from the same inputs, and again from others")
 
 TEST_CASE("specimens made side by side are those made one by one") {
     const TemporaryFolder together, apart;
-    const scene::Scene scene = make_wall_scene(2);
+    const lsdem::Scene scene = make_wall_scene(2);
     SpecimenBatch batch = make_batch(together.path(), scene);
     batch.seeds = {3, 4, 5, 6};
     batch.threads = 2;
@@ -278,7 +277,7 @@ TEST_CASE("specimens made side by side are those made one by one") {
 
 TEST_CASE("a specimen serves other materials and scales" * doctest::test_suite("slow")) {
     const TemporaryFolder folder;
-    scene::Scene scene = make_wall_scene(3);
+    lsdem::Scene scene = make_wall_scene(3);
     const std::filesystem::path file = make_specimens(make_batch(folder.path(), scene))[0].file;
     scene.preparation.emplace().specimen = file;
     const Specimen taken = make_specimen(scene);
@@ -286,7 +285,7 @@ TEST_CASE("a specimen serves other materials and scales" * doctest::test_suite("
     // where it was prepared it is at rest as it is: as many looks as it takes to believe that
     CHECK(run_scene(scene).rest->steps <= 4 * 64);
     // stiffer, more slippery blocks take the same places: nothing jumps, nothing slides far
-    scene::Scene other = scene;
+    lsdem::Scene other = scene;
     other.material.normal_stiffness *= 16.0;
     other.material.shear_stiffness *= 16.0;
     other.material.friction = 0.4;
@@ -297,7 +296,7 @@ TEST_CASE("a specimen serves other materials and scales" * doctest::test_suite("
     }
 
     // a power of four: the same bits
-    const scene::Scene small = scene::scale_scene(scene, scaling::make_similitude("exact", {.length = 1.0 / 16.0}));
+    const lsdem::Scene small = lsdem::scale_scene(scene, scaling::make_similitude("exact", {.length = 1.0 / 16.0}));
     const Specimen scaled = make_specimen(small);
     for (std::size_t i = 0; i < taken.model.blocks.size(); ++i) {
         CHECK(scaled.model.blocks[i].position * 16.0 == taken.model.blocks[i].position);
@@ -324,9 +323,9 @@ TEST_CASE("a specimen serves other materials and scales" * doctest::test_suite("
 
 TEST_CASE("a specimen from its file is that in memory: places to the bit, friction to its rounding, and at rest") {
     const TemporaryFolder folder;
-    const scene::Scene scene = make_wall_scene(3);
+    const lsdem::Scene scene = make_wall_scene(3);
     const Specimen upright = make_upright_specimen(scene);
-    const double step = scene::compute_time_step(scene, upright.model).value();
+    const double step = lsdem::compute_time_step(scene, upright.model).value();
     const PreparedSpecimen prepared = prepare(upright, step, find_preparation(scene, upright));
     const std::filesystem::path file = folder.path() / "wall.h5";
     write_specimen(file, prepared, "{}", "test");
@@ -365,9 +364,9 @@ TEST_CASE("a specimen from its file is that in memory: places to the bit, fricti
 }
 
 TEST_CASE("what friction holds may be said of either block of a contact") {
-    const scene::Scene scene = make_wall_scene(3);
+    const lsdem::Scene scene = make_wall_scene(3);
     const Specimen upright = make_upright_specimen(scene);
-    const double step = scene::compute_time_step(scene, upright.model).value();
+    const double step = lsdem::compute_time_step(scene, upright.model).value();
     Model model = prepare(upright, step, find_preparation(scene, upright)).specimen.model;
     Model swapped = model;
     std::size_t changed = 0;
@@ -393,9 +392,9 @@ TEST_CASE("what friction holds may be said of either block of a contact") {
 }
 
 TEST_CASE("a scene with blocks of unequal height and its twin at 1:16 settle and run to the same bits") {
-    const scene::Scene scene = make_wall_scene(3);
+    const lsdem::Scene scene = make_wall_scene(3);
     const scaling::Similitude similitude = scaling::make_similitude("exact", {.length = 1.0 / 16.0});
-    const RunResult large = run_scene(scene), small = run_scene(scene::scale_scene(scene, similitude));
+    const RunResult large = run_scene(scene), small = run_scene(lsdem::scale_scene(scene, similitude));
     REQUIRE(large.rest->steps > 0);
     CHECK(large.rest->steps == small.rest->steps);
     for (std::size_t i = 0; i < large.final.position.size(); ++i) {
@@ -406,9 +405,9 @@ TEST_CASE("a scene with blocks of unequal height and its twin at 1:16 settle and
 
 TEST_CASE("a file that is no specimen, or one of another wall, is refused with what to do") {
     const TemporaryFolder folder;
-    scene::Scene scene = make_wall_scene(3);
+    lsdem::Scene scene = make_wall_scene(3);
     const std::filesystem::path file = make_specimens(make_batch(folder.path(), scene))[0].file;
-    const auto message = [&](const scene::Scene& given) -> std::string {
+    const auto message = [&](const lsdem::Scene& given) -> std::string {
         try {
             make_specimen(given);
         } catch (const ResultError& error) {
@@ -416,13 +415,13 @@ TEST_CASE("a file that is no specimen, or one of another wall, is refused with w
         }
         return "";
     };
-    const auto with_file = [](scene::Scene given, const std::filesystem::path& path) {
+    const auto with_file = [](lsdem::Scene given, const std::filesystem::path& path) {
         given.preparation.emplace().specimen = path;
         return given;
     };
     CHECK(message(with_file(make_wall_scene(4), file)).find("prepare one of this") != std::string::npos);
-    scene::Scene other = scene;
-    std::get<scene::Wall>(other.structure).seed = 9;
+    lsdem::Scene other = scene;
+    std::get<lsdem::Wall>(other.structure).seed = 9;
     CHECK(message(with_file(other, file)).find("prepare a specimen of this scene") != std::string::npos);
     CHECK(message(with_file(scene, folder.path() / "nothing.h5")).find("nothing.h5") != std::string::npos);
 
@@ -458,18 +457,18 @@ TEST_CASE("a file that is no specimen, or one of another wall, is refused with w
 }
 
 TEST_CASE("a preparation that a scene asks for is read, written, scaled and checked") {
-    const scene::Scene scene = make_wall_scene(3, R"(, "preparation": {"placing": "layers", "damping_rate": "30 Hz"})");
+    const lsdem::Scene scene = make_wall_scene(3, R"(, "preparation": {"placing": "layers", "damping_rate": "30 Hz"})");
     REQUIRE(scene.preparation.has_value());
-    CHECK(scene.preparation->placing == scene::Placing::layers);
-    CHECK(scene::parse_scene(scene::write_scene(scene)) == scene);
-    const auto twin = scene::scale_scene(scene, scaling::make_similitude("exact", {.length = 1.0 / 16.0}));
+    CHECK(scene.preparation->placing == lsdem::Placing::layers);
+    CHECK(lsdem::parse_scene(lsdem::write_scene(scene)) == scene);
+    const auto twin = lsdem::scale_scene(scene, scaling::make_similitude("exact", {.length = 1.0 / 16.0}));
     CHECK(twin.preparation->damping_rate->value() == 120.0);
-    const auto refused = [](const std::string& more) { CHECK_THROWS_AS(make_wall_scene(3, more), scene::SceneError); };
+    const auto refused = [](const std::string& more) { CHECK_THROWS_AS(make_wall_scene(3, more), lsdem::SceneError); };
     refused(R"(, "preparation": {"placing": "thrown"})");
     refused(R"(, "preparation": {"damping_rate": "0 Hz"})");
     refused(R"(, "preparation": {"placing": "layers", "specimen": "a.h5"})");
-    CHECK_THROWS_AS(scene::parse_scene(R"({"schema": "musim-scene/1", "material": "wood", "structure": {"kind": "blocks", "blocks":
+    CHECK_THROWS_AS(lsdem::parse_scene(R"({"schema": "musim-scene/1", "material": "wood", "structure": {"kind": "blocks", "blocks":
         [{"size": ["1 cm", "2 cm", "3 cm"], "position": [0, 0, "1.5 cm"]}]}, "time": {"duration": "1 s"},
         "preparation": {"placing": "resting"}})"),
-                    scene::SceneError);
+                    lsdem::SceneError);
 }

@@ -11,14 +11,13 @@
 #include "tests/support/relative.hpp"
 
 using namespace musim::lsdem;
-using namespace musim::lsdem::study;
 using musim::lsdem::tests::relative;
 
 namespace {
 
 /// Two blocks that slide and turn under two motions with a pause between them, and a third without one.
-scene::Scene make_scene() {
-    return scene::parse_scene(R"({"schema": "musim-scene/1", "name": "shaken again",
+Scene make_scene() {
+    return parse_scene(R"({"schema": "musim-scene/1", "name": "shaken again",
         "material": {"density": 2320, "normal_stiffness": "2 GN/m", "shear_stiffness": "2 GN/m", "friction": 0.3, "restitution": 0.3},
         "structure": {"kind": "column", "layers": 2, "block": ["1.5 m", "2 m", "1 m"]},
         "motions": [
