@@ -121,7 +121,7 @@ Comparison compare(const Twins& twins, double height, std::uint64_t steps) {
 /// overlaps, a millionth of a height, differ by 1e-10 of themselves, and impacts and slip let that grow: seen are 2e-11 heights at most.
 void check_same(const Twins& twins, std::uint64_t steps, double least_motion) {
     const Comparison result = compare(twins, 2.0 * twins.offset.shapes.front().half_extents.z(), steps);
-    MESSAGE("moved " << result.moved << ", apart " << result.apart << ", losses " << result.losses);
+    INFO("moved " << result.moved << ", apart " << result.apart << ", losses " << result.losses);
     CHECK(result.moved > least_motion);
     CHECK(result.apart < 1e-10);
     CHECK(result.losses < 1e-8);

@@ -147,7 +147,7 @@ TEST_CASE("saved states are the same for any number of threads and can be resume
         s.advance(50);
         CHECK(save(s) == save(two));
     }
-    MESSAGE("bytes per block: " << state.size() / model.blocks.size());
+    INFO("bytes per block: " << state.size() / model.blocks.size());
     CHECK(static_cast<double>(state.size()) < 4096.0 * static_cast<double>(model.blocks.size()));
 }
 

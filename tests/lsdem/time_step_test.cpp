@@ -51,7 +51,7 @@ TEST_CASE("the rotation of all blocks against their shear springs bounds the lim
     const double shear_rotation = std::sqrt(12.0 * wood().shear_stiffness * h * h / (wood().mass() * (b * b + h * h)));
     CHECK(shear_rotation == relative(3.30 * std::sqrt(wood().shear_stiffness / wood().mass()), 2e-3));
     const double limit = compute_critical_time_step(model);
-    MESSAGE("undamped limit over that of the shear-rotation mode: " << limit * shear_rotation / 2.0);
+    INFO("undamped limit over that of the shear-rotation mode: " << limit * shear_rotation / 2.0);
     // the bound counts single blocks, with the lattice's (1 + 2/(n − 1)²) for bending: on the safe side of the mode by a tenth or so
     CHECK(limit <= 2.0 / shear_rotation * (1.0 + 1e-12));
     CHECK(limit > 0.8 * 2.0 / shear_rotation);

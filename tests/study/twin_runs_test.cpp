@@ -127,7 +127,7 @@ TEST_CASE("copies moved in the same directions part in proportion to how far") {
     REQUIRE(sets.size() == 2);
     for (const Proportionality& set : sets) {
         REQUIRE(set.departure.has_value());
-        MESSAGE("departs by " << *set.departure << " at " << set.time << " s, " << set.level);
+        INFO("departs by " << *set.departure << " at " << set.time << " s, " << set.level);
         CHECK(*set.departure < 2.0);
     }
     // other directions, other differences

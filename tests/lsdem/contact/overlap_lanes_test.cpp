@@ -13,6 +13,7 @@
 #include "lsdem/contact/overlap.hpp"
 #include "lsdem/contact/overlap_lanes.hpp"
 #include "lsdem/detail/instructions.hpp"
+#include "tests/support/trials.hpp"
 
 using namespace musim::lsdem;
 using namespace musim::lsdem::detail;
@@ -153,7 +154,7 @@ TEST_SUITE_BEGIN("one-thread");
 TEST_CASE("pairs side by side give the load of the exact function wherever they say that they hold") {
     Poses poses;
     std::size_t held = 0, asked = 0;
-    for (int group = 0; group < 750; ++group) {
+    for (int group = 0; group < musim::tests::trials(750); ++group) {
         const LanePairs pairs([&] { return poses.next(); });
         for (std::size_t i = 0; i < kLanePairs; ++i) {
             ++asked;
@@ -180,7 +181,7 @@ TEST_CASE("pairs side by side give the load of the exact function wherever they 
 TEST_CASE("pairs side by side on seats of a few depths give the load of the exact function wherever they say that they hold") {
     Poses poses;
     std::size_t held = 0;
-    for (int group = 0; group < 300; ++group) {
+    for (int group = 0; group < musim::tests::trials(300); ++group) {
         const LanePairs pairs([&] { return poses.next(Poses::Kind::on_seat); });
         for (std::size_t i = 0; i < kLanePairs; ++i) {
             const OverlapLoad load = sum_load(pairs.boxes[i].cut());
@@ -191,7 +192,7 @@ TEST_CASE("pairs side by side on seats of a few depths give the load of the exac
             CHECK((pairs.found[i].moment - load.moment).norm() <= tolerance * load.force.norm() * size);
         }
     }
-    CHECK(held > 1000);
+    CHECK(held > 3 * musim::tests::trials(300));
 }
 
 TEST_CASE("boxes that lie beside each other at one height give nothing or say that they do not hold") {
@@ -218,7 +219,7 @@ TEST_CASE("boxes that lie beside each other at one height give nothing or say th
 // strips along the edges of a flat contact, as wide as its depth, are no part of it
 TEST_CASE("pairs side by side give the area of the exact function") {
     Poses poses;
-    for (int group = 0; group < 150; ++group) {
+    for (int group = 0; group < musim::tests::trials(150); ++group) {
         const LanePairs pairs([&] { return poses.next(); });
         for (std::size_t i = 0; i < kLanePairs; ++i) {
             if (!pairs.holds[i]) continue;
@@ -262,7 +263,7 @@ MainCellQuestion make_question(const OverlapPieces& pieces, std::mt19937_64& ran
 TEST_CASE("main cells give the reach of friction and what dashpots would pull as all pieces do") {
     Poses poses;
     std::mt19937_64 random(7);
-    for (int group = 0; group < 400; ++group) {
+    for (int group = 0; group < musim::tests::trials(400); ++group) {
         const LanePairs pairs([&] { return poses.next(); });
         std::array<MainCellQuestion, kLanePairs> questions{};
         for (std::size_t i = 0; i < kLanePairs; ++i) {
@@ -309,7 +310,7 @@ TEST_CASE("the least reach of an even square is that of the disc of its area") {
 TEST_CASE("blocks that rock in one plane edge on edge have the reach of all pieces at every pose") {
     std::mt19937_64 random(10);
     const auto even = [&] { return std::uniform_real_distribution<double>(-1.0, 1.0)(random); };
-    for (int group = 0; group < 400; ++group) {
+    for (int group = 0; group < musim::tests::trials(400); ++group) {
         std::array<Boxes, kLanePairs> boxes;
         std::array<BoxMeeting, kLanePairs> meetings;
         std::array<MainCellQuestion, kLanePairs> questions;

@@ -29,7 +29,6 @@ AccuracyOutcome run(const std::string& name, const AccuracySetting& setting) {
 /// log2 of the ratio of the errors at two time steps, the second half of the first.
 double observe_order(const std::string& name, double safety) {
     const double coarse = run(name, {.safety = safety}).error, fine = run(name, {.safety = 0.5 * safety}).error;
-    MESSAGE(name << ": error " << coarse << " at " << safety << " of the critical step, " << fine << " at half of it");
     return std::log2(coarse / fine);
 }
 
@@ -87,7 +86,7 @@ TEST_CASE("boxes that overlap lean and settle as on the continuous face, but for
     // moment of the rim, K/2 ∮ x D²/2, against K φ w b³/12; friction acts in the middle of the overlap, nearer to the weight by D/2
     const double leant = sunk * (3.0 / kThin + 1.0 / wide - 1.0 / kHigh);
     const double settle = run("settle", {}).error, lean = run("lean", {}).error;
-    MESSAGE("column sinks by " << settle << " more, of it rims " << settled << "; leaning " << lean << ", of it rims " << leant);
+    INFO("column sinks by " << settle << " more, of it rims " << settled << "; leaning " << lean << ", of it rims " << leant);
     CHECK(settle == relative(settled, 1e-2));
     CHECK(lean == relative(leant, 1e-2));
     // the number of nodes is nothing to it
@@ -146,8 +145,8 @@ TEST_CASE("a block rocks about its own edge, or that of another block, where tha
     const double other = compute_soft_quarter_period(0.3 * kThin) / rigid_quarter_period(0.3 * kThin) - 1.0;
     const double on_ground = run("rock_ground", {}).error, on_block = run("rock_own_edge", {}).error;
     const double about_other = run("rock_other_edge", {}).error;
-    MESSAGE("quarter period off by " << on_ground << " on the ground, " << on_block << " on a block, where the edge sinks in by " << own
-                                     << "; " << about_other << " about the edge of another block, " << other);
+    INFO("quarter period off by " << on_ground << " on the ground, " << on_block << " on a block, where the edge sinks in by " << own
+                                  << "; " << about_other << " about the edge of another block, " << other);
     // the edge sinks in, which moves the pivot. The block begins above where it will bear its weight: it takes some of the fall into its
     // turning and rings on its edge, as its dashpot and the spring of friction let it; that is a part of the sink
     CHECK(on_ground == relative(own, 0.15));
@@ -170,8 +169,8 @@ TEST_CASE("a shaken wall comes closer to the converged one with shorter steps an
     const double coarse = compare_tops(wall.run({.safety = 0.8}), converged), fine = compare_tops(wall.run({.safety = 0.2}), converged);
     const double few = compare_tops(wall.run({.faces = FaceContact::nodes, .nodes_per_face = 12}), converged);
     const double many = compare_tops(wall.run({.faces = FaceContact::nodes, .nodes_per_face = 176}), converged);
-    MESSAGE("top of a low wall: off by " << coarse << " at 0.8 of the critical step, " << fine << " at 0.2; by nodes " << few
-                                         << " with 12, " << many << " with 176");
+    INFO("top of a low wall: off by " << coarse << " at 0.8 of the critical step, " << fine << " at 0.2; by nodes " << few << " with 12, "
+                                      << many << " with 176");
     // of first order in the step a seventh, (0.2 − 0.1)/(0.8 − 0.1); half is asked for, since joints open and close between steps
     CHECK(fine < 0.5 * coarse);
     // 11 nodes across in place of 3, a fifth of the spacing, in which the part of a face that lifts is of first order at least

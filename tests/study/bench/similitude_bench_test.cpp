@@ -31,8 +31,8 @@ void check_hold(const std::vector<SimilitudeOutcome>& outcomes) {
     for (const SimilitudeOutcome& o : outcomes) {
         CAPTURE(to_string(o.wanted.scene));
         CAPTURE(to_string(o.wanted.broken.group));
-        MESSAGE(o.wanted.law << ": predicted " << o.wanted.prediction.ratio << ", measured " << o.ratio << "; difference " << o.difference
-                             << ", yardstick " << o.yardstick);
+        INFO(o.wanted.law << ": predicted " << o.wanted.prediction.ratio << ", measured " << o.ratio << "; difference " << o.difference
+                          << ", yardstick " << o.yardstick);
         CHECK(o.holds());
     }
 }

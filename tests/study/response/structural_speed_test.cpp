@@ -175,7 +175,7 @@ TEST_CASE("in a slipping column equal velocities climb at half of the elastic sp
     const double level = stone.friction * tests::kGravity * height / elastic;
     const SpeedEstimate first = find(estimate_speeds(receivers, {.threshold = level / base, .reference_peak = base}), "first_arrival");
     REQUIRE(first.speed.has_value());
-    MESSAGE("slip front: " << *first.speed / elastic << " c_e");
+    INFO("slip front: " << *first.speed / elastic << " c_e");
     // long waves are those of many blocks: with 38 of them a chain shows 0.509
     CHECK(*first.speed / elastic == doctest::Approx(0.5).epsilon(0.03));
 }

@@ -125,7 +125,7 @@ TEST_CASE("at a scale that is no power of two every number is off by its own rou
     TimePlan plan = make_time_plan(uneven_wall(), laid_wall().model);
     plan.samples = 10;
     const RunDifference difference = run_image(laid_wall(), plan, simulate(laid_wall(), plan), {.length = length});
-    MESSAGE("differs by " << difference.max_velocity);
+    INFO("differs by " << difference.max_velocity);
     CHECK(difference.max_velocity > 0.0);
     CHECK(difference.max_velocity < 1e-8);
 }

@@ -1,0 +1,14 @@
+#pragma once
+
+namespace musim::tests {
+
+/// How many random trials a test makes: an eighth of them under sanitizers, which watch memory and threads, not rare poses.
+constexpr int trials(int count) {
+#ifdef MUSIM_SANITIZED
+    return count / 8;
+#else
+    return count;
+#endif
+}
+
+}  // namespace musim::tests
