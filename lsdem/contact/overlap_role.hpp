@@ -179,6 +179,33 @@ struct OverlapRole {
         role.area_square[k] += square_x, role.area_square[1 - k] += square_y;
     }
 
+    /// The fan's middle: amid the edges, or on D = 0 next to that if the cell ends there, so that this edge adds nothing.
+    MUSIM_WIDE static void find_middle(Role& role, Cell& cell) {
+        const Lanes zero{};
+        const Across &p = role.across[0], &q = role.across[1];
+        Lanes rim{}, rim_x{}, rim_y{};
+        const auto add_to_middle = [&](std::size_t k, Lanes& across, Lanes& along) MUSIM_WIDE_LAMBDA {
+            for (std::size_t i = 0; i < 4; ++i) {
+                if (!cell.live[k][i]) continue;
+                const Edge& e = cell.edges[k][i];
+                const Lanes twice = e.length * (e.y0 + e.y1);
+                rim += e.length;
+                along += twice;
+                across += e.length * (e.x_at + e.x_at) + e.x_by * twice;
+            }
+        };
+        add_to_middle(0, rim_x, rim_y), add_to_middle(1, rim_y, rim_x);
+        const Lanes over = all(0.5) / larger(rim, all(1e-100));
+        const Lanes x = rim_x * over, y = rim_y * over, depth = (role.depth_at + p.depth_by_x * x) + q.depth_by_x * y;
+        const LaneMask open = role.shallowest < all(1e-3) * role.deepest;
+        const Lanes back = choose(open, -depth / larger(p.depth_by_x * p.depth_by_x + q.depth_by_x * q.depth_by_x, all(1e-300)), zero);
+        role.fan = {x + back * p.depth_by_x, y + back * q.depth_by_x};
+        role.fan_depth = choose(open, zero, depth);
+        cell.open = open, cell.fan = role.fan, cell.depth_at = role.depth_at, cell.slope = {p.depth_by_x, q.depth_by_x};
+        cell.half = {p.half, q.half}, cell.crease_at = {p.crease_at, q.crease_at}, cell.crease_slope = {p.crease_slope, q.crease_slope};
+        if (some(open)) cell.find_closing();
+    }
+
     /// Main cell of a (not yet divided by the fan's factors), and what belongs to it alone: the sides' loads below its rims (∫ D²/(2ζ)),
     /// the strips beyond its creases (∫ D²/(2 by_x)). Energies below strips and rims: of cubes of D.
     struct Strips {
@@ -249,28 +276,7 @@ struct OverlapRole {
                     beside * ((u.crease_at[c] * d.square + u.crease_slope[c] * d.along) + (all(sign_of(c) * 2.0 / 3.0) * beside) * d.cube);
             }
         }
-        // the fan's middle: amid the edges, or on D = 0 next to that if the cell ends there, so that this edge adds nothing
-        Lanes rim{}, rim_x{}, rim_y{};
-        const auto add_to_middle = [&](std::size_t k, Lanes& across, Lanes& along) MUSIM_WIDE_LAMBDA {
-            for (std::size_t i = 0; i < 4; ++i) {
-                if (!cell.live[k][i]) continue;
-                const Edge& e = edges[k][i];
-                const Lanes twice = e.length * (e.y0 + e.y1);
-                rim += e.length;
-                along += twice;
-                across += e.length * (e.x_at + e.x_at) + e.x_by * twice;
-            }
-        };
-        add_to_middle(0, rim_x, rim_y), add_to_middle(1, rim_y, rim_x);
-        const Lanes over = all(0.5) / larger(rim, all(1e-100));
-        const Lanes x = rim_x * over, y = rim_y * over, depth = (role.depth_at + p.depth_by_x * x) + q.depth_by_x * y;
-        const LaneMask open = role.shallowest < all(1e-3) * role.deepest;
-        const Lanes back = choose(open, -depth / larger(p.depth_by_x * p.depth_by_x + q.depth_by_x * q.depth_by_x, all(1e-300)), zero);
-        role.fan = {x + back * p.depth_by_x, y + back * q.depth_by_x};
-        role.fan_depth = choose(open, zero, depth);
-        cell.open = open, cell.fan = role.fan, cell.depth_at = role.depth_at, cell.slope = {p.depth_by_x, q.depth_by_x};
-        cell.half = {p.half, q.half}, cell.crease_at = {p.crease_at, q.crease_at}, cell.crease_slope = {p.crease_slope, q.crease_slope};
-        if (some(open)) cell.find_closing();
+        find_middle(role, cell);
         for (std::size_t k = 0; k < 2; ++k) add_main_edges(role, k, cell);
     }
 
