@@ -187,10 +187,9 @@ scaling::Time compute_time_step(const Scene& scene, const Model& model) {
     const std::optional<double> critical = find_critical_time_step(model);
     if (critical && scene.time.step->value() > kLargestStep * *critical) {
         throw SceneError(
-            fmt::format("scene \"{}\": the \"step\" {:.4g} s is {:.3g} times the critical one, {:.4g} s (blocks that can turn are stable "
-                        "up to {} times); take at "
-                        "most {:.4g} s, or \"auto\"",
-                        scene.name, scene.time.step->value(), scene.time.step->value() / *critical, *critical, kLargestStep,
+            fmt::format("{}: the \"step\" {:.4g} s is {:.3g} times the critical one, {:.4g} s (blocks that can turn are stable up to {} "
+                        "times); take at most {:.4g} s, or \"auto\"",
+                        scene.place(), scene.time.step->value(), scene.time.step->value() / *critical, *critical, kLargestStep,
                         TimeSettings{}.safety * *critical));
     }
     return *scene.time.step;

@@ -9,6 +9,7 @@ TEST_CASE("the nearest name differs in a third of its letters at most, and the n
     CHECK(find_nearest_name("duratoin", known) == "duration");
     CHECK(find_nearest_name("Density", known) == "density");
     CHECK(find_nearest_name("dtt", known) == "dt");
+    CHECK(find_nearest_name("rnu", {"scale", "run"}) == "run");
     CHECK(find_nearest_name("velocity", known).empty());
     CHECK(find_nearest_name("y", known).empty());
     CHECK(find_nearest_name("densitx", {"intensity", "density"}) == "density");

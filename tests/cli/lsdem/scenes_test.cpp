@@ -337,6 +337,7 @@ TEST_CASE("a step far above the critical one is refused before anything is compu
         CAPTURE(outcome.err);
         CHECK(outcome.exit_code == 3);
         CHECK(outcome.has_one_error_line());
+        CHECK(outcome.err.find("scene.json: the \"step\" ") != std::string::npos);
         CHECK(outcome.err.find("1.51 times the critical one") != std::string::npos);
         CHECK_FALSE(here.has("out"));
     }

@@ -32,7 +32,7 @@ TEST_CASE("a problem that cannot be is refused in one line that names the culpri
         0);
     CHECK(refusal(R"([{"name": "v", "unit": "m"}, {"name": "v", "unit": "s"}])") == "p.json: \"v\" is there twice; rename one");
     CHECK(refusal(R"([{"name": "v", "unti": "m", "unit": "m"}])") ==
-          "p.json: /quantities/0 (v): unknown key \"unti\"; known are name, unit, value");
+          "p.json: /quantities/0 (v): unknown key \"unti\"; did you mean \"unit\"?");
     CHECK(refusal(R"([{"unit": "m"}])") == "p.json: /quantities/0: key \"name\" is missing; add \"name\": \"v\"");
     CHECK(refusal(R"([{"name": "v"}])").find("key \"unit\" is missing") != std::string::npos);
     CHECK(refusal(R"([{"name": "v", "unit": 3}])").find("\"unit\" is no text") != std::string::npos);
