@@ -4,7 +4,7 @@
 #include <string>
 
 #include "lsdem/model.hpp"
-#include "lsdem/simulation.hpp"
+#include "lsdem/motion/simulation.hpp"
 
 namespace musim::lsdem {
 

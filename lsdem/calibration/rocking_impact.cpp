@@ -8,8 +8,8 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "lsdem/motion/simulation.hpp"
 #include "lsdem/scene/scene.hpp"
-#include "lsdem/simulation.hpp"
 #include "lsdem/time_step.hpp"
 #include "scaling/angle.hpp"
 #include "scaling/interruption.hpp"

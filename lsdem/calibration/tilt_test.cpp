@@ -9,8 +9,8 @@
 #include <optional>
 #include <stdexcept>
 
+#include "lsdem/motion/simulation.hpp"
 #include "lsdem/run/advance_in_pieces.hpp"
-#include "lsdem/simulation.hpp"
 #include "lsdem/time_step.hpp"
 
 namespace musim::lsdem {

@@ -9,9 +9,9 @@
 #include <span>
 #include <stdexcept>
 
+#include "lsdem/motion/simulation.hpp"
 #include "lsdem/response/line_fit.hpp"
 #include "lsdem/run/no_slip.hpp"
-#include "lsdem/simulation.hpp"
 #include "lsdem/time_step.hpp"
 #include "scaling/interruption.hpp"
 

@@ -6,8 +6,8 @@
 #include "lsdem/bodies.hpp"
 #include "lsdem/contact/box_meeting.hpp"
 #include "lsdem/contact/contact_area.hpp"
+#include "lsdem/contact/contacts.hpp"
 #include "lsdem/contact/overlap_contact.hpp"
-#include "lsdem/contacts.hpp"
 
 /// Boxes that meet face to face, several pairs side by side: overlap, dashpots and friction, the functions of overlap.hpp, contact_area.hpp
 /// and overlap_contact.hpp, to rounding. The step is compiled for AVX-512, for AVX2 and for plain x86-64, same bits; pairs do not depend on

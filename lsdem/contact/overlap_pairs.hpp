@@ -6,9 +6,9 @@
 #include <functional>
 
 #include "lsdem/bodies.hpp"
+#include "lsdem/contact/contacts.hpp"
 #include "lsdem/contact/overlap_contact.hpp"
 #include "lsdem/contact/overlap_lanes.hpp"
-#include "lsdem/contacts.hpp"
 
 /// Pairs of boxes, and of a box and the ground, that meet by their overlap.
 namespace musim::lsdem {

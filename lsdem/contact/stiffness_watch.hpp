@@ -7,7 +7,7 @@
 #include <Eigen/StdVector>
 
 #include "lsdem/bodies.hpp"
-#include "lsdem/contacts.hpp"
+#include "lsdem/contact/contacts.hpp"
 
 namespace musim::lsdem {
 

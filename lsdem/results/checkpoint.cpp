@@ -8,8 +8,8 @@
 #include <system_error>
 
 #include "lsdem/archive.hpp"
+#include "lsdem/motion/state_fields.hpp"
 #include "lsdem/results/leftovers.hpp"
-#include "lsdem/state_fields.hpp"
 #include "records/atomic_file.hpp"
 #include "scaling/interruption.hpp"
 #include "scaling/regular_file.hpp"

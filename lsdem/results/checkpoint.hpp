@@ -9,10 +9,10 @@
 #include <string>
 
 #include "lsdem/build.hpp"
+#include "lsdem/motion/simulation.hpp"
 #include "lsdem/results/history.hpp"
 #include "lsdem/results/preparation_state.hpp"
 #include "lsdem/results/time_plan.hpp"
-#include "lsdem/simulation.hpp"
 
 namespace musim::lsdem {
 

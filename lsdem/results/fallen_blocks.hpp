@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "lsdem/simulation.hpp"
+#include "lsdem/motion/simulation.hpp"
 #include "lsdem/types.hpp"
 
 namespace musim::lsdem {

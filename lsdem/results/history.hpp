@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "lsdem/motion/simulation.hpp"
 #include "lsdem/results/rest.hpp"
 #include "lsdem/results/source_pga.hpp"
 #include "lsdem/scene/spine.hpp"
-#include "lsdem/simulation.hpp"
 #include "lsdem/types.hpp"
 #include "scaling/laws/similitude.hpp"
 

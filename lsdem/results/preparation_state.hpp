@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "lsdem/motion/simulation.hpp"
 #include "lsdem/results/rest.hpp"
-#include "lsdem/simulation.hpp"
 #include "lsdem/types.hpp"
 
 namespace musim::lsdem {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "lsdem/simulation.hpp"
+#include "lsdem/motion/simulation.hpp"
 #include "scaling/interruption.hpp"
 
 namespace musim::lsdem::detail {

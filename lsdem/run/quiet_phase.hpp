@@ -3,10 +3,10 @@
 #include <functional>
 #include <optional>
 
+#include "lsdem/motion/simulation.hpp"
 #include "lsdem/results/checkpoint.hpp"
 #include "lsdem/run/sequence_plan.hpp"
 #include "lsdem/run/settle.hpp"
-#include "lsdem/simulation.hpp"
 
 namespace musim::lsdem {
 

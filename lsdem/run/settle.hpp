@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <functional>
 
+#include "lsdem/motion/simulation.hpp"
 #include "lsdem/results/rest.hpp"
-#include "lsdem/simulation.hpp"
 
 namespace musim::lsdem {
 

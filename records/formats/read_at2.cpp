@@ -5,9 +5,9 @@
 #include <array>
 
 #include "records/detail/text.hpp"
-#include "records/formats/detail/own_titles.hpp"
 #include "records/formats/detail/parsers.hpp"
 #include "records/formats/detail/values.hpp"
+#include "records/headers/own_titles.hpp"
 
 namespace musim::records {
 namespace detail {

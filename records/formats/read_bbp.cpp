@@ -3,9 +3,9 @@
 #include <array>
 
 #include "records/detail/text.hpp"
-#include "records/formats/detail/bearing.hpp"
 #include "records/formats/detail/parsers.hpp"
 #include "records/formats/detail/table.hpp"
+#include "records/headers/bearing.hpp"
 
 namespace musim::records::detail {
 namespace {

@@ -3,10 +3,10 @@
 #include <algorithm>
 
 #include "records/detail/text.hpp"
-#include "records/formats/detail/fixed_columns.hpp"
-#include "records/formats/detail/header_checks.hpp"
 #include "records/formats/detail/parsers.hpp"
 #include "records/formats/detail/volume1_pairs.hpp"
+#include "records/headers/fixed_columns.hpp"
+#include "records/headers/header_checks.hpp"
 
 namespace musim::records::detail {
 namespace {

@@ -5,11 +5,11 @@
 #include <cmath>
 
 #include "records/detail/text.hpp"
-#include "records/formats/detail/direction.hpp"
-#include "records/formats/detail/header_checks.hpp"
-#include "records/formats/detail/numeric_header.hpp"
-#include "records/formats/detail/own_titles.hpp"
 #include "records/formats/detail/parsers.hpp"
+#include "records/headers/direction.hpp"
+#include "records/headers/header_checks.hpp"
+#include "records/headers/numeric_header.hpp"
+#include "records/headers/own_titles.hpp"
 
 namespace musim::records::detail {
 namespace {

@@ -7,10 +7,10 @@
 
 #include "records/detail/text.hpp"
 #include "records/formats/detail/announced_block.hpp"
-#include "records/formats/detail/direction.hpp"
-#include "records/formats/detail/header_checks.hpp"
 #include "records/formats/detail/parsers.hpp"
 #include "records/formats/detail/volume1_pairs.hpp"
+#include "records/headers/direction.hpp"
+#include "records/headers/header_checks.hpp"
 
 namespace musim::records {
 namespace detail {

@@ -5,10 +5,10 @@
 #include <cmath>
 
 #include "records/detail/text.hpp"
-#include "records/formats/detail/bearing.hpp"
-#include "records/formats/detail/fixed_columns.hpp"
 #include "records/formats/detail/parsers.hpp"
-#include "records/formats/detail/stated_peak.hpp"
+#include "records/headers/bearing.hpp"
+#include "records/headers/fixed_columns.hpp"
+#include "records/headers/stated_peak.hpp"
 
 namespace musim::records::detail {
 namespace {

@@ -3,10 +3,10 @@
 #include <cmath>
 
 #include "records/detail/text.hpp"
-#include "records/formats/detail/header_fields.hpp"
 #include "records/formats/detail/parsers.hpp"
-#include "records/formats/detail/stated_peak.hpp"
 #include "records/formats/detail/values.hpp"
+#include "records/headers/header_fields.hpp"
+#include "records/headers/stated_peak.hpp"
 
 namespace musim::records::detail {
 namespace {

@@ -4,11 +4,11 @@
 #include <cmath>
 
 #include "records/detail/text.hpp"
-#include "records/formats/detail/direction.hpp"
-#include "records/formats/detail/header_checks.hpp"
-#include "records/formats/detail/numeric_header.hpp"
 #include "records/formats/detail/parsers.hpp"
 #include "records/formats/detail/timed_samples.hpp"
+#include "records/headers/direction.hpp"
+#include "records/headers/header_checks.hpp"
+#include "records/headers/numeric_header.hpp"
 
 namespace musim::records::detail {
 namespace {

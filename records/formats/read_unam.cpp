@@ -3,12 +3,12 @@
 #include <cmath>
 
 #include "records/detail/text.hpp"
-#include "records/formats/detail/bearing.hpp"
-#include "records/formats/detail/date_time.hpp"
-#include "records/formats/detail/header_fields.hpp"
 #include "records/formats/detail/parsers.hpp"
-#include "records/formats/detail/stated_peak.hpp"
 #include "records/formats/detail/table.hpp"
+#include "records/headers/bearing.hpp"
+#include "records/headers/date_time.hpp"
+#include "records/headers/header_fields.hpp"
+#include "records/headers/stated_peak.hpp"
 
 namespace musim::records::detail {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "records/formats/detail/short_decimal.hpp"
+#include "records/headers/short_decimal.hpp"
 
 namespace musim::records {
 namespace {

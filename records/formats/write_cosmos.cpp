@@ -8,9 +8,9 @@
 
 #include "records/atomic_file.hpp"
 #include "records/detail/text.hpp"
-#include "records/formats/detail/own_titles.hpp"
-#include "records/formats/detail/station_codes.hpp"
 #include "records/formats/write_record.hpp"
+#include "records/headers/own_titles.hpp"
+#include "records/headers/station_codes.hpp"
 
 namespace musim::records {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "records/atomic_file.hpp"
 #include "records/formats/detail/musim_csv.hpp"
-#include "records/formats/detail/own_titles.hpp"
+#include "records/headers/own_titles.hpp"
 
 namespace musim::records {
 namespace {

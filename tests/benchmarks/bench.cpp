@@ -12,7 +12,7 @@
 
 #include <fmt/core.h>
 
-#include "lsdem/simulation.hpp"
+#include "lsdem/motion/simulation.hpp"
 #include "lsdem/time_step.hpp"
 #include "tests/benchmarks/bench_scenes.hpp"
 

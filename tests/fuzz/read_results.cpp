@@ -14,6 +14,7 @@
 
 #include "cli/version.hpp"
 #include "lsdem/archive.hpp"
+#include "lsdem/motion/state_fields.hpp"
 #include "lsdem/report/report.hpp"
 #include "lsdem/response/response.hpp"
 #include "lsdem/results/checked_json.hpp"
@@ -24,7 +25,6 @@
 #include "lsdem/run/specimen_file.hpp"
 #include "lsdem/run/watched_folder.hpp"
 #include "lsdem/scene/scene_json.hpp"
-#include "lsdem/state_fields.hpp"
 #include "lsdem/study/compare_ensembles.hpp"
 #include "lsdem/study/trace_file.hpp"
 #include "scaling/error.hpp"

@@ -12,8 +12,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include "lsdem/neighbors.hpp"
-#include "lsdem/simulation.hpp"
+#include "lsdem/motion/neighbors.hpp"
+#include "lsdem/motion/simulation.hpp"
 #include "lsdem/time_step.hpp"
 #include "tests/support/heaps.hpp"
 #include "tests/support/models.hpp"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "lsdem/simulation.hpp"
+#include "lsdem/motion/simulation.hpp"
 #include "tests/support/models.hpp"
 #include "tests/support/relative.hpp"
 

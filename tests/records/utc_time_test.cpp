@@ -1,6 +1,6 @@
 #include <doctest/doctest.h>
 
-#include "records/formats/detail/date_time.hpp"
+#include "records/headers/date_time.hpp"
 #include "records/utc_time.hpp"
 
 namespace musim::records {

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "lsdem/model.hpp"
-#include "lsdem/simulation.hpp"
+#include "lsdem/motion/simulation.hpp"
 
 namespace musim::lsdem::tests {
 

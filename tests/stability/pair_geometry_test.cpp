@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <random>
 
+#include "lsdem/motion/simulation.hpp"
 #include "lsdem/scene/detail/overlap.hpp"
-#include "lsdem/simulation.hpp"
 #include "tests/stability/scenes.hpp"
 
 using namespace musim::lsdem;

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "lsdem/motion/simulation.hpp"
 #include "lsdem/scene/build_model.hpp"
 #include "lsdem/scene/scale_scene.hpp"
 #include "lsdem/scene/scene_json.hpp"
-#include "lsdem/simulation.hpp"
 #include "scaling/laws/law_similitude.hpp"
 #include "scaling/structures/distortion.hpp"
 

@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "lsdem/model.hpp"
-#include "lsdem/simulation.hpp"
+#include "lsdem/motion/simulation.hpp"
 #include "tests/support/models.hpp"
 
 namespace musim::lsdem::tests {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "lsdem/simulation.hpp"
+#include "lsdem/motion/simulation.hpp"
 #include "lsdem/time_step.hpp"
 #include "tests/support/models.hpp"
 #include "tests/support/motion.hpp"

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "lsdem/simulation.hpp"
+#include "lsdem/motion/simulation.hpp"
 #include "tests/support/faces.hpp"
 #include "tests/support/models.hpp"
 #include "tests/support/relative.hpp"

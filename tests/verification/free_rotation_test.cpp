@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "lsdem/simulation.hpp"
+#include "lsdem/motion/simulation.hpp"
 #include "tests/support/models.hpp"
 #include "tests/support/motion.hpp"
 #include "tests/support/relative.hpp"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "lsdem/simulation.hpp"
+#include "lsdem/motion/simulation.hpp"
 #include "lsdem/time_step.hpp"
 #include "tests/support/faces.hpp"
 #include "tests/support/heaps.hpp"

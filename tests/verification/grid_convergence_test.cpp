@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <variant>
 
-#include "lsdem/simulation.hpp"
+#include "lsdem/motion/simulation.hpp"
 #include "tests/support/models.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/rocking.hpp"

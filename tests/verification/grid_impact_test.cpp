@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "lsdem/contact_law.hpp"
-#include "lsdem/simulation.hpp"
+#include "lsdem/motion/simulation.hpp"
 #include "tests/support/models.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/rocking.hpp"

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "lsdem/contact_law.hpp"
-#include "lsdem/simulation.hpp"
+#include "lsdem/motion/simulation.hpp"
 #include "lsdem/time_step.hpp"
 #include "tests/support/models.hpp"
 #include "tests/support/motion.hpp"

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "lsdem/simulation.hpp"
+#include "lsdem/motion/simulation.hpp"
 #include "lsdem/time_step.hpp"
 #include "tests/support/elastic_rocking.hpp"
 #include "tests/support/models.hpp"

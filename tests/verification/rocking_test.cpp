@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "lsdem/simulation.hpp"
+#include "lsdem/motion/simulation.hpp"
 #include "lsdem/time_step.hpp"
 #include "tests/support/elastic_rocking.hpp"
 #include "tests/support/models.hpp"

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string>
 
-#include "lsdem/simulation.hpp"
+#include "lsdem/motion/simulation.hpp"
 #include "lsdem/time_step.hpp"
 #include "tests/support/heaps.hpp"
 #include "tests/support/models.hpp"

@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "lsdem/simulation.hpp"
+#include "lsdem/motion/simulation.hpp"
 #include "lsdem/time_step.hpp"
 #include "tests/support/faces.hpp"
 #include "tests/support/models.hpp"

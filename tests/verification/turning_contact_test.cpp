@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lsdem/simulation.hpp"
+#include "lsdem/motion/simulation.hpp"
 #include "lsdem/time_step.hpp"
 #include "tests/support/faces.hpp"
 #include "tests/support/models.hpp"

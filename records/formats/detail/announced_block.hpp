@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "records/formats/detail/fixed_columns.hpp"
+#include "records/headers/fixed_columns.hpp"
 #include "records/sample_unit.hpp"
 #include "scaling/units.hpp"
 

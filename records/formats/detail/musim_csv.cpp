@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "records/detail/text.hpp"
-#include "records/formats/detail/date_time.hpp"
 #include "records/formats/detail/parsers.hpp"
+#include "records/headers/date_time.hpp"
 
 namespace musim::records::detail {
 namespace {

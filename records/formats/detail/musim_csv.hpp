@@ -2,9 +2,9 @@
 
 #include <string_view>
 
-#include "records/formats/detail/text_file.hpp"
 #include "records/formats/read_options.hpp"
 #include "records/ground_motion.hpp"
+#include "records/headers/text_file.hpp"
 
 /// The CSV of write_csv(): `# key: value` lines, a title line `time_s,NAME,...`, rows of 17-digit numbers. README.md shows one.
 namespace musim::records::detail {

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "records/formats/detail/binary_file.hpp"
-#include "records/formats/detail/text_file.hpp"
 #include "records/formats/read_options.hpp"
 #include "records/ground_motion.hpp"
+#include "records/headers/binary_file.hpp"
+#include "records/headers/text_file.hpp"
 
 /// One parser per format, on a file already in memory; errors as in the public headers.
 namespace musim::records::detail {

@@ -7,8 +7,8 @@
 #include <pugixml.hpp>
 
 #include "records/detail/text.hpp"
-#include "records/formats/detail/binary_file.hpp"
-#include "records/formats/detail/text_file.hpp"
+#include "records/headers/binary_file.hpp"
+#include "records/headers/text_file.hpp"
 
 namespace musim::records::detail {
 namespace {

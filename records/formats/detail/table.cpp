@@ -6,8 +6,8 @@
 
 #include "records/detail/text.hpp"
 #include "records/formats/detail/parsers.hpp"
-#include "records/formats/detail/short_decimal.hpp"
 #include "records/formats/resample_uneven.hpp"
+#include "records/headers/short_decimal.hpp"
 
 namespace musim::records::detail {
 NumberTable read_table(const TextFile& file, std::size_t begin, std::span<const double> si) {

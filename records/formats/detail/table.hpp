@@ -4,8 +4,8 @@
 #include <string_view>
 #include <vector>
 
-#include "records/formats/detail/text_file.hpp"
 #include "records/formats/detail/values.hpp"
+#include "records/headers/text_file.hpp"
 
 namespace musim::records::detail {
 

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "records/formats/detail/fixed_columns.hpp"
 #include "records/formats/resample_uneven.hpp"
+#include "records/headers/fixed_columns.hpp"
 
 namespace musim::records::detail {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "records/formats/detail/text_file.hpp"
+#include "records/headers/text_file.hpp"
 
 namespace musim::records::detail {
 

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "records/detail/text.hpp"
-#include "records/formats/detail/header_checks.hpp"
 #include "records/formats/detail/timed_samples.hpp"
+#include "records/headers/header_checks.hpp"
 
 namespace musim::records::detail {
 namespace {

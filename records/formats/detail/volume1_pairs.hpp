@@ -1,7 +1,7 @@
 #pragma once
 
-#include "records/formats/detail/text_file.hpp"
 #include "records/formats/resample_uneven.hpp"
+#include "records/headers/text_file.hpp"
 
 namespace musim::records::detail {
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "lsdem/contact/overlap_contact.hpp"
-#include "lsdem/simulation.hpp"
+#include "lsdem/motion/simulation.hpp"
 #include "lsdem/time_step.hpp"
 #include "tests/support/heaps.hpp"
 #include "tests/support/models.hpp"

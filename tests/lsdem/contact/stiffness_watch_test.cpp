@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include "lsdem/simulation.hpp"
+#include "lsdem/motion/simulation.hpp"
 #include "lsdem/time_step.hpp"
 #include "tests/support/models.hpp"
 #include "tests/support/relative.hpp"

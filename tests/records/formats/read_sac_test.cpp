@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "records/formats/detail/binary_file.hpp"
 #include "records/formats/read_record.hpp"
+#include "records/headers/binary_file.hpp"
 #include "tests/records/refusal.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/shared_records.hpp"

@@ -1,0 +1,145 @@
+#include "lsdem/contact/grid_nodes.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace musim::lsdem::detail {
+namespace {
+
+/// Share of a node's faces that looks along −normal, `normal` in the leader's frame: of a faceted shape the face that looks most that way.
+double acting_area(const BlockNodes& nodes, std::size_t i, const Row& normal) {
+    const Vector3 shares = nodes.area(i);
+    const Row area{shares.x(), shares.y(), shares.z()};
+    if (!nodes.shape.faceted) return -dot(normal, area);
+    const std::size_t axis = largest_axis(normal);
+    return normal[axis] < 0.0 ? area[axis] : -area[axis];
+}
+
+/// Displacement of leader point `p` relative to the follower over the last step, follower's frame [m].
+Row change_of(const RelativePose& pose, const Row& p) {
+    Row change;
+    for (std::size_t a = 0; a < 3; ++a) change[a] = dot(pose.rotation_change[a], p) + pose.position_change[a];
+    return change;
+}
+
+Row point_of(const RelativePose& pose, const Row& p) {
+    Row point;
+    for (std::size_t a = 0; a < 3; ++a) point[a] = dot(pose.rotation[a], p) + pose.position[a];
+    return point;
+}
+
+/// One node against a grid that it touches: the contact law along the grid's normal there, with the history projected on today's tangent
+/// plane. Losses are booked as in the flat kernel.
+void add_grid_node(const StepLaw& law, const Row& y, const Row& normal, const Row& change, double overlap, double area, std::size_t entry,
+                   ContactHistory& history, PairSums& sums) {
+    const bool born = !history.touches(entry);
+    const double normal_change = dot(normal, change), elastic = law.kn * overlap;
+    const double pressure = std::max(0.0, elastic - law.cn * normal_change), damping_pressure = pressure - elastic;
+
+    // of a new contact, the part of the change that came after it touched
+    const double since_touch = born && normal_change < -overlap ? overlap / -normal_change : 1.0;
+    Row old_slip{}, old_shear{}, tangential{}, slip{}, viscous{}, shear{};
+    for (std::size_t a = 0; a < 3; ++a) tangential[a] = since_touch * (change[a] - normal_change * normal[a]);
+    if (!born) {
+        Row old_viscous{};
+        for (std::size_t a = 0; a < 3; ++a) {
+            old_slip[a] = history.slip[a][entry];
+            if (history.has_viscous()) old_viscous[a] = history.viscous[a][entry];
+        }
+        const double slip_off = dot(old_slip, normal), viscous_off = dot(old_viscous, normal);
+        for (std::size_t a = 0; a < 3; ++a) {
+            old_slip[a] -= slip_off * normal[a];
+            old_shear[a] = old_viscous[a] - viscous_off * normal[a] - law.ks * old_slip[a];
+        }
+    }
+    for (std::size_t a = 0; a < 3; ++a) {
+        slip[a] = old_slip[a] + tangential[a];
+        viscous[a] = -law.cs * tangential[a];
+        shear[a] = viscous[a] - law.ks * slip[a];
+    }
+    const double limit = law.mu * pressure, squared = dot(shear, shear);
+    const bool slides = squared > limit * limit;
+    if (slides) {
+        const double scale = limit / std::sqrt(squared);
+        for (std::size_t a = 0; a < 3; ++a) {
+            shear[a] *= scale;
+            slip[a] = -law.ks_inverse * shear[a];
+            viscous[a] = 0.0;
+        }
+    }
+
+    double work = 0.0;
+    for (std::size_t a = 0; a < 3; ++a) work -= 0.5 * (old_shear[a] + shear[a]) * tangential[a];
+    const double stored = 0.5 * law.ks * dot(slip, slip), stored_before = 0.5 * law.ks * dot(old_slip, old_slip);
+    (slides ? sums.friction : sums.damping) += area * (work - (stored - stored_before));
+    sums.damping -= 0.5 * area * ((born ? 0.0 : history.damping_pressure[entry]) + damping_pressure) * normal_change;
+    sums.elastic_normal += 0.5 * area * elastic * overlap;
+    sums.elastic_shear += area * stored;
+    sums.overlap = std::max(sums.overlap, overlap);
+    ++sums.touching;
+    history.damping_pressure[entry] = damping_pressure;
+    Row force;
+    for (std::size_t a = 0; a < 3; ++a) {
+        history.slip[a][entry] = slip[a];
+        if (history.has_viscous()) history.viscous[a][entry] = viscous[a];
+        force[a] = area * (pressure * normal[a] + shear[a]);
+    }
+    sums.add_force_at(y, force);
+}
+
+/// The level set of a block of its own height, from the grid of its shape: cut in the middle, and the halves moved apart, or together, by
+/// Δ. For a box this is its own distance wherever it can be touched, see lsdem/README.md, "Blocks of unequal height".
+class BlockGrid {
+  public:
+    BlockGrid(const GridLevelSet& grid, double height_offset) : grid_(grid), half_gap_(0.5 * height_offset) {}
+
+    double value(const Vector3& y) const { return grid_.value(in_shape(y)); }
+    Vector3 gradient(const Vector3& y) const {
+        Vector3 gradient = grid_.gradient(in_shape(y));
+        if (std::abs(y.z()) < half_gap_) gradient.z() = 0.0;
+        return gradient;
+    }
+
+  private:
+    Vector3 in_shape(const Vector3& y) const {
+        const double moved = half_gap_ > 0.0 ? std::clamp(y.z(), -half_gap_, half_gap_) : (y.z() < 0.0 ? -half_gap_ : half_gap_);
+        return {y.x(), y.y(), y.z() - moved};
+    }
+
+    const GridLevelSet& grid_;
+    double half_gap_;  ///< Δ/2 [m]
+};
+}  // namespace
+
+void sum_grid_nodes(const BlockNodes& leader, const RelativePose& pose, const GridLevelSet& shape, double height_offset, const StepLaw& law,
+                    double equal_area, const ContactPair& pair, ContactList& list, PairSums& sums) {
+    const BlockGrid grid(shape, height_offset);
+    for (std::size_t entry = pair.first_node; entry < pair.first_node + pair.node_count; ++entry) {
+        const std::size_t i = list.nodes[entry];
+        const Vector3 place = leader.position(i);
+        const Row p{place.x(), place.y(), place.z()};
+        const Row y = point_of(pose, p);
+        const Vector3 point{y[0], y[1], y[2]};
+        const double overlap = -grid.value(point);
+        if (overlap <= 0.0 && !list.history.touches(entry)) continue;
+
+        const Row change = change_of(pose, p);
+        const Vector3 gradient = grid.gradient(point);
+        const double norm = gradient.norm();
+        Row normal{};
+        for (std::size_t a = 0; a < 3; ++a) normal[a] = norm > 0.0 ? gradient[static_cast<Eigen::Index>(a)] / norm : 0.0;
+        const double own_area = acting_area(leader, i, pose.in_leader_frame(normal));
+        const double area = equal_area > 0.0 && own_area > 0.0 ? equal_area : own_area;
+        if (overlap > 0.0 && area > 0.0) {
+            // what a new contact overlapped before it was noticed carries nothing: a node that turns from one face to another begins deep
+            const double before = list.first_step ? 0.0 : std::max(0.0, overlap + dot(normal, change));
+            double& late = list.history.late[entry];
+            late = list.history.touches(entry) ? std::min(late, overlap) : before;
+            add_grid_node(law, y, normal, change, overlap - late, area, entry, list.history, sums);
+        } else if (list.history.touches(entry)) {
+            end_contact(law, normal, change, std::abs(area), entry, list.history, sums);
+        }
+    }
+}
+
+}  // namespace musim::lsdem::detail

@@ -1,0 +1,207 @@
+#include "lsdem/motion/motion_kernel.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "lsdem/detail/free_rotation.hpp"
+#include "lsdem/detail/instructions.hpp"
+#include "lsdem/detail/lanes.hpp"
+
+namespace musim::lsdem::detail {
+
+void TouchList::rebuild(std::size_t blocks, const std::vector<ContactPair>& pairs) {
+    begin_.assign(blocks + 1, 0);
+    for (const ContactPair& pair : pairs) {
+        ++begin_[pair.leader + 1];
+        if (pair.follower != kGround) ++begin_[pair.follower + 1];
+    }
+    for (std::size_t i = 0; i < blocks; ++i) begin_[i + 1] += begin_[i];
+    touches_.resize(begin_.back());
+    std::vector<std::size_t> next(begin_.begin(), begin_.end() - 1);
+    for (std::uint32_t p = 0; p < pairs.size(); ++p) {
+        touches_[next[pairs[p].leader]++] = {p, true};
+        if (pairs[p].follower != kGround) touches_[next[pairs[p].follower]++] = {p, false};
+    }
+}
+
+namespace {
+
+/// Four blocks; past the end of a range the last one is repeated.
+using Four = std::array<std::size_t, kLanes>;
+
+[[gnu::always_inline]] inline Lanes pick(const std::vector<double>& from, const Four& i) {
+    return Lanes{from[i[0]], from[i[1]], from[i[2]], from[i[3]]};
+}
+
+[[gnu::always_inline]] inline Triple<Lanes> pick(const std::array<const double*, kLanes>& from) {
+    const double *a = from[0], *b = from[1], *c = from[2], *d = from[3];
+    return {Lanes{a[0], b[0], c[0], d[0]}, Lanes{a[1], b[1], c[1], d[1]}, Lanes{a[2], b[2], c[2], d[2]}};
+}
+
+[[gnu::always_inline]] inline Triple<Lanes> pick(const std::vector<Vector3>& from, const Four& i) {
+    return pick({from[i[0]].data(), from[i[1]].data(), from[i[2]].data(), from[i[3]].data()});
+}
+
+[[gnu::always_inline]] inline Orientation<Lanes> pick(const std::vector<Quaternion>& from, const Four& i) {
+    const double *a = from[i[0]].coeffs().data(), *b = from[i[1]].coeffs().data(), *c = from[i[2]].coeffs().data(),
+                 *d = from[i[3]].coeffs().data();
+    return {Lanes{a[3], b[3], c[3], d[3]}, Lanes{a[0], b[0], c[0], d[0]}, Lanes{a[1], b[1], c[1], d[1]}, Lanes{a[2], b[2], c[2], d[2]}};
+}
+
+[[gnu::always_inline]] inline void put(const Triple<Lanes>& v, std::size_t lane, double* to) {
+    to[0] = v.x[lane];
+    to[1] = v.y[lane];
+    to[2] = v.z[lane];
+}
+
+[[gnu::always_inline]] inline void put(const Orientation<Lanes>& q, std::size_t lane, Quaternion& to) {
+    double* const coefficients = to.coeffs().data();
+    coefficients[0] = q.x[lane], coefficients[1] = q.y[lane], coefficients[2] = q.z[lane], coefficients[3] = q.w[lane];
+}
+
+[[gnu::always_inline]] inline Lanes pick_travel(const std::vector<BodyStep>& from, const Four& i) {
+    return Lanes{from[i[0]].travel, from[i[1]].travel, from[i[2]].travel, from[i[3]].travel};
+}
+
+/// What a change of momentum from `before` to `after` holds besides `kick`.
+[[gnu::always_inline]] inline Triple<Lanes> beside(const Triple<Lanes>& kick, const Triple<Lanes>& before, const Triple<Lanes>& after) {
+    return {(after.x - before.x) - kick.x, (after.y - before.y) - kick.y, (after.z - before.z) - kick.z};
+}
+
+/// |a − b|²
+[[gnu::always_inline]] inline Lanes square_of_difference(const Orientation<Lanes>& a, const Orientation<Lanes>& b) {
+    const Lanes w = a.w - b.w, x = a.x - b.x, y = a.y - b.y, z = a.z - b.z;
+    return (w * w + x * x) + (y * y + z * z);
+}
+
+/// More than the rounding of a sum: a travel that many small ways make does not fall behind them.
+constexpr double kUpward = 1.0 + 2.0 * std::numeric_limits<double>::epsilon();
+
+/// So many blocks before its turn the forces on a block are asked for. Affects speed only.
+constexpr std::size_t kAhead = 2 * kLanes;
+
+template <bool prepares>
+[[gnu::always_inline]] inline double move_range(const TouchList& touches, const std::vector<PairForce>& forces,
+                                                const NeighborSearch::Reference& reference, const Leap& leap, std::size_t first,
+                                                std::size_t last, Bodies& bodies) {
+    const Vector3 &base = leap.base_displacement, &gravity = leap.gravity;
+    const double h = leap.h, keep = leap.decay.keep, push = leap.decay.push;
+    const Lanes zero = broadcast<Lanes>(0.0);
+    Lanes farthest = zero;
+    LaneMask lost{};
+    for (std::size_t begin = first; begin < last; begin += kLanes) {
+        Four i{};
+        std::array<TouchList::Load, kLanes> load;
+        std::array<const double*, kLanes> force_at{}, torque_at{};
+        for (std::size_t lane = 0; lane < kLanes; ++lane) {
+            i[lane] = std::min(begin + lane, last - 1);
+            if (begin + lane + kAhead < last) touches.prefetch(begin + lane + kAhead, forces);
+            load[lane] = touches.sum(i[lane], forces);
+            force_at[lane] = load[lane].force.data();
+            torque_at[lane] = load[lane].torque.data();
+        }
+        const Triple<Lanes> force = pick(force_at), torque = pick(torque_at);
+        const Lanes free = pick(bodies.free, i), kick = push * free, per_mass = pick(bodies.inverse_mass, i);
+        Triple<Lanes> v = pick(bodies.velocity, i), x = pick(bodies.position, i), l = pick(bodies.momentum, i);
+        const Triple<Lanes> v_before = v, x_before = x, l_before = l;
+        const Triple<Lanes> acceleration{force.x * per_mass + gravity.x(), force.y * per_mass + gravity.y(),
+                                         force.z * per_mass + gravity.z()};
+        if (prepares) v = {keep * v.x, keep * v.y, keep * v.z};
+        v.x += kick * acceleration.x;
+        v.y += kick * acceleration.y;
+        v.z += kick * acceleration.z;
+        x.x += h * v.x;
+        x.y += h * v.y;
+        x.z += h * v.z;
+
+        const Triple<Lanes> inverse_inertia = pick(bodies.inverse_inertia, i);
+        const LaneMask turns = inverse_inertia.x > zero;
+        const Lanes twist = choose(turns, kick, zero);
+        if (prepares) l = {keep * l.x, keep * l.y, keep * l.z};
+        l.x += twist * torque.x;
+        l.y += twist * torque.y;
+        l.z += twist * torque.z;
+        const Orientation<Lanes> before = pick(bodies.orientation, i);
+        const RotationRows<Lanes> rows_before(before);
+        const Triple<Lanes> l_body = rows_before.to_body(l);
+        const auto root_of = [](const Lanes& value) MUSIM_INLINE_LAMBDA { return square_root(value); };
+        const Orientation<Lanes> free_q = turn_freely(before, l_body, inverse_inertia, h, root_of);
+        Lanes loss = zero;
+        if (prepares) {
+            // the impulse of the damping, and of added inertia, times the mean of the velocities before and after it
+            const Lanes whole = choose(free > zero, broadcast<Lanes>(h), zero), whole_turn = choose(turns, whole, zero);
+            const Triple<Lanes> impulse = beside({whole * acceleration.x, whole * acceleration.y, whole * acceleration.z}, v_before, v);
+            const Triple<Lanes> twist_impulse =
+                rows_before.to_body(beside({whole_turn * torque.x, whole_turn * torque.y, whole_turn * torque.z}, l_before, l));
+            const Triple<Lanes> l_sum = rows_before.to_body(l_before) + l_body;
+            const Triple<Lanes> spin_sum{inverse_inertia.x * l_sum.x, inverse_inertia.y * l_sum.y, inverse_inertia.z * l_sum.z};
+            loss =
+                pick(bodies.preparation_loss, i) - 0.5 * (pick(bodies.mass, i) * dot(impulse, v_before + v) + dot(twist_impulse, spin_sum));
+        }
+        const Orientation<Lanes> q{choose(turns, free_q.w, before.w), choose(turns, free_q.x, before.x), choose(turns, free_q.y, before.y),
+                                   choose(turns, free_q.z, before.z)};
+        const RotationRows<Lanes> rows(q);
+
+        const Triple<Lanes> moved{h * v.x - leap.base_step.x(), h * v.y - leap.base_step.y(), h * v.z - leap.base_step.z()};
+        const Lanes diameter = pick(reference.diameter, i);
+        const Lanes way = square_root(dot(moved, moved)) + diameter * square_root(square_of_difference(q, before));
+        const Lanes travel = kUpward * (pick_travel(bodies.step, i) + way);
+        const Triple<Lanes> shift = x - x_before;
+        const Orientation<Lanes> turn = q.after(before);
+
+        const Triple<Lanes> at = pick(reference.position, i);
+        const Lanes dx = (x.x - base.x()) - at.x, dy = (x.y - base.y()) - at.y, dz = (x.z - base.z()) - at.z;
+        const Lanes turned_away = square_of_difference(q, pick(reference.orientation, i));
+        const Lanes drift = square_root((dx * dx + dy * dy) + dz * dz) + diameter * square_root(turned_away);
+        farthest = larger_of<Lanes>(farthest, drift);
+        lost |= drift != drift;
+
+        for (std::size_t lane = 0; lane < kLanes && begin + lane < last; ++lane) {
+            const std::size_t block = i[lane];
+            put(v, lane, bodies.velocity[block].data());
+            put(x, lane, bodies.position[block].data());
+            put(l, lane, bodies.momentum[block].data());
+            BodyStep& step = bodies.step[block];
+            put(turn, lane, step.turn);
+            put(shift, lane, step.shift.data());
+            step.travel = travel[lane];
+            if (prepares) bodies.preparation_loss[block] = loss[lane];
+            put(q, lane, bodies.orientation[block]);
+            double* const r = bodies.rotation[block].data();
+            r[0] = rows.x.x[lane], r[1] = rows.y.x[lane], r[2] = rows.z.x[lane];
+            r[3] = rows.x.y[lane], r[4] = rows.y.y[lane], r[5] = rows.z.y[lane];
+            r[6] = rows.x.z[lane], r[7] = rows.y.z[lane], r[8] = rows.z.z[lane];
+        }
+    }
+    if (some(lost)) return std::numeric_limits<double>::infinity();
+    return std::max(std::max(farthest[0], farthest[1]), std::max(farthest[2], farthest[3]));
+}
+
+/// With or without what prepares, so that a run without pays nothing for it.
+[[gnu::always_inline]] inline double move_either(const TouchList& touches, const std::vector<PairForce>& forces,
+                                                 const NeighborSearch::Reference& reference, const Leap& leap, std::size_t first,
+                                                 std::size_t last, Bodies& bodies) {
+    return leap.prepares ? move_range<true>(touches, forces, reference, leap, first, last, bodies)
+                         : move_range<false>(touches, forces, reference, leap, first, last, bodies);
+}
+
+MUSIM_AVX2 double move_wide(const TouchList& touches, const std::vector<PairForce>& forces, const NeighborSearch::Reference& reference,
+                            const Leap& leap, std::size_t first, std::size_t last, Bodies& bodies) {
+    return move_either(touches, forces, reference, leap, first, last, bodies);
+}
+
+double move_plain(const TouchList& touches, const std::vector<PairForce>& forces, const NeighborSearch::Reference& reference,
+                  const Leap& leap, std::size_t first, std::size_t last, Bodies& bodies) {
+    return move_either(touches, forces, reference, leap, first, last, bodies);
+}
+
+}  // namespace
+
+double move_blocks(const TouchList& touches, const std::vector<PairForce>& forces, const NeighborSearch::Reference& reference,
+                   const Leap& leap, std::size_t first, std::size_t last, Bodies& bodies) {
+    const auto move = active_instructions() >= Instructions::avx2 ? move_wide : move_plain;
+    return move(touches, forces, reference, leap, first, last, bodies);
+}
+
+}  // namespace musim::lsdem::detail

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "lsdem/bodies.hpp"
+#include "lsdem/contact/contacts.hpp"
+#include "lsdem/detail/prefetch.hpp"
+#include "lsdem/detail/velocity_decay.hpp"
+#include "lsdem/motion/neighbors.hpp"
+
+namespace musim::lsdem::detail {
+
+/// The pairs of every block, in the order of the list, so that sums run in one order whatever the threads.
+class TouchList {
+  public:
+    void rebuild(std::size_t blocks, const std::vector<ContactPair>& pairs);
+
+    struct Load {
+        Vector3 force, torque;  ///< [N], about the centre of mass [N·m]
+    };
+    /// Sum of all contacts on block i.
+    Load sum(std::size_t i, const std::vector<PairForce>& forces) const {
+        Load load{Vector3::Zero(), Vector3::Zero()};
+        for (std::size_t t = begin_[i]; t < begin_[i + 1]; ++t) {
+            const PairForce& pair = forces[touches_[t].pair];
+            if (touches_[t].leads) {
+                load.force += pair.force;
+                load.torque += pair.leader_torque;
+            } else {
+                load.force -= pair.force;
+                load.torque += pair.follower_torque;
+            }
+        }
+        return load;
+    }
+
+    /// Sum of a number of each pair over the pairs of block i.
+    double sum(std::size_t i, const std::vector<double>& of_pairs) const {
+        double total = 0.0;
+        for (std::size_t t = begin_[i]; t < begin_[i + 1]; ++t) total += of_pairs[touches_[t].pair];
+        return total;
+    }
+
+    /// Asks for the forces that `sum` of block i will add up.
+    void prefetch(std::size_t i, const std::vector<PairForce>& forces) const {
+        for (std::size_t t = begin_[i]; t < begin_[i + 1]; ++t) detail::prefetch(&forces[touches_[t].pair]);
+    }
+
+  private:
+    /// One pair as seen from one of its blocks.
+    struct Touch {
+        std::uint32_t pair;
+        bool leads;
+    };
+    std::vector<std::size_t> begin_;  ///< per block, into touches_
+    std::vector<Touch> touches_;
+};
+
+/// How blocks move in one step.
+struct Leap {
+    Vector3 base_displacement = Vector3::Zero();  ///< after the step [m]
+    Vector3 base_step = Vector3::Zero();          ///< what it moves in the step [m]
+    Vector3 gravity = Vector3::Zero();            ///< [m/s²]
+    double h = 0.0;                               ///< time step [s]
+    VelocityDecay decay{0.0, 0.0};                ///< over h
+    bool prepares = false;                        ///< there is damping or added inertia, whose work is booked
+};
+
+/// One leapfrog step of blocks [first, last), four side by side; compiled for AVX2 and for plain x86-64, same bits. Bodies hold the poses
+/// of step n as the previous ones; the new ones are written. Returns the largest distance that any point of them may have
+/// moved relative to the base since the neighbor list was made [m]; infinite when a position is not a number.
+double move_blocks(const TouchList& touches, const std::vector<PairForce>& forces, const NeighborSearch::Reference& reference,
+                   const Leap& leap, std::size_t first, std::size_t last, Bodies& bodies);
+
+}  // namespace musim::lsdem::detail

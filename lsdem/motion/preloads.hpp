@@ -1,0 +1,16 @@
+#pragma once
+
+#include <vector>
+
+#include "lsdem/contact/contacts.hpp"
+#include "lsdem/model.hpp"
+
+namespace musim::lsdem {
+
+/// What friction of all boxes that touch holds, in the order of the list.
+std::vector<Preload> find_preloads(const ContactList& list);
+
+/// Makes friction of the contacts of a new list hold what `preloads` say; their blocks may be given in either order.
+void preload_contacts(const std::vector<Preload>& preloads, ContactList& list);
+
+}  // namespace musim::lsdem

@@ -1,0 +1,223 @@
+#include "lsdem/motion/simulation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "lsdem/contact/overlap_pairs.hpp"
+#include "lsdem/fallen.hpp"
+#include "lsdem/motion/preloads.hpp"
+#include "lsdem/motion/simulation_core.hpp"
+
+namespace musim::lsdem {
+void release_block(const Release& release, Model& model) {
+    Block& block = model.blocks.at(release.block);
+    block.fixed = false;
+    block.position = release.position;
+    block.orientation = release.orientation;
+    block.velocity = release.velocity;
+}
+
+Simulation::Simulation(Model model, double time_step, int threads)
+    : implementation_(std::make_unique<Implementation>(std::move(model), time_step, threads)) {
+    implementation_->start();
+}
+Simulation::Simulation(std::unique_ptr<Implementation> implementation) : implementation_(std::move(implementation)) {}
+Simulation::~Simulation() = default;
+Simulation::Simulation(Simulation&&) noexcept = default;
+Simulation& Simulation::operator=(Simulation&&) noexcept = default;
+
+void Simulation::Implementation::release(const Release& given) {
+    release_block(given, model);
+    const std::size_t i = given.block;
+    const Block& block = model.blocks[i];
+    bodies.step[i].travel += (block.position - bodies.position[i]).norm() + search.reference().diameter[i];
+    bodies.release(i, model);
+    bodies.step[i].shift = dt * block.velocity;
+    bodies.step[i].turn.setIdentity();
+    const detail::VelocityDecay half = decay_over(0.5 * dt);
+    bodies.velocity[i] = (bodies.velocity[i] - half.push * model.gravity) / half.keep;
+    start_energy += 0.5 * block.mass * block.velocity.squaredNorm();
+}
+
+void Simulation::release(const std::vector<Release>& blocks) {
+    Implementation& s = *implementation_;
+    std::vector<std::uint8_t> named(s.bodies.size(), 0);
+    for (const Release& given : blocks) {
+        require(given.block < s.bodies.size() && s.bodies.fixed[given.block] != 0, "Simulation: only a held block can be released");
+        require(named[given.block]++ == 0, "Simulation: a block is released twice");
+        require(given.position.allFinite() && given.velocity.allFinite() && std::abs(given.orientation.norm() - 1.0) < 1e-9,
+                "Simulation: a released block's state is not finite, or its quaternion not of unit length");
+    }
+    const double before = s.find_exact_energy().balance();
+    for (const Release& given : blocks) s.release(given);
+    s.rebuild();
+    s.start_balance += s.find_exact_energy().balance() - before;
+    s.quiet_end = s.step;
+    s.quiet_looks = 0;
+}
+
+void Simulation::begin_preparation(double damping_rate, Inertia inertia) {
+    Implementation& s = *implementation_;
+    set_velocity_damping(damping_rate);
+    s.preparing = true;
+    if (inertia == Inertia::as_stable) s.added_inertia.begin(s.model, s.dt, s.list);
+    s.quiet_end = s.step;
+}
+
+void Simulation::renew_neighbors() { implementation_->rebuild(); }
+
+void Simulation::end_preparation() {
+    Implementation& s = *implementation_;
+    set_velocity_damping(0.0);
+    s.preparing = false;
+    s.added_inertia.end(s.bodies, s.list);
+    s.base_origin = s.base.displacement - s.motion.displacement(0.0);
+    s.restart_ledger();
+    s.step = s.quiet_end = s.skipped = s.rebuilds = 0;
+    s.quiet_looks = 0;
+    s.times = {};
+    std::fill(s.overlap.begin(), s.overlap.end(), 0.0);
+    s.overstiff.reset();
+}
+
+void Simulation::begin_motion(const std::array<BaseComponent, 3>& motion) {
+    BaseMotion next(motion);
+    implementation_->motion = std::move(next);
+    implementation_->model.ground.motion = motion;
+    end_preparation();
+}
+
+double Simulation::time() const { return static_cast<double>(implementation_->step) * implementation_->dt; }
+double Simulation::time_step() const { return implementation_->dt; }
+const Model& Simulation::model() const { return implementation_->model; }
+int Simulation::threads() const { return implementation_->team.size(); }
+Vector3 Simulation::position(std::size_t block) const { return implementation_->bodies.position.at(block); }
+Quaternion Simulation::orientation(std::size_t block) const { return implementation_->bodies.orientation.at(block); }
+
+Vector3 Simulation::contact_force(std::size_t block) const {
+    const Implementation& s = *implementation_;
+    if (block >= s.bodies.size()) throw std::out_of_range("Simulation: there is no such block");
+    return s.touches.sum(block, s.list.forces).force;
+}
+
+Vector3 Simulation::contact_torque(std::size_t block) const {
+    const Implementation& s = *implementation_;
+    if (block >= s.bodies.size()) throw std::out_of_range("Simulation: there is no such block");
+    return s.touches.sum(block, s.list.forces).torque;
+}
+
+Vector3 Simulation::velocity(std::size_t block) const {
+    const Implementation& s = *implementation_;
+    if (s.bodies.fixed.at(block) != 0) return Vector3::Zero();
+    return s.velocity_after(s.decay_over(0.5 * s.dt), block, contact_force(block));
+}
+
+Vector3 Simulation::angular_velocity(std::size_t block) const {
+    const Implementation& s = *implementation_;
+    const Vector3 torque = s.touches.sum(block, s.list.forces).torque;
+    return s.bodies.spin(block, s.momentum_after(s.decay_over(0.5 * s.dt), block, torque));
+}
+
+std::vector<ContactForce> Simulation::contact_forces() const {
+    refine_overlap_energies(implementation_->bodies, implementation_->base, implementation_->list);
+    const ContactList& list = implementation_->list;
+    std::vector<ContactForce> forces;
+    for (std::size_t p = 0; p < list.pairs.size(); ++p) {
+        if (list.forces[p].force.isZero(0.0)) continue;
+        const ContactPair& pair = list.pairs[p];
+        const auto follower = pair.follower == kGround ? std::nullopt : std::optional<std::size_t>(pair.follower);
+        forces.push_back({pair.leader, follower, list.forces[p].force, list.tallies[p].elastic_normal});
+    }
+    return forces;
+}
+
+std::vector<JointStiffness> Simulation::joint_stiffness() const {
+    const Implementation& s = *implementation_;
+    std::vector<JointStiffness> joints;
+    visit_meeting_areas(s.bodies, s.base, s.list, [&](std::size_t index, const MeetingArea& at) {
+        const ContactPair& pair = s.list.pairs[index];
+        const auto follower = pair.follower == kGround ? std::nullopt : std::optional<std::size_t>(pair.follower);
+        joints.push_back(
+            {pair.leader, follower, pair.law.normal_stiffness, pair.law.shear_stiffness, at.area, at.normal, at.middle, at.second});
+    });
+    return joints;
+}
+
+std::vector<Preload> Simulation::preloads() const { return find_preloads(implementation_->list); }
+
+Kinematics Simulation::kinematics() const {
+    Kinematics all;
+    all.time = time();
+    all.position = implementation_->bodies.position;
+    all.orientation = implementation_->bodies.orientation;
+    for (std::size_t i = 0; i < implementation_->bodies.size(); ++i) {
+        all.velocity.push_back(velocity(i));
+        all.angular_velocity.push_back(angular_velocity(i));
+    }
+    return all;
+}
+
+Vector3 Simulation::peak_base_acceleration() const { return implementation_->motion.peak_acceleration(time()); }
+
+BaseState Simulation::base() const {
+    const BaseMotion& motion = implementation_->motion;
+    const Vector3 displacement = implementation_->base.displacement - implementation_->base_origin;
+    if (implementation_->preparing) return {displacement};
+    return {displacement, motion.velocity(time()), motion.acceleration(time())};
+}
+
+Vector3 Simulation::base_reaction() const { return implementation_->base_force; }
+
+Energy Simulation::energy() const { return implementation_->find_exact_energy(); }
+
+Losses Simulation::losses() const {
+    Losses losses = implementation_->finished;
+    add_losses(implementation_->list, losses);
+    return losses;
+}
+
+void Simulation::set_velocity_damping(double rate) {
+    check_velocity_damping(rate, implementation_->dt);
+    implementation_->velocity_damping = rate;
+    implementation_->quiet_looks = 0;
+}
+
+double Simulation::velocity_damping() const { return implementation_->velocity_damping; }
+
+Statistics Simulation::statistics() const {
+    const Implementation& s = *implementation_;
+    Statistics statistics;
+    statistics.steps = s.step;
+    statistics.skipped = s.skipped;
+    statistics.pairs = s.list.pairs.size();
+    statistics.apart = count_apart(s.bodies, s.list);
+    const ContactTotals contacts = sum_contacts(s.list);
+    statistics.contacts = contacts.contacts;
+    statistics.contact_nodes = contacts.nodes;
+    statistics.rebuilds = s.rebuilds;
+    statistics.overstiff = s.overstiff;
+    statistics.max_overlap_over_height = *std::max_element(s.overlap.begin(), s.overlap.end());
+    return statistics;
+}
+
+PhaseTimes Simulation::phase_times() const { return implementation_->times; }
+std::optional<Divergence> Simulation::divergence() const { return implementation_->divergence; }
+
+bool Simulation::has_fallen(std::size_t block) const {
+    const Implementation& s = *implementation_;
+    const double sunk =
+        (s.bodies.start_position.at(block).z() - s.bodies.position[block].z()) + (s.base.displacement.z() - s.base_origin.z());
+    return lsdem::has_fallen(s.bodies.half[block], s.bodies.start_orientation[block].toRotationMatrix(), s.bodies.rotation[block], sunk);
+}
+
+double Simulation::fallen_fraction() const {
+    const std::size_t blocks = implementation_->bodies.size();
+    if (blocks == 0) return 0.0;
+    std::size_t fallen = 0;
+    for (std::size_t i = 0; i < blocks; ++i) fallen += has_fallen(i) ? 1 : 0;
+    return static_cast<double>(fallen) / static_cast<double>(blocks);
+}
+
+}  // namespace musim::lsdem

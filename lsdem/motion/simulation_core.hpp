@@ -1,0 +1,102 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "lsdem/archive.hpp"
+#include "lsdem/base_motion.hpp"
+#include "lsdem/bodies.hpp"
+#include "lsdem/contact/contacts.hpp"
+#include "lsdem/contact/stiffness_watch.hpp"
+#include "lsdem/detail/shared_work.hpp"
+#include "lsdem/detail/velocity_decay.hpp"
+#include "lsdem/motion/added_inertia.hpp"
+#include "lsdem/motion/motion_kernel.hpp"
+#include "lsdem/motion/neighbors.hpp"
+#include "lsdem/motion/simulation.hpp"
+#include "lsdem/thread_team.hpp"
+
+/// What a simulation consists of. Its functions are in simulation_start.cpp, simulation_step.cpp, simulation_energy.cpp and
+/// simulation_state.cpp; what users see of it, in simulation.cpp.
+namespace musim::lsdem {
+
+/// Throws std::invalid_argument with the message unless `holds`.
+void require(bool holds, const char* what);
+
+/// Refuses rates that make no sense with the time step. Throws std::invalid_argument.
+void check_velocity_damping(double rate, double time_step);
+
+struct Simulation::Implementation {
+    Model model;
+    double dt;
+    Bodies bodies;
+    BaseMotion motion;
+    BasePose base;
+    Vector3 base_origin = Vector3::Zero();  ///< where the base would be without the present motion [m]
+    NeighborSearch search;
+    ContactList list;
+    Losses finished;               ///< up to the last rebuild of the list
+    double velocity_damping;       ///< [1/s]
+    std::size_t end_of_loose = 0;  ///< from this block on all are held
+    detail::TouchList touches;
+    detail::AddedInertia added_inertia;    ///< of blocks in preparation
+    detail::SharedWork pair_work;          ///< list.pairs
+    Vector3 base_force = Vector3::Zero();  ///< on the blocks, at step n [N]
+    double base_work = 0.0;                ///< [J]
+    std::uint64_t step = 0;
+    std::uint64_t rebuilds = 0;
+    double smallest_edge = 0.0;
+    double start_energy = 0.0;       ///< kinetic plus elastic at t = 0 [J]
+    double start_balance = 0.0;      ///< of the ledger at t = 0 [J]
+    double energy_floor = 0.0;       ///< energy that needs no explanation [J]
+    double weight_times_edge = 0.0;  ///< [J]
+    int quiet_looks = 0;             ///< in a row at which nothing moved
+    std::uint64_t quiet_end = 0;     ///< the step up to which nothing moves
+    std::uint64_t skipped = 0;       ///< steps passed over
+    bool preparing = false;          ///< the base stands
+    std::optional<Divergence> divergence;
+    StiffnessWatch stiffness_watch;
+    std::optional<Overstiff> overstiff;  ///< the worst so far
+    PhaseTimes times;
+    std::vector<double> drift;    ///< per thread, largest of its blocks [m]
+    std::vector<double> overlap;  ///< per thread, largest overlap over height ever
+    ThreadTeam team;
+
+    Implementation(Model given, double time_step, int threads);
+
+    /// The first forces, from the model's initial state.
+    void start();
+    /// Hands the whole state to an archive, or takes it from there.
+    void exchange(Archive& archive);
+    void move(double h);
+    void update_contacts();
+    void rebuild();
+    void release(const Release& given);
+    void restart_ledger();
+    void share_work();
+    detail::VelocityDecay decay_over(double h) const { return {velocity_damping, h}; }
+    /// Velocity after a time of decay [m/s].
+    Vector3 velocity_after(const detail::VelocityDecay& decay, std::size_t i, const Vector3& force) const {
+        return decay.keep * bodies.velocity[i] + decay.push * bodies.free[i] * (force * bodies.inverse_mass[i] + model.gravity);
+    }
+    void check_health();
+    double kinetic() const;
+    /// The ledger from what steps leave; find_exact_energy computes first what they leave out.
+    Energy find_energy() const;
+    Energy find_exact_energy();
+    /// Angular momentum after a time of decay [kg·m²/s].
+    Vector3 momentum_after(const detail::VelocityDecay& decay, std::size_t i, const Vector3& torque) const {
+        return decay.keep * bodies.momentum[i] + decay.push * bodies.free[i] * torque;
+    }
+    /// Of the impulse of the damping and of added inertia on block i at this step, the work on the velocity before it [J].
+    double half_preparation_loss(std::size_t i) const;
+    std::uint64_t find_quiet_steps();
+    double stored_and_kinetic() const;
+    double gravitational() const;
+    void find_non_finite();
+    std::size_t fastest_block() const;
+};
+
+}  // namespace musim::lsdem

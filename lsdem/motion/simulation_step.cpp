@@ -1,0 +1,159 @@
+#include <algorithm>
+#include <chrono>
+#include <limits>
+#include <utility>
+
+#include "lsdem/contact/overlap_pairs.hpp"
+#include "lsdem/motion/simulation_core.hpp"
+
+/// How a simulation goes on: a step, and who does what in it.
+namespace musim::lsdem {
+namespace {
+
+/// Steps between two looks at finiteness and energy. An unstable mode grows by a factor of about (1 + ε)^64 in between, so a failure is
+/// dated within a few oscillations; looking at every step would cost a few percent.
+constexpr std::uint64_t kHealthInterval = 64;
+
+/// A structure is quiet when its kinetic energy is below this part of weight times smallest edge, at this many looks in a row: what is
+/// passed over could not have moved it by more than rounding moves it (velocities of 1e-10·sqrt(g·edge), accelerations a thousand times
+/// smaller than would bring these about between two looks).
+constexpr double kQuietEnergy = 1e-20;
+constexpr int kQuietLooks = 16;
+
+/// What boxes that touch cost, in nodes; what does not touch is mostly passed over. Affects speed only.
+constexpr std::size_t kNodesPerOverlap = 32;
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+/// What thread `index` of `count` gets.
+detail::Share share_of(std::size_t items, int index, int count) {
+    const auto i = static_cast<std::size_t>(index), n = static_cast<std::size_t>(count);
+    return {items * i / n, items * (i + 1) / n};
+}
+
+/// Items in a row for each thread, of about equal work.
+template <class WorkOf>
+std::vector<detail::Share> share_equally(std::size_t items, int threads, const WorkOf& work_of) {
+    std::vector<detail::Share> shares(static_cast<std::size_t>(threads));
+    std::size_t work = 0, done = 0, item = 0;
+    for (std::size_t i = 0; i < items; ++i) work += work_of(i);
+    for (int thread = 0; thread < threads; ++thread) {
+        detail::Share& share = shares[static_cast<std::size_t>(thread)];
+        const std::size_t goal = share_of(work, thread, threads).last;
+        share.first = item;
+        for (; item < items && (done < goal || thread + 1 == threads); ++item) done += work_of(item);
+        share.last = item;
+    }
+    return shares;
+}
+
+}  // namespace
+
+void Simulation::Implementation::move(double h) {
+    ++step;
+    base.previous = base.displacement;
+    if (!preparing) base.displacement = base_origin + motion.displacement(static_cast<double>(step) * dt);
+    const detail::Leap leap{.base_displacement = base.displacement,
+                            .base_step = base.displacement - base.previous,
+                            .gravity = model.gravity,
+                            .h = h,
+                            .decay = decay_over(h),
+                            .prepares = velocity_damping > 0.0 || added_inertia.is_active()};
+    // while the base stands, what is held stays where it is
+    const std::size_t movers = preparing ? end_of_loose : bodies.size();
+    const auto task = [&](int thread) {
+        const detail::Share share = share_of(movers, thread, team.size());
+        if (added_inertia.is_active()) added_inertia.give(touches, list, share.first, share.last, bodies);
+        drift[static_cast<std::size_t>(thread)] =
+            detail::move_blocks(touches, list.forces, search.reference(), leap, share.first, share.last, bodies);
+    };
+    team.run(task);
+}
+
+void Simulation::Implementation::rebuild() {
+    ++rebuilds;
+    search.rebuild(bodies, base, list, finished);
+    if (added_inertia.is_active()) added_inertia.price(list);
+    share_work();
+}
+
+void Simulation::Implementation::share_work() {
+    touches.rebuild(bodies.size(), list.pairs);
+    end_of_loose = bodies.size();
+    while (end_of_loose > 0 && bodies.fixed[end_of_loose - 1] != 0) --end_of_loose;
+
+    const auto work_of_pair = [&](std::size_t index) -> std::size_t {
+        const ContactPair& pair = list.pairs[index];
+        if (pair.is_overlap()) return list.overlaps[pair.overlap].touches ? kNodesPerOverlap : 1;
+        return pair.node_count;
+    };
+    pair_work.set(share_equally(list.pairs.size(), team.size(), work_of_pair));
+}
+
+void Simulation::Implementation::update_contacts() {
+    pair_work.begin();
+    const auto task = [&](int thread) {
+        const auto i = static_cast<std::size_t>(thread);
+        detail::Share piece;
+        OverlapBatch overlaps(bodies, base, dt, list);
+        while (pair_work.take(i, piece)) {
+            const double deepest = compute_pairs(model, bodies, base, dt, piece.first, piece.last, list, overlaps);
+            overlap[i] = std::max(overlap[i], deepest);
+        }
+        overlaps.compute();
+        overlap[i] = std::max(overlap[i], overlaps.deepest());
+    };
+    team.run(task);
+    Vector3 force = Vector3::Zero();
+    for (const std::uint32_t p : list.ground_pairs) force += list.forces[p].force;
+    base_work += 0.5 * (base_force + force).dot(base.displacement - base.previous);
+    base_force = force;
+}
+
+/// Number of steps from here in which the base stands and nothing moves.
+std::uint64_t Simulation::Implementation::find_quiet_steps() {
+    // with damping, blocks that hardly move may still fall: forces need not balance
+    if (!model.skip_quiet || velocity_damping > 0.0) return 0;
+    quiet_looks = kinetic() <= kQuietEnergy * weight_times_edge ? quiet_looks + 1 : 0;
+    if (quiet_looks < kQuietLooks) return 0;
+    const double now = static_cast<double>(step) * dt;
+    const double still = preparing ? std::numeric_limits<double>::infinity() : motion.still_until(now) - now;
+    return still > dt ? static_cast<std::uint64_t>(std::min(still / dt, 9e15)) - 1 : 0;
+}
+
+void Simulation::advance(std::uint64_t steps) {
+    Implementation& s = *implementation_;
+    std::uint64_t left = steps;
+    while (left > 0 && !s.divergence) {
+        if (s.step < s.quiet_end) {
+            const std::uint64_t quiet = std::min(left, s.quiet_end - s.step);
+            s.step += quiet;
+            s.skipped += quiet;
+            left -= quiet;
+            continue;
+        }
+        --left;
+        const auto start = Clock::now();
+        s.move(s.dt);
+        const auto moved = Clock::now();
+        s.times.motion += std::chrono::duration<double>(moved - start).count();
+
+        const double farthest = *std::max_element(s.drift.begin(), s.drift.end());
+        if (farthest > s.search.allowed_drift()) {
+            s.find_non_finite();
+            if (s.divergence) return;
+            s.rebuild();
+            s.times.neighbors += seconds_since(moved);
+        }
+        const auto listed = Clock::now();
+        s.update_contacts();
+        s.times.contacts += seconds_since(listed);
+        if (s.step % kHealthInterval != 0) continue;
+        s.check_health();
+        s.quiet_end = s.step + s.find_quiet_steps();
+    }
+}
+
+}  // namespace musim::lsdem

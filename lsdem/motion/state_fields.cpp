@@ -1,0 +1,95 @@
+#include "lsdem/motion/state_fields.hpp"
+
+namespace musim::lsdem {
+
+static void exchange(Archive& archive, BodyStep& s) { archive(s.turn, s.shift, s.travel); }
+
+void exchange(Archive& archive, Bodies& b) {
+    archive(b.position, b.rotation, b.orientation, b.step, b.velocity, b.momentum, b.preparation_loss, b.free, b.start_position,
+            b.start_orientation);
+}
+
+void exchange(Archive& archive, BasePose& base) { archive(base.displacement, base.previous); }
+
+void exchange(Archive& archive, NeighborSearch::Reference& reference) { archive(reference.position, reference.orientation); }
+
+void exchange(Archive& archive, PairWork& work) { archive(work.friction, work.damping); }
+
+void exchange(Archive& archive, Losses& losses) { archive(losses.block, losses.ground); }
+
+void exchange(Archive& archive, Divergence& d) { archive(d.kind, d.block, d.time); }
+
+void exchange(Archive& archive, Overstiff& o) { archive(o.block, o.time, o.used); }
+
+static void exchange(Archive& archive, Interface& law) {
+    archive(law.normal_stiffness, law.shear_stiffness, law.friction, law.normal_damping, law.shear_damping);
+}
+
+static void exchange(Archive& archive, ContactPair& p) {
+    archive(p.leader, p.follower, p.first_node, p.node_count, p.overlap, p.leader_axis, p.follower_axis, p.law);
+}
+
+static void exchange(Archive& archive, ContactHistory& h) { archive(h.slip, h.damping_pressure, h.late, h.viscous); }
+
+static void exchange(Archive& archive, PairForce& f) { archive(f.force, f.leader_torque, f.follower_torque); }
+
+static void exchange(Archive& archive, PairTally& t) { archive(t.elastic_normal, t.elastic_shear, t.overlap, t.touching, t.rough); }
+
+static void exchange(Archive& archive, PlacedWrench& w) { archive(w.force, w.couple); }
+
+template <class Value>
+static void exchange(Archive& archive, FrictionSprings<Value>& s) {
+    archive(s.area, s.core, s.in_core, s.in_rest);
+}
+
+static void exchange(Archive& archive, OverlapContact& c) {
+    archive(c.touches, c.sliding, c.turning, c.lightest, c.place, c.couple, c.dashpots);
+}
+
+void exchange(Archive& archive, ContactList& l) {
+    archive(l.pairs, l.nodes, l.history, l.forces, l.overlaps, l.ground_pairs, l.tallies, l.trusted_gap, l.next_look, l.faces, l.first_step,
+            l.demand.wanted, l.demand.asked, l.work);
+    l.due.resize(l.pairs.size());
+}
+
+namespace {
+
+void expect(bool holds) {
+    if (!holds) Archive::fail("it contradicts itself");
+}
+
+template <class... Vectors>
+void expect_size(std::size_t size, const Vectors&... vectors) {
+    expect(((vectors.size() == size) && ...));
+}
+
+void check_pair(const Model& model, const ContactList& list, const ContactPair& pair) {
+    const std::size_t blocks = model.blocks.size();
+    expect(pair.leader < blocks && (pair.follower < blocks || pair.follower == kGround));
+    const std::size_t first = pair.first_node, end = first + pair.node_count;
+    // nodes come in fours
+    expect(pair.node_count == 0 || (first % 4 == 0 && (end + 3) / 4 * 4 <= list.nodes.size()));
+    const std::size_t of_shape = model.shapes[model.blocks[pair.leader].shape].nodes.size();
+    for (std::size_t n = first; n < end; ++n) expect(list.nodes[n] < of_shape);
+    if (pair.is_overlap()) expect(pair.overlap < list.overlaps.size());
+    expect(pair.leader_axis <= 3 && pair.follower_axis <= 3);
+}
+
+}  // namespace
+
+void check_restored(const Model& model, const Bodies& bodies, const NeighborSearch::Reference& reference, const ContactList& list,
+                    const Losses& losses) {
+    const std::size_t blocks = model.blocks.size(), pairs = list.pairs.size(), entries = list.nodes.size();
+    expect_size(blocks, bodies.position, bodies.rotation, bodies.orientation, bodies.step, bodies.velocity, bodies.momentum,
+                bodies.preparation_loss, bodies.free, bodies.start_position, bodies.start_orientation, reference.position,
+                reference.orientation, losses.block);
+    expect_size(list.demand.wanted ? pairs : 0, list.demand.asked);
+    expect_size(pairs, list.forces, list.tallies, list.next_look, list.faces, list.work);
+    const ContactHistory& history = list.history;
+    expect_size(entries, history.damping_pressure, history.late, history.slip[0], history.slip[1], history.slip[2]);
+    expect_size(history.has_viscous() ? entries : 0, history.viscous[0], history.viscous[1], history.viscous[2]);
+    for (const ContactPair& pair : list.pairs) check_pair(model, list, pair);
+    for (const std::uint32_t pair : list.ground_pairs) expect(pair < pairs && list.pairs[pair].follower == kGround);
+}
+
+}  // namespace musim::lsdem

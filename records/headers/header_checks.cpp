@@ -1,0 +1,38 @@
+#include "records/headers/header_checks.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "records/headers/stated_peak.hpp"
+
+namespace musim::records::detail {
+
+void check_record_length(const TextFile& file, std::size_t index, std::size_t count, scaling::Time dt, double length,
+                         std::size_t stated_on) {
+    if (length <= 0.0) return;
+    const double step = dt.value();
+    if (std::abs(static_cast<double>(count) * step - length) > 0.01 * length + 2.0 * step) {
+        file.fail(index, fmt::format("{} points of {} s do not make the {} s of line {}", count, step, length, stated_on + 1),
+                  "correct the time step or the number of points");
+    }
+}
+
+void check_peak(const TextFile& file, std::size_t index, std::span<const double> samples, const StatedPeak& stated) {
+    const double peak = std::abs(signed_peak(samples)) / stated.si;
+    if (std::abs(peak - std::abs(stated.value)) > stated.tolerance) {
+        file.fail(index,
+                  fmt::format("peak is {} {} (largest sample: {:.6g}; samples or header are damaged)", stated.value, stated.unit, peak),
+                  "fetch the record again");
+    }
+}
+
+void check_azimuth(const TextFile& file, std::size_t index, double stored, const Direction& direction, std::size_t titled_on) {
+    if (!direction.azimuth_deg || stored == 0.0 || stored == -999.0) return;
+    if (std::fmod(stored, 360.0) != std::fmod(*direction.azimuth_deg, 360.0) || stored > 360.0) {
+        file.fail(index, fmt::format("azimuth is {} (line {} says {} Deg; header is damaged)", stored, titled_on + 1, direction.name),
+                  "fetch the record again or correct the header");
+    }
+}
+
+}  // namespace musim::records::detail

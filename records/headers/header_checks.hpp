@@ -1,0 +1,33 @@
+#pragma once
+
+#include <span>
+
+#include "records/headers/direction.hpp"
+#include "records/headers/text_file.hpp"
+#include "scaling/units.hpp"
+
+/// What a header says of its samples must be true of them.
+namespace musim::records::detail {
+
+/// Throws ReadError on line `index` unless `count` samples last the `length` [s] that line `stated_on` gives, to 1 % and two steps: lengths
+/// are rounded to whole seconds or count one sample less. A length of zero or less is unknown and fits.
+void check_record_length(const TextFile& file, std::size_t index, std::size_t count, scaling::Time dt, double length,
+                         std::size_t stated_on);
+
+/// A peak as the header states it, and how far the samples may be from it, both in a unit worth `si`.
+struct StatedPeak {
+    double value = 0.0;
+    double tolerance = 0.0;
+    double si = 1.0;
+    std::string_view unit = {};
+};
+
+/// Throws ReadError on line `index` unless the largest of the samples (SI) has the magnitude stated. Signs are not compared: networks print
+/// peaks without, or of the opposite direction.
+void check_peak(const TextFile& file, std::size_t index, std::span<const double> samples, const StatedPeak& stated);
+
+/// Throws ReadError on line `index`, where `stored` stands as azimuth [deg], when the title on line `titled_on` names another: a damaged
+/// header would shake the wrong axis. 0 and -999 stand for unknown.
+void check_azimuth(const TextFile& file, std::size_t index, double stored, const Direction& direction, std::size_t titled_on);
+
+}  // namespace musim::records::detail

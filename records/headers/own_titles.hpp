@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
+#include "records/headers/text_file.hpp"
+#include "scaling/units.hpp"
+
+/// What musim writes into headers of other people's formats, and reads there again.
+namespace musim::records::detail {
+
+/// In front of GroundMotion::integration_corner: "INTEGRATION CORNER= 0.5 HZ".
+inline constexpr std::string_view kCornerTitle = "INTEGRATION CORNER";
+
+/// In front of TimeSeries::start, where it is not zero: "MUSIM START TIME= 230.5 SEC".
+inline constexpr std::string_view kStartTitle = "MUSIM START TIME";
+
+/// The corner that a header line tells behind kCornerTitle; nothing where it tells none. Throws ReadError when it is no positive number.
+std::optional<scaling::Frequency> find_integration_corner(const TextFile& file, std::size_t index);
+
+/// The start that a header line tells behind kStartTitle; nothing where it tells none. Throws ReadError when it is no finite number.
+std::optional<scaling::Time> find_start_time(const TextFile& file, std::size_t index);
+
+}  // namespace musim::records::detail

@@ -1,0 +1,67 @@
+#include "records/headers/text_file.hpp"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstdint>
+#include <optional>
+#include <system_error>
+
+#include "records/detail/text.hpp"
+#include "scaling/regular_file.hpp"
+
+namespace musim::records::detail {
+namespace {
+
+[[noreturn]] void fail_file(const std::filesystem::path& path, std::string_view what_why, std::string_view what_to_do) {
+    throw ReadError(fmt::format("{}: {}; {}", path.string(), what_why, what_to_do));
+}
+
+}  // namespace
+
+std::string read_bytes(const std::filesystem::path& path) {
+    std::error_code error;
+    const std::filesystem::file_status status = std::filesystem::status(path, error);
+    if (!std::filesystem::exists(status)) fail_file(path, "no such file (or no access to its folder)", "check the path");
+    if (std::filesystem::is_directory(status)) fail_file(path, "is a folder (a record file is needed)", "name a file in it");
+    if (!std::filesystem::is_regular_file(status)) fail_file(path, "is not a regular file (device or pipe)", "copy it to a file first");
+
+    // an hour of three components at 1000 Hz, 25 letters a value, is 0.27 GB
+    constexpr std::uintmax_t kLargest = std::uintmax_t{1} << 30U;
+    const std::uintmax_t size = std::filesystem::file_size(path, error);
+    if (!error && size > kLargest) {
+        fail_file(path,
+                  fmt::format("file has {:.3g} GB (more than {:.3g} GB is no record)", 1e-9 * static_cast<double>(size),
+                              1e-9 * static_cast<double>(kLargest)),
+                  "cut it into shorter records");
+    }
+    errno = 0;
+    std::optional<std::string> bytes = scaling::read_regular_file(path);
+    if (!bytes) {
+        const std::string why = errno == 0 ? "input error" : std::generic_category().message(errno);
+        fail_file(path, fmt::format("cannot be opened, or not read to its end ({})", why), "check its permissions and the disk");
+    }
+    if (bytes->empty()) fail_file(path, "file is empty (no header, no samples)", "fetch the record again");
+    return *std::move(bytes);
+}
+
+TextFile::TextFile(std::filesystem::path path, std::string bytes) : InputFile(std::move(path)), bytes_(std::move(bytes)) {
+    std::string_view rest = bytes_;
+    if (rest.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3);
+    rest = rest.substr(0, rest.find_last_not_of('\x1A') + 1);
+    const char line_end = rest.find('\n') == std::string_view::npos ? '\r' : '\n';
+    while (!rest.empty()) {
+        std::string_view line = rest.substr(0, rest.find(line_end));
+        rest.remove_prefix(std::min(line.size() + 1, rest.size()));
+        while (!line.empty() && is_blank(line.back())) line.remove_suffix(1);
+        lines_.push_back(line);
+    }
+}
+
+void TextFile::fail(std::size_t index, std::string_view what_why, std::string_view what_to_do) const {
+    throw ReadError(fmt::format("{}:{}: {}; {}", path().string(), index + 1, what_why, what_to_do));
+}
+
+void InputFile::fail(std::string_view what_why, std::string_view what_to_do) const { fail_file(path_, what_why, what_to_do); }
+
+}  // namespace musim::records::detail
