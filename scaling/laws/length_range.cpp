@@ -35,7 +35,7 @@ std::vector<LengthRange> find_length_range(const ShareUsed& used, const LengthRa
     const auto excess = [&](double length) {
         const double share = used(length);
         if (share == 1.0) return -std::numeric_limits<double>::epsilon();
-        return std::clamp(std::log(share), -kLargestLogarithm, kLargestLogarithm);
+        return share >= 0.0 ? std::clamp(std::log(share), -kLargestLogarithm, kLargestLogarithm) : kLargestLogarithm;
     };
     const double smallest = excess(within.smallest), largest = excess(within.largest);
     if (smallest < 0.0 && largest < 0.0) return {within};

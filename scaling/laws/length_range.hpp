@@ -15,7 +15,7 @@ struct LengthRange {
     bool operator==(const LengthRange&) const = default;
 };
 
-/// Share of a limit that a model of length scale λ_l uses; above 1 the limit is broken.
+/// Share of a limit that a model of length scale λ_l uses, from 0; above 1, or no number, the limit is broken.
 using ShareUsed = std::function<double(double length)>;
 
 /// The part of `within` where used(λ_l) ≤ 1, for a share that only rises or only falls with λ_l (every power of λ_l does); empty when

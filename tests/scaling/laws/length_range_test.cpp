@@ -80,6 +80,8 @@ TEST_CASE("limits leave a range narrower than any step, between the two that bin
 TEST_CASE("a limit that always or never holds leaves all or nothing") {
     CHECK(find_length_range([](double length) { return length; }, kAll) == std::vector{kAll});
     CHECK(find_length_range([](double length) { return 2.0 / length; }, kAll).empty());
+    CHECK(find_length_range([](double) { return 0.0; }, kAll) == std::vector{kAll});
+    CHECK(find_length_range([](double) { return std::numeric_limits<double>::quiet_NaN(); }, kAll).empty());
 }
 
 TEST_CASE("ranges have in common what lies in both, single points included") {
