@@ -20,8 +20,8 @@ std::string to_cell(const NamedValue& value) {
 }
 
 /// One line: columns a blank apart, two where cells on the left follow those on the right.
-template <class Tell>
-void print_line(const std::string& first, const NamedValues& values, const Tell& tell) {
+template <class Report>
+void print_line(const std::string& first, const NamedValues& values, const Report& report) {
     std::string line = fmt::format("{:<10}", first);
     bool is_left = true;
     for (const NamedValue& value : values) {
@@ -30,7 +30,7 @@ void print_line(const std::string& first, const NamedValues& values, const Tell&
         const int width = value.width.value_or(std::max(kLeastWidth, static_cast<int>(value.title->size())));
         is_left = width < 0;
         line += !was_left && is_left ? "  " : " ";
-        line += is_left ? fmt::format("{:<{}}", tell(value), -width) : fmt::format("{:>{}}", tell(value), width);
+        line += is_left ? fmt::format("{:<{}}", report(value), -width) : fmt::format("{:>{}}", report(value), width);
     }
     print("{}\n", line);
 }

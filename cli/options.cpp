@@ -148,7 +148,7 @@ void SimilitudeOptions::note_values_used() const { cli::note_values_used(given()
 void note_values_used(const std::vector<scaling::UncertainFactor>& factors) {
     if (std::none_of(factors.begin(), factors.end(), [](const auto& each) { return each.factor.is_uncertain(); })) return;
     note_at_end(
-        "musim: note: only the values of uncertain factors are used here; musim scale and musim rescale tell what the uncertainty does");
+        "musim: note: only the values of uncertain factors are used here; musim scale and musim rescale say what the uncertainty does");
 }
 
 void note_overruled(const scaling::SolvedLaw& solved) {

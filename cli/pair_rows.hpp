@@ -25,7 +25,7 @@ struct PairRow {
 /// Stiffnesses, moduli, wave speeds and times to climb, S_e^N; of a column whose blocks turn the fastest sway.
 std::vector<PairRow> make_speed_rows(const scaling::PairFacts& facts, const scaling::Similitude& similitude);
 
-/// Peaks, periods and frequencies of a motion, as far as either tells them.
+/// Peaks, periods and frequencies of a motion, as far as either gives them.
 std::vector<PairRow> make_motion_rows(const scaling::MotionFacts& prototype, const scaling::MotionFacts& model,
                                       const scaling::Similitude& similitude);
 

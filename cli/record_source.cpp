@@ -40,7 +40,7 @@ void RecordSourceOptions::add_to(CLI::App& command) {
     command.add_option("--sensitivity", sensitivity, "Of miniSEED counts: counts per m/s^2 (or m/s, m, as the instrument has it)")
         ->type_name("NUMBER")
         ->check(above_zero());
-    command.add_option("--station-xml", station_xml, "StationXML file that tells the sensitivity of miniSEED counts")->type_name("FILE");
+    command.add_option("--station-xml", station_xml, "StationXML file that gives the sensitivity of miniSEED counts")->type_name("FILE");
 }
 
 std::vector<std::string> RecordSourceOptions::find_files(std::vector<std::string> sources) const {
@@ -58,7 +58,7 @@ records::GroundMotion RecordSourceOptions::load(const std::string& source) const
     if (quantity) options.quantity = records::find_sample_quantity(*quantity);
     records::GroundMotion motion = records::read_record(source, options);
     for (const std::string& line : motion.history)
-        if (line.find(records::kUnitNotTold) != std::string::npos) note_at_end("musim: note: " + line + "; add --unit if that is wrong");
+        if (line.find(records::kUnitNotGiven) != std::string::npos) note_at_end("musim: note: " + line + "; add --unit if that is wrong");
     return motion;
 }
 

@@ -84,9 +84,10 @@ CLI::Option* add_uncertain_option(CLI::App& command, const std::string& name, st
 }
 
 void UncertainStructureOptions::add_to(CLI::App& command) {
-    add_uncertain_option(command, "--friction-prototype", friction,
-                         "Friction coefficient of the prototype, to tell sliding from rocking (default: below the / of --friction, if in "
-                         "brackets)");
+    add_uncertain_option(
+        command, "--friction-prototype", friction,
+        "Friction coefficient of the prototype, to distinguish sliding from rocking (default: below the / of --friction, if in "
+        "brackets)");
     add_uncertain_option(command, "--slenderness", slenderness, "Width/height of the blocks; repeat for several directions");
     add_quantity_option(command, "--height", height, "Height of the prototype, for its mu number", "LENGTH");
 }

@@ -27,7 +27,7 @@ struct GroundMotion {
     std::string event = {};
     std::string station = {};
     std::vector<Component> components = {};
-    std::optional<UtcTime> time_zero = {};  ///< what the clocks of all components count from, where the file tells; see TimeSeries::start
+    std::optional<UtcTime> time_zero = {};  ///< what the clocks of all components count from, where the file has it; see TimeSeries::start
 
     /// Set for uncorrected records, whose slow drift is noise: high-pass at this corner before integrating. Nothing: integrate as it is.
     std::optional<scaling::Frequency> integration_corner = {};

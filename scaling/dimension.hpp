@@ -53,7 +53,7 @@ constexpr void add_exponents(Dimension& dimension) {
 
 }  // namespace detail
 
-/// A number with a unit (a dimensionless Ratio too), such as Length: what has a dimension and can be scaled. A double does not tell it.
+/// A number with a unit (a dimensionless Ratio too), such as Length: what has a dimension and can be scaled. A double has none of it.
 template <class T>
 concept QuantityWithUnit = detail::kHasUnit<T>;
 

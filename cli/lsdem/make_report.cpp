@@ -123,7 +123,7 @@ void add_report_command(CLI::App& app, Action& action) {
         "  musim scale --length 1/107 --friction 0.63/0.59 --json > scale.json; musim report scale.json CICLC.v1 -o plan.html\n"
         "Verdict first, then what was run, scales and groups, the blocks in 3D (with frames: \"output\": {\"frame_rate\": \"100 Hz\"} in "
         "the\n"
-        "scene), motion of the spine, speeds, profiles, energies. What is missing is told, and the rest shown.");
+        "scene), motion of the spine, speeds, profiles, energies. What is missing is named, and the rest shown.");
     command->callback([&action, options] { action = [options] { return run_report(*options); }; });
 }
 

@@ -273,8 +273,8 @@ int run_pair(const PairOptions& options) {
                                      .each_alone = options.each_alone,
                                      .specimens = options.specimens,
                                      .accept = options.accept ? std::optional(options.accept->value) : std::nullopt};
-        how.judging.on_spare = [&, tell = progress.of_spare()](double part) {
-            tell(part);
+        how.judging.on_spare = [&, report = progress.of_spare()](double part) {
+            report(part);
             if (live) live->tell_spare(part);
         };
         pair = lsdem::pair_scene(prototype, choices, find_materials(options), settings, how);

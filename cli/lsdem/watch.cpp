@@ -23,7 +23,7 @@ struct WatchOptions {
     bool json = false;
 };
 
-/// Looks in between, and what a terminal is told; a file is told every ten seconds.
+/// Looks in between, and how often a terminal is written to; a file gets a line every ten seconds.
 constexpr auto kLook = std::chrono::milliseconds(500);
 constexpr int kLooksPerLine = 20;
 
@@ -48,7 +48,7 @@ std::vector<std::string> make_lines(const lsdem::WatchedFolder& watched) {
         const std::string line = bars_fit ? text + bars : fit(text, columns);
         lines.push_back(!run.works || (run.state.run && run.state.run->collapsed) ? in_red(line, stdout) : line);
     }
-    if (lines.empty()) lines.emplace_back("it works, and will tell where it stands after two seconds");
+    if (lines.empty()) lines.emplace_back("it works, and will report its state after two seconds");
     return lines;
 }
 
@@ -130,15 +130,16 @@ void add_watch_command(CLI::App& app, Action& action) {
     auto options = std::make_shared<WatchOptions>();
     CLI::App* command = app.add_subcommand("watch", "Follow a run, pair, sequence or ensemble that was started elsewhere");
     command->add_option("directory", options->directory, "The directory that it works on (-o)")->required()->type_name("DIR");
-    command->add_flag("--once", options->once, "Tell once where it stands");
+    command->add_flag("--once", options->once, "Report its state once and end");
     add_json_option(*command, options->json);
     command->footer(
         "Examples:\n"
         "  musim watch out/tower\n"
         "  musim watch out/walls --once\n"
         "  musim watch out/tower --json\n"
-        "Tells how much is done, the time of the model, kinetic energy, the largest drift between two blocks of the spine that are above\n"
-        "each other, and on a terminal the velocity of the top so far, until it ends. --json tells once. A run tells where it stands "
+        "Reports how much is done, the time of the model, kinetic energy, the largest drift between two blocks of the spine that are "
+        "above\n"
+        "each other, and on a terminal the velocity of the top so far, until it ends. --json reports once. A run reports its state "
         "every\n"
         "two seconds. Exit code: as the run's (4: it diverged); 3: it was killed, or nothing works there.");
     command->callback([&action, options] { action = [options] { return run_watch(*options); }; });

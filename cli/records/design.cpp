@@ -25,7 +25,7 @@
 namespace musim::cli {
 namespace {
 
-/// Samples unless told otherwise: a share is then known to 1.1 % (standard error at one half) within seconds, as each sample searches the
+/// Default number of samples: a share is then known to 1.1 % (standard error at one half) within seconds, as each sample searches the
 /// length scales of all limits anew.
 constexpr std::size_t kSamples = 2'000;
 
@@ -125,7 +125,7 @@ void add_design_command(CLI::App& app, Action& action) {
     command->footer(
         "Files named in the design are looked for in its folder. Exit code 0: something is feasible; 5: nothing is.\n"
         "Values and limits may carry standard uncertainties, \"6 m +/- 5 cm\", \"0.63+/-5%\", in the design and in its table: ends of the\n"
-        "length scales and all that is told of models then have 95 % intervals, to first order. --monte-carlo also\n"
+        "length scales and all that is reported of models then have 95 % intervals, to first order. --monte-carlo also\n"
         "draws all of them at once: in how many samples a candidate is feasible, between which ends, and by which limits.\n"
         "Examples:\n"
         "  musim design examples/design/tower.json\n"

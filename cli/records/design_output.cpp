@@ -62,14 +62,14 @@ scaling::TextTable make_ranking(const std::vector<Candidate>& candidates) {
 }
 
 /// A model that a candidate is looked at, with its uncertain side; null where all is certain.
-struct ToldState {
+struct ReportedState {
     const ModelState* state;
     const records::UncertainState* uncertain;
 };
 
 /// The ends of its ranges, and the length in mind.
-std::vector<ToldState> find_states(const Candidate& candidate, const records::UncertainCandidate* uncertain) {
-    std::vector<ToldState> states;
+std::vector<ReportedState> find_states(const Candidate& candidate, const records::UncertainCandidate* uncertain) {
+    std::vector<ReportedState> states;
     for (std::size_t i = 0; i < candidate.ends.size(); ++i) {
         states.push_back({&candidate.ends[i], uncertain == nullptr ? nullptr : &uncertain->ends[i]});
     }
@@ -84,7 +84,7 @@ scaling::TextTable make_limits(const Candidate& candidate, const records::Uncert
         table.header.push_back(coverage_title());
         for (std::size_t i = 0; i < table.rows.size(); ++i) table.rows[i].push_back(describe_ends(uncertain_candidate->limits[i]));
     }
-    const std::vector<ToldState> states = find_states(candidate, uncertain_candidate);
+    const std::vector<ReportedState> states = find_states(candidate, uncertain_candidate);
     for (const auto& [state, uncertain] : states) {
         table.header.push_back("used at " + describe_scale(state->length));
         for (std::size_t i = 0; i < state->uses.size(); ++i) {
@@ -112,7 +112,7 @@ std::string find_remark(const std::vector<scaling::Distortion>& distortions, std
     return "";
 }
 
-scaling::TextTable make_factors(const std::vector<ToldState>& states) {
+scaling::TextTable make_factors(const std::vector<ReportedState>& states) {
     scaling::TextTable table{{"factor"}};
     for (const scaling::ModelScale& scale : scaling::kModelScales) table.rows.push_back({std::string(scale.name)});
     for (const auto& [state, uncertain] : states) {
@@ -125,7 +125,7 @@ scaling::TextTable make_factors(const std::vector<ToldState>& states) {
     return table;
 }
 
-scaling::TextTable make_groups(const records::Design& design, const Candidate& candidate, const std::vector<ToldState>& states) {
+scaling::TextTable make_groups(const records::Design& design, const Candidate& candidate, const std::vector<ReportedState>& states) {
     scaling::TextTable table{{"group", "weighed"}};
     for (const records::GroupFactor& group : states.front().state->groups) {
         const bool is_weighed = std::find(design.groups.begin(), design.groups.end(), group.name) != design.groups.end();
@@ -152,8 +152,8 @@ nlohmann::json to_json(const std::vector<records::GroupFactor>& groups) {
     return object;
 }
 
-nlohmann::json to_json(const ToldState& told, const std::vector<scaling::UncertainInput>& inputs) {
-    const ModelState& state = *told.state;
+nlohmann::json to_json(const ReportedState& given, const std::vector<scaling::UncertainInput>& inputs) {
+    const ModelState& state = *given.state;
     nlohmann::json uses = nlohmann::json::array();
     for (const records::Use& use : state.uses) {
         uses.push_back({{"limit", use.limit},
@@ -174,13 +174,13 @@ nlohmann::json to_json(const ToldState& told, const std::vector<scaling::Uncerta
                              {"mass_kg", state.mass.value()},
                              {"added_mass_kg", state.added_mass.value()},
                              {"cost", or_null(state.cost)}};
-    if (told.uncertain != nullptr) object["uncertainty"] = cli::to_json(state, *told.uncertain, inputs);
+    if (given.uncertain != nullptr) object["uncertainty"] = cli::to_json(state, *given.uncertain, inputs);
     return object;
 }
 
 nlohmann::json to_json(const Candidate& candidate, const records::UncertainCandidate* uncertain,
                        const std::vector<scaling::UncertainInput>& inputs) {
-    const std::vector<ToldState> states = find_states(candidate, uncertain);
+    const std::vector<ReportedState> states = find_states(candidate, uncertain);
     nlohmann::json ranges = nlohmann::json::array(), limits = nlohmann::json::array(), conflict, ranked;
     if (candidate.ranked) ranked = to_json({&*candidate.ranked, uncertain == nullptr ? nullptr : &*uncertain->ranked}, inputs);
     for (std::size_t i = 0; i < candidate.ranges.size(); ++i) {
@@ -247,7 +247,7 @@ std::string make_design_report(const records::Design& design, const std::vector<
         if (candidate.limits.empty()) continue;
         const records::UncertainCandidate* const uncertain = uncertainty.find(i);
         text += make_heading(name_candidate(candidate) + ": limits", style) + make_table(make_limits(candidate, uncertain), style);
-        const std::vector<ToldState> states = find_states(candidate, uncertain);
+        const std::vector<ReportedState> states = find_states(candidate, uncertain);
         if (states.empty()) continue;
         text += make_heading(name_candidate(candidate) + ": factors, model/prototype", style) + make_table(make_factors(states), style);
         text += make_heading(name_candidate(candidate) + ": groups, d = model/prototype", style) +

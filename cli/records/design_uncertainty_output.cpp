@@ -28,13 +28,13 @@ nlohmann::json end_to_json(const End& end, const std::vector<scaling::UncertainI
 
 /// Median and coverage interval of a length scale.
 std::vector<std::string> describe_scales(const scaling::SampleSummary& scales) {
-    if (scales.told == 0) return {"-", "-"};
+    if (scales.given == 0) return {"-", "-"};
     return {scaling::describe_scale(scales.median),
             fmt::format("{} to {}", scaling::describe_scale(scales.lower), scaling::describe_scale(scales.upper))};
 }
 
 nlohmann::json scales_to_json(const scaling::SampleSummary& scales) {
-    return scales.told == 0 ? nlohmann::json() : cli::to_json(scales, 1.0);
+    return scales.given == 0 ? nlohmann::json() : cli::to_json(scales, 1.0);
 }
 
 }  // namespace

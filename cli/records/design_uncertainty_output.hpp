@@ -29,10 +29,10 @@ scaling::TextTable make_ends_table(const std::vector<records::Candidate>& candid
 /// By samples: in how many each candidate is feasible, and the ends of its length scales then.
 scaling::TextTable make_sampled_ends_table(const std::vector<records::Candidate>& candidates, const records::SampledDesign& samples);
 
-/// By samples: which limits are in the way, or broken at the length told. Limits that never are have no row.
+/// By samples: which limits are governing, or broken at the given length. Limits that never are have no row.
 scaling::TextTable make_sampled_limits_table(const std::vector<records::Candidate>& candidates, const records::SampledDesign& samples);
 
-/// {"feasible_share", "smallest" and "largest" of the samples that are (null when none is), "length" at which limits are told broken,
+/// {"feasible_share", "smallest" and "largest" of the samples that are (null when none is), "length" at which limits are reported broken,
 /// "limits": [{"limit", "sets_smallest_share", "sets_largest_share", "broken_share"}]}.
 nlohmann::json to_json(const records::Candidate& candidate, const records::SampledCandidate& sampled);
 

@@ -42,7 +42,7 @@ struct ComponentInfo {
     NamedValues groups;  ///< with a structure; none: empty
 };
 
-/// When a component begins, where its file tells.
+/// When a component begins, where its file says so.
 std::optional<records::UtcTime> find_first_sample(const ComponentInfo& info) {
     if (!info.motion.time_zero) return std::nullopt;
     return records::find_instant(*info.motion.time_zero, info.component.series.start());

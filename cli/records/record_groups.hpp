@@ -21,7 +21,7 @@ struct StructureOptions {
 };
 
 /// How strong a record is for a structure in standard gravity, in dimensionless groups, and how far a Newmark block slides (its largest
-/// distance); missing where the structure or the record does not tell. `intensity` is that of the same series, leveled like it
+/// distance); missing where the structure or the record does not give it. `intensity` is that of the same series, leveled like it
 /// (records::level_uncorrected).
 NamedValues compute_record_groups(const records::TimeSeries& leveled, const records::Intensity& intensity,
                                   const StructureOptions& structure);

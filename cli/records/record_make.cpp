@@ -39,7 +39,7 @@ CLI::Option* add_number(CLI::App& command, const std::string& name, Number& numb
     return command.add_option(name, number, help + fmt::format(" (default {:g})", number.value))->type_name("NUMBER");
 }
 
-/// Makes, writes and tells.
+/// Makes, writes and reports.
 int make_record(const MakeOptions& options, const std::function<records::GroundMotion()>& make) {
     options.output.check();
     const records::GroundMotion motion = make();

@@ -36,7 +36,7 @@ std::string_view find_format(const RecordOutputOptions& options) {
     }
     throw CLI::ValidationError(
         options.format.empty() ? "--out" : "--format",
-        fmt::format("\"{}\" tells no format; {}csv, at2, cosmos or mseed", options.format.empty() ? options.out : options.format,
+        fmt::format("\"{}\" implies no format; {}csv, at2, cosmos or mseed", options.format.empty() ? options.out : options.format,
                     options.format.empty() ? "add --format " : "write "));
 }
 
@@ -45,7 +45,7 @@ void note_lost_corner(const std::string& file, const records::GroundMotion& moti
     const std::optional<scaling::Frequency>& corner = motion.integration_corner;
     if (corner && corner->value() == records::kUncorrectedCornerHz) return;
     note_at_end(
-        fmt::format("musim: note: {}: miniSEED cannot tell how the record is integrated ({}): PGV and PGD of the file are those after a "
+        fmt::format("musim: note: {}: miniSEED cannot say how the record is integrated ({}): PGV and PGD of the file are those after a "
                     "high-pass at {:g} Hz; write .csv, .v2 or .at2 to keep it",
                     file, describe_integration(corner), records::kUncorrectedCornerHz));
 }
@@ -56,7 +56,7 @@ void RecordOutputOptions::add_to(CLI::App& command) {
     command.add_option("-o,--out", out, "File to write: .csv, .v2 (COSMOS) or .mseed (all components), .at2, .vt2 or .dt2 (PEER, one)")
         ->required()
         ->type_name("OUT");
-    command.add_option("--format", format, "csv, at2, cosmos or mseed, when the extension does not tell")->type_name("FORMAT");
+    command.add_option("--format", format, "csv, at2, cosmos or mseed, where the extension implies none")->type_name("FORMAT");
     command.add_option("--component", component, "The only component to write, e.g. 360; PEER files hold one")->type_name("NAME");
 }
 

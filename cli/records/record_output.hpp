@@ -16,7 +16,7 @@ struct RecordOutputOptions {
     /// Adds the options to a command; --out is required.
     void add_to(CLI::App& command);
 
-    /// Throws records::WriteError when neither extension nor --format tell the format: asked before anything is computed.
+    /// Throws records::WriteError when neither extension nor --format implies the format: checked before anything is computed.
     void check() const;
 
     /// The motion with nothing but the component that was asked for. Throws records::ReadError when there is none of that name.

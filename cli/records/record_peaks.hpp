@@ -15,7 +15,7 @@ std::optional<double> size_of(const std::optional<Peak>& peak, double unit) {
     return peak ? std::optional(std::abs(peak->value.value()) / unit) : std::nullopt;
 }
 
-/// Step, length and peaks of one component, as commands that turn one record into another tell them; and the corner of the high-pass before
+/// Step, length and peaks of one component, as commands that turn one record into another give them; and the corner of the high-pass before
 /// the velocity was found, of an uncorrected record.
 NamedValues find_peaks(const records::GroundMotion& motion, const records::Component& component);
 

@@ -65,7 +65,7 @@ void add_components(std::vector<records::ComponentCurves>& list, const records::
     }
 }
 
-/// Refuses more components than can be told apart.
+/// Refuses more components than can be distinguished.
 void require_looks(const std::vector<records::GroundMotion>& motions, bool with_models) {
     std::size_t components = 0;
     for (const records::GroundMotion& motion : motions) components += motion.components.size();

@@ -24,21 +24,21 @@ namespace {
 struct RecordProcessOptions {
     std::vector<std::string> files;
     RecordSourceOptions source;
-    std::string recipe;              ///< file, or a record whose history tells one
+    std::string recipe;              ///< file, or a record whose history holds one
     std::vector<std::string> steps;  ///< as JSON objects, after those of the recipe
     std::string save_recipe;
     RecordOutputOptions output;
     bool json = false;
 };
 
-/// A recipe, or what the history of a record tells, which musim's own CSV has.
+/// A recipe, or what the history of a record holds, which musim's own CSV has.
 records::Recipe load_recipe(const std::string& file) {
     const std::string text = read_input_file(file, "a recipe, or a record processed before");
     if (!text.starts_with("# musim ground motion")) return records::parse_recipe(text, file);
     const records::Recipe recipe = records::recipe_of(records::read_record(file));
     if (!recipe.empty()) return recipe;
     throw records::ReadError(file +
-                             ": its history tells no step of a recipe (it was not processed since it was read, made or rescaled); "
+                             ": its history has no step of a recipe (it was not processed since it was read, made or rescaled); "
                              "give the record that was processed, or a recipe (JSON)");
 }
 
@@ -110,7 +110,7 @@ void add_record_process_command(CLI::App& record, Action& action) {
     command->add_option("files", options->files, std::string(kRecordArgument) + "; several files are the components of one record")
         ->required()
         ->type_name("FILE");
-    command->add_option("--recipe", options->recipe, "Recipe (JSON), or a CSV record processed before: what its history tells")
+    command->add_option("--recipe", options->recipe, "Recipe (JSON), or a CSV record processed before: that of its history")
         ->type_name("FILE");
     command->add_option("--step", options->steps, "One more step, as JSON; may be repeated")->type_name("JSON")->allow_extra_args(false);
     command->add_option("--save-recipe", options->save_recipe, "Write the recipe, every number to the last bit")->type_name("FILE");

@@ -61,7 +61,7 @@ OutFormat find_out_format(const std::string& out) {
     const std::string extension = find_extension(out);
     if (extension == "csv") return OutFormat::csv;
     if (extension == "svg") return OutFormat::svg;
-    throw CLI::ValidationError("--out", out + ": the format is not told by the extension; name it .csv or .svg");
+    throw CLI::ValidationError("--out", out + ": the extension implies no format; name it .csv or .svg");
 }
 
 int run_record_spectrum(const RecordSpectrumOptions& options) {

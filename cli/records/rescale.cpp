@@ -111,9 +111,10 @@ void add_rescale_command(CLI::App& app, Action& action) {
         "by "
         "the law\n"
         "  musim rescale CICLC.v1 --length 1/25 --law examples/laws/bolted.json --set k_b=1/100 -o model.csv\n"
-        "Vertical components (Up, UD, Z, HNZ and the like) are scaled by the law's own factor, as `musim scale` tells it: that of gravity "
+        "Vertical components (Up, UD, Z, HNZ and the like) are scaled by the law's own factor, as `musim scale` gives it: that of gravity "
         "where weights matter.\n"
-        "Where factors carry uncertainties, e.g. 0.63+/-0.03, the record is scaled by their values, and the model's measures are told with "
+        "Where factors carry uncertainties, e.g. 0.63+/-0.03, the record is scaled by their values, and the model's measures are reported "
+        "with "
         "u, a\n"
         "standard uncertainty; those of --monte-carlo with intervals that cover 95 %.");
     command->callback([&action, options] { action = [options] { return run_whole([&] { return run_rescale(*options); }); }; });

@@ -186,7 +186,7 @@ std::string make_facts_report(const FactsReport& report, scaling::ReportStyle st
     text += make_heading("Structural speed: derived, Rosakis21 for the number", style) + make_table(speeds, style);
     text += make_heading("Rocking blocks: Housner63", style) + make_table(rocking, style);
     if (!report.report.untold.empty()) {
-        text += "\n" + make_paragraph("Not told by prototype or model: " + describe_untold(report.report.untold), style);
+        text += "\n" + make_paragraph("Not given by prototype or model: " + describe_untold(report.report.untold), style);
     }
     return text;
 }

@@ -20,7 +20,7 @@ struct FactsReport {
 };
 
 /// Distortions with effect and sources, regimes, groups of both, structural speeds and what the model would need, blocks that rock, and
-/// what the facts do not tell; with uncertain facts, these, factors with u, and coverage intervals of the groups, those of the samples if
+/// what the facts do not give; with uncertain facts, these, factors with u, and coverage intervals of the groups, those of the samples if
 /// there are any, and the share of samples in which each regime is another.
 std::string make_facts_report(const FactsReport& report, scaling::ReportStyle style);
 

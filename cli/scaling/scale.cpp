@@ -31,12 +31,13 @@ struct ScaleOptions {
     bool json = false;
 };
 
-/// Warns that slenderness alone does not tell the regime.
+/// Warns that slenderness alone does not decide the regime.
 void note_untold_regime(const ScaleOptions& options, const scaling::UncertainReport& report) {
-    const std::vector<scaling::UncertainPair>& told = report.structure;
+    const std::vector<scaling::UncertainPair>& given = report.structure;
     const auto is_regime = [](const scaling::UncertainPair& pair) { return pair.name.starts_with("mu/tan(alpha)"); };
-    if (options.structure.slenderness.empty() || std::any_of(told.begin(), told.end(), is_regime)) return;
-    note_at_end("musim: warning: whether blocks slide or rock first (mu/tan(alpha)) is not told: --slenderness needs --friction-prototype");
+    if (options.structure.slenderness.empty() || std::any_of(given.begin(), given.end(), is_regime)) return;
+    note_at_end(
+        "musim: warning: whether blocks slide or rock first (mu/tan(alpha)) is not known: --slenderness needs --friction-prototype");
 }
 
 /// Says so when many draws were of no use: what is left is no longer the distribution asked for.
@@ -44,7 +45,7 @@ void note_rejected_draws(const scaling::Draws& draws) {
     constexpr double kMany = 0.05;  // of the samples
     if (static_cast<double>(draws.rejected) < kMany * static_cast<double>(draws.settings.samples)) return;
     note_at_end(
-        fmt::format("musim: note: {} draws for {} samples were not positive and drawn again, so what is told is not of a {} distribution; "
+        fmt::format("musim: note: {} draws for {} samples were not positive and drawn again, so the results are not of a {} distribution; "
                     "check the uncertainties, or take --distribution lognormal",
                     draws.rejected, draws.settings.samples, scaling::to_string(draws.settings.distribution)));
 }
@@ -120,7 +121,8 @@ int run_scale(const ScaleOptions& options) {
          {"--friction-prototype", "--slenderness", "--height", "--pga", "--pgv", "--pgd", "--arias", "--duration", "--time-step"}) {
         if (command.count(option) > 0) {
             throw CLI::ValidationError(
-                option, "belongs to laws mu, froude, exact and cauchy with --length; tell a law as data by --value what the prototype has");
+                option,
+                "belongs to laws mu, froude, exact and cauchy with --length; for a law as data give the prototype's values with --value");
         }
     }
     const bool is_free = command.count("--law") == 0 && !options.data.held.empty();

@@ -25,24 +25,24 @@ namespace {
 /// How far a factor typed on the command line may be from that of the facts [-]: four digits of it. The facts' own is used.
 constexpr double kTypedAgreement = 1e-3;
 
-void require_agreement(const CLI::App& command, const std::string& file, const char* name, double typed, double told) {
-    if (command.get_option(name)->count() == 0 || std::abs(typed / told - 1.0) <= kTypedAgreement) return;
+void require_agreement(const CLI::App& command, const std::string& file, const char* name, double typed, double given) {
+    if (command.get_option(name)->count() == 0 || std::abs(typed / given - 1.0) <= kTypedAgreement) return;
     throw scaling::SimilitudeError(
         fmt::format("{}: {} is {:.6g}, but prototype and model have the ratio {:.6g}; leave the option out, or "
                     "correct the facts",
-                    file, name, typed, told));
+                    file, name, typed, given));
 }
 
 /// The law of the file, or the one typed; they must not be two.
 records::DesignLaw find_law(const CLI::App& command, const SimilitudeOptions& scales, const std::string& file,
-                            const std::optional<records::DesignLaw>& told) {
+                            const std::optional<records::DesignLaw>& given) {
     const bool is_typed = command.count("--law") > 0;
-    if (told) {
-        if ((is_typed && scales.law != told->name()) || !scales.factors.empty()) {
-            throw scaling::SimilitudeError(fmt::format("{}: its law is {}, and {} was typed, too; leave one out", file, told->name(),
+    if (given) {
+        if ((is_typed && scales.law != given->name()) || !scales.factors.empty()) {
+            throw scaling::SimilitudeError(fmt::format("{}: its law is {}, and {} was typed, too; leave one out", file, given->name(),
                                                        scales.factors.empty() ? "--law " + scales.law : "--set " + scales.factors.front()));
         }
-        return *told;
+        return *given;
     }
     return {scaling::load_scale_law(scales.law), scaling::values_of(parse_factors(scales.factors))};
 }
@@ -102,14 +102,14 @@ class FactsFiles {
     std::optional<scaling::MotionFacts> find_motion(const std::optional<records::MotionSource>& source,
                                                     std::optional<scaling::MotionFacts>& measured) const {
         if (!source) return std::nullopt;
-        if (const auto* const told = std::get_if<scaling::MotionFacts>(&*source)) return *told;
+        if (const auto* const given = std::get_if<scaling::MotionFacts>(&*source)) return *given;
         const auto& record = std::get<records::RecordOfMotion>(*source);
         if (!measured) measured = records::measure_motion(options_.source.load_beside(options_.file, record.file), record);
         return measured;
     }
 
     std::optional<scaling::Bandwidth> find_table(const records::Facts& facts, scaling::UncertainReading& reading) const {
-        if (const auto* const told = std::get_if<scaling::Bandwidth>(&facts.table)) return *told;
+        if (const auto* const given = std::get_if<scaling::Bandwidth>(&facts.table)) return *given;
         const auto* const named = std::get_if<records::AxisOfTable>(&facts.table);
         if (named == nullptr) return std::nullopt;
         const records::ShakeTable table = read_shake_table(find_beside(options_.file, named->file), &reading);
@@ -127,7 +127,7 @@ class FactsFiles {
     std::optional<scaling::MotionFacts> measured_motion_, measured_model_motion_;
 };
 
-/// Facts whose model is shaken as it was told, or else by `shaken`.
+/// Facts whose model is shaken as it was given, or else by `shaken`.
 scaling::FactsAndLaw with_motion(const FactsFiles::Read& read, const scaling::Similitude& shaken) {
     scaling::FactsAndLaw facts{read.pair, read.similitude};
     if (facts.facts.motion && !facts.facts.model_motion) facts.facts.model_motion = to_model(*facts.facts.motion, shaken);
@@ -161,7 +161,7 @@ void FactsOptions::add_to(CLI::App& command) {
                 "What is known of prototype and model (JSON, musim-facts/1; see records/design/README.md): reports every group of both, "
                 "regimes, structural speed and rocking")
             ->type_name("FACTS.json");
-    // what the facts tell themselves
+    // what the facts themselves give
     for (const char* const name :
          {"--friction-prototype", "--slenderness", "--height", "--pga", "--pgv", "--pgd", "--arias", "--duration", "--time-step"}) {
         facts->excludes(name);
@@ -178,10 +178,10 @@ int run_scale_facts(const CLI::App& command, const SimilitudeOptions& scales, co
     FactsFiles files(command, scales, options);
     scaling::UncertainReading reading(options.file);
     const FactsFiles::Read read = files.read(reading);
-    const scaling::ScaleFactors typed = scales.scales().factors(), told = make_scale_factors(read.pair, typed.length);
-    require_agreement(command, options.file, "--friction", typed.friction, told.friction);
-    require_agreement(command, options.file, "--gravity", typed.gravity, told.gravity);
-    require_agreement(command, options.file, "--density", typed.density, told.density);
+    const scaling::ScaleFactors typed = scales.scales().factors(), given = make_scale_factors(read.pair, typed.length);
+    require_agreement(command, options.file, "--friction", typed.friction, given.friction);
+    require_agreement(command, options.file, "--gravity", typed.gravity, given.gravity);
+    require_agreement(command, options.file, "--density", typed.density, given.density);
     note_overruled(files.solved());
     const scaling::FactsAndLaw facts = with_motion(read, read.similitude);
     const scaling::KeptNumbers kept = find_kept_numbers(files.solved());

@@ -81,7 +81,7 @@ void ScaleLawOptions::add_to(CLI::App& command) {
     add("--hold", held, "A product that model and prototype share, on top of the law's or without a law", "PRODUCT");
     add("--watch", watched, "A product whose distortion is wanted; one that the law holds is held no longer", "PRODUCT");
     add("--define", quantities, "A quantity that neither the law nor mechanics knows, e.g. E:GPa", "NAME:UNIT");
-    add("--value", values, "What a quantity is in the prototype, e.g. \"E=29.2 GPa\"; the model's is told", "NAME=QUANTITY");
+    add("--value", values, "What a quantity is in the prototype, e.g. \"E=29.2 GPa\"; the model's is given", "NAME=QUANTITY");
     add_format_option(command, style, "Form of the answer");
     command.add_flag("--laws", lists_laws, "List the laws that come with musim");
 }

@@ -11,7 +11,7 @@
 namespace musim::cli {
 namespace {
 
-/// A quantity's key in JSON and the unit it is told in there.
+/// A quantity's key in JSON and the unit it is reported in there.
 struct MeasureKey {
     std::string_view name;
     std::string_view key;
@@ -132,11 +132,11 @@ nlohmann::json to_json(const std::vector<scaling::UncertainResult>& results, con
 nlohmann::json to_json(const std::vector<scaling::UncertainInput>& inputs) {
     nlohmann::json list = nlohmann::json::array();
     for (const scaling::UncertainInput& input : inputs) {
-        const MeasureKey& told = find_key(input.name);
+        const MeasureKey& given = find_key(input.name);
         list.push_back({{"name", input.name},
-                        {"unit", told.unit_name.empty() ? scaling::si_unit(input.dimension) : std::string(told.unit_name)},
-                        {"value", input.quantity.value / told.unit},
-                        {"standard_uncertainty", input.quantity.uncertainty / told.unit},
+                        {"unit", given.unit_name.empty() ? scaling::si_unit(input.dimension) : std::string(given.unit_name)},
+                        {"value", input.quantity.value / given.unit},
+                        {"standard_uncertainty", input.quantity.uncertainty / given.unit},
                         {"relative", input.quantity.relative()}});
     }
     return list;

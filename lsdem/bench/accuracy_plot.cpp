@@ -19,7 +19,7 @@ constexpr double kLeft = 58.0, kTop = 92.0, kGapX = 62.0, kGapY = 66.0;
 constexpr std::size_t kColumns = 3;
 constexpr double kMark = 4.2;
 
-/// Least error that is told apart [-].
+/// Smallest error that is resolved [-].
 constexpr double kFloor = 1e-10;
 
 enum class Mark { square, diamond, triangle, cross, star };

@@ -11,7 +11,7 @@
 namespace musim::lsdem {
 namespace {
 
-/// A law that tells heights H from widths b, as seen by the widths.
+/// A law that gives heights H from widths b, as seen by the widths.
 scaling::Similitude make_width_similitude(const scaling::SolvedLaw& solved) {
     const scaling::ScaleFactors widths{.length = solved.factor("b").value(),
                                        .friction = solved.factor("mu").value(),

@@ -13,7 +13,7 @@ namespace musim::lsdem {
 /// blocks beside each other in a layer of the papers' tower enter the list before they have moved. Affects speed only, never results.
 inline constexpr double kNeighborSkin = 0.03;
 
-/// Finds the pairs and nodes that can touch, and tells when the list has to be made anew.
+/// Finds the pairs and nodes that can touch, and decides when the list has to be made anew.
 ///
 /// Each block may move by skin/2 relative to the base before the list goes stale; the list holds every node that lies within the skin of
 /// its follower. So no contact is ever missed, for any motion (checked against brute force by the neighbor-list tests).

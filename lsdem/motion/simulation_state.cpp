@@ -10,7 +10,7 @@
 #include "lsdem/motion/simulation_core.hpp"
 #include "lsdem/motion/state_fields.hpp"
 
-/// Saved states, and the number that tells whether two states are the same.
+/// Saved states, and the number that says whether two states are the same.
 namespace musim::lsdem {
 namespace {
 

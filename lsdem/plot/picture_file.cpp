@@ -19,7 +19,7 @@ void require_picture_name(const std::filesystem::path& path) {
     const std::string extension = path.extension().string();
     if (extension == ".svg") return;
     if (extension != ".png" && extension != ".pdf") {
-        throw records::WriteError(path.string() + ": the kind of picture is not told by the extension; name it .svg, .png or .pdf");
+        throw records::WriteError(path.string() + ": the extension implies no kind of picture; name it .svg, .png or .pdf");
     }
     if (!can_write_png()) {
         throw records::WriteError(path.string() + ": musim was built without PNG and PDF (librsvg was not found); write .svg");

@@ -24,7 +24,7 @@ struct LineStyle {
     const char* dash;
 };
 
-/// Colours of Okabe and Ito's palette, chosen for all kinds of colour vision; the dashes tell the lines apart in grey.
+/// Colours of Okabe and Ito's palette, chosen for all kinds of colour vision; the dashes distinguish the lines in grey.
 inline constexpr std::array<LineStyle, 6> kLineStyles{{{"#56B4E9", 3.4, ""},
                                                        {"#D55E00", 1.6, "8 7"},
                                                        {"#000000", 1.3, "1.5 4"},

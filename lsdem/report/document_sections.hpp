@@ -11,7 +11,7 @@ namespace musim::lsdem {
 /// What musim scale, pi, design, record and others printed with --json: everything in it, as tables.
 ReportSection make_document_section(const ReportedDocument& document, std::size_t number);
 
-/// How distorted the model is that the document tells of; that it is read, of one that tells of none.
+/// How distorted the document's model is; that the document was read, if it has none.
 std::string make_document_verdict(const ReportedDocument& document);
 
 /// Any JSON as tables: an object's plain values under `caption`, lists of objects with a column per key, what is inside below under

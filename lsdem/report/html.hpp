@@ -9,7 +9,7 @@ namespace musim::lsdem {
 /// Text with the characters that HTML reserves replaced, also for attributes.
 std::string escape_html(const std::string& text);
 
-/// How a statement is told: by colour and by a word.
+/// How a statement is marked: by colour and by a word.
 enum class Tone { plain, good, note, warning, bad };
 
 /// "good", "note", "warning", "bad"; empty for plain. Also the class of the style sheet.

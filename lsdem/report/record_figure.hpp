@@ -21,10 +21,10 @@ struct RecordFigure {
     std::optional<scaling::ModelScales> model_of;      ///< of the models
 };
 
-/// How curves of components, or of prototypes and their models, are told apart.
+/// How curves of components, or of prototypes and their models, are distinguished.
 CurveLooks find_looks(bool with_models);
 
-/// Event and station, as far as the record tells, or else its file.
+/// Event and station, as far as the record names them, or else its file.
 std::string make_title(const records::GroundMotion& motion);
 
 /// Histories above each other on one time axis with peaks and D5-95 marked, Fourier amplitudes and PSA beside them, on top a table of the

@@ -289,7 +289,7 @@ std::string make_title(const ReportContent& content) {
     return name;
 }
 
-/// Runs of the same name in different folders are told by their whole paths.
+/// Runs of the same name in different folders are distinguished by their whole paths.
 void tell_apart(std::vector<ReportedRun>& runs) {
     for (std::size_t i = 0; i < runs.size(); ++i) {
         const std::string label = runs[i].label;

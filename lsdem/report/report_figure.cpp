@@ -92,11 +92,11 @@ ReportFigure make_figure(const std::string& name, const StackedPlot& plot) {
                                records::csv_cell(name_row(plot, row)), run.x[k], y[k],
                                run.spread.empty() ? "" : fmt::format("{}", run.spread[row][k]));
             }
-            const std::vector<HtmlCell> told = describe_curve(run, row);
-            if (told.empty()) continue;
+            const std::vector<HtmlCell> given = describe_curve(run, row);
+            if (given.empty()) continue;
             std::vector<HtmlCell>& cells =
                 figure.twin.rows.emplace_back(std::vector<HtmlCell>{{.text = run.label}, {.text = name_row(plot, row)}});
-            cells.insert(cells.end(), told.begin(), told.end());
+            cells.insert(cells.end(), given.begin(), given.end());
         }
     }
     return figure;

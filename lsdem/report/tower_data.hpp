@@ -24,7 +24,7 @@ struct TowerRounding {
 /// of all blocks one after another, low bytes before high ones; then 8-bit integers of the velocity's components. All integers are
 /// differences from the frame before, modulo their range. An integer over its greatest magnitude (32767, 127) times "scales" is the value.
 /// "forces": zlib, empty when they are not kept; for each frame in turn, 8-bit differences from the frame before of q, for each block: the
-/// contact forces on it over its weight are (q/255)² times scales.force, so that small ones are told more finely.
+/// contact forces on it over its weight are (q/255)² times scales.force, so that small ones are reported more finely.
 /// "base": displacement of the base at each frame [m]. A run without frames has two: its start and its end, without velocities.
 struct TowerData {
     nlohmann::json json;

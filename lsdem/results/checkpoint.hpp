@@ -25,7 +25,7 @@ struct CheckpointSettings {
     double interval = 60.0;                ///< wall time between two checkpoints, see kFirstCheckpoint [s]; 0: one after every sample
     std::uint64_t samples = 0;             ///< when positive: one after so many samples, or looks while it settles, whatever the wall time
     std::optional<PreparedPlaces> places = {};  ///< of a specimen that was prepared, so that it need not be again
-    /// Told why a checkpoint could not be written; the run goes on, and the checkpoint before stays.
+    /// Given the reason why a checkpoint could not be written; the run goes on, and the checkpoint before stays.
     std::function<void(const std::string&)> on_failure = {};
 };
 
@@ -67,7 +67,7 @@ Checkpoint read_checkpoint(const std::filesystem::path& file, const std::string&
 void remove_checkpoint(const std::filesystem::path& file) noexcept;
 
 /// Writes a checkpoint of a run whose last sample is `done`, or of the quiet phase after it; the file changes from the one
-/// before in one step. One that cannot be written is told to CheckpointSettings::on_failure. `run` is not changed.
+/// before in one step. One that cannot be written is given to CheckpointSettings::on_failure. `run` is not changed.
 void write_checkpoint(const CheckpointSettings& settings, std::uint64_t done, const TimePlan& plan, RunResult& run,
                       const Simulation& simulation, const std::optional<QuietState>& quiet = {});
 

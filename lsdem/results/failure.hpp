@@ -7,7 +7,7 @@
 
 #include "lsdem/results/history.hpp"
 
-/// How a structure failed, told from the way its blocks moved.
+/// How a structure failed, found from the way its blocks moved.
 namespace musim::lsdem {
 
 /// Failure modes of towers [Harmon23, section 6, Fig. 9].
@@ -20,7 +20,7 @@ enum class FailureMode {
 /// "peeling", "buckling" or "undecided".
 std::string to_string(FailureMode mode);
 
-/// Part of the blocks that tells a mode [-]. Two in three, so that twice as many blocks say yes as no.
+/// Part of the blocks that decides a mode [-]. Two in three, so that twice as many blocks say yes as no.
 inline constexpr double kFailureMajority = 2.0 / 3.0;
 
 /// A level whose centre lies within this part of the height from either end of the tower is not at mid-height [-].
@@ -29,7 +29,7 @@ inline constexpr double kEndOfTower = 0.1;
 /// Least widening that counts as a bulge [thin sides of a block]: a tenth is more than joints and rocking give to a whole level.
 inline constexpr double kLeastBulge = 0.1;
 
-/// What the modes are told by, all without dimension. With e the horizontal unit vector from the tower's axis (through its centre of mass
+/// What decides the modes, all without dimension. With e the horizontal unit vector from the tower's axis (through its centre of mass
 /// at the start) to a block's place at the start, and d the block's displacement relative to the base,
 ///
 ///   u = e·d (outward),   w = −d_z (down),   b the shorter horizontal side of the block;
@@ -63,13 +63,13 @@ struct FailureData {
     double collapse_time;  ///< [s]
 };
 
-/// Tells the mode of a collapse.
+/// Finds the mode of a collapse.
 ///
 ///   peeling:   outward_share ≥ 2/3
 ///   buckling:  inward_share_above ≥ 2/3, bulge ≥ 0.1, and its level at mid-height (from 0.1 to 0.9)
 ///
 /// Undecided when both hold or neither does, and for structures that do not surround their axis (columns, walls), which have no outward.
-/// Describes [Harmon23]'s modes, who tell them by eye; the numbers are ours.
+/// Describes [Harmon23]'s modes, who judge them by eye; the numbers are ours.
 Failure find_failure(const FailureData& data);
 
 /// The same for a run or a stored run; nothing when it did not collapse, or when the results do not say when blocks fell. Of a later stage

@@ -9,7 +9,7 @@
 namespace musim::lsdem {
 
 /// Blocks of layers that stand no more: turned by more than 45° from upright, or lower than the median centre of their layer by more than a
-/// quarter of their height (has_fallen). Where they were put need not be known, so this tells of a specimen what fell while it was
+/// quarter of their height (has_fallen). Where they were put need not be known, so this finds of a specimen what fell while it was
 /// prepared.
 ///
 /// `size`: edge lengths in the body frame [m]; `layer`: from 1 at the base, blocks of layer 0 are not counted; `places`: poses are enough;

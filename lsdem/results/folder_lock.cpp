@@ -55,9 +55,9 @@ std::optional<bool> is_locked(const std::filesystem::path& directory) {
     if (descriptor < 0) return false;
     // a shared lock is refused while one process has it all; it goes with the descriptor
     const bool free = ::flock(descriptor, LOCK_SH | LOCK_NB) == 0;
-    const bool told = free || errno == EWOULDBLOCK;
+    const bool given = free || errno == EWOULDBLOCK;
     ::close(descriptor);
-    return told ? std::optional(!free) : std::nullopt;
+    return given ? std::optional(!free) : std::nullopt;
 }
 
 }  // namespace musim::lsdem::detail

@@ -35,7 +35,7 @@ class FileLock {
     int descriptor_ = -1;
 };
 
-/// Does a process hold a directory now? Nothing on file systems that cannot tell.
+/// Does a process hold a directory now? Nothing on file systems that do not know.
 std::optional<bool> is_locked(const std::filesystem::path& directory);
 
 }  // namespace musim::lsdem::detail

@@ -44,7 +44,7 @@ void doubt_start(const RunResult& run, std::vector<std::string>& doubts) {
     }
 }
 
-/// A kind of divergence as result files name it, and what a user is told.
+/// A kind of divergence as result files name it, and what a user is given.
 struct KindText {
     std::string_view name, meaning;
 };

@@ -58,15 +58,15 @@ LiveFile::LiveFile(const std::filesystem::path& directory, std::string name, std
 
 void LiveFile::listen_to(RunObserver& observer) {
     observer.on_preparation_spare = also(std::move(observer.on_preparation_spare), [this](double part) { tell_preparation_spare(part); });
-    observer.on_preparation = also(std::move(observer.on_preparation), [this](double fraction) { tell_preparation(fraction); });
-    observer.on_progress = also(std::move(observer.on_progress), [this](double fraction) { tell_progress(fraction); });
+    observer.on_preparation = also(std::move(observer.on_preparation), [this](double fraction) { report_preparation(fraction); });
+    observer.on_progress = also(std::move(observer.on_progress), [this](double fraction) { report_progress(fraction); });
     observer.on_sample =
         also(std::move(observer.on_sample), [this](const RunResult& run, const TimePlan& plan) { tell_sample(run, plan); });
 }
 
 LiveFile::~LiveFile() { detail::remove_with_leftovers(file_); }
 
-void LiveFile::tell(bool prepares, double fraction) {
+void LiveFile::report(bool prepares, double fraction) {
     const Clock::time_point now = Clock::now();
     fraction = prepares ? joined_.after_preparing(fraction) : joined_.after_running(fraction);
     if (!first_fraction_) {

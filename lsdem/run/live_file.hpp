@@ -42,8 +42,8 @@ class LiveFile {
     LiveFile(const LiveFile&) = delete;
     LiveFile& operator=(const LiveFile&) = delete;
 
-    void tell_preparation(double fraction) { tell(true, fraction); }
-    void tell_progress(double fraction) { tell(false, fraction); }
+    void report_preparation(double fraction) { report(true, fraction); }
+    void report_progress(double fraction) { report(false, fraction); }
     void tell_spare(double part) { spare_ = joined_.of_all(part); }
     void tell_preparation_spare(double part) { spare_ = joined_.of_whole_part(part); }
     void tell_sample(const RunResult& run, const TimePlan& plan);
@@ -54,7 +54,7 @@ class LiveFile {
   private:
     using Clock = std::chrono::steady_clock;
 
-    void tell(bool prepares, double fraction);
+    void report(bool prepares, double fraction);
     bool is_due() const { return Clock::now() >= next_; }
     void write();
 

@@ -25,7 +25,7 @@ struct LiveRun {
     bool operator==(const LiveRun&) const = default;
 };
 
-/// How many values tell a history that someone looks on.
+/// How many values of a history are shown.
 inline constexpr std::size_t kLivePoints = 40;
 
 /// The last sample of a run that goes on by this plan. A run without samples or spine has no drift and no velocity.

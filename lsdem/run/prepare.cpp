@@ -28,12 +28,12 @@ struct WorkLeft {
     double least = 0.0, most = 0.0;
 };
 
-/// The work of a preparation and what follows it, told as the part that is done, which never falls.
+/// The work of a preparation and what follows it, reported as the part that is done, which never falls.
 class WorkDone {
   public:
     WorkDone(const RunSettings& settings, const WorkToFollow& to_follow) : settings_(settings), to_follow_(to_follow) {}
     /// Work that is done [block steps], and that is left of the preparation.
-    void tell(double done, const WorkLeft& left) {
+    void report(double done, const WorkLeft& left) {
         const double alike = 1.0 + to_follow_.preparations;
         const double all = alike * (done + left.most) + to_follow_.block_steps;
         part_ = std::max(part_, done / all);
@@ -92,7 +92,7 @@ class PreparationRun {
             resumes_ = false;
             SettlingWatch watch;
             watch.on_progress = [&](double part, std::uint64_t steps) {
-                work.tell(static_cast<double>(state_.block_steps + steps * blocks_in_round()), find_left(part, steps));
+                work.report(static_cast<double>(state_.block_steps + steps * blocks_in_round()), find_left(part, steps));
             };
             if (settings.checkpoint) {
                 watch.on_state = [&](const SettlingState& now) {
@@ -285,7 +285,7 @@ PreparedSpecimen prepare(const Specimen& upright, double time_step, const Prepar
     PreparedSpecimen prepared;
     prepared.specimen = upright;
     const auto finish = [&](const Simulation& simulation, double overlap_before) {
-        progress.tell(static_cast<double>(prepared.block_steps), {});
+        progress.report(static_cast<double>(prepared.block_steps), {});
         put_in_place(find_places(simulation), prepared.specimen);
         prepared.rest.fallen = count_fallen(simulation, upright.layer);
         prepared.max_overlap = std::max(overlap_before, simulation.statistics().max_overlap_over_height);

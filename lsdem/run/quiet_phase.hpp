@@ -10,7 +10,7 @@
 
 namespace musim::lsdem {
 
-/// What is told in a quiet phase, at every look; either may be empty.
+/// What is reported in a quiet phase, at every look; either may be empty.
 struct QuietWatch {
     std::function<void(double, std::uint64_t)> on_progress = {};  ///< a guess of the part that is done, 0 to 1, and the steps taken
     std::function<void(const QuietState&)> on_state = {};         ///< where it stands

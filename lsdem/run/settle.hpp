@@ -17,12 +17,12 @@ namespace musim::lsdem {
 /// a tower of 38 such layers, and slower beyond. `size`: of a block; `gravity` [m/s²].
 double choose_damping_rate(const Vector3& size, double gravity);
 
-/// What is told and asked while a simulation comes to rest, at every look, in this order; any may be empty.
+/// What is reported and asked while a simulation comes to rest, at every look, in this order; any may be empty.
 struct SettlingWatch {
-    /// Told a guess of the part that is done, 0 to 1, never less than before, and the steps taken.
+    /// Given a guess of the part that is done, 0 to 1, never less than before, and the steps taken.
     std::function<void(double, std::uint64_t)> on_progress = {};
     std::function<bool()> give_up = {};                       ///< ends the settling, not at rest, when it says so
-    std::function<void(const SettlingState&)> on_state = {};  ///< told where it stands, unless it has ended
+    std::function<void(const SettlingState&)> on_state = {};  ///< given the state, unless it has ended
 };
 
 /// Brings a simulation that is in preparation (Simulation::begin_preparation) to rest, or carries that on from `state`. The part that is

@@ -124,7 +124,7 @@ void carry_on(RunResult& run, Simulation& simulation, const TimePlan& plan, std:
     const double wall_time_before = run.wall_time;
     std::optional<CheckpointWriter> checkpoints;
     if (settings.checkpoint) checkpoints.emplace(*settings.checkpoint);
-    const auto tell = [&](std::uint64_t steps) {
+    const auto report = [&](std::uint64_t steps) {
         if (settings.observer.on_progress) settings.observer.on_progress(static_cast<double>(steps) / static_cast<double>(plan.steps()));
     };
     std::uint64_t steps = simulation.statistics().steps;
@@ -132,7 +132,7 @@ void carry_on(RunResult& run, Simulation& simulation, const TimePlan& plan, std:
         const auto between = [&](std::uint64_t taken) {
             run.wall_time = wall_time_before + std::chrono::duration<double>(Clock::now() - start).count();
             if (checkpoints) checkpoints->between_samples(k - 1, plan, run, simulation);
-            tell(steps + taken);
+            report(steps + taken);
         };
         detail::advance_in_pieces(simulation, k * plan.steps_per_sample - steps, between);
         if (simulation.divergence()) break;
@@ -142,7 +142,7 @@ void carry_on(RunResult& run, Simulation& simulation, const TimePlan& plan, std:
         run.wall_time = wall_time_before + std::chrono::duration<double>(Clock::now() - start).count();
         if (checkpoints) checkpoints->after_sample(k, plan, run, simulation);
         if (settings.observer.on_sample) settings.observer.on_sample(run, plan);
-        tell(steps);
+        report(steps);
         // a run that has come to its end has results
         if (k < plan.samples) scaling::stop_if_interrupted();
     }

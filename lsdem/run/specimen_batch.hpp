@@ -20,8 +20,9 @@ struct SpecimenBatch {
     int threads = 0;                    ///< specimens at a time; those left over are shared by the specimens; 0: all cores
     double checkpoint_interval = 60.0;  ///< wall time between two checkpoints of a specimen [s]
     double runs_to_follow = 0.0;        ///< how many runs of each missing specimen's scene, by their work, follow; for the progress
-    std::function<void(double)> on_progress = {};  ///< told the part that is done of what is missing and of the runs that follow it
-    std::function<void(const std::string&)> on_warning = {};  ///< told why a checkpoint could not be written or used, from any thread
+    std::function<void(double)> on_progress = {};  ///< given the part that is done of what is missing and of the runs that follow it
+    std::function<void(const std::string&)> on_warning =
+        {};  ///< Given the reason why a checkpoint could not be written or used, from any thread
 };
 
 /// A specimen that was made, or was there before.

@@ -15,13 +15,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Where there are no locks: one that has told nothing for so long does not work any more.
+/// Where there are no locks: one that has reported nothing for so long does not work any more.
 constexpr auto kSignOfLife = 5 * kLiveInterval;
 
 bool told_lately(const fs::path& folder) {
     std::error_code error;
-    const fs::file_time_type told = fs::last_write_time(folder / kLiveName, error);
-    return !error && fs::file_time_type::clock::now() - told < kSignOfLife;
+    const fs::file_time_type given = fs::last_write_time(folder / kLiveName, error);
+    return !error && fs::file_time_type::clock::now() - given < kSignOfLife;
 }
 
 bool works_in(const fs::path& folder) { return detail::is_locked(folder).value_or(told_lately(folder)); }

@@ -12,7 +12,7 @@ namespace musim::lsdem {
 struct WatchedRun {
     std::filesystem::path folder;
     bool works = false;  ///< false: killed
-    LiveState state;     ///< that it told last
+    LiveState state;     ///< as reported last
 };
 
 /// What becomes of a folder of results.
@@ -26,13 +26,13 @@ enum class FolderState {
 /// What someone who looks into a folder of results from outside sees: of a run, a pair, a sequence, or an ensemble and its members.
 struct WatchedFolder {
     FolderState state = FolderState::empty;
-    std::vector<WatchedRun> runs;  ///< those that told where they stand, by name
+    std::vector<WatchedRun> runs;  ///< those that reported their state, by name
     std::string
         status;  ///< of results that have one: "completed", "collapsed", "diverged", "consistent", "distorted"; "damaged"; else empty
 };
 
-/// Looks into a folder: who holds it (a lock that goes with its process; on file systems without locks, who has told something in the last
-/// ten seconds), what they told, and what results are there. A folder that does not exist is empty.
+/// Looks into a folder: who holds it (a lock that goes with its process; on file systems without locks, who has reported in the last
+/// ten seconds), what they reported, and what results are there. A folder that does not exist is empty.
 WatchedFolder look_into(const std::filesystem::path& directory);
 
 }  // namespace musim::lsdem

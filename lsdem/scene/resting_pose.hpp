@@ -29,7 +29,7 @@ struct RestingPlane {
 /// The plane that a rigid box of height `height` [m] rests on: the face of the upper convex hull of `points` that lies under its centre of
 /// mass. That leans out by (height/2)·sin(tilt), so the face is looked for again under its new place until it stays. When the centre of
 /// mass is beside all points, the plane found before, the level one through the highest point at first: the box would topple, which is
-/// for dynamics to say. `extent`: size of the footprint [m], the measure of what is too small to tell faces apart.
+/// for dynamics to say. `extent`: size of the footprint [m], the measure of what is too small to distinguish faces.
 RestingPlane find_resting_plane(std::span<const Vector3> points, double height, double extent);
 
 /// `box` turned about the middle of its lower face, which stays at its place in plan, by the fraction `part` of the tilt of `plane`, and

@@ -24,9 +24,9 @@ ToldSpecimen read_specimen_entry(const nlohmann::json& entry, const std::filesys
     ToldSpecimen specimen;
     specimen.seed = entry.at("seed").get<std::uint64_t>();
     if (entry.at("reused").get<bool>()) {
-        refuse(file,
-               fmt::format("the specimen of seed {} was there before, so nothing was told of its layers; prepare it into an empty folder",
-                           specimen.seed));
+        refuse(file, fmt::format(
+                         "the specimen of seed {} was there before, so nothing was reported of its layers; prepare it into an empty folder",
+                         specimen.seed));
     }
     specimen.fallen = entry.at("fallen").get<std::size_t>();
     specimen.block_steps = entry.at("block_steps").get<double>();
@@ -105,12 +105,12 @@ SpecimenSet read_specimen_set(const std::filesystem::path& file) {
     std::ifstream in = scaling::open_regular_file(file);
     if (!in) refuse(file, "cannot be opened; name what `musim specimen --json` printed");
     try {
-        const nlohmann::json told = nlohmann::json::parse(in);
-        for (const nlohmann::json& entry : told.at("specimens")) set.specimens.push_back(read_specimen_entry(entry, file));
+        const nlohmann::json given = nlohmann::json::parse(in);
+        for (const nlohmann::json& entry : given.at("specimens")) set.specimens.push_back(read_specimen_entry(entry, file));
     } catch (const nlohmann::json::exception&) {
         refuse(file, "not what `musim specimen --json` prints (another file, or one cut off); name such a file");
     }
-    if (set.specimens.empty()) refuse(file, "tells of no specimen; prepare some");
+    if (set.specimens.empty()) refuse(file, "has no specimen; prepare some");
     std::set<std::uint64_t> seeds;
     for (const ToldSpecimen& specimen : set.specimens) {
         if (specimen.layers.size() != set.specimens.front().layers.size() || specimen.layers.empty()) {
@@ -119,7 +119,7 @@ SpecimenSet read_specimen_set(const std::filesystem::path& file) {
                                "compare specimens of one scene",
                                specimen.seed, specimen.layers.size(), set.specimens.front().seed, set.specimens.front().layers.size()));
         }
-        if (!seeds.insert(specimen.seed).second) refuse(file, fmt::format("tells of seed {} twice; name every seed once", specimen.seed));
+        if (!seeds.insert(specimen.seed).second) refuse(file, fmt::format("has seed {} twice; name every seed once", specimen.seed));
     }
     return set;
 }

@@ -11,7 +11,7 @@
 
 namespace musim::lsdem {
 
-/// A specimen as `musim specimen --json` told of it.
+/// A specimen as `musim specimen --json` reported it.
 struct ToldSpecimen {
     std::uint64_t seed = 0;
     std::size_t fallen = 0;          ///< blocks that fell while it was prepared
@@ -28,8 +28,8 @@ struct SpecimenSet {
     double block_steps() const;  ///< mean over the specimens; NaN without any
 };
 
-/// Reads what `musim specimen --json` printed. Throws ResultError when the file is missing, is something else, tells of no specimen, of
-/// specimens with different numbers of layers or one seed twice, or of one that was there before and so told nothing of its layers.
+/// Reads what `musim specimen --json` printed. Throws ResultError when the file is missing, is something else, has no specimen,
+/// specimens with different numbers of layers or one seed twice, or of one that was there before and so reported nothing of its layers.
 SpecimenSet read_specimen_set(const std::filesystem::path& file);
 
 /// One quantity of both sets, over a group of layers.

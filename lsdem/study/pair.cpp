@@ -44,12 +44,12 @@ std::optional<CheckpointSettings> checkpoint_of(const RunSettings& settings, con
 /// Runs all, as many side by side as there are threads: separate runs need no barriers, so this beats sharing one run's blocks. Progress
 /// goes from `from` to `to`.
 void run_all(std::vector<Job>& jobs, const RunSettings& settings, double from, double to) {
-    const std::function<void(double)> tell = [&](double part) {
+    const std::function<void(double)> report = [&](double part) {
         if (settings.observer.on_progress) settings.observer.on_progress(from + (to - from) * part);
     };
     std::vector<double> work_of;
     for (const Job& job : jobs) work_of.push_back(job.work);
-    detail::SharedProgress progress(work_of, tell);
+    detail::SharedProgress progress(work_of, report);
     std::vector<std::function<void()>> work;
     for (std::size_t j = 0; j < jobs.size(); ++j) {
         work.emplace_back([&, j] {

@@ -55,7 +55,7 @@ struct PairSettings {
     std::optional<std::size_t> twins = {};  ///< nothing: none when models agree within rounding, else as many as decide, 2 to kMostTwins
     std::uint64_t seed = 1;                 ///< of the twins
     bool half_step = true;                  ///< run the prototype at half its step, too
-    /// Told, before progress, the part of all runs at the end that may not be needed: twins, where as many run as decide.
+    /// Given, before progress, the part of all runs at the end that may not be needed: twins, where as many run as decide.
     std::function<void(double)> on_spare = {};
 };
 inline constexpr std::size_t kFewestTwins = 2, kMostTwins = 8;

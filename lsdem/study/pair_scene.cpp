@@ -252,7 +252,7 @@ class OtherSpecimens {
     RunSettings settings_of_pair(const RunSettings& settings) const { return part_of(settings, 0.0, share_); }
     PairSettings judging_of_pair(PairSettings judging) const {
         if (!judging.on_spare) return judging;
-        judging.on_spare = [share = share_, tell = judging.on_spare](double part) { tell(share * part); };
+        judging.on_spare = [share = share_, report = judging.on_spare](double part) { report(share * part); };
         return judging;
     }
     std::vector<RunTrace> run(const RunResult& prototype, const RunSettings& settings) const {
@@ -263,7 +263,7 @@ class OtherSpecimens {
     static RunSettings part_of(RunSettings settings, double from, double to) {
         std::function<void(double)>& on_progress = settings.observer.on_progress;
         if (!on_progress) return settings;
-        on_progress = [=, tell = on_progress](double part) { tell(from + (to - from) * part); };
+        on_progress = [=, report = on_progress](double part) { report(from + (to - from) * part); };
         return settings;
     }
 

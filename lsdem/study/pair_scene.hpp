@@ -60,7 +60,7 @@ std::string make_scale_label(double length);
 /// scaled so that all groups are equal (law `exact`), or by the similitude of its choice. With Materials::own it has the density,
 /// stiffness, friction and restitution of what was measured, fitted to its block size, and gets the base motion of the mu law, or is a
 /// scene of its own; what that distorts is listed, and it is held against other specimens of the prototype, too. With `each_alone` every
-/// model has runs beside it that tell what each property of its material that differs does alone (PairedRun::alone): stiffnesses and
+/// model has runs beside it that say what each property of its material that differs does alone (PairedRun::alone): stiffnesses and
 /// restitution in a model that is exact otherwise, friction with the base motion of the mu law. Throws SceneError (also for an
 /// unknown material, a scale without one, a model of another structure), scaling::SimilitudeError, records::ReadError.
 ///

@@ -16,7 +16,7 @@ struct MemberSettings {
     int threads = 0;                               ///< members at a time, one thread each; 0: all cores
     double checkpoint_interval = 60;               ///< wall time between two checkpoints of a member [s]; 0: one after every sample
     std::function<void(double)> on_progress = {};  ///< fraction done of all that is left to do, from any thread
-    std::function<void(const std::string&)> on_no_checkpoint = {};  ///< told why one could not be written; from any thread
+    std::function<void(const std::string&)> on_no_checkpoint = {};  ///< Given the reason why one could not be written; from any thread
 };
 
 /// What became of a member.

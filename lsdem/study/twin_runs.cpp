@@ -100,8 +100,8 @@ class TwinWork {
             });
         };
         // the prototype begins first: the others wait for it
-        if (wants_prototype) add([this](const auto& tell) { run_prototype(tell); });
-        for (const std::size_t i : pending) add([this, i](const auto& tell) { run_twin(study_.twins[i], tell); });
+        if (wants_prototype) add([this](const auto& report) { run_prototype(report); });
+        for (const std::size_t i : pending) add([this, i](const auto& report) { run_twin(study_.twins[i], report); });
         scaling::run_side_by_side(jobs, settings_.threads);
     }
 
@@ -120,8 +120,8 @@ class TwinWork {
 
     double part(std::uint64_t sample) const { return static_cast<double>(sample) / static_cast<double>(plan_.samples); }
 
-    template <class Tell>
-    void run_prototype(const Tell& tell) {
+    template <class Report>
+    void run_prototype(const Report& report) {
         TapeGuard guard{*tape_};
         TwinPrototype& prototype = study_.prototype;
         const Block& first = specimen_.model.blocks[moving_.empty() ? 0 : moving_.front()];
@@ -139,15 +139,15 @@ class TwinWork {
             }
             tape_->add(std::move(velocities));
             prototype.samples = k + 1;
-            tell(part(k));
+            report(part(k));
             return true;
         });
         if (!folder_.empty()) write_prototype(folder_, prototype, tape_->samples());
         guard.complete = true;
     }
 
-    template <class Tell>
-    void run_twin(TwinRun& twin, const Tell& tell) {
+    template <class Report>
+    void run_twin(TwinRun& twin, const Report& report) {
         const scaling::Similitude similitude = scaling::make_similitude("exact", {.length = twin.choice.length});
         const double velocity = similitude.velocity();
         const double time_step = plan_.scaled(similitude.time()).time_step;
@@ -159,11 +159,11 @@ class TwinWork {
                 largest = std::max(largest, (simulation.velocity(moving_[i]) / velocity - (*prototype)[i]).norm());
             }
             twin.difference.push_back(largest);
-            tell(part(k));
+            report(part(k));
             return true;
         });
         if (tape_->wait_for_end() && !folder_.empty()) write_twin(folder_, twin);
-        tell(1.0);
+        report(1.0);
     }
 
     const Scene& scene_;

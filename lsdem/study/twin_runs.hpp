@@ -18,7 +18,7 @@ struct TwinSettings {
     int threads = 0;                       ///< runs side by side, each on one thread; 0: all cores
     double checkpoint_interval = 60.0;     ///< wall time between two checkpoints of the specimen's preparation [s]
     RunObserver observer = {};             ///< of laying the specimen, and of all runs, from any thread; no samples
-    std::function<void(const std::string&)> on_warning = {};  ///< told why a checkpoint could not be written
+    std::function<void(const std::string&)> on_warning = {};  ///< Given the reason why a checkpoint could not be written
 };
 
 /// Samples per second of a scene that does not say at what rate its spine is sampled [1/s].

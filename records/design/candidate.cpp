@@ -14,7 +14,7 @@ bool has_group(const std::vector<GroupFactor>& groups, std::string_view name) {
     return std::any_of(groups.begin(), groups.end(), [&](const GroupFactor& group) { return group.name == name; });
 }
 
-/// Whether a product that a law names tells what a group with a name of its own does; laws with a tan α of their own differ.
+/// Whether a product that a law names is what a group with a name of its own does; laws with a tan α of their own differ.
 bool is_told(const std::vector<GroupFactor>& groups, const DesignLaw& law, const scaling::NamedFactor& product) {
     const std::optional<std::string> name = law.find_common_name(std::string(product.name));
     return name && std::any_of(groups.begin(), groups.end(), [&](const GroupFactor& group) {
@@ -194,7 +194,7 @@ Candidate find_candidate(const Setting& setting, const Material& material, const
 
 namespace {
 
-/// A limit of what the table carries finds no mass in a prototype that tells none.
+/// A limit of what the table carries finds no mass in a prototype that gives none.
 void require_mass(const Setting& setting) {
     if (setting.design.prototype.mass > scaling::Mass{}) return;
     for (const records::AxisLoad& load : setting.loads) {

@@ -18,7 +18,7 @@ inline constexpr scaling::LengthRange kSearch{records::kSmallestScale, 1.0};
 /// Names of the groups that a ranking weighs unless a design says otherwise: one of each kind, see README.md.
 std::vector<std::string> default_groups();
 
-/// Every group that scaling::group_factors() can tell.
+/// Every group that scaling::group_factors() knows.
 std::vector<std::string> known_groups();
 
 /// δ of a group; the name is its own, as a law names products itself.

@@ -6,7 +6,7 @@
 namespace musim::records {
 namespace {
 
-/// How laws write groups that scaling::group_factors() tells by name.
+/// How laws write groups that scaling::group_factors() gives by name.
 struct CommonGroup {
     const char* name;
     const char* product;

@@ -29,7 +29,7 @@ class DesignLaw {
     bool expects(std::string_view quantity) const;
     bool has(std::string_view quantity) const;
 
-    /// The name by which scaling::group_factors() tells a product that this law holds or watches, "a_vertical/g" of "a_v/g"; none when it
+    /// The name by which scaling::group_factors() gives a product that this law holds or watches, "a_vertical/g" of "a_v/g"; none when it
     /// has no such name.
     std::optional<std::string> find_common_name(const std::string& product) const;
 

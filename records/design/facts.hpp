@@ -12,7 +12,7 @@
 /// What a laboratory knows of a prototype and the model it has built.
 namespace musim::records {
 
-/// A motion that is a record: measured, not told.
+/// A motion that is a record: measured, not given.
 struct RecordOfMotion {
     std::string file;
     std::string component = {};                        ///< empty: the strongest horizontal one
@@ -46,7 +46,7 @@ scaling::MotionFacts measure_motion(const records::GroundMotion& motion, const R
 /// (records::check_axis).
 scaling::Bandwidth find_bandwidth(const records::TableAxis& axis, scaling::Mass payload);
 
-/// Mass of all blocks of a structure; zero where it is not told how many there are in a layer.
+/// Mass of all blocks of a structure; zero where it is not known how many there are in a layer.
 scaling::Mass find_mass(const scaling::StructureFacts& facts);
 
 }  // namespace musim::records

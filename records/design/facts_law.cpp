@@ -19,12 +19,12 @@ std::optional<double> find_ratio(const std::optional<Quantity>& model, const std
 }
 
 KnownFactors find_known(const DesignLaw& law, const scaling::PairFacts& facts, double length) {
-    const scaling::ScaleFactors told = make_scale_factors(facts, length);
+    const scaling::ScaleFactors given = make_scale_factors(facts, length);
     const scaling::StructureFacts &prototype = facts.prototype, &model = facts.model;
     return {.length = {find_length_name(law.law(), law.set()), length},
-            .friction = told.friction,
-            .density = told.density,
-            .gravity = told.gravity,
+            .friction = given.friction,
+            .density = given.density,
+            .gravity = given.gravity,
             .properties = {{"E", find_ratio(find_structural_speeds(model).modulus, find_structural_speeds(prototype).modulus)},
                            {"e", find_ratio(model.restitution, prototype.restitution)},
                            {"k_s", find_ratio(model.shear_stiffness, prototype.shear_stiffness)}}};
@@ -39,13 +39,13 @@ void require_single_length(const DesignLaw& law) {
 }
 
 /// A gravity that the law sets is where the model stands.
-void require_gravity(const DesignLaw& law, double told) {
+void require_gravity(const DesignLaw& law, double given) {
     for (const scaling::GivenFactor& factor : law.set()) {
-        if (factor.name != "g" || std::abs(factor.factor / told - 1.0) <= scaling::kFactorRounding) continue;
+        if (factor.name != "g" || std::abs(factor.factor / given - 1.0) <= scaling::kFactorRounding) continue;
         throw scaling::SimilitudeError(
             fmt::format("law {}: it sets g to {:.6g}, where gravity of model and prototype has the ratio {:.6g}; correct \"set\", or give "
                         "the model its \"gravity\"",
-                        law.name(), factor.factor, told));
+                        law.name(), factor.factor, given));
     }
 }
 

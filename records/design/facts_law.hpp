@@ -11,7 +11,7 @@ namespace musim::records {
 /// SimilitudeError, which names the law: it settles no single length, or the facts contradict it; as solve_law() does.
 scaling::LawFormulas solve_for(const DesignLaw& law, const scaling::PairFacts& facts, double length);
 
-/// The similitude of facts that tell the same quantities, with values of their own. Throws SimilitudeError: the law sets a gravity that the
+/// The similitude of facts that give the same quantities, with values of their own. Throws SimilitudeError: the law sets a gravity that the
 /// model does not stand in; as LawFormulas::choose() and make_similitude() do.
 scaling::Similitude apply_law(const DesignLaw& law, const scaling::LawFormulas& formulas, const scaling::PairFacts& facts, double length);
 

@@ -11,7 +11,7 @@ namespace musim::records {
 /// λ of a property that a real model has, whatever its law asks for.
 struct KnownProperty {
     std::string name;
-    std::optional<double> factor;  ///< none where prototype or model do not tell it
+    std::optional<double> factor;  ///< none where prototype or model do not give it
 };
 
 /// What is known of a model before its law has said anything.

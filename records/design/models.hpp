@@ -13,8 +13,8 @@ namespace musim::records {
 
 /// The models of one material by one law, at any length scale.
 ///
-/// The law gets what a design knows as give_factors() has it: g where the design tells it, and E, e and the stiffness of a face
-/// k_s = E_shear A/H, hence ∝ λ_l, where both materials tell them.
+/// The law gets what a design knows as give_factors() has it: g where the design gives it, and E, e and the stiffness of a face
+/// k_s = E_shear A/H, hence ∝ λ_l, where both materials give them.
 class Models {
   public:
     /// Throws SimilitudeError: the law does not admit the material, needs another factor (MissingFactor), or has not the quantities that
@@ -32,7 +32,7 @@ class Models {
     scaling::ModelScales at(double length) const;
 
     /// δ of the products that the law holds or watches, definitions apart, by the properties that the material really has; those that
-    /// need one that is not told are left out.
+    /// need one that is not given are left out.
     std::vector<scaling::NamedFactor> own_groups(double length) const;
 
     /// What the model has beside its scales.

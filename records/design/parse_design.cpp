@@ -153,7 +153,7 @@ std::vector<DesignLaw> read_laws(const JsonReader& fields, const std::string& so
     return laws;
 }
 
-/// A factor that a law expects and that nothing in the design tells is missing at every length. What contradicts is found later, by
+/// A factor that a law expects and that nothing in the design gives is missing at every length. What contradicts is found later, by
 /// material.
 void check_laws(const JsonReader& fields, const Design& design) {
     for (const DesignLaw& law : design.laws) {

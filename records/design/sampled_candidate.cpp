@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-/// The length at which limits are told broken.
+/// The length at which limits are reported broken.
 std::optional<double> find_told_length(const Candidate& candidate) {
     if (candidate.chosen) return candidate.chosen->length;
     return candidate.ranked ? std::optional(candidate.ranked->length) : std::nullopt;

@@ -14,12 +14,12 @@ namespace musim::records {
 /// In which share of the samples a limit does what.
 struct SampledLimit {
     double sets_smallest = 0.0, sets_largest = 0.0;  ///< it is what is in the way of a smaller, of a larger model
-    std::optional<double> broken = {};               ///< at the length told; none without one
+    std::optional<double> broken = {};               ///< at the length given; none without one
 };
 
 /// One material by one law. Of several ranges of length scales the outermost ends count.
 struct SampledCandidate {
-    std::optional<double> length;              ///< λ_l at which limits are told broken: the design's, else the one that is ranked
+    std::optional<double> length;              ///< λ_l at which limits are reported broken: the design's, else the one that is ranked
     double feasible = 0.0;                     ///< share of samples in which some length scale suits all limits
     scaling::SampleSummary smallest, largest;  ///< λ_l of the samples that are feasible
     std::vector<SampledLimit> limits;          ///< in the order of Candidate::limits

@@ -40,7 +40,7 @@ struct UncertainCandidate {
 ///
 /// An end of a limit's range is where the limit is used just up, u(λ_l; x) = 1, so that ∂ln λ_l/∂ln x_i = −(∂ln u/∂ln x_i)/(∂ln u/∂ln λ_l);
 /// an end of a feasible range is that of the limit that binds it by the values, as Candidate has it. Both slopes are central differences of
-/// the share itself: no search, and an end beyond the search has its slope, too. Everything told of a model is at the length that is told.
+/// the share itself: no search, and an end beyond the search has its slope, too. Everything reported of a model is at the given length.
 /// `moved` has one entry for each input. Throws SimilitudeError `MATERIAL by law LAW: INPUT is uncertain, and ... ; what to do` where a law
 /// admits the values alone, such as `exact`, whose friction factor must be 1.
 std::vector<UncertainCandidate> propagate(const Setting& setting, const std::vector<Candidate>& candidates,

@@ -61,7 +61,7 @@ void read_counts(const TextFile& file, At2Header& header) {
     header.dt = checked_dt(file, header.counts_line, *seconds);
 }
 
-// "ACCELERATION TIME SERIES IN UNITS OF G. FILTER ..." or "The units are (g)"; musim's own tell an integration corner and a start
+// "ACCELERATION TIME SERIES IN UNITS OF G. FILTER ..." or "The units are (g)"; musim's own give an integration corner and a start
 // time behind the unit
 void read_unit(const TextFile& file, std::size_t index, At2Header& header) {
     if (const auto corner = find_integration_corner(file, index)) header.integration_corner = corner;

@@ -126,7 +126,7 @@ RecordLayout check_layout(const RecordPlace& place) {
         if (type == kDataOnlySeed) {
             const auto exponent = static_cast<unsigned char>(bytes[at + 6]);
             if (length != 0 || exponent < 7 || exponent > 20)
-                place.fail(fmt::format("record length 2^{} (must be told once, 2^7 to 2^20)", exponent), "fetch the record again");
+                place.fail(fmt::format("record length 2^{} (must be given once, 2^7 to 2^20)", exponent), "fetch the record again");
             length = std::size_t{1} << exponent;
             encoding = static_cast<unsigned char>(bytes[at + 4]);
         }
@@ -134,7 +134,7 @@ RecordLayout check_layout(const RecordPlace& place) {
         at = half_word(at + 2);
     }
 
-    if (length == 0) place.fail("no blockette 1000 (record length is not told)", "convert it to miniSEED 2");
+    if (length == 0) place.fail("no blockette 1000 (record length is not given)", "convert it to miniSEED 2");
     if (length > bytes.size())
         place.fail(fmt::format("{} of {} bytes (file is truncated)", bytes.size(), length), "fetch the record again");
     const RecordLayout layout{length, half_word(30)};
@@ -241,13 +241,13 @@ StreamResponse response_from_number(const BinaryFile& file, const ReadOptions& o
     if (sensitivity == 0.0 || !std::isfinite(sensitivity)) {
         file.fail(fmt::format("sensitivity is {} counts per SI unit (must be a number, not 0)", sensitivity), "correct --sensitivity");
     }
-    const std::optional<SampleQuantity> told = quantity_of(codes.channel);
-    if (!told && !options.quantity) {
+    const std::optional<SampleQuantity> given = quantity_of(codes.channel);
+    if (!given && !options.quantity) {
         file.fail(
-            fmt::format("channel code {} does not tell what is measured (told by N, H or L)", quoted(std::string_view(codes.channel))),
+            fmt::format("channel code {} does not say what is measured (known from N, H or L)", quoted(std::string_view(codes.channel))),
             "name it with --quantity");
     }
-    return {.quantity = told ? *told : *options.quantity, .sensitivity = sensitivity};
+    return {.quantity = given ? *given : *options.quantity, .sensitivity = sensitivity};
 }
 
 StreamResponse find_response(const BinaryFile& file, const ReadOptions& options, const Stream& stream) {
@@ -264,12 +264,12 @@ void check_options(const BinaryFile& file, const ReadOptions& options) {
         file.fail("sensitivity and StationXML are both given (they may differ)", "drop --sensitivity or --station-xml");
     }
     if (!options.sensitivity && !options.station_xml) {
-        file.fail("sensitivity is not told (miniSEED holds counts)",
+        file.fail("sensitivity is not given (miniSEED holds counts)",
                   "give --station-xml FILE, or --sensitivity NUMBER in counts per m/s^2 (1 if the samples are SI)");
     }
     if (options.unit)
         file.fail(fmt::format("unit {} is asked for (miniSEED holds counts)", *options.unit),
-                  "drop --unit; the sensitivity tells the unit");
+                  "drop --unit; the sensitivity gives the unit");
 }
 
 // channel codes, with the location where a code occurs twice

@@ -16,7 +16,7 @@ struct ReadOptions {
     std::optional<SampleQuantity> quantity =
         {};                                  ///< quantity of files without one (default acceleration); of CSMIP V2: which block to take
     std::optional<double> sensitivity = {};  ///< of miniSEED [counts per m/s^2, m/s or m]; 1: samples are SI
-    std::optional<std::filesystem::path> station_xml = {};  ///< StationXML file that tells the sensitivity of miniSEED
+    std::optional<std::filesystem::path> station_xml = {};  ///< StationXML file that gives the sensitivity of miniSEED
 };
 
 }  // namespace musim::records

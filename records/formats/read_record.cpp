@@ -25,7 +25,7 @@ bool looks_like_sac(std::string_view bytes) {
     return version == std::string_view("\6\0\0\0", 4) || version == std::string_view("\0\0\0\6", 4);
 }
 
-/// A binary format: how its files are told from others, and who reads them. The first that matches reads the file.
+/// A binary format: how its files are distinguished from others, and who reads them. The first that matches reads the file.
 struct BinaryFormat {
     bool (*matches)(std::string_view bytes);
     GroundMotion (*parse)(const detail::BinaryFile&, const ReadOptions&);
@@ -116,7 +116,7 @@ bool looks_like_knet(const TextFile& file) {
     return file.line(0).starts_with("Origin Time") && file.line(kStationLine).starts_with("Station Code");
 }
 
-/// A text format: how its files are told from others, and who reads them. The first that matches reads the file.
+/// A text format: how its files are distinguished from others, and who reads them. The first that matches reads the file.
 struct TextFormat {
     bool (*matches)(const TextFile&);
     GroundMotion (*parse)(const TextFile&, const ReadOptions&);

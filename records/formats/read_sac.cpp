@@ -125,23 +125,23 @@ std::optional<UtcTime> read_time_zero(const SacFile& sac) {
     return *midnight + std::chrono::days(day - 1) + (*clock - day_2000);
 }
 
-// IDEP tells the quantity at best; its unit is nominally nm, nm/s or nm/s², which files in g, cm/s² or counts do not keep to
+// IDEP gives the quantity at best; its unit is nominally nm, nm/s or nm/s², which files in g, cm/s² or counts do not keep to
 SampleUnit read_unit(const SacFile& sac, const ReadOptions& options) {
     constexpr int kDisplacement = 6;
     constexpr int kAcceleration = 8;
     constexpr std::array kQuantities{SampleQuantity::displacement, SampleQuantity::velocity, SampleQuantity::acceleration};
     const int idep = sac.integer(kDependent);
-    std::optional<SampleQuantity> told;
-    if (idep >= kDisplacement && idep <= kAcceleration) told = kQuantities.at(static_cast<std::size_t>(idep - kDisplacement));
+    std::optional<SampleQuantity> given;
+    if (idep >= kDisplacement && idep <= kAcceleration) given = kQuantities.at(static_cast<std::size_t>(idep - kDisplacement));
 
     if (!options.unit) {
-        sac.file.fail(fmt::format("unit of the samples is not told (SAC means {} with IDEP = {}, but files in g or counts say the same)",
-                                  told ? fmt::format("n{}", si_unit_name(*told)) : "nothing", idep),
+        sac.file.fail(fmt::format("unit of the samples is not given (SAC means {} with IDEP = {}, but files in g or counts say the same)",
+                                  given ? fmt::format("n{}", si_unit_name(*given)) : "nothing", idep),
                       "name it with --unit, e.g. g, cm/s^2, nm/s^2");
     }
     const SampleUnit unit = requested_unit(sac.file, options);
-    if (told && *told != unit.quantity) {
-        sac.file.fail(fmt::format("file holds {} (IDEP = {}; asked for: {})", to_string(*told), idep, unit.name), "correct --unit");
+    if (given && *given != unit.quantity) {
+        sac.file.fail(fmt::format("file holds {} (IDEP = {}; asked for: {})", to_string(*given), idep, unit.name), "correct --unit");
     }
     return unit;
 }

@@ -96,7 +96,7 @@ FixedColumns find_body_columns(const TextFile& file, const NumericHeader& intege
     file.fail(integers.line_of(kDigits), fmt::format("{} digits a value (known: 5 and 8)", digits), "fetch the record again");
 }
 
-// the year and the rest tell when the record starts only where they tell it to the millisecond; else it is the earthquake's minute
+// the year and the rest say when the record starts only where they give it to the millisecond; else it is the earthquake's minute
 std::optional<UtcTime> find_start(const NumericHeader& integers) {
     const std::optional<int> year = integers.find_small(kStartYear);
     const std::optional<int> day = integers.find_small(kStartDayOfYear);

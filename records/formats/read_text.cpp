@@ -240,7 +240,7 @@ GroundMotion parse_columns(const TextFile& file, const ReadOptions& options) {
                                      .series = {unit.quantity, start, dt, take_samples(file, table.values, first + i, step, unit.si)}});
     }
     motion.history.push_back(fmt::format("read text from {} as {} in {}{}{}", file.path().filename().string(), to_string(unit.quantity),
-                                         unit.name, is_unit_told ? "" : kUnitNotTold,
+                                         unit.name, is_unit_told ? "" : kUnitNotGiven,
                                          is_sequence && table.columns() > 1 ? ", several values a line" : ""));
     return motion;
 }

@@ -127,7 +127,7 @@ void write_miniseed(const std::filesystem::path& path, const GroundMotion& motio
     for (const Component& component : motion.components) {
         const std::string code = channel_code(component, codes.size() + 1);
         if (std::find(codes.begin(), codes.end(), code) != codes.end()) {
-            throw WriteError(fmt::format("{}: component '{}' would be a second {} (channels are told apart by their codes); rename it",
+            throw WriteError(fmt::format("{}: component '{}' would be a second {} (channels are distinguished by their codes); rename it",
                                          path.string(), component.name, code));
         }
         codes.push_back(code);

@@ -16,10 +16,10 @@ inline constexpr std::string_view kCornerTitle = "INTEGRATION CORNER";
 /// In front of TimeSeries::start, where it is not zero: "MUSIM START TIME= 230.5 SEC".
 inline constexpr std::string_view kStartTitle = "MUSIM START TIME";
 
-/// The corner that a header line tells behind kCornerTitle; nothing where it tells none. Throws ReadError when it is no positive number.
+/// The corner that a header line gives behind kCornerTitle; nothing where it gives none. Throws ReadError when it is no positive number.
 std::optional<scaling::Frequency> find_integration_corner(const TextFile& file, std::size_t index);
 
-/// The start that a header line tells behind kStartTitle; nothing where it tells none. Throws ReadError when it is no finite number.
+/// The start that a header line gives behind kStartTitle; nothing where it gives none. Throws ReadError when it is no finite number.
 std::optional<scaling::Time> find_start_time(const TextFile& file, std::size_t index);
 
 }  // namespace musim::records::detail

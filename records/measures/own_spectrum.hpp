@@ -6,7 +6,7 @@
 
 namespace musim::records {
 
-/// Response spectrum of an acceleration at the periods that the record itself can tell: 200 of them, in even steps of their logarithm,
+/// Response spectrum of an acceleration at the periods that the record itself resolves: 200 of them, in even steps of their logarithm,
 /// from 4 dt to
 ///
 ///   corrected records (no integration corner)   its duration D; zeros as long as the record follow it, so that free vibration counts

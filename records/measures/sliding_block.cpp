@@ -39,7 +39,7 @@ class Slider {
                 const double begins = find_yield(now, slope);
                 if (!(begins < h - t)) return;
                 t += begins;
-                // at the very instant the acceleration is the limit; which way it goes on tells the way
+                // at the very instant the acceleration is the limit; the way it goes on decides
                 const double there = from + slope * t;
                 way_ = std::abs(there) > yield_ ? std::copysign(1.0, there) : std::copysign(1.0, slope);
                 velocity_ = 0.0;

@@ -53,7 +53,7 @@ GroundMotion merge(const std::vector<GroundMotion>& files) {
         scaling::Time later;
         if (merged.time_zero.has_value() != file.time_zero.has_value()) {
             throw ProcessingError(
-                fmt::format("of {} and {} only one tells when it begins; cut both to one moment and write them without clocks",
+                fmt::format("of {} and {} only one says when it begins; cut both to one moment and write them without clocks",
                             merged.source, file.source));
         }
         if (merged.time_zero) {
@@ -136,7 +136,7 @@ GroundMotion rotate(const GroundMotion& motion, double azimuth_deg) {
     constexpr double kParallel = 0.0175;  // sin 1°
     if (!(std::abs(between) > kParallel)) {
         throw ProcessingError(
-            fmt::format("components {} and {} are parallel (nothing tells the motion across them); take others", first.name, second.name));
+            fmt::format("components {} and {} are parallel (no motion across them is known); take others", first.name, second.name));
     }
     // north and east from x = n cos a + e sin a, y = n cos b + e sin b; then the same sum along the new directions
     const auto seen_along = [&](double direction) {

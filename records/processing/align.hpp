@@ -7,10 +7,10 @@
 /// Components of one record on one clock.
 namespace musim::records {
 
-/// One record of several files of the same shaking: all their components, in order. Where files tell when they begin, components are placed
+/// One record of several files of the same shaking: all their components, in order. Where files say when they begin, components are placed
 /// by that time, whatever their number of samples; where none does they begin together, as records of one station without times do, and the
-/// history says so. A name that comes twice gets its station or a number in front. Throws ProcessingError for no file, and when some tell
-/// and others do not.
+/// history says so. A name that comes twice gets its station or a number in front. Throws ProcessingError for no file, and when only some
+/// say and others do not.
 GroundMotion merge(const std::vector<GroundMotion>& files);
 
 /// The record with all components on one clock: the shortest of their steps, the stretch that all of them cover. Those that differ are

@@ -6,7 +6,7 @@
 #include "records/processing/base_motion.hpp"
 #include "records/processing/recipe.hpp"
 
-/// The motion that a shake table is told to make.
+/// The motion that a shake table is given to make.
 namespace musim::records {
 
 /// What is changed in a record before it is given to a table; frequencies are the model's.
@@ -24,7 +24,7 @@ struct DriveMotion {
 
 /// How the record of a model becomes an acceleration that starts and ends at rest: differentiated if it is no acceleration, aligned if it
 /// has several components, mean (of an uncorrected record) out, high- and low-pass, tapers of kDefaultTaper before and after them,
-/// amplitude, the controller's step, bring_to_rest(). As steps of a recipe, to be carried out by process() and told by the history.
+/// amplitude, the controller's step, bring_to_rest(). As steps of a recipe, to be carried out by process() and kept in the history.
 Recipe make_drive_recipe(const GroundMotion& model, const DriveSettings& settings = {});
 
 /// What the table does for each component. Throws ProcessingError as process() does.

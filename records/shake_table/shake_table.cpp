@@ -18,7 +18,7 @@ using scaling::JsonReader;
 
 constexpr std::string_view kSchema = "musim-table/1";
 
-/// Most digits that tell a double.
+/// Most digits of a double.
 constexpr int kMostDigits = 17;
 
 constexpr const char* kGiveMagnitude = "give its magnitude, or remove it where there is no limit";

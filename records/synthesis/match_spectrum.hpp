@@ -44,7 +44,7 @@ struct SpectrumMatch {
 /// tolerance is not reached, with the misfit that was, for another quantity, a motion without motion, and targets that are unusable.
 SpectrumMatch match_spectrum(const TimeSeries& acceleration, const TargetSpectrum& target, const SpectrumMatchSettings& settings = {});
 
-/// A record with one component alone, matched; history tells how.
+/// A record with one component alone, matched; the history records how.
 struct MatchedRecord {
     GroundMotion motion;
     SpectrumMatch match;

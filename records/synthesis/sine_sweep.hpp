@@ -22,8 +22,8 @@ struct SineSweepSettings {
 };
 
 /// The sweep as a record, component "1". A sine has no reason to end where it began, so velocity and displacement are taken out as in
-/// bring_to_rest(); history tells. Throws ProcessingError when a setting is not positive and finite, for equal frequencies, a taper that
-/// is not within 0 to 1/2, fewer than eight samples a period, and fewer than 64 steps or more than 10^8.
+/// bring_to_rest(); the history records it. Throws ProcessingError when a setting is not positive and finite, for equal frequencies, a
+/// taper that is not within 0 to 1/2, fewer than eight samples a period, and fewer than 64 steps or more than 10^8.
 GroundMotion make_sine_sweep_record(const SineSweepSettings& settings = {});
 
 }  // namespace musim::records

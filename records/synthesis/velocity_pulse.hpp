@@ -28,8 +28,8 @@ struct VelocityPulse {
 
 /// The pulse as a record, component "1", its middle a sample. The trapezoid sums of the samples would leave a velocity of order (f_p dt)²;
 /// it is taken out as in bring_to_rest(), and the record ends at the pulse's residual displacement, or with `return_home` where it
-/// began (which bends the whole record; history tells). Throws ProcessingError when a setting is not positive and finite, for γ ≤ 1, a
-/// phase that is not finite, fewer than eight samples a period, and more than 10^8 steps.
+/// began (which bends the whole record; the history records it). Throws ProcessingError when a setting is not positive and finite, for γ ≤
+/// 1, a phase that is not finite, fewer than eight samples a period, and more than 10^8 steps.
 GroundMotion make_velocity_pulse_record(const VelocityPulse& pulse, scaling::Time dt = 0.005 * scaling::si::seconds,
                                         bool return_home = false);
 

@@ -57,7 +57,7 @@ struct ModelScale {
     double ModelScales::*factor;
 };
 
-/// The factors to be told of a model, one by one.
+/// The factors to be reported of a model, one by one.
 inline constexpr ModelScale kModelScales[] = {{"height", &ModelScales::height},
                                               {"width", &ModelScales::width},
                                               {"time", &ModelScales::time},

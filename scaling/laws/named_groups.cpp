@@ -28,7 +28,7 @@ struct Match {
     int unsure = 0;
 };
 
-/// Tries all assignments and keeps the one with most roles told by names.
+/// Tries all assignments and keeps the one with most roles recognized by names.
 class Matcher {
   public:
     Matcher(const NamedGroup& named, const std::vector<std::size_t>& held, const std::vector<Rational>& exponents,
@@ -106,7 +106,7 @@ std::vector<RecognisedGroup> recognise(const std::vector<Rational>& exponents, c
     }
     if (held.empty()) return {};
 
-    // the surest: fewest stand-ins, then most roles told by names; the table's order for what is sure
+    // the surest: fewest stand-ins, then most roles recognized by names; the table's order for what is sure
     std::vector<RecognisedGroup> found;
     std::optional<Match> best;
     for (const NamedGroup& named : named_groups()) {

@@ -12,7 +12,7 @@ namespace musim::scaling {
 enum class RoleCheck {
     dimension,  ///< by its dimension: any length is a length
     hinted,     ///< by its name; another name will do where no quantity has this one, but is said to stand for the role
-    named,      ///< by its name only: nothing else tells a friction coefficient from another plain number
+    named,      ///< by its name only: nothing else distinguishes a friction coefficient from another plain number
 };
 
 /// A quantity of a named group.
@@ -39,15 +39,15 @@ const std::vector<NamedGroup>& named_groups();
 struct RecognisedGroup {
     std::string name;     ///< "Froude", "1/Froude^2", "Mach^(1/2)"
     std::string formula;  ///< of the named group: "v/sqrt(g*l)"
-    std::string as;       ///< "a as g" where a quantity stands for a role that its name does not tell; else empty
+    std::string as;       ///< "a as g" where a quantity stands for a role that its name does not give; else empty
 
     /// "1/Froude^2 with a as g".
     std::string text() const { return as.empty() ? name : name + " with " + as; }
 };
 
 /// Names that fit a group, whatever its power. Every quantity must have the dimension and the exponent, up to one common power, of a role.
-/// One name when all roles are sure; the name with most roles told by names wins. Several, all with `as`, when none is sure and they are
-/// equally good. Empty when nothing fits.
+/// One name when all roles are sure; the name with most roles recognized by names wins. Several, all with `as`, when none is sure and they
+/// are equally good. Empty when nothing fits.
 std::vector<RecognisedGroup> recognise(const std::vector<Rational>& exponents, const std::vector<PiQuantity>& quantities);
 std::vector<RecognisedGroup> recognise(const PiGroup& group, const std::vector<PiQuantity>& quantities);
 

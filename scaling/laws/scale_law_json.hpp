@@ -7,7 +7,7 @@
 
 namespace musim::scaling {
 
-/// A law in JSON (musim-law-1.schema.json tells every key):
+/// A law in JSON (musim-law-1.schema.json gives every key):
 ///   {"schema": "musim-law/1", "name", "title", "description", "sources": [...], "assumptions": [...], "extends": "mechanics",
 ///    "quantities": [{"name": "l", "unit": "m", "meaning": "length"}, ...],
 ///    "chosen": [{"name": "l"}, {"name": "g", "default": 1}, ...], "definitions": ["v*t/l", ...], "held": [...], "watched": [...],

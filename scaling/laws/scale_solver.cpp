@@ -78,7 +78,7 @@ class Solver {
     }
 
   private:
-    /// One row per unknown, one column per held product: pivots are the products that settle something, a kernel vector tells what settles
+    /// One row per unknown, one column per held product: pivots are the products that settle something, a kernel vector says what settles
     /// another product before it.
     detail::Echelon find_dependences() const {
         IntegerMatrix matrix(unknowns_.size());

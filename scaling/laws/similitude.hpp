@@ -42,7 +42,7 @@ struct NamedFactor {
 /// λ_l^a λ_m^b λ_t^c. Products and square roots only, so that factors that are powers of two stay exact (λ_l = 1/16: λ_t = 1/4).
 ///
 /// Under the mu law with λ_μ ≠ 1 a type stands for its dynamic, horizontal quantity (friction and inertia, λ_a = λ_μ λ_g). What
-/// weighs scales with λ_g alone and the type cannot tell; those factors have names of their own (..._vertical, ..._static, ...).
+/// weighs scales with λ_g alone and the type does not know; those factors have names of their own (..._vertical, ..._static, ...).
 class Similitude {
   public:
     /// The prototype itself, by law "exact": every factor is 1.

@@ -99,9 +99,9 @@ PiGroup tied_product(const PiBasis& basis, const std::vector<std::size_t>& tied)
 }
 
 void add_ties(const std::vector<PiQuantity>& quantities, const PiBasis& basis, std::vector<std::string>& remarks) {
-    std::vector<bool> told(quantities.size(), false);
+    std::vector<bool> given(quantities.size(), false);
     for (std::size_t i = 0; i < quantities.size(); ++i) {
-        if (told[i] || !is_held(basis, i)) continue;
+        if (given[i] || !is_held(basis, i)) continue;
         std::vector<std::size_t> tied = {i};
         for (std::size_t j = i + 1; j < quantities.size(); ++j) {
             if (are_tied(basis, i, j)) tied.push_back(j);
@@ -115,7 +115,7 @@ void add_ties(const std::vector<PiQuantity>& quantities, const PiBasis& basis, s
         if (std::any_of(basis.groups.begin(), basis.groups.end(), is_product)) continue;
         std::vector<std::string_view> names;
         for (const std::size_t j : tied) {
-            told[j] = true;
+            given[j] = true;
             names.emplace_back(quantities[j].name);
         }
         remarks.push_back(fmt::format("{} take part as {} only", fmt::join(names, " and "), format_group(product, quantities)));

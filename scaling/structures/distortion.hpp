@@ -44,7 +44,7 @@ struct ModelFacts {
 /// δ of every dimensionless group that is known, in a fixed order, distorted or not. Where widths and heights scale apart, l in groups of
 /// sliding and velocity is a horizontal size, as slip is; in groups of contacts it is the height. p goes by half diagonals, where
 /// slenderness is given by those of the direction that is slenderest, which rocks first, and by heights otherwise; e_r of that direction
-/// is told where heights and widths may scale apart, unless a block is too stocky to go on rocking.
+/// is given where heights and widths may scale apart, unless a block is too stocky to go on rocking.
 std::vector<NamedFactor> group_factors(const ModelScales& scales, const ModelFacts& facts = {});
 
 /// The groups of group_factors() that differ from 1 by more than rounding, in the same order, with what that means. When friction and
@@ -53,7 +53,7 @@ std::vector<NamedFactor> group_factors(const ModelScales& scales, const ModelFac
 std::vector<Distortion> find_distortions(const ModelScales& scales, const ModelFacts& facts = {});
 
 /// A group off by less than this is a note, not a warning [-]. Why this value: 5 % on each friction coefficient leave 7.1 % in λ_μ
-/// (README.md), so below 10 % a test cannot tell the distortion from its own uncertainty. Changes labels only, never factors.
+/// (README.md), so below 10 % a test cannot distinguish the distortion from its own uncertainty. Changes labels only, never factors.
 inline constexpr double kNoteLimit = 0.10;
 
 }  // namespace musim::scaling

@@ -12,10 +12,10 @@ namespace musim::scaling {
 struct GroupValue {
     std::string_view name;                    ///< as find_group_meaning() knows it
     std::optional<Direction> direction = {};  ///< of rocking, where it matters
-    std::optional<double> value = {};         ///< absent: the facts do not tell
+    std::optional<double> value = {};         ///< absent: not in the facts
 };
 
-/// Every group of geometry, friction, contact, rocking and loading (README.md, Facts of a model), told or not, in a fixed order.
+/// Every group of geometry, friction, contact, rocking and loading (README.md, Facts of a model), given or not, in a fixed order.
 ///
 /// `motion` may be null. `wanted_block_height` is H of the prototype, or λ_l times that for its model. ω of ω/p is 2π over the pulse period
 /// or, without one, over the predominant period.

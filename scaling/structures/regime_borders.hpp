@@ -17,7 +17,7 @@ struct TableDemand {
     Severity severity;
 };
 
-/// Those of a motion, told or not.
+/// Those of a motion, given or not.
 std::array<TableDemand, 4> list_table_demands(const MotionFacts& model);
 
 /// What a group that has a border at 1 says about both structures; nothing for a group without one.

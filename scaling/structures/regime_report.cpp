@@ -10,7 +10,7 @@
 namespace musim::scaling {
 namespace {
 
-/// Whether contacts are rigid in prototype and model; nothing when the facts do not tell.
+/// Whether contacts are rigid in prototype and model; nothing when the facts do not decide it.
 std::optional<bool> are_rigid(const std::vector<GroupComparison>& groups, std::string_view measure) {
     for (const GroupComparison& group : groups) {
         if (group.name == measure) return group.prototype < kRigidContact && group.model < kRigidContact;

@@ -36,7 +36,7 @@ struct RegimeStatement {
     bool is_open = false;  ///< a border lies within the uncertainty of the facts (uncertain_regimes.hpp)
 };
 
-/// A group that prototype, model or both do not tell.
+/// A group that prototype, model or both do not give.
 struct UntoldGroup {
     std::string_view name;
     std::string_view missing;  ///< "prototype", "model" or "both"
@@ -44,8 +44,8 @@ struct UntoldGroup {
 
 /// Everything that differs between a prototype and its real model, and what that means.
 struct RegimeReport {
-    std::vector<GroupComparison> groups;   ///< all that both tell, distorted or not
-    std::vector<RegimeStatement> regimes;  ///< all borders that can be told, crossed or not
+    std::vector<GroupComparison> groups;   ///< all that both have, distorted or not
+    std::vector<RegimeStatement> regimes;  ///< all borders that are known, crossed or not
     std::vector<UntoldGroup> untold;
 };
 

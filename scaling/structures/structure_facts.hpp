@@ -72,10 +72,10 @@ struct PairFacts {
 /// Throws SimilitudeError `facts: WHAT of PROTOTYPE OR MODEL is VALUE (why); what to do` for a value that no structure or motion has.
 void check(const PairFacts& facts);
 
-/// λ_μ, λ_g and λ_ρ that the facts tell, with a chosen λ_l.
+/// λ_μ, λ_g and λ_ρ that the facts give, with a chosen λ_l.
 ScaleFactors make_scale_factors(const PairFacts& facts, double length);
 
-/// What find_distortions() wants to know, as factors; those that one side does not tell are left out.
+/// What find_distortions() wants to know, as factors; those that one side does not give are left out.
 ModelFacts make_model_facts(const PairFacts& facts);
 
 /// A motion by the similitude, its vertical acceleration by Similitude::acceleration_vertical(); the direction stays.

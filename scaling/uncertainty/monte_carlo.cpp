@@ -41,7 +41,7 @@ SampleSummary summarize(std::vector<double>& samples) {
     if (samples.empty()) return {0, kNone, kNone, kNone, kNone, kNone, kNone};
     std::sort(samples.begin(), samples.end());
     const auto count = static_cast<double>(samples.size());
-    SampleSummary summary{.told = samples.size()};
+    SampleSummary summary{.given = samples.size()};
     for (const double sample : samples) summary.mean += sample / count;
     double squares = 0.0;
     for (const double sample : samples) squares += (sample - summary.mean) * (sample - summary.mean);
@@ -56,7 +56,7 @@ SampleSummary summarize(std::vector<double>& samples) {
 }  // namespace
 
 double find_share(const SampleSummary& samples) {
-    const auto count = static_cast<double>(samples.told);
+    const auto count = static_cast<double>(samples.given);
     return std::round(samples.mean * count) / count;
 }
 

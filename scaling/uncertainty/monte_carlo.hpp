@@ -24,9 +24,9 @@ struct MonteCarloSettings {
 inline constexpr std::size_t kFewestSamples = 1'000;
 inline constexpr std::size_t kMostSamples = 1'000'000;
 
-/// Samples of one result. All numbers but `told` are none where no sample has it.
+/// Samples of one result. All numbers but `given` are none where no sample has it.
 struct SampleSummary {
-    std::size_t told = 0;  ///< samples that have the result; the rest follows from them alone
+    std::size_t given = 0;  ///< samples that have the result; the rest follows from them alone
     double mean = 0.0;
     double standard_deviation = 0.0;
     double median = 0.0;

@@ -13,7 +13,7 @@
 namespace musim::scaling {
 
 /// The uncertain values of a file and of those that it names. Their reader asks here what to take for each, so that the same files read
-/// again with one value moved tell what it does to any result, through whatever is made of it on the way.
+/// again with one value moved show what it does to any result, through whatever is made of it on the way.
 class UncertainReading {
   public:
     /// `source` is the name of the file as it stands in front of places; inputs are named without it.

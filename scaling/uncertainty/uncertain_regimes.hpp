@@ -16,8 +16,8 @@ struct FactsAndLaw {
     Similitude similitude;
 };
 
-/// The same with one uncertain value of the facts moved (read_moved). A motion of the model that was not told is the prototype's, moved, by
-/// the similitude of the values: a test is shaken with them.
+/// The same with one uncertain value of the facts moved (read_moved). A motion of the model that was not given is the prototype's, moved,
+/// by the similitude of the values: a test is shaken with them.
 struct MovedFacts {
     FactsAndLaw below, above;
 };

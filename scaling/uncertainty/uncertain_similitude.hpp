@@ -50,7 +50,7 @@ struct UncertainReport {
     std::vector<UncertainResult> factors;  ///< of ModelScales::factors()
     std::vector<UncertainResult> groups;   ///< δ of group_factors(), were the motion scaled by the true factors
     std::vector<UncertainResult> shaken;   ///< δ of the groups of sliding, with the motion scaled by the values
-    std::vector<UncertainPair> structure;  ///< groups with absolute values, as far as friction, slenderness, height and peaks tell
+    std::vector<UncertainPair> structure;  ///< groups with absolute values, as far as friction, slenderness, height and peaks are known
     std::vector<UncertainPair> measures;   ///< of the motion; the model's were it scaled by the true factors
     std::optional<Draws> draws;            ///< none without samples
 

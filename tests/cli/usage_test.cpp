@@ -36,7 +36,7 @@ TEST_CASE("factors that may have been meant otherwise, and samples of little use
     }
 }
 
-TEST_CASE("the law in the examples is that of the help, and a source is told once") {
+TEST_CASE("the law in the examples is that of the help, and a source is given once") {
     const Workplace here;
     const std::string law = MUSIM_SOURCE_DIR "/examples/laws/bolted.json";
     const auto object = here.run("scale --json --set l=1/4 --set k_b=1/4 --law " + law).json();
@@ -44,7 +44,7 @@ TEST_CASE("the law in the examples is that of the help, and a source is told onc
     CHECK(here.run("scale --law centrifuge --set l=1/25").out.find("sources: FengOwen14, MoncarzKrawinkler81\n") != std::string::npos);
 }
 
-TEST_CASE("a quantity with a dimension needs its unit, and a bad value is told with its option") {
+TEST_CASE("a quantity with a dimension needs its unit, and a bad value is reported with its option") {
     const Workplace here;
     const std::string table = "table synthetic --limits " MUSIM_SOURCE_DIR "/examples/tables/outdoor.json --length 1/2 ";
     struct Case {

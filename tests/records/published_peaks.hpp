@@ -9,8 +9,8 @@ namespace musim::tests {
 
 struct PublishedPeak {
     std::string_view file;
-    double asked_dt;              ///< time step to ask for [s]; 0: the file tells
-    std::string_view asked_unit;  ///< unit to ask for; empty: the file tells
+    double asked_dt;              ///< time step to ask for [s]; 0: from the file
+    std::string_view asked_unit;  ///< unit to ask for; empty: from the file
     std::size_t component;        ///< in file order
     std::size_t size;
     double dt;    ///< [s]

@@ -35,7 +35,7 @@ TEST_CASE("a figure says in numbers what it draws, and gives all of it as CSV") 
     }
 }
 
-TEST_CASE("stacked curves tell for each run and row the peak, when it is, and the last value") {
+TEST_CASE("stacked curves list for each run and row the peak, when it is, and the last value") {
     const StackedPlot plot{.title = "t",
                            .subtitle = "",
                            .x_label = "x",

@@ -76,7 +76,7 @@ bool holds(const std::string& page, const std::string& text) { return page.find(
 
 }  // namespace
 
-TEST_CASE("a run's report tells its verdict and the numbers of its results, and lets no markup in") {
+TEST_CASE("a run's report has its verdict and the numbers of its results, and lets no markup in") {
     const TemporaryFolder place;
     const RunResult run = run_column(place.path() / "out", true);
     const std::string page = make_report({place.path() / "out"});
@@ -115,7 +115,7 @@ TEST_CASE("several runs are reported beside each other") {
     }
 }
 
-TEST_CASE("what is missing is told, and the rest shown") {
+TEST_CASE("what is missing is named, and the rest shown") {
     const TemporaryFolder place;
     run_column(place.path() / "out", false);
     const std::string page = make_report({place.path() / "out", place.path() / "nowhere"});
@@ -160,7 +160,7 @@ TEST_CASE("what is missing is told, and the rest shown") {
     CHECK(holds(ensemble, "no disk"));
 }
 
-TEST_CASE("of a result of another version what can be read is shown, and the rest told with its version") {
+TEST_CASE("of a result of another version what can be read is shown, and the rest named with its version") {
     const TemporaryFolder place;
     run_column(place.path() / "out", true);
     const hid_t file = H5Fopen((place.path() / "out/result.h5").c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
@@ -183,7 +183,7 @@ TEST_CASE("of a result of another version what can be read is shown, and the res
                       gap);
     }
     CHECK(holds(make_page(content, make_sections(content), "test"), "id=\"figure-spine_velocity\""));
-    // whoever needs all of it is told
+    // whoever needs all of it gets an error
     CHECK_THROWS_AS(read_run(place.path() / "out"), ResultError);
 }
 
@@ -249,7 +249,7 @@ TEST_CASE("a specimen's report shows its blocks, tilts and forces as they were p
     CHECK(holds(damaged.remarks[0], "specimen-damaged.h5"));
 }
 
-TEST_CASE("records are drawn with their peaks, and those that cannot be read are told") {
+TEST_CASE("records are drawn with their peaks, and those that cannot be read are named") {
     using namespace musim::records;
     const TemporaryFolder place;
     std::ofstream(place.path() / "made.at2") << "a record";
@@ -278,7 +278,7 @@ TEST_CASE("records are drawn with their peaks, and those that cannot be read are
     CHECK_FALSE(holds(page, "id=\"tower\""));
 }
 
-TEST_CASE("what a command printed as JSON is told whole, its distortions first") {
+TEST_CASE("what a command printed as JSON is reported whole, its distortions first") {
     const TemporaryFolder place;
     std::ofstream(place.path() / "scale.json") << R"({"law": "mu", "factors": {"length": 0.25, "time": 0.5}, "groups": {},
         "distortions": [{"effect": "<i>grip</i>", "factor": 1.125, "group": "mu", "severity": "warning"}],

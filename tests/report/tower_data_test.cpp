@@ -61,7 +61,7 @@ TEST_CASE("base64 is that of RFC 4648") {
     CHECK(encode_base64(std::string("\xff\x00\xfe", 3)) == "/wD+");
 }
 
-TEST_CASE("frames come back within the rounding that is told") {
+TEST_CASE("frames come back within the stated rounding") {
     const ReportedRun reported = make_stored_run(40);
     const TowerData data = make_tower_data(reported);
     const std::size_t blocks = 3;
@@ -96,7 +96,7 @@ TEST_CASE("frames come back within the rounding that is told") {
     CHECK(decode_base64(data.json["start"]).size() == blocks * 40);
 }
 
-TEST_CASE("contact forces come back over the weights of their blocks within the rounding that is told") {
+TEST_CASE("contact forces come back over the weights of their blocks within the stated rounding") {
     const ReportedRun reported = make_stored_run(30);
     const TowerData data = make_tower_data(reported);
     const std::size_t blocks = 3;

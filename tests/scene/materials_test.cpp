@@ -64,11 +64,11 @@ TEST_CASE("an unknown material is refused with the known ones") {
 }
 
 TEST_CASE("a name that holds control characters is refused in one line") {
-    const std::string told = musim::lsdem::testing::error_of([] {
+    const std::string given = musim::lsdem::testing::error_of([] {
         parse_scene(R"({"schema": "musim-scene/1", "material": "wood\n\u001b[31m",
                  "structure": {"kind": "column", "layers": 1, "block": [1, 2, 3]}, "time": {"duration": 1}})");
     });
-    CHECK_MESSAGE(told.find("\"wood  [31m\" is not a known material") != std::string::npos, told);
+    CHECK_MESSAGE(given.find("\"wood  [31m\" is not a known material") != std::string::npos, given);
 }
 
 // The papers' steps are a camera's period over a whole number: 1/4800 s over 20 and 80, 1/2000 s over 34.

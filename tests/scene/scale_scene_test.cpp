@@ -175,7 +175,7 @@ TEST_CASE("under the mu law friction, gravity and motion each follow their own f
     CHECK(model.material.density.value() == scene.material.density.value() * 3.0);
     CHECK(model.base_motion.factors.time == similitude.time());
     CHECK(model.base_motion.factors.velocity == similitude.velocity());
-    // vertical shaking by λ_g λ_t, told in the file where it is another factor
+    // vertical shaking by λ_g λ_t, written in the file where it is another factor
     CHECK(model.base_motion.factors.velocity_vertical == doctest::Approx(2.0 * similitude.time()).epsilon(1e-15).scale(0.0));
     CHECK(parse_scene(write_scene(model)).base_motion.factors == model.base_motion.factors);
     CHECK(write_scene(scene).find("velocity_vertical") == std::string::npos);

@@ -33,9 +33,10 @@ std::string find_broken(const Observation& seen, const Demands& demands) {
     demand(seen.drift <= demands.drift, "drifts");
     demand(seen.kinetic_at_end <= demands.kinetic, "does not rest");
     demand(seen.measured_overlap <= demands.overlap, "overlap");
-    const bool told = seen.probed_by_nodes ? seen.measured_overlap <= seen.reported_overlap + kUnreportedBetweenNodes
-                                           : std::min(seen.measured_overlap, kDeepest) <= kWayOverDepth * seen.reported_overlap + kRounding;
-    demand(told, "overlap not reported");
+    const bool given = seen.probed_by_nodes
+                           ? seen.measured_overlap <= seen.reported_overlap + kUnreportedBetweenNodes
+                           : std::min(seen.measured_overlap, kDeepest) <= kWayOverDepth * seen.reported_overlap + kRounding;
+    demand(given, "overlap not reported");
     return broken;
 }
 

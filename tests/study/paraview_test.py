@@ -49,8 +49,8 @@ def main():
         (place / "scene.json").write_text(json.dumps(SCENE))
         (place / "read.py").write_text(READ)
         subprocess.run([pathlib.Path(sys.argv[1]).resolve(), "run", "scene.json", "-o", "out"], cwd=place, check=True, capture_output=True)
-        told = subprocess.run(["pvpython", "--force-offscreen-rendering", "read.py", place / "out/result.xdmf"], cwd=place, check=True, capture_output=True, text=True).stdout
-        frames = json.loads(next(line[6:] for line in told.splitlines() if line.startswith("FRAMES")))
+        given = subprocess.run(["pvpython", "--force-offscreen-rendering", "read.py", place / "out/result.xdmf"], cwd=place, check=True, capture_output=True, text=True).stdout
+        frames = json.loads(next(line[6:] for line in given.splitlines() if line.startswith("FRAMES")))
         with open(place / "out/spine.csv", newline="") as file:
             samples = list(csv.DictReader(line for line in file if not line.startswith("#")))
         assert len(frames) == 11, len(frames)

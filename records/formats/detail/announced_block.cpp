@@ -10,13 +10,13 @@
 namespace musim::records::detail {
 namespace {
 
-// without a format the first line of samples tells: eight right-justified numbers of equal width
+// without a format the first line of samples decides: eight right-justified numbers of equal width
 FixedColumns infer_columns(const TextFile& file, std::size_t line, std::size_t count) {
     const FixedColumns usual;
     const std::size_t values = std::min(count, usual.per_line);
     const std::size_t length = file.line(line + 1).size();
     if (length == 0 || length % values != 0) {
-        file.fail(line + 1, fmt::format("column width cannot be told ({} letters for {} values)", length, values),
+        file.fail(line + 1, fmt::format("column width cannot be found ({} letters for {} values)", length, values),
                   "add the Fortran format, e.g. (8f10.3), to the line above");
     }
     return {.per_line = usual.per_line, .width = length / values};

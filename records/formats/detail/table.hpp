@@ -24,7 +24,7 @@ NumberTable read_table(const TextFile& file, std::size_t begin, std::span<const 
 /// Throws ReadError unless the table has as many rows as announced.
 void check_rows(const TextFile& file, const NumberTable& table, const AnnouncedCount& announced);
 
-/// Time step of evenly rising times (2 % of a step), taken as the short decimal it means when within 1e-8; `lines` tells where the times
+/// Time step of evenly rising times (2 % of a step), taken as the short decimal it means when within 1e-8; `lines` says where the times
 /// stand. Throws ReadError when they are uneven or do not rise.
 double even_time_step(const TextFile& file, std::span<const double> times, std::span<const std::size_t> lines);
 

@@ -18,7 +18,7 @@ struct TimedSamples {
 /// when a time does not rise.
 TimedSamples read_timed_samples(const TextFile& file, const NumberBlock& block, double si);
 
-/// The samples on an even clock; what resample_uneven() refuses is told with the file and the line where the pairs start.
+/// The samples on an even clock; what resample_uneven() refuses is reported with the file and the line where the pairs start.
 ResampledSeries resample(const TextFile& file, SampleQuantity quantity, const TimedSamples& timed);
 
 }  // namespace musim::records::detail

@@ -68,7 +68,7 @@ TEST_CASE("a film is one picture per frame, all with the same colours") {
     CHECK(here.read("film/field_00003.png") == here.read("again/field_00003.png"));
 }
 
-TEST_CASE("an ffmpeg is called for a film, and told of when it is absent or fails") {
+TEST_CASE("an ffmpeg is called for a film, and an error says when it is absent or fails") {
     const Workplace here;
     here.write("scene.json", make_column(true));
     REQUIRE(here.run("run scene.json -o out").exit_code == 0);

@@ -52,7 +52,7 @@ TEST_CASE("report shows files of records, specimens and printed results, and nam
     REQUIRE(json["remarks"].size() == 1);
     CHECK(json["remarks"][0].get<std::string>().find("columns.txt") != std::string::npos);
     CHECK(here.read("page.html").find("scale.json: 6 groups are distorted") != std::string::npos);
-    // what a text file does not say is told as for every command that reads records
+    // what a text file does not say is given by options as for every command that reads records
     CHECK(here.run("report columns.txt --dt 0.01 --unit g -o text.html").out.starts_with("text.html: 1 record, "));
     CHECK(here.run("report columns.txt -o none.html").exit_code == 3);
     CHECK_FALSE(here.has("none.html"));

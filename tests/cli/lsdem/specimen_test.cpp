@@ -65,12 +65,12 @@ TEST_CASE("specimens laid in two ways are compared by what was printed of them")
     place.write("quick.json", quick.out);
     const Outcome compared = place.run("specimen --compare layers.json quick.json --json");
     REQUIRE(compared.exit_code == 0);
-    const auto told = compared.json();
-    CHECK(told["first"]["specimens"] == 3);
-    CHECK(told["second"]["specimens"] == 2);
-    REQUIRE(told["compared"].size() == 1);
-    const auto& tilt = told["compared"][0]["mean_tilt_deg"];
-    CHECK(told["compared"][0]["layers"][1] == 3);
+    const auto given = compared.json();
+    CHECK(given["first"]["specimens"] == 3);
+    CHECK(given["second"]["specimens"] == 2);
+    REQUIRE(given["compared"].size() == 1);
+    const auto& tilt = given["compared"][0]["mean_tilt_deg"];
+    CHECK(given["compared"][0]["layers"][1] == 3);
     CHECK(tilt["pairs"] == 2);
     const auto mean_of = [](const nlohmann::json& specimens) {
         double sum = 0.0;
@@ -96,7 +96,7 @@ TEST_CASE("specimens laid in two ways are compared by what was printed of them")
     refuses("specimen --compare layers.json wall.json", 3, "not what `musim specimen --json` prints");
     refuses("specimen --compare layers.json none.json", 3, "cannot be opened");
     place.write("none.json", R"({"specimens": []})");
-    refuses("specimen --compare none.json layers.json", 3, "tells of no specimen");
+    refuses("specimen --compare none.json layers.json", 3, "has no specimen");
     refuses("specimen --compare layers.json", 2, "2 required");
     refuses("specimen wall.json --compare layers.json quick.json", 2, "excludes");
     refuses("specimen", 2, "is required");

@@ -13,7 +13,7 @@ TEST_CASE("watch follows a run, says that it was killed, and that it has finishe
         "structure": {"kind": "column", "layers": 2, "block": ["2 m", "2 m", "1 m"]},
         "base_motion": {"signal": "sine", "direction": "x", "amplitude": "0.6 g", "frequency": "2 Hz", "cycles": 80},
         "time": {"duration": "40 s"}, "output": {"spine_rate": "200 Hz"}})");
-    // it tells where it stands after two seconds
+    // it reports its state after two seconds
     here.kill_halfway("run scene.json -o out --checkpoint-interval 0", "[ out/live.json -nt started ]",
                       MUSIM_PROGRAM " watch out --json >look.json; " MUSIM_PROGRAM " watch out --once >look.txt");
     REQUIRE(here.has("look.json"));

@@ -117,7 +117,7 @@ TEST_CASE("when nothing is feasible the code is 5 and the report says why") {
     CHECK(here.run("design design.json --json").json()["candidates"].at(0)["feasible"] == false);
 }
 
-TEST_CASE("wrong input to design is told in one line") {
+TEST_CASE("wrong input to design is reported in one line") {
     const Workplace here;
     here.write("table.json", kTable);
     const auto error = [&](const std::string& arguments, int code) {
@@ -148,7 +148,7 @@ TEST_CASE("wrong input to design is told in one line") {
     error("", 2);
 }
 
-TEST_CASE("a design by laws as data ranks materials, names conflicts and tells factors and added mass") {
+TEST_CASE("a design by laws as data ranks materials, names conflicts and reports factors and added mass") {
     const Workplace here;
     const std::string laws = std::string("design '") + MUSIM_SOURCE_DIR + "/examples/design/laws.json' ";
     const Outcome outcome = here.run(laws + "--json");
@@ -211,7 +211,7 @@ TEST_CASE("uncertain values of a design and its table give intervals in every fo
     CHECK(here.run("design '" + kExample + "'").out.find("95 %") == std::string::npos);
 }
 
-TEST_CASE("samples of an uncertain design tell how often it is feasible and what is in the way") {
+TEST_CASE("samples of an uncertain design say how often it is feasible and which limits govern") {
     const Workplace here;
     here.write("design.json", R"({"schema": "musim-design/1",
         "prototype": {"block": ["1.36 m", "2.82 m", "4.25 m"], "height": "161.5 +/- 1% m", "density": "2320 kg/m^3", "friction": 0.59},

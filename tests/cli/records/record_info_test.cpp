@@ -124,7 +124,7 @@ TEST_CASE("record info puts a record in proportion to a structure") {
     CHECK(number(groups, "newmark_sliding_m") == doctest::Approx(0.5 * (3.0 - yield) * 100.0).epsilon(1e-9));
     CHECK(number(groups, "newmark_sliding_over_length") == doctest::Approx(0.25 * (3.0 - yield) * 100.0).epsilon(1e-9));
 
-    // what one option does not tell is null
+    // what one option does not give is null
     const auto slenderness_only = info(here, "a.csv --slenderness 45").at("groups");
     CHECK(slenderness_only.at("newmark_sliding_m").is_null());
     CHECK(number(slenderness_only, "pga_over_g_tan_alpha") == doctest::Approx(3.0 / kGravity).epsilon(1e-9));

@@ -19,7 +19,7 @@ nlohmann::json make(const Workplace& here, const std::string& arguments) {
     return outcome.json();
 }
 
-/// The only component of a record, as `record info` tells it.
+/// The only component of a record, as `record info` gives it.
 nlohmann::json info(const Workplace& here, const std::string& file) {
     return here.run("record info --json " + file).json()["components"].at(0);
 }

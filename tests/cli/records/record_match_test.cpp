@@ -25,7 +25,7 @@ std::string make_target() {
 
 }  // namespace
 
-TEST_CASE("record match brings a record to a target and tells how far it was") {
+TEST_CASE("record match brings a record to a target and reports how far it was") {
     const Workplace here;
     here.write("target.csv", make_target());
     const Outcome outcome = here.run("record match synthetic --target target.csv --band 0.2 2 -o matched.csv --json");

@@ -129,7 +129,7 @@ TEST_CASE("record plot draws what a velocity record has") {
     CHECK(width("a.svg") == 864);
 }
 
-TEST_CASE("record plot tells which record was integrated how") {
+TEST_CASE("record plot says which record was integrated how") {
     const Workplace here;
     here.write("a.csv", make_csv());
     std::string uncorrected = make_csv();

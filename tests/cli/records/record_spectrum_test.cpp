@@ -209,7 +209,7 @@ TEST_CASE("record spectrum writes CSV with units, SVG with a curve per component
     CHECK_FALSE(here.has("full.csv"));
 }
 
-TEST_CASE("a damping in percent is refused, and what to write is told") {
+TEST_CASE("a damping in percent is refused, with what to write instead") {
     const Workplace here;
     here.write("a.csv", make_csv());
     here.write("target.csv", "0.5,0.3\n0.6,0.3\n");

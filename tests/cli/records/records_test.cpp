@@ -24,7 +24,7 @@ std::string make_at2(int npts, int claimed, const std::string& dt = ".0100", con
 
 }  // namespace
 
-TEST_CASE("record info tells format, length and peaks of every component") {
+TEST_CASE("record info reports format, length and peaks of every component") {
     const Workplace here;
     here.write("a.at2", make_at2(400, 400));
     const Outcome outcome = here.run("record info a.at2 synthetic --json");
@@ -59,7 +59,7 @@ TEST_CASE("rescale multiplies time and samples by the factors it prints, and rea
     CHECK(model["pgv_cm_s"].get<double>() == doctest::Approx(42.4 * object["factors"]["velocity"].get<double>()).epsilon(1e-8));
 }
 
-TEST_CASE("a component that is asked for is the only one that is told and written, in every format") {
+TEST_CASE("a component that is asked for is the only one that is reported and written, in every format") {
     const Workplace here;
     here.write("two.txt", "0 1 -2\n0.1 -1 3\n0.2 0.5 1\n0.3 0 0\n");
     for (const char* file : {"one.csv", "one.v2", "one.at2"}) {
@@ -76,7 +76,7 @@ TEST_CASE("a component that is asked for is the only one that is told and writte
     CHECK_FALSE(here.has("seven.csv"));
 }
 
-TEST_CASE("rescale writes PEER files, and asks for a format it can't tell") {
+TEST_CASE("rescale writes PEER files, and asks for a format where the name implies none") {
     const Workplace here;
     CHECK(here.run("rescale synthetic --length 1/25 -o model.at2").exit_code == 0);
     CHECK(here.run("record info model.at2 --json").json()["components"][0]["format"] == "PEER AT2");
@@ -117,7 +117,7 @@ TEST_CASE("an unknown unit is refused with the known ones") {
     CHECK(outcome.err.find("furlong") != std::string::npos);
 }
 
-TEST_CASE("PGV of an uncorrected record is told as that of a high-passed motion, and kept in files that musim wrote") {
+TEST_CASE("PGV of an uncorrected record is reported as that of a high-passed motion, and kept in files that musim wrote") {
     const Workplace here;
     here.write("raw.at2", make_at2(2000, 2000));
     REQUIRE(here.run("rescale raw.at2 --length 1 -o raw.csv").exit_code == 0);
@@ -139,7 +139,7 @@ TEST_CASE("PGV of an uncorrected record is told as that of a high-passed motion,
     // miniSEED has no room for it, which is said
     const Outcome lost = here.run("rescale raw.csv --length 1/25 --gravity 25 -o model.mseed");
     CHECK(lost.exit_code == 0);
-    CHECK(lost.err.find("miniSEED cannot tell how the record is integrated (high-pass 6.25 Hz)") != std::string::npos);
+    CHECK(lost.err.find("miniSEED cannot say how the record is integrated (high-pass 6.25 Hz)") != std::string::npos);
 }
 
 TEST_CASE("a record that was only rescaled is no recipe, and the message says why") {
@@ -148,7 +148,7 @@ TEST_CASE("a record that was only rescaled is no recipe, and the message says wh
     const Outcome outcome = here.run("record process synthetic --recipe model.csv -o x.csv");
     CHECK(outcome.exit_code == 3);
     CHECK(outcome.has_one_error_line());
-    CHECK(outcome.err.find("model.csv: its history tells no step of a recipe") != std::string::npos);
+    CHECK(outcome.err.find("model.csv: its history has no step of a recipe") != std::string::npos);
     CHECK_FALSE(here.has("x.csv"));
 }
 
@@ -162,7 +162,7 @@ TEST_CASE("a full disk leaves no partial record") {
     CHECK(std::filesystem::is_character_file("/dev/full"));
 }
 
-TEST_CASE("record process follows a recipe, and its output tells the recipe") {
+TEST_CASE("record process follows a recipe, and its output contains the recipe") {
     const Workplace here;
     const Outcome done =
         here.run(R"(record process synthetic --step '{"step": "filter", "low": "0.2 Hz", "order": 4}' --step '{"step": "rest"}' )"
@@ -198,7 +198,7 @@ TEST_CASE("what record process cannot do is said in one line, and nothing is wri
           Case{"--recipe missing.json -o x.csv", "missing.json: cannot be read"},
           Case{"-o x.csv", "there is nothing to do: give --recipe FILE or --step JSON"},
           Case{R"(--step '{"step": "cut", "window": [900, 901]}' -o x.csv)", "step 1 (cut): window 900 s to 901 s does not fit"},
-          Case{R"(--step '{"step": "level"}' -o x.xyz)", "--out: \"x.xyz\" tells no format; add --format csv, at2, cosmos or mseed"}}) {
+          Case{R"(--step '{"step": "level"}' -o x.xyz)", "--out: \"x.xyz\" implies no format; add --format csv, at2, cosmos or mseed"}}) {
         CAPTURE(wanted.arguments);
         const Outcome outcome = here.run("record process synthetic " + wanted.arguments);
         CHECK(outcome.exit_code != 0);

@@ -188,7 +188,7 @@ TEST_CASE("a table judges models of a law as data, and finds their length scales
     CHECK(incomplete.err.find("give it (--set a=NUMBER)") != std::string::npos);
 }
 
-TEST_CASE("wrong input to table is told in one line") {
+TEST_CASE("wrong input to table is reported in one line") {
     const Workplace here;
     here.write("table.json", make_table("100 mm"));
     here.write("bare.json", R"({"schema": "musim-table/1", "axes": [{"names": ["x"]}]})");

@@ -70,7 +70,7 @@ TEST_CASE("pi writes tables in text, Markdown and LaTeX") {
     CHECK(latex.find("\\Pi_{1} &= \\frac{v^{2}}{l\\,\\mu_{g}}") != std::string::npos);
 }
 
-TEST_CASE("pi tells how sure the values of groups are, to first order and by samples, in every form") {
+TEST_CASE("pi reports uncertainties of the values of groups, to first order and by samples, in every form") {
     const Workplace here;
     here.write("u.json",
                R"({"quantities": [{"name": "v", "unit": "cm/s", "value": "42.4 +/- 10%"}, {"name": "l", "unit": "m", "value": 161.5},

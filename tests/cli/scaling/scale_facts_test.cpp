@@ -72,7 +72,7 @@ TEST_CASE("the aluminium model changes regime, with the statement and its source
     CHECK(thin["energy_restitution"]["prototype"].get<double>() == relative(0.7407, 6.8e-5));
 }
 
-TEST_CASE("the wooden model stays in its regime, and the table's band is told") {
+TEST_CASE("the wooden model stays in its regime, and the table's band is reported") {
     const Workplace here;
     const auto object = here.run("scale --length 1/107 --facts " + example("wood") + " --json").json();
     for (const auto& regime : object["facts"]["regimes"]) CHECK(regime["severity"] != "error");
@@ -93,7 +93,7 @@ TEST_CASE("the report is text or Markdown, with the same numbers") {
         CHECK(outcome->out.find("aluminium for concrete, law mu: length 1/107, friction 0.3050847") != std::string::npos);
         CHECK(outcome->out.find("7 regimes: 3 errors, 0 warnings, 0 notes; 24 groups: 2 errors") != std::string::npos);
         CHECK(outcome->out.find("the peak lifts no block") != std::string::npos);
-        CHECK(outcome->out.find("Not told by prototype or model: ") != std::string::npos);
+        CHECK(outcome->out.find("Not given by prototype or model: ") != std::string::npos);
         CHECK(outcome->out.find("510 MN/m") != std::string::npos);
     }
     CHECK(markdown.out.find("## Groups of rocking\n\n| group | direction |") != std::string::npos);
@@ -156,7 +156,7 @@ TEST_CASE("the report of facts is written in LaTeX, its signs escaped") {
     CHECK(latex.find(" kappa_n") == std::string::npos);
 }
 
-TEST_CASE("wrong input to the facts is told in one line") {
+TEST_CASE("wrong input to the facts is reported in one line") {
     const Workplace here;
     here.write("facts.json", std::string(kFacts) + "}");
     here.write("lost.json", std::string(kFacts) + R"(, "motion": {"file": "lost.v1"}})");
@@ -242,7 +242,7 @@ TEST_CASE("samples of uncertain facts give intervals and the share in which each
     CHECK(certain.has_one_error_line());
 }
 
-TEST_CASE("facts go by every law as data, told in the file or typed") {
+TEST_CASE("facts go by every law as data, from the file or typed") {
     const Workplace here;
     const std::string both = R"({"schema": "musim-facts/1", "prototype": {"preset": "concrete", "block": ["1.36 m", "2.82 m", "4.25 m"],
         "layers": 38}, "model": {"preset": "concrete"}, "motion": {"acceleration": "0.5 g"})";

@@ -42,7 +42,7 @@ TEST_CASE("scale solves a shipped law, with formulas, states and the prototype's
 }
 
 // 432,240 kg required and 414,896 kg added of the tower at 1:25, whose blocks weigh 17,343.6 kg
-TEST_CASE("scale tells the mass to add") {
+TEST_CASE("scale reports the mass to add") {
     const Workplace here;
     const auto object =
         here.run("scale --law artificial_mass --set l=1/25 --set m_s=17343.6/2.701509e8 --value 'm=2.701509e8 kg' --json").json();
@@ -213,11 +213,12 @@ TEST_CASE("a law whose heights and widths scale apart rescales a record, its ver
         CHECK(model_vertical == doctest::Approx(vertical).epsilon(1e-12));
         CHECK(object["factors"]["acceleration_vertical"].get<double>() == doctest::Approx(1.0).epsilon(1e-14));
     }
-    const Outcome told = here.run("rescale both.csv" + scales + "--law mu_vertical_distortion -o model.csv");
-    CHECK(told.out.find("Law mu_vertical_distortion: height H 0.009345794, width 0.002851259, time 0.09667365") == 0);
-    CHECK(told.out.find("Vertical component Up: displacement 0.009345794, velocity 0.09667365, acceleration 1, which keeps a_vertical/g") !=
-          std::string::npos);
-    // of a vertical component, a/g alone is told
+    const Outcome given = here.run("rescale both.csv" + scales + "--law mu_vertical_distortion -o model.csv");
+    CHECK(given.out.find("Law mu_vertical_distortion: height H 0.009345794, width 0.002851259, time 0.09667365") == 0);
+    CHECK(
+        given.out.find("Vertical component Up: displacement 0.009345794, velocity 0.09667365, acceleration 1, which keeps a_vertical/g") !=
+        std::string::npos);
+    // of a vertical component, a/g alone is reported
     const auto groups =
         here.run("rescale both.csv" + scales + "--height 161.5m --friction-prototype 0.59 --slenderness 0.32 -o m.csv --json")
             .json()["uncertainty"]["components"];

@@ -19,7 +19,7 @@ double relative_of(const nlohmann::json& result) { return result["relative"].get
 
 }  // namespace
 
-TEST_CASE("scale tells the uncertainty of factors and groups beside the values, which stay as they are") {
+TEST_CASE("scale reports the uncertainty of factors and groups beside the values, which stay as they are") {
     const Workplace here;
     const auto plain = here.run("scale --length 1/107 --friction 0.63/0.59 --json").json();
     auto object = here.run("scale " + kWood + "--json").json();
@@ -39,7 +39,7 @@ TEST_CASE("scale tells the uncertainty of factors and groups beside the values, 
     CHECK(text.out.find("3.54 %") != std::string::npos);
 }
 
-TEST_CASE("the laws of always tell the same in every form") {
+TEST_CASE("the plain laws report the same in every form") {
     const Workplace here;
     const std::string structure = " --friction-prototype 0.59 --slenderness 0.32";
     for (const std::string& arguments :
@@ -79,7 +79,7 @@ TEST_CASE("an uncertain factor is read in all its forms") {
     }
 }
 
-TEST_CASE("slenderness without the prototype's friction is told to be of no use") {
+TEST_CASE("slenderness without the prototype's friction is refused as of no use") {
     const Workplace here;
     const std::string command = "scale --length 1/25 --slenderness 0.32 --friction ";
     CHECK(here.run(command + "0.18/0.59").err.find("--slenderness needs --friction-prototype") != std::string::npos);
@@ -87,7 +87,7 @@ TEST_CASE("slenderness without the prototype's friction is told to be of no use"
     CHECK(here.run(command + "'(0.18+/-5%)/(0.59+/-5%)'").err.empty());
 }
 
-TEST_CASE("rescale tells the regime that changes, as scale does") {
+TEST_CASE("rescale reports the regime that changes, as scale does") {
     const Workplace here;
     const std::string command =
         "rescale synthetic --length 1/107 --friction 0.18/0.59 --friction-prototype 0.59 --slenderness 0.32 -o m.csv ";
@@ -127,7 +127,7 @@ TEST_CASE("Monte Carlo stands beside first order, the same for one seed whatever
     CHECK(here.run("scale " + kWood + "--monte-carlo").out.find("100000 samples, normal, seed 1.") != std::string::npos);
 }
 
-TEST_CASE("draws that cannot be are counted and told") {
+TEST_CASE("draws that cannot be are counted and reported") {
     const Outcome outcome = Workplace().run("scale --length 1/25 --friction 1+/-50% --monte-carlo 10000");
     CHECK(outcome.exit_code == 0);
     // Φ(-2) = 2.3 % of 10000
@@ -167,7 +167,7 @@ TEST_CASE("an uncertainty stands in the unit of its value") {
     CHECK(out.find("um/s") == std::string::npos);
 }
 
-TEST_CASE("rescale scales by the values and tells the model's measures and groups with their uncertainties") {
+TEST_CASE("rescale scales by the values and reports the model's measures and groups with their uncertainties") {
     const Workplace here;
     const std::string friction = "--friction '(0.63+/-5%)/(0.59+/-5%)' ";
     const auto object = here.run("rescale synthetic --length 1/107 " + friction +
@@ -236,7 +236,7 @@ TEST_CASE("commands that use the values of uncertain factors alone say so") {
     CHECK(outcome.err.find("musim: note: only the values of uncertain factors are used here") != std::string::npos);
 }
 
-TEST_CASE("laws as data tell the uncertainty of solved factors, groups, values and additions") {
+TEST_CASE("laws as data report the uncertainty of solved factors, groups, values and additions") {
     const Workplace here;
     const std::string replica =
         "scale --law true_replica --set l=1/25+/-0.4% --set 'rho=(2310+/-1%)/(2320+/-2%)' --value 'E=29.2+/-5% GPa' ";

@@ -271,7 +271,7 @@ TEST_CASE("contents that contradict themselves are refused, whatever their check
             wrong.resize(random() % wrong.size());
             CHECK_FALSE(refusal(model, sealed(wrong)).empty());
         }
-        // most bytes are digits of doubles, which nobody can tell from right ones
+        // most bytes are digits of doubles, which nobody can distinguish from right ones
         CHECK(refused > 10);
     }
 }

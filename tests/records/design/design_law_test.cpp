@@ -187,9 +187,9 @@ TEST_CASE("groups of a law follow from what the material has and not from what t
     CHECK(group(heavy, "E/(rho*g*l)") == relative(1.0, kRounding));
     CHECK(group(heavy, "kappa_n") == relative(1.0, kRounding));
     CHECK(heavy.added_mass.value() == relative(2.701509e8 * (1e-4 - 1e-6), kRounding));
-    // a modulus that is not told leaves its products out
-    const ModelState untold = find_state(setting, concrete(), make_law("true_replica"), 0.01);
-    CHECK(std::none_of(untold.groups.begin(), untold.groups.end(), [](const auto& each) { return each.name == "E/(rho*g*l)"; }));
+    // a modulus that is not given leaves its products out
+    const ModelState not_given = find_state(setting, concrete(), make_law("true_replica"), 0.01);
+    CHECK(std::none_of(not_given.groups.begin(), not_given.groups.end(), [](const auto& each) { return each.name == "E/(rho*g*l)"; }));
 }
 
 TEST_CASE("a law that does not admit a material makes it infeasible and names the factor") {
@@ -198,7 +198,7 @@ TEST_CASE("a law that does not admit a material makes it infeasible and names th
     CHECK(refused.problem.find("law centrifuge: mu = 1.067797 cannot be where mu is held") != std::string::npos);
     Setting turning = make_limited();
     turning.design.gravity = 25.0;
-    // gravity is told and the solid's modulus asks for another: no length but one keeps both
+    // gravity is given and the solid's modulus asks for another: no length but one keeps both
     CHECK(find_candidate(turning, with_modulus(concrete(), 29.2e9), make_law("centrifuge")).problem.find("cannot be where") !=
           std::string::npos);
     CHECK(find_candidate(turning, with_modulus(concrete(), 29.2e9), make_law("exact")).is_feasible());

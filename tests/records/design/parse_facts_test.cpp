@@ -78,21 +78,21 @@ TEST_CASE("a modulus becomes the stiffness of the block's own face, a face stiff
 }
 
 TEST_CASE("motions are peaks or records, a table is frequencies or an axis") {
-    const Facts told = parse(kBoth + R"(, "motion": {"acceleration": "0.511 g", "velocity": "42.4 cm/s", "displacement": "20 cm",
+    const Facts given = parse(kBoth + R"(, "motion": {"acceleration": "0.511 g", "velocity": "42.4 cm/s", "displacement": "20 cm",
         "vertical_acceleration": "0 g", "predominant_period": "0.5 s", "pulse_period": "2 s", "duration": "40 s", "step": "5 ms",
         "lowest_frequency": "0.1 Hz", "highest_frequency": "10 Hz", "direction": "30 deg"},
         "model_motion": {"file": "table.csv", "component": "x", "vertical": "z", "high_pass": "1 Hz"},
         "table": {"lowest_frequency": "0.2 Hz", "highest_frequency": "50 Hz"}, "name": "n")");
-    const auto& motion = std::get<scaling::MotionFacts>(*told.motion);
+    const auto& motion = std::get<scaling::MotionFacts>(*given.motion);
     CHECK(motion.velocity->value() == 0.424);
     CHECK(motion.vertical_acceleration->value() == 0.0);
     CHECK(motion.step->value() == 0.005);
     CHECK(*motion.direction == relative(std::numbers::pi / 6.0, 1e-15));
-    const auto& record = std::get<RecordOfMotion>(*told.model_motion);
+    const auto& record = std::get<RecordOfMotion>(*given.model_motion);
     CHECK(record.file == "table.csv");
     CHECK(record.vertical == "z");
     CHECK(record.high_pass->value() == 1.0);
-    CHECK(std::get<scaling::Bandwidth>(told.table).highest->value() == 50.0);
+    CHECK(std::get<scaling::Bandwidth>(given.table).highest->value() == 50.0);
     const Facts axis = parse(kBoth + R"(, "table": {"file": "t.json", "axis": "x"})");
     CHECK(std::get<AxisOfTable>(axis.table).axis == "x");
 }

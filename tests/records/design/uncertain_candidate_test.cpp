@@ -139,7 +139,7 @@ TEST_CASE("an end that is no power has the slope of its limit") {
     CHECK(end.relative == relative(expected, 1e-5));  // central differences: h² = 1e-6 of slopes near 1
 }
 
-TEST_CASE("groups, factors and shares of a model have uncertainties at the length that is told") {
+TEST_CASE("groups, factors and shares of a model have uncertainties at the given length") {
     const Answer answer = find_answer(R"(, "length": "1/60")");
     CHECK(group_of(answer, "mu^N").relative == 0.0);
     CHECK(group_of(answer, "omega/p").relative == relative(0.5 * std::hypot(0.05, 0.05), kRounding));
@@ -198,7 +198,7 @@ TEST_CASE("samples of an end have the distribution of its closed form, and its l
     CHECK(std::abs(std::log(answer.sampled.largest.upper / median) - 1.959964 * sigma) <
           4.0 * sigma * std::sqrt(0.025 * 0.975) / (0.05845 * root));
     CHECK(answer.sampled.feasible == 1.0);  // the other end is 5.8 standard deviations below
-    CHECK(answer.sampled.largest.told == settings.samples);
+    CHECK(answer.sampled.largest.given == settings.samples);
     CHECK(answer.limit("payload of axis x").sets_largest == 1.0);
     CHECK(answer.limit("hall height").sets_largest == 0.0);
     CHECK(answer.limit("highest frequency of axis x").sets_smallest == 1.0);
@@ -219,13 +219,13 @@ TEST_CASE("the share of feasible samples is that of two limits which do not cros
     CHECK_FALSE(answer.candidate.is_feasible());
     CHECK(expected > 0.1);
     CHECK(std::abs(answer.sampled.feasible - expected) < share_error(expected, settings.samples));
-    CHECK(static_cast<double>(answer.sampled.smallest.told) ==
+    CHECK(static_cast<double>(answer.sampled.smallest.given) ==
           relative(answer.sampled.feasible * static_cast<double>(settings.samples), 1e-12));
     CHECK(answer.limit("smallest edge").sets_smallest == answer.sampled.feasible);
-    CHECK_FALSE(answer.limit("smallest edge").broken.has_value());  // no length is told
+    CHECK_FALSE(answer.limit("smallest edge").broken.has_value());  // no length is given
 }
 
-TEST_CASE("the share in which a limit is broken at the length told is that of the normal distribution, the same bits for any threads") {
+TEST_CASE("the share in which a limit is broken at the length given is that of the normal distribution, the same bits for any threads") {
     scaling::MonteCarloSettings settings{.samples = 1'000, .seed = 21, .threads = 1};
     const std::string more = R"(, "limits": {"hall_height": "6 m +/- 5 cm"}, "length": "1/27")";
     const SampledAnswer answer = draw_answer(more, kWood, settings);

@@ -137,9 +137,9 @@ const std::vector<Damage>& damages() {
         {"cwa/1-EAS.dat", "a row without its time", replace("     0.020     0.000", "     0.000     0.000")},
         {"cwa/1-EAS.dat", "a rate of 40 Hz", replace("SampleRate(Hz): 50", "SampleRate(Hz): 40")},
         {"bbp/2002-SYL.bbp", "a row cut short", narrow(12, 30)},
-        {"sac/ALCTENE.UW..sac", "unit not told", {}},
+        {"sac/ALCTENE.UW..sac", "unit not given", {}},
         {"sac/ALCTENE.UW..sac", "cut after 20,000 bytes", cut_after(20000), {.unit = "cm/s^2"}},
-        {"mseed/CI.LRL..HNE.mseed", "sensitivity not told", {}},
+        {"mseed/CI.LRL..HNE.mseed", "sensitivity not given", {}},
         {"mseed/CI.LRL..HNE.mseed", "cut within its last record", cut_after(96000), {.sensitivity = 1.0}},
         {"mseed/CI.LRL..HNE.mseed", "without its second record", [](std::string w) { return w.erase(512, 512); }, {.sensitivity = 1.0}},
         {"mseed/CI.LRL..HNE.mseed", "a byte of its samples flipped", [](std::string w) { return w[300] ^= 0x40, w; }, {.sensitivity = 1.0}},
@@ -152,7 +152,7 @@ const std::vector<Damage>& damages() {
         {"columns.txt", "a sample nan", whole_file(tests::replaced(kColumns, "-3.0", "nan")), {.unit = "g"}},
         {"columns.txt", "decimal commas", whole_file("0,00 1,0\n0,01 2,0\n0,02 3,0\n"), {.unit = "g"}},
         {"columns.txt", "decimal commas, one column", whole_file("1,0\n2,0\n-3,0\n"), {.dt = 0.01 * scaling::si::seconds, .unit = "g"}},
-        {"columns.txt", "one column, time step not told", whole_file("1.0\n2.0\n-3.0\n"), {.unit = "g"}},
+        {"columns.txt", "one column, time step not given", whole_file("1.0\n2.0\n-3.0\n"), {.unit = "g"}},
     };
     return all;
 }

@@ -40,7 +40,7 @@ TEST_CASE("an AFAD file gives three components, its clock and its place in UTF-8
     CHECK(motion.components[1].series.samples()[1] == -0.0125);
 }
 
-TEST_CASE("every defect of an AFAD file is told with its line") {
+TEST_CASE("every defect of an AFAD file is reported with its line") {
     using tests::check_refused;
     check_refused(replaced(kFile, "    0.250000     -1.250000     0.000000\n", ""),
                   "a:11: 1 rows for NUMBER OF DATA = 2 (file is truncated)");

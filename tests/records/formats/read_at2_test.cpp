@@ -61,7 +61,7 @@ TEST_CASE("velocity and displacement files of the family keep their quantity") {
     CHECK(read_record(displacement).components.front().series.quantity() == SampleQuantity::displacement);
 }
 
-TEST_CASE("every defect of a PEER file is told with its line") {
+TEST_CASE("every defect of a PEER file is reported with its line") {
     struct Case {
         std::string content;
         std::string said;

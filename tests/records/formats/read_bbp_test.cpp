@@ -34,7 +34,7 @@ TEST_CASE("a broadband-platform file gives named axes, and its clock begins wher
     CHECK(series.samples()[1] == -0.03);
 }
 
-TEST_CASE("velocities are told by their unit, unless the text says that they are accelerations") {
+TEST_CASE("velocities are recognized by their unit, unless the text says that they are accelerations") {
     const tests::TemporaryFolder folder;
     const std::string velocities = "# Time (s), NS (cm/s), EW (cm/s), UD (cm/s)\n0,1,2,3\n0.5,4,5,6\n";
 
@@ -48,7 +48,7 @@ TEST_CASE("velocities are told by their unit, unless the text says that they are
     CHECK(mistaken.history.back().find("unit cm/s^2 (titled 'cm/s')") != std::string::npos);
 }
 
-TEST_CASE("every defect of a broadband-platform file is told with its line") {
+TEST_CASE("every defect of a broadband-platform file is reported with its line") {
     using tests::check_refused;
     check_refused(replaced(kFile, "   -3.0e+00", ""), "a:3: 3 values (the header names 4 columns)");
     check_refused(replaced(kFile, "-3.0e+00", "-3.0e+00 1"), "a:3: 5 values (the header names 4 columns)");

@@ -42,7 +42,7 @@ TEST_CASE("a BHRC channel is in tenths of g, its direction beside the station") 
     CHECK(component.series.samples()[1] == relative(-0.02 * 9.80665, 1e-14));
 }
 
-TEST_CASE("every defect of a BHRC file is told with its line") {
+TEST_CASE("every defect of a BHRC file is reported with its line") {
     struct Case {
         std::string content;
         std::string said;

@@ -127,7 +127,7 @@ TEST_CASE("a COSMOS file with several quantities gives the one asked for") {
           }).find("file states its time step 0.01 s") != std::string::npos);
 }
 
-TEST_CASE("every defect of a COSMOS file is told with its line") {
+TEST_CASE("every defect of a COSMOS file is reported with its line") {
     struct Case {
         std::string content;
         std::string said;
@@ -191,7 +191,7 @@ TEST_CASE("the COSMOS test file whose headers name two directions is refused, an
     if (!tests::have_shared_records()) return;
     const std::filesystem::path file = tests::shared_records() / "cosmos/Cosmos12TimeSeriesTest2.v1";
 
-    // 400 is COSMOS's number for up (so in CE23837.V1C): one of "up" and "340 deg" is wrong, and the file cannot tell which
+    // 400 is COSMOS's number for up (so in CE23837.V1C): one of "up" and "340 deg" is wrong, and the file cannot say which
     CHECK(tests::message_of<ReadError>([&] {
               read_record(file);
           }).find("Cosmos12TimeSeriesTest2.v1:20: azimuth is 400 (line 9 says 340 Deg; header is damaged)") != std::string::npos);

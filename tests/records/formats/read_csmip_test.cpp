@@ -55,7 +55,7 @@ TEST_CASE("channels of one file keep their own names, and the vertical has no az
     CHECK_FALSE(motion.find_component("up").azimuth_deg);
 }
 
-TEST_CASE("the start time of a CSMIP file is its clock's zero, where it is told in UTC") {
+TEST_CASE("the start time of a CSMIP file is its clock's zero, where that is in UTC") {
     const tests::TemporaryFolder folder;
     const auto start_of = [&](const std::string& line) {
         std::string text = volume1_channel("360 Deg", "  360", kAnnounced, kSamples);
@@ -69,7 +69,7 @@ TEST_CASE("the start time of a CSMIP file is its clock's zero, where it is told 
         CHECK_FALSE_MESSAGE(start_of(other), other);
 }
 
-TEST_CASE("every defect of a CSMIP file is told with its line") {
+TEST_CASE("every defect of a CSMIP file is reported with its line") {
     struct Case {
         std::string content;
         std::string said;

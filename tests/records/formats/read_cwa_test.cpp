@@ -39,7 +39,7 @@ TEST_CASE("a CWA file gives its components in the order it names, and Taiwan's c
     CHECK(motion.components[2].series.samples()[1] == relative(-0.00778, 1e-15));
 }
 
-TEST_CASE("every defect of a CWA file is told with its line") {
+TEST_CASE("every defect of a CWA file is reported with its line") {
     using tests::check_refused;
     const std::string last = "     2.000     0.000     1.256     0.000\n";
     check_refused(replaced(kFile, "(sec): 3", "(sec): 5"), "a:18: 3 rows for 5 s at 1 Hz (truncated, or more than announced)");

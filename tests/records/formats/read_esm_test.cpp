@@ -54,7 +54,7 @@ TEST_CASE("ESM velocities keep their quantity, and files with their baseline are
     CHECK(raw.integration_corner->value() == 0.05);
 }
 
-TEST_CASE("every defect of an ESM file is told with its line") {
+TEST_CASE("every defect of an ESM file is reported with its line") {
     using tests::check_refused;
     check_refused(replaced(kFile, "0.500000\n", ""), "a:17: 2 values for NDATA = 3 (file is truncated)");
     check_refused(kFile + "0.1\n", "a:19: more values than NDATA = 3");

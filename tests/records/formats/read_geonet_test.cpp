@@ -68,7 +68,7 @@ TEST_CASE("the option chooses the block, and a block that was not evaluated is m
     tests::check_refused(kFile, "a:1: component has no displacement", {.quantity = SampleQuantity::displacement});
 }
 
-TEST_CASE("every defect of a GeoNet file is told with its line") {
+TEST_CASE("every defect of a GeoNet file is reported with its line") {
     using tests::check_refused;
     check_refused(replaced(kFile, "  0.0000  0.0000\n", ""), "a:29: sample 11 of 12 is missing (file is truncated)");
     check_refused(replaced(kFile, "     2.0     3.0\n", "     2.0     3.0     4.0\n"), "a:28: line goes on after sample 12");

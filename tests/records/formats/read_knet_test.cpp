@@ -60,7 +60,7 @@ TEST_CASE("KiK-net numbers its directions: borehole 1 to 3, surface 4 to 6") {
     CHECK_FALSE(component("6").azimuth_deg);
 }
 
-TEST_CASE("every defect of a K-NET file is told with its line") {
+TEST_CASE("every defect of a K-NET file is reported with its line") {
     using tests::check_refused;
     check_refused(replaced(kFile, "10       -2        0 ", ""), "a:18: 1 values for Duration Time x Sampling Freq = 4 (file is truncated)");
     check_refused(kFile + "       1\n", "a:19: more values than Duration Time x Sampling Freq = 4");

@@ -75,14 +75,14 @@ TEST_CASE("the records of a miniSEED file become components with their own start
     CHECK(motion.components[1].series == TimeSeries(SampleQuantity::acceleration, 0.0 * dt, dt, {0.5}));
 }
 
-TEST_CASE("a channel code that occurs at two locations is told apart by them") {
+TEST_CASE("a channel code that occurs at two locations is distinguished by them") {
     const tests::TemporaryFolder folder;
     const auto path = folder.write("a", make_record("HNE", 0, {1}, "00") + make_record("HNE", 0, {2}, "10"));
 
     CHECK(read_record(path, {.sensitivity = 1.0}).component_names() == "00.HNE, 10.HNE");
 }
 
-TEST_CASE("the instrument letter tells the quantity, and an option may not contradict it") {
+TEST_CASE("the instrument letter gives the quantity, and an option may not contradict it") {
     const tests::TemporaryFolder folder;
     const auto velocity = folder.write("a", make_record("HHE", 0, {1}));
     const auto unknown = folder.write("b", make_record("HYE", 0, {1}));
@@ -93,7 +93,7 @@ TEST_CASE("the instrument letter tells the quantity, and an option may not contr
     CHECK(read_record(velocity, {.sensitivity = 1.0}).components.front().series.quantity() == SampleQuantity::velocity);
     CHECK(message(velocity, {.quantity = SampleQuantity::acceleration, .sensitivity = 1.0}).find("a: file holds velocity") !=
           std::string::npos);
-    CHECK(message(unknown, {.sensitivity = 1.0}).find("b: channel code 'HYE' does not tell what is measured") != std::string::npos);
+    CHECK(message(unknown, {.sensitivity = 1.0}).find("b: channel code 'HYE' does not say what is measured") != std::string::npos);
     CHECK(read_record(unknown, {.quantity = SampleQuantity::displacement, .sensitivity = 1.0}).components.front().series.quantity() ==
           SampleQuantity::displacement);
 }
@@ -104,7 +104,7 @@ TEST_CASE("counts without a sensitivity, and options that contradict, are refuse
     const auto text = folder.write("b", "1\n2\n3\n");
     const auto message = [&](const ReadOptions& options) { return tests::message_of<ReadError>([&] { read_record(path, options); }); };
 
-    CHECK(message({}).find("a: sensitivity is not told (miniSEED holds counts); give --station-xml FILE, or --sensitivity") !=
+    CHECK(message({}).find("a: sensitivity is not given (miniSEED holds counts); give --station-xml FILE, or --sensitivity") !=
           std::string::npos);
     CHECK(message({.sensitivity = 0.0}).find("a: sensitivity is 0 counts") != std::string::npos);
     CHECK(message({.sensitivity = 1.0, .station_xml = "x"}).find("a: sensitivity and StationXML are both given") != std::string::npos);
@@ -117,7 +117,7 @@ TEST_CASE("counts without a sensitivity, and options that contradict, are refuse
           }).find("b: sensitivity is given (only miniSEED holds counts)") != std::string::npos);
 }
 
-TEST_CASE("every defect of a miniSEED file is told with its record") {
+TEST_CASE("every defect of a miniSEED file is reported with its record") {
     struct Case {
         std::string content;
         std::string said;
@@ -156,7 +156,7 @@ TEST_CASE("every defect of a miniSEED file is told with its record") {
     }
 }
 
-TEST_CASE("StationXML tells sensitivity, quantity and direction of the epoch that covers the record") {
+TEST_CASE("StationXML gives sensitivity, quantity and direction of the epoch that covers the record") {
     const tests::TemporaryFolder folder;
     const auto path = folder.write("a", make_record("HNE", 0, {6}));
     const auto xml =
@@ -170,7 +170,7 @@ TEST_CASE("StationXML tells sensitivity, quantity and direction of the epoch tha
     CHECK(component.azimuth_deg == 90.0);
 }
 
-TEST_CASE("StationXML that does not tell the sensitivity is refused by its name") {
+TEST_CASE("StationXML that does not give the sensitivity is refused by its name") {
     struct Case {
         std::string content;
         std::string said;

@@ -69,12 +69,12 @@ TEST_CASE("a SAC file of either byte order gives clock, names and samples") {
     }
 }
 
-TEST_CASE("the unit of a SAC file has to be named, and to be of the quantity that its header tells") {
+TEST_CASE("the unit of a SAC file has to be named, and to be of the quantity that its header gives") {
     const tests::TemporaryFolder folder;
     const auto path = folder.write("a", make_sac());
     const auto message = [&](const ReadOptions& options) { return tests::message_of<ReadError>([&] { read_record(path, options); }); };
 
-    CHECK(message({}).find("a: unit of the samples is not told (SAC means nm/s^2 with IDEP = 8") != std::string::npos);
+    CHECK(message({}).find("a: unit of the samples is not given (SAC means nm/s^2 with IDEP = 8") != std::string::npos);
     CHECK(message({.unit = "cm"}).find("a: file holds acceleration (IDEP = 8; asked for: cm)") != std::string::npos);
     CHECK(message({.unit = "volt"}).find("a: unit 'volt' is unknown") != std::string::npos);
     CHECK(message({.dt = 0.01 * scaling::si::seconds, .unit = "g"}).find("a: file states its time step 0.02 s") != std::string::npos);
@@ -82,12 +82,12 @@ TEST_CASE("the unit of a SAC file has to be named, and to be of the quantity tha
     // as the format's authors mean it
     const GroundMotion motion = read_record(path, {.unit = "nm/s^2"});
     CHECK(motion.components.front().series.samples()[1] == relative(-2e-9, 1e-15));
-    // a header that tells nothing leaves the quantity to the unit
-    const auto untold = folder.write("b", with(make_sac(), 344, std::int32_t{5}));
-    CHECK(read_record(untold, {.unit = "cm/s"}).components.front().series.quantity() == SampleQuantity::velocity);
+    // a header that gives nothing leaves the quantity to the unit
+    const auto not_given = folder.write("b", with(make_sac(), 344, std::int32_t{5}));
+    CHECK(read_record(not_given, {.unit = "cm/s"}).components.front().series.quantity() == SampleQuantity::velocity);
 }
 
-TEST_CASE("every defect of a SAC file is told") {
+TEST_CASE("every defect of a SAC file is reported") {
     struct Case {
         std::string content;
         std::string said;
@@ -152,7 +152,7 @@ TEST_CASE("real SAC files have the length, time step and extremes of their heade
     }
 }
 
-TEST_CASE("the headers of real SAC files tell station, clock and direction") {
+TEST_CASE("the headers of real SAC files give station, clock and direction") {
     if (!tests::have_shared_records()) return;
     const GroundMotion east = read_record(tests::shared_records() / "sac/20190706031952.CJ.T001230.HNE.sac", {.unit = "g"});
     CHECK(east.station == "CJ.T001230");
@@ -174,7 +174,7 @@ TEST_CASE("a real SAC file without a named unit is refused") {
     if (!tests::have_shared_records()) return;
     const std::string message =
         tests::message_of<ReadError>([] { read_record(tests::shared_records() / "sac/20190706031952.CJ.T001230.HNE.sac"); });
-    CHECK(message.find("HNE.sac: unit of the samples is not told") != std::string::npos);
+    CHECK(message.find("HNE.sac: unit of the samples is not given") != std::string::npos);
 }
 
 }  // namespace

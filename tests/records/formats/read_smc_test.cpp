@@ -75,7 +75,7 @@ TEST_CASE("an SMC file has the station, component, start and unit of its header"
     CHECK(component.series.samples()[8] == relative(-0.09, 1e-14));
 }
 
-TEST_CASE("samples of eight digits stand five a line, and the first letter tells the quantity") {
+TEST_CASE("samples of eight digits stand five a line, and the first letter gives the quantity") {
     const tests::TemporaryFolder folder;
     const File fine{
         .title = "3 VELOCITY", .count = 2, .digits = 8, .largest = 3.0, .smallest = 1.5, .body = " 1.5000000E+00 3.0000000E+00\n"};
@@ -111,7 +111,7 @@ TEST_CASE("an SMC file of unknown content is acceleration unless another quantit
           SampleQuantity::displacement);
 }
 
-TEST_CASE("every defect of an SMC file is told with its line") {
+TEST_CASE("every defect of an SMC file is reported with its line") {
     struct Case {
         std::string content;
         std::string said;
@@ -167,7 +167,7 @@ TEST_CASE("the uneven SMC record of Redwood City becomes even without losing its
     CHECK(*std::max_element(series.samples().begin(), series.samples().end()) * 100.0 == relative(179.6, 0.01));
 }
 
-TEST_CASE("real SMC records have their stations, directions and, where told, their start") {
+TEST_CASE("real SMC records have their stations, directions and, where given, their start") {
     if (!tests::have_shared_records()) return;
     const GroundMotion reston = read_record(tests::shared_records() / "smc/2516b_a.smc");
     const GroundMotion alhambra = read_record(tests::shared_records() / "smc/0165b_a.smc");

@@ -84,7 +84,7 @@ TEST_CASE("unit and quantity come from the options, then from the title, then ar
     CHECK_THROWS_AS(read_record(plain, {.unit = "g", .quantity = SampleQuantity::velocity}), ReadError);
 }
 
-TEST_CASE("every defect of a text file is told with its line") {
+TEST_CASE("every defect of a text file is reported with its line") {
     struct Case {
         std::string content;
         std::string said;

@@ -50,7 +50,7 @@ TEST_CASE("rows beyond the announced number are dropped only when they repeat th
     tests::check_refused(kFile + "     0.036     0.099\n", "a:22: more rows than NUM. TOTAL DE MUESTRAS, C1-C6 = 3");
 }
 
-TEST_CASE("every defect of a UNAM file is told with its line") {
+TEST_CASE("every defect of a UNAM file is reported with its line") {
     using tests::check_refused;
     check_refused(replaced(kFile, "     0.036     0.098\n", ""), "a:20: 2 rows for NUM. TOTAL DE MUESTRAS, C1-C6 = 3 (file is truncated)");
     check_refused(replaced(kFile, "    -0.007", ""), "a:20: 1 values (the header names 2 columns)");

@@ -52,7 +52,7 @@ TEST_CASE("pairs of CSMIP and USC become even samples in tenths of g") {
     }
 }
 
-TEST_CASE("every defect of pairs is told with its line") {
+TEST_CASE("every defect of pairs is reported with its line") {
     struct Case {
         std::string content;
         std::string said;

@@ -33,7 +33,7 @@ void check_equal(const TimeSeries& scaled, const TimeSeries& series, double fact
 
 }  // namespace
 
-TEST_CASE("histories have the peaks that the intensity measures tell") {
+TEST_CASE("histories have the peaks that the intensity measures have") {
     for (const auto& corner : {std::optional<scaling::Frequency>(), std::optional(0.1 / seconds)}) {
         const MotionHistories histories = compute_histories(make_record(), corner);
         const Intensity intensity = compute_intensity(make_record(), corner);

@@ -27,7 +27,7 @@ double last_period(const ResponseSpectrum& spectrum) { return spectrum.period.ba
 
 }  // namespace
 
-TEST_CASE("a corrected record tells periods up to its duration, an uncorrected one to a quarter of it or its corner") {
+TEST_CASE("a corrected record resolves periods up to its duration, an uncorrected one to a quarter of it or its corner") {
     const TimeSeries series = make_late_pulse(1.0, 0.004);
     const ResponseSpectrum spectrum = compute_own_spectrum(series, std::nullopt);
     CHECK(spectrum.period.size() == 200);

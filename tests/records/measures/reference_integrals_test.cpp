@@ -92,7 +92,7 @@ TEST_CASE("eqsig's velocity and displacement are ours but for one factor") {
     const TimeSeries acceleration = load("text/test_motion_dt0p01.txt"), velocity = integrate(acceleration),
                      displacement = integrate(velocity);
     REQUIRE(rows.size() == acceleration.size());
-    // its accelerations are ours in 9.81 m/s²; its integrals are those of 9.80846 m/s², for a cause that the file does not tell
+    // its accelerations are ours in 9.81 m/s²; its integrals are those of 9.80846 m/s², for a cause that the file does not state
     constexpr double kFactor = 0.9998434;
     for (std::size_t i = 0; i < rows.size(); ++i) {
         CAPTURE(i);

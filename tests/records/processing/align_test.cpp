@@ -44,7 +44,7 @@ TEST_CASE("components of different start, step and length meet on one clock by t
     CHECK_FALSE(aligned.history.empty());
 }
 
-TEST_CASE("files are merged by their own times, or begin together where they tell none") {
+TEST_CASE("files are merged by their own times, or begin together where they give none") {
     GroundMotion one, two;
     one.components = {{"N", 0.0, make_pulse(0.0, 0.01, 1600)}};
     two.components = {{"E", 90.0, make_pulse(0.0, 0.01, 1600)}};
@@ -55,7 +55,7 @@ TEST_CASE("files are merged by their own times, or begin together where they tel
     one.source = "a.v1";
     two.source = "b.at2";
     CHECK_THROWS_WITH_AS(merge({one, two}),
-                         "of a.v1 and b.at2 only one tells when it begins; cut both to one moment and write them without clocks",
+                         "of a.v1 and b.at2 only one says when it begins; cut both to one moment and write them without clocks",
                          ProcessingError);
     one.time_zero.reset();
     const GroundMotion together = merge({one, two});
@@ -90,7 +90,7 @@ TEST_CASE("a motion along one direction is found there by rotation, from any two
     }
     GroundMotion parallel;
     parallel.components = {{"A", 10.0, make_pulse(0.0, 0.01, 10)}, {"B", 190.0, make_pulse(0.0, 0.01, 10)}};
-    CHECK_THROWS_WITH_AS(rotate(parallel, 0.0), "components A and B are parallel (nothing tells the motion across them); take others",
+    CHECK_THROWS_WITH_AS(rotate(parallel, 0.0), "components A and B are parallel (no motion across them is known); take others",
                          ProcessingError);
     parallel.components.pop_back();
     CHECK_THROWS_AS(rotate(parallel, 0.0), ProcessingError);

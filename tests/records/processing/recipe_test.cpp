@@ -63,12 +63,12 @@ TEST_CASE("level says so where a record begins in motion") {
     CHECK(recipe_of(process(moving, recipe)).size() == 1);
 }
 
-TEST_CASE("a processed record tells how it was made, and can be made again from that") {
+TEST_CASE("a processed record says how it was made, and can be made again from that") {
     const GroundMotion motion = make_motion(), processed = process(motion, parse_recipe(kEverything, "test"));
     CHECK(processed.components[0].series.quantity() == SampleQuantity::velocity);
-    const Recipe told = recipe_of(processed);
-    CHECK(write_recipe(told) == write_recipe(parse_recipe(kEverything, "test")));
-    const GroundMotion again = process(motion, told);
+    const Recipe given = recipe_of(processed);
+    CHECK(write_recipe(given) == write_recipe(parse_recipe(kEverything, "test")));
+    const GroundMotion again = process(motion, given);
     for (std::size_t c = 0; c < 2; ++c) CHECK(again.components[c].series == processed.components[c].series);
     CHECK(again.history == processed.history);
     CHECK(recipe_of(motion).empty());

@@ -115,13 +115,13 @@ TEST_CASE("a damaged shake table is refused in one line that names the place") {
           "t.json: controller: header is neither true nor false; write one of them, without quotes");
 }
 
-TEST_CASE("vertical components are told by their names") {
+TEST_CASE("vertical components are recognized by their names") {
     for (const char* const name : {"Up", "UD", "Z", "HNZ", "V", "ver", "UD2", "U"}) CHECK_MESSAGE(is_vertical(component(name)), name);
     for (const char* const name : {"N", "E", "1", "HNE", "L", "BLZ4X"}) CHECK_FALSE_MESSAGE(is_vertical(component(name)), name);
     CHECK_FALSE(is_vertical(component("Z", 10.0)));
 }
 
-TEST_CASE("components find their axes by themselves or as told") {
+TEST_CASE("components find their axes by themselves or as given") {
     const ShakeTable table = parse_shake_table(kTable, "t.json");
     const AssignedAxes all = assign_axes(three_components(), table, {});
     REQUIRE(all.axes.size() == 3);

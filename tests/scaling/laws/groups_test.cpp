@@ -30,7 +30,7 @@ TEST_CASE("rocking groups of the prototype block agree with their reference valu
     CHECK_EXPECTED(groups::rocking_demand(0.32 * kStandardGravity, kStandardGravity, kThin), 1.0);
 }
 
-TEST_CASE("friction over slenderness tells the regime of each material") {
+TEST_CASE("friction over slenderness decides the regime of each material") {
     CHECK_EXPECTED(groups::regime(0.59, kThin), "1.844");
     CHECK_EXPECTED(groups::regime(0.59, kWide), "0.889");
     CHECK_EXPECTED(groups::regime(0.63, kThin), "1.969");

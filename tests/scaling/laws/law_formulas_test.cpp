@@ -40,7 +40,7 @@ TEST_CASE("formulas take new values to the same bits as solving again") {
             CHECK(formulas.factor(j, chosen) == again.solution.quantities[j].factor.value);
         }
         for (std::size_t i = 0; i < again.problem.watched.size(); ++i) {
-            // a δ nearer to 1 than rounding may be told as 1 or not
+            // a δ nearer to 1 than rounding may be printed as 1 or not
             CHECK(formulas.watched(i, chosen).value() == doctest::Approx(again.solution.watched[i].value.value()).epsilon(1e-14));
         }
         for (std::size_t i = 0; i < again.problem.held.size(); ++i) CHECK(formulas.held(i, chosen) == 1.0);

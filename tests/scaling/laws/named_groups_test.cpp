@@ -69,7 +69,7 @@ TEST_CASE("the lumped strength of Andrade et al. makes the mu number, not Froude
     CHECK(name_of("v^2/(l*mu g)", quantities) == "mu number^2");
 }
 
-TEST_CASE("a quantity whose name does not tell its role is said to stand for it") {
+TEST_CASE("a quantity whose name does not give its role is said to stand for it") {
     const auto quantities = make_problem({{"v", "m/s"}, {"l", "m"}, {"b", "m/s^2"}, {"rho", "kg/m^3"}, {"s", "Pa"}});
     CHECK(name_of("v^2/(b*l)", quantities) == "Froude^2 with b as g");
     CHECK(name_of("s/(rho*v^2)", quantities) == "1/Cauchy^2 with s as E or Euler with s as p");

@@ -86,7 +86,7 @@ TEST_CASE("the rank counts, not the number of base dimensions") {
     CHECK(groups_of(beam, {"E", "l"}) == Texts{"F/(E*l^2)", "w/l"});
 }
 
-TEST_CASE("what cannot take part is told with the combination that it alone carries") {
+TEST_CASE("what cannot take part is reported with the combination that it alone carries") {
     CHECK(
         unused_reasons(make_problem({{"F", "N"}, {"k", "N/m"}, {"u", "m"}, {"c", "N*s/m"}})) ==
         Texts{"c cannot take part: it alone carries mass and time as kg s^-1, which no product of the others does: they have kg s^-2 (F), "
@@ -117,7 +117,7 @@ TEST_CASE("repeating quantities that cannot be are refused with the culprit") {
     CHECK(refusal({"v", "l", "E"}).empty());
 }
 
-TEST_CASE("all bases are found once each, and a limit is told") {
+TEST_CASE("all bases are found once each, and a limit is reported") {
     const auto quantities = tower();
     const PiBases all = find_all_pi_bases(quantities, 100);
     CHECK(all.complete);

@@ -130,10 +130,10 @@ TEST_CASE("a harder contact is a note while the overlap is small in both, a warn
     CHECK(find(unknown, "kappa_n").severity == Severity::warning);
     CHECK(find(unknown, "kappa_n").effect.find("without sigma_H") != std::string::npos);
     CHECK(find_regime(unknown, "contacts") == nullptr);
-    const auto untold =
+    const auto not_given =
         std::find_if(unknown.untold.begin(), unknown.untold.end(), [](const auto& each) { return each.name == "sigma_H/H"; });
-    REQUIRE(untold != unknown.untold.end());
-    CHECK(untold->missing == "prototype");
+    REQUIRE(not_given != unknown.untold.end());
+    CHECK(not_given->missing == "prototype");
 }
 
 TEST_CASE("aluminium slides where concrete rocks: errors in the thin direction, whatever the input") {
@@ -197,7 +197,7 @@ TEST_CASE("each law asks for its own groups") {
     for (const GroupComparison& group : report(twin, "exact").groups) CHECK(group.is_required);
 }
 
-TEST_CASE("what the table gave the model counts, where it is told") {
+TEST_CASE("what the table gave the model counts, where it is given") {
     PairFacts facts = make_pair(at_1_107(wood_1_107()));
     const Similitude similitude = make_similitude("mu", make_scale_factors(facts, 1.0 / 107.0));
     facts.model_motion = to_model(*facts.motion, similitude);
@@ -241,7 +241,7 @@ TEST_CASE("zero is a value: gaps that close and vertical shaking that is left ou
     CHECK(find(zeros, "edge_radius/H").severity == Severity::warning);
 }
 
-TEST_CASE("without a motion what it would tell is left out") {
+TEST_CASE("without a motion what it would decide is left out") {
     PairFacts facts = make_pair(at_1_107(wood_1_107()));
     facts.motion.reset();
     const RegimeReport still = report(facts, "mu");
@@ -269,7 +269,7 @@ TEST_CASE("every group has a meaning with a source, and every known factor too")
     CHECK_THROWS_AS(find_group_meaning("no such group"), std::out_of_range);
 }
 
-TEST_CASE("factors of the report are those of find_distortions where both tell them") {
+TEST_CASE("factors of the report are those of find_distortions where both give them") {
     for (const char* law : {"mu", "froude"}) {
         const PairFacts facts = make_pair(at_1_107(aluminium_1_107()));
         const Similitude similitude = make_similitude(law, make_scale_factors(facts, 1.0 / 107.0));

@@ -56,9 +56,9 @@ Case propagate_case(const std::string& name, const std::vector<std::pair<const c
     const std::vector<PiQuantity> quantities = quantities_of(law);
     std::vector<UncertainPrototype> prototype;
     for (const auto& [quantity, text] : values) {
-        PiQuantity& told = law.quantities[find_quantity(quantities, quantity)].quantity;
-        prototype.push_back({quantity, parse_uncertain_value(text, told)});
-        told.value = prototype.back().value.value;
+        PiQuantity& given = law.quantities[find_quantity(quantities, quantity)].quantity;
+        prototype.push_back({quantity, parse_uncertain_value(text, given)});
+        given.value = prototype.back().value.value;
     }
     const std::vector<UncertainFactor> given = make_factors(factors);
     SolvedLaw solved = solve_law(law, values_of(given));

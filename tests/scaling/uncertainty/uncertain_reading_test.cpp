@@ -32,7 +32,7 @@ std::vector<FirstOrder> propagate_file(UncertainReading& reading) {
 
 }  // namespace
 
-TEST_CASE("a file read again with one value moved tells exponents of products exactly, slopes of others") {
+TEST_CASE("a file read again with one value moved shows exponents of products exactly, slopes of others") {
     UncertainReading reading("f.json");
     const std::vector<FirstOrder> results = propagate_file(reading);
     REQUIRE(reading.inputs().size() == 2);

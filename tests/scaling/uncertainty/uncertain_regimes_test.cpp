@@ -29,7 +29,7 @@ constexpr double kRounding = 1e-12;
 /// Facts as a file would say them: a value to take for each place.
 using Say = std::function<PairFacts(UncertainReading&)>;
 
-struct Told {
+struct Reported {
     RegimeReport report;
     UncertainRegimes uncertain;
 
@@ -50,7 +50,7 @@ struct Told {
     }
 };
 
-Told tell(const Say& say, const std::optional<MonteCarloSettings>& monte_carlo = {}) {
+Reported report(const Say& say, const std::optional<MonteCarloSettings>& monte_carlo = {}) {
     constexpr double length = 1.0 / 107.0;
     const auto give = [](const ScaleFactors& factors) {
         return std::vector<GivenFactor>{{"l", factors.length}, {"mu", factors.friction}, {"g", factors.gravity}, {"rho", factors.density}};
@@ -94,25 +94,25 @@ Say towers(double friction, double peak) {
 }  // namespace
 
 TEST_CASE("groups of a test as it is shaken have the uncertainties of their closed forms") {
-    const Told told = tell(towers(0.05, 0.02));
-    CHECK(told.uncertain.inputs.size() == 3);
+    const Reported given = report(towers(0.05, 0.02));
+    CHECK(given.uncertain.inputs.size() == 3);
     // prototype and model: u(a/(μ g))² = u(a)² + u(μ)²; of their ratio the peak cancels, as the model is shaken by the prototype's
-    CHECK(told.group("a/(mu*g)").prototype.relative == relative(std::hypot(0.02, 0.05), kRounding));
-    CHECK(told.group("a/(mu*g)").model.relative == relative(std::hypot(0.02, 0.05), kRounding));
-    CHECK(told.group("a/(mu*g)").factor.relative == relative(std::hypot(0.05, 0.05), kRounding));
-    CHECK(told.group("mu^N").model.relative == relative(0.025, kRounding));
-    CHECK(told.group("a/g").factor.relative == 0.0);  // shaken with a value of λ_μ
-    CHECK(told.group("mu/tan(alpha)", Direction::thin).model.relative == relative(0.05, kRounding));
-    CHECK(told.group("e_r", Direction::thin).model.relative == 0.0);
+    CHECK(given.group("a/(mu*g)").prototype.relative == relative(std::hypot(0.02, 0.05), kRounding));
+    CHECK(given.group("a/(mu*g)").model.relative == relative(std::hypot(0.02, 0.05), kRounding));
+    CHECK(given.group("a/(mu*g)").factor.relative == relative(std::hypot(0.05, 0.05), kRounding));
+    CHECK(given.group("mu^N").model.relative == relative(0.025, kRounding));
+    CHECK(given.group("a/g").factor.relative == 0.0);  // shaken with a value of λ_μ
+    CHECK(given.group("mu/tan(alpha)", Direction::thin).model.relative == relative(0.05, kRounding));
+    CHECK(given.group("e_r", Direction::thin).model.relative == 0.0);
     // factors are those to aim at
-    for (const UncertainResult& factor : told.uncertain.factors) {
+    for (const UncertainResult& factor : given.uncertain.factors) {
         if (factor.name == "time") CHECK(factor.first_order.relative == relative(0.5 * std::hypot(0.05, 0.05), kRounding));
         if (factor.name == "mass") CHECK(factor.first_order.relative == 0.0);
     }
 }
 
 TEST_CASE("an uncertain block moves restitution by its slope, of either sign") {
-    const Told told = tell([](UncertainReading& reading) {
+    const Reported given = report([](UncertainReading& reading) {
         PairFacts facts{.prototype = concrete_prototype(), .model = wood_1_107()};
         const double b = facts.model.block[0].value();
         facts.model.block[0] = Length::from_value(reading.take("model: block b", {b, 0.01 * b}));
@@ -122,13 +122,13 @@ TEST_CASE("an uncertain block moves restitution by its slope, of either sign") {
     const StructureFacts model = wood_1_107();
     const double slenderness = (model.block[0] / model.block[2]).value(), cosine2 = 1.0 / (1.0 + slenderness * slenderness);
     const double expected = 0.01 * 3.0 * (1.0 - cosine2) * cosine2;
-    CHECK(told.group("e_r", Direction::thin).model.uncertainty() == relative(expected, 1e-5));  // h² = 1e-6 of the difference
-    CHECK(told.group("e_r", Direction::thin).prototype.relative == 0.0);
+    CHECK(given.group("e_r", Direction::thin).model.uncertainty() == relative(expected, 1e-5));  // h² = 1e-6 of the difference
+    CHECK(given.group("e_r", Direction::thin).prototype.relative == 0.0);
 }
 
 TEST_CASE("a regime says when its limit lies within the uncertainty, and only then") {
     // μ/tan α of wood, wide: 0.951, which is 1 at +5.1 %; 95 % reach 1.96 u
-    const Told vague = tell(towers(0.05, 0.0)), sharp = tell(towers(0.02, 0.0));
+    const Reported vague = report(towers(0.05, 0.0)), sharp = report(towers(0.02, 0.0));
     const RegimeStatement& open = vague.regime("sliding or rocking first", Direction::wide);
     CHECK(open.is_open);
     CHECK(open.severity == Severity::warning);
@@ -137,12 +137,12 @@ TEST_CASE("a regime says when its limit lies within the uncertainty, and only th
     CHECK_FALSE(sharp.regime("sliding or rocking first", Direction::wide).severity.has_value());
     CHECK_FALSE(vague.regime("sliding or rocking first", Direction::thin).is_open);  // 1.84 and 1.97
     // a/(μ g) = 0.866 in both: 1 at +14 %, within 1.96 hypot(5 %, 6 %) = 15 %
-    const Told shaken = tell(towers(0.05, 0.06));
+    const Reported shaken = report(towers(0.05, 0.06));
     CHECK(shaken.regime("sliding").is_open);
     CHECK_FALSE(vague.regime("sliding").is_open);
     // wide: blocks at rest under 0.77 and 0.82 of what they bear, so that sliding or rocking is no question yet
     CHECK_FALSE(vague.regime("first motion", Direction::wide).is_open);
-    const Told strong = tell(towers(0.05, 0.12));
+    const Reported strong = report(towers(0.05, 0.12));
     CHECK(strong.regime("first motion", Direction::wide).is_open);
     CHECK(strong.regime("first motion", Direction::wide).statement.find("the peak of the model is") != std::string::npos);
 }
@@ -159,7 +159,7 @@ TEST_CASE("contacts and the table's band have limits of their own") {
         };
     };
     // the model's 8 Hz are 85.5 Hz: 0.95 of the table's
-    const Told vague = tell(facts(0.6, 0.04)), sharp = tell(facts(0.1, 0.01));
+    const Reported vague = report(facts(0.6, 0.04)), sharp = report(facts(0.1, 0.01));
     CHECK(vague.regime("contacts").is_open);
     CHECK(vague.regime("table").is_open);
     CHECK(vague.regime("table").statement.find("highest frequency of the model is 0.95") != std::string::npos);
@@ -169,11 +169,11 @@ TEST_CASE("contacts and the table's band have limits of their own") {
 
 TEST_CASE("samples of facts have the distribution of their closed forms") {
     const MonteCarloSettings settings{.samples = 20'000, .seed = 5, .distribution = Distribution::lognormal};
-    const Told told = tell(towers(0.2, 0.1), settings);
-    REQUIRE(told.group("a/(mu*g)").samples.has_value());
-    const SampleSummary& demand = told.group("a/(mu*g)").samples->model;
+    const Reported given = report(towers(0.2, 0.1), settings);
+    REQUIRE(given.group("a/(mu*g)").samples.has_value());
+    const SampleSummary& demand = given.group("a/(mu*g)").samples->model;
     // logarithms of a and μ are normal, with variances ln(1 + r²) and medians value/√(1 + r²): so is that of a/(μ g)
-    const double median = told.group("a/(mu*g)").model.value * std::sqrt((1.0 + 0.2 * 0.2) / (1.0 + 0.1 * 0.1));
+    const double median = given.group("a/(mu*g)").model.value * std::sqrt((1.0 + 0.2 * 0.2) / (1.0 + 0.1 * 0.1));
     const double sigma = std::sqrt(std::log1p(0.2 * 0.2) + std::log1p(0.1 * 0.1));
     // standard errors of quantiles p: √(p (1 − p)/N) over the density there, four of them
     const double root = std::sqrt(static_cast<double>(settings.samples));
@@ -182,31 +182,31 @@ TEST_CASE("samples of facts have the distribution of their closed forms") {
     CHECK(std::abs(std::log(demand.lower / median) + 1.959964 * sigma) < tail);
     CHECK(std::abs(std::log(demand.upper / median) - 1.959964 * sigma) < tail);
     // the peak cancels of model/prototype
-    const SampleSummary& factor = told.group("a/(mu*g)").samples->factor;
+    const SampleSummary& factor = given.group("a/(mu*g)").samples->factor;
     const double sigma_factor = std::sqrt(2.0 * std::log1p(0.2 * 0.2));
     CHECK(std::abs(std::log(factor.upper / factor.lower) / (2.0 * 1.959964 * sigma_factor) - 1.0) < 8.0 * 2.67 / (3.92 * root));
-    CHECK(told.uncertain.samples->draws.rejected == 0);
-    CHECK(told.uncertain.factors.front().samples.has_value());
+    CHECK(given.uncertain.samples->draws.rejected == 0);
+    CHECK(given.uncertain.factors.front().samples.has_value());
 }
 
 TEST_CASE("the share of samples in another regime is that of the normal distribution") {
     const MonteCarloSettings settings{.samples = 20'000, .seed = 11};
-    const Told told = tell(towers(0.05, 0.0), settings);
+    const Reported given = report(towers(0.05, 0.0), settings);
     // μ/tan α is normal, 0.889 and 0.951 times 1 ± 5 %: the chance that either is above 1
     const auto above = [](double ratio) { return 0.5 * std::erfc((1.0 / ratio - 1.0) / (0.05 * std::numbers::sqrt2)); };
-    const UncertainComparison& group = told.group("mu/tan(alpha)", Direction::wide);
+    const UncertainComparison& group = given.group("mu/tan(alpha)", Direction::wide);
     const double expected = 1.0 - (1.0 - above(group.prototype.value)) * (1.0 - above(group.model.value));
     const double error = std::sqrt(expected * (1.0 - expected) / static_cast<double>(settings.samples));
     CHECK(expected > 0.1);
-    CHECK(std::abs(told.share_elsewhere("sliding or rocking first", Direction::wide) - expected) < 4.0 * error);
-    CHECK(told.share_elsewhere("sliding or rocking first", Direction::thin) == 0.0);  // 1.84 is 9 u away
+    CHECK(std::abs(given.share_elsewhere("sliding or rocking first", Direction::wide) - expected) < 4.0 * error);
+    CHECK(given.share_elsewhere("sliding or rocking first", Direction::thin) == 0.0);  // 1.84 is 9 u away
 }
 
 TEST_CASE("samples of facts are the same bits for one seed, whatever the threads") {
     const auto draw = [](std::uint64_t seed, int threads) {
-        return tell(towers(0.05, 0.02), MonteCarloSettings{.samples = 3'000, .seed = seed, .threads = threads});
+        return report(towers(0.05, 0.02), MonteCarloSettings{.samples = 3'000, .seed = seed, .threads = threads});
     };
-    const Told one = draw(3, 1), three = draw(3, 3), other = draw(4, 3);
+    const Reported one = draw(3, 1), three = draw(3, 3), other = draw(4, 3);
     for (std::size_t i = 0; i < one.uncertain.groups.size(); ++i) {
         const ComparisonSamples &a = *one.uncertain.groups[i].samples, &b = *three.uncertain.groups[i].samples;
         CHECK(a.model.mean == b.model.mean);

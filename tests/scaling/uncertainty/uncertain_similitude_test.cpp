@@ -151,7 +151,7 @@ TEST_CASE("measures of the motion carry their own uncertainty and that of their 
     CHECK_EXPECTED(model("time_step").relative, 0.5 * u);
 }
 
-TEST_CASE("the prototype's friction may be told twice, but not differently") {
+TEST_CASE("the prototype's friction may be given twice, but not differently") {
     UncertainScales scales = make_wood();
     scales.slenderness = {parse_uncertain("0.32")};
     for (const char* same : {"0.59", "0.59+/-5%"}) {
@@ -162,7 +162,7 @@ TEST_CASE("the prototype's friction may be told twice, but not differently") {
         scales.friction_prototype = parse_uncertain(other);
         CHECK_THROWS_AS(propagate_by("mu", scales), SimilitudeError);
     }
-    // a ratio alone does not tell it: then it is an input of its own
+    // a ratio alone does not contain it: then it is an input of its own
     scales.friction = parse_uncertain_ratio("1.07+/-7%");
     CHECK(propagate_by("mu", scales).inputs.size() == 2);
     CHECK(propagate_by("mu", scales).inputs[1].name == "friction_prototype");

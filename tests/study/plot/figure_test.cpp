@@ -113,7 +113,7 @@ TEST_CASE("text is wrapped at spaces") {
     CHECK(detail::wrap("", 10.0, 5.0).empty());
 }
 
-TEST_CASE("as many styles as are told differ, and the two blues in their dashes") {
+TEST_CASE("as many styles as are given differ, and the two blues in their dashes") {
     for (const CurveLooks looks : {CurveLooks::apart, CurveLooks::pairs}) {
         const std::size_t count = count_looks(looks);
         Figure figure = make_figure(make_shaking(100, 50));
@@ -163,7 +163,7 @@ TEST_CASE("a long title and long names stay within the figure, and numbers are w
     CHECK(make_svg(figure).find("style=\"font-size:15.00px\">Short<") != std::string::npos);
 }
 
-TEST_CASE("pictures are files of the kind their name tells") {
+TEST_CASE("pictures are files of the kind their name implies") {
     const musim::tests::TemporaryFolder folder;
     const std::string svg = make_svg(make_figure(make_shaking(100, 50)));
     pugi::xml_document document;

@@ -155,19 +155,19 @@ TEST_CASE("by wall time, an interval of zero is every sample and a long one is n
     }
 }
 
-TEST_CASE("a run with few samples tells its progress and leaves checkpoints between them") {
+TEST_CASE("a run with few samples reports its progress and leaves checkpoints between them") {
     Slide slide;
     slide.plan = {.time_step = slide.plan.time_step, .steps_per_sample = 600, .samples = 2};
     const RunResult whole = simulate(slide.specimen, slide.plan);
     const Folder folder;
     RunSettings settings = slide.settings(folder, 0);
     settings.checkpoint->interval = 1e-9;
-    std::vector<double> told;
-    settings.observer.on_progress = [&](double part) { told.push_back(part); };
+    std::vector<double> given;
+    settings.observer.on_progress = [&](double part) { given.push_back(part); };
     check_same(simulate(slide.specimen, slide.plan, settings), whole);
-    CHECK(told.size() > 10);
-    CHECK(std::is_sorted(told.begin(), told.end()));
-    CHECK(told.back() == 1.0);
+    CHECK(given.size() > 10);
+    CHECK(std::is_sorted(given.begin(), given.end()));
+    CHECK(given.back() == 1.0);
     // the last one is of some steps after the first of two samples
     const Checkpoint checkpoint = read_checkpoint(folder.file(), "1.2");
     CHECK(checkpoint.samples_done == 1);
@@ -177,16 +177,16 @@ TEST_CASE("a run with few samples tells its progress and leaves checkpoints betw
     CHECK_THROWS_AS(resume(slide.specimen, std::move(before)), std::runtime_error);
 }
 
-TEST_CASE("a checkpoint that cannot be written is told, and the run goes on") {
+TEST_CASE("a checkpoint that cannot be written is reported, and the run goes on") {
     const Slide slide;
     const Folder folder;
     RunSettings settings = slide.settings(folder, 20);
     settings.checkpoint->file = folder.file() / "no" / "such" / "folder";
-    std::vector<std::string> told;
-    settings.checkpoint->on_failure = [&](const std::string& why) { told.push_back(why); };
+    std::vector<std::string> given;
+    settings.checkpoint->on_failure = [&](const std::string& why) { given.push_back(why); };
     check_same(simulate(slide.specimen, slide.plan, settings), simulate(slide.specimen, slide.plan));
-    REQUIRE(told.size() == 2);
-    CHECK(told.front().find("no/such/folder") != std::string::npos);
+    REQUIRE(given.size() == 2);
+    CHECK(given.front().find("no/such/folder") != std::string::npos);
 }
 
 TEST_CASE("checkpoints that are missing, damaged, cut off or of another version are refused with the file's name") {
@@ -253,7 +253,7 @@ TEST_CASE("a checkpoint of another specimen is refused") {
     simulate(slide.specimen, slide.plan, slide.settings(folder, 20));
     CHECK_THROWS_AS(resume(make_column(2, 0.1), read_checkpoint(folder.file(), "1.2")), std::runtime_error);
     CHECK_THROWS_AS(resume(make_column(3, 0.11), read_checkpoint(folder.file(), "1.2")), std::runtime_error);
-    // the same model with fewer blocks in its spine: the histories tell
+    // the same model with fewer blocks in its spine: the histories show it
     Specimen shorter = slide.specimen;
     shorter.spine.block.pop_back();
     shorter.spine.level.pop_back();

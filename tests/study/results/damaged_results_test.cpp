@@ -64,10 +64,10 @@ TEST_CASE("a damaged summary is refused or says the same") {
     const TemporaryFolder folder;
     write_made_run(folder.path());
     const fs::path file = folder.path() / "summary.json";
-    const auto told = nlohmann::json::parse(bytes_of(file));
+    const auto given = nlohmann::json::parse(bytes_of(file));
     // white space may change
     CHECK(count_taken(file, [&] {
-              if (read_checked_json(file) == told) throw ResultError("the same");
+              if (read_checked_json(file) == given) throw ResultError("the same");
           }) == 0);
     CHECK(count_taken(file, [&] {
               if (read_run(folder.path()).status == RunStatus::completed) throw ResultError("the same");

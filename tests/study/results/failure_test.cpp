@@ -168,7 +168,7 @@ TEST_CASE("modes and measures of a tower a quarter as large are the same bits") 
     }
 }
 
-TEST_CASE("simulated towers pushed out on one side and at mid-height are told apart, at every scale") {
+TEST_CASE("simulated towers pushed out on one side and at mid-height are distinguished, at every scale") {
     const PushedTower peeled = push_tower(push_side), buckled = push_tower(push_middle);
     const auto peeling = find_failure(peeled.run), buckling = find_failure(buckled.run);
     REQUIRE(peeling.has_value());
@@ -182,7 +182,7 @@ TEST_CASE("simulated towers pushed out on one side and at mid-height are told ap
     CHECK(small->time == buckling->time / 4.0);
     check_same_measures(small->measures, buckling->measures);
 
-    // the results on disk tell the same
+    // the results on disk say the same
     const musim::tests::TemporaryFolder folder;
     ResultFolder results(folder.path() / "run");
     results.add_run("", peeled.run, {.scene = write_scene(peeled.scene), .program_version = "test"});

@@ -23,12 +23,12 @@ RunResult make_diverged_run(double time_step) {
 
 }  // namespace
 
-TEST_CASE("a run that diverged above the critical step is told the default step") {
+TEST_CASE("a run that diverged above the critical step gets the default step as advice") {
     const std::string text = describe_divergence(make_diverged_run(0.011));
     for (const char* words : {"0.25 s", "block 7", "0.011 s", "0.01 s", "at most 0.008 s"}) CHECK_MESSAGE(says(text, words), text);
 }
 
-TEST_CASE("a run that diverged below the critical step is told to halve it") {
+TEST_CASE("a run that diverged below the critical step gets the advice to halve it") {
     const std::string text = describe_divergence(make_diverged_run(0.009));
     for (const char* words : {"0.25 s", "block 7", "0.0045 s"}) CHECK_MESSAGE(says(text, words), text);
     RunResult unlimited = make_diverged_run(0.009);

@@ -24,11 +24,11 @@ TEST_CASE("several preparations with their runs are one scale that never falls")
 }
 
 TEST_CASE("a job of twice the work is twice of the progress") {
-    double told = 0.0;
-    const std::function<void(double)> tell = [&](double part) { told = part; };
-    detail::SharedProgress progress({1.0, 2.0, 0.0}, tell);
+    double given = 0.0;
+    const std::function<void(double)> report = [&](double part) { given = part; };
+    detail::SharedProgress progress({1.0, 2.0, 0.0}, report);
     progress.update(1, 1.0);
-    CHECK(told == doctest::Approx(2.0 / 3.0));
+    CHECK(given == doctest::Approx(2.0 / 3.0));
     progress.update(2, 1.0);
-    CHECK(told == doctest::Approx(2.0 / 3.0));
+    CHECK(given == doctest::Approx(2.0 / 3.0));
 }

@@ -62,7 +62,7 @@ TEST_CASE("what is seen of a run is what its last sample holds") {
     CHECK(parse_live_run(nlohmann::json::parse(to_json(live).dump())) == live);
 }
 
-TEST_CASE("a run tells where it stands in its folder while it goes on, and only then") {
+TEST_CASE("a run reports its state in its folder while it goes on, and only then") {
     const musim::tests::TemporaryFolder place;
     const std::filesystem::path out = place.path() / "out";
     CHECK(look_into(out).state == FolderState::empty);

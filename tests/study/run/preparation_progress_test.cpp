@@ -23,13 +23,13 @@ Scene make_uneven(const std::string& structure, const std::string& more = "") {
                        "test");
 }
 
-/// What a preparation tells at one look.
-struct Told {
+/// What a preparation reports at one look.
+struct Reported {
     double part = 0.0, spare = 0.0;
 };
 
 struct Preparing {
-    std::vector<Told> told;
+    std::vector<Reported> given;
     double block_steps = 0.0;  ///< of all of it
 };
 
@@ -40,7 +40,7 @@ Preparing prepare_telling(const Scene& scene, const WorkToFollow& to_follow) {
     RunSettings settings;
     settings.observer = {.on_progress =
                              [&](double part) {
-                                 preparing.told.push_back({part, spare});
+                                 preparing.given.push_back({part, spare});
                              },
                          .on_preparation_spare = [&](double part) { spare = part; }};
     const double time_step = compute_time_step(scene, upright.model).value();
@@ -58,14 +58,14 @@ TEST_CASE("the work that is left of coming to rest is in the range that is given
         const Scene scene = make_uneven(structure);
         const Preparing alone = prepare_telling(scene, {});
         const double all = alone.block_steps;
-        CHECK(alone.told.back().part == 1.0);
-        // as much work again after it tells how much is done
+        CHECK(alone.given.back().part == 1.0);
+        // as much work again after it reports how much is done
         const Preparing followed = prepare_telling(scene, {.block_steps = all});
-        REQUIRE(followed.told.size() == alone.told.size());
-        CHECK(followed.told.back().part == doctest::Approx(0.5));
-        for (std::size_t i = 0; i < alone.told.size(); ++i) {
-            const auto& [part, spare] = alone.told[i];
-            const double done = all / (1.0 / followed.told[i].part - 1.0 / part), left = all - done;
+        REQUIRE(followed.given.size() == alone.given.size());
+        CHECK(followed.given.back().part == doctest::Approx(0.5));
+        for (std::size_t i = 0; i < alone.given.size(); ++i) {
+            const auto& [part, spare] = alone.given[i];
+            const double done = all / (1.0 / followed.given[i].part - 1.0 / part), left = all - done;
             // early on, where an estimate is of use
             if (done < 0.02 * all || done > 0.6 * all) continue;
             CAPTURE(done / all);
@@ -78,23 +78,23 @@ TEST_CASE("the work that is left of coming to rest is in the range that is given
 
 TEST_CASE("the specimens that a pair lays are one scale with its runs") {
     const Scene scene = make_uneven(R"("kind": "wall", "layers": 3, "blocks_per_layer": 2)");
-    std::vector<double> told;
+    std::vector<double> given;
     std::size_t preparing = 0;
     RunSettings settings;
     settings.observer.on_preparation = [&](double part) {
-        if (told.empty() || part > told.back()) ++preparing;
-        told.push_back(part);
+        if (given.empty() || part > given.back()) ++preparing;
+        given.push_back(part);
     };
     PairSceneSettings how;
     how.specimen = PairSpecimen::each;
     how.judging.twins = 0;
     how.judging.half_step = false;
     const ScenePair pair = pair_scene(scene, {{.length = 0.25}, {.length = 0.1}}, Materials::exact, settings, how);
-    CHECK(std::is_sorted(told.begin(), told.end()));
+    CHECK(std::is_sorted(given.begin(), given.end()));
     // three specimens, each worth a third: the last two count, too
     REQUIRE(preparing > 3);
     const Specimen upright = make_upright_specimen(scene);
     const double prepared = prepare_telling(scene, {}).block_steps;
     const double runs = 3.0 * static_cast<double>(make_time_plan(scene, upright.model).steps() * upright.model.blocks.size());
-    CHECK(told.back() == doctest::Approx(3.0 * prepared / (3.0 * prepared + runs)).epsilon(0.01));
+    CHECK(given.back() == doctest::Approx(3.0 * prepared / (3.0 * prepared + runs)).epsilon(0.01));
 }

@@ -119,7 +119,7 @@ TEST_CASE("a preparation that began in equilibrium is resumed to the same bits")
         "test");
     const RunResult whole = run_scene(scene);
     const TemporaryFolder folder;
-    // it is at rest all the time: progress is told at the end only
+    // it is at rest all the time: progress is reported at the end only
     CHECK_THROWS_AS(run_scene(scene, {.observer = {.on_preparation = killer(1)}, .checkpoint = checkpoint_in(folder.path())}), Killed);
     Checkpoint checkpoint = read_checkpoint(folder.path() / kCheckpointName, "1.2");
     REQUIRE(checkpoint.preparation.has_value());
@@ -165,7 +165,7 @@ TEST_CASE("specimens whose preparation was killed are the same files in the end 
         CHECK(report.resumed);
         CHECK(report.prepared.steps == whole.prepared.steps);
     }
-    SUBCASE("a damaged checkpoint is told of, and the preparation begun anew") {
+    SUBCASE("a damaged checkpoint is reported, and the preparation begun anew") {
         std::ofstream(checkpoint, std::ios::binary) << "damaged";
         std::string warning;
         batch.on_warning = [&](const std::string& what) { warning = what; };

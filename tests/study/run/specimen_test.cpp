@@ -142,7 +142,7 @@ TEST_CASE("what has no time to come to rest with inertia added does so with its 
     for (std::size_t i = 0; i < patient.tilt.size(); ++i) CHECK(std::abs(hasty.tilt[i] - patient.tilt[i]) < 2e-4);
 }
 
-// The same blocks in the same places, so that differences block by block tell more than two means. Forces have no such partners: a contact
+// The same blocks in the same places, so that differences block by block show more than two means. Forces have no such partners: a contact
 // of the one may be open in the other.
 TEST_CASE("specimens of quick layers are those of layer by layer in the mean and cost less" * doctest::test_suite("slow")) {
     lsdem::Scene scene = lsdem::parse_scene(
