@@ -130,7 +130,7 @@ TEST_CASE("the schema refuses keys that the parser does not know") {
         CAPTURE(kind);
         CHECK(definitions.at(kind).at("additionalProperties") == false);
     }
-    CHECK(scene_keys().at("time") == std::vector<std::string>{"duration", "step", "safety"});
+    CHECK(scene_keys().at("time") == std::vector<std::string>{"duration", "step", "safety", "comment"});
 }
 
 TEST_CASE("the schema knows the presets that the parser knows") {

@@ -231,6 +231,20 @@ TEST_CASE("a syntax error is refused with line and column") {
     check_message(refuse(replace(kFull, "\"name\": \"full\"", "\"name\": \"a\", \"name\": \"b\"")), {"\"name\" is given twice"});
 }
 
+TEST_CASE("every object of a scene may have a comment, which changes nothing and must be text") {
+    std::string commented = kFull;
+    for (std::size_t at = commented.find('{'); at != std::string::npos; at = commented.find('{', at + 1)) {
+        commented.insert(at + 1, R"("comment": ["for", "people"], )");
+    }
+    CHECK(parse_scene(commented) == parse_scene(kFull));
+    CHECK(write_scene(parse_scene(commented)) == write_scene(parse_scene(kFull)));
+    CHECK(parse_scene(make_scene_text(kColumn, R"(, "comment": "a column")")) == parse_scene(make_scene_text(kColumn)));
+    for (const char* const wrong : {"1", "null", "{}", R"(["a", 1])"}) {
+        check_message(refuse(make_scene_text(kColumn, std::string(R"(, "comment": )") + wrong)),
+                      {"/comment: a text or a list of texts is wanted"});
+    }
+}
+
 TEST_CASE("a scene file that is not there is refused") {
     check_message(error_of([] { read_scene("/nowhere/scene.json"); }), {"/nowhere/scene.json", "cannot be read"});
     check_message(error_of([] { read_scene("/tmp"); }), {"/tmp", "cannot be read"});

@@ -93,6 +93,17 @@ double SceneRules::to_si(const scaling::JsonReader& value, scaling::Dimension di
     return JsonRules::to_si(value, dimension, part);
 }
 
+scaling::JsonReader to_object(const scaling::JsonReader& value, const std::string& kind) {
+    const scaling::JsonReader object = value.object(scene_keys().at(kind));
+    if (!object.json().contains("comment")) return object;
+    const scaling::JsonReader comment = object.at("comment");
+    const auto is_text = [](const Json& line) { return line.is_string(); };
+    if (!is_text(comment.json()) && !(comment.json().is_array() && std::all_of(comment.json().begin(), comment.json().end(), is_text))) {
+        comment.fail("a text or a list of texts is wanted; correct the value");
+    }
+    return object;
+}
+
 std::size_t to_choice(const scaling::JsonReader& value, const std::vector<std::string>& names) {
     const std::string name = value.text();
     const auto found = std::find(names.begin(), names.end(), name);

@@ -36,10 +36,8 @@ class SceneRules final : public scaling::JsonRules {
     std::string* plain_number_;
 };
 
-/// An object whose keys are all of a known kind (scene_keys).
-inline scaling::JsonReader to_object(const scaling::JsonReader& value, const std::string& kind) {
-    return value.object(scene_keys().at(kind));
-}
+/// An object whose keys are all of a known kind (scene_keys), and whose comment, if it has one, is text.
+scaling::JsonReader to_object(const scaling::JsonReader& value, const std::string& kind);
 
 /// Position in `names` of a text. Throws SceneError, which lists them.
 std::size_t to_choice(const scaling::JsonReader& value, const std::vector<std::string>& names);
