@@ -35,6 +35,7 @@ int run(int argc, char** argv) {
     add_table_command(app, action);
     add_design_command(app, action);
     add_record_command(app, action);
+    add_new_command(app, action);
     add_run_command(app, action);
     add_pair_command(app, action);
     add_specimen_command(app, action);

@@ -15,11 +15,11 @@
 #include "cli/output.hpp"
 #include "cli/overwriting.hpp"
 #include "cli/progress_line.hpp"
+#include "cli/record_motion.hpp"
 #include "cli/report.hpp"
 #include "cli/version.hpp"
 #include "lsdem/results/write_results.hpp"
 #include "lsdem/run/live_file.hpp"
-#include "lsdem/run/use_record.hpp"
 #include "lsdem/scene/scene_error.hpp"
 #include "lsdem/scene/scene_json.hpp"
 #include "lsdem/study/departure_plot.hpp"
@@ -42,8 +42,7 @@ struct PairOptions {
     std::string law;
     std::vector<std::string> factors;
     std::vector<std::string> own;  ///< presets and files
-    std::string record;
-    std::vector<std::string> components;
+    RecordMotionOptions record;
     std::string out;
     std::optional<Number> duration;
     std::string specimen = "one";
@@ -58,17 +57,6 @@ struct PairOptions {
     bool json = false;
     OverwritingOption overwriting;
 };
-
-/// "x=360 y=90" as names along the axes.
-lsdem::AxisComponents parse_components(const std::vector<std::string>& texts) {
-    lsdem::AxisComponents components;
-    for (const std::string& text : texts) {
-        const std::size_t axis = text.size() > 2 && text[1] == '=' ? std::string("xyz").find(text[0]) : std::string::npos;
-        if (axis == std::string::npos) throw CLI::ValidationError("--component", "'" + text + "' is not AXIS=NAME, e.g. x=360");
-        components[axis] = text.substr(2);
-    }
-    return components;
-}
 
 /// Scenes of their own are compared as they are; else exact is meant unless own materials are asked for.
 lsdem::Materials find_materials(const PairOptions& options) {
@@ -117,14 +105,11 @@ std::vector<lsdem::ModelChoice> make_choices(const PairOptions& options) {
 
 lsdem::Scene make_prototype(const PairOptions& options) {
     lsdem::Scene prototype = read_scene(options.scene);
-    if (!prototype.motions.empty() && (options.duration || !options.record.empty())) {
+    if (!prototype.motions.empty() && (options.duration || !options.record.record.empty())) {
         throw lsdem::SceneError(fmt::format("{}: it has a list of motions, each with its own duration; leave {} out", options.scene,
                                             options.duration ? "--duration" : "--record"));
     }
-    if (!options.record.empty()) {
-        const std::vector<std::string> steps = lsdem::use_record(prototype, options.record, parse_components(options.components));
-        for (const std::string& step : steps) note("{}: {}\n", options.record, step);
-    }
+    if (!options.record.record.empty()) options.record.apply(prototype);
     if (options.duration) prototype.time.duration = options.duration->value * scaling::si::seconds;
     lsdem::check_scene(prototype, options.scene);
     return prototype;
@@ -358,13 +343,7 @@ void add_pair_command(CLI::App& app, Action& action) {
     command->add_option("scene", options->scene, "Scene file of the prototype")->required()->type_name("SCENE.json");
     add_model_options(*command, *options);
     add_judging_options(*command, *options);
-    CLI::Option* record =
-        command->add_option("--record", options->record, "Shake with the strong motion of this record instead of the scene's")
-            ->type_name("FILE");
-    command
-        ->add_option("--component", options->components, "Component along an axis, e.g. x=360 (default: the strongest horizontal along x)")
-        ->type_name("AXIS=NAME")
-        ->needs(record);
+    options->record.add_to(*command, "Shake with the strong motion of this record instead of the scene's");
     command->add_option("-o,--out", options->out, "Directory: a folder per run, spine.svg, departure.svg, pair.json")->type_name("DIR");
     command->add_option("--duration", options->duration, "Simulated time of the prototype [s], instead of the scene's")
         ->type_name("NUMBER")

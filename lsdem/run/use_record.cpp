@@ -53,4 +53,9 @@ std::vector<std::string> use_record(Scene& scene, const std::filesystem::path& f
     return steps;
 }
 
+void scale_record(Scene& scene, const RecordScale& scale) {
+    scene.time.duration = make_similitude(scale).to_model(scene.time.duration);
+    std::get<RecordMotion>(scene.base_motion.source).scale = scale;
+}
+
 }  // namespace musim::lsdem

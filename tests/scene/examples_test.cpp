@@ -11,6 +11,7 @@
 #include <valijson/validator.hpp>
 
 #include "lsdem/scene/build_model.hpp"
+#include "lsdem/scene/new_scene.hpp"
 #include "lsdem/scene/scene_json.hpp"
 #include "tests/scene/made_scene.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -55,6 +56,69 @@ std::vector<std::filesystem::path> list_examples() {
 bool has_record(const Scene& scene) { return std::holds_alternative<RecordMotion>(scene.base_motion.source); }
 
 }  // namespace
+
+TEST_CASE("a new scene of every kind, material and length obeys the schema, has units and comments, and can be built") {
+    for (const std::string& kind : new_scene_kinds()) {
+        for (const std::string& material : material_preset_names()) {
+            for (const std::optional<double> length : {std::optional<double>(), std::optional(1.0), std::optional(1.0 / 25.0)}) {
+                CAPTURE(kind);
+                CAPTURE(material);
+                const NewScene wanted{.kind = kind, .material = material, .length = length, .layers = 3};
+                const Scene made = make_new_scene(wanted);
+                const std::string text = write_readable_scene(made, comment_new_scene(wanted, made));
+                const json written = json::parse(text);
+                CHECK(validates(written));
+                for (const char* const part : {"", "/material", "/structure", "/base_motion", "/time", "/output"}) {
+                    CHECK(written.at(json::json_pointer(part)).contains("comment"));
+                }
+                const Scene scene = parse_scene(text);
+                CHECK(scene.text.plain_number.empty());
+                CHECK(scene.text.remarks.empty());
+                CHECK(scene.name == made.name);
+                // written to seven digits
+                CHECK(scene.time.duration.value() == doctest::Approx(made.time.duration.value()).epsilon(1e-6));
+                CHECK(scene.material.normal_stiffness.value() == doctest::Approx(made.material.normal_stiffness.value()).epsilon(1e-6));
+                CHECK(make_model(scene).blocks.size() == make_model(made).blocks.size());
+            }
+        }
+    }
+}
+
+TEST_CASE("a readable scene leaves defaults out, keeps what it is asked to, and means the same") {
+    const NewScene wanted{.kind = "tower"};
+    const Scene made = make_new_scene(wanted);
+    const json text = json::parse(write_readable_scene(made, {.kept = {"/structure/seed", "/gravity"}}));
+    CHECK_FALSE(text.contains("comment"));
+    CHECK_FALSE(text.contains("contact"));
+    CHECK_FALSE(text["structure"].contains("height_deviation"));
+    CHECK(text["structure"]["seed"] == 1);
+    CHECK(text["structure"]["tiling"] == "ring_14");
+    CHECK(text["gravity"][2] == "-1 g");
+    Scene changed = made;
+    std::get<Tower>(changed.structure).tiling.inner_radius = 0.5;
+    changed.contact_nodes = ContactNodes::both;
+    changed.face_contact = FaceContact::nodes;
+    const Scene read = parse_scene(write_readable_scene(changed, {}));
+    CHECK(std::get<Tower>(read.structure).tiling == std::get<Tower>(changed.structure).tiling);
+    CHECK(read.contact_nodes == ContactNodes::both);
+    CHECK(read.face_contact == FaceContact::nodes);
+}
+
+TEST_CASE("a record below the folder of a readable scene is named as seen from there, with the length as a fraction") {
+    const NewScene wanted{.kind = "column"};
+    Scene scene = make_new_scene(wanted);
+    RecordMotion record;
+    record.file = "/lab/scenes/records/a.v1";
+    record.components[0] = "360";
+    record.scale = find_scale(wanted);
+    scene.base_motion.source = record;
+    const auto motion_in = [&](const char* folder) { return json::parse(write_readable_scene(scene, {.folder = folder}))["base_motion"]; };
+    CHECK(motion_in("/lab/scenes")["record"] == "records/a.v1");
+    CHECK(motion_in("/lab/other")["record"] == "/lab/scenes/records/a.v1");
+    CHECK(motion_in("/lab")["scale"]["length"] == "1/107");
+    const std::string text = write_readable_scene(scene, {.folder = "/lab"});
+    CHECK(parse_scene(text, "/lab/column.json").base_motion.source == scene.base_motion.source);
+}
 
 TEST_CASE("every quantity in the example scenes carries its unit") {
     for (const auto& file : list_examples()) {

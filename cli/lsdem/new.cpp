@@ -1,0 +1,95 @@
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "cli/commands.hpp"
+#include "cli/options.hpp"
+#include "cli/output.hpp"
+#include "cli/output_files.hpp"
+#include "cli/record_motion.hpp"
+#include "lsdem/run/use_record.hpp"
+#include "lsdem/scene/new_scene.hpp"
+#include "records/atomic_file.hpp"
+
+namespace musim::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct NewOptions {
+    lsdem::NewScene wanted;
+    std::optional<Number> length;
+    RecordMotionOptions record;
+    std::string out;
+    bool force = false;
+};
+
+/// A scene that someone may have worked on is not lost by a command typed again.
+void refuse_existing(const NewOptions& options) {
+    std::error_code unknown;
+    if (options.out.empty() || options.force || !fs::is_regular_file(options.out, unknown)) return;
+    throw records::WriteError(options.out + ": there is a file of this name already; name another, or take --force to replace it");
+}
+
+int run_new(const NewOptions& options) {
+    refuse_overwriting({options.record.record}, {options.out});
+    refuse_existing(options);
+    lsdem::Scene scene = lsdem::make_new_scene(options.wanted);
+    if (!options.record.record.empty()) {
+        options.record.apply(scene);
+        lsdem::scale_record(scene, lsdem::find_scale(options.wanted));
+    }
+    lsdem::ReadableText text = lsdem::comment_new_scene(options.wanted, scene);
+    if (const fs::path folder = fs::path(options.out).parent_path(); !folder.empty()) text.folder = folder;
+    const std::string json = lsdem::write_readable_scene(scene, text);
+    if (options.out.empty()) {
+        print("{}", json);
+        return kDone;
+    }
+    records::write_file_atomically(options.out, json);
+    print("{} written: {}\nnext: musim check {} -o preview.svg\n", options.out, scene.name, options.out);
+    return kDone;
+}
+
+}  // namespace
+
+void add_new_command(CLI::App& app, Action& action) {
+    auto options = std::make_shared<NewOptions>();
+    CLI::App* command = app.add_subcommand("new", "A scene to start from, with comments");
+    command->add_option("kind", options->wanted.kind, "tower, wall, column, or blocks: a portal listed block by block")
+        ->required()
+        ->type_name("KIND")
+        ->check(one_of(lsdem::new_scene_kinds()));
+    command->add_option("-o,--out", options->out, "Scene file to write (default: print it)")->type_name("SCENE.json");
+    command->add_option("--material", options->wanted.material, "Of the blocks: a measured one, see `musim calibrate presets`")
+        ->capture_default_str()
+        ->check(one_of(lsdem::material_preset_names()));
+    command
+        ->add_option(
+            "--length", options->length,
+            "Length of the model over that of the prototype, whose blocks are 1.36 x 2.82 x 4.25 m (default: of the material's block, "
+            "wood 1/107)")
+        ->type_name("NUMBER")
+        ->check(above_zero());
+    command
+        ->add_option("--layers", options->wanted.layers, "Layers of blocks (default: tower 8, wall 6, column 6, each pillar of blocks 2)")
+        ->type_name("N")
+        ->check(whole_between(1, 1000));
+    options->record.add_to(*command,
+                           "Shake with the strong motion of this record of a prototype, scaled by the mu law, instead of a made one");
+    command->add_flag("--force", options->force, "Replace the file of --out");
+    command->footer(
+        "Examples:\n"
+        "  musim new tower -o tower.json\n"
+        "  musim new column --layers 4 --record station.v1 --component y=360 -o column.json\n"
+        "  musim new wall --material concrete --length 1/25\n"
+        "The scene is complete: `musim check` says what it means, `musim run` runs it. Change it in any editor; its comments say how.");
+    command->callback([&action, options] {
+        if (options->length) options->wanted.length = options->length->value;
+        action = [options] { return run_new(*options); };
+    });
+}
+
+}  // namespace musim::cli

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <CLI/App.hpp>
+#include <string>
+#include <vector>
+
+#include "lsdem/scene/scene.hpp"
+
+namespace musim::cli {
+
+/// A record that shakes a scene, as options --record and --component.
+struct RecordMotionOptions {
+    std::string record;                   ///< file; empty: the scene's own motion stays
+    std::vector<std::string> components;  ///< "x=360"
+
+    /// Adds the options; `help` says what becomes of the record.
+    void add_to(CLI::App& command, const std::string& help);
+
+    /// Lets the record's strong motion shake the scene (lsdem::use_record), and says on stderr what was done. Throws CLI::ValidationError
+    /// for a component that is not AXIS=NAME, and as lsdem::use_record.
+    void apply(lsdem::Scene& scene) const;
+};
+
+}  // namespace musim::cli

@@ -1,0 +1,194 @@
+#include "lsdem/scene/new_scene.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "lsdem/scene/scene_error.hpp"
+#include "records/synthesis/synthetic.hpp"
+#include "scaling/nearest_name.hpp"
+#include "scaling/quantity_text.hpp"
+
+namespace musim::lsdem {
+namespace {
+
+using scaling::Length;
+using scaling::Time;
+
+/// μ of the prototype's concrete [Harmon23, Table 3].
+constexpr double kPrototypeFriction = 0.59;
+
+/// Of the prototype: how long the made earthquake lasts, and the run, so that the structure comes to rest again; samples and pictures a
+/// second.
+constexpr double kMotionDuration = 10.0, kRunDuration = 12.0;  // [s]
+constexpr double kSpineRate = 100.0, kFrameRate = 25.0;        // [1/s]
+
+/// Whole blocks in a course of the wall.
+constexpr int kBlocksPerLayer = 5;
+
+/// Of the wall's time step: its half blocks come to meet their neighbors by side faces, which are stiffer than what stands at the start
+/// [-].
+constexpr double kWallSafety = 0.4;
+
+/// `value` to so many significant digits.
+double round_to(double value, int digits) {
+    const double unit = std::pow(10.0, std::floor(std::log10(std::abs(value))) + 1.0 - digits);
+    return std::round(value / unit) * unit;
+}
+
+template <class Quantity>
+Quantity rounded(Quantity quantity, int digits) {
+    return Quantity::from_value(round_to(quantity.value(), digits));
+}
+
+/// Thin, wide and high edges of the prototype's block at the model's length, to a micrometre in a millimetre.
+Triple<Length> make_block(double length) {
+    Triple<Length> block{1.36 * scaling::si::meter, 2.82 * scaling::si::meter, 4.25 * scaling::si::meter};
+    for (Length& edge : block) edge = rounded(edge * length, 4);
+    return block;
+}
+
+/// Two pillars of upright blocks and one that lies across both, turned by a right angle about y, its ends past their outer faces by a tenth
+/// of their thickness.
+BlockList make_portal(const Triple<Length>& block, int layers) {
+    const Length b = block[0], h = block[2];
+    const Length none{};
+    const Length to_pillar = 0.5 * (h - 1.2 * b);
+    BlockList list;
+    const auto add = [&](const Length& x, const Length& z) {
+        BlockEntry entry;
+        entry.size = block;
+        entry.position = {x, none, z};
+        list.blocks.push_back(entry);
+    };
+    for (const double side : {-1.0, 1.0}) {
+        for (int k = 0; k < layers; ++k) add(side * to_pillar, (k + 0.5) * h);
+    }
+    add(none, static_cast<double>(layers) * h + 0.5 * b);
+    list.blocks.back().quaternion = {1.0, 0.0, 1.0, 0.0};
+    return list;
+}
+
+Structure make_structure(const NewScene& wanted, const Triple<Length>& block) {
+    if (wanted.kind == "tower") {
+        Tower tower;
+        tower.layers = wanted.layers.value_or(8);
+        tower.block = block;
+        tower.tiling = find_tiling_preset("ring_14");
+        return tower;
+    }
+    if (wanted.kind == "wall") {
+        Wall wall;
+        wall.layers = wanted.layers.value_or(6);
+        wall.blocks_per_layer = kBlocksPerLayer;
+        wall.block = block;
+        return wall;
+    }
+    if (wanted.kind == "column") {
+        Column column;
+        column.layers = wanted.layers.value_or(6);
+        column.block = block;
+        return column;
+    }
+    if (wanted.kind == "blocks") return make_portal(block, wanted.layers.value_or(2));
+    throw SceneError(fmt::format("\"{}\" is no structure; {}", wanted.kind, scaling::suggest_name(wanted.kind, new_scene_kinds())));
+}
+
+double find_length(const NewScene& wanted) { return wanted.length.value_or(find_material_preset(wanted.material).length_scale); }
+
+std::string describe_scale(double length) { return length == 1.0 ? "prototype scale" : fmt::format("1:{:.6g}", 1.0 / length); }
+
+/// The material on one face of the model's block, in numbers that people write.
+BlockMaterial make_material(const NewScene& wanted, const Triple<Length>& block) {
+    BlockMaterial material = fit_to_block(find_material_preset(wanted.material), block);
+    material.normal_stiffness = rounded(material.normal_stiffness, 4);
+    material.shear_stiffness = rounded(material.shear_stiffness, 4);
+    return material;
+}
+
+SignalMotion make_motion(const scaling::Similitude& similitude) {
+    const records::SyntheticSettings prototype;
+    SyntheticSignal signal;
+    signal.pga = round_to(similitude.acceleration() * (prototype.pga / scaling::kStandardGravity), 4) * scaling::kStandardGravity;
+    signal.pgv = rounded(similitude.to_model(prototype.pgv), 4);
+    signal.duration = rounded(similitude.to_model(kMotionDuration * scaling::si::seconds), 3);
+    signal.dt = rounded(similitude.to_model(prototype.dt), 3);
+    return {.signal = signal, .dt = {}};
+}
+
+std::vector<std::string> comment_structure(const std::string& kind) {
+    const std::string block = "block: thin edge b, wide edge w, height H";
+    const std::string heights =
+        "height_deviation: standard deviation of your blocks' heights, e.g. \"0.1 mm\"; each seed draws other heights (see musim ensemble)";
+    if (kind == "tower") {
+        return {block, "tiling: ring_14 has 14 blocks a layer; others are ring_18, solid_22, solid_6, solid_2, and full, the papers' 188",
+                heights};
+    }
+    if (kind == "wall") return {block + "; w runs along x, the wall's length", heights};
+    if (kind == "column") return {block + "; b runs along x, w along y", heights};
+    return {"size: edges b, w, H along the block's own axes; position: its middle, z = 0 is the ground; quaternion (w, x, y, z) turns it",
+            "blocks that stand on each other just touch: no gap, no overlap"};
+}
+
+std::vector<std::string> comment_motion(const Scene& scene) {
+    if (std::holds_alternative<RecordMotion>(scene.base_motion.source)) {
+        return {
+            "components: the record's component along x, y, z (musim record info FILE lists them)",
+            "window: the part that is used, in the record's own time; time.duration is its length at the model's scale",
+            "scale: the similitude between the prototype, whose record this is, and the model; leave it out for a record of your table"};
+    }
+    return {"a made earthquake at the model's scale; another seed makes another with the same peaks",
+            "your own record: musim new ... --record FILE, or write here { \"record\": \"FILE\", \"components\": { \"x\": \"NAME\" } }"};
+}
+
+}  // namespace
+
+const std::vector<std::string>& new_scene_kinds() {
+    static const std::vector<std::string> kKinds{"tower", "wall", "column", "blocks"};
+    return kKinds;
+}
+
+RecordScale find_scale(const NewScene& wanted) {
+    const double friction = find_material_preset(wanted.material).material.friction / kPrototypeFriction;
+    return {.law = "mu", .set = {{"l", find_length(wanted)}, {"mu", friction}}};
+}
+
+Scene make_new_scene(const NewScene& wanted) {
+    const scaling::Similitude similitude = make_similitude(find_scale(wanted));
+    const Triple<Length> block = make_block(similitude.length());
+    Scene scene;
+    scene.structure = make_structure(wanted, block);
+    scene.name = fmt::format("{} of {} blocks, {}", wanted.kind == "blocks" ? "portal" : wanted.kind, wanted.material,
+                             describe_scale(similitude.length()));
+    scene.material = make_material(wanted, block);
+    scene.base_motion.source = make_motion(similitude);
+    scene.time.duration = rounded(similitude.to_model(kRunDuration * scaling::si::seconds), 3);
+    if (wanted.kind == "wall") scene.time.safety = kWallSafety;
+    scene.output.spine_rate = rounded(similitude.to_model(kSpineRate / scaling::si::seconds), 1);
+    scene.output.frame_rate = rounded(similitude.to_model(kFrameRate / scaling::si::seconds), 1);
+    check_scene(scene, "new scene");
+    return scene;
+}
+
+ReadableText comment_new_scene(const NewScene& wanted, const Scene& scene) {
+    ReadableText text;
+    const scaling::Similitude similitude = make_similitude(find_scale(wanted));
+    text.comments[""] = {"quantities are texts with units; a fraction may stand for a number; texts under \"comment\" are for people",
+                         "musim check FILE says what this means and draws it; musim run FILE -o DIR runs it"};
+    text.comments["/material"] = {
+        fmt::format("{} as measured [Harmon23], fitted to this block: stiffness of a whole face across H", wanted.material),
+        "musim calibrate shows how to measure your own; friction and restitution are those of the contact"};
+    text.comments["/structure"] = comment_structure(wanted.kind);
+    text.comments["/base_motion"] = comment_motion(scene);
+    text.comments["/time"] = {"step: auto takes `safety` times the critical step of the structure; or give a time"};
+    text.comments["/output"] = {
+        fmt::format("spine_rate: samples a second of the blocks along one edge ({} in the prototype); without it every step is kept",
+                    scaling::format_quantity(similitude.to_prototype(scene.output.spine_rate), 2)),
+        "frame_rate: positions of all blocks a second, for films and the 3D view of a report; without it there are none"};
+    text.kept = {"/structure/height_deviation", "/structure/seed", "/base_motion/direction",
+                 "/base_motion/seed",           "/time/step",      "/time/safety"};
+    return text;
+}
+
+}  // namespace musim::lsdem

@@ -1,0 +1,131 @@
+#include "lsdem/scene/readable_scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "lsdem/scene/detail/scene_to_json.hpp"
+#include "lsdem/scene/scene_error.hpp"
+#include "lsdem/scene/scene_json.hpp"
+#include "lsdem/scene/tower_tiling.hpp"
+
+namespace musim::lsdem {
+namespace {
+
+using nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+/// Letters of a line that an object or list may fill before it is broken into lines.
+constexpr std::size_t kWidth = 140;
+
+/// A length factor 1/n is written so where n is whole to this part [-].
+constexpr double kWhole = 1e-9;
+
+/// On one line, with blanks inside braces: { "kind": "box" }.
+std::string write_line(const ordered_json& value) {
+    if (!value.is_structured() || value.empty()) return value.dump();
+    std::string text;
+    for (const auto& [key, entry] : value.items()) {
+        if (!text.empty()) text += ", ";
+        if (value.is_object()) text += ordered_json(key).dump() + ": ";
+        text += write_line(entry);
+    }
+    return value.is_object() ? "{ " + text + " }" : "[" + text + "]";
+}
+
+bool has_comment(const ordered_json& value) {
+    if (value.is_object() && value.contains("comment")) return true;
+    return value.is_structured() && std::any_of(value.begin(), value.end(), has_comment);
+}
+
+/// In as few lines as their width and comments allow, each object or list that is broken with an entry a line.
+std::string write_lines(const ordered_json& value, std::size_t indent, bool broken = false) {
+    const std::string line = write_line(value);
+    const bool fits = indent + line.size() <= kWidth && !has_comment(value);
+    if (!value.is_structured() || value.empty() || (fits && !broken)) return line;
+    const std::string margin(indent + 2, ' ');
+    std::string text;
+    for (const auto& [key, entry] : value.items()) {
+        const std::string name = value.is_object() ? ordered_json(key).dump() + ": " : "";
+        text += (text.empty() ? "" : ",\n") + margin + name + write_lines(entry, indent + 2, key == "comment");
+    }
+    return (value.is_object() ? "{\n" : "[\n") + text + "\n" + std::string(indent, ' ') + (value.is_object() ? "}" : "]");
+}
+
+/// The scene that a text means; nothing where it is none.
+std::optional<Scene> try_parse(const ordered_json& root, const fs::path& origin) {
+    try {
+        return parse_scene(root.dump(), origin);
+    } catch (const SceneError&) {
+        return std::nullopt;
+    }
+}
+
+/// Removes what can be left out of an object, at `pointer` of `root`, without making it another scene.
+void leave_out_defaults(ordered_json& root, const ordered_json::json_pointer& pointer, const Scene& scene, const fs::path& origin,
+                        const std::set<std::string>& kept) {
+    const ordered_json before = root.at(pointer);
+    for (const auto& [key, value] : before.items()) {
+        const auto place = pointer / key;
+        if (before.is_object() && !kept.contains(place.to_string())) {
+            ordered_json without = root;
+            without.at(pointer).erase(key);
+            if (try_parse(without, origin) == scene) {
+                root = std::move(without);
+                continue;
+            }
+        }
+        if (value.is_structured()) leave_out_defaults(root, place, scene, origin, kept);
+    }
+}
+
+/// Names that say the same in fewer letters: the tiling by its preset, a length factor as 1/107, a record by its place beside the scene.
+void shorten_names(ordered_json& root, const fs::path& folder) {
+    ordered_json& structure = root.at("structure");
+    if (structure.contains("tiling") && !structure["tiling"].contains("file")) {
+        for (const std::string& name : tiling_preset_names()) {
+            const TilingSettings preset = find_tiling_preset(name);
+            const ordered_json text{
+                {"cells_across", preset.cells_across}, {"inner_radius", preset.inner_radius}, {"outer_radius", preset.outer_radius}};
+            if (structure["tiling"] == text) structure["tiling"] = name;
+            if (structure["tiling"].is_string()) break;
+        }
+    }
+    if (!root.contains("base_motion") || !root["base_motion"].is_object() || !root["base_motion"].contains("record")) return;
+    ordered_json& motion = root["base_motion"];
+    const fs::path near = fs::path(motion["record"].get<std::string>()).lexically_relative(fs::absolute(folder).lexically_normal());
+    if (!near.empty() && *near.begin() != "..") motion["record"] = near.string();
+    if (!motion.contains("scale") || !motion["scale"].contains("length")) return;
+    const double inverse = 1.0 / motion["scale"]["length"].get<double>(), whole = std::round(inverse);
+    if (whole > 1.0 && std::abs(inverse - whole) <= kWhole * whole) {
+        motion["scale"]["length"] = "1/" + std::to_string(static_cast<long long>(whole));
+    }
+}
+
+}  // namespace
+
+std::string write_readable_scene(const Scene& scene, const ReadableText& text) {
+    ordered_json root = detail::to_json(scene, detail::QuantityStyle::text);
+    shorten_names(root, text.folder);
+    const fs::path origin = text.folder / "scene.json";
+    const Scene meant = parse_scene(root.dump(), origin);
+    leave_out_defaults(root, ordered_json::json_pointer(), meant, origin, text.kept);
+    for (const auto& [pointer, lines] : text.comments) {
+        ordered_json& object = root.at(ordered_json::json_pointer(pointer));
+        // the comment comes first, but for the format of a scene
+        ordered_json commented = ordered_json::object();
+        if (pointer.empty()) {
+            commented["schema"] = object.at("schema");
+            commented["name"] = object.at("name");
+        }
+        commented["comment"] = lines.size() == 1 ? ordered_json(lines.front()) : ordered_json(lines);
+        for (const auto& [key, value] : object.items()) {
+            if (!commented.contains(key)) commented[key] = value;
+        }
+        object = std::move(commented);
+    }
+    return write_lines(root, 0, true) + "\n";
+}
+
+}  // namespace musim::lsdem

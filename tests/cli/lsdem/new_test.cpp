@@ -1,0 +1,72 @@
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "tests/cli/program.hpp"
+#include "tests/support/shared_records.hpp"
+
+using namespace musim::cli;
+
+TEST_CASE("a new scene of every kind is written or printed, and runs at once") {
+    const Workplace here;
+    for (const std::string kind : {"tower", "wall", "column", "blocks"}) {
+        CAPTURE(kind);
+        const Outcome made = here.run("new " + kind + " --layers 2 -o " + kind + ".json");
+        CHECK(made.exit_code == 0);
+        CHECK(made.err.empty());
+        CHECK(made.out.find("next: musim check " + kind + ".json") != std::string::npos);
+        CHECK(here.run("new " + kind + " --layers 2").out == here.read(kind + ".json"));
+        const Outcome run = here.run("run " + kind + ".json --duration 1e-3 --json");
+        CHECK(run.exit_code == 0);
+        CHECK(run.json()["status"] == "completed");
+        // but for the motion that so short a run cuts
+        CHECK_MESSAGE(run.err.find("musim: note") == std::string::npos, run.err);
+    }
+}
+
+TEST_CASE("a file that exists is not replaced by a new scene, unless asked") {
+    const Workplace here;
+    here.write("mine.json", "my work");
+    const Outcome refused = here.run("new column -o mine.json");
+    CHECK(refused.exit_code == 3);
+    CHECK_MESSAGE(refused.has_one_error_line(), refused.err);
+    CHECK(refused.err.find("mine.json: there is a file of this name already") != std::string::npos);
+    CHECK(here.read("mine.json") == "my work");
+    CHECK(here.run("new column -o mine.json --force").exit_code == 0);
+    CHECK(here.read("mine.json") != "my work");
+}
+
+TEST_CASE("a new scene takes an own record, of which it uses the strong motion at the model's scale") {
+    if (!musim::tests::have_shared_records()) return;
+    const Workplace here;
+    here.shell("cp '" + (musim::tests::shared_records() / "csmip" / "CICLC.v1").string() + "' mine.v1");
+    const Outcome made = here.run("new column --record mine.v1 -o column.json");
+    REQUIRE_MESSAGE(made.exit_code == 0, made.err);
+    CHECK(made.err.find("mine.v1: strong motion from ") != std::string::npos);
+    const auto motion = nlohmann::json::parse(here.read("column.json"))["base_motion"];
+    CHECK(motion["record"] == "mine.v1");
+    CHECK(motion["scale"]["length"] == "1/107");
+    CHECK(here.run("run column.json --duration 1e-3 --json").exit_code == 0);
+    CHECK(here.run("new column --record mine.v1 --component y=nowhere").exit_code == 3);
+}
+
+TEST_CASE("what a new scene cannot be is refused in one line") {
+    const Workplace here;
+    struct Case {
+        const char* arguments;
+        int exit_code;
+        const char* message;
+    };
+    for (const Case& wrong :
+         {Case{"new", 2, "kind is required"}, Case{"new towr", 2, "did you mean \"tower\"?"}, Case{"new tower --layers 0", 2, "--layers"},
+          Case{"new tower --length 0", 2, "--length"}, Case{"new tower --material stone", 2, "--material"},
+          Case{"new tower --component x=1", 2, "--record"}, Case{"new tower --record lost.v1", 3, "lost.v1"},
+          Case{"new tower --length 1e-300", 3, "musim: error: "}, Case{"new tower -o gone/tower.json", 3, "gone"}}) {
+        CAPTURE(wrong.arguments);
+        const Outcome outcome = here.run(wrong.arguments);
+        CHECK(outcome.exit_code == wrong.exit_code);
+        CHECK_MESSAGE(outcome.has_one_error_line(), outcome.err);
+        CHECK_MESSAGE(outcome.err.find(wrong.message) != std::string::npos, outcome.err);
+        CHECK(here.count() == 0);
+    }
+}
