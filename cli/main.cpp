@@ -6,10 +6,10 @@
 #include <stdexcept>
 #include <string>
 
+#include "cli/app.hpp"
 #include "cli/commands.hpp"
 #include "cli/output.hpp"
 #include "cli/usage.hpp"
-#include "cli/version.hpp"
 #include "scaling/shorten.hpp"
 
 namespace musim::cli {
@@ -23,33 +23,9 @@ int report(const std::string& message, int exit_code) {
 }
 
 int run(int argc, char** argv) {
-    CLI::App app("Similitude toolkit and LS-DEM simulator for towers of dry-stacked blocks", "musim");
-    app.set_version_flag("--version", std::string("musim ") + kVersion);
-    app.require_subcommand(1);
-    app.footer(
-        "Exit codes: 0 done, 2 usage, 3 bad input, 4 diverged, 5 a requested check did not hold.\n"
-        "Numbers may be fractions: --length 1/107 --friction 0.63/0.59. `musim COMMAND --help` has examples.");
+    CLI::App app;
     Action action;
-    add_scale_command(app, action);
-    add_rescale_command(app, action);
-    add_table_command(app, action);
-    add_design_command(app, action);
-    add_record_command(app, action);
-    add_new_command(app, action);
-    add_run_command(app, action);
-    add_pair_command(app, action);
-    add_specimen_command(app, action);
-    add_ensemble_command(app, action);
-    add_sequence_command(app, action);
-    add_bench_command(app, action);
-    add_calibrate_command(app, action);
-    add_response_command(app, action);
-    add_report_command(app, action);
-    add_field_command(app, action);
-    add_watch_command(app, action);
-    add_pi_command(app, action);
-
-    refuse_empty_values(app);
+    add_commands(app, action);
 
     try {
         app.parse(argc, argv);

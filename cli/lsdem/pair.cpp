@@ -306,7 +306,7 @@ void add_model_options(CLI::App& command, PairOptions& options) {
         .add_option(
             "--material", options.own,
             "Own material of each model: a preset, a material file, or a scene whose it is (default: the one measured at that scale)")
-        ->type_name("NAME|FILE")
+        ->type_name("PRESET|FILE")
         ->excludes(models);
     command
         .add_option("--specimens", options.specimens,

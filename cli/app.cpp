@@ -1,0 +1,49 @@
+#include "cli/app.hpp"
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "cli/usage.hpp"
+#include "cli/version.hpp"
+
+namespace musim::cli {
+
+void add_commands(CLI::App& app, Action& action) {
+    app.name("musim");
+    app.description("Similitude toolkit and LS-DEM simulator for towers of dry-stacked blocks");
+    app.set_version_flag("--version", std::string("musim ") + kVersion);
+    app.require_subcommand(1);
+    app.footer(
+        "Exit codes:\n"
+        "  0         done\n"
+        "  1         a mistake of musim's own\n"
+        "  2         usage: the command line alone shows that it is wrong\n"
+        "  3         bad input: files, names or values that cannot be used; results that cannot be written\n"
+        "  4         numerical failure: a run diverged\n"
+        "  5         a requested check did not hold\n"
+        "  6         a model of its own material differs by more than --accept\n"
+        "  130, 143  stopped by SIGINT (Ctrl-C) or SIGTERM\n"
+        "Numbers may be fractions: --length 1/107 --friction 0.63/0.59. `musim COMMAND --help` has examples.");
+    add_scale_command(app, action);
+    add_rescale_command(app, action);
+    add_table_command(app, action);
+    add_design_command(app, action);
+    add_record_command(app, action);
+    add_new_command(app, action);
+    add_run_command(app, action);
+    add_pair_command(app, action);
+    add_specimen_command(app, action);
+    add_ensemble_command(app, action);
+    add_sequence_command(app, action);
+    add_bench_command(app, action);
+    add_calibrate_command(app, action);
+    add_response_command(app, action);
+    add_report_command(app, action);
+    add_field_command(app, action);
+    add_watch_command(app, action);
+    add_pi_command(app, action);
+
+    refuse_empty_values(app);
+}
+
+}  // namespace musim::cli
