@@ -10,7 +10,7 @@ namespace musim::scaling {
 /// How a product of powers is written.
 enum class PiNotation {
     text,   ///< v^2/(g*l), as parse_group() reads it
-    latex,  ///< \frac{v^{2}}{g\,l}, without dollars; names such as mu and rho as Greek letters
+    latex,  ///< `\frac{v^{2}}{g\,l}`, without dollars; names such as mu and rho as Greek letters
 };
 
 /// A product of powers of the quantities; "1" when all exponents are zero.
