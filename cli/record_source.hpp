@@ -32,7 +32,8 @@ struct RecordSourceOptions {
 
 /// How a positional record argument describes itself in help texts.
 inline constexpr const char* kRecordArgument =
-    "Record file of any format in records/README.md (PEER, CSMIP, COSMOS, SMC, K-NET, ESM, SAC, miniSEED, text, ...), or `synthetic` for "
+    "Record file of any format in docs/user/record_formats.md (PEER, CSMIP, COSMOS, SMC, K-NET, ESM, SAC, miniSEED, text, ...), or "
+    "`synthetic` for "
     "the built-in one";
 
 }  // namespace musim::cli

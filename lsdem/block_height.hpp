@@ -8,7 +8,7 @@
 #include "lsdem/types.hpp"
 
 /// Blocks that are taller or shorter than their shape, by Block::height_offset Δ: everything that depends on a block's own height H + Δ.
-/// Shapes stay shared; see lsdem/README.md, "Blocks of unequal height".
+/// Shapes stay shared; see docs/theory/shapes.md, "Blocks of unequal height".
 namespace musim::lsdem {
 
 /// Half extents of a block, body frame [m]: those of its shape, and (H + Δ)/2 along z.

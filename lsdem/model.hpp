@@ -76,7 +76,7 @@ enum class StiffnessSharing {
 
 /// How boxes meet each other and the ground.
 enum class FaceContact {
-    overlap,  ///< springs that store half of K_n times the integral of both depths over the overlap: see lsdem/contact/README.md
+    overlap,  ///< springs that store half of K_n times the integral of both depths over the overlap: see docs/theory/overlap_contact.md
     nodes     ///< the leader's surface nodes against the follower, as spheres and grids; a reference
 };
 
@@ -104,7 +104,8 @@ struct Model {
     bool skip_apart = true;                           ///< pass over pairs that cannot have met since they were found apart; same results
     FaceContact face_contact = FaceContact::overlap;  ///< of StiffnessSharing::per_area; per_contact counts the leader's nodes
     /// Rate α at which velocities and spins decay towards rest, dv/dt = F/m − α·v [1/s]; only for preparing a specimen while the base
-    /// stands. The velocity damping of [Harmon23, eq. 12], v ← (1 − c_v)·v in each step, is α = −ln(1 − c_v)/dt. See lsdem/README.md.
+    /// stands. The velocity damping of [Harmon23, eq. 12], v ← (1 − c_v)·v in each step, is α = −ln(1 − c_v)/dt. See
+    /// docs/theory/preparation.md.
     double velocity_damping = 0.0;
     /// What friction of blocks that stand already holds; of contacts that are not named nothing. Contacts by nodes don't take it.
     std::vector<Preload> preload;

@@ -14,8 +14,8 @@ namespace musim::lsdem {
 /// ground and against fixed blocks. For a chain this is the exact limit; it counts normal and shear springs, rocking and their coupling.
 /// Of blocks that differ in height only (Block::height_offset) the shortest and the tallest are looked at: what lies between is no
 /// stiffer by more than (4σ_H/H)²/2, and only where the heights straddle a width.
-/// Frequencies: similitude of the tower, lsdem/README.md. Throws std::invalid_argument when the model has no moving block or a stiffness is
-/// not positive.
+/// Frequencies: similitude of the tower, docs/theory/integration.md. Throws std::invalid_argument when the model has no moving block or a
+/// stiffness is not positive.
 double compute_critical_time_step(const Model& model);
 
 /// The same; nothing for a model that has no critical step, such as one without moving blocks.

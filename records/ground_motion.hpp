@@ -10,7 +10,7 @@
 
 namespace musim::records {
 
-/// Below this, uncorrected accelerograms hold drift and noise; the usual corner for strong motion [Hz] (README.md, "Uncorrected records").
+/// Below this, uncorrected accelerograms hold drift and noise; the usual corner for strong motion [Hz] (docs/theory/records.md).
 inline constexpr double kUncorrectedCornerHz = 0.05;
 
 /// One channel of a record.

@@ -116,7 +116,7 @@ void add_bench_command(CLI::App& app, Action& action) {
         "Examples:\n"
         "  musim bench accuracy --record CICLC.v1 --component 360 -o out/accuracy\n"
         "  musim bench accuracy --quick --json\n"
-        "Run times are processor time of the stepping thread; docs/accuracy.md explains the problems.");
+        "Run times are processor time of the stepping thread; docs/validation/accuracy.md explains the problems.");
     command->callback([&action, options] { action = [options] { return run_whole([&] { return run_bench_accuracy(*options); }); }; });
 }
 

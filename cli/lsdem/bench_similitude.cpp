@@ -117,7 +117,7 @@ void add_bench_similitude_command(CLI::App& bench, Action& action) {
         "  musim bench similitude --format markdown\n"
         "length: of widths; heights: over it. Factors of the model over the prototype; broken: one more factor, set wrong on purpose.\n"
         "With equal groups the difference of the curves stays below the yardstick; with a broken one the measured ratio is the predicted.\n"
-        "Exit code 5 when a case does not hold; docs/similitude.md derives the predictions.");
+        "Exit code 5 when a case does not hold; docs/validation/similitude.md derives the predictions.");
     command->callback([&action, options] { action = [options] { return run_whole([&] { return run_bench_similitude(*options); }); }; });
 }
 

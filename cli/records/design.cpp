@@ -113,7 +113,7 @@ void add_design_command(CLI::App& app, Action& action) {
     CLI::App* command = app.add_subcommand("design", "Which length scales, materials and laws a table, a hall and a workshop allow");
     command
         ->add_option("design", options->file,
-                     "Prototype, record, table, limits, materials (JSON, musim-design/1; see records/design/README.md)")
+                     "Prototype, record, table, limits, materials (JSON, musim-design/1; see docs/user/design_files.md)")
         ->required()
         ->type_name("DESIGN");
     options->source.add_to(*command);

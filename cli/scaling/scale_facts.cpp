@@ -158,7 +158,7 @@ void FactsOptions::add_to(CLI::App& command) {
         command
             .add_option(
                 "--facts", file,
-                "What is known of prototype and model (JSON, musim-facts/1; see records/design/README.md): reports every group of both, "
+                "What is known of prototype and model (JSON, musim-facts/1; see docs/user/design_files.md): reports every group of both, "
                 "regimes, structural speed and rocking")
             ->type_name("FACTS.json");
     // what the facts themselves give

@@ -4,7 +4,7 @@ namespace musim::lsdem {
 
 /// What a rigid block does on a base that is pushed once by a(t) = A·sin(πt/T), 0 ≤ t ≤ T, and then keeps its velocity; numbers only.
 
-/// Slip of a block with a/(μg) = `strength` at the peak of the push [Newmark65]. docs/similitude.md has the formulas.
+/// Slip of a block with a/(μg) = `strength` at the peak of the push [Newmark65]. docs/validation/similitude.md has the formulas.
 struct PushedSlider {
     double slip = 0.0;  ///< greatest distance behind the base, over A·T² [-]
     double end = 0.0;   ///< when it stops to slip, over T [-]

@@ -20,7 +20,7 @@ struct Prediction {
     double tolerance = 0.0;  ///< of the ratio, absolute: what the closed form leaves out
 };
 
-/// Ratio of the measure from the groups of the model over those of the prototype; docs/similitude.md has the derivation. Throws
+/// Ratio of the measure from the groups of the model over those of the prototype; docs/validation/similitude.md has the derivation. Throws
 /// std::invalid_argument for the column, which has no closed form, and as the closed forms do.
 Prediction predict(BenchScene scene, const TwinScales& scales, const Break& broken, Measure measure);
 

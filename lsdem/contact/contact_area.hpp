@@ -5,7 +5,7 @@
 #include "lsdem/contact/overlap.hpp"
 #include "lsdem/types.hpp"
 
-/// Where friction and dashpots of two bodies act: the area over which their faces face each other, see lsdem/contact/README.md.
+/// Where friction and dashpots of two bodies act: the area over which their faces face each other, see docs/theory/overlap_contact.md.
 namespace musim::lsdem {
 
 /// Area, half of each body's, with its moments.

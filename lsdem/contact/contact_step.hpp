@@ -5,8 +5,8 @@
 
 #include "lsdem/detail/wide.hpp"
 
-/// The mathematics of a contact of two bodies that overlap, for one pair or several side by side; see lsdem/contact/README.md, "Area and
-/// dashpots" and "Friction". World axes; what acts acts on the second body.
+/// The mathematics of a contact of two bodies that overlap, for one pair or several side by side; see docs/theory/overlap_contact.md, "Area
+/// and dashpots" and "Friction". World axes; what acts acts on the second body.
 namespace musim::lsdem::detail {
 
 /// Faces that face each other under a smaller cosine than this bear no friction and no dashpot [-]; above, in proportion. So the narrow

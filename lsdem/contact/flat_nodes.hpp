@@ -78,7 +78,7 @@ struct FlatFollower {
 void end_contact(const StepLaw& law, const Row& normal, const Row& change, double share, std::size_t entry, ContactHistory& history,
                  PairSums& sums);
 
-/// Nodes against a flat face, four at a time; compiled for AVX2 and for plain x86-64, same bits. See lsdem/README.md, "Contact".
+/// Nodes against a flat face, four at a time; compiled for AVX2 and for plain x86-64, same bits. See docs/theory/surface_nodes.md.
 /// `equal_area`: the area every node in contact acts on, whatever its cell [m²] (StiffnessSharing::per_contact), or zero for its own.
 void sum_flat_nodes(const BlockNodes& leader, const RelativePose& pose, const FlatFollower& face, const StepLaw& law, double equal_area,
                     const ContactPair& pair, ContactList& list, PairSums& sums);

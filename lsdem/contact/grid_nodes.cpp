@@ -88,7 +88,7 @@ void add_grid_node(const StepLaw& law, const Row& y, const Row& normal, const Ro
 }
 
 /// The level set of a block of its own height, from the grid of its shape: cut in the middle, and the halves moved apart, or together, by
-/// Δ. For a box this is its own distance wherever it can be touched, see lsdem/README.md, "Blocks of unequal height".
+/// Δ. For a box this is its own distance wherever it can be touched, see docs/theory/shapes.md, "Blocks of unequal height".
 class BlockGrid {
   public:
     BlockGrid(const GridLevelSet& grid, double height_offset) : grid_(grid), half_gap_(0.5 * height_offset) {}

@@ -7,7 +7,7 @@
 #include "lsdem/contact/solid.hpp"
 #include "lsdem/types.hpp"
 
-/// How two convex bodies push each other where they overlap, see lsdem/contact/README.md.
+/// How two convex bodies push each other where they overlap, see docs/theory/overlap_contact.md.
 namespace musim::lsdem {
 
 /// The faces of two bodies inside each other, cut into pieces over which the depth below the nearest face of the other body is affine.

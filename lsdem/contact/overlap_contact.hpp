@@ -9,7 +9,7 @@
 #include "lsdem/losses.hpp"
 #include "lsdem/types.hpp"
 
-/// The contact of two convex bodies: springs of their overlap, dashpots and friction; see lsdem/contact/README.md.
+/// The contact of two convex bodies: springs of their overlap, dashpots and friction; see docs/theory/overlap_contact.md.
 namespace musim::lsdem {
 
 /// Where two bodies are and were, about the origin of the pair. World axes.

@@ -21,7 +21,7 @@ struct StiffestBlock {
 class StiffnessWatch {
   public:
     /// The largest eigenvalue, over single blocks that move, of M⁻¹(K dt²/4 + C dt/2), with K, C (6 x 6) those of the block's overlaps,
-    /// twice where the other block moves too: with no more than 1 every mode of the assembly is stable (lsdem/README.md, "Time step").
+    /// twice where the other block moves too: with no more than 1 every mode of the assembly is stable (docs/theory/integration.md).
     /// Zero unless a block uses more than `least`. Contacts by nodes are left out.
     StiffestBlock find_stiffest(const Bodies& bodies, const BasePose& base, double dt, const ContactList& list, double least);
 

@@ -11,7 +11,7 @@
 namespace musim::lsdem::detail {
 
 /// Inertia that blocks are given while a specimen is prepared, so that its time step may be longer than that of a run; see
-/// lsdem/README.md, "Added inertia".
+/// docs/theory/preparation.md, "Added inertia".
 ///
 /// Where forces balance does not depend on inertia. A contact of stiffness k and dashpot c anywhere on the surface of a block of mass m is
 /// stable in steps of dt if m ≥ g·(Λ·k·dt²/4 + Λ_n·c·dt/2), and the contacts of a block add up; g = 2 between two blocks that move against

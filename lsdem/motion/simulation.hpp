@@ -118,7 +118,8 @@ struct JointStiffness {
 /// What inertia blocks have while a specimen is prepared.
 enum class Inertia {
     own,       ///< that of their mass
-    as_stable  ///< so much more, as long as their contacts ask for it, that they are stable at whatever time step; see lsdem/README.md
+    as_stable  ///< so much more, as long as their contacts ask for it, that they are stable at whatever time step; see
+               ///< docs/theory/preparation.md
 };
 
 /// Explicit LS-DEM simulation with a fixed time step. Results are the same bits for any number of threads.

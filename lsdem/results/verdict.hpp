@@ -12,7 +12,7 @@ namespace musim::lsdem {
 /// hundredths at a corner and by 1e-5 at rest; beyond this they may end up inside each other. Changes what is reported only.
 inline constexpr double kDeepOverlap = 0.05;
 
-/// Energy balance that counts as open [-]: ten times what collisions at the default step may book wrongly (lsdem/README.md, Limits).
+/// Energy balance that counts as open [-]: ten times what collisions at the default step may book wrongly (docs/theory/overlap_contact.md).
 inline constexpr double kOpenBalance = 0.1;
 
 /// A structure begins at rest when its base bears its weight to within this [-], and no block moves up or down by more than this part of

@@ -41,8 +41,8 @@ class ResultFolder {
     /// ResultError as there.
     void set_origin(ResultOrigin origin, Overwriting overwriting);
 
-    /// Adds to `subfolder` (may be empty): result.h5 (HDF5, layout in README.md), result.xdmf (opens it in ParaView), spine.csv and
-    /// summary.json. Throws records::WriteError.
+    /// Adds to `subfolder` (may be empty): result.h5 (HDF5, layout in docs/user/file_formats.md), result.xdmf (opens it in ParaView),
+    /// spine.csv and summary.json. Throws records::WriteError.
     void add_run(const std::filesystem::path& subfolder, const RunResult& run, const ResultHeader& header);
 
     /// Adds a text file, such as a picture. Throws records::WriteError.

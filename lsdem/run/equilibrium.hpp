@@ -19,7 +19,7 @@ struct Equilibrium {
 ///     K Δu = w + f(u),      u ← u + Δu,      friction ← friction − K_s S Δξ,      u: shift and turn of every block
 ///
 /// f: forces and torques of the contacts themselves, so the end is exact whatever K is. The first contacts are those between upper and
-/// lower faces (across body z) that meet as drawn. See lsdem/study/README.md, "Equilibrium".
+/// lower faces (across body z) that meet as drawn. See docs/theory/preparation.md, "Equilibrium".
 ///
 /// Nothing is changed, and `residual` says by how much it failed, where the structure has no such equilibrium nearby: contacts by nodes,
 /// blocks that do not stand on others, friction that would have to be more than it can.

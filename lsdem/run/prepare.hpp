@@ -21,7 +21,7 @@ struct PreparationSettings {
     double lowering = 0.02;  ///< speed at which a layer is let down, over √(gH) [-]
     /// The next layer comes when every block below has less kinetic energy than this part of its weight times its height, a drop from as
     /// much of it [-]; or after its patience over α, since a block that is nearly balanced tips slowly and goes on doing so under the next
-    /// layer. Blocks that come upright have farther to tip than those that come as they will rest. See lsdem/study/README.md.
+    /// layer. Blocks that come upright have farther to tip than those that come as they will rest. See docs/theory/preparation.md.
     double layer_rest = 1e-8;
     double layer_patience = 2.5;    ///< of Placing::layers and quick_layers [-]
     double resting_patience = 0.5;  ///< of Placing::resting [-]

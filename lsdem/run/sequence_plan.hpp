@@ -32,7 +32,8 @@ struct SequencePlan {
 };
 
 /// Velocity by which the base may jump where one motion follows another without a quiet phase, over the larger of their peak velocities
-/// [-]. Formulas that end at rest do so to 1e-16; a jump of a millionth is far below what sampling a formula costs (1e-4, scene/README.md).
+/// [-]. Formulas that end at rest do so to 1e-16; a jump of a millionth is far below what sampling a formula costs (1e-4,
+/// docs/user/scenes.md).
 inline constexpr double kSeamlessVelocity = 1e-6;
 
 /// Plans the motions of a scene (expand_motions). Between two motions the structure comes to rest at the damping rate of

@@ -16,7 +16,7 @@ std::string describe_inputs(const Scene& scene, const PreparationSettings& prepa
 /// Name of the file of a specimen made from `inputs`: "specimen-", the name of the text (detail::name_content), ".h5".
 std::string specimen_file_name(const std::string& inputs);
 
-/// Writes a specimen as HDF5, all or nothing; layout in README.md. Throws records::WriteError.
+/// Writes a specimen as HDF5, all or nothing; layout in docs/user/file_formats.md. Throws records::WriteError.
 void write_specimen(const std::filesystem::path& file, const PreparedSpecimen& prepared, const std::string& inputs,
                     const std::string& version);
 

@@ -35,7 +35,7 @@ BuiltModel build_model(const Scene& scene);
 Model make_model(const Scene& scene);
 
 /// Largest step that a scene may ask for over the critical one, which is a bound on the safe side for blocks that can turn: these were seen
-/// to be stable up to here (docs/stability.md), and a run between one and this ends with a warning [-].
+/// to be stable up to here (docs/validation/stability.md), and a run between one and this ends with a warning [-].
 inline constexpr double kLargestStep = 1.5;
 
 /// Time step of a run: the scene's own, or `safety` times the critical step of its model. Throws SceneError for a step of the scene's own

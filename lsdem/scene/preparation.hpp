@@ -14,7 +14,7 @@ enum class Placing {
     as_drawn,     ///< where the structure has them
     resting,      ///< each on the plane it rests on, see put_to_rest, with inertia added while they settle
     layers,       ///< layer by layer, each lowered onto those that have settled [Harmon23, section 5]
-    quick_layers  ///< the same, with inertia added so that steps are longer, see lsdem/README.md
+    quick_layers  ///< the same, with inertia added so that steps are longer, see docs/theory/preparation.md
 };
 
 /// What happens before the motion: blocks are placed, or taken from a specimen prepared before, and come to rest under damped velocities.

@@ -24,7 +24,7 @@ using detail::CellRing;
 using detail::kNone;
 using detail::Partners;
 
-/// Seed of the search. It decides which of the good tilings is built; the README shows the one of the full tower.
+/// Seed of the search. It decides which of the good tilings is built; docs/theory/structures.md shows the one of the full tower.
 constexpr std::uint64_t kSeed = 20;
 
 /// The exact cover starts anew with other random choices after this many placements, then after twice as many, and so on: its effort has a
@@ -102,7 +102,7 @@ TowerTiling make_dominoes(const CellRing& ring, const Partners& partners) {
 }
 
 /// A quarter turn maps a single loop through all cells to itself, by a quarter of its length, and odd dominoes to even ones: the quarter
-/// must be odd. See README.md, "Interlock".
+/// must be odd. See docs/theory/structures.md, "Interlock".
 int least_loops(int cells) { return cells % 8 == 4 ? 1 : 2; }
 
 std::string describe(const TilingSettings& s) {

@@ -48,7 +48,7 @@ struct TowerTiling {
 /// Image of the tiling under a quarter turn (counterclockwise, x to y) about the middle of the grid, sorted.
 TowerTiling rotate_quarter_turn(const TowerTiling& tiling);
 
-/// What a tiling T is worth as one half of a tower's bond, the other half being rot90 T. See README.md, "Interlock".
+/// What a tiling T is worth as one half of a tower's bond, the other half being rot90 T. See docs/theory/structures.md, "Interlock".
 struct TilingQuality {
     int blocks = 0;                  ///< dominoes of a layer
     bool covers_once = false;        ///< no cell is covered twice
@@ -56,7 +56,7 @@ struct TilingQuality {
     bool two_fold = false;           ///< T = rot180 T
     int shared_dominoes = 0;         ///< blocks that stand exactly on one block below
     int loops = 0;                   ///< parts of the tower that no block ties to each other
-    int least_loops = 0;             ///< lower bound of `loops` for this number of cells, see README.md
+    int least_loops = 0;             ///< lower bound of `loops` for this number of cells, see docs/theory/structures.md
     int blocks_along_x = 0;          ///< in T; rot90 T has as many along y
     int through_joints = 0;          ///< straight joints from free edge to free edge through all layers
     int longest_straight_joint = 0;  ///< longest straight joint through all layers, in pitches
@@ -79,7 +79,8 @@ struct TilingSearch {
 /// Finds a tiling T = rot180 T of the ring that shares no domino with rot90 T, with as few loops and straight joints as it can.
 ///
 /// Exact cover of the cells by pairs of opposite dominoes, then simulated annealing over symmetric flips; integers only, so that the
-/// result is the same everywhere. See README.md, "The tower's tiling". Throws SceneError when the ring is empty or has no such tiling.
+/// result is the same everywhere. See docs/theory/structures.md, "The tower's tiling". Throws SceneError when the ring is empty or has no
+/// such tiling.
 TilingSearch search_tower_tiling(const TilingSettings& settings);
 
 /// The tiling of search_tower_tiling.

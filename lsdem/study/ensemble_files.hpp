@@ -9,8 +9,8 @@
 
 namespace musim::lsdem {
 
-/// The summary but for its histories, in one JSON object; layout in README.md. What a sample cannot give (the deviation of one member) is
-/// null. Holds nothing that differs from one computation of the same members to the next, such as run times.
+/// The summary but for its histories, in one JSON object; layout in docs/user/file_formats.md. What a sample cannot give (the deviation of
+/// one member) is null. Holds nothing that differs from one computation of the same members to the next, such as run times.
 nlohmann::json to_json(const EnsembleSummary& summary, const std::string& version);
 
 /// One member as it stands in the list of to_json.
@@ -21,7 +21,7 @@ nlohmann::json to_json(const MemberResult& member);
 StackedPlot make_ensemble_plot(const EnsembleSummary& summary);
 
 /// Adds ensemble.json, ensemble.h5, ensemble.csv and ensemble.svg to a folder; those of histories only when a member is a result. Layouts
-/// in README.md. Throws records::WriteError.
+/// in docs/user/file_formats.md. Throws records::WriteError.
 void add_ensemble(ResultFolder& folder, const EnsembleSummary& summary, const std::string& version);
 
 }  // namespace musim::lsdem

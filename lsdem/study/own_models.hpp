@@ -8,7 +8,7 @@
 #include "lsdem/scene/scene.hpp"
 #include "lsdem/study/pair.hpp"
 
-/// Models of their own material: what is distortion, and what is chance. See lsdem/study/README.md, "Own models".
+/// Models of their own material: what is distortion, and what is chance. See docs/theory/comparison.md, "Own models".
 namespace musim::lsdem {
 
 /// The prototype's scene with other seeds of its blocks' heights (the next ones), laid, shaken and held against the prototype: no workshop

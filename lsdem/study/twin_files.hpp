@@ -33,7 +33,7 @@ void write_twin(const std::filesystem::path& folder, const TwinRun& twin);
 /// Fills in what is kept of a twin of this choice; false when there is nothing, or nothing whole.
 bool read_twin(const std::filesystem::path& folder, TwinRun& twin);
 
-/// A study summed up, without histories: layout in README.md. What there is not is null.
+/// A study summed up, without histories: layout in docs/user/file_formats.md. What there is not is null.
 nlohmann::json to_json(const TwinStudy& study, const TwinSummary& summary);
 
 /// One line per scene, twin and sample: scene, length, shift, directions, time_s, difference and its running maximum, both over the

@@ -9,7 +9,7 @@
 #include "lsdem/results/run_quantities.hpp"
 
 /// When exact models agree with their prototype. The measure are twins: runs of the same structure that differ by rounding only. See
-/// lsdem/study/README.md, "When models agree". Everything here is in the prototype's units.
+/// docs/theory/comparison.md, "When models agree". Everything here is in the prototype's units.
 namespace musim::lsdem {
 
 /// What is compared of a run.
@@ -26,12 +26,12 @@ struct RunTrace {
 RunTrace trace_run(const RunResult& prototype, const RunResult& run, const scaling::Similitude& similitude);
 
 /// Scatter of log10 R of exact models of one prototype, pooled over scenes: what is taken of fewer than kMeasuredTwins twins, and at least
-/// [-]. Measured: lsdem/study/README.md.
+/// [-]. Measured: docs/validation/verdict.md.
 inline constexpr double kPooledScatter = 0.5;
 inline constexpr std::size_t kMeasuredTwins = 4;
 
 /// A model parts too early when at some time before the horizon log10 R is this many standard deviations above the twins' mean; below the
-/// second it agrees, between them nothing is decided. Chosen for one false alarm in a thousand models: lsdem/study/README.md.
+/// second it agrees, between them nothing is decided. Chosen for one false alarm in a thousand models: docs/validation/verdict.md.
 inline constexpr double kPartsTooEarly = 4.0, kPartsInTime = 3.5;
 
 /// Beyond the horizon: the probability of so large a difference in one of all quantities, by Student's t and with Bonferroni's correction.

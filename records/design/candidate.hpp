@@ -15,7 +15,7 @@ namespace musim::records {
 /// The length scales that are looked at.
 inline constexpr scaling::LengthRange kSearch{records::kSmallestScale, 1.0};
 
-/// Names of the groups that a ranking weighs unless a design says otherwise: one of each kind, see README.md.
+/// Names of the groups that a ranking weighs unless a design says otherwise: one of each kind, see docs/theory/design.md.
 std::vector<std::string> default_groups();
 
 /// Every group that scaling::group_factors() knows.

@@ -15,7 +15,7 @@ namespace musim::records {
 namespace detail {
 namespace {
 
-/// Two to three columns without time are components; more are one component written several values a line (README.md).
+/// Two to three columns without time are components; more are one component written several values a line (docs/user/record_formats.md).
 constexpr std::size_t kMostUntimedComponents = 3;
 
 struct Row {

@@ -46,7 +46,8 @@ TimeSeries high_pass(const TimeSeries& series, scaling::Frequency corner, int or
 TimeSeries pad(const TimeSeries& series, scaling::Time before, scaling::Time after);
 
 /// Takes out what keeps an acceleration, integrated by trapezoids from zero, from ending with zero velocity and displacement: two shapes as
-/// long as the record, zero at both ends (README.md, "Ending at rest"). Throws for another quantity and fewer than four samples.
+/// long as the record, zero at both ends (docs/theory/records.md, "Ending at rest"). Throws for another quantity and fewer than four
+/// samples.
 TimeSeries bring_to_rest(const TimeSeries& acceleration);
 
 /// Trapezoid integral from zero: acceleration → velocity, velocity → displacement. Throws for a displacement.

@@ -39,9 +39,10 @@ struct SpectrumMatch {
 ///
 /// A motion within the tolerance stays as it is. Otherwise it is multiplied by the geometric mean of target/PSA, and then tapered cosine
 /// wavelets, placed at the large swings of each period's oscillator, are added again and again, their amplitudes by damped least squares
-/// (README.md, "Matching a spectrum"). What is added ends at rest where it began, so final velocity and displacement stay those of the
-/// multiplied record. A motion and target scaled by powers of two give the scaled motion to the last bit. Throws ProcessingError when the
-/// tolerance is not reached, with the misfit that was, for another quantity, a motion without motion, and targets that are unusable.
+/// (docs/theory/records.md, "Matching a spectrum"). What is added ends at rest where it began, so final velocity and displacement stay
+/// those of the multiplied record. A motion and target scaled by powers of two give the scaled motion to the last bit. Throws
+/// ProcessingError when the tolerance is not reached, with the misfit that was, for another quantity, a motion without motion, and targets
+/// that are unusable.
 SpectrumMatch match_spectrum(const TimeSeries& acceleration, const TargetSpectrum& target, const SpectrumMatchSettings& settings = {});
 
 /// A record with one component alone, matched; the history records how.

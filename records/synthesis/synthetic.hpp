@@ -26,7 +26,8 @@ inline constexpr double kDurationTolerance = 0.01;
 /// ([Jennings68]-like: quadratic rise, plateau, quadratic fall) and a high-pass [CloughPenzien93]; what is left of velocity and
 /// displacement at the end is taken out as in make_base_motion(). PGV/PGA depends on ω_g alone, which bisection finds; then all samples are
 /// multiplied to the PGA. Both peaks are met to 1e-9. A wanted D5-95 is met to kDurationTolerance by bisection for the width of the
-/// envelope, with both peaks met at every width. README.md gives the constants, all of them multiples of PGA/PGV or of the duration.
+/// envelope, with both peaks met at every width. docs/theory/records.md gives the constants, all of them multiples of PGA/PGV or of the
+/// duration.
 ///
 /// Only + − × ÷ are used, so every IEEE machine makes the same bits, and settings scaled by powers of two make the scaled record exactly.
 /// Throws ProcessingError when a setting is not positive and finite, when the record has fewer than 64 steps or more than 10^8, when no ω_g

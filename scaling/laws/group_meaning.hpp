@@ -29,7 +29,7 @@ struct GroupMeaning {
     RequiringLaws laws = {};
     std::string_view if_larger;                    ///< what changes in the model when its group is larger than the prototype's
     std::string_view if_smaller;                   ///< when it is smaller
-    std::array<std::string_view, 2> sources = {};  ///< keys of docs/references.md, or "derived" (README.md); the rest is empty
+    std::array<std::string_view, 2> sources = {};  ///< keys of docs/theory/references.md, or "derived" (docs/theory); the rest is empty
 
     /// By a law that keeps these numbers: whatever one of them asks for, all of it where a law keeps weight and elasticity at once, and
     /// what every law asks for.

@@ -5,8 +5,8 @@
 #include "scaling/units.hpp"
 
 /// Dimensionless groups of frictional block structures, in the square-root form: a speed over a speed. The classical Froude number
-/// v²/(g l) and Cauchy number ρ v²/E are the squares of ours. Groups marked "derived" are musim's, see README.md; the rest is quoted.
-/// All expect positive arguments and return plain numbers.
+/// v²/(g l) and Cauchy number ρ v²/E are the squares of ours. Groups marked "derived" are musim's, see docs/theory/similitude.md; the rest
+/// is quoted. All expect positive arguments and return plain numbers.
 namespace musim::scaling::groups {
 
 /// mu number μ^N = v/√(μ g l): inertia against friction over the height l of the structure [Andrade22] eq. (3), [Rosakis21].

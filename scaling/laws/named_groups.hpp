@@ -32,7 +32,7 @@ struct NamedGroup {
 };
 
 /// All groups that are known by name, the structural ones in the square-root form of groups.hpp (classical Froude and Cauchy numbers are
-/// their squares). README.md lists them with their sources.
+/// their squares). docs/theory/dimensional_analysis.md lists them with their sources.
 const std::vector<NamedGroup>& named_groups();
 
 /// A group under the name people know.

@@ -20,7 +20,7 @@ struct GroupComparison {
     bool is_required = false;                 ///< by the law to be equal
     std::optional<Severity> severity = {};    ///< nothing: kept
     std::string effect = {};                  ///< what changes in the response, one line; empty when kept
-    std::vector<std::string> sources = {};    ///< keys of docs/references.md, "derived" where derived
+    std::vector<std::string> sources = {};    ///< keys of docs/theory/references.md, "derived" where derived
 
     /// δ = model/prototype; 1 when both are zero, infinite when the prototype alone is.
     double factor() const;

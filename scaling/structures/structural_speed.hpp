@@ -16,7 +16,7 @@ Stress find_effective_modulus(Stiffness face_stiffness, Length block_height, Are
 /// the long-wave solution is v(z, t) = μ g (t + (l − 2z)/c_e).
 Velocity find_slip_front_speed(Velocity shear_speed);
 
-/// Speeds at which motion climbs a structure, as far as its stiffnesses are known; README.md, Structural speed.
+/// Speeds at which motion climbs a structure, as far as its stiffnesses are known; docs/theory/structural_response.md.
 struct StructuralSpeeds {
     std::optional<Velocity> normal = {};       ///< c_n = H √(k_n/m), vertical waves
     std::optional<Velocity> shear = {};        ///< c_e = H √(k_s/m), interfaces stick: the elastic structural speed

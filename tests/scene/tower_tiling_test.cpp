@@ -105,7 +105,7 @@ TEST_CASE(
 
     CHECK(search.tiling == make_tower_tiling(TilingSettings{}));
     CHECK(quality.blocks == 188);
-    CHECK(quality.loops == 2);  // 376 = 8·47 cells: one loop is impossible, see README.md
+    CHECK(quality.loops == 2);  // 376 = 8·47 cells: one loop is impossible, see docs/theory/structures.md
     CHECK(quality.least_loops == 2);
     CHECK(quality.through_joints == 0);
     CHECK(quality.longest_straight_joint <= 3);

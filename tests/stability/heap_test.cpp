@@ -13,7 +13,7 @@ namespace {
 /// fall as one by n^(1/4) times that.
 Model make_poured_heap(int side, int layers) { return make_loose_pile(stiffened(coarse_wood(), 0.1), side, layers); }
 
-/// Collisions book up to 1 % of the energy wrongly (lsdem/README.md, Limits); what lies still must not gain any of it back.
+/// Collisions book up to 1 % of the energy wrongly (docs/theory/overlap_contact.md); what lies still must not gain any of it back.
 constexpr Demands kPoured{.closure = 0.02, .gain = 1e-3, .kinetic = 1e-4, .overlap = 0.2};
 
 /// Eight layers fall together: what sinks in by less than the whole edge has not passed through.

@@ -4,7 +4,7 @@
 
 #include "lsdem/types.hpp"
 
-/// Closed forms of faces and edges that meet by their overlap (lsdem/contact/README.md).
+/// Closed forms of faces and edges that meet by their overlap (docs/theory/overlap_contact.md).
 namespace musim::lsdem::tests {
 
 /// Mean distance of the points of a rectangle a x b from its middle, the lever arm of friction under an even pressure [m].

@@ -183,7 +183,7 @@ TEST_CASE("harmonic base motion slides a block by the peak-to-peak slip of the s
 
 // Torque of uniform friction on a spinning face: μ m g r̄, r̄ the mean distance from its middle, 7.749613 mm for the wood block, which from
 // 10 rad/s stops in 14.8962 ms after 4.26746°. The time goes with the rate and the angle with its square; from 2 rad/s the block stops
-// before the flutter of an upright block that slides on all of its face (see lsdem/README.md) has grown from rounding.
+// before the flutter of an upright block that slides on all of its face (see docs/theory/surface_nodes.md) has grown from rounding.
 TEST_CASE("a block that spins on the ground stops after the closed-form time and angle") {
     const Stone stone = reference_wood();
     CHECK(mean_distance(stone.size.x(), stone.size.y()) == relative(7.749613e-3, 1e-7));

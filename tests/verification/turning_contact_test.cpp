@@ -10,7 +10,7 @@
 #include "tests/support/motion.hpp"
 #include "tests/support/relative.hpp"
 
-// Boxes that meet resist turning about the direction in which they push each other (lsdem/contact/README.md, "Friction").
+// Boxes that meet resist turning about the direction in which they push each other (docs/theory/overlap_contact.md, "Friction").
 using namespace musim::lsdem;
 using namespace musim::lsdem::tests;
 

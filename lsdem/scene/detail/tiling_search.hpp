@@ -19,7 +19,7 @@ struct Cover {
 /// fewest choices first, choices in random order; gives up after `node_limit` placements.
 Cover cover_ring(const CellRing& ring, SplitMix64& random, std::uint64_t node_limit);
 
-/// Penalty of a tiling in the search for a good interlock; smaller is better. Weights chosen by trial, see README.md.
+/// Penalty of a tiling in the search for a good interlock; smaller is better. Weights chosen by trial, see docs/theory/structures.md.
 int compute_penalty(const CellRing& ring, const Partners& partners);
 
 /// Improves `partners` by `trials` symmetric flips under simulated annealing [Kirkpatrick83] in integers: a flip that worsens the penalty

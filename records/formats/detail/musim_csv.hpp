@@ -6,7 +6,8 @@
 #include "records/ground_motion.hpp"
 #include "records/headers/text_file.hpp"
 
-/// The CSV of write_csv(): `# key: value` lines, a title line `time_s,NAME,...`, rows of 17-digit numbers. README.md shows one.
+/// The CSV of write_csv(): `# key: value` lines, a title line `time_s,NAME,...`, rows of 17-digit numbers. docs/user/record_formats.md
+/// shows one.
 namespace musim::records::detail {
 
 inline constexpr std::string_view kMusimCsvTitle = "# musim ground motion 1";

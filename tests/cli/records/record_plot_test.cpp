@@ -192,7 +192,7 @@ TEST_CASE("a long record makes a small picture") {
     REQUIRE(here.run("record plot " + record + " -o a.svg").exit_code == 0);
     const std::string svg = here.read("a.svg");
     CHECK(svg.size() < 500000);
-    // records/README.md: 0.5108 g and 43.6 cm/s
+    // docs/theory/records.md: 0.5108 g and 43.6 cm/s
     CHECK(svg.find(">0.5108 at ") != std::string::npos);
     CHECK(svg.find(">43.64 at ") != std::string::npos);
 }

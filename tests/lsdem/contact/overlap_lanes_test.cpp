@@ -177,7 +177,7 @@ TEST_CASE("pairs side by side give the load of the exact function wherever they 
     CHECK(held > asked * 9 / 10);
 }
 
-// area and energy of what such a seat touches with its tip alone do not hold (lsdem/contact/README.md, "Limits")
+// area and energy of what such a seat touches with its tip alone do not hold (docs/theory/overlap_contact.md, "Friction")
 TEST_CASE("pairs side by side on seats of a few depths give the load of the exact function wherever they say that they hold") {
     Poses poses;
     std::size_t held = 0;

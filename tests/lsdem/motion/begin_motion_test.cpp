@@ -92,7 +92,8 @@ TEST_CASE("another motion begins with the clock, the ledger and the base at zero
     CHECK(s.statistics().steps == 0);
     CHECK(s.model().ground.motion[0].velocity.size() == 4);
 
-    // the ledger closes over the new motion; touching and parting within a step book up to a percent wrongly (lsdem/README.md)
+    // the ledger closes over the new motion; touching and parting within a step book up to a percent wrongly
+    // (docs/theory/overlap_contact.md)
     const double balance = s.energy().balance();
     advance_to(s, 4.0 * kInterval);
     CHECK(s.base().displacement.x() == doctest::Approx(2.0 * kInterval * 0.0625).epsilon(1e-12));

@@ -85,7 +85,7 @@ double peak_ratio(const GroundMotion& model, const GroundMotion& prototype, cons
     return peak(model) / peak(prototype);
 }
 
-// scaling/README.md, vertical shaking: a_v/g is kept, whatever friction does to the horizontal
+// docs/theory/similitude.md, vertical shaking: a_v/g is kept, whatever friction does to the horizontal
 TEST_CASE("a vertical component is scaled by gravity, on the clock of the horizontal ones") {
     const GroundMotion prototype = make_two_components();
     const Similitude aluminium = make_similitude("mu", {.length = 1.0 / 107.0, .friction = 0.18 / 0.59, .gravity = 2.0});

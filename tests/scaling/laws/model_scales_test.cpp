@@ -47,7 +47,7 @@ const Distortion* find(const std::vector<Distortion>& distortions, std::string_v
 
 }  // namespace
 
-// README.md, vertical shaking: λ_a,v = λ_g on the clock of all, λ_v,v = λ_g λ_t and λ_u,v = λ_g λ_t² = λ_l/λ_μ
+// docs/theory, vertical shaking: λ_a,v = λ_g on the clock of all, λ_v,v = λ_g λ_t and λ_u,v = λ_g λ_t² = λ_l/λ_μ
 TEST_CASE("vertical shaking keeps a_v/g by every law but those that neglect gravity") {
     const ScaleFactors chosen{.length = 1.0 / 107.0, .friction = 0.63 / 0.59, .gravity = 1.7};
     const ModelScales mu = make_similitude("mu", chosen);
@@ -146,7 +146,7 @@ TEST_CASE("motion names that do not belong to one time are refused") {
                          SimilitudeError);
 }
 
-// README.md, vertical distortion of aluminium: ω/p 0.978, r 0.741 -> 0.972, e_r 0.861 -> 0.986 thin and 0.541 -> 0.941 wide
+// docs/theory, vertical distortion of aluminium: ω/p 0.978, r 0.741 -> 0.972, e_r 0.861 -> 0.986 thin and 0.541 -> 0.941 wide
 TEST_CASE("vertical distortion changes omega/p by the half diagonal, and what impacts leave of a rotation") {
     const ModelScales aluminium = make_distorted(1.0 / 107.0, kAluminiumFriction);
     const ModelFacts facts{.friction_prototype = 0.59,

@@ -31,7 +31,7 @@ double delta(const SolvedLaw& solved, std::string_view product) {
     return 0.0;
 }
 
-/// Factors of the table of scale factors (README.md) as exponents of L, R, G, U.
+/// Factors of the table of scale factors (docs/theory/similitude.md) as exponents of L, R, G, U.
 using Column = std::map<std::string, std::map<std::string, Rational>>;
 
 const Rational kHalf(1, 2);
@@ -227,7 +227,7 @@ TEST_CASE("true replica and artificial mass of the tower at 1:25") {
     CHECK(*other.added(law.additions[0]) == doctest::Approx(0.5 * length * length / 2.0 - 1.5 * length * length * length).epsilon(1e-14));
 }
 
-// README.md, laws as data: heights by V, horizontal sizes by U V
+// docs/theory/dimensional_analysis.md, laws as data: heights by V, horizontal sizes by U V
 TEST_CASE("the mu law with vertical distortion keeps sliding, uplift and regime, and rotates by the friction ratio") {
     const double friction = 0.18 / 0.59;
     const SolvedLaw solved = solve("mu_vertical_distortion", {{"H", 1.0 / 107.0}, {"mu", friction}});
@@ -242,7 +242,7 @@ TEST_CASE("the mu law with vertical distortion keeps sliding, uplift and regime,
     CHECK_THROWS_WITH_AS(make_similitude(solved), doctest::Contains("no length l"), SimilitudeError);
 }
 
-// README.md, restoring forces: R_F^N with F_R = m g, μ m g, E l², k l, c_coh l², m g tan α
+// docs/theory/dimensional_analysis.md, restoring forces: R_F^N with F_R = m g, μ m g, E l², k l, c_coh l², m g tan α
 TEST_CASE("special restoring forces are the generic law with their force") {
     const double l = 0.25;
     const auto generic = [&](double force) { return solve("restoring_force", {{"l", l}, {"F_R", force}}); };

@@ -48,7 +48,7 @@ const Texts kMuLaw{"v*t/l", "a*t^2/l", "v/sqrt(mu*g*l)"};
 
 }  // namespace
 
-// README.md, Pi theorem for sliding blocks: λ_t = √(λ_l/(λ_μ λ_g)), λ_v = √(λ_l λ_μ λ_g), λ_a = λ_μ λ_g
+// docs/theory/similitude.md, Pi theorem for sliding blocks: λ_t = √(λ_l/(λ_μ λ_g)), λ_v = √(λ_l λ_μ λ_g), λ_a = λ_μ λ_g
 TEST_CASE("the mu law follows from its mu number, as formulas in the chosen factors") {
     const ScaleProblem problem = make_motion({{"l", 1.0 / 107.0}, {"mu", 0.63 / 0.59}, {"g", 1.0}}, kMuLaw, {"v/sqrt(g*l)", "a/g"});
     const ScaleSolution solution = solve_scales(problem);

@@ -126,7 +126,8 @@ TEST_CASE("an upright block topples over its thin side and slips along its wide 
     CHECK(std::abs(wide.angle() - wide.expected_slip) < 2.0 * resolution);
 }
 
-// docs/verification.md: r on the ground for e = 0.05, 0.3, 0.6, 0.9 with a twentieth of the critical step, from half the slenderness.
+// docs/validation/verification.md: r on the ground for e = 0.05, 0.3, 0.6, 0.9 with a twentieth of the critical step, from half the
+// slenderness.
 TEST_CASE("the energy kept at an impact is the one measured before") {
     struct Case {
         RockingSide side;

@@ -152,7 +152,7 @@ TEST_CASE("every stage begins where the one before left the structure, at rest, 
         CHECK(run.history.energy.front().damping_loss == 0.0);
         REQUIRE(run.origin.has_value() == (k > 0));
         const auto json = nlohmann::json::parse(bytes_of(run.directory / "summary.json"));
-        // what a step in which blocks touch or part books wrongly, see lsdem/README.md
+        // what a step in which blocks touch or part books wrongly, see docs/theory/overlap_contact.md
         CHECK(json["energy_closure"] < 0.01);
         CHECK(json["doubts"].empty());
         CHECK(parse_scene(run.scene).motions.empty());
