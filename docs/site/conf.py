@@ -7,7 +7,7 @@ source = pathlib.Path(__file__).resolve().parents[2]
 project = "musim"
 author = "the authors of musim"
 copyright = "the authors of musim, Apache License 2.0"
-release = re.search(r"VERSION (\S+)", (source / "CMakeLists.txt").read_text()).group(1)
+release = re.search(r"project\(musim VERSION ([0-9.]+)", (source / "CMakeLists.txt").read_text()).group(1)
 
 extensions = ["myst_parser"]
 root_doc = "README"

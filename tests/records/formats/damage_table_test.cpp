@@ -63,7 +63,7 @@ std::string with_crlf(const std::string& whole) {
 
 std::string without_last_newline(std::string whole) { return whole.substr(0, whole.find_last_not_of("\r\n") + 1); }
 
-/// A row of the table: a damage, and the shared record that suffers it; without one, the edit makes the whole file.
+/// An item of the page: a damage, and the shared record that suffers it; without one, the edit makes the whole file.
 struct Damage {
     std::string_view file;
     std::string_view what;
@@ -175,8 +175,9 @@ std::string answer(const std::filesystem::path& file, const ReadOptions& options
     }
 }
 
+/// What the page says of a damage, on one line: the heading with the file, and the item below it.
 std::string row_of(std::string_view file, std::string_view what, std::string_view answer) {
-    return "| " + std::string(file.empty() ? "file.txt" : file) + " | " + std::string(what) + " | " + std::string(answer) + " |";
+    return "## `" + std::string(file.empty() ? "file.txt" : file) + "` - " + std::string(what) + ": " + std::string(answer);
 }
 
 /// Damages that no content can show: what stands at the path is no file that can be read.
@@ -213,9 +214,14 @@ std::vector<std::string> make_rows() {
 
 std::vector<std::string> read_documented_rows() {
     std::ifstream file(std::filesystem::path(MUSIM_SOURCE_DIR) / "docs/validation/damaged_records.md");
+    std::string heading;
     std::vector<std::string> rows;
-    for (std::string line; std::getline(file, line);)
-        if (line.starts_with("| ") && !line.starts_with("| file |")) rows.push_back(line);
+    for (std::string line; std::getline(file, line);) {
+        if (line.starts_with("## ")) heading = line;
+        if (heading.empty()) continue;
+        if (line.starts_with("- ")) rows.push_back(heading + " " + line);
+        if (line.starts_with("  ") && !rows.empty()) rows.back() += line.substr(1);  // an item goes on
+    }
     return rows;
 }
 
