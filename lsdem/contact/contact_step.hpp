@@ -140,7 +140,8 @@ struct ContactStep {
         Vector force{}, moment{};
         Real elastic_normal{}, elastic_shear{}, friction_work{}, damping_work{};
         Mask may_slide{};  ///< friction is beyond the limit with the least reach
-        Mask pulls{};      ///< dashpots would pull somewhere, or act before a point touches
+        Mask may_pull{};   ///< dashpots may pull somewhere, or act before a point touches
+        Mask may_both{};   ///< they may do both
     };
 
     /// Friction of a contact: a force across the normal, and a couple about the normal.
@@ -218,17 +219,17 @@ struct ContactStep {
             const Pressure opposite{-dashpot.at, -dashpot.slope, dashpot.about};
             const Mask pulls = cells.may_pull(touches, geometry, dashpot, law.normal_stiffness);
             const Mask closes = cells.may_pull(touches, geometry, opposite, per_depth);
+            result.may_pull = pulls | closes, result.may_both = pulls & closes;
             PressureSum held;
             // most contacts do one of both, at the first pass; one that opens at a side and closes at another needs a second
             for (std::size_t pass = 0; pass < 2; ++pass) {
-                const Mask now = pass == 0 ? pulls | closes : pulls & closes, early = pass == 0 ? now ^ pulls : now;
+                const Mask now = pass == 0 ? result.may_pull : result.may_both, early = pass == 0 ? now ^ pulls : now;
                 if (!some(now)) break;
                 const PressureSum part =
                     cells.find_pull({choose(early, opposite.at, dashpot.at), choose(early, opposite.slope, dashpot.slope), dashpot.about},
                                     choose(early, per_depth, law.normal_stiffness));
                 held.sum += choose(now, choose(early, -part.sum, part.sum), zero);
                 held.at = held.at + choose(now, choose(early, -part.at, part.at), Vector{});
-                result.pulls = result.pulls | (now & (part.sum > zero));
             }
             const Real damping = dashpot.at * area + held.sum;
             const Wrench damped{damping * normal, cross(geometry.second_times(dashpot.slope) + held.at, normal)};

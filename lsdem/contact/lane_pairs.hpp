@@ -136,24 +136,22 @@ struct Lane {
             LanePair& pair = pairs[i];
             const bool touches = memory.touches[i] != 0;
             pair.contact->touches = touches;
-            pair.contact->company = static_cast<std::uint8_t>(company[i]);
+            pair.contact->company = static_cast<std::uint32_t>(company[i]);
             pair.tally->touching = touches ? 1 : 0;
             pair.tally->rough = rough[i] != 0;
             *pair.work += {result.friction_work[i], result.damping_work[i]};
             pair.area = area[i];
         }
     }
-    /// See OverlapContact::company; in the lowest byte.
+    /// See OverlapContact::company; in the lowest bits.
     MUSIM_WIDE static std::array<std::uint64_t, kWidth<Real>> find_company(const typename Step::Result& result,
                                                                            const LaneOverlap<W>& found) {
-        using Bits = typename W::Bits;
         constexpr double kTwoTo52 = 0x1p52;  // brings a small whole number into the lowest bits
         const auto bit = [](const Mask& mask, double value) MUSIM_WIDE_LAMBDA { return choose(mask, broadcast<Real>(value), Real{}); };
-        const Real &first = found.cells[0].bounds, &second = found.cells[1].bounds;
-        const Real sum = (bit(result.may_slide, 1.0) + bit(result.pulls, 2.0)) + (bit(found.corner, 4.0) + 16.0 * first);
-        const Bits flush = (__builtin_bit_cast(Bits, first + kTwoTo52) & __builtin_bit_cast(Bits, second + kTwoTo52)) & 15U;
-        return __builtin_bit_cast(std::array<std::uint64_t, kWidth<Real>>,
-                                  __builtin_bit_cast(Bits, sum + kTwoTo52) | (flush + 15U) >> 4 << 3);
+        const Real asked =
+            (bit(result.may_slide, 0x1p23) + bit(result.may_pull, 0x1p22)) + (bit(result.may_both, 0x1p21) + bit(found.corner, 0x1p20));
+        const Real edges = (0x1p12 * found.cells[0].bounds + 0x1p4 * found.cells[1].bounds) + found.flush;
+        return __builtin_bit_cast(std::array<std::uint64_t, kWidth<Real>>, (asked + edges) + kTwoTo52);
     }
 
     MUSIM_WIDE static void store(const LaneOverlap<W>& found, LaneFinding* results) {

@@ -52,7 +52,7 @@ struct MainCell {
     };
     std::array<std::array<Edge, 4>, 2> edges;  ///< of each direction: rims, creases; lower, upper
     std::array<std::array<bool, 4>, 2> live;   ///< there in some lane
-    Real bounds;                               ///< which creases there are: 1, 2 of the first direction, 4, 8 of the second
+    Real bounds;                               ///< which edges there are: 1, 2, 4, 8 of the first direction, 16 to 128 of the second
     std::array<Vector, 2> along;               ///< the directions, world axes
     Vector normal, middle;                     ///< outward; from the point half way between the bodies [m]
     Real depth_at;                             ///< D in the middle of the face [m]
@@ -61,7 +61,15 @@ struct MainCell {
     std::array<std::array<Real, 2>, 2> crease_at, crease_slope;
     std::array<Real, 2> fan;  ///< a point amid the edges, on D = 0 where it is open [m]
     Mask open;
-    Real load;  ///< ∫ D [m³]
+    Real load;    ///< ∫ D [m³]
+    Real spread;  ///< mean square distance of its points from its middle along the direction in which that is more [m²]
+
+    /// Edge i of direction k is known.
+    MUSIM_WIDE void note(std::size_t k, std::size_t i) {
+        const Mask there = edges[k][i].length > Real{};
+        live[k][i] = some(there);
+        bounds += choose(there, broadcast<Real>(static_cast<double>(1U << (4 * k + i))), Real{});
+    }
 
     /// The edge D = 0, in the sense of the others.
     struct Closing {
@@ -170,13 +178,20 @@ struct MainCells {
         return both;
     }
 
-    /// A load L [m³] of depths up to d, seen along the normal, is nowhere closer to a point than in a disc of the area L/d about it: r̄ ≥
-    /// 2/3 √(L/(π d)), of the cell for which that is less [m].
+    /// For each cell the larger of two bounds, of the cells the lesser [m]. A load L [m³] of depths up to d, seen along the normal, is
+    /// nowhere closer to a point than in a disc of the area L/d about it: r̄ ≥ 2/3 √(L/(π d)). And the region under an affine depth over a
+    /// convex area is convex, so that the root of the load per length along a direction is concave: on either side of its median the mean
+    /// distance is no less than that of a cone's load with its tip at the end, a quarter of the way. So r̄ ≥ w/8, w the width of the area
+    /// along that direction, and w² ≥ 12 times the mean square distance, with equality for a rectangle.
     MUSIM_WIDE Real least_reach(const Vector& normal, const Vector& /*about*/, const typename Step::Geometry& geometry) const {
         constexpr double kRounding = 1.0 - 1e-9, kOfDisc = 4.0 / (9.0 * std::numbers::pi) * kRounding;
-        const auto seen = [&](const MainCell<W>& cell)
-                              MUSIM_WIDE_LAMBDA { return magnitude(dot(normal, cell.normal)) * larger_of<Real>(cell.load, Real{}); };
-        return square_root(kOfDisc * smaller_of<Real>(seen(cells[0]), seen(cells[1])) / geometry.deepest);
+        constexpr double kOfWidth = 12.0 / 64.0 * kRounding;
+        const Real of_load = kOfDisc * (1.0 / geometry.deepest);
+        const auto squared = [&](const MainCell<W>& cell) MUSIM_WIDE_LAMBDA {
+            const Real facing = magnitude(dot(normal, cell.normal));
+            return facing * larger_of<Real>(of_load * cell.load, (kOfWidth * facing) * cell.spread);
+        };
+        return square_root(larger_of<Real>(smaller_of<Real>(squared(cells[0]), squared(cells[1])), Real{}));
     }
 
     MUSIM_WIDE Real find_reach(const Vector& normal, const Vector& about) const {

@@ -39,11 +39,11 @@ struct FrictionSprings {
 /// What a contact remembers from one step to the next. World axes; friction acts on the second body.
 struct OverlapContact {
     bool touches = false;
-    static constexpr std::size_t kCompanies = 256;
-    /// Which pairs it is computed beside: 1 where it may slide, 2 where dashpots may pull, 4 where its corners count, 8 where edges are
-    /// flush, and 16 on by the sides of the second body that bound the face of the first. Speed only: no bit of a result depends on it,
-    /// and it is not saved.
-    std::uint8_t company = 0;
+    static constexpr std::size_t kCompanyBits = 24;
+    /// Which pairs it is computed beside, those that asked for the same at the last step: from the highest bit on, whether it may slide,
+    /// whether its dashpots may pull or act early, both, whether corners count; the edges of both main cells, eight bits each; four bits,
+    /// of which rims end on a side. Speed only: no bit of a result depends on it, and it is not saved.
+    std::uint32_t company = 0;
     FrictionSprings<Vector3> sliding{.in_core = Vector3::Zero(), .in_rest = Vector3::Zero()};
     FrictionSprings<double> turning{.in_core = 0.0, .in_rest = 0.0};
     /// Least push of the normal springs since the contact began, raised so that it is no less than their push now over kForgottenGrowth

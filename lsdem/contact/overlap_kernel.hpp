@@ -35,6 +35,7 @@ struct LaneOverlap {
     Lanes3 area_square, area_cross;    ///< ∫ of (xx, yy, zz) and (yz, zx, xy) about the cell's own middle [m⁴]
     typename W::Mask irregular;        ///< nothing of the above holds: take the exact function
     typename W::Mask corner;           ///< terms of corners were worth it
+    Lanes flush;                       ///< where rims end on the side planes: 1, 2 of the first body's directions, 4, 8 of the second's
     std::array<MainCell<W>, 2> cells;  ///< of both bodies
 };
 
@@ -149,7 +150,7 @@ struct Kernel : OverlapRims<W> {
             Strips strips;
             add_main_cell(roles[i], result.cells[i], strips);
             finish_main_cell(roles[i], strips);
-            result.cells[i].load = roles[i].area_depth;
+            result.cells[i].load = roles[i].area_depth, result.cells[i].spread = roles[i].spread;
         }
         result.cells[0].along = {a.p, a.q}, result.cells[0].normal = a.n, result.cells[0].middle = combine_middle(a, c, -0.5);
         result.cells[1].along = {b.p, b.q}, result.cells[1].normal = b.n, result.cells[1].middle = combine_middle(b, c, 0.5);
@@ -165,16 +166,19 @@ struct Kernel : OverlapRims<W> {
         const Lanes negligible = all(kNegligible) * (size * area);
         const LaneMask corner = (deepest * deepest) * deepest > negligible;
         result.corner = corner;
+        result.flush = zero;
+        double bit = 1.0;
         for (Role& role : roles) {
             role.deepest = deepest, role.corner = corner, role.negligible = negligible;
             std::array<std::array<std::array<Flush, 2>, 2>, 2> flush;  // [direction][rim][side plane]
             bool any = some(corner);
-            for (std::size_t k = 0; k < 2; ++k) {
+            for (std::size_t k = 0; k < 2; ++k, bit *= 2.0) {
 #pragma GCC unroll 2
                 for (std::size_t r = 0; r < 2; ++r) {
                     flush[k][r][r].find(role, k, r, r);
                     any |= flush[k][r][r].any();
                 }
+                result.flush += choose(flush[k][0][0].ends | flush[k][1][1].ends, all(bit), zero);
                 // a rim crosses the side plane of the other side where the touching area ends in a tip
                 const Across &u = role.across[k], &v = role.across[1 - k];
                 const LaneMask opposite = (u.side + u.by_x * u.half) - magnitude(u.at) < magnitude(u.by_y) * v.half + all(1.1) * deepest;

@@ -1,6 +1,7 @@
 #include "lsdem/contact/overlap_pairs.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "lsdem/contact/box_gap.hpp"
 #include "lsdem/contact/overlap_contact.hpp"
@@ -81,11 +82,8 @@ void OverlapBatch::add(std::size_t index) {
             return;
         }
     }
-    const std::size_t kind = list_.overlaps[pair.overlap].company;
-    waiting_[kind][waiting_count_[kind]++] = static_cast<std::uint32_t>(index);
-    if (waiting_count_[kind] < kSize) return;
-    compute(waiting_[kind], kSize);
-    waiting_count_[kind] = 0;
+    waiting_[waiting_count_++] = std::uint64_t{list_.overlaps[pair.overlap].company} << 32U | index;
+    if (waiting_count_ == kRoom) compute();
 }
 
 void OverlapBatch::place(std::size_t index, std::size_t at) {
@@ -116,33 +114,44 @@ void OverlapBatch::place(std::size_t index, std::size_t at) {
 }
 
 void OverlapBatch::compute() {
-    // what is left over of all kinds together, of kinds like each other side by side
-    Indices rest;
-    std::size_t count = 0;
-    for (std::size_t kind = 0; kind < kKinds; ++kind) {
-        for (std::size_t i = 0; i < waiting_count_[kind]; ++i) {
-            rest[count++] = waiting_[kind][i];
-            if (count < kSize) continue;
-            compute(rest, kSize);
-            count = 0;
-        }
-        waiting_count_[kind] = 0;
-    }
-    compute(rest, count);
+    sort();
+    for (std::size_t first = 0; first < waiting_count_; first += kSize) compute(&waiting_[first], std::min(kSize, waiting_count_ - first));
+    waiting_count_ = 0;
 }
 
-void OverlapBatch::compute(const Indices& indices, std::size_t count) {
-    if (count == 0) return;
-    for (std::size_t i = 0; i < count; ++i) place(indices[i], i);
+/// By company, and pairs of the same in the order in which they came: digit by digit, the lowest first.
+void OverlapBatch::sort() {
+    constexpr std::size_t kDigitBits = 8, kDigits = OverlapContact::kCompanyBits / kDigitBits;
+    static_assert(kDigits * kDigitBits == OverlapContact::kCompanyBits);
+    using Counts = std::array<std::uint32_t, 1U << kDigitBits>;
+    const auto digit_of = [](std::uint64_t waiting, std::size_t digit) {
+        return waiting >> (32U + digit * kDigitBits) & ((1U << kDigitBits) - 1U);
+    };
+    std::array<Counts, kDigits> counts{};
+    for (std::size_t i = 0; i < waiting_count_; ++i) {
+        for (std::size_t digit = 0; digit < kDigits; ++digit) ++counts[digit][digit_of(waiting_[i], digit)];
+    }
+    for (std::size_t digit = 0; digit < kDigits; ++digit) {
+        if (waiting_count_ == 0 || counts[digit][digit_of(waiting_[0], digit)] == waiting_count_) continue;
+        std::uint32_t place = 0;
+        for (std::uint32_t& count : counts[digit]) count = std::exchange(place, place + count);
+        for (std::size_t i = 0; i < waiting_count_; ++i) sorted_[counts[digit][digit_of(waiting_[i], digit)]++] = waiting_[i];
+        std::swap_ranges(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(waiting_count_), sorted_.begin());
+    }
+}
+
+void OverlapBatch::compute(const std::uint64_t* waiting, std::size_t count) {
+    const auto index_of = [waiting](std::size_t i) { return static_cast<std::size_t>(waiting[i] & 0xffff'ffffU); };
+    for (std::size_t i = 0; i < count; ++i) place(index_of(i), i);
     // lanes that are left over repeat the first
     const std::size_t lanes = detail::round_up_to_lanes(count);
     for (std::size_t i = count; i < lanes; ++i) (lanes_[i] = lanes_[0]).put_into(nowhere_);
     detail::compute_lane_pairs(lanes_.data(), lanes, dt_, list_.first_step, nowhere_);
     for (std::size_t i = 0; i < count; ++i) {
         if (lanes_[i].irregular) {
-            compute_exactly(indices[i]);
+            compute_exactly(index_of(i));
         } else {
-            note(indices[i], lanes_[i].area);
+            note(index_of(i), lanes_[i].area);
         }
     }
 }

@@ -35,10 +35,15 @@ class OverlapBatch {
     double deepest() const { return deepest_; }
 
   private:
-    static constexpr std::size_t kSize = detail::kLanePairs, kKinds = OverlapContact::kCompanies;
-    using Indices = std::array<std::uint32_t, kSize>;
+    static constexpr std::size_t kSize = detail::kLanePairs;
+    /// Pairs that wait for each other: enough for lanes full of pairs alike, few enough that what they need stays in the cache.
+    static constexpr std::size_t kRoom = 2048;
+    static_assert(kRoom % kSize == 0);
+    /// A pair's index below its company.
+    using Waiting = std::array<std::uint64_t, kRoom>;
+    void sort();
     void place(std::size_t index, std::size_t lane);
-    void compute(const Indices& indices, std::size_t count);
+    void compute(const std::uint64_t* waiting, std::size_t count);
     void compute_exactly(std::size_t index);
     void note(std::size_t index, double area);
 
@@ -48,9 +53,9 @@ class OverlapBatch {
     ContactList& list_;
     BodyStep base_step_;  ///< of the ground
     double deepest_ = 0.0;
-    // pairs that wait for company of their kind, see OverlapContact::company
-    std::array<std::uint8_t, kKinds> waiting_count_{};
-    std::array<Indices, kKinds> waiting_;
+    // pairs that wait for company, see OverlapContact::company
+    std::size_t waiting_count_ = 0;
+    Waiting waiting_, sorted_;
     // those that are computed now
     std::array<detail::LanePair, kSize> lanes_;
     std::array<GroundSheet, kSize> sheets_;

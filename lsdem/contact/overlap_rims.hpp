@@ -183,11 +183,13 @@ struct OverlapRims : OverlapRole<W> {
     /// Terms of the third order along a rim: at its ends, where it crosses Y's side planes, and about Y's corners.
     MUSIM_WIDE static void add_rim_ends(Role& role, std::size_t k, std::size_t r, bool leaning) {
         const Across &u = role.across[k], &v = role.across[1 - k];
-        // a rim farther out of Y than the depth, with its lean, has no part below which it bears
-        const Lanes off = magnitude(u.at + (r == 0 ? -u.by_x : u.by_x) * u.half);
-        if (!some(role.corner & (u.side + magnitude(u.by_y) * v.half + all(1.1) * role.deepest > off))) return;
+        // a rim farther out of Y than the depth, with its lean, has no part below which it bears, nor has one that is all above plane b
+        const Lanes slack = -role.deepest, x = r == 0 ? -u.half : u.half, off = magnitude(u.at + u.by_x * x);
+        const LaneMask within = u.side + magnitude(u.by_y) * v.half + all(1.1) * role.deepest > off,
+                       below = (role.depth_at + u.depth_by_x * x) + magnitude(v.depth_by_x) * v.half > slack;
+        if (!some(role.corner & within & below)) return;
         const Rim rim(role, k, r);
-        const Lanes slack = -role.deepest, third = (role.deepest * role.deepest) * role.deepest;
+        const Lanes third = (role.deepest * role.deepest) * role.deepest;
 #pragma GCC unroll 2
         for (std::size_t j = 0; j < 2; ++j) {
             const SidePlane& plane = rim.end[j];

@@ -92,6 +92,7 @@ struct OverlapRole {
         Lanes fan_depth;
         Lanes area{}, area_depth{}, area_mixed{};
         std::array<Lanes, 2> area_place{}, area_square{};
+        Lanes spread;  ///< the larger square over the area [m²]
     };
 
     static constexpr double sign_of(std::size_t side) { return side == 0 ? -1.0 : 1.0; }
@@ -244,6 +245,8 @@ struct OverlapRole {
                 if (!cell.live[k][r]) continue;
                 Edge& e = edges[k][r];
                 cut_main_edge(role, x, zero, role.depth_at + u.depth_by_x * x, depth_by_y, part, e);
+                cell.note(k, r);
+                if (!cell.live[k][r]) continue;
                 const Powers d(e.y0, e.y1, e.length, e.d0, e.d1);
                 const Lanes factor = r == 0 ? -below : below;
                 role.side[k] += factor * d.square;
@@ -266,8 +269,8 @@ struct OverlapRole {
                 Edge& e = edges[k][2 + c];
                 cut_main_edge(role, u.crease_at[c], u.crease_slope[c], role.depth_at + u.depth_by_x * u.crease_at[c],
                               depth_by_y + u.depth_by_x * u.crease_slope[c], part, e);
-                cell.bounds +=
-                    choose(e.length > zero, all(k == 0 ? 1.0 + static_cast<double>(c) : 4.0 + 4.0 * static_cast<double>(c)), zero);
+                cell.note(k, 2 + c);
+                if (!cell.live[k][2 + c]) continue;
                 const Powers d(e.y0, e.y1, e.length, e.d0, e.d1);
                 strips.load += beside * d.square;
                 strips.energy += (u.inverse_x * (all(1.0 / 3.0) - all(sign_of(c) / 6.0) * u.by_s)) * d.cube;
@@ -303,6 +306,7 @@ struct OverlapRole {
             role.area_square[k] -= role.area * (middle[k] * middle[k]);
             role.area_place[k] = role.area * (middle[k] + role.fan[k]);
         }
+        role.spread = larger(role.area_square[0], role.area_square[1]) * over;
         const Lanes leaning = (x * x) * role.area_square[0] + (y * y) * role.area_square[1] + all(2.0) * ((x * y) * role.area_mixed);
         const Lanes square = role.area_depth * role.area_depth * over + leaning;
         role.energy = all(0.5) * (role.cosine * square) + strips.energy;
