@@ -53,7 +53,7 @@ std::vector<NamedFactor> group_factors(const ModelScales& scales, const ModelFac
 std::vector<Distortion> find_distortions(const ModelScales& scales, const ModelFacts& facts = {});
 
 /// A group off by less than this is a note, not a warning [-]. Why this value: 5 % on each friction coefficient leave 7.1 % in λ_μ
-/// (docs/theory/similitude.md), so below 10 % a test cannot tell the distortion from its own uncertainty. Changes labels only, never
+/// (docs/theory/similitude.md), so below 10 % a test cannot distinguish the distortion from its own uncertainty. Changes labels only, never
 /// factors.
 inline constexpr double kNoteLimit = 0.10;
 

@@ -15,7 +15,7 @@ struct GroupValue {
     std::optional<double> value = {};         ///< absent: not in the facts
 };
 
-/// Every group of geometry, friction, contact, rocking and loading (docs/theory/structural_response.md), told or not, in a fixed order.
+/// Every group of geometry, friction, contact, rocking and loading (docs/theory/structural_response.md), given or not, in a fixed order.
 ///
 /// `motion` may be null. `wanted_block_height` is H of the prototype, or λ_l times that for its model. ω of ω/p is 2π over the pulse period
 /// or, without one, over the predominant period.
