@@ -1,20 +1,20 @@
 # Sphinx configuration of the documentation site; scripts/docs says what the source folder is.
 import pathlib
 import re
+import sys
 
 source = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(source / "docs/site"))
 
 project = "musim"
 author = "the authors of musim"
 copyright = "the authors of musim, Apache License 2.0"
 release = re.search(r"project\(musim VERSION ([0-9.]+)", (source / "CMakeLists.txt").read_text()).group(1)
 
-extensions = ["myst_parser"]
+extensions = ["myst_parser", "subscripts"]
 root_doc = "README"
 exclude_patterns = ["docs/site"]
 myst_heading_anchors = 4
-myst_enable_extensions = ["attrs_image"]
-suppress_warnings = ["myst.header"]  # a page may start below the first heading level where it is a part of another
 nitpicky = True
 highlight_language = "text"
 smartquotes = False  # what is in a command or a file stays as it is typed
