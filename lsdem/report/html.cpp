@@ -83,4 +83,8 @@ std::string make_statement(Tone tone, const std::string& text) {
     return fmt::format("<p class=\"statement {0}\"><strong>{0}</strong> {1}</p>\n", to_string(tone), escape_html(text));
 }
 
+std::string make_headline(Tone tone, const std::string& text) {
+    return fmt::format("<p class=\"headline statement {0}\"><strong>{0}</strong> {1}</p>\n", to_string(tone), escape_html(text));
+}
+
 }  // namespace musim::lsdem

@@ -15,6 +15,12 @@ enum class Tone { plain, good, note, warning, bad };
 /// "good", "note", "warning", "bad"; empty for plain. Also the class of the style sheet.
 std::string to_string(Tone tone);
 
+/// A sentence of a verdict and how good the news is.
+struct Statement {
+    Tone tone = Tone::plain;
+    std::string text;
+};
+
 /// A cell of a table: numbers stand on the right.
 struct HtmlCell {
     std::string text;
@@ -37,5 +43,8 @@ std::string to_html(const HtmlTable& table);
 
 /// A paragraph of a tone, its word before the text.
 std::string make_statement(Tone tone, const std::string& text);
+
+/// The main result: larger than a statement, its word before the text.
+std::string make_headline(Tone tone, const std::string& text);
 
 }  // namespace musim::lsdem

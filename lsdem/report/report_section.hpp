@@ -13,6 +13,7 @@ struct ReportSection {
     std::string title;
     std::string html;  ///< before the figures
     std::vector<ReportFigure> figures = {};
+    bool figures_beside = false;  ///< where the page is wide: beside what is before them
 };
 
 }  // namespace musim::lsdem

@@ -8,13 +8,13 @@
 
 namespace musim::lsdem {
 
-/// What one should know first: did the runs end well, do they agree, what is doubtful, what is missing.
-ReportSection make_verdict_section(const ReportContent& content);
-
 /// Scenes, materials, scales, steps, times and versions of the runs.
 ReportSection make_overview_section(const ReportContent& content);
 
-/// Motion of the spine, speeds, profiles, energies: what every run has.
-std::vector<ReportSection> make_run_sections(const ReportContent& content);
+/// Velocities of the spine, of a pair with the band of its twins, and how far runs are from the first.
+std::vector<ReportFigure> make_spine_figures(const ReportContent& content);
+
+/// Profiles, speeds, energies: what every run has.
+std::vector<ReportSection> make_run_sections(const std::vector<ReportedRun>& runs);
 
 }  // namespace musim::lsdem

@@ -53,6 +53,17 @@ HtmlTable make_overlap_table(const std::vector<DimensionlessBands>& bands) {
     return table;
 }
 
+/// Bands of the ensembles that have some, by their labels.
+std::vector<DimensionlessBands> name_bands(const std::vector<ReportedEnsemble>& ensembles) {
+    std::vector<DimensionlessBands> bands;
+    for (const ReportedEnsemble& ensemble : ensembles) {
+        if (!ensemble.bands) continue;
+        bands.push_back(*ensemble.bands);
+        bands.back().name = ensemble.label;
+    }
+    return bands;
+}
+
 }  // namespace
 
 ReportSection make_sequence_section(const ReportContent& content) {
@@ -81,17 +92,16 @@ ReportSection make_sequence_section(const ReportContent& content) {
 
 ReportSection make_ensemble_section(const ReportContent& content) {
     ReportSection section{.id = "members", .title = "Members", .html = {}};
-    std::vector<DimensionlessBands> bands;
-    for (const ReportedEnsemble& ensemble : content.ensembles) {
-        section.html += to_html(make_member_table(ensemble));
-        if (!ensemble.bands) continue;
-        bands.push_back(*ensemble.bands);
-        bands.back().name = ensemble.label;
-    }
-    if (bands.empty()) return section;
+    for (const ReportedEnsemble& ensemble : content.ensembles) section.html += to_html(make_member_table(ensemble));
+    const std::vector<DimensionlessBands> bands = name_bands(content.ensembles);
     if (bands.size() > 1) section.html += to_html(make_overlap_table(bands));
-    section.figures.push_back(make_figure("bands", make_bands_plot(bands)));
     return section;
+}
+
+std::vector<ReportFigure> make_ensemble_figures(const std::vector<ReportedEnsemble>& ensembles) {
+    const std::vector<DimensionlessBands> bands = name_bands(ensembles);
+    if (bands.empty()) return {};
+    return {make_figure("bands", make_bands_plot(bands))};
 }
 
 }  // namespace musim::lsdem

@@ -27,25 +27,33 @@ std::string as_element(std::string script) {
     return "<script>\n" + script + "\n</script>\n";
 }
 
-constexpr const char* kControls = R"(<div class="tower" id="tower">
-<div class="tower-view"><canvas id="tower-canvas" tabindex="0" role="img" aria-label="Blocks in three dimensions"></canvas>
+constexpr const char* kControls = R"(<div class="tower" id="tower" role="group" aria-label="Blocks in three dimensions">
+<div class="tower-view"><canvas id="tower-canvas" tabindex="0" role="application" aria-label="Blocks in three dimensions; ? lists the keys"></canvas>
+<p id="tower-scale" class="overlay"></p><div id="tower-names" class="overlay"></div>
 <button type="button" id="tower-handle" aria-label="Drag to turn the blocks">turn</button>
-<p id="tower-message" role="status"></p></div>
+<p id="tower-message" class="overlay" role="status"></p></div>
 <div class="tower-controls">
-<p class="row moving"><button type="button" id="tower-play" aria-pressed="false">Play</button>
-<label>time <input type="range" id="tower-time" min="0" max="1000" value="0" step="any"></label> <output id="tower-clock"></output></p>
-<p class="row"><label class="moving">speed <select id="tower-speed"><option value="1">as it was</option><option value="0.5">half</option><option value="0.1" selected>a tenth</option><option value="0.02">a fiftieth</option></select></label>
-<label>colour <select id="tower-colour"></select></label>
-<label class="moving">exaggerated <input type="number" id="tower-exaggeration" min="1" max="1000" value="1" step="1"> times</label>
-<label class="moving"><input type="checkbox" id="tower-relative"> as seen from the ground</label></p>
-<p class="row"><span role="group" aria-label="camera"><button type="button" data-camera="front">Front (A)</button> <button type="button" data-camera="side">Side</button>
-<button type="button" data-camera="top">Top (B)</button> <button type="button" data-camera="corner">Corner</button></span>
+<p class="row transport moving"><button type="button" id="tower-play" aria-pressed="false" title="Space">Play</button>
+<button type="button" id="tower-back" aria-label="One frame back" title="One frame back: ←">◂</button><button type="button" id="tower-on" aria-label="One frame on" title="One frame on: →">▸</button>
+<input type="range" id="tower-time" aria-label="time" min="0" max="1000" value="0" step="any"><output id="tower-clock" for="tower-time"></output>
+<label>speed <select id="tower-speed"><option value="1">real time</option><option value="0.5">1/2</option><option value="0.1" selected>1/10</option><option value="0.02">1/50</option><option value="0.002">1/500</option></select></label></p>
+<p class="row"><span role="group" aria-label="view from" class="views"><button type="button" data-camera="front" title="1">Front</button><button type="button" data-camera="side" title="2">Side</button><button type="button" data-camera="top" title="3">Top</button><button type="button" data-camera="corner" title="4">Corner</button></span>
+<button type="button" id="tower-reset" title="R">Reset view</button> <button type="button" id="tower-fill" title="F">Full screen</button> <button type="button" id="tower-keys" title="?" aria-haspopup="dialog">Keys</button></p>
+<p class="row"><label>colour <select id="tower-colour"></select></label>
+<label class="moving">displacements <input type="number" id="tower-exaggeration" min="1" max="1000" value="1" step="1"> times</label></p>
+<div id="tower-legend" class="legend"></div>
+<details><summary>More: ground, cut, block by number</summary>
+<p class="row"><label class="moving"><input type="checkbox" id="tower-relative"> relative to the ground</label>
 <label>cut across <select id="tower-cut-axis"><option value="x">x</option><option value="y" selected>y</option><option value="z">z</option></select></label>
 <label>at <input type="range" id="tower-cut" min="0" max="1000" value="1000"></label></p>
-<div id="tower-legend" class="legend"></div>
-<p class="row"><label>block <input type="number" id="tower-block" min="1" step="1"></label> <label>of <select id="tower-run"></select></label></p>
-<div id="tower-block-facts" aria-live="polite"></div>
-</div></div>
+<p class="row"><label>block <input type="number" id="tower-block" min="1" step="1"></label> <label>of <select id="tower-run"></select></label></p></details>
+<div id="tower-block-facts"><p class="small">Click a block for its values and its history.</p></div>
+</div>
+<dialog id="tower-help" aria-label="Keys"><table><caption>Keys in the view</caption><tbody></tbody></table>
+<p class="small">Drag to turn, after a click the wheel comes nearer; on a phone two fingers, or one on the round button. Click a block for its values.</p>
+<form method="dialog"><button>Close</button></form></dialog>
+</div>
+<noscript><p class="statement note"><strong>note</strong> The blocks in 3D need JavaScript; verdict, plots and tables do not.</p></noscript>
 )";
 
 }  // namespace
@@ -57,7 +65,7 @@ std::string make_tower_scripts() {
 }
 
 ReportSection make_tower_section(const ReportContent& content) {
-    ReportSection section{.id = "blocks", .title = "The blocks in 3D", .html = {}};
+    ReportSection section{.id = "blocks", .title = "Motion of the blocks", .html = {}, .figures = {}, .figures_beside = true};
     if (!has_three()) {
         section.html = make_statement(
             Tone::note, fmt::format("there is no three.js on the machine that made this report ({}); install it there (apt-get "
@@ -81,11 +89,7 @@ ReportSection make_tower_section(const ReportContent& content) {
                         1e3 * data.rounding.displacement, data.rounding.rotation / scaling::kDegree, 1e3 * data.rounding.velocity);
         if (data.rounding.force > 0.0) rounding += fmt::format(", contact forces to {:.2g} weights", data.rounding.force);
     }
-    section.html += "<p class=\"small\">Rounded, at most, by " + escape_html(rounding) +
-                    ". Drag to turn (two fingers, or one on the round button), wheel or + and − to come nearer, arrow keys turn and space "
-                    "plays when the picture has the focus; "
-                    "click a block for its "
-                    "history.</p>\n";
+    section.html += "<p class=\"small\">Rounded, at most, by " + escape_html(rounding) + ".</p>\n";
     return section;
 }
 

@@ -5,7 +5,7 @@ namespace musim::lsdem {
 
 extern const char* const kReportStyle;   ///< report.css
 extern const char* const kReportScript;  ///< report.js
-extern const char* const kTowerScript;   ///< tower.js
+extern const char* const kTowerScript;   ///< tower_*.js and tower.js
 extern const char* const kThreeFolder;   ///< where three.min.js lies (Debian's libjs-three)
 
 }  // namespace musim::lsdem

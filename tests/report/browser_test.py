@@ -1,5 +1,7 @@
 """What a browser makes of reports: no error, the plots hold the data, the slider moves blocks, pictures of each view.
 
+The checks of the view itself are in browser_view.py.
+
 usage: browser_test.py MUSIM [FOLDER FOR PICTURES]
 Exit code 77: skipped, since there is no chromium, chromedriver or selenium (Debian: chromium, chromium-driver, python3-selenium).
 """
@@ -24,6 +26,9 @@ if not shutil.which("chromium") or not shutil.which("chromedriver"):
     print("skipped: there is no chromium or chromedriver")
     sys.exit(SKIPPED)
 
+sys.dont_write_bytecode = True
+from browser_view import SIZES, check, check_keys, check_names, check_order, check_sizes, check_width, check_without_webgl, set_size  # noqa: E402
+
 SCENE = {
     "schema": "musim-scene/1", "name": "ring of blocks",
     "material": {"density": "2320 kg/m^3", "normal_stiffness": "2.625 GN/m", "shear_stiffness": "2.5 GN/m", "friction": 0.59, "restitution": 0.5},
@@ -40,20 +45,14 @@ FULL_TOWER = {
 }
 
 
-def check(holds, what):
-    if not holds:
-        raise AssertionError(what)
-
-
-def open_browser(width, height, dark):
+def open_browser(width, height, dark=False, more=()):
     options = Options()
     for argument in ("--headless=new", "--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
-                     "--hide-scrollbars", "--host-resolver-rules=MAP * ~NOTFOUND", f"--window-size={width},{height}"):
+                     "--hide-scrollbars", "--host-resolver-rules=MAP * ~NOTFOUND", f"--window-size={width},{height}", *more):
         options.add_argument(argument)
     options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
     browser = webdriver.Chrome(service=Service(shutil.which("chromedriver")), options=options)
-    # a window is no narrower than 500 pixels, a phone is
-    browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": False})
+    set_size(browser, width, height)
     if dark:
         browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": [{"name": "prefers-color-scheme", "value": "dark"}]})
     return browser
@@ -179,7 +178,7 @@ def check_inputs(run, place):
 
 
 def check_blocks(browser, blocks):
-    """The slider moves blocks, to where the frames have them; keyboard and fields work."""
+    """The slider moves blocks, to where the frames have them; fields work."""
     move = "const s = document.getElementById('tower-time'); s.value = arguments[0]; s.dispatchEvent(new Event('input'));"
     top = "return [...window.musimTower.groups[0].run.displacement.slice(3 * arguments[0], 3 * arguments[0] + 3)]"
     browser.execute_script(move, 0)
@@ -192,9 +191,6 @@ def check_blocks(browser, blocks):
     check(len(history) == 51, f"{len(history)} frames")
     browser.execute_script("const b = document.getElementById('tower-block'); b.value = 7; b.dispatchEvent(new Event('change'));")
     check("block 7 of" in browser.execute_script("return document.getElementById('tower-block-facts').textContent"), "the block's facts are not told")
-    before = browser.execute_script("return window.musimTower.camera.position.toArray()")
-    browser.execute_script("document.getElementById('tower-canvas').dispatchEvent(new KeyboardEvent('keydown', {key: 'ArrowLeft'}))")
-    check(browser.execute_script("return window.musimTower.camera.position.toArray()") != before, "the arrow keys do not turn the view")
     browser.execute_script("document.getElementById('tower-play').click()")
     # a busy machine draws its first picture when it can
     deadline = time.monotonic() + 30.0
@@ -225,23 +221,59 @@ def check_views(browser, pictures, name):
         check(count_colours(browser) > 10, f"coloured by {colour} nothing is seen")
 
 
-def check_layout(browser, page, pictures):
-    for name, width, dark in (("light", 1280, False), ("tablet", 768, False), ("phone", 390, False), ("dark", 1280, True)):
-        other = open_browser(width, 900, dark)
+def check_layout(page, pictures):
+    for name, (width, height), dark in (*((name, size, False) for name, size in SIZES.items()), ("dark", (1280, 900), True)):
+        other = open_browser(width, height, dark)
         try:
             open_report(other, page)
             check_console(other)
-            wide = other.execute_script("return document.documentElement.scrollWidth - document.documentElement.clientWidth")
-            check(wide <= 1, f"{name}: the page is {wide} pixels wider than the window")
+            check_width(other, name)
             if dark:
                 ground = other.execute_script("return getComputedStyle(document.body).backgroundColor")
                 check(ground != "rgb(255, 255, 255)", "the page is not dark")
-            for place in ("verdict", "blocks", "spine", "profiles", "energy"):
+            for place in ("verdict", "blocks", "profiles", "energy"):
                 other.execute_script(f"document.getElementById('{place}').scrollIntoView()")
                 time.sleep(0.2)
                 other.save_screenshot(str(pictures / f"{name}_{place}.png"))
         finally:
             other.quit()
+
+
+def check_pair_sizes(page):
+    browser = open_browser(*SIZES["desk"])
+    try:
+        open_report(browser, page)
+        check_sizes(browser, "pair")
+    finally:
+        browser.quit()
+    browser = open_browser(*SIZES["desk"], more=["--disable-3d-apis"])
+    try:
+        check_without_webgl(browser, page)
+        check_order(browser, "without WebGL")
+    finally:
+        browser.quit()
+
+
+def check_kinds(run, place, pictures):
+    """Pages of a slender column, of an ensemble and of a sequence, at three sizes of the window."""
+    scene = dict(SCENE, structure={"kind": "column", "layers": 8, "block": ["1.36 m", "2.82 m", "4.25 m"], "height_deviation": "10 mm"}, time={"duration": "0.4 s"})
+    stages = {key: value for key, value in scene.items() if key not in ("base_motion", "time")}
+    stages["motions"] = [{"name": "shock", "base_motion": scene["base_motion"], "duration": "0.4 s", "repeat": 2}]
+    for name, content in (("column", scene), ("stages", stages)):
+        (place / f"{name}.json").write_text(json.dumps(content))
+    run("run", "column.json", "-o", "column")
+    run("ensemble", "column.json", "--members", "2", "-o", "ensemble")
+    run("sequence", "stages.json", "-o", "sequence")
+    for name in ("column", "ensemble", "sequence"):
+        run("report", name, "-o", f"{name}.html")
+        browser = open_browser(*SIZES["desk"])
+        try:
+            open_report(browser, place / f"{name}.html")
+            check_sizes(browser, name)
+            browser.save_screenshot(str(pictures / f"{name}_phone.png"))
+            check_console(browser)
+        finally:
+            browser.quit()
 
 
 def touch(browser, kind, *points):
@@ -310,12 +342,18 @@ def main():
             for name in ("spine_velocity", "slip", "base_motion_1"):
                 check_pointer(browser, name)
             check_blocks(browser, 6 * 14)
+            check_keys(browser)
+            check_names(browser)
             check_views(browser, pictures, "pair")
             check_console(browser)
         finally:
             browser.quit()
-        check_layout(browser, place / "pair.html", pictures)
+        run("report", "pair", "-o", "again.html")
+        check((place / "again.html").read_bytes() == (place / "pair.html").read_bytes(), "two reports of one folder differ")
+        check_pair_sizes(place / "pair.html")
+        check_layout(place / "pair.html", pictures)
         check_touch(place / "pair.html", pictures)
+        check_kinds(run, place, pictures)
         check_inputs(run, place)
         check_full_tower(run, place, pictures)
     print("reports are shown as they should be")

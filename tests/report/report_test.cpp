@@ -84,6 +84,9 @@ TEST_CASE("a run's report has its verdict and the numbers of its results, and le
     CHECK_FALSE(holds(page, "<b>column</b>"));
     CHECK(holds(page, "<h1>&lt;b&gt;column&lt;/b&gt; &amp; co</h1>"));
     CHECK(holds(page, "out: ran to its end; 0 of 4 blocks fallen"));
+    CHECK(holds(page, "<p class=\"headline statement good\"><strong>good</strong> The structure stands: 0 of 4 blocks fell"));
+    CHECK(page.find("<p class=\"headline") < page.find("id=\"tower\""));
+    CHECK(page.find("id=\"tower\"") < page.find("<figure"));
     CHECK(holds(page, run.state_hash));
     CHECK(holds(page, fmt::format("<td class=\"number\">{:.4g}</td>", run.history.energy.back().friction_loss)));
     CHECK(holds(page, "id=\"figure-spine_velocity\""));
@@ -335,7 +338,7 @@ TEST_CASE("ensembles stand beside each other with their bands and how far they a
     CHECK(content.ensembles.size() == 2);
     CHECK(content.runs.size() == 1);
     const std::string page = make_page(content, make_sections(content), "test");
-    CHECK(holds(page, "first: 2 members, 2 completed"));
+    CHECK(holds(page, "first: 2 of 2 members stand, 0 collapsed"));
     CHECK(holds(page, "Members of first"));
     CHECK(holds(page, "Members of second"));
     CHECK(holds(page, "Agreement with first"));

@@ -2,7 +2,7 @@
 "use strict";
 (function () {
   window.addEventListener("beforeprint", function () {
-    document.querySelectorAll("figure details").forEach(function (details) { details.open = true; });
+    document.querySelectorAll("details").forEach(function (details) { details.open = true; });
   });
 
   const SVG = "http://www.w3.org/2000/svg";

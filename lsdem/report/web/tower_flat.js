@@ -1,0 +1,71 @@
+// The blocks at the start, drawn without WebGL for browsers that have none: parallel lines stay parallel, farther blocks are drawn first.
+const FLAT_BACK = [0.5, -1, 0.4];
+const FLAT_FACES = [
+  { axis: 0, sign: 1, shade: 0.78 }, { axis: 1, sign: -1, shade: 0.92 }, { axis: 2, sign: 1, shade: 1 },
+  { axis: 0, sign: -1, shade: 0.78 }, { axis: 1, sign: 1, shade: 0.92 }, { axis: 2, sign: -1, shade: 1 },
+];
+
+// Faces that look towards `back`, each with its four corners, and how near the block is.
+function findFlatFaces(run, block, shift, back) {
+  const s = run.start.subarray(10 * block, 10 * block + 10), turn = new THREE.Quaternion(s[4], s[5], s[6], s[3]);
+  const centre = new THREE.Vector3(s[0], s[1], s[2]).divideScalar(run.length);
+  centre.x += shift;
+  const faces = [];
+  for (const face of FLAT_FACES) {
+    const normal = new THREE.Vector3().setComponent(face.axis, face.sign).applyQuaternion(turn);
+    if (normal.dot(back) <= 0) continue;
+    const first = (face.axis + 1) % 3, second = (face.axis + 2) % 3;
+    const corners = [[-1, -1], [1, -1], [1, 1], [-1, 1]].map(function (ends) {
+      const corner = new THREE.Vector3();
+      corner.setComponent(face.axis, face.sign * s[7 + face.axis]);
+      corner.setComponent(first, ends[0] * s[7 + first]);
+      corner.setComponent(second, ends[1] * s[7 + second]);
+      return corner.multiplyScalar(0.5 / run.length).applyQuaternion(turn).add(centre);
+    });
+    faces.push({ corners: corners, shade: face.shade });
+  }
+  return { near: centre.dot(back), faces: faces };
+}
+
+function drawFlat(canvas, runs) {
+  const box = canvas.parentElement.getBoundingClientRect(), scale = Math.min(2, window.devicePixelRatio || 1);
+  canvas.width = Math.max(1, Math.round(scale * box.width));
+  canvas.height = Math.max(1, Math.round(scale * box.height));
+  const back = new THREE.Vector3().fromArray(FLAT_BACK).normalize(), right = new THREE.Vector3(0, 0, 1).cross(back).normalize(), up = back.clone().cross(right);
+  const shifts = arrangeRuns(runs.map(findBounds), canvas.width / canvas.height);
+  const blocks = [];
+  runs.forEach(function (run, i) { for (let b = 0; b < run.blocks; ++b) blocks.push(findFlatFaces(run, b, shifts[i], back)); });
+  blocks.sort(function (a, b) { return a.near - b.near; });
+
+  const low = [Infinity, Infinity], high = [-Infinity, -Infinity];
+  for (const block of blocks) for (const face of block.faces) {
+    face.corners = face.corners.map(function (corner) { return [corner.dot(right), -corner.dot(up)]; });
+    for (const corner of face.corners) for (const i of [0, 1]) { low[i] = Math.min(low[i], corner[i]); high[i] = Math.max(high[i], corner[i]); }
+  }
+  const zoom = Math.min(ROOM.side * canvas.width / (high[0] - low[0]), ROOM.bottom * canvas.height / (high[1] - low[1]));
+  const place = function (corner) { return [canvas.width / 2 + zoom * (corner[0] - 0.5 * (low[0] + high[0])), 0.46 * canvas.height + zoom * (corner[1] - 0.5 * (low[1] + high[1]))]; };
+
+  const pen = canvas.getContext("2d");
+  pen.strokeStyle = "#333";
+  for (const block of blocks) for (const face of block.faces) {
+    const grey = Math.round(225 * face.shade);
+    pen.fillStyle = "rgb(" + grey + "," + grey + "," + grey + ")";
+    pen.beginPath();
+    face.corners.forEach(function (corner) { pen.lineTo.apply(pen, place(corner)); });
+    pen.closePath();
+    pen.fill();
+    pen.stroke();
+  }
+}
+
+// In place of the canvas, which a failed attempt at WebGL may have taken.
+function showFlat(runs) {
+  const canvas = document.createElement("canvas"), old = part("canvas");
+  canvas.id = old.id;
+  canvas.setAttribute("role", "img");
+  canvas.setAttribute("aria-label", "The blocks at the start");
+  old.replaceWith(canvas);
+  holder.classList.add("flat");
+  drawFlat(canvas, runs);
+  new ResizeObserver(function () { drawFlat(canvas, runs); }).observe(canvas.parentElement);
+}

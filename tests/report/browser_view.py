@@ -1,0 +1,154 @@
+"""Checks of the view of the blocks and of the page around it, in a browser that browser_test.py has opened."""
+import time
+
+from selenium.webdriver.common.action_chains import ActionChains
+from selenium.webdriver.common.keys import Keys
+
+# a desk, a tablet and a phone [pixels]
+SIZES = {"desk": (1440, 900), "tablet": (820, 1180), "phone": (390, 844)}
+
+# Of the picture, along the side that limits the structure. The view leaves 6 % of the half at the sides and at the top, 16 % at the
+# bottom, where names stand; a box around blocks in perspective is up to a tenth larger than what is seen of them.
+LEAST_SHARE = 0.78
+
+
+def check(holds, what):
+    if not holds:
+        raise AssertionError(what)
+
+
+def set_size(browser, width, height):
+    # a window is no narrower than 500 pixels, a phone is
+    browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": False})
+    time.sleep(0.5)
+
+
+def find_drawn(browser):
+    """Where the blocks are seen, without the grid: shares of the picture from its left and its lower edge, [x0, x1, y0, y1]."""
+    return browser.execute_script("""
+        const viewer = window.musimTower, gl = viewer.renderer.getContext(), w = gl.drawingBufferWidth, h = gl.drawingBufferHeight, p = new Uint8Array(4 * w * h);
+        viewer.ground.visible = false;
+        viewer.draw();
+        gl.readPixels(0, 0, w, h, gl.RGBA, gl.UNSIGNED_BYTE, p);
+        viewer.ground.visible = true;
+        viewer.draw();
+        let x0 = w, x1 = -1, y0 = h, y1 = -1;
+        for (let y = 0; y < h; ++y) for (let x = 0; x < w; ++x) if (p[4 * (y * w + x) + 3] > 0) {
+            x0 = Math.min(x0, x); x1 = Math.max(x1, x); y0 = Math.min(y0, y); y1 = Math.max(y1, y);
+        }
+        return [x0 / w, (x1 + 1) / w, y0 / h, (y1 + 1) / h];""")
+
+
+def check_fill(browser, where):
+    x0, x1, y0, y1 = find_drawn(browser)
+    check(max(x1 - x0, y1 - y0) >= LEAST_SHARE, f"{where}: the blocks take {x1 - x0:.2f} of the width and {y1 - y0:.2f} of the height of the picture")
+    check(min(x0, y0) > 0 and max(x1, y1) < 1, f"{where}: the blocks reach the edge of the picture: {[x0, x1, y0, y1]}")
+    return max(x1 - x0, y1 - y0)
+
+
+def check_sizes(browser, name):
+    """At each size, first the one the page was opened in: the structure fills the picture, and nothing is wider than the window."""
+    for size, (width, height) in SIZES.items():
+        set_size(browser, width, height)
+        where = f"{name} on a {size}"
+        share = check_fill(browser, where)
+        for view in ("front", "side", "top", "corner"):
+            browser.execute_script(f"document.querySelector('[data-camera={view}]').click()")
+            check_fill(browser, f"{where}, view from {view}")
+        browser.execute_script("document.getElementById('tower-reset').click()")
+        check(abs(check_fill(browser, where) - share) < 0.01, f"{where}: the view that is reset is not the one at the start")
+        check_width(browser, where)
+        check_order(browser, where)
+
+
+def check_width(browser, where):
+    browser.execute_script("document.querySelectorAll('details').forEach(d => { d.open = true; })")
+    wide = browser.execute_script("return document.documentElement.scrollWidth - document.documentElement.clientWidth")
+    browser.execute_script("document.querySelectorAll('details').forEach(d => { d.open = false; })")
+    check(wide <= 0, f"{where}: the page is {wide} pixels wider than the window")
+
+
+def check_order(browser, where):
+    """The verdict is in the first window, with a number, above all plots and above the blocks."""
+    told = browser.execute_script("""
+        const line = document.querySelector(".headline"), box = line.getBoundingClientRect(), at = y => y + window.scrollY;
+        const others = [...document.querySelectorAll("figure, #tower")].map(e => at(e.getBoundingClientRect().top));
+        return [line.textContent, at(box.bottom), window.innerHeight, Math.min(...others)];""")
+    text, bottom, window, first = told
+    check(any(c.isdigit() for c in text), f"{where}: the verdict has no number: {text}")
+    check(bottom <= min(window, first), f"{where}: the verdict ends at {bottom}, the window at {window}, the first picture begins at {first}")
+
+
+def check_keys(browser):
+    """Keys step through the frames and turn the view, and are left to fields that one types into."""
+    def press(*keys):
+        ActionChains(browser).send_keys(*keys).perform()
+
+    def state():
+        return browser.execute_script("const v = window.musimTower; return [v.time, v.camera.position.toArray(), v.playing]")
+
+    times, duration = browser.execute_script("return [window.musimTower.runs[0].times, window.musimTower.duration]")
+    check(abs(duration - times[-1]) < 1e-6 * duration, f"runs of one motion end at {duration} s and {times[-1]} s")
+    browser.execute_script("const c = document.getElementById('tower-canvas'); c.scrollIntoView({block: 'center'}); c.focus()")
+    press(Keys.HOME)
+    check(state()[0] == 0, "Home does not go to the start")
+    press(Keys.ARROW_RIGHT, Keys.ARROW_RIGHT)
+    check(state()[0] == times[2], f"two arrows to the right lead to {state()[0]} s, the frames are at {times[:4]}")
+    press(Keys.ARROW_LEFT)
+    check(state()[0] == times[1], f"an arrow to the left leads to {state()[0]} s")
+    press(Keys.END)
+    check(state()[0] == duration, f"End leads to {state()[0]} s, not {duration}")
+    before = state()[1]
+    press("2")
+    check(state()[1] != before, "2 does not look from the side")
+    press("r")
+    check(state()[1] == before, "R does not reset the view")
+    ActionChains(browser).key_down(Keys.SHIFT).send_keys(Keys.ARROW_LEFT).key_up(Keys.SHIFT).perform()
+    check(state()[1] != before and state()[0] == duration, "Shift and an arrow do not turn the view, or change the time")
+    press(Keys.HOME, Keys.SPACE)
+    check(state()[2], "Space does not play")
+    press(Keys.SPACE)
+    check(not state()[2], "Space does not pause")
+    press("?")
+    check(browser.execute_script("return document.getElementById('tower-help').open"), "? does not list the keys")
+    press(Keys.ESCAPE)
+    check(not browser.execute_script("return document.getElementById('tower-help').open"), "Escape does not close the list of keys")
+
+    # a field keeps its keys
+    browser.execute_script("""document.querySelectorAll(".tower-controls details").forEach(d => { d.open = true; });
+        document.getElementById("tower-exaggeration").focus()""")
+    before = state()
+    press(Keys.ARROW_RIGHT, "2", "r", Keys.HOME)
+    check(state() == before, "a field of the view loses its keys to it")
+    browser.execute_script("const f = document.getElementById('tower-exaggeration'); f.value = 1; f.dispatchEvent(new Event('input')); f.blur()")
+    # far from the view, keys are the page's
+    browser.execute_script("window.scrollTo(0, document.body.scrollHeight)")
+    press(Keys.ARROW_RIGHT, Keys.SPACE)
+    check(state() == before, "keys at the end of the page change the view at its start")
+
+
+def check_names(browser):
+    """What a screen reader says: every control has a name, and the picture and the plots have theirs."""
+    nameless = browser.execute_script("""
+        return [...document.querySelectorAll("#tower button, #tower input, #tower select, #tower canvas, .plot")]
+            .filter(e => !(e.getAttribute("aria-label") || e.textContent.trim() || (e.labels && e.labels.length > 0))).map(e => e.id || e.className);""")
+    check(not nameless, f"without a name: {nameless}")
+    fetched = browser.execute_script("return performance.getEntriesByType('resource').map(e => e.name)")
+    check(not fetched, f"the page fetches {fetched}")
+
+
+def check_without_webgl(browser, page):
+    """The blocks are drawn in a plane, and it is said why."""
+    browser.get(page.resolve().as_uri())
+    deadline = time.monotonic() + 30.0
+    while browser.execute_script("return document.getElementById('tower').dataset.ready") != "yes" and time.monotonic() < deadline:
+        time.sleep(0.1)
+    said = browser.execute_script("return document.getElementById('tower-message').textContent")
+    check("WebGL" in said, f"it is not said that there is no WebGL, but: {said}")
+    check(not browser.execute_script("return document.getElementById('tower-play').checkVisibility()"), "what cannot move can be played")
+    drawn = browser.execute_script("""
+        const c = document.getElementById("tower-canvas"), p = c.getContext("2d").getImageData(0, 0, c.width, c.height).data;
+        let least = c.height, most = -1;
+        for (let i = 0; i < p.length; i += 4) if (p[i + 3] > 0) { const y = Math.floor(i / 4 / c.width); least = Math.min(least, y); most = Math.max(most, y); }
+        return (most - least) / c.height;""")
+    check(drawn > 0.5, f"the blocks take {drawn:.2f} of the height of the picture without WebGL")
