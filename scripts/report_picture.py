@@ -1,4 +1,5 @@
-"""Photographs the blocks of a report in headless Chromium: scripts/report_picture.py PAGE.html PICTURE.png TIME [COLOUR [BLOCK]]
+"""Photographs the top of a report, its verdict and its blocks, in headless Chromium:
+scripts/report_picture.py PAGE.html PICTURE.png TIME [COLOUR [BLOCK]]
 
 Needs chromium, chromium-driver and python3-selenium (`scripts/setup --checks` installs them).
 """
@@ -13,7 +14,6 @@ from selenium.webdriver.chrome.service import Service
 
 SHOW = """
 const change = function (id, value, event) { const field = document.getElementById(id); field.value = value; field.dispatchEvent(new Event(event)); };
-document.querySelector("[data-camera=front]").click();
 change("tower-colour", arguments[1], "change");
 change("tower-exaggeration", 10, "input");
 change("tower-time", arguments[0], "input");
@@ -28,7 +28,7 @@ def main():
     colour, block = sys.argv[4] if len(sys.argv) > 4 else "vx", int(sys.argv[5]) if len(sys.argv) > 5 else 0
     options = Options()
     for argument in ("--headless=new", "--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
-                     "--hide-scrollbars", "--window-size=1180,820"):
+                     "--hide-scrollbars", "--window-size=1440,1240"):
         options.add_argument(argument)
     browser = webdriver.Chrome(service=Service(shutil.which("chromedriver")), options=options)
     try:
@@ -39,7 +39,7 @@ def main():
             time.sleep(0.1)
         browser.execute_script(SHOW, when, colour, block)
         time.sleep(0.5)
-        browser.find_element("id", "tower").screenshot(picture)
+        browser.save_screenshot(picture)
     finally:
         browser.quit()
 

@@ -27,7 +27,9 @@ if not shutil.which("chromium") or not shutil.which("chromedriver"):
     sys.exit(SKIPPED)
 
 sys.dont_write_bytecode = True
-from browser_view import SIZES, check, check_keys, check_names, check_order, check_sizes, check_width, check_without_webgl, set_size  # noqa: E402
+from browser_view import (  # noqa: E402
+    LEAST_AREA, SIZES, check, check_keys, check_names, check_order,
+    check_sizes, check_width, check_without_webgl, set_size)
 
 SCENE = {
     "schema": "musim-scene/1", "name": "ring of blocks",
@@ -243,7 +245,7 @@ def check_pair_sizes(page):
     browser = open_browser(*SIZES["desk"])
     try:
         open_report(browser, page)
-        check_sizes(browser, "pair")
+        check_sizes(browser, "pair", LEAST_AREA)
     finally:
         browser.quit()
     browser = open_browser(*SIZES["desk"], more=["--disable-3d-apis"])
