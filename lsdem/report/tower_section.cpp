@@ -19,6 +19,20 @@ fs::path three_script() { return fs::path(kThreeFolder) / "three.min.js"; }
 fs::path controls_script() { return fs::path(kThreeFolder) / "examples/js/controls/OrbitControls.js"; }
 bool has_three() { return fs::exists(three_script()) && fs::exists(controls_script()); }
 
+/// What the licence of three.js wants beside every copy of it.
+constexpr const char* kThreeLicence = R"(<!--
+three.js and its OrbitControls, Copyright 2010-2019 three.js authors, The MIT License:
+Permission is hereby granted, free of charge, to any person obtaining a copy of this software and associated documentation files (the
+"Software"), to deal in the Software without restriction, including without limitation the rights to use, copy, modify, merge, publish,
+distribute, sublicense, and/or sell copies of the Software, and to permit persons to whom the Software is furnished to do so, subject to the
+following conditions: The above copyright notice and this permission notice shall be included in all copies or substantial portions of the
+Software. THE SOFTWARE IS PROVIDED "AS IS", WITHOUT WARRANTY OF ANY KIND, EXPRESS OR IMPLIED, INCLUDING BUT NOT LIMITED TO THE WARRANTIES OF
+MERCHANTABILITY, FITNESS FOR A PARTICULAR PURPOSE AND NONINFRINGEMENT. IN NO EVENT SHALL THE AUTHORS OR COPYRIGHT HOLDERS BE LIABLE FOR ANY
+CLAIM, DAMAGES OR OTHER LIABILITY, WHETHER IN AN ACTION OF CONTRACT, TORT OR OTHERWISE, ARISING FROM, OUT OF OR IN CONNECTION WITH THE
+SOFTWARE OR THE USE OR OTHER DEALINGS IN THE SOFTWARE.
+-->
+)";
+
 /// A script as the contents of an element, where "</script" would end it.
 std::string as_element(std::string script) {
     for (std::size_t at = script.find("</script"); at != std::string::npos; at = script.find("</script", at + 1)) {
@@ -60,7 +74,7 @@ constexpr const char* kControls = R"(<div class="tower" id="tower" role="group" 
 
 std::string make_tower_scripts() {
     if (!has_three()) return {};
-    return as_element(scaling::read_regular_file(three_script()).value_or("")) +
+    return kThreeLicence + as_element(scaling::read_regular_file(three_script()).value_or("")) +
            as_element(scaling::read_regular_file(controls_script()).value_or("")) + as_element(kTowerScript);
 }
 

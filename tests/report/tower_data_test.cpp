@@ -1,4 +1,5 @@
 #include "lsdem/report/tower_data.hpp"
+#include "lsdem/report/tower_section.hpp"
 
 #include <doctest/doctest.h>
 #include <zlib.h>
@@ -132,4 +133,9 @@ TEST_CASE("a run without frames shows its start and its end, and one that never 
     const TowerData still = make_tower_data(reported);
     CHECK(still.rounding.displacement == 0.0);
     CHECK(still.rounding.rotation == 0.0);
+}
+
+TEST_CASE("a page with a copy of three.js has its licence beside it") {
+    const std::string scripts = make_tower_scripts();
+    CHECK(scripts.empty() == (scripts.find("The MIT License") == std::string::npos));
 }
