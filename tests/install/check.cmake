@@ -1,4 +1,4 @@
-# cmake -D BUILD=... -D EXAMPLES=... -D COMPILER=... -D WORK=... -P check.cmake
+# cmake -D BUILD=... -D EXAMPLES=... -D COMPILER=... -D WORK=... -P check.cmake; PREFIX in place of BUILD: where musim is installed already
 file(REMOVE_RECURSE ${WORK})
 file(MAKE_DIRECTORY ${WORK})
 
@@ -18,14 +18,25 @@ macro(expect variable pattern)
   endif()
 endmacro()
 
-run(printed ${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix)
-run(printed ${CMAKE_COMMAND} -S ${EXAMPLES} -B ${WORK}/build -D CMAKE_PREFIX_PATH=${WORK}/prefix -D CMAKE_CXX_COMPILER=${COMPILER})
+if(NOT PREFIX)
+  set(PREFIX ${WORK}/prefix)
+  run(printed ${CMAKE_COMMAND} --install ${BUILD} --prefix ${PREFIX})
+endif()
+run(printed ${CMAKE_COMMAND} -S ${EXAMPLES} -B ${WORK}/build -D CMAKE_PREFIX_PATH=${PREFIX} -D CMAKE_CXX_COMPILER=${COMPILER})
 run(printed ${CMAKE_COMMAND} --build ${WORK}/build)
 
 run(printed ${WORK}/build/own_law)
 expect(printed "t 0.0016\nv 25\n")
 
-run(printed ${WORK}/prefix/bin/musim record make pulse --frequency 0.5 --amplitude 60 --cycles 2.4 --phase 60 -o motion.csv)
+foreach(pattern man/man1/musim-record-plot.1* bash-completion/completions/musim zsh/*/_musim doc/musim/examples/wall.json doc/musim/docs/user/*.md
+                musim/musim-scene-1.schema.json)
+  file(GLOB found ${PREFIX}/share/${pattern})
+  if(NOT found)
+    message(FATAL_ERROR "${PREFIX}/share/${pattern} is missing")
+  endif()
+endforeach()
+
+run(printed ${PREFIX}/bin/musim record make pulse --frequency 0.5 --amplitude 60 --cycles 2.4 --phase 60 -o motion.csv)
 run(printed ${WORK}/build/record motion.csv "0.5 s")
 expect(printed "^([^:]+): peak -?[0-9.]+ g at [0-9.]+ s, PSA ([0-9.]+) m/s.2, of the model ([0-9.]+) m")
 set(component ${CMAKE_MATCH_1})
