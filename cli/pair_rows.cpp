@@ -10,7 +10,7 @@ namespace {
 
 using scaling::Direction;
 using scaling::StructuralSpeeds;
-using scaling::StructureFacts;
+using scaling::StructureProperties;
 
 template <class Quantity>
 PairRow make_row(const std::string& key, const std::string& title, const std::optional<Quantity>& prototype,
@@ -26,8 +26,9 @@ std::optional<scaling::Ratio> to_ratio(const std::optional<double>& number) {
     return number ? std::optional(scaling::Ratio::from_value(*number)) : std::nullopt;
 }
 
-std::optional<scaling::Velocity> find_sway_speed(const StructureFacts& facts, const StructuralSpeeds& speeds, Direction direction) {
-    const auto chain = find_rotating_chain(facts, direction);
+std::optional<scaling::Velocity> find_sway_speed(const StructureProperties& properties, const StructuralSpeeds& speeds,
+                                                 Direction direction) {
+    const auto chain = find_rotating_chain(properties, direction);
     if (!chain) return std::nullopt;
     return find_fastest_sway(*chain).speed * *speeds.shear;
 }
@@ -38,8 +39,8 @@ std::optional<double> PairRow::required() const { return prototype ? std::option
 
 std::optional<double> PairRow::factor() const { return prototype && model ? std::optional(*model / *prototype) : std::nullopt; }
 
-std::vector<PairRow> make_speed_rows(const scaling::PairFacts& facts, const scaling::Similitude& similitude) {
-    const StructureFacts &prototype = facts.prototype, &model = facts.model;
+std::vector<PairRow> make_speed_rows(const scaling::PairProperties& properties, const scaling::Similitude& similitude) {
+    const StructureProperties &prototype = properties.prototype, &model = properties.model;
     const StructuralSpeeds of_prototype = find_structural_speeds(prototype), of_model = find_structural_speeds(model);
     const double velocity = similitude.velocity(), time = similitude.time();
     std::vector<PairRow> rows = {
@@ -64,10 +65,12 @@ std::vector<PairRow> make_speed_rows(const scaling::PairFacts& facts, const scal
     return rows;
 }
 
-std::vector<PairRow> make_rocking_rows(const scaling::PairFacts& facts, const scaling::Similitude& similitude, Direction direction) {
-    const scaling::RockingBlock prototype = facts.prototype.rocking_block(direction), model = facts.model.rocking_block(direction);
+std::vector<PairRow> make_rocking_rows(const scaling::PairProperties& properties, const scaling::Similitude& similitude,
+                                       Direction direction) {
+    const scaling::RockingBlock prototype = properties.prototype.rocking_block(direction),
+                                model = properties.model.rocking_block(direction);
     // a plain number: as a frequency it would be written in Hz, 2π times too large
-    const auto find_p = [](const scaling::RockingBlock& block, const StructureFacts& structure) {
+    const auto find_p = [](const scaling::RockingBlock& block, const StructureProperties& structure) {
         return scaling::Ratio::from_value(block.frequency_parameter(structure.gravity).value());
     };
     const auto make = [](const std::string& key, const std::string& title, auto of_prototype, auto of_model, double required_factor) {
@@ -78,31 +81,31 @@ std::vector<PairRow> make_rocking_rows(const scaling::PairFacts& facts, const sc
     };
     return {make("half_diagonal_m", "R", prototype.half_diagonal(), model.half_diagonal(), similitude.length()),
             make_plain("angle_deg", "alpha [deg]", prototype.angle() / scaling::kDegree, model.angle() / scaling::kDegree),
-            make("frequency_parameter_rad_s", "p [rad/s]", find_p(prototype, facts.prototype), find_p(model, facts.model),
+            make("frequency_parameter_rad_s", "p [rad/s]", find_p(prototype, properties.prototype), find_p(model, properties.model),
                  similitude.frequency()),
             make_plain("angular_restitution", "e_r", prototype.angular_restitution(), model.angular_restitution()),
             make_plain("energy_restitution", "r = e_r^2", prototype.energy_restitution(), model.energy_restitution())};
 }
 
-std::vector<PairRow> make_motion_rows(const scaling::MotionFacts& prototype, const scaling::MotionFacts& model,
+std::vector<PairRow> make_motion_rows(const scaling::MotionProperties& prototype, const scaling::MotionProperties& model,
                                       const scaling::Similitude& similitude) {
-    using scaling::MotionFacts;
+    using scaling::MotionProperties;
     std::vector<PairRow> rows;
-    const auto add = [&](const std::string& key, const std::string& title, auto MotionFacts::*value, double required_factor) {
+    const auto add = [&](const std::string& key, const std::string& title, auto MotionProperties::*value, double required_factor) {
         if (prototype.*value || model.*value) rows.push_back(make_row(key, title, prototype.*value, model.*value, required_factor));
     };
     const double time = similitude.time(), frequency = similitude.frequency();
     rows.push_back(
         make_row("pga_m_s2", "PGA", std::optional(prototype.acceleration), std::optional(model.acceleration), similitude.acceleration()));
-    add("pgv_m_s", "PGV", &MotionFacts::velocity, similitude.velocity());
-    add("pgd_m", "PGD", &MotionFacts::displacement, similitude.length());
-    add("vertical_pga_m_s2", "vertical PGA", &MotionFacts::vertical_acceleration, similitude.acceleration_vertical());
-    add("predominant_period_s", "predominant period", &MotionFacts::predominant_period, time);
-    add("pulse_period_s", "pulse period", &MotionFacts::pulse_period, time);
-    add("duration_s", "duration", &MotionFacts::duration, time);
-    add("step_s", "step", &MotionFacts::step, time);
-    add("lowest_frequency_hz", "lowest frequency", &MotionFacts::lowest_frequency, frequency);
-    add("highest_frequency_hz", "highest frequency", &MotionFacts::highest_frequency, frequency);
+    add("pgv_m_s", "PGV", &MotionProperties::velocity, similitude.velocity());
+    add("pgd_m", "PGD", &MotionProperties::displacement, similitude.length());
+    add("vertical_pga_m_s2", "vertical PGA", &MotionProperties::vertical_acceleration, similitude.acceleration_vertical());
+    add("predominant_period_s", "predominant period", &MotionProperties::predominant_period, time);
+    add("pulse_period_s", "pulse period", &MotionProperties::pulse_period, time);
+    add("duration_s", "duration", &MotionProperties::duration, time);
+    add("step_s", "step", &MotionProperties::step, time);
+    add("lowest_frequency_hz", "lowest frequency", &MotionProperties::lowest_frequency, frequency);
+    add("highest_frequency_hz", "highest frequency", &MotionProperties::highest_frequency, frequency);
     return rows;
 }
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "scaling/dimension.hpp"
-#include "scaling/structures/structure_facts.hpp"
+#include "scaling/structures/structure_properties.hpp"
 
 namespace musim::cli {
 
@@ -23,14 +23,14 @@ struct PairRow {
 };
 
 /// Stiffnesses, moduli, wave speeds and times to climb, S_e^N; of a column whose blocks turn the fastest sway.
-std::vector<PairRow> make_speed_rows(const scaling::PairFacts& facts, const scaling::Similitude& similitude);
+std::vector<PairRow> make_speed_rows(const scaling::PairProperties& properties, const scaling::Similitude& similitude);
 
 /// Peaks, periods and frequencies of a motion, as far as either gives them.
-std::vector<PairRow> make_motion_rows(const scaling::MotionFacts& prototype, const scaling::MotionFacts& model,
+std::vector<PairRow> make_motion_rows(const scaling::MotionProperties& prototype, const scaling::MotionProperties& model,
                                       const scaling::Similitude& similitude);
 
 /// R, α, p, e_r and r of the block in one direction.
-std::vector<PairRow> make_rocking_rows(const scaling::PairFacts& facts, const scaling::Similitude& similitude,
+std::vector<PairRow> make_rocking_rows(const scaling::PairProperties& properties, const scaling::Similitude& similitude,
                                        scaling::Direction direction);
 
 }  // namespace musim::cli

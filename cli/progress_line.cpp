@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include "cli/live_text.hpp"
 #include "cli/output.hpp"
+#include "cli/progress_text.hpp"
 #include "cli/terminal.hpp"
 
 namespace musim::cli {
@@ -20,16 +20,16 @@ constexpr auto kPatience = 2s;
 constexpr std::size_t kLeastOfName = 12;
 
 /// All of a line but the name.
-std::string compose_tail(double fraction, const std::optional<lsdem::LiveRun>& seen, const std::string& left) {
-    return fmt::format(": {:.0f} %, {}{} left", 100.0 * fraction, seen ? describe_live(*seen) + ", " : "", left);
+std::string compose_tail(double fraction, const std::optional<lsdem::RunProgress>& seen, const std::string& left) {
+    return fmt::format(": {:.0f} %, {}{} left", 100.0 * fraction, seen ? describe_progress(*seen) + ", " : "", left);
 }
 
 /// A line that leaves the last column free, since a terminal goes to the next line there: of the name as much as there is room for, and
 /// bars and state only where they fit.
-std::string compose_line(const std::string& name, double fraction, const std::optional<lsdem::LiveRun>& seen, const std::string& left,
+std::string compose_line(const std::string& name, double fraction, const std::optional<lsdem::RunProgress>& seen, const std::string& left,
                          std::size_t columns) {
     std::vector<std::string> tails;
-    if (seen) tails = {compose_tail(fraction, seen, left) + draw_live(*seen), compose_tail(fraction, seen, left)};
+    if (seen) tails = {compose_tail(fraction, seen, left) + draw_progress(*seen), compose_tail(fraction, seen, left)};
     tails.push_back(compose_tail(fraction, std::nullopt, left));
     for (const std::string& tail : tails) {
         const std::size_t taken = count_characters(tail) + 1;

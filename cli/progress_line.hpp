@@ -7,7 +7,7 @@
 #include <string>
 
 #include "lsdem/run/joined_progress.hpp"
-#include "lsdem/run/live_run.hpp"
+#include "lsdem/run/run_progress.hpp"
 #include "lsdem/run/simulate.hpp"
 
 namespace musim::cli {
@@ -38,7 +38,7 @@ class ProgressLine {
     using Clock = std::chrono::steady_clock;
 
     std::string what_;
-    std::optional<lsdem::LiveRun> seen_;
+    std::optional<lsdem::RunProgress> seen_;
     bool continues_;
     double fraction_before_ = 0.0, spare_ = 0.0;
     bool terminal_;

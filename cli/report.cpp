@@ -75,7 +75,7 @@ bool report_divergence(const std::string& where, const lsdem::RunResult& run) {
 }
 
 void report_doubts(const std::string& where, const lsdem::RunResult& run) {
-    for (const std::string& doubt : lsdem::find_doubts(run)) note("musim: warning: {}: {}\n", where, doubt);
+    for (const std::string& warning : lsdem::find_warnings(run)) note("musim: warning: {}: {}\n", where, warning);
 }
 
 lsdem::Scene read_scene(const std::filesystem::path& file) {

@@ -98,11 +98,11 @@ void UncertainStructureOptions::put_into(scaling::UncertainScales& scales) const
     scales.height = height;
 }
 
-scaling::ModelFacts UncertainStructureOptions::facts() const {
-    scaling::ModelFacts facts;
-    if (friction) facts.friction_prototype = friction->value;
-    for (const scaling::Uncertain& each : slenderness) facts.slenderness.push_back(each.value);
-    return facts;
+scaling::ModelProperties UncertainStructureOptions::properties() const {
+    scaling::ModelProperties properties;
+    if (friction) properties.friction_prototype = friction->value;
+    for (const scaling::Uncertain& each : slenderness) properties.slenderness.push_back(each.value);
+    return properties;
 }
 
 void add_motion_options(CLI::App& command, scaling::UncertainMotion& motion) {

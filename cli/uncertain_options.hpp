@@ -33,7 +33,7 @@ struct UncertainStructureOptions {
     bool any() const { return friction || !slenderness.empty() || height; }
     void put_into(scaling::UncertainScales& scales) const;
     /// Their values.
-    scaling::ModelFacts facts() const;
+    scaling::ModelProperties properties() const;
 };
 
 /// Measures of the prototype's motion, as options --pga, --pgv, --pgd, --arias, --duration, --time-step.

@@ -35,9 +35,9 @@ struct Bodies {
     std::vector<Vector3> start_position;        ///< where energy of position and falls are counted from [m]
     std::vector<Quaternion> start_orientation;  ///< body to world
     std::vector<std::uint8_t> fixed;
-    /// Factor of all accelerations: one, zero for a fixed block; in between, a block has inertia added, see detail::AddedInertia.
+    /// Factor of all accelerations: one, zero for a fixed block; in between, a block has inertia added, see detail::MassScaling.
     std::vector<double> free;
-    std::vector<double> preparation_loss;  ///< work of Model::velocity_damping and of added inertia up to step n − 1/2 [J]
+    std::vector<double> preparation_loss;  ///< work of Model::velocity_damping and of mass scaling up to step n − 1/2 [J]
 
     explicit Bodies(const Model& model);
     std::size_t size() const { return mass.size(); }

@@ -100,7 +100,7 @@ struct Model {
     Vector3 gravity = Vector3::Zero();  ///< world frame [m/s²]
     ContactNodes contact_nodes = ContactNodes::leader;
     StiffnessSharing stiffness_sharing = StiffnessSharing::per_area;
-    bool skip_quiet = true;                           ///< pass over time in which the base stands and nothing moves
+    bool skip_rest = true;                            ///< pass over time in which the base stands and nothing moves
     bool skip_apart = true;                           ///< pass over pairs that cannot have met since they were found apart; same results
     FaceContact face_contact = FaceContact::overlap;  ///< of StiffnessSharing::per_area; per_contact counts the leader's nodes
     /// Rate α at which velocities and spins decay towards rest, dv/dt = F/m − α·v [1/s]; only for preparing a specimen while the base

@@ -47,7 +47,7 @@ static void exchange(Archive& archive, Ground& g) { archive(g.present, g.materia
 static void exchange(Archive& archive, Preload& p) { archive(p.leader, p.follower, p.friction, p.couple); }
 
 static void exchange(Archive& archive, Model& m) {
-    archive(m.shapes, m.materials, m.blocks, m.ground, m.gravity, m.contact_nodes, m.stiffness_sharing, m.skip_quiet, m.skip_apart,
+    archive(m.shapes, m.materials, m.blocks, m.ground, m.gravity, m.contact_nodes, m.stiffness_sharing, m.skip_rest, m.skip_apart,
             m.face_contact, m.velocity_damping, m.preload);
 }
 

@@ -55,7 +55,7 @@ void print_sweep(const lsdem::AccuracySweep& sweep) {
         print("\n{} ({})\n  {:<10} {:>9} {:>11} {:>12} {:>10}\n", panel.title, panel.name, "family", "setting", "error", "us/block/step",
               "time [s]");
         for (const lsdem::AccuracyRow& row : panel.rows) {
-            if (!row.pareto && row.family != "preset" && row.family != "shadow") continue;
+            if (!row.pareto && row.family != "preset" && row.family != "copy") continue;
             const lsdem::AccuracyOutcome& o = row.outcome;
             print("  {:<10} {:>9} {:>11.3g} {:>12.3g} {:>10.3g}{}\n", row.family, row.label, o.error,
                   o.block_steps > 0 ? 1e6 * o.seconds / static_cast<double>(o.block_steps) : 0.0, o.seconds, row.pareto ? "  Pareto" : "");

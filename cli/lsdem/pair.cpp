@@ -19,7 +19,7 @@
 #include "cli/report.hpp"
 #include "cli/version.hpp"
 #include "lsdem/results/write_results.hpp"
-#include "lsdem/run/live_file.hpp"
+#include "lsdem/run/progress_file.hpp"
 #include "lsdem/scene/scene_error.hpp"
 #include "lsdem/scene/scene_json.hpp"
 #include "lsdem/study/departure_plot.hpp"
@@ -51,7 +51,7 @@ struct PairOptions {
     std::optional<std::size_t> specimens;
     std::optional<Share> accept;
     bool no_half_step = false;
-    bool each_alone = false;
+    bool one_at_a_time = false;
     Number checkpoint_interval{60.0};
     int threads = 0;
     bool json = false;
@@ -66,8 +66,8 @@ lsdem::Materials find_materials(const PairOptions& options) {
 
 void check_options(const PairOptions& options) {
     const bool own = find_materials(options) == lsdem::Materials::own;
-    if (options.each_alone && (!own || !options.models.empty())) {
-        throw CLI::ValidationError("--each-alone", "exact materials distort nothing; add --materials own");
+    if (options.one_at_a_time && (!own || !options.models.empty())) {
+        throw CLI::ValidationError("--one-at-a-time", "exact materials distort nothing; add --materials own");
     }
     if (!options.own.empty() && options.own.size() != options.lengths.size()) {
         throw CLI::ValidationError("--material", "give one per --length, in the same order, or none");
@@ -251,16 +251,16 @@ int run_pair(const PairOptions& options) {
                 .interval = options.checkpoint_interval,
                 .on_failure = [](const std::string& why) { note_at_end("musim: warning: no checkpoint: " + why); }};
         }
-        std::optional<lsdem::LiveFile> live;
-        if (folder) live.emplace(options.out, prototype.name).listen_to(settings.observer);
+        std::optional<lsdem::ProgressFile> progress;
+        if (folder) progress_file.emplace(options.out, prototype.name).listen_to(settings.observer);
         lsdem::PairSceneSettings how{.specimen = options.specimen == "each" ? lsdem::PairSpecimen::each : lsdem::PairSpecimen::one,
                                      .judging = {.twins = options.twins, .seed = options.seed, .half_step = !options.no_half_step},
-                                     .each_alone = options.each_alone,
+                                     .one_at_a_time = options.one_at_a_time,
                                      .specimens = options.specimens,
                                      .accept = options.accept ? std::optional(options.accept->value) : std::nullopt};
         how.judging.on_spare = [&, report = progress.of_spare()](double part) {
             report(part);
-            if (live) live->tell_spare(part);
+            if (progress_file) progress_file->report_spare(part);
         };
         pair = lsdem::pair_scene(prototype, choices, find_materials(options), settings, how);
     }
@@ -318,7 +318,8 @@ void add_model_options(CLI::App& command, PairOptions& options) {
                     "Accept own models whose peak velocity and residual displacement of the top and losses differ by no more, e.g. 5%; "
                     "else exit code 6")
         ->type_name("NUMBER");
-    command.add_flag("--each-alone", options.each_alone,
+    constexpr const char* kOneAtATime = "--one-at-a-time,--each-alone";  // the second is the old name
+    command.add_flag(kOneAtATime, options.one_at_a_time,
                      "With own materials: also run a model for each property that differs, exact otherwise, and say what it does alone");
 }
 
@@ -360,7 +361,7 @@ void add_pair_command(CLI::App& app, Action& action) {
         "  musim pair examples/tower_prototype.json --length 1/107 --record CICLC.v1 --component x=360 -o out/ridgecrest\n"
         "  musim pair examples/tower_prototype.json --length 1/107 --materials own --material aluminium --accept 5%\n"
         "  musim pair examples/tower_prototype.json my_model.json\n"
-        "  musim pair examples/tower_prototype.json --length 1/107 --materials own --each-alone\n"
+        "  musim pair examples/tower_prototype.json --length 1/107 --materials own --one-at-a-time\n"
         "  musim pair examples/uneven_wall.json --twins 8 --seed 2\n"
         "Twins are the prototype in other units, or with coordinates moved by one unit in the last place: what rounding alone may do. A\n"
         "model differs when it parts from the prototype earlier than they do, or its peaks, residuals or losses lie outside their "

@@ -20,7 +20,7 @@
 #include "lsdem/results/failure.hpp"
 #include "lsdem/results/outcome.hpp"
 #include "lsdem/results/write_results.hpp"
-#include "lsdem/run/live_file.hpp"
+#include "lsdem/run/progress_file.hpp"
 #include "lsdem/scene/motions.hpp"
 #include "lsdem/scene/scene_json.hpp"
 
@@ -123,8 +123,8 @@ lsdem::RunResult carry_out(Begin begin, const RunOptions& options, const std::st
     }
     ProgressInParts progress(begin.scene.name, begin.checkpoint.has_value());
     settings.observer = progress.observer();
-    std::optional<lsdem::LiveFile> live;
-    if (!directory.empty()) live.emplace(directory, begin.scene.name).listen_to(settings.observer);
+    std::optional<lsdem::ProgressFile> progress_file;
+    if (!directory.empty()) progress_file.emplace(directory, begin.scene.name).listen_to(settings.observer);
     if (!begin.checkpoint) return lsdem::run_scene(begin.scene, settings);
     try {
         return lsdem::resume_scene(begin.scene, std::move(*begin.checkpoint), settings);

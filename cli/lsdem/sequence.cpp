@@ -15,7 +15,7 @@
 #include "cli/progress_line.hpp"
 #include "cli/report.hpp"
 #include "cli/version.hpp"
-#include "lsdem/run/live_file.hpp"
+#include "lsdem/run/progress_file.hpp"
 #include "lsdem/scene/scene_json.hpp"
 #include "scaling/units.hpp"
 
@@ -49,8 +49,8 @@ lsdem::SequenceSummary carry_out(const SequenceOptions& options) {
         scene = read_scene(options.scene);
         note_cut_motions(options.scene, *scene);
     }
-    lsdem::LiveFile live(options.directory(), scene ? scene->name : options.resume);
-    live.listen_to(settings.observer);
+    lsdem::ProgressFile progress(options.directory(), scene ? scene->name : options.resume);
+    progress_file.listen_to(settings.observer);
     return scene ? lsdem::run_sequence(*scene, settings) : lsdem::resume_sequence(settings);
 }
 
@@ -81,7 +81,7 @@ void print_sequence(const lsdem::SequenceSummary& summary) {
 /// One line on stderr for what is wrong or doubtful; the exit code.
 int report_stages(const std::string& where, const lsdem::SequenceSummary& summary) {
     for (const lsdem::StageSummary& stage : summary.stages) {
-        for (const std::string& doubt : stage.doubts) note("musim: warning: {}: {}: {}\n", where, stage.where.folder, doubt);
+        for (const std::string& warning : stage.warnings) note("musim: warning: {}: {}: {}\n", where, stage.where.folder, warning);
     }
     const lsdem::StageSummary& last = summary.stages.back();
     if (last.divergence.empty()) return kDone;

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "cli/commands.hpp"
-#include "cli/live_text.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
+#include "cli/progress_text.hpp"
 #include "cli/terminal.hpp"
 #include "lsdem/run/watched_folder.hpp"
 
@@ -25,12 +25,12 @@ struct WatchOptions {
 
 /// Looks in between, and how often a terminal is written to; a file gets a line every ten seconds.
 constexpr auto kLook = std::chrono::milliseconds(500);
-constexpr int kLooksPerLine = 20;
+constexpr int kChecksPerLine = 20;
 
 std::string describe(const lsdem::WatchedRun& run) {
-    const lsdem::LiveState& state = run.state;
+    const lsdem::ProgressState& state = run.state;
     std::string text = fmt::format("{}: {}{:.0f} %", state.name, state.prepares ? "preparing, " : "", 100.0 * state.fraction);
-    if (state.run) text += ", " + describe_live(*state.run);
+    if (state.run) text += ", " + describe_progress(*state.run);
     if (!run.works) return text + ", killed";
     if (state.left) text += fmt::format(", {} left", describe_left(state.least_left.value_or(*state.left), *state.left));
     return text;
@@ -42,7 +42,7 @@ std::vector<std::string> make_lines(const lsdem::WatchedFolder& watched) {
     std::vector<std::string> lines;
     for (const lsdem::WatchedRun& run : watched.runs) {
         const std::string text = describe(run);
-        const std::string bars = terminal && run.state.run ? draw_live(*run.state.run) : "";
+        const std::string bars = terminal && run.state.run ? draw_progress(*run.state.run) : "";
         const std::size_t columns = terminal ? count_columns(stdout) - 1 : text.size();
         const bool bars_fit = count_characters(text) + count_characters(bars) <= columns;
         const std::string line = bars_fit ? text + bars : fit(text, columns);
@@ -112,7 +112,7 @@ int run_watch(const WatchOptions& options) {
     if (options.json && watched.state != lsdem::FolderState::empty) return report_json(watched, options.directory);
     std::size_t shown = 0;
     for (int look = 0; watched.state == lsdem::FolderState::working; ++look) {
-        if (is_terminal(stdout) || look % kLooksPerLine == 0) {
+        if (is_terminal(stdout) || look % kChecksPerLine == 0) {
             const std::vector<std::string> lines = make_lines(watched);
             show(lines, shown);
             shown = lines.size();

@@ -36,8 +36,8 @@ std::string describe_mass(const ModelState& state) {
 }
 
 scaling::TextTable make_ranking(const std::vector<Candidate>& candidates) {
-    scaling::TextTable table{{"rank", "material", "law", "length scales", "smaller: in the way", "larger: in the way", "ranked at",
-                              "sum |ln d|", "mass", "cost", "remark"}};
+    scaling::TextTable table{{"rank", "material", "law", "length scales", "smaller: governing limit", "larger: governing limit",
+                              "ranked at", "sum |ln d|", "mass", "cost", "remark"}};
     for (std::size_t i = 0; i < candidates.size(); ++i) {
         const Candidate& candidate = candidates[i];
         std::string scales, below, above;
@@ -238,7 +238,7 @@ std::string make_design_report(const records::Design& design, const std::vector<
             text += make_heading("Length scales that are feasible, by samples", style) +
                     make_lines({describe_draws(uncertainty.samples->draws)}, style) + "\n" +
                     make_table(make_sampled_ends_table(candidates, *uncertainty.samples), style) +
-                    make_heading("Limits in the way, by samples", style) +
+                    make_heading("Governing limits, by samples", style) +
                     make_table(make_sampled_limits_table(candidates, *uncertainty.samples), style);
         }
     }

@@ -40,7 +40,7 @@ nlohmann::json scales_to_json(const scaling::SampleSummary& scales) {
 }  // namespace
 
 scaling::TextTable make_ends_table(const std::vector<records::Candidate>& candidates, const DesignUncertainty& uncertainty) {
-    scaling::TextTable table{{"material", "law", "end", "in the way", "length scale", "u/value", coverage_title(), "mostly by"}};
+    scaling::TextTable table{{"material", "law", "end", "governing limit", "length scale", "u/value", coverage_title(), "mostly by"}};
     for (std::size_t c = 0; c < candidates.size(); ++c) {
         const records::Candidate& candidate = candidates[c];
         const auto add = [&](const char* name, const End& end, const std::string& limit) {
@@ -69,7 +69,7 @@ scaling::TextTable make_sampled_ends_table(const std::vector<records::Candidate>
 }
 
 scaling::TextTable make_sampled_limits_table(const std::vector<records::Candidate>& candidates, const records::SampledDesign& samples) {
-    scaling::TextTable table{{"material", "law", "limit", "smaller: in the way in", "larger: in the way in", "too much in", "at"}};
+    scaling::TextTable table{{"material", "law", "limit", "smaller: governs in", "larger: governs in", "too much in", "at"}};
     for (std::size_t c = 0; c < candidates.size(); ++c) {
         const records::SampledCandidate& sampled = samples.candidates[c];
         for (std::size_t i = 0; i < sampled.limits.size(); ++i) {

@@ -22,7 +22,7 @@ NamedValues find_peaks(const records::GroundMotion& motion, const records::Compo
 }
 
 std::string describe_integration(const std::optional<scaling::Frequency>& corner) {
-    return corner ? fmt::format("high-pass {:g} Hz", corner->value()) : "as it stands";
+    return corner ? fmt::format("high-pass {:g} Hz", corner->value()) : "no filter";
 }
 
 }  // namespace musim::cli

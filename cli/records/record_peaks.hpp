@@ -19,7 +19,7 @@ std::optional<double> size_of(const std::optional<Peak>& peak, double unit) {
 /// the velocity was found, of an uncorrected record.
 NamedValues find_peaks(const records::GroundMotion& motion, const records::Component& component);
 
-/// "high-pass 0.05 Hz", or "as it stands": how a record is integrated.
+/// "high-pass 0.05 Hz", or "no filter": how a record is integrated.
 std::string describe_integration(const std::optional<scaling::Frequency>& corner);
 
 }  // namespace musim::cli

@@ -69,7 +69,7 @@ void add_components(std::vector<records::ComponentCurves>& list, const records::
 void require_looks(const std::vector<records::GroundMotion>& motions, bool with_models) {
     std::size_t components = 0;
     for (const records::GroundMotion& motion : motions) components += motion.components.size();
-    const std::size_t most = lsdem::count_looks(lsdem::find_looks(with_models)) / (with_models ? 2 : 1);
+    const std::size_t most = lsdem::count_styles(lsdem::find_styles(with_models)) / (with_models ? 2 : 1);
     if (components > most) {
         throw records::ProcessingError(fmt::format(
             "record plot: {} components are too many for one figure (at most {}{} look different); draw fewer files, or one --component",

@@ -48,7 +48,7 @@ int run_rescale(const RescaleOptions& options) {
     const records::GroundMotion prototype = options.output.select(options.source.load(options.record));
     const records::GroundMotion model = records::rescale(prototype, scales);
     const UncertainRescale uncertain = find_uncertain_rescale(prototype, options.scales, options.structure, options.monte_carlo.make());
-    const auto distortions = scaling::find_distortions(scales, options.structure.facts());
+    const auto distortions = scaling::find_distortions(scales, options.structure.properties());
     options.output.write(model);
     options.scales.note_doubtful_factors(options.structure.friction.has_value());
 

@@ -90,7 +90,7 @@ void write_drive(const TableOptions& options, const records::ShakeTable& table, 
     std::vector<records::AxisMotion> axes;
     const std::vector<records::DriveMotion> motions = records::make_drive_motions(task.model, settings);
     for (std::size_t c = 0; c < motions.size(); ++c)
-        axes.push_back({task.axes[c].name, records::add_quiet(motions[c], table.controller->quiet)});
+        axes.push_back({task.axes[c].name, records::add_rest(motions[c], table.controller->rest)});
     records::write_drive_file(options.drive, axes, *table.controller);
 }
 

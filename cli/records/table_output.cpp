@@ -158,7 +158,7 @@ void print_uses(const std::vector<records::ComponentUse>& uses, const std::vecto
 void print_scales(const std::vector<records::ScaleRange>& ranges) {
     if (ranges.empty()) print("No length scale from 1/16384 to 1 fits the table with this record.\n");
     for (const records::ScaleRange& range : ranges) {
-        print("Length scales from {} to {} fit; in the way of smaller ones is {}, of larger ones {}.\n",
+        print("Length scales from {} to {} fit; smaller ones are governed by {}, larger ones by {}.\n",
               scaling::describe_scale(range.smallest), scaling::describe_scale(range.largest),
               describe_end(range.binds_below, range.axis_below), describe_end(range.binds_above, range.axis_above));
     }

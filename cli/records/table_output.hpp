@@ -16,7 +16,7 @@ nlohmann::json to_json(const records::Correction& correction, const scaling::Mod
 /// One row for each limit of each component: what is asked, what the table can do, how far it is used, which length scales it leaves.
 void print_uses(const std::vector<records::ComponentUse>& uses, const std::vector<records::LimitScales>& scales);
 
-/// Which length scales the table can do, and what is in the way of others.
+/// Which length scales the table can do, and what governs others.
 void print_scales(const std::vector<records::ScaleRange>& ranges);
 
 /// What is changed, in one line.

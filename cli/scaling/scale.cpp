@@ -10,8 +10,8 @@
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/report.hpp"
-#include "cli/scaling/scale_facts.hpp"
 #include "cli/scaling/scale_law.hpp"
+#include "cli/scaling/scale_properties.hpp"
 #include "cli/scaling/scale_uncertainty.hpp"
 #include "cli/uncertain_options.hpp"
 #include "scaling/structures/distortion.hpp"
@@ -27,12 +27,12 @@ struct ScaleOptions {
     UncertainStructureOptions structure;
     scaling::UncertainMotion motion;
     MonteCarloOptions monte_carlo;
-    FactsOptions facts;
+    PropertiesOptions properties;
     bool json = false;
 };
 
 /// Warns that slenderness alone does not decide the regime.
-void note_untold_regime(const ScaleOptions& options, const scaling::UncertainReport& report) {
+void note_unknown_regime(const ScaleOptions& options, const scaling::UncertainReport& report) {
     const std::vector<scaling::UncertainPair>& given = report.structure;
     const auto is_regime = [](const scaling::UncertainPair& pair) { return pair.name.starts_with("mu/tan(alpha)"); };
     if (options.structure.slenderness.empty() || std::any_of(given.begin(), given.end(), is_regime)) return;
@@ -63,12 +63,12 @@ bool wants_similitude(const ScaleOptions& options) {
 /// One of kLawsOfStructures, with all its options.
 int run_similitude(const ScaleOptions& options) {
     const scaling::Similitude similitude = options.scales.similitude();
-    const scaling::ModelFacts facts = options.structure.facts();
-    const auto groups = scaling::group_factors(similitude, facts);
-    const auto distortions = scaling::find_distortions(similitude, facts);
+    const scaling::ModelProperties properties = options.structure.properties();
+    const auto groups = scaling::group_factors(similitude, properties);
+    const auto distortions = scaling::find_distortions(similitude, properties);
     const scaling::UncertainReport uncertain =
-        find_uncertain_scale(options.scales, options.structure, options.motion, facts, options.monte_carlo.make());
-    note_untold_regime(options, uncertain);
+        find_uncertain_scale(options.scales, options.structure, options.motion, properties, options.monte_carlo.make());
+    note_unknown_regime(options, uncertain);
     if (uncertain.draws) note_rejected_draws(*uncertain.draws);
     options.scales.note_doubtful_factors(options.structure.friction.has_value());
 
@@ -104,18 +104,18 @@ int run_similitude(const ScaleOptions& options) {
 int run_scale(const ScaleOptions& options) {
     if (options.data.lists_laws) return list_scale_laws(options.data.style, options.json);
     const CLI::App& command = *options.scales.command;
-    const bool by_facts = options.facts.is_given() && !options.data.name_products();
-    if (by_facts || wants_similitude(options)) {
+    const bool by_properties = options.properties.is_given() && !options.data.name_products();
+    if (by_properties || wants_similitude(options)) {
         if (command.count("--length") == 0) {
-            throw CLI::RequiredError(by_facts ? "--length (of the model, whatever the law; --set takes its other factors)"
-                                              : "--length (or --set for a law as data)");
+            throw CLI::RequiredError(by_properties ? "--length (of the model, whatever the law; --set takes its other factors)"
+                                                   : "--length (or --set for a law as data)");
         }
-        return by_facts
-                   ? run_scale_facts(command, options.scales, options.facts, options.monte_carlo.make(), options.data.style, options.json)
-                   : run_similitude(options);
+        return by_properties ? run_scale_properties(command, options.scales, options.properties, options.monte_carlo.make(),
+                                                    options.data.style, options.json)
+                             : run_similitude(options);
     }
-    if (options.facts.is_given()) {
-        throw CLI::ValidationError("--facts", "takes no products or values; give the file a \"law\" with \"set\" and \"hold\"");
+    if (options.properties.is_given()) {
+        throw CLI::ValidationError("--properties", "takes no products or values; give the file a \"law\" with \"set\" and \"hold\"");
     }
     for (const char* option :
          {"--friction-prototype", "--slenderness", "--height", "--pga", "--pgv", "--pgd", "--arias", "--duration", "--time-step"}) {
@@ -139,7 +139,7 @@ void add_scale_command(CLI::App& app, Action& action) {
     options->structure.add_to(*command);
     add_motion_options(*command, options->motion);
     options->monte_carlo.add_to(*command);
-    options->facts.add_to(*command);
+    options->properties.add_to(*command);
     add_json_option(*command, options->json);
     command->get_option("--json")->excludes("--format");
     command->footer(
@@ -151,8 +151,8 @@ void add_scale_command(CLI::App& app, Action& action) {
         "  musim scale --length 1/107 --friction \"(0.63+/-5%)/(0.59+/-5%)\" --slenderness 0.32+/-1% --monte-carlo --seed 7\n"
         "  musim scale --length 1/107+/-0.4% --friction 1.07+/-7% --pga 0.511g --pgv \"42.4+/-0.4 cm/s\" --json\n"
         "  musim scale --length 1/25 --gravity 25 --law froude --json\n"
-        "  musim scale --length 1/107 --facts examples/facts/wood.json --format markdown > wood.md\n"
-        "  musim scale --length 1/107 --facts examples/facts/uncertain.json --monte-carlo --seed 7\n"
+        "  musim scale --length 1/107 --properties examples/properties/wood.json --format markdown > wood.md\n"
+        "  musim scale --length 1/107 --properties examples/properties/uncertain.json --monte-carlo --seed 7\n"
         "  musim scale --laws\n"
         "  musim scale --law true_replica --set l=1/25 --value \"E=29.2 GPa\"\n"
         "  musim scale --law artificial_mass --set l=1/25 --value \"m_s=270151 t\" --format markdown\n"

@@ -7,12 +7,12 @@
 namespace musim::cli {
 
 scaling::UncertainReport find_uncertain_scale(const SimilitudeOptions& factors, const UncertainStructureOptions& structure,
-                                              const scaling::UncertainMotion& motion, const scaling::ModelFacts& facts,
+                                              const scaling::UncertainMotion& motion, const scaling::ModelProperties& properties,
                                               const std::optional<scaling::MonteCarloSettings>& monte_carlo) {
     scaling::UncertainScales scales = factors.scales();
     structure.put_into(scales);
     scales.motion = motion;
-    return scaling::propagate(scales, factors.make_scales(), facts, monte_carlo);
+    return scaling::propagate(scales, factors.make_scales(), properties, monte_carlo);
 }
 
 void add_to_json(nlohmann::json& object, const scaling::UncertainReport& report) {

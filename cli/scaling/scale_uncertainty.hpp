@@ -13,7 +13,7 @@ namespace musim::cli {
 
 /// What uncertain options of `musim scale` give. Throws scaling::SimilitudeError.
 scaling::UncertainReport find_uncertain_scale(const SimilitudeOptions& factors, const UncertainStructureOptions& structure,
-                                              const scaling::UncertainMotion& motion, const scaling::ModelFacts& facts,
+                                              const scaling::UncertainMotion& motion, const scaling::ModelProperties& properties,
                                               const std::optional<scaling::MonteCarloSettings>& monte_carlo);
 
 /// Adds "structure" and "measures" with the values at both scales, if there are any, and "uncertainty" if there is one.

@@ -35,7 +35,7 @@ constexpr std::array<Style, 6> kStyles{{{"step", "time step", "#0072B2", Mark::t
                                         {"two-sided", "nodes of both", "#E69F00", Mark::diamond},
                                         {"grid", "grid level set", "#999999", Mark::cross},
                                         {"preset", "presets", "#000000", Mark::star},
-                                        {"shadow", "one ulp moved", "#CC79A7", Mark::cross}}};
+                                        {"copy", "one ulp moved", "#CC79A7", Mark::cross}}};
 
 const Style& find_style(const std::string& family) {
     const auto found = std::find_if(kStyles.begin(), kStyles.end(), [&](const Style& style) { return style.family == family; });

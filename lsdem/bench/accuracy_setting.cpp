@@ -22,7 +22,7 @@ Shape make_shape(const AccuracySetting& setting, const Vector3& size, const Vect
 void apply(const AccuracySetting& setting, Model& model) {
     model.face_contact = setting.faces;
     model.contact_nodes = setting.sides;
-    model.skip_quiet = false;
+    model.skip_rest = false;
 }
 
 double read_thread_time() {

@@ -31,7 +31,7 @@ struct AccuracyOutcome {
 /// of nodes, and whose node spacing other sizes keep. Throws std::invalid_argument as make_node_lattice does.
 Shape make_shape(const AccuracySetting& setting, const Vector3& size, const Vector3& whole);
 
-/// Puts the choices of a setting that concern contacts into a model. Quiet time is not passed over: every step is to cost what it costs.
+/// Puts the choices of a setting that concern contacts into a model. Time at rest is not passed over: every step is to cost what it costs.
 void apply(const AccuracySetting& setting, Model& model);
 
 /// Processor time this thread has used [s]: unlike wall time it does not count what other programs take.

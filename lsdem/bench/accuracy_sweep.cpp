@@ -72,7 +72,7 @@ AccuracyOutcome run_case(const AccuracyCase& problem, const AccuracySetting& set
 /// The first row with the same setting, which may be the row itself; a setting that two families share is run once.
 std::size_t find_first(const std::vector<AccuracyRow>& rows, std::size_t row) {
     const auto same = [&](const AccuracyRow& other) {
-        return other.setting == rows[row].setting && (other.family == "shadow") == (rows[row].family == "shadow");
+        return other.setting == rows[row].setting && (other.family == "copy") == (rows[row].family == "copy");
     };
     return static_cast<std::size_t>(std::find_if(rows.begin(), rows.end(), same) - rows.begin());
 }
@@ -88,7 +88,7 @@ class TowerPanels {
           quick_(options.quick),
           rows_(rows) {
         // what one unit in the last place does to the reference
-        if (!quick_) rows_.push_back(make_row("shadow", "one ulp", make_tower_reference(quick_)));
+        if (!quick_) rows_.push_back(make_row("copy", "one ulp", make_tower_reference(quick_)));
         motions_.resize(rows_.size());
     }
 
@@ -96,7 +96,7 @@ class TowerPanels {
         jobs.emplace_back([this] { reference_ = tower_.run(make_tower_reference(quick_)); });
         for (std::size_t r = rows_.size(); r-- > 0;) {
             if (find_first(rows_, r) != r) continue;
-            jobs.emplace_back([this, r] { motions_[r] = tower_.run(rows_[r].setting, rows_[r].family == "shadow"); });
+            jobs.emplace_back([this, r] { motions_[r] = tower_.run(rows_[r].setting, rows_[r].family == "copy"); });
         }
     }
 
@@ -128,7 +128,7 @@ class TowerPanels {
 AccuracySetting to_setting(const AccuracyPreset& preset) { return {.safety = preset.safety}; }
 
 void mark_pareto(AccuracyPanel& panel) {
-    const auto counts = [](const AccuracyRow& row) { return std::isfinite(row.outcome.error) && row.family != "shadow"; };
+    const auto counts = [](const AccuracyRow& row) { return std::isfinite(row.outcome.error) && row.family != "copy"; };
     for (AccuracyRow& row : panel.rows) {
         const auto beats = [&](const AccuracyRow& other) {
             if (!counts(other)) return false;

@@ -14,7 +14,7 @@ namespace musim::lsdem {
 /// One setting tried on one problem.
 struct AccuracyRow {
     std::string name;    ///< of the problem
-    std::string family;  ///< which knob was turned: step, nodes, two-sided, grid, preset, or shadow
+    std::string family;  ///< which knob was turned: step, nodes, two-sided, grid, preset, or copy
     std::string label;   ///< of the setting within its family, "0.4", "44", "fast"
     AccuracySetting setting;
     AccuracyOutcome outcome;
@@ -47,7 +47,7 @@ struct AccuracySweep {
 /// shortest time is kept. Throws what MiniTower does.
 AccuracySweep sweep_accuracy(const SweepOptions& options = {});
 
-/// Marks the rows of a panel that no other row beats in both error and run time. Rows with an infinite error, and shadows, which measure
+/// Marks the rows of a panel that no other row beats in both error and run time. Rows with an infinite error, and copies, which measure
 /// chaos and not a setting, never are.
 void mark_pareto(AccuracyPanel& panel);
 

@@ -167,9 +167,9 @@ MiniTower::MiniTower(const std::filesystem::path& record, const AxisComponents& 
         motions_.push_back(cut(whole, peak - kBeforePeak * mini_scale().time(), duration_));
 }
 
-TopMotion MiniTower::run(const AccuracySetting& setting, bool shadow) const {
+TopMotion MiniTower::run(const AccuracySetting& setting, bool copy) const {
     Specimen specimen = make_specimen(courses_, setting);
-    if (shadow) specimen = make_shadow(std::move(specimen));
+    if (copy) specimen = make_moved_copy(std::move(specimen));
     // the sampling interval is a whole number of steps
     const double interval = duration_ / static_cast<double>(kTopSamples);
     const auto per_sample = static_cast<std::uint64_t>(std::ceil(interval / (setting.safety * compute_critical_time_step(specimen.model))));

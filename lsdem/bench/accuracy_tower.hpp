@@ -38,9 +38,9 @@ class MiniTower {
     /// Throws records::ReadError, records::ProcessingError, SceneError.
     MiniTower(const std::filesystem::path& record, const AxisComponents& components, int courses = kMiniTowerCourses);
 
-    /// Runs 0.4 s of the prototype's time around each of the highest peaks of acceleration, 0.15 s of them before it. With `shadow` every
-    /// block starts one unit in the last place off, see make_shadow.
-    TopMotion run(const AccuracySetting& setting, bool shadow = false) const;
+    /// Runs 0.4 s of the prototype's time around each of the highest peaks of acceleration, 0.15 s of them before it. With `copy` every
+    /// block starts one unit in the last place off, see make_moved_copy.
+    TopMotion run(const AccuracySetting& setting, bool copy = false) const;
 
     const std::string& description() const { return description_; }  ///< of the earthquake
 

@@ -16,8 +16,8 @@
 namespace musim::lsdem {
 namespace {
 
-/// Two curves are one up to this many times what the shadow differs by: both start from one rounding error per block.
-constexpr double kShadowFactor = 3.0;
+/// Two curves are one up to this many times what the copy differs by: both start from one rounding error per block.
+constexpr double kCopyFactor = 3.0;
 
 /// A run scaled back.
 struct ScaledRun {
@@ -25,10 +25,10 @@ struct ScaledRun {
     bool diverged = false;
 };
 
-/// A prototype, and its shadow, blocks moved by a last place, as a measure of what rounding becomes.
+/// A prototype, and its copy, blocks moved by a last place, as a measure of what rounding becomes.
 struct PrototypeRuns {
     Scene scene;
-    ScaledRun run, shadow;
+    ScaledRun run, copy;
 };
 
 ScaledResponse scale_back(const RunResult& run, BenchScene scene, double start, const TwinScales& scales) {
@@ -140,17 +140,17 @@ std::vector<SimilitudeOutcome> run_similitude_cases(const std::vector<Similitude
             });
         };
         add(runs.run, [&runs] { return make_upright_specimen(runs.scene); });
-        add(runs.shadow, [&runs] { return make_shadow(make_upright_specimen(runs.scene)); });
+        add(runs.copy, [&runs] { return make_moved_copy(make_upright_specimen(runs.scene)); });
     }
     scaling::run_side_by_side(jobs, threads, on_progress);
 
     std::vector<SimilitudeOutcome> outcomes;
     for (std::size_t c = 0; c < cases.size(); ++c) {
         const PrototypeRuns& prototype = prototypes.at(cases[c].scene);
-        const double shadow = compare_responses(prototype.run.response, prototype.shadow.response);
+        const double copy = compare_responses(prototype.run.response, prototype.copy.response);
         SimilitudeOutcome outcome{.wanted = cases[c],
-                                  .yardstick = std::max(kRoundingLevel, kShadowFactor * shadow),
-                                  .diverged = prototype.run.diverged || prototype.shadow.diverged || models[c].diverged,
+                                  .yardstick = std::max(kRoundingLevel, kCopyFactor * copy),
+                                  .diverged = prototype.run.diverged || prototype.copy.diverged || models[c].diverged,
                                   .prototype = prototype.run.response,
                                   .model = std::move(models[c].response)};
         if (!outcome.diverged) {

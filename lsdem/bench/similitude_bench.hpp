@@ -27,7 +27,7 @@ struct SimilitudeOutcome {
     SimilitudeCase wanted;
     double ratio = 0.0;       ///< measured, model over prototype
     double difference = 0.0;  ///< of the curves, compare_responses
-    double yardstick = 0.0;   ///< up to which two curves are one: three times the shadow's, kRoundingLevel at least
+    double yardstick = 0.0;   ///< up to which two curves are one: three times the copy's, kRoundingLevel at least
     bool diverged = false;
     ScaledResponse prototype, model;
 
@@ -37,7 +37,7 @@ struct SimilitudeOutcome {
 
 bool all_hold(const std::vector<SimilitudeOutcome>& outcomes);
 
-/// Runs every prototype, its shadow with its blocks moved by a last place, and every model. `threads`
+/// Runs every prototype, its copy with its blocks moved by a last place, and every model. `threads`
 /// runs side by side (0: all cores), each on one thread; results do not depend on it.
 std::vector<SimilitudeOutcome> run_similitude_cases(const std::vector<SimilitudeCase>& cases, int threads = 0,
                                                     const std::function<void(double)>& on_progress = {});

@@ -107,7 +107,7 @@ std::string make_similitude_svg(const std::string& law, const std::vector<Simili
         .key = {{0, {"prototype", "as it is"}}, {1, {"model", "in the prototype's units: times over λₜ, lengths over λₗ, angles over λθ"}}},
         .columns = {},
         .caption = std::move(scales),
-        .looks = CurveLooks::pairs};
+        .styles = CurveStyles::pairs};
     for (FigureColumn* column : {&together, &apart}) {
         if (!column->panels.empty()) figure.columns.push_back(std::move(*column));
     }

@@ -135,7 +135,7 @@ Prediction predict(BenchScene scene, const TwinScales& scales, const Break& brok
         case BenchScene::column:
             break;
     }
-    throw std::invalid_argument("prediction: the column has no closed form; compare it with its shadow");
+    throw std::invalid_argument("prediction: the column has no closed form; compare it with its copy");
 }
 
 }  // namespace musim::lsdem

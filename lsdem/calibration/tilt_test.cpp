@@ -21,7 +21,7 @@ constexpr double kPi = std::numbers::pi;
 /// Damping with which the run begins the test at rest, as on an incline that is tilted slowly: without tangential damping the jerk of
 /// letting go would ring on in the stuck joint and carry the block downhill below its angle. Coulomb's limit holds for spring and dashpot
 /// together, so that it shifts no threshold.
-constexpr double kQuietRestitution = 0.1, kQuietShearDamping = 0.5;
+constexpr double kDampedRestitution = 0.1, kDampedShearDamping = 0.5;
 
 /// A block on a slope; x is downhill.
 struct Slope {
@@ -141,8 +141,8 @@ TiltResult run_tilt_test(const BlockSample& given, const TiltCase& test, double 
     }
     const Slope slope = make_slope(given, test);
     BlockSample sample = given;
-    sample.restitution = std::min(sample.restitution, kQuietRestitution);
-    sample.shear_damping_ratio = std::max(sample.shear_damping_ratio, kQuietShearDamping);
+    sample.restitution = std::min(sample.restitution, kDampedRestitution);
+    sample.shear_damping_ratio = std::max(sample.shear_damping_ratio, kDampedShearDamping);
     TiltResult result{.event = TiltEvent::slips,
                       .low = 0.0,
                       .high = 0.5 * kPi,

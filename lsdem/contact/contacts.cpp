@@ -90,9 +90,9 @@ bool find_contact_faces(const RelativePose& pose, const Vector3& leader_half, Fl
 /// How far the two blocks of a pair have travelled [m].
 double find_travel(const ContactPair& pair, const Bodies& bodies) { return bodies.travel_of(pair.leader, pair.follower); }
 
-/// Can the blocks of a pair not have met since it was found apart? `next_look`: see ContactList; zero of a pair with the ground.
-bool known_apart(const ContactPair& pair, double next_look, const Bodies& bodies) {
-    return next_look > 0.0 && find_travel(pair, bodies) < next_look;
+/// Can the blocks of a pair not have met since it was found apart? `next_check`: see ContactList; zero of a pair with the ground.
+bool known_apart(const ContactPair& pair, double next_check, const Bodies& bodies) {
+    return next_check > 0.0 && find_travel(pair, bodies) < next_check;
 }
 
 /// Stores the sums of a pair, turned to the world frame; `frame`: follower's frame to world.
@@ -209,18 +209,18 @@ double find_touching_area(const Model& model, const ContactList& list, std::size
 
 double compute_pairs(const Model& model, const Bodies& bodies, const BasePose& base, double dt, std::size_t first, std::size_t last,
                      ContactList& list, OverlapBatch& overlaps) {
-    // what may touch, first of all, so that the memory of each can be asked for ahead of its turn
+    // what may touch, first of all, so that the memory of each can be prefetched
     std::size_t end = first;
     for (std::size_t index = first; index < last; ++index) {
-        if (!known_apart(list.pairs[index], list.next_look[index], bodies)) list.due[end++] = static_cast<std::uint32_t>(index);
+        if (!known_apart(list.pairs[index], list.next_check[index], bodies)) list.active[end++] = static_cast<std::uint32_t>(index);
     }
     double deepest = 0.0;
     for (std::size_t i = first; i < end; ++i) {
         if (i + kAhead < end) {
-            const ContactPair& next = list.pairs[list.due[i + kAhead]];
+            const ContactPair& next = list.pairs[list.active[i + kAhead]];
             if (next.is_overlap()) detail::prefetch(&list.overlaps[next.overlap].touches);
         }
-        const std::size_t index = list.due[i];
+        const std::size_t index = list.active[i];
         const ContactPair& pair = list.pairs[index];
         if (pair.is_overlap()) {
             overlaps.add(index);
@@ -255,7 +255,7 @@ ContactTotals sum_contacts(const ContactList& list) {
 
 std::size_t count_apart(const Bodies& bodies, const ContactList& list) {
     std::size_t count = 0;
-    for (std::size_t p = 0; p < list.pairs.size(); ++p) count += known_apart(list.pairs[p], list.next_look[p], bodies) ? 1 : 0;
+    for (std::size_t p = 0; p < list.pairs.size(); ++p) count += known_apart(list.pairs[p], list.next_check[p], bodies) ? 1 : 0;
     return count;
 }
 

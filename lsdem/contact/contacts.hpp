@@ -76,7 +76,7 @@ struct PairTally {
     bool rough = false;                                ///< elastic_normal lacks a part overlap/size, see refine_overlap_energies
 };
 
-/// What inertia contacts ask their blocks to have while a specimen is prepared, see detail::AddedInertia.
+/// What inertia contacts ask their blocks to have while a specimen is prepared, see detail::MassScaling.
 struct InertiaDemand {
     bool wanted = false;
     std::vector<double> per_area;  ///< one per pair [kg/m²]
@@ -98,11 +98,11 @@ struct ContactList {
     std::vector<PairForce> forces;  ///< one per pair
     std::vector<OverlapContact> overlaps;
     std::vector<std::uint32_t> ground_pairs;
-    std::vector<PairTally> tallies;    ///< one per pair
-    double trusted_gap = kTrustedGap;  ///< zero: every pair is looked at in every step [-]
-    std::vector<std::uint32_t> due;    ///< room for one entry per pair: those that a step has to look at, per thread
-    std::vector<double> next_look;     ///< one per pair: Bodies::travel of both blocks below which they cannot meet [m]
-    std::vector<std::uint8_t> faces;   ///< one per pair: the faces that met in the last step, see detail::FlatFollower::code
+    std::vector<PairTally> tallies;     ///< one per pair
+    double trusted_gap = kTrustedGap;   ///< zero: every pair is looked at in every step [-]
+    std::vector<std::uint32_t> active;  ///< room for one entry per pair: those that a step has to look at, per thread
+    std::vector<double> next_check;     ///< one per pair: Bodies::travel of both blocks below which they cannot meet [m]
+    std::vector<std::uint8_t> faces;    ///< one per pair: the faces that met in the last step, see detail::FlatFollower::code
     /// Contacts found in the very first step are taken as they are, initial overlap included.
     bool first_step = true;
     InertiaDemand demand;

@@ -75,7 +75,7 @@ void OverlapBatch::add(std::size_t index) {
     if (!list_.overlaps[pair.overlap].touches) {
         const double gap = find_gap(bodies_, base_, pair);
         const double trusted = list_.first_step ? 0.0 : list_.trusted_gap * gap;
-        list_.next_look[index] = trusted > 0.0 ? bodies_.travel_of(pair.leader, pair.follower) + trusted : 0.0;
+        list_.next_check[index] = trusted > 0.0 ? bodies_.travel_of(pair.leader, pair.follower) + trusted : 0.0;
         if (gap > 0.0) {
             list_.forces[index] = PairForce{};
             list_.tallies[index] = PairTally{};

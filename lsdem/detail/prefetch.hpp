@@ -3,7 +3,7 @@
 #include <cstddef>
 
 /// Asks for memory ahead of its use. A step walks through more than the caches near a core hold, and what it gathers (poses of two blocks,
-/// forces of their pairs) lies where the processor cannot foresee it.
+/// forces of their pairs) lies at irregular addresses.
 namespace musim::lsdem::detail {
 
 inline constexpr std::size_t kCacheLine = 64;

@@ -129,7 +129,7 @@ template <bool prepares>
         const Orientation<Lanes> free_q = turn_freely(before, l_body, inverse_inertia, h, root_of);
         Lanes loss = zero;
         if (prepares) {
-            // the impulse of the damping, and of added inertia, times the mean of the velocities before and after it
+            // the impulse of the damping, and of mass scaling, times the mean of the velocities before and after it
             const Lanes whole = choose(free > zero, broadcast<Lanes>(h), zero), whole_turn = choose(turns, whole, zero);
             const Triple<Lanes> impulse = beside({whole * acceleration.x, whole * acceleration.y, whole * acceleration.z}, v_before, v);
             const Triple<Lanes> twist_impulse =

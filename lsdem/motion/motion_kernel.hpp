@@ -65,7 +65,7 @@ struct Leap {
     Vector3 gravity = Vector3::Zero();            ///< [m/s²]
     double h = 0.0;                               ///< time step [s]
     VelocityDecay decay{0.0, 0.0};                ///< over h
-    bool prepares = false;                        ///< there is damping or added inertia, whose work is booked
+    bool prepares = false;                        ///< there is damping or mass scaling, whose work is booked
 };
 
 /// One leapfrog step of blocks [first, last), four side by side; compiled for AVX2 and for plain x86-64, same bits. Bodies hold the poses

@@ -262,9 +262,9 @@ void NeighborSearch::rebuild(const Bodies& bodies, const BasePose& base, Contact
     list.ground_pairs.clear();
     list.forces.assign(list.pairs.size(), PairForce{});
     list.tallies.assign(list.pairs.size(), PairTally{});
-    list.due.resize(list.pairs.size());
+    list.active.resize(list.pairs.size());
     list.trusted_gap = model_->skip_apart ? kTrustedGap : 0.0;
-    list.next_look.assign(list.pairs.size(), 0.0);
+    list.next_check.assign(list.pairs.size(), 0.0);
     list.faces.assign(list.pairs.size(), 0);
     list.first_step = previous_.first_step;
     list.work.assign(list.pairs.size(), PairWork{});
@@ -280,7 +280,7 @@ void NeighborSearch::rebuild(const Bodies& bodies, const BasePose& base, Contact
         list.forces[p] = previous_.forces[o];
         if (list.demand.wanted) list.demand.asked[p] = previous_.demand.asked[o];
         list.tallies[p] = previous_.tallies[o];
-        list.next_look[p] = previous_.next_look[o];
+        list.next_check[p] = previous_.next_check[o];
         list.faces[p] = previous_.faces[o];
         if (pair.is_overlap()) {
             list.overlaps[pair.overlap] = previous_.overlaps[old->overlap];

@@ -54,16 +54,16 @@ void Simulation::release(const std::vector<Release>& blocks) {
     for (const Release& given : blocks) s.release(given);
     s.rebuild();
     s.start_balance += s.find_exact_energy().balance() - before;
-    s.quiet_end = s.step;
-    s.quiet_looks = 0;
+    s.rest_end = s.step;
+    s.checks_at_rest = 0;
 }
 
 void Simulation::begin_preparation(double damping_rate, Inertia inertia) {
     Implementation& s = *implementation_;
     set_velocity_damping(damping_rate);
     s.preparing = true;
-    if (inertia == Inertia::as_stable) s.added_inertia.begin(s.model, s.dt, s.list);
-    s.quiet_end = s.step;
+    if (inertia == Inertia::as_stable) s.mass_scaling.begin(s.model, s.dt, s.list);
+    s.rest_end = s.step;
 }
 
 void Simulation::renew_neighbors() { implementation_->rebuild(); }
@@ -72,11 +72,11 @@ void Simulation::end_preparation() {
     Implementation& s = *implementation_;
     set_velocity_damping(0.0);
     s.preparing = false;
-    s.added_inertia.end(s.bodies, s.list);
+    s.mass_scaling.end(s.bodies, s.list);
     s.base_origin = s.base.displacement - s.motion.displacement(0.0);
-    s.restart_ledger();
-    s.step = s.quiet_end = s.skipped = s.rebuilds = 0;
-    s.quiet_looks = 0;
+    s.restart_balance();
+    s.step = s.rest_end = s.skipped = s.rebuilds = 0;
+    s.checks_at_rest = 0;
     s.times = {};
     std::fill(s.overlap.begin(), s.overlap.end(), 0.0);
     s.overstiff.reset();
@@ -181,7 +181,7 @@ Losses Simulation::losses() const {
 void Simulation::set_velocity_damping(double rate) {
     check_velocity_damping(rate, implementation_->dt);
     implementation_->velocity_damping = rate;
-    implementation_->quiet_looks = 0;
+    implementation_->checks_at_rest = 0;
 }
 
 double Simulation::velocity_damping() const { return implementation_->velocity_damping; }

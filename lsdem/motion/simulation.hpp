@@ -15,7 +15,7 @@
 
 namespace musim::lsdem {
 
-/// Energy ledger at one instant [J]. Up to the closure error:
+/// Energy balance at one instant [J]. Up to the closure error:
 ///   kinetic + gravitational + elastic_normal + elastic_shear + friction_loss + damping_loss + preparation_loss
 ///     = initial total + base_work.
 struct Energy {
@@ -52,7 +52,7 @@ struct BaseState {
 struct Divergence {
     enum class Kind {
         non_finite,            ///< a position or momentum is not a number
-        energy_out_of_bounds,  ///< more energy than was ever put in, or a ledger that does not close
+        energy_out_of_bounds,  ///< more energy than was ever put in, or an energy balance that does not close
         too_fast               ///< a block crosses more than half of the smallest edge in one step: it could pass through another unseen
     };
     Kind kind = Kind::non_finite;
@@ -135,8 +135,8 @@ class Simulation {
     /// Advances by `steps` time steps, or until the run diverges. Neither allocates nor throws in steady state.
     void advance(std::uint64_t steps = 1);
 
-    /// Changes the rate of the velocity damping from now on, see Model::velocity_damping [1/s]; 0 ends it. The ledger stays closed. Throws
-    /// std::invalid_argument unless 0 ≤ rate ≤ 1/dt.
+    /// Changes the rate of the velocity damping from now on, see Model::velocity_damping [1/s]; 0 ends it. The energy balance stays closed.
+    /// Throws std::invalid_argument unless 0 ≤ rate ≤ 1/dt.
     void set_velocity_damping(double rate);
     double velocity_damping() const;  ///< [1/s]
 
@@ -160,8 +160,8 @@ class Simulation {
     /// Makes the neighbor list anew, as it is by itself after some motion. Changes no bit of what follows.
     void renew_neighbors();
 
-    /// Ends it: the state becomes the start of the run. Time is zero again, the base free to move, damping off; ledger, counters and
-    /// extremes begin anew. Contacts keep their history.
+    /// Ends it: the state becomes the start of the run. Time is zero again, the base free to move, damping off; energy balance, counters
+    /// and extremes begin anew. Contacts keep their history.
     void end_preparation();
 
     /// Ends the present motion of the base, and preparation: another one begins. The state becomes the start of another run, as in

@@ -12,7 +12,7 @@
 #include "lsdem/contact/stiffness_watch.hpp"
 #include "lsdem/detail/shared_work.hpp"
 #include "lsdem/detail/velocity_decay.hpp"
-#include "lsdem/motion/added_inertia.hpp"
+#include "lsdem/motion/mass_scaling.hpp"
 #include "lsdem/motion/motion_kernel.hpp"
 #include "lsdem/motion/neighbors.hpp"
 #include "lsdem/motion/simulation.hpp"
@@ -41,7 +41,7 @@ struct Simulation::Implementation {
     double velocity_damping;       ///< [1/s]
     std::size_t end_of_loose = 0;  ///< from this block on all are held
     detail::TouchList touches;
-    detail::AddedInertia added_inertia;    ///< of blocks in preparation
+    detail::MassScaling mass_scaling;      ///< of blocks in preparation
     detail::SharedWork pair_work;          ///< list.pairs
     Vector3 base_force = Vector3::Zero();  ///< on the blocks, at step n [N]
     double base_work = 0.0;                ///< [J]
@@ -49,11 +49,11 @@ struct Simulation::Implementation {
     std::uint64_t rebuilds = 0;
     double smallest_edge = 0.0;
     double start_energy = 0.0;       ///< kinetic plus elastic at t = 0 [J]
-    double start_balance = 0.0;      ///< of the ledger at t = 0 [J]
+    double start_balance = 0.0;      ///< of the energy balance at t = 0 [J]
     double energy_floor = 0.0;       ///< energy that needs no explanation [J]
     double weight_times_edge = 0.0;  ///< [J]
-    int quiet_looks = 0;             ///< in a row at which nothing moved
-    std::uint64_t quiet_end = 0;     ///< the step up to which nothing moves
+    int checks_at_rest = 0;          ///< in a row at which nothing moved
+    std::uint64_t rest_end = 0;      ///< the step up to which nothing moves
     std::uint64_t skipped = 0;       ///< steps passed over
     bool preparing = false;          ///< the base stands
     std::optional<Divergence> divergence;
@@ -74,7 +74,7 @@ struct Simulation::Implementation {
     void update_contacts();
     void rebuild();
     void release(const Release& given);
-    void restart_ledger();
+    void restart_balance();
     void share_work();
     detail::VelocityDecay decay_over(double h) const { return {velocity_damping, h}; }
     /// Velocity after a time of decay [m/s].
@@ -83,16 +83,16 @@ struct Simulation::Implementation {
     }
     void check_health();
     double kinetic() const;
-    /// The ledger from what steps leave; find_exact_energy computes first what they leave out.
+    /// The energy balance from what steps leave; find_exact_energy computes first what they leave out.
     Energy find_energy() const;
     Energy find_exact_energy();
     /// Angular momentum after a time of decay [kg·m²/s].
     Vector3 momentum_after(const detail::VelocityDecay& decay, std::size_t i, const Vector3& torque) const {
         return decay.keep * bodies.momentum[i] + decay.push * bodies.free[i] * torque;
     }
-    /// Of the impulse of the damping and of added inertia on block i at this step, the work on the velocity before it [J].
+    /// Of the impulse of the damping and of mass scaling on block i at this step, the work on the velocity before it [J].
     double half_preparation_loss(std::size_t i) const;
-    std::uint64_t find_quiet_steps();
+    std::uint64_t find_steps_at_rest();
     double stored_and_kinetic() const;
     double gravitational() const;
     void find_non_finite();

@@ -4,7 +4,7 @@
 #include "lsdem/contact/overlap_pairs.hpp"
 #include "lsdem/motion/simulation_core.hpp"
 
-/// The ledger of a simulation, and when it counts as diverged.
+/// The energy balance of a simulation, and when it counts as diverged.
 namespace musim::lsdem {
 namespace {
 
@@ -12,13 +12,13 @@ namespace {
 /// and passed within a few steps once a mode grows exponentially.
 constexpr double kEnergyFactor = 4.0;
 
-/// Part of all energy that was put in by which the ledger may be off. Touching and parting within a step cost less than a percent; an
-/// unstable mode that dashpots and parting keep small passes it.
-constexpr double kLedgerBound = 0.1;
+/// Part of all energy that was put in by which the energy balance may be off. Touching and parting within a step cost less than a percent;
+/// an unstable mode that dashpots and parting keep small passes it.
+constexpr double kBalanceBound = 0.1;
 
-/// The same in the longer steps that added inertia allows: touching and parting cost (ω dt)², up to sixteen times as much in steps four
+/// The same in the longer steps that mass scaling allows: touching and parting cost (ω dt)², up to sixteen times as much in steps four
 /// times as long.
-constexpr double kAddedInertiaLedgerBound = 1.0;
+constexpr double kMassScalingBalanceBound = 1.0;
 
 /// A block may cross this part of the smallest edge in one step.
 constexpr double kMaxStride = 0.5;
@@ -41,7 +41,7 @@ double Simulation::Implementation::stored_and_kinetic() const {
 }
 
 /// The state now becomes the one that energies are counted from.
-void Simulation::Implementation::restart_ledger() {
+void Simulation::Implementation::restart_balance() {
     bodies.start_position = bodies.position;
     bodies.start_orientation = bodies.orientation;
     clear_losses(list);
@@ -72,7 +72,7 @@ std::size_t Simulation::Implementation::fastest_block() const {
 }
 
 double Simulation::Implementation::half_preparation_loss(std::size_t i) const {
-    if (velocity_damping == 0.0 && !added_inertia.is_active()) return 0.0;
+    if (velocity_damping == 0.0 && !mass_scaling.is_active()) return 0.0;
     const detail::VelocityDecay decay = decay_over(dt);
     const detail::TouchList::Load load = touches.sum(i, list.forces);
     const Vector3& velocity = bodies.velocity[i];
@@ -131,9 +131,9 @@ void Simulation::Implementation::check_health() {
     const double time = static_cast<double>(step) * dt;
     const double put_in = start_energy + std::max(0.0, -gravitational()) + std::abs(base_work);
     const double allowed = kEnergyFactor * put_in + energy_floor;
-    const double ledger_bound = added_inertia.is_active() ? kAddedInertiaLedgerBound : kLedgerBound;
+    const double balance_bound = mass_scaling.is_active() ? kMassScalingBalanceBound : kBalanceBound;
     const auto out_of_bounds = [&] {
-        const bool unbalanced = std::abs(find_energy().balance() - start_balance) > ledger_bound * put_in + energy_floor;
+        const bool unbalanced = std::abs(find_energy().balance() - start_balance) > balance_bound * put_in + energy_floor;
         return unbalanced || stored_and_kinetic() > allowed;
     };
     // what a step knows of the energy of a corner or an edge is rough: before it condemns a run it is found exactly
@@ -141,8 +141,8 @@ void Simulation::Implementation::check_health() {
         refine_overlap_energies(bodies, base, list);
         if (out_of_bounds()) divergence = Divergence{Divergence::Kind::energy_out_of_bounds, fastest_block(), time};
     }
-    // blocks with added inertia have what their contacts ask for
-    if (!added_inertia.is_active()) {
+    // blocks with mass scaling have what their contacts ask for
+    if (!mass_scaling.is_active()) {
         const StiffestBlock stiffest = stiffness_watch.find_stiffest(bodies, base, dt, list, overstiff ? overstiff->used : 1.0);
         if (stiffest.used > 0.0) overstiff = Overstiff{stiffest.block, time, stiffest.used};
     }

@@ -26,11 +26,11 @@ void hash_bytes(const Vector3& v, std::uint64_t& hash) {
 void Simulation::Implementation::exchange(Archive& archive) {
     double deepest = *std::max_element(overlap.begin(), overlap.end());
     archive(bodies, base, base_origin, search.reference(), list, finished, velocity_damping, base_force, base_work);
-    archive(preparing, step, rebuilds, skipped, start_energy, start_balance, quiet_looks, quiet_end, divergence, overstiff, deepest);
+    archive(preparing, step, rebuilds, skipped, start_energy, start_balance, checks_at_rest, rest_end, divergence, overstiff, deepest);
     if (!archive.loads()) return;
     overlap.front() = deepest;
     check_restored(model, bodies, search.reference(), list, finished);
-    if (list.demand.wanted) added_inertia.begin(model, dt, list);
+    if (list.demand.wanted) mass_scaling.begin(model, dt, list);
     share_work();
 }
 

@@ -10,15 +10,15 @@
 namespace musim::lsdem {
 namespace {
 
-/// Steps between two looks at finiteness and energy. An unstable mode grows by a factor of about (1 + ε)^64 in between, so a failure is
+/// Steps between two checks at finiteness and energy. An unstable mode grows by a factor of about (1 + ε)^64 in between, so a failure is
 /// dated within a few oscillations; looking at every step would cost a few percent.
 constexpr std::uint64_t kHealthInterval = 64;
 
-/// A structure is quiet when its kinetic energy is below this part of weight times smallest edge, at this many looks in a row: what is
+/// A structure is at rest when its kinetic energy is below this part of weight times smallest edge, at this many checks in a row: what is
 /// passed over could not have moved it by more than rounding moves it (velocities of 1e-10·sqrt(g·edge), accelerations a thousand times
-/// smaller than would bring these about between two looks).
-constexpr double kQuietEnergy = 1e-20;
-constexpr int kQuietLooks = 16;
+/// smaller than would bring these about between two checks).
+constexpr double kEnergyAtRest = 1e-20;
+constexpr int kChecksAtRest = 16;
 
 /// What boxes that touch cost, in nodes; what does not touch is mostly passed over. Affects speed only.
 constexpr std::size_t kNodesPerOverlap = 32;
@@ -60,12 +60,12 @@ void Simulation::Implementation::move(double h) {
                             .gravity = model.gravity,
                             .h = h,
                             .decay = decay_over(h),
-                            .prepares = velocity_damping > 0.0 || added_inertia.is_active()};
+                            .prepares = velocity_damping > 0.0 || mass_scaling.is_active()};
     // while the base stands, what is held stays where it is
     const std::size_t movers = preparing ? end_of_loose : bodies.size();
     const auto task = [&](int thread) {
         const detail::Share share = share_of(movers, thread, team.size());
-        if (added_inertia.is_active()) added_inertia.give(touches, list, share.first, share.last, bodies);
+        if (mass_scaling.is_active()) mass_scaling.give(touches, list, share.first, share.last, bodies);
         drift[static_cast<std::size_t>(thread)] =
             detail::move_blocks(touches, list.forces, search.reference(), leap, share.first, share.last, bodies);
     };
@@ -75,7 +75,7 @@ void Simulation::Implementation::move(double h) {
 void Simulation::Implementation::rebuild() {
     ++rebuilds;
     search.rebuild(bodies, base, list, finished);
-    if (added_inertia.is_active()) added_inertia.price(list);
+    if (mass_scaling.is_active()) mass_scaling.price(list);
     share_work();
 }
 
@@ -113,11 +113,11 @@ void Simulation::Implementation::update_contacts() {
 }
 
 /// Number of steps from here in which the base stands and nothing moves.
-std::uint64_t Simulation::Implementation::find_quiet_steps() {
+std::uint64_t Simulation::Implementation::find_steps_at_rest() {
     // with damping, blocks that hardly move may still fall: forces need not balance
-    if (!model.skip_quiet || velocity_damping > 0.0) return 0;
-    quiet_looks = kinetic() <= kQuietEnergy * weight_times_edge ? quiet_looks + 1 : 0;
-    if (quiet_looks < kQuietLooks) return 0;
+    if (!model.skip_rest || velocity_damping > 0.0) return 0;
+    checks_at_rest = kinetic() <= kEnergyAtRest * weight_times_edge ? checks_at_rest + 1 : 0;
+    if (checks_at_rest < kChecksAtRest) return 0;
     const double now = static_cast<double>(step) * dt;
     const double still = preparing ? std::numeric_limits<double>::infinity() : motion.still_until(now) - now;
     return still > dt ? static_cast<std::uint64_t>(std::min(still / dt, 9e15)) - 1 : 0;
@@ -127,11 +127,11 @@ void Simulation::advance(std::uint64_t steps) {
     Implementation& s = *implementation_;
     std::uint64_t left = steps;
     while (left > 0 && !s.divergence) {
-        if (s.step < s.quiet_end) {
-            const std::uint64_t quiet = std::min(left, s.quiet_end - s.step);
-            s.step += quiet;
-            s.skipped += quiet;
-            left -= quiet;
+        if (s.step < s.rest_end) {
+            const std::uint64_t passed_over = std::min(left, s.rest_end - s.step);
+            s.step += passed_over;
+            s.skipped += passed_over;
+            left -= passed_over;
             continue;
         }
         --left;
@@ -152,7 +152,7 @@ void Simulation::advance(std::uint64_t steps) {
         s.times.contacts += seconds_since(listed);
         if (s.step % kHealthInterval != 0) continue;
         s.check_health();
-        s.quiet_end = s.step + s.find_quiet_steps();
+        s.rest_end = s.step + s.find_steps_at_rest();
     }
 }
 

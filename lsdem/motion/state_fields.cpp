@@ -47,9 +47,9 @@ static void exchange(Archive& archive, OverlapContact& c) {
 }
 
 void exchange(Archive& archive, ContactList& l) {
-    archive(l.pairs, l.nodes, l.history, l.forces, l.overlaps, l.ground_pairs, l.tallies, l.trusted_gap, l.next_look, l.faces, l.first_step,
-            l.demand.wanted, l.demand.asked, l.work);
-    l.due.resize(l.pairs.size());
+    archive(l.pairs, l.nodes, l.history, l.forces, l.overlaps, l.ground_pairs, l.tallies, l.trusted_gap, l.next_check, l.faces,
+            l.first_step, l.demand.wanted, l.demand.asked, l.work);
+    l.active.resize(l.pairs.size());
 }
 
 namespace {
@@ -84,7 +84,7 @@ void check_restored(const Model& model, const Bodies& bodies, const NeighborSear
                 bodies.preparation_loss, bodies.free, bodies.start_position, bodies.start_orientation, reference.position,
                 reference.orientation, losses.block);
     expect_size(list.demand.wanted ? pairs : 0, list.demand.asked);
-    expect_size(pairs, list.forces, list.tallies, list.next_look, list.faces, list.work);
+    expect_size(pairs, list.forces, list.tallies, list.next_check, list.faces, list.work);
     const ContactHistory& history = list.history;
     expect_size(entries, history.damping_pressure, history.late, history.slip[0], history.slip[1], history.slip[2]);
     expect_size(history.has_viscous() ? entries : 0, history.viscous[0], history.viscous[1], history.viscous[2]);

@@ -137,10 +137,12 @@ void draw_column(std::string& svg, const FigureColumn& column, double left, doub
 
 }  // namespace
 
-std::size_t count_looks(CurveLooks looks) { return looks == CurveLooks::pairs ? 2 * kPale.size() : kApartColors.size() * kApartRounds; }
+std::size_t count_styles(CurveStyles styles) {
+    return styles == CurveStyles::pairs ? 2 * kPale.size() : kApartColors.size() * kApartRounds;
+}
 
 std::string make_svg(const Figure& figure) {
-    const detail::FindStyle find_style = figure.looks == CurveLooks::pairs ? find_style_in_pairs : find_style_apart;
+    const detail::FindStyle find_style = figure.styles == CurveStyles::pairs ? find_style_in_pairs : find_style_apart;
     double right = kLeft - kColumnGap;
     for (const FigureColumn& column : figure.columns) right += kColumnGap + column.width;
 

@@ -29,13 +29,13 @@ struct KeyRow {
 };
 
 /// What the styles of curves are made for.
-enum class CurveLooks {
+enum class CurveStyles {
     apart,  ///< all different, the first six in grey too
     pairs,  ///< an even style is a broad pale line, the next one thin dashes of its colour that can lie on it
 };
 
 /// How many styles differ, counted from 0: 18 apart (six colours by three dashes each), 10 in pairs (five colours). Later ones repeat them.
-std::size_t count_looks(CurveLooks looks);
+std::size_t count_styles(CurveStyles styles);
 
 /// Panels in columns of one height under a key that is a table, for print at the width of a page.
 struct Figure {
@@ -44,7 +44,7 @@ struct Figure {
     std::vector<KeyRow> key;                ///< names in the first cells are shortened where the others leave too little room
     std::vector<FigureColumn> columns;
     std::vector<std::string> caption;  ///< lines below, wrapped to the width of the columns
-    CurveLooks looks = CurveLooks::apart;
+    CurveStyles styles = CurveStyles::apart;
 };
 
 /// The figure as an SVG document. Throws std::invalid_argument when x and y of a series differ in length.

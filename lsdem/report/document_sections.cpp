@@ -106,7 +106,7 @@ std::string to_html(const json& value, const std::string& caption) {
 
 std::string make_document_verdict(const ReportedDocument& document) {
     const auto found = document.json.find("distortions");
-    if (found == document.json.end() || !found->is_array()) return make_statement(Tone::note, document.label + ": read as it stands");
+    if (found == document.json.end() || !found->is_array()) return make_statement(Tone::note, document.label + ": read unchanged");
     if (!holds_objects(*found)) return make_statement(Tone::good, document.label + ": no group is distorted");
     Tone worst = Tone::plain;
     std::string names;

@@ -160,7 +160,7 @@ std::vector<Integration> find_integrations(const std::vector<ComponentCurves>& c
     for (const ComponentCurves& component : components) {
         const std::string record = std::filesystem::path(component.file).stem().string();
         const Integration own{
-            component.corner ? fmt::format("high-pass {:.4g} Hz", component.corner->value()) : "as it stands", component.model, {record}};
+            component.corner ? fmt::format("high-pass {:.4g} Hz", component.corner->value()) : "no filter", component.model, {record}};
         const auto same = std::find_if(ways.begin(), ways.end(), [&](const Integration& known) { return known.is_that_of(own); });
         if (same == ways.end()) {
             ways.push_back(own);
@@ -172,7 +172,7 @@ std::vector<Integration> find_integrations(const std::vector<ComponentCurves>& c
 }
 
 /// How the records were integrated, and which ones so unless all were alike.
-std::string tell_integration(const RecordFigure& figure) {
+std::string describe_integration(const RecordFigure& figure) {
     const std::vector<Integration> ways = find_integrations(figure.components);
     const bool alike = ways.size() == (figure.model_of ? 2 : 1);
     std::vector<std::string> texts;
@@ -186,7 +186,7 @@ std::string tell_integration(const RecordFigure& figure) {
 }
 
 std::vector<std::string> make_caption(const RecordFigure& figure) {
-    std::vector<std::string> lines{tell_integration(figure)};
+    std::vector<std::string> lines{describe_integration(figure)};
     if (figure.model_of) {
         const scaling::ModelScales& scales = *figure.model_of;
         lines.push_back(
@@ -252,7 +252,7 @@ HtmlTable make_twin(const RecordFigure& figure, const std::vector<KeyRow>& key) 
 
 }  // namespace
 
-CurveLooks find_looks(bool with_models) { return with_models ? CurveLooks::pairs : CurveLooks::apart; }
+CurveStyles find_styles(bool with_models) { return with_models ? CurveStyles::pairs : CurveStyles::apart; }
 
 std::string make_title(const records::GroundMotion& motion) {
     if (motion.event.empty() && motion.station.empty()) return std::filesystem::path(motion.source).filename().string();
@@ -276,7 +276,7 @@ ReportFigure make_figure(const std::string& name, const RecordFigure& figure) {
                          .key = key,
                          .columns = std::move(columns),
                          .caption = make_caption(figure),
-                         .looks = find_looks(figure.model_of.has_value())};
+                         .styles = find_styles(figure.model_of.has_value())};
     return {
         .name = name, .title = figure.title, .svg = make_svg(drawing), .csv = make_csv(figure.components), .twin = make_twin(figure, key)};
 }

@@ -22,7 +22,7 @@ struct RecordFigure {
 };
 
 /// How curves of components, or of prototypes and their models, are distinguished.
-CurveLooks find_looks(bool with_models);
+CurveStyles find_styles(bool with_models);
 
 /// Event and station, as far as the record names them, or else its file.
 std::string make_title(const records::GroundMotion& motion);

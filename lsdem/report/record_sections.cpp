@@ -118,7 +118,7 @@ ReportSection make_record_section(const ReportContent& content) {
                     .heads = {"file", "format", "station", "component", "samples", "step [s]", "duration [s]", "integrated"},
                     .rows = {}};
     // more components than looks are drawn in figures of their own
-    const std::size_t most = count_looks(find_looks(false));
+    const std::size_t most = count_styles(find_styles(false));
     for (const ReportedRecord& record : content.records) {
         const GroundMotion& motion = record.motion;
         for (const records::Component& component : motion.components) {
@@ -131,7 +131,7 @@ ReportSection make_record_section(const ReportContent& content) {
                                   number_cell(component.series.duration().value(), 6),
                                   {.text = motion.integration_corner
                                                ? fmt::format("high-passed at {:.4g} Hz (uncorrected)", motion.integration_corner->value())
-                                               : "as it stands"}});
+                                               : "no filter"}});
         }
         for (std::size_t first = 0; first < motion.components.size(); first += most) {
             RecordFigure figure{.components = {},

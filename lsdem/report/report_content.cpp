@@ -290,7 +290,7 @@ std::string make_title(const ReportContent& content) {
 }
 
 /// Runs of the same name in different folders are distinguished by their whole paths.
-void tell_apart(std::vector<ReportedRun>& runs) {
+void distinguish(std::vector<ReportedRun>& runs) {
     for (std::size_t i = 0; i < runs.size(); ++i) {
         const std::string label = runs[i].label;
         for (std::size_t j = i + 1; j < runs.size(); ++j) {
@@ -315,7 +315,7 @@ ReportContent read_content(const std::vector<fs::path>& places, const RecordRead
     if (content.kind == ReportKind::nothing && !content.runs.empty()) {
         content.kind = content.runs.size() == 1 ? ReportKind::run : ReportKind::runs;
     }
-    tell_apart(content.runs);
+    distinguish(content.runs);
     content.title = make_title(content);
     return std::move(content);
 }

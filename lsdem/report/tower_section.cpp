@@ -61,7 +61,7 @@ constexpr const char* kControls = R"(<div class="tower" id="tower" role="group" 
 <label>cut across <select id="tower-cut-axis"><option value="x">x</option><option value="y" selected>y</option><option value="z">z</option></select></label>
 <label>at <input type="range" id="tower-cut" min="0" max="1000" value="1000"></label></p>
 <p class="row"><label>block <input type="number" id="tower-block" min="1" step="1"></label> <label>of <select id="tower-run"></select></label></p></details>
-<div id="tower-block-facts"><p class="small">Click a block for its values and its history.</p></div>
+<div id="tower-block-properties"><p class="small">Click a block for its values and its history.</p></div>
 </div>
 <dialog id="tower-help" aria-label="Keys"><table><caption>Keys in the view</caption><tbody></tbody></table>
 <p class="small">Drag to turn, after a click the wheel comes nearer; on a phone two fingers, or one on the round button. Click a block for its values.</p>

@@ -51,7 +51,7 @@ void add_run(std::vector<Statement>& statements, const ReportedRun& run) {
     if (closure < kGoodClosure) text += "; " + balance;
     statements.push_back({run.run.is_status_known ? find_tone(run.run.status) : Tone::note, text});
     if (closure >= kGoodClosure) statements.push_back({Tone::warning, run.label + ": " + balance});
-    for (const std::string& doubt : run.run.doubts) statements.push_back({Tone::warning, run.label + ": " + doubt});
+    for (const std::string& warning : run.run.warnings) statements.push_back({Tone::warning, run.label + ": " + warning});
 }
 
 /// What the headline leaves out of a pair's verdict, and how each model stands to the prototype.
@@ -112,10 +112,10 @@ ReportSection make_verdict_section(const ReportContent& content) {
     for (const std::string& remark : content.remarks) section.html += make_statement(Tone::note, remark);
     const std::vector<Statement> rest(calm, statements.end());
     const bool folds = rest.size() > kMostUnfolded && !content.runs.empty();
-    section.html += folds
-                        ? fmt::format("<details><summary>How each run ended, and how sure it is ({} statements)</summary>\n{}</details>\n",
-                                      rest.size(), to_html(rest))
-                        : to_html(rest);
+    section.html +=
+        folds ? fmt::format("<details><summary>How each run ended, and its uncertainties ({} statements)</summary>\n{}</details>\n",
+                            rest.size(), to_html(rest))
+              : to_html(rest);
     return section;
 }
 

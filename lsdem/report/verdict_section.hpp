@@ -5,7 +5,8 @@
 
 namespace musim::lsdem {
 
-/// What one should know first: the main result, then warnings and what is missing; folded below them how each run ended and how sure it is.
+/// What one should know first: the main result, then warnings and what is missing; folded below them how each run ended and its
+/// uncertainties.
 ReportSection make_verdict_section(const ReportContent& content);
 
 }  // namespace musim::lsdem

@@ -60,7 +60,7 @@ static void exchange(Archive& archive, RunResult& r) {
             r.source_pga, r.wall_time);
 }
 
-static void exchange(Archive& archive, SettlingState& s) { archive(s.steps, s.quiet_looks, s.liveliest); }
+static void exchange(Archive& archive, SettlingState& s) { archive(s.steps, s.checks_at_rest, s.liveliest); }
 
 static void exchange(Archive& archive, PreparedPlaces& p) { archive(p.position, p.orientation, p.preload); }
 
@@ -68,7 +68,7 @@ static void exchange(Archive& archive, PreparationState& p) {
     archive(p.round, p.steps, p.block_steps, p.settling, p.releases, p.simulation, p.max_overlap, p.start);
 }
 
-static void exchange(Archive& archive, QuietState& q) { archive(q.clock, q.moved, q.stop, q.wall_time, q.settling); }
+static void exchange(Archive& archive, RestPhaseState& q) { archive(q.clock, q.moved, q.stop, q.wall_time, q.settling); }
 
 namespace {
 
@@ -83,14 +83,14 @@ struct Beside {
     std::optional<PreparationState> preparation;
     TimePlan plan;
     std::uint64_t samples_done = 0;
-    std::optional<QuietState> quiet;
+    std::optional<RestPhaseState> rest_phase;
     std::string state;
 };
 
 /// One list of what a checkpoint holds, for writing from where things are and for reading.
 template <class Fields>
 void exchange_all(Archive& archive, Fields& c, RunResult& run) {
-    archive(c.program_version, c.build, c.scene, c.places, c.preparation, c.plan, c.samples_done, run, c.quiet, c.state);
+    archive(c.program_version, c.build, c.scene, c.places, c.preparation, c.plan, c.samples_done, run, c.rest_phase, c.state);
 }
 
 void write_file(const CheckpointSettings& settings, Beside& beside, RunResult& run) {
@@ -140,7 +140,7 @@ Checkpoint read_checkpoint(const fs::path& file, const std::string& program_vers
 void remove_checkpoint(const fs::path& file) noexcept { detail::remove_with_leftovers(file); }
 
 void write_checkpoint(const CheckpointSettings& settings, std::uint64_t done, const TimePlan& plan, RunResult& run,
-                      const Simulation& simulation, const std::optional<QuietState>& quiet) {
+                      const Simulation& simulation, const std::optional<RestPhaseState>& rest_phase) {
     try {
         std::ostringstream state;
         simulation.save(state);
@@ -148,7 +148,7 @@ void write_checkpoint(const CheckpointSettings& settings, std::uint64_t done, co
         beside.places = settings.places;
         beside.plan = plan;
         beside.samples_done = done;
-        beside.quiet = quiet;
+        beside.rest_phase = rest_phase;
         beside.state = std::move(state).str();
         write_file(settings, beside, run);
     } catch (const std::runtime_error& error) {

@@ -23,14 +23,14 @@ struct CheckpointSettings {
     std::string program_version;           ///< only the same one may resume
     std::string build = describe_build();  ///< likewise
     double interval = 60.0;                ///< wall time between two checkpoints, see kFirstCheckpoint [s]; 0: one after every sample
-    std::uint64_t samples = 0;             ///< when positive: one after so many samples, or looks while it settles, whatever the wall time
+    std::uint64_t samples = 0;             ///< when positive: one after so many samples, or checks while it settles, whatever the wall time
     std::optional<PreparedPlaces> places = {};  ///< of a specimen that was prepared, so that it need not be again
     /// Given the reason why a checkpoint could not be written; the run goes on, and the checkpoint before stays.
     std::function<void(const std::string&)> on_failure = {};
 };
 
-/// The quiet phase after a run, before the next motion of a sequence, as far as it has come.
-struct QuietState {
+/// The rest phase after a run, before the next motion of a sequence, as far as it has come.
+struct RestPhaseState {
     double clock = 0.0;               ///< from the start of the run to that of the simulation's present motion [s]
     Vector3 moved = Vector3::Zero();  ///< displacement of the base up to there [m]
     Vector3 stop = Vector3::Zero();   ///< velocity from which the base was brought to rest [m/s]; zero: it stood
@@ -48,8 +48,8 @@ struct Checkpoint {
     TimePlan plan;
     std::uint64_t samples_done = 0;
     RunResult run;
-    std::optional<QuietState> quiet;  ///< the run had ended, and what came after it
-    std::string state;                ///< Simulation::save
+    std::optional<RestPhaseState> rest_phase;  ///< the run had ended, and what came after it
+    std::string state;                         ///< Simulation::save
 };
 
 /// The first checkpoint of a run, a stage or a preparation comes after this wall time, when the interval is longer [s]: whoever notices a
@@ -66,10 +66,10 @@ Checkpoint read_checkpoint(const std::filesystem::path& file, const std::string&
 /// Removes a checkpoint, and what a kill left of one that was being written. Nothing happens when there is none.
 void remove_checkpoint(const std::filesystem::path& file) noexcept;
 
-/// Writes a checkpoint of a run whose last sample is `done`, or of the quiet phase after it; the file changes from the one
+/// Writes a checkpoint of a run whose last sample is `done`, or of the rest phase after it; the file changes from the one
 /// before in one step. One that cannot be written is given to CheckpointSettings::on_failure. `run` is not changed.
 void write_checkpoint(const CheckpointSettings& settings, std::uint64_t done, const TimePlan& plan, RunResult& run,
-                      const Simulation& simulation, const std::optional<QuietState>& quiet = {});
+                      const Simulation& simulation, const std::optional<RestPhaseState>& rest_phase = {});
 
 /// The same of a preparation.
 void write_checkpoint(const CheckpointSettings& settings, PreparationState preparation);

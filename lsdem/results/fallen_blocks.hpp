@@ -16,7 +16,7 @@ namespace musim::lsdem {
 /// all one entry per block.
 std::size_t count_fallen(const std::vector<Vector3>& size, const std::vector<int>& layer, const Kinematics& places);
 
-/// The same of a simulation as it stands.
+/// The same of a running simulation.
 std::size_t count_fallen(const Simulation& simulation, const std::vector<int>& layer);
 
 }  // namespace musim::lsdem

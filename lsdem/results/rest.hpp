@@ -27,7 +27,7 @@ struct Rest {
 /// How far a settling has come; with the state of its simulation, all it needs to go on to the same bits.
 struct SettlingState {
     std::uint64_t steps = 0;  ///< taken
-    int quiet_looks = 0;      ///< in a row, up to now
+    int checks_at_rest = 0;   ///< in a row, up to now
     double liveliest = 0.0;   ///< largest kinetic energy of a block so far, over its weight times its height [-]
 };
 

@@ -36,7 +36,8 @@ nlohmann::json make_summary(const RunResult& run) {
                            {"fallen", run.rest->fallen}};
     }
     summary["outcome"] = to_json(find_outcome(run));
-    summary["doubts"] = find_doubts(run);
+    summary["warnings"] = find_warnings(run);
+    summary["doubts"] = summary["warnings"];  // the old name
     if (run.divergence) {
         summary["divergence"] = {{"kind", std::string(name_of(run.divergence->kind))},
                                  {"block", run.divergence->block},

@@ -31,6 +31,6 @@ std::string describe_divergence(const RunResult& run);
 /// a time step above the critical one (losses in contacts can hold an instability down, so that neither the run nor its energy balance
 /// shows it); blocks that passed deep into each other (kDeepOverlap); an open energy balance (kOpenBalance); blocks that fell before the
 /// motion. Empty for a sound run, and for one that diverged.
-std::vector<std::string> find_doubts(const RunResult& run);
+std::vector<std::string> find_warnings(const RunResult& run);
 
 }  // namespace musim::lsdem

@@ -8,7 +8,7 @@
 
 namespace musim::lsdem::detail {
 
-/// Steps between two looks at what else is to be done: progress, checkpoints, a request to stop. So many cost far more than the look.
+/// Steps between two checks at what else is to be done: progress, checkpoints, a request to stop. So many cost far more than the look.
 inline constexpr std::uint64_t kPiece = 64;
 
 /// Takes so many steps, or fewer when the simulation diverges, to the same bits as all at once. Between pieces, not at the end, `between`

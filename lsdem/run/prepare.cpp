@@ -83,7 +83,7 @@ class PreparationRun {
           settings_(settings),
           state_(from.value_or(PreparationState{})),
           resumes_(from && !from->simulation.empty()),
-          simulation_(begin(upright, (adds_inertia() ? settings.stride : 1.0) * time_step, threads)) {}
+          simulation_(begin(upright, (scales_mass() ? settings.stride : 1.0) * time_step, threads)) {}
 
     void run(const RunSettings& settings, PreparedSpecimen& prepared, WorkDone& work) {
         CheckpointWriter checkpoints(settings.checkpoint.value_or(CheckpointSettings{}));
@@ -116,7 +116,7 @@ class PreparationRun {
     const Simulation& simulation() const { return simulation_; }
 
     /// Did the whole fail to come to rest with inertia added?
-    bool wants_own_inertia(const Rest& rest) const { return adds_inertia() && !rest.at_rest && !in_layers() && !simulation_.divergence(); }
+    bool wants_own_inertia(const Rest& rest) const { return scales_mass() && !rest.at_rest && !in_layers() && !simulation_.divergence(); }
 
     /// From where it goes on with its own.
     PreparationState begin_again() const {
@@ -133,7 +133,7 @@ class PreparationRun {
 
     bool by_layers() const { return placing_ != Placing::as_drawn; }
     bool resting() const { return placing_ == Placing::resting; }
-    bool adds_inertia() const { return resting() || placing_ == Placing::quick_layers; }
+    bool scales_mass() const { return resting() || placing_ == Placing::layers_mass_scaled; }
     std::size_t layer_rounds() const { return layers_.size(); }
     bool in_layers() const { return state_.round < layer_rounds(); }
     bool is_last() const { return state_.round + 1 == layer_rounds() + settings_.whole_rounds; }
@@ -147,7 +147,7 @@ class PreparationRun {
             return Simulation::restore(std::move(model), saved, threads);
         }
         Simulation simulation(std::move(model), time_step, threads);
-        simulation.begin_preparation(settings_.settling.damping_rate, adds_inertia() ? Inertia::as_stable : Inertia::own);
+        simulation.begin_preparation(settings_.settling.damping_rate, scales_mass() ? Inertia::as_stable : Inertia::own);
         return simulation;
     }
 
@@ -173,13 +173,13 @@ class PreparationRun {
 
     void begin_round() {
         if (in_layers() && state_.round > 0) add_layer(state_.round);
-        const double last_damping = adds_inertia() ? settings_.last_damping_with_added_inertia : settings_.last_damping;
+        const double last_damping = scales_mass() ? settings_.last_damping_with_mass_scaling : settings_.last_damping;
         if (is_last()) simulation_.set_velocity_damping(last_damping * settings_.settling.damping_rate);
     }
 
     Settling rule() const {
         Settling rule = settings_.settling;
-        if (adds_inertia()) rule.patience = std::min(rule.patience, settings_.added_patience);
+        if (scales_mass()) rule.patience = std::min(rule.patience, settings_.added_patience);
         if (is_last()) return rule;
         rule.reaction = kEarlyReaction;
         if (!in_layers()) {

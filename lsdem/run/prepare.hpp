@@ -12,10 +12,10 @@ namespace musim::lsdem {
 
 /// How a specimen is prepared.
 struct PreparationSettings {
-    Placing placing = Placing::quick_layers;
+    Placing placing = Placing::layers_mass_scaled;
     Settling settling;
     bool from_equilibrium = false;  ///< of Placing::as_drawn: settles from put_in_equilibrium, not from where nothing bears yet
-    /// Time step over that of a run, of Placing::quick_layers and resting: blocks that touch little are stable in it, the others get
+    /// Time step over that of a run, of Placing::layers_mass_scaled and resting: blocks that touch little are stable in it, the others get
     /// inertia that makes them so (Inertia::as_stable) [-].
     double stride = 4.0;
     double lowering = 0.02;  ///< speed at which a layer is let down, over √(gH) [-]
@@ -23,7 +23,7 @@ struct PreparationSettings {
     /// much of it [-]; or after its patience over α, since a block that is nearly balanced tips slowly and goes on doing so under the next
     /// layer. Blocks that come upright have farther to tip than those that come as they will rest. See docs/theory/preparation.md.
     double layer_rest = 1e-8;
-    double layer_patience = 2.5;    ///< of Placing::layers and quick_layers [-]
+    double layer_patience = 2.5;    ///< of Placing::layers and layers_mass_scaled [-]
     double resting_patience = 0.5;  ///< of Placing::resting [-]
     /// How often the whole comes to rest: to `early_rest` while blocks may still tip, in the last round to the end, with the damping that
     /// suits sway.
@@ -31,9 +31,9 @@ struct PreparationSettings {
     /// What is not at rest so long after its layers, over α, while inertia is added gets its own back, and comes to rest in steps of a run.
     double added_patience = 15.0;
     double early_rest = 1e-6;  ///< all of these rounds but the last end at this: no block tips any more [-]
-    /// α of the last round over that of the others: no block tips any more, sway decays. It is slower with added inertia [-].
+    /// α of the last round over that of the others: no block tips any more, sway decays. It is slower with mass scaling [-].
     double last_damping = 1.5;
-    double last_damping_with_added_inertia = 0.75;
+    double last_damping_with_mass_scaling = 0.75;
 };
 
 /// What prepared blocks bear and how they stand; one entry per layer.

@@ -80,7 +80,7 @@ PreparationSettings find_preparation(const Scene& scene, const Specimen& upright
     const std::vector<Block>& blocks = upright.model.blocks;
     const Preparation wanted = scene.preparation.value_or(Preparation{});
     PreparationSettings preparation;
-    preparation.placing = wanted.placing.value_or(differ_in_height(upright) ? Placing::quick_layers : Placing::as_drawn);
+    preparation.placing = wanted.placing.value_or(differ_in_height(upright) ? Placing::layers_mass_scaled : Placing::as_drawn);
     preparation.from_equilibrium = preparation.placing == Placing::as_drawn;
     if (preparation.from_equilibrium) preparation.whole_rounds = 1;
     preparation.settling.damping_rate =

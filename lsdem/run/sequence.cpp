@@ -11,7 +11,7 @@
 
 #include "lsdem/results/result_error.hpp"
 #include "lsdem/results/write_results.hpp"
-#include "lsdem/run/quiet_phase.hpp"
+#include "lsdem/run/rest_phase.hpp"
 #include "lsdem/run/run.hpp"
 #include "lsdem/run/sequence_plan.hpp"
 #include "lsdem/run/staged_run.hpp"
@@ -26,7 +26,7 @@ using Clock = std::chrono::steady_clock;
 
 /// How long a structure that stands takes to come to rest, over 1/α, until it has been seen: its energy decays by about that rate, from
 /// what shaking leaves to Settling::rest, 1e-6 of it [-].
-constexpr double kQuietLength = 14.0;
+constexpr double kRestLength = 14.0;
 
 /// Part of a decay from which on its length is extrapolated [-].
 constexpr double kClearDecay = 0.1;
@@ -58,7 +58,7 @@ class Sequence {
           checkpoint_(keep_places(find_run_settings(scene, plan_, settings), plan_.specimen).checkpoint),
           folder_(folder),
           settings_(settings) {
-        quiet_length_ = kQuietLength / (plan_.quiet.damping_rate * plan_.stages.front().plan.time_step);
+        rest_length_ = kRestLength / (plan_.settling.damping_rate * plan_.stages.front().plan.time_step);
     }
 
     SequenceSummary run() {
@@ -73,9 +73,9 @@ class Sequence {
 
     SequenceSummary resume(Checkpoint checkpoint) {
         const std::size_t stage = checkpoint.run.origin ? checkpoint.run.origin->stage : 0;
-        const std::optional<QuietState> quiet = checkpoint.quiet;
+        const std::optional<RestPhaseState> rest_phase = checkpoint.rest_phase;
         auto [simulation, run] = continue_stage(stage, std::move(checkpoint));
-        return carry_on(simulation, stage, std::move(run), quiet);
+        return carry_on(simulation, stage, std::move(run), rest_phase);
     }
 
   private:
@@ -84,10 +84,10 @@ class Sequence {
             if (stage >= plan_.stages.size()) throw std::runtime_error("checkpoint: it is of a stage that the scene does not have");
             const SequenceStage& now = plan_.stages[stage];
             require_plan(checkpoint, now.plan);
-            plan_.specimen.model.ground.motion = checkpoint.quiet ? find_motion(now, *checkpoint.quiet) : now.motion;
+            plan_.specimen.model.ground.motion = checkpoint.rest_phase ? find_motion(now, *checkpoint.rest_phase) : now.motion;
             Simulation simulation = restore(plan_.specimen, checkpoint, settings_.threads);
-            RunResult run = checkpoint.quiet ? recall_finished(plan_.specimen, std::move(checkpoint))
-                                             : lsdem::resume(simulation, plan_.specimen, std::move(checkpoint), settings_of(stage));
+            RunResult run = checkpoint.rest_phase ? recall_finished(plan_.specimen, std::move(checkpoint))
+                                                  : lsdem::resume(simulation, plan_.specimen, std::move(checkpoint), settings_of(stage));
             return {std::move(simulation), std::move(run)};
         } catch (const std::runtime_error& error) {
             throw ResultError(
@@ -97,16 +97,16 @@ class Sequence {
         }
     }
 
-    /// From the end of the motion of `stage`, or from within the quiet phase after it.
-    SequenceSummary carry_on(Simulation& simulation, std::size_t stage, RunResult run, std::optional<QuietState> quiet = {}) {
+    /// From the end of the motion of `stage`, or from within the rest phase after it.
+    SequenceSummary carry_on(Simulation& simulation, std::size_t stage, RunResult run, std::optional<RestPhaseState> rest_phase = {}) {
         while (true) {
             std::optional<RunStart> next;
             if (run.status == RunStatus::completed && stage + 1 < plan_.stages.size()) {
-                std::optional<QuietEnd> end;
-                if (plan_.stages[stage + 1].settle) end = come_to_rest_after(simulation, stage, run, quiet);
+                std::optional<RestPhaseEnd> end;
+                if (plan_.stages[stage + 1].settle) end = come_to_rest_after(simulation, stage, run, rest_phase);
                 next = pass_on(simulation, plan_.stages[stage].plan, stage, run, end);
             }
-            quiet.reset();
+            rest_phase.reset();
             store(stage, run);
             if (run.status != RunStatus::completed || !next) return summarize(stage + 1);
             ++stage;
@@ -115,33 +115,33 @@ class Sequence {
         }
     }
 
-    QuietEnd come_to_rest_after(Simulation& simulation, std::size_t stage, RunResult& run, const std::optional<QuietState>& from) {
+    RestPhaseEnd come_to_rest_after(Simulation& simulation, std::size_t stage, RunResult& run, const std::optional<RestPhaseState>& from) {
         const TimePlan& plan = plan_.stages[stage].plan;
         const CheckpointSettings checkpoint = *settings_of(stage).checkpoint;
         if (!from) write_checkpoint(checkpoint, plan.samples, plan, run, simulation);
         CheckpointWriter checkpoints(checkpoint);
         const double before = work_before(stage) + motion_work(stage);
-        QuietWatch watch;
+        RestPhaseWatch watch;
         watch.on_progress = [this, stage, before](double part, std::uint64_t steps) {
             const auto taken = static_cast<double>(steps);
-            if (part > kClearDecay) quiet_length_ = taken / part;
-            report(before + taken, quiet_work(stage) - taken + work_after(stage));
+            if (part > kClearDecay) rest_length_ = taken / part;
+            report(before + taken, rest_work(stage) - taken + work_after(stage));
         };
-        watch.on_state = [&](const QuietState& state) {
+        watch.on_state = [&](const RestPhaseState& state) {
             checkpoints.after_look([&](const CheckpointSettings& to) { write_checkpoint(to, plan.samples, plan, run, simulation, state); });
         };
-        return come_to_rest(simulation, plan_.stages[stage], plan_.quiet, run, watch, from);
+        return come_to_rest(simulation, plan_.stages[stage], plan_.settling, run, watch, from);
     }
 
     /// Work in steps: of the motion of a stage, of coming to rest after it, of all before it, and of all after it.
     double motion_work(std::size_t stage) const { return static_cast<double>(plan_.stages[stage].plan.steps()); }
-    double quiet_work(std::size_t stage) const {
+    double rest_work(std::size_t stage) const {
         const bool comes_to_rest = stage + 1 < plan_.stages.size() && plan_.stages[stage + 1].settle;
-        return comes_to_rest ? quiet_length_ : 0.0;
+        return comes_to_rest ? rest_length_ : 0.0;
     }
     double work_of(std::size_t first, std::size_t last) const {
         double work = 0.0;
-        for (std::size_t k = first; k < last; ++k) work += motion_work(k) + quiet_work(k);
+        for (std::size_t k = first; k < last; ++k) work += motion_work(k) + rest_work(k);
         return work;
     }
     double work_before(std::size_t stage) const { return work_of(0, stage); }
@@ -153,7 +153,7 @@ class Sequence {
     }
 
     RunSettings settings_of(std::size_t stage) {
-        const double before = work_before(stage), own = motion_work(stage), after = quiet_work(stage) + work_after(stage);
+        const double before = work_before(stage), own = motion_work(stage), after = rest_work(stage) + work_after(stage);
         return {.threads = settings_.threads,
                 .observer = {.on_progress = [this, before, own,
                                              after](double part) { report(before + own * part, own * (1.0 - part) + after); },
@@ -186,8 +186,8 @@ class Sequence {
     std::optional<CheckpointSettings> checkpoint_;
     ResultFolder& folder_;
     const SequenceSettings& settings_;
-    double quiet_length_ = 0.0;  ///< steps in which the structure comes to rest, as far as is known
-    double done_ = 0.0;          ///< part of the whole
+    double rest_length_ = 0.0;  ///< steps in which the structure comes to rest, as far as is known
+    double done_ = 0.0;         ///< part of the whole
 };
 
 /// Refuses to write over an unfinished sequence.

@@ -55,7 +55,7 @@ void check_seam(const Scene& scene, const SequenceStage& before, std::size_t ent
     const double jump = (BaseMotion(after.motion).velocity(0.0) - end).norm();
     if (jump <= kSeamlessVelocity * std::max(find_peak_velocity(before.motion), find_peak_velocity(after.motion))) return;
     throw SceneError(
-        fmt::format("{}: /motions/{}: the base would jump by {:.3g} m/s from {} to {} (without a quiet phase between them one must begin "
+        fmt::format("{}: /motions/{}: the base would jump by {:.3g} m/s from {} to {} (without a rest phase between them one must begin "
                     "with the velocity that the other ends with); leave \"settle\": false out, or give the first a longer \"duration\"",
                     scene.place(), entry, jump, name(before), name(after)));
 }
@@ -70,7 +70,7 @@ SequencePlan plan_sequence(const Scene& scene, Sampling sampling) {
     }
     SequencePlan plan;
     plan.specimen = make_upright_specimen(scenes.front().scene);
-    plan.quiet = find_preparation(scene, plan.specimen).settling;
+    plan.settling = find_preparation(scene, plan.specimen).settling;
     for (std::size_t k = 0; k < scenes.size(); ++k) {
         SequenceStage stage{.name = scenes[k].name,
                             .folder = make_folder_name(k, scenes.size(), scenes[k].name),

@@ -52,7 +52,7 @@ StageSummary summarize_stage(const StoredRun& run, const StageFolder& where, con
     }
     stage.collapse_time = run.collapse_time;
     stage.divergence = run.divergence;
-    stage.doubts = run.doubts;
+    stage.warnings = run.warnings;
     stage.of_stage = measure_residual(run, stage.axis);
     stage.of_sequence = stage.of_stage;
     if (!run.origin) return stage;
@@ -110,7 +110,8 @@ nlohmann::json to_json(const StageSummary& stage) {
                           {"fallen_blocks_before", stage.fallen_before},
                           {"fallen_blocks", stage.fallen},
                           {"collapse_time_s", scaling::or_null(stage.collapse_time)},
-                          {"doubts", stage.doubts},
+                          {"warnings", stage.warnings},
+                          {"doubts", stage.warnings},  // the old name
                           {"at_start", stage.at_start ? to_json(*stage.at_start) : nlohmann::json()},
                           {"since_stage_start", to_json(stage.of_stage)},
                           {"since_first_start", to_json(stage.of_sequence)}};
@@ -192,7 +193,8 @@ nlohmann::json to_json(const SequenceSummary& summary) {
                     {"name", last.where.name},
                     {"time_s", *last.collapse_time},
                     {"total_time_s", *time},
-                    {"in_quiet_phase", *last.collapse_time > last.duration}};
+                    {"in_rest_phase", *last.collapse_time > last.duration},
+                    {"in_quiet_phase", *last.collapse_time > last.duration}};  // the old name
     }
     return {{"name", summary.name},
             {"status", to_string(summary.status())},

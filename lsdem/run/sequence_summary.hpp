@@ -29,18 +29,18 @@ struct Residual {
 struct StageSummary {
     StageFolder where;
     RunStatus status = RunStatus::completed;
-    double start_time = 0.0;              ///< of the motion, on the clock of all motions without quiet phases [s]
+    double start_time = 0.0;              ///< of the motion, on the clock of all motions without rest phases [s]
     double duration = 0.0;                ///< [s]
     int axis = 0;                         ///< along which the base moved most
     double peak_velocity = 0.0;           ///< of the base, largest absolute value of its vector at the samples [m/s]
     double peak_acceleration = 0.0;       ///< of its largest component, see RunResult::peak_base_acceleration [m/s²]
     std::string pga;                      ///< of that component, see describe_pga; empty unless that of its record or formula differs
     bool at_rest = true;                  ///< false: the structure had not come to rest before it, as it was to
-    std::size_t fallen_before = 0;        ///< blocks that had fallen before it, the quiet phase included
-    std::size_t fallen = 0;               ///< at its end, since the start of the first stage; a quiet phase after it included
-    std::optional<double> collapse_time;  ///< since its start [s]; after its end: in the quiet phase
+    std::size_t fallen_before = 0;        ///< blocks that had fallen before it, the rest phase included
+    std::size_t fallen = 0;               ///< at its end, since the start of the first stage; a rest phase after it included
+    std::optional<double> collapse_time;  ///< since its start [s]; after its end: in the rest phase
     std::string divergence;               ///< why it diverged; empty when it did not
-    std::vector<std::string> doubts;      ///< of the run, see find_doubts
+    std::vector<std::string> warnings;    ///< of the run, see find_warnings
     std::optional<Residual> at_start;     ///< of a later stage: what the ones before have left when it starts, without energies
     Residual of_stage;                    ///< at its end, since its own start
     Residual of_sequence;                 ///< at its end, since the start of the first stage

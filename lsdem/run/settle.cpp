@@ -9,11 +9,11 @@
 namespace musim::lsdem {
 namespace {
 
-/// Steps between two looks at energy and reaction, which cost about a step each.
+/// Steps between two checks at energy and reaction, which cost about a step each.
 constexpr std::uint64_t kLookInterval = 64;
 
 /// Looks in a row at which a structure must be at rest: a swing passes through rest, and the base bears the weight twice a cycle.
-constexpr int kLooksInARow = 4;
+constexpr int kChecksInARow = 4;
 
 /// Weight of what the ground bears, and that of a force.
 struct Weight {
@@ -60,15 +60,15 @@ Rest settle(Simulation& simulation, const Settling& settling, const SettlingWatc
         state.steps += kLookInterval;
         rest.kinetic = find_liveliest(simulation);
         rest.reaction_over_weight = weight.part_of(simulation.base_reaction());
-        const bool quiet = rest.kinetic <= settling.rest && std::abs(rest.reaction_over_weight - 1.0) <= settling.reaction;
-        state.quiet_looks = quiet ? state.quiet_looks + 1 : 0;
+        const bool at_rest = rest.kinetic <= settling.rest && std::abs(rest.reaction_over_weight - 1.0) <= settling.reaction;
+        state.checks_at_rest = at_rest ? state.checks_at_rest + 1 : 0;
         state.liveliest = std::max(state.liveliest, rest.kinetic);
         if (state.liveliest > settling.rest) {
             part = std::clamp(std::log(rest.kinetic / state.liveliest) / std::log(settling.rest / state.liveliest), part, 1.0);
             if (watch.on_progress) watch.on_progress(part, state.steps);
         }
         if (watch.give_up && watch.give_up()) break;
-        rest.at_rest = state.quiet_looks == kLooksInARow;
+        rest.at_rest = state.checks_at_rest == kChecksInARow;
         if (rest.at_rest) break;
         if (watch.on_state) watch.on_state(state);
         scaling::stop_if_interrupted();

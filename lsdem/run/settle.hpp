@@ -17,7 +17,7 @@ namespace musim::lsdem {
 /// a tower of 38 such layers, and slower beyond. `size`: of a block; `gravity` [m/s²].
 double choose_damping_rate(const Vector3& size, double gravity);
 
-/// What is reported and asked while a simulation comes to rest, at every look, in this order; any may be empty.
+/// What is reported and asked while a simulation comes to rest, at every check, in this order; any may be empty.
 struct SettlingWatch {
     /// Given a guess of the part that is done, 0 to 1, never less than before, and the steps taken.
     std::function<void(double, std::uint64_t)> on_progress = {};

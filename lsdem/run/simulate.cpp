@@ -266,7 +266,7 @@ RunResult resume(const Specimen& specimen, Checkpoint checkpoint, const RunSetti
     return resume(simulation, specimen, std::move(checkpoint), settings);
 }
 
-Specimen make_shadow(Specimen specimen) {
+Specimen make_moved_copy(Specimen specimen) {
     for (Block& block : specimen.model.blocks) {
         Eigen::Index largest = 0;
         block.position.cwiseAbs().maxCoeff(&largest);

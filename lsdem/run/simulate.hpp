@@ -44,7 +44,7 @@ struct RunSettings {
 /// leave the free edges of a tower that stands; with fewer than 20 blocks it means any one of them. Changes the label only.
 inline constexpr double kCollapsedFraction = 0.05;
 
-/// Lets a specimen come to rest, when it asks for that, and runs it to the end of its plan, or until it diverges. Time, ledger and
+/// Lets a specimen come to rest, when it asks for that, and runs it to the end of its plan, or until it diverges. Time, energy balance and
 /// rotations count from rest. Throws std::invalid_argument as Simulation does.
 RunResult simulate(const Specimen& specimen, const TimePlan& plan, const RunSettings& settings = {});
 
@@ -74,7 +74,7 @@ void require_plan(const Checkpoint& checkpoint, const TimePlan& plan);
 /// together.
 RunResult resume(Simulation& simulation, const Specimen& specimen, Checkpoint checkpoint, const RunSettings& settings);
 
-/// The run of a checkpoint of the quiet phase after it. Throws std::runtime_error when its histories do not fit its plan.
+/// The run of a checkpoint of the rest phase after it. Throws std::runtime_error when its histories do not fit its plan.
 RunResult recall_finished(const Specimen& specimen, Checkpoint checkpoint);
 
 /// Dates the blocks that have fallen since the last look, and the collapse. `time` [s] and `base`, the displacement of the base [m], both
@@ -88,8 +88,8 @@ void update_status(RunResult& run, const Simulation& simulation);
 /// interruption, with any number of threads. Throws std::runtime_error when the checkpoint is of another specimen.
 RunResult resume(const Specimen& specimen, Checkpoint checkpoint, const RunSettings& settings = {});
 
-/// The specimen for a shadow run: of every block, the coordinate of largest magnitude moved up by one unit in its last place. The largest,
+/// The specimen for a copy run: of every block, the coordinate of largest magnitude moved up by one unit in its last place. The largest,
 /// because at a coordinate of zero that unit would be the smallest double and change nothing.
-Specimen make_shadow(Specimen specimen);
+Specimen make_moved_copy(Specimen specimen);
 
 }  // namespace musim::lsdem

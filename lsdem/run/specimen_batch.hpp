@@ -40,7 +40,8 @@ struct SpecimenReport {
 /// Prepares the specimens of a batch, as the scene's `preparation` says (default: layer by layer), side by side. A file that is there is
 /// not made again. A preparation that is killed leaves its checkpoint beside where the file would be, and the next call goes on from there,
 /// to the same file. Specimens that are not there are locked first, so that no two processes make one. Throws SceneError for a scene
-/// without layers or seeds to vary, or with "preparation": "none", records::WriteError, and ResultError for a file in the way.
+/// without layers or seeds to vary, or with "preparation": "none", records::WriteError, and ResultError for a file where the folder should
+/// be.
 std::vector<SpecimenReport> make_specimens(const SpecimenBatch& batch);
 
 /// Name of the file that holds the specimen of a scene, once it has been made.

@@ -103,7 +103,7 @@ StagedMotion StagedMotion::scaled(const scaling::Similitude& similitude) const {
         stage.motion = scale_motion(stage.motion, similitude);
         stage.plan = stage.plan.scaled(similitude.time());
     }
-    image.quiet.damping_rate *= similitude.frequency();
+    image.settling.damping_rate *= similitude.frequency();
     return image;
 }
 
@@ -120,19 +120,19 @@ std::uint64_t StagedMotion::samples() const {
 }
 
 RunStart pass_on(const Simulation& simulation, const TimePlan& plan, std::size_t stage, const RunResult& run,
-                 const std::optional<QuietEnd>& quiet) {
+                 const std::optional<RestPhaseEnd>& rest_phase) {
     RunStart next;
     next.origin =
         run.origin ? *run.origin : StageOrigin{.stage = 0, .position = run.initial.position, .orientation = run.initial.orientation};
     next.origin->stage = stage + 1;
     next.origin->time += plan.duration();
-    next.origin->base += quiet ? quiet->moved : simulation.base().displacement;
+    next.origin->base += rest_phase ? rest_phase->moved : simulation.base().displacement;
     next.falls = run.falls;
-    // on the clock of the next stage: before its start, at the latest in the quiet phase
+    // on the clock of the next stage: before its start, at the latest in the rest phase
     for (double& time : next.falls.time) time = std::isnan(time) ? time : std::min(time - plan.duration(), 0.0);
-    if (quiet) {
-        next.rest = quiet->rest;
-        next.wall_time = quiet->wall_time;
+    if (rest_phase) {
+        next.rest = rest_phase->rest;
+        next.wall_time = rest_phase->wall_time;
     }
     return next;
 }
@@ -153,10 +153,10 @@ RunResult run_stages(Simulation& simulation, const Specimen& specimen, const Sta
         RunResult run = simulate(simulation, specimen, plan, std::move(begin), of_stage);
         done += own;
         const bool goes_on = run.status == RunStatus::completed && k + 1 < stages.size();
-        std::optional<QuietEnd> quiet;
-        if (goes_on && stages[k + 1].settle) quiet = come_to_rest(simulation, stages[k], motion.quiet, run, {});
+        std::optional<RestPhaseEnd> rest_phase;
+        if (goes_on && stages[k + 1].settle\) rest_phase = come_to_rest(simulation, stages[k], motion.settling, run, {});
         const bool stands = goes_on && run.status == RunStatus::completed;
-        begin = stands ? pass_on(simulation, plan, k, run, quiet) : RunStart{};
+        begin = stands ? pass_on(simulation, plan, k, run, rest_phase) : RunStart{};
         if (whole) {
             join(*whole, std::move(run));
         } else {

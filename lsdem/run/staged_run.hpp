@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "lsdem/run/quiet_phase.hpp"
+#include "lsdem/run/rest_phase.hpp"
 #include "lsdem/run/sequence_plan.hpp"
 #include "lsdem/run/simulate.hpp"
 #include "scaling/laws/similitude.hpp"
@@ -13,7 +13,7 @@ namespace musim::lsdem {
 /// Several motions that shake a specimen one after another.
 struct StagedMotion {
     std::vector<SequenceStage> stages;  ///< motions, plans and pauses; the first motion is the specimen's
-    Settling quiet;                     ///< how it comes to rest between motions
+    Settling settling;                  ///< how it comes to rest between motions
 
     /// For an exact image of the specimen (scale_specimen).
     StagedMotion scaled(const scaling::Similitude& similitude) const;
@@ -22,9 +22,10 @@ struct StagedMotion {
     std::uint64_t samples() const;  ///< of all stages, after the one at t = 0
 };
 
-/// What the next stage takes over from one that has reached its end. `quiet`: how it came to rest between them; nothing when it did not.
+/// What the next stage takes over from one that has reached its end. `rest_phase`: how it came to rest between them; nothing when it did
+/// not.
 RunStart pass_on(const Simulation& simulation, const TimePlan& plan, std::size_t stage, const RunResult& run,
-                 const std::optional<QuietEnd>& quiet);
+                 const std::optional<RestPhaseEnd>& rest_phase);
 
 /// Shakes a specimen with the motions, one after another, until it has collapsed, in memory, and joins the stages as one run: run_sequence
 /// does the same and stores them one by one. The simulation is then at the end of the last.

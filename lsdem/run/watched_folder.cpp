@@ -16,15 +16,15 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Where there are no locks: one that has reported nothing for so long does not work any more.
-constexpr auto kSignOfLife = 5 * kLiveInterval;
+constexpr auto kSignOfLife = 5 * kProgressInterval;
 
-bool told_lately(const fs::path& folder) {
+bool reported_lately(const fs::path& folder) {
     std::error_code error;
-    const fs::file_time_type given = fs::last_write_time(folder / kLiveName, error);
+    const fs::file_time_type given = fs::last_write_time(folder / kProgressName, error);
     return !error && fs::file_time_type::clock::now() - given < kSignOfLife;
 }
 
-bool works_in(const fs::path& folder) { return detail::is_locked(folder).value_or(told_lately(folder)); }
+bool works_in(const fs::path& folder) { return detail::is_locked(folder).value_or(reported_lately(folder)); }
 
 /// A folder itself and its members, if it is of an ensemble.
 std::vector<fs::path> list_folders(const fs::path& directory) {
@@ -63,7 +63,7 @@ WatchedFolder look_into(const fs::path& directory) {
     WatchedFolder watched;
     bool works = works_in(directory);
     for (const fs::path& folder : list_folders(directory)) {
-        std::optional<LiveState> state = read_live_file(folder);
+        std::optional<ProgressState> state = read_progress_file(folder);
         if (!state) continue;
         watched.runs.push_back({folder, works_in(folder), std::move(*state)});
         works = works || watched.runs.back().works;

@@ -4,15 +4,15 @@
 #include <string>
 #include <vector>
 
-#include "lsdem/run/live_file.hpp"
+#include "lsdem/run/progress_file.hpp"
 
 namespace musim::lsdem {
 
 /// One that goes on in a folder, or did when it was killed.
 struct WatchedRun {
     std::filesystem::path folder;
-    bool works = false;  ///< false: killed
-    LiveState state;     ///< as reported last
+    bool works = false;   ///< false: killed
+    ProgressState state;  ///< as reported last
 };
 
 /// What becomes of a folder of results.

@@ -40,7 +40,11 @@ Preparation parse_preparation(const JsonReader& value, const std::filesystem::pa
         return preparation;
     }
     const JsonReader object = to_object(value, "preparation");
-    if (object.has("placing")) preparation.placing = static_cast<Placing>(to_choice(object["placing"], placing_names()));
+    if (object.has("placing")) {
+        const bool is_old_name = object["placing"].json() == kOldMassScaledName;
+        preparation.placing =
+            is_old_name ? Placing::layers_mass_scaled : static_cast<Placing>(to_choice(object["placing"], placing_names()));
+    }
     preparation.damping_rate = object.find<scaling::Frequency>("damping_rate");
     if (object.has("specimen")) preparation.specimen = detail::resolve(object.get<std::string>("specimen"), origin);
     return preparation;
@@ -110,6 +114,10 @@ void remark_settings(const JsonReader& object, Scene& scene) {
     if (object.has("shape") && object["shape"].json().contains("nodes_per_face") && !has_nodes) {
         remark(object["shape"].at("nodes_per_face"),
                "boxes meet without nodes, so it changes nothing (it counts with \"contact\": {\"faces\": \"nodes\"})");
+    }
+    if (object.has("preparation") && object["preparation"].json().is_object() &&
+        object["preparation"].json().value("placing", nlohmann::json()) == kOldMassScaledName) {
+        remark(object["preparation"]["placing"], "\"quick_layers\" is an old name of \"layers_mass_scaled\"; write \"layers_mass_scaled\"");
     }
     if (!object.has("contact")) return;
     const JsonReader contact = object["contact"];

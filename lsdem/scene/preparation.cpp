@@ -3,7 +3,7 @@
 namespace musim::lsdem {
 
 const std::vector<std::string>& placing_names() {
-    static const std::vector<std::string> kNames{"as_drawn", "resting", "layers", "quick_layers"};
+    static const std::vector<std::string> kNames{"as_drawn", "resting", "layers", "layers_mass_scaled"};
     return kNames;
 }
 

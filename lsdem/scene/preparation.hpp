@@ -11,16 +11,16 @@ namespace musim::lsdem {
 
 /// How blocks come to their places before the motion begins.
 enum class Placing {
-    as_drawn,     ///< where the structure has them
-    resting,      ///< each on the plane it rests on, see put_to_rest, with inertia added while they settle
-    layers,       ///< layer by layer, each lowered onto those that have settled [Harmon23, section 5]
-    quick_layers  ///< the same, with inertia added so that steps are longer, see docs/theory/preparation.md
+    as_drawn,           ///< where the structure has them
+    resting,            ///< each on the plane it rests on, see put_to_rest, with inertia added while they settle
+    layers,             ///< layer by layer, each lowered onto those that have settled [Harmon23, section 5]
+    layers_mass_scaled  ///< the same, with inertia added so that steps are longer, see docs/theory/preparation.md
 };
 
 /// What happens before the motion: blocks are placed, or taken from a specimen prepared before, and come to rest under damped velocities.
 struct Preparation {
     bool none = false;               ///< nothing: weight begins to act when the motion does, "preparation": "none"
-    std::optional<Placing> placing;  ///< default: quick_layers when blocks differ in height, else as drawn
+    std::optional<Placing> placing;  ///< default: layers_mass_scaled when blocks differ in height, else as drawn
     std::optional<scaling::Frequency>
         damping_rate;  ///< α of v' = −α v; default: half of the blocks' frequency parameter, see lsdem/run/settle.hpp
     std::optional<std::filesystem::path> specimen;  ///< absolute path of a prepared specimen, instead of placing
@@ -28,8 +28,11 @@ struct Preparation {
     bool operator==(const Preparation&) const = default;
 };
 
-/// "as_drawn", "resting", "layers", "quick_layers", in this order.
+/// "as_drawn", "resting", "layers", "layers_mass_scaled", in this order.
 const std::vector<std::string>& placing_names();
+
+/// An old name of "layers_mass_scaled", which is taken but not offered.
+inline constexpr const char* kOldMassScaledName = "quick_layers";  // old name
 std::string to_string(Placing placing);
 
 }  // namespace musim::lsdem

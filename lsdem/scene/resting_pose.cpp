@@ -15,7 +15,7 @@ namespace {
 constexpr double kSameHeight = 1e-12;
 
 /// Looks for the face under the centre of mass; it is found after one or two unless the box is about to topple.
-constexpr int kMaxLooks = 8;
+constexpr int kMostPasses = 8;
 
 /// Halvings of the tilt until a box clears its neighbors.
 constexpr int kHalvings = 10;
@@ -245,7 +245,7 @@ std::vector<Vector3> find_support_points(const BoxPose& box, std::span<const Box
 
 RestingPlane find_resting_plane(std::span<const Vector3> points, double height, double extent) {
     RestingPlane plane{highest(points), 0.0, 0.0};
-    for (int look = 0; look < kMaxLooks; ++look) {
+    for (int look = 0; look < kMostPasses; ++look) {
         const RestingPlane before = plane;
         const double lean = -0.5 * height / std::sqrt(1.0 + before.slope_u * before.slope_u + before.slope_v * before.slope_v);
         const auto face = find_upper_face(points, lean * before.slope_u, lean * before.slope_v, extent);

@@ -13,7 +13,7 @@ namespace musim::lsdem {
 /// one member) is null. Holds nothing that differs from one computation of the same members to the next, such as run times.
 nlohmann::json to_json(const EnsembleSummary& summary, const std::string& version);
 
-/// One member as it stands in the list of to_json.
+/// One member as in the list of to_json.
 nlohmann::json to_json(const MemberResult& member);
 
 /// Spine velocities along the main motion, one row per level, mean over the members and the band mean ± sd: v/√(μ g l) over t √(μ g/l), or

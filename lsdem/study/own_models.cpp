@@ -37,7 +37,7 @@ std::string describe_quantity(const PairStudy& study, const OwnQuantity& quantit
 std::string describe_acceptance(double tolerance, const OwnJudgement& judgement, const PairedRun& model) {
     if (model.run.status == RunStatus::diverged) return " NOT accepted: it diverged.";
     const std::string limit = format_percent(tolerance);
-    if (*judgement.accepted) return fmt::format(" Accepted: all within {}, as is what chance does.", limit);
+    if (*judgement.accepted) return fmt::format(" Accepted: all within {}, as other specimens are.", limit);
     const auto farthest = std::max_element(judgement.quantities.begin(), judgement.quantities.end(),
                                            [](const auto& a, const auto& b) { return a.check.difference < b.check.difference; });
     if (farthest->check.difference > tolerance) {

@@ -46,7 +46,7 @@ PairMember lay_member(const std::string& label, const Scene& scene, const scalin
     std::optional<StagedMotion> staged;
     if (!scene.motions.empty()) {
         SequencePlan plan = plan_sequence(scene, sampling);
-        staged = StagedMotion{std::move(plan.stages), plan.quiet};
+        staged = StagedMotion{std::move(plan.stages), plan.settling};
     }
     const Scene& first = staged ? staged->stages.front().scene : scene;
     LaidSpecimen laid = lay_specimen(first, settings);

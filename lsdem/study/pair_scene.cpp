@@ -56,14 +56,14 @@ std::vector<scaling::Distortion> find_own_distortions(const Scene& prototype, co
     const BlockMaterial &from = prototype.material, &to = model.material;
     const auto block = reference_block(prototype);
     const auto heights = find_height_variation(prototype), of_model = find_height_variation(model);
-    scaling::ModelFacts facts{.friction_prototype = from.friction,
-                              .slenderness = {block[0] / block[2], block[1] / block[2]},
-                              .normal_stiffness = to.normal_stiffness / from.normal_stiffness,
-                              .shear_stiffness = to.shear_stiffness / from.shear_stiffness,
-                              .restitution = to.restitution / from.restitution,
-                              .height_deviation = {}};
-    if (heights && of_model) facts.height_deviation = of_model->deviation / heights->deviation;
-    return scaling::find_distortions(similitude, facts);
+    scaling::ModelProperties properties{.friction_prototype = from.friction,
+                                        .slenderness = {block[0] / block[2], block[1] / block[2]},
+                                        .normal_stiffness = to.normal_stiffness / from.normal_stiffness,
+                                        .shear_stiffness = to.shear_stiffness / from.shear_stiffness,
+                                        .restitution = to.restitution / from.restitution,
+                                        .height_deviation = {}};
+    if (heights && of_model) properties.height_deviation = of_model->deviation / heights->deviation;
+    return scaling::find_distortions(similitude, properties);
 }
 
 ScaledScene scale_with_own(const Scene& prototype, const ModelChoice& choice) {
@@ -294,7 +294,7 @@ ScenePair pair_scene(const Scene& prototype, const std::vector<ModelChoice>& mod
     std::vector<std::vector<LoneScene>> lone_scenes;
     std::size_t laid = 0, lone_count = 0;
     for (std::size_t m = 0; m < models.size(); ++m) {
-        const bool alone = how.each_alone && materials == Materials::own && !models[m].scene;
+        const bool alone = how.one_at_a_time && materials == Materials::own && !models[m].scene;
         lone_scenes.push_back(alone ? find_lone_scenes(prototype, scaled_scenes[m]) : std::vector<LoneScene>{});
         lone_count += lone_scenes.back().size();
         laid += (is_image(m) ? 0 : 1) + lone_scenes.back().size();

@@ -33,7 +33,7 @@ enum class PairSpecimen {
 struct PairSceneSettings {
     PairSpecimen specimen = PairSpecimen::one;
     PairSettings judging = {};
-    bool each_alone = false;  ///< see pair_scene
+    bool one_at_a_time = false;  ///< see pair_scene
     /// Other specimens of the prototype that own models are held against; nothing: kOtherSpecimens when block heights are drawn, else none.
     std::optional<std::size_t> specimens = {};
     std::optional<double> accept = {};  ///< by how much an own model may differ [-], see judge_own
@@ -59,7 +59,7 @@ std::string make_scale_label(double length);
 /// The prototype's specimen is laid, and comes to rest, once; exact models start from its images. With Materials::exact every model is
 /// scaled so that all groups are equal (law `exact`), or by the similitude of its choice. With Materials::own it has the density,
 /// stiffness, friction and restitution of what was measured, fitted to its block size, and gets the base motion of the mu law, or is a
-/// scene of its own; what that distorts is listed, and it is held against other specimens of the prototype, too. With `each_alone` every
+/// scene of its own; what that distorts is listed, and it is held against other specimens of the prototype, too. With `one_at_a_time` every
 /// model has runs beside it that say what each property of its material that differs does alone (PairedRun::alone): stiffnesses and
 /// restitution in a model that is exact otherwise, friction with the base motion of the mu law. Throws SceneError (also for an
 /// unknown material, a scale without one, a model of another structure), scaling::SimilitudeError, records::ReadError.

@@ -107,7 +107,7 @@ static nlohmann::json to_json(const std::optional<TwinBand>& band) {
 
 nlohmann::json to_json(const PairStudy& study) {
     const Yardstick yardstick = study.yardstick();
-    // what the one shadow was until twins took its place: the one that differs most
+    // under their old names: of the twin that differs most
     double shadow_rms = 0.0;
     std::optional<double> shadow_losses;
     for (const PairedTwin& twin : study.twins) {

@@ -5,7 +5,7 @@
 
 #include "lsdem/results/write_results.hpp"
 #include "lsdem/run/joined_progress.hpp"
-#include "lsdem/run/live_file.hpp"
+#include "lsdem/run/progress_file.hpp"
 #include "lsdem/run/run.hpp"
 #include "lsdem/run/shared_progress.hpp"
 #include "scaling/interruption.hpp"
@@ -31,7 +31,7 @@ void run_member(const EnsembleMember& member, const MemberSettings& settings, co
     ResultFolder folder(directory, {.command = "ensemble", .program_version = settings.version, .parts = {{"member", member.name}}},
                         Overwriting::force);
     JoinedProgress joined;
-    LiveFile live(directory, member.scene.name);
+    ProgressFile progress_file(directory, member.scene.name);
     RunSettings run_settings{.threads = 1,
                              .observer = {.on_progress = [&](double fraction) { on_progress(joined.after_running(fraction)); },
                                           .on_preparation = [&](double fraction) { on_progress(joined.after_preparing(fraction)); }},
@@ -40,7 +40,7 @@ void run_member(const EnsembleMember& member, const MemberSettings& settings, co
                                                               .program_version = settings.version,
                                                               .interval = settings.checkpoint_interval,
                                                               .on_failure = settings.on_no_checkpoint}};
-    live.listen_to(run_settings.observer);
+    progress_file.listen_to(run_settings.observer);
     report.resumed = fs::exists(checkpoint);
     const RunResult run = report.resumed ? resume_scene(member.scene, read_checkpoint(checkpoint, settings.version), run_settings)
                                          : run_scene(member.scene, run_settings);

@@ -15,7 +15,7 @@ bool has_group(const std::vector<GroupFactor>& groups, std::string_view name) {
 }
 
 /// Whether a product that a law names is what a group with a name of its own does; laws with a tan α of their own differ.
-bool is_told(const std::vector<GroupFactor>& groups, const DesignLaw& law, const scaling::NamedFactor& product) {
+bool is_reported(const std::vector<GroupFactor>& groups, const DesignLaw& law, const scaling::NamedFactor& product) {
     const std::optional<std::string> name = law.find_common_name(std::string(product.name));
     return name && std::any_of(groups.begin(), groups.end(), [&](const GroupFactor& group) {
                return group.name == *name && std::abs(group.value / product.value - 1.0) <= scaling::kFactorRounding;
@@ -76,12 +76,12 @@ std::vector<std::string> default_groups() {
 }
 
 std::vector<std::string> known_groups() {
-    const scaling::ModelFacts all{.friction_prototype = 1.0,
-                                  .slenderness = {1.0},
-                                  .normal_stiffness = 1.0,
-                                  .shear_stiffness = 1.0,
-                                  .restitution = 1.0,
-                                  .height_deviation = 1.0};
+    const scaling::ModelProperties all{.friction_prototype = 1.0,
+                                       .slenderness = {1.0},
+                                       .normal_stiffness = 1.0,
+                                       .shear_stiffness = 1.0,
+                                       .restitution = 1.0,
+                                       .height_deviation = 1.0};
     std::vector<std::string> names;
     for (const scaling::NamedFactor& group : scaling::group_factors(scaling::ModelScales{}, all)) {
         names.emplace_back(group.name);
@@ -102,19 +102,19 @@ ModelState find_state(const Setting& setting, const Models& models, double lengt
     const Design& design = setting.design;
     const Material& material = models.material();
     const scaling::ModelScales scales = models.at(length);
-    const scaling::ModelFacts facts = models.facts(scales);
+    const scaling::ModelProperties properties = models.properties(scales);
     ModelState state{.length = length,
                      .scales = scales,
                      .uses = find_uses(setting, material, scales),
                      .groups = {},
-                     .distortions = scaling::find_distortions(scales, facts)};
-    for (const scaling::NamedFactor& group : scaling::group_factors(scales, facts)) {
+                     .distortions = scaling::find_distortions(scales, properties)};
+    for (const scaling::NamedFactor& group : scaling::group_factors(scales, properties)) {
         state.groups.push_back({std::string(group.name), group.value});
     }
     for (const scaling::NamedFactor& group : models.own_groups(length)) {
         if (has_group(state.groups, group.name)) continue;
         const bool is_weighed = std::find(design.groups.begin(), design.groups.end(), group.name) != design.groups.end();
-        if (!is_weighed && is_told(state.groups, models.law(), group)) continue;
+        if (!is_weighed && is_reported(state.groups, models.law(), group)) continue;
         state.groups.push_back({std::string(group.name), group.value});
         if (const auto severity = scaling::find_severity(group.value)) {
             state.distortions.push_back({std::string(group.name), group.value, *severity, "a product that the law names is not kept"});

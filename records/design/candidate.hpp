@@ -59,7 +59,7 @@ std::vector<LimitRanges> find_limit_ranges(const Setting& setting, const Models&
 /// Length scales at which all limits hold.
 struct FeasibleRange {
     scaling::LengthRange scales;
-    std::string binds_below, binds_above;  ///< the limit in the way beyond; empty: the end of the search
+    std::string binds_below, binds_above;  ///< the governing limit beyond; empty: the end of the search
 };
 
 /// What all limits leave, by rising λ_l.

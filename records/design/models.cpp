@@ -89,7 +89,7 @@ std::vector<scaling::NamedFactor> Models::own_groups(double length) const {
     return groups;
 }
 
-scaling::ModelFacts Models::facts(const scaling::ModelScales& scales) const {
+scaling::ModelProperties Models::properties(const scaling::ModelScales& scales) const {
     const auto& [thin, wide, height] = prototype_.block;
     // a face stiffness is E_eff A/H
     const double face = scales.width * (scales.width / scales.height);

@@ -36,7 +36,7 @@ class Models {
     std::vector<scaling::NamedFactor> own_groups(double length) const;
 
     /// What the model has beside its scales.
-    scaling::ModelFacts facts(const scaling::ModelScales& scales) const;
+    scaling::ModelProperties properties(const scaling::ModelScales& scales) const;
 
     /// λ of the mass of the blocks, without any that is added.
     double solid_mass(const scaling::ModelScales& scales) const;

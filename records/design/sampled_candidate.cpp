@@ -22,7 +22,7 @@ double is_broken(const std::vector<scaling::LengthRange>& ranges, double length)
     return std::none_of(ranges.begin(), ranges.end(), holds) ? 1.0 : 0.0;
 }
 
-/// Whether a limit is in the way beyond an end; of a sample that is not feasible nothing is.
+/// Whether a limit governs beyond an end; of a sample that is not feasible nothing is.
 double binds(const std::vector<FeasibleRange>& ranges, const std::string& end, const std::string& limit) {
     return !ranges.empty() && end == limit ? 1.0 : 0.0;
 }

@@ -13,7 +13,7 @@ namespace musim::records {
 
 /// In which share of the samples a limit does what.
 struct SampledLimit {
-    double sets_smallest = 0.0, sets_largest = 0.0;  ///< it is what is in the way of a smaller, of a larger model
+    double sets_smallest = 0.0, sets_largest = 0.0;  ///< it is what governs a smaller, a larger model
     std::optional<double> broken = {};               ///< at the length given; none without one
 };
 
@@ -34,7 +34,7 @@ struct SampledDesign {
 /// The design with drawn values of its inputs, in their order. Called from any thread.
 using DrawSetting = std::function<Setting(std::span<const double>)>;
 
-/// Draws the uncertain values of a design and looks each time which length scales are feasible, and what is in the way of others: no slope
+/// Draws the uncertain values of a design and looks each time which length scales are feasible, and what governs others: no slope
 /// is taken, so that another limit may bind and a candidate may become infeasible. A candidate whose law does not admit the material by
 /// value is feasible in no sample. Throws as scaling::run_monte_carlo(), find_limit_ranges(), and what `draw` throws.
 SampledDesign draw_candidates(const Setting& setting, const std::vector<Candidate>& candidates,

@@ -180,7 +180,7 @@ std::optional<SampleUnit> find_title_unit(const TextFile& file, std::string_view
 /// What the samples are in, and who says so.
 struct ChosenUnit {
     SampleUnit unit;
-    bool is_told = true;
+    bool is_reported = true;
 };
 
 ChosenUnit choose_unit(const TextFile& file, std::string_view title, const ReadOptions& options) {

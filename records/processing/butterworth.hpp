@@ -24,7 +24,7 @@ struct FilterBand {
 ///
 /// 1/2 at the corner; a band-pass is the one after the other. Second-order sections by the bilinear transform with the corner prewarped.
 /// Zeros are put before and after the record for as long as the filter remembers (to 1e-6), as [Boore05] advises, and taken off again: a
-/// record that is quiet at zero level at its ends, or tapered, keeps clean ends. Level it first (remove_initial_level, remove_baseline);
+/// record that is at rest at zero level at its ends, or tapered, keeps clean ends. Level it first (remove_initial_level, remove_baseline);
 /// an offset would ring like a step. Depends on f·dt only. Throws ProcessingError unless there is a corner, order is 1 to 8,
 /// 0 < f dt < 1/2 for each, low < high, and the filter remembers no more than 10^8 steps.
 TimeSeries apply_butterworth(const TimeSeries& series, const FilterBand& band, int order, FilterPhase phase = FilterPhase::zero);

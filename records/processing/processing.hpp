@@ -55,7 +55,7 @@ TimeSeries bring_to_rest(const TimeSeries& acceleration);
 TimeSeries integrate(const TimeSeries& series);
 
 /// Integral by division by 2πif in the frequency domain, its mean taken out: exact for a motion that repeats itself, such as one that is
-/// quiet at zero level at both ends. Throws as integrate().
+/// at rest at zero level at both ends. Throws as integrate().
 TimeSeries integrate_by_frequency(const TimeSeries& series);
 
 /// Central differences (one-sided at the ends): displacement → velocity, velocity → acceleration. Throws for an acceleration and for one

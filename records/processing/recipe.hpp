@@ -69,7 +69,7 @@ Recipe parse_recipe(std::string_view json, const std::string& source);
 std::string write_recipe(const Recipe& recipe);
 
 /// Carries out all steps in turn on all components; each is a line of the history, as write_recipe() has it. A high-pass makes a record
-/// one that is integrated as it stands. Throws ProcessingError, naming the step.
+/// one that is integrated without a filter. Throws ProcessingError, naming the step.
 GroundMotion process(const GroundMotion& motion, const Recipe& recipe);
 
 /// The steps that the history of a record names: applied to the record it was made from, they give it again.

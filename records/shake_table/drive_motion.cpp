@@ -6,10 +6,10 @@ namespace {
 constexpr int kLowPassOrder = 4;
 
 /// The series with zeros around it; its own last sample, rounding, is zero too.
-TimeSeries add_quiet(const TimeSeries& series, scaling::Time quiet) {
+TimeSeries add_rest(const TimeSeries& series, scaling::Time rest) {
     std::vector<double> samples(series.samples().begin(), series.samples().end());
     samples.back() = 0.0;
-    return pad(series.with_samples(std::move(samples)), quiet, quiet);
+    return pad(series.with_samples(std::move(samples)), rest, rest);
 }
 
 }  // namespace
@@ -46,8 +46,8 @@ DriveMotion integrate_twice(const TimeSeries& acceleration_at_rest) {
     return {acceleration_at_rest, velocity, integrate(velocity)};
 }
 
-DriveMotion add_quiet(const DriveMotion& motion, scaling::Time quiet) {
-    return {add_quiet(motion.acceleration, quiet), add_quiet(motion.velocity, quiet), add_quiet(motion.displacement, quiet)};
+DriveMotion add_rest(const DriveMotion& motion, scaling::Time rest) {
+    return {add_rest(motion.acceleration, rest), add_rest(motion.velocity, rest), add_rest(motion.displacement, rest)};
 }
 
 }  // namespace musim::records

@@ -35,6 +35,6 @@ std::vector<DriveMotion> make_drive_motions(const GroundMotion& model, const Dri
 DriveMotion integrate_twice(const TimeSeries& acceleration_at_rest);
 
 /// The same with zeros before and after: the table stands. Also throws as pad() does.
-DriveMotion add_quiet(const DriveMotion& motion, scaling::Time quiet);
+DriveMotion add_rest(const DriveMotion& motion, scaling::Time rest);
 
 }  // namespace musim::records

@@ -45,7 +45,7 @@ enum class DriveColumn { time, displacement, velocity, acceleration };
 /// The file that the controller of a table reads: text, one row a sample.
 struct ControllerFormat {
     scaling::Frequency rate;    ///< samples a second
-    scaling::Time quiet = {};   ///< before and after the motion
+    scaling::Time rest = {};    ///< before and after the motion
     SampleUnit displacement{};  ///< units of the columns; time is in seconds
     SampleUnit velocity{};
     SampleUnit acceleration{};
@@ -68,10 +68,11 @@ struct ShakeTable {
 /// Reads {"schema": "musim-table/1", "name", "source", "energy_share": 0.99, "axes": [{"names": ["x", "y"], "displacement": "75 mm",
 /// "velocity": "80 cm/s", "acceleration": "1.5 g" or [{"payload": "5 t", "limit": "1.5 g"}, ...], "force", "moving_mass",
 /// "overturning_moment", "payload", "lowest_frequency", "highest_frequency", "oil_column": {"frequency", "share"}}, ...], "controller":
-/// {"rate", "quiet", "displacement": "mm", "velocity": "mm/s", "acceleration": "g", "columns": ["time", ...], "separator": "comma" | "tab"
-/// | "space", "header", "digits"}}. Quantities are SI numbers or text with a unit. A force and an oil column need the moving mass. Throws
-/// ReadError `source: place: what (why); what to do` for anything else, unknown keys, limits that are not positive and names that come
-/// twice included. `reading` takes limits and masses with standard uncertainties (scaling/uncertain.hpp), which are refused without it.
+/// {"rate", "rest" (or its old name "quiet"), "displacement": "mm", "velocity": "mm/s", "acceleration": "g", "columns": ["time", ...],
+/// "separator": "comma" | "tab" | "space", "header", "digits"}}. Quantities are SI numbers or text with a unit. A force and an oil column
+/// need the moving mass. Throws ReadError `source: place: what (why); what to do` for anything else, unknown keys, limits that are not
+/// positive and names that come twice included. `reading` takes limits and masses with standard uncertainties (scaling/uncertain.hpp),
+/// which are refused without it.
 ShakeTable parse_shake_table(std::string_view json, const std::string& source, scaling::UncertainReading* reading = nullptr);
 
 }  // namespace musim::records

@@ -99,7 +99,7 @@ struct LimitScales {
 /// Length scales at which all limits hold.
 struct ScaleRange {
     double smallest, largest;                            ///< λ_l
-    std::optional<TableLimit> binds_below, binds_above;  ///< what is in the way beyond; nothing: the end of the search
+    std::optional<TableLimit> binds_below, binds_above;  ///< the governing limit beyond; nothing: the end of the search
     std::string axis_below, axis_above;
 };
 

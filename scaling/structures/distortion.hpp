@@ -32,7 +32,7 @@ struct Distortion {
 };
 
 /// What is known of prototype and model beyond the similitude. Groups that need an absent value are left out.
-struct ModelFacts {
+struct ModelProperties {
     std::optional<double> friction_prototype;  ///< μ of the prototype [-]
     std::vector<double> slenderness;           ///< tan α = width/height of each rocking direction of a block [-]
     std::optional<double> normal_stiffness;    ///< actual λ of the face stiffness k_n (required: Similitude::stiffness_static())
@@ -45,12 +45,12 @@ struct ModelFacts {
 /// sliding and velocity is a horizontal size, as slip is; in groups of contacts it is the height. p goes by half diagonals, where
 /// slenderness is given by those of the direction that is slenderest, which rocks first, and by heights otherwise; e_r of that direction
 /// is given where heights and widths may scale apart, unless a block is too stocky to go on rocking.
-std::vector<NamedFactor> group_factors(const ModelScales& scales, const ModelFacts& facts = {});
+std::vector<NamedFactor> group_factors(const ModelScales& scales, const ModelProperties& properties = {});
 
 /// The groups of group_factors() that differ from 1 by more than rounding, in the same order, with what that means. When friction and
 /// slenderness are given and μ/tan α lies on different sides of 1 in prototype and model, that entry is an error.
 /// Throws SimilitudeError when a given value is not positive and finite.
-std::vector<Distortion> find_distortions(const ModelScales& scales, const ModelFacts& facts = {});
+std::vector<Distortion> find_distortions(const ModelScales& scales, const ModelProperties& properties = {});
 
 /// A group off by less than this is a note, not a warning [-]. Why this value: 5 % on each friction coefficient leave 7.1 % in λ_μ
 /// (docs/theory/similitude.md), so below 10 % a test cannot distinguish the distortion from its own uncertainty. Changes labels only, never

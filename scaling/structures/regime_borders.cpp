@@ -26,7 +26,7 @@ std::string describe_bandwidth(const Bandwidth& table) {
 
 }  // namespace
 
-std::array<TableDemand, 4> list_table_demands(const MotionFacts& model) {
+std::array<TableDemand, 4> list_table_demands(const MotionProperties& model) {
     return {{{"pulse frequency", invert(model.pulse_period), Severity::error},
              {"predominant frequency", invert(model.predominant_period), Severity::error},
              {"lowest frequency", model.lowest_frequency, Severity::warning},
@@ -49,10 +49,11 @@ std::optional<RegimeStatement> cross_border(const GroupComparison& group) {
     return statement;
 }
 
-void add_first_motions(std::vector<RegimeStatement>& regimes, const PairFacts& shaken) {
+void add_first_motions(std::vector<RegimeStatement>& regimes, const PairProperties& shaken) {
     for (const Direction direction : {Direction::thin, Direction::wide}) {
-        const auto find_motion = [&](const StructureFacts& facts, const MotionFacts& motion) {
-            return find_first_motion(motion.acceleration / facts.gravity, facts.friction, facts.rocking_block(direction).slenderness());
+        const auto find_motion = [&](const StructureProperties& properties, const MotionProperties& motion) {
+            return find_first_motion(motion.acceleration / properties.gravity, properties.friction,
+                                     properties.rocking_block(direction).slenderness());
         };
         const FirstMotion prototype = find_motion(shaken.prototype, *shaken.motion),
                           model = find_motion(shaken.model, *shaken.model_motion);
@@ -85,7 +86,7 @@ void add_contacts(std::vector<RegimeStatement>& regimes, const std::vector<Group
     regimes.push_back(statement);
 }
 
-void add_table(std::vector<RegimeStatement>& regimes, const MotionFacts& model, const Bandwidth& table) {
+void add_table(std::vector<RegimeStatement>& regimes, const MotionProperties& model, const Bandwidth& table) {
     if (!table.lowest && !table.highest) return;
     RegimeStatement statement{.topic = "table", .sources = {"derived"}};
     std::string outside, inside;

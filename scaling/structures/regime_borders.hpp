@@ -18,18 +18,18 @@ struct TableDemand {
 };
 
 /// Those of a motion, given or not.
-std::array<TableDemand, 4> list_table_demands(const MotionFacts& model);
+std::array<TableDemand, 4> list_table_demands(const MotionProperties& model);
 
 /// What a group that has a border at 1 says about both structures; nothing for a group without one.
 std::optional<RegimeStatement> cross_border(const GroupComparison& group);
 
 /// What a block does first under the peak of each motion, per direction.
-void add_first_motions(std::vector<RegimeStatement>& regimes, const PairFacts& shaken);
+void add_first_motions(std::vector<RegimeStatement>& regimes, const PairProperties& shaken);
 
 /// Whether dead weight closes the uneven gaps, where δ_w/σ_H is among the groups.
 void add_contacts(std::vector<RegimeStatement>& regimes, const std::vector<GroupComparison>& groups);
 
 /// Whether a table follows the frequencies of the model's motion, as far as both are known.
-void add_table(std::vector<RegimeStatement>& regimes, const MotionFacts& model, const Bandwidth& table);
+void add_table(std::vector<RegimeStatement>& regimes, const MotionProperties& model, const Bandwidth& table);
 
 }  // namespace musim::scaling::detail

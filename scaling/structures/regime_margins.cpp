@@ -17,8 +17,8 @@ void add_group(std::vector<RegimeMargin>& margins, std::string_view topic, const
 }
 
 /// The borders between the answers of find_first_motion().
-void add_first_motion(std::vector<RegimeMargin>& margins, const StructureFacts& structure, const MotionFacts& motion, Direction direction,
-                      std::string_view owner) {
+void add_first_motion(std::vector<RegimeMargin>& margins, const StructureProperties& structure, const MotionProperties& motion,
+                      Direction direction, std::string_view owner) {
     const double peak = (motion.acceleration / structure.gravity).value(), friction = structure.friction;
     const double slenderness = structure.rocking_block(direction).slenderness();
     const bool moves = find_first_motion(peak, friction, slenderness) != FirstMotion::rest;
@@ -31,7 +31,7 @@ void add_first_motion(std::vector<RegimeMargin>& margins, const StructureFacts& 
         moves && friction > slenderness);
 }
 
-void add_table_margins(std::vector<RegimeMargin>& margins, const MotionFacts& model, const Bandwidth& table) {
+void add_table_margins(std::vector<RegimeMargin>& margins, const MotionProperties& model, const Bandwidth& table) {
     for (const TableDemand& demand : list_table_demands(model)) {
         if (!demand.frequency) continue;
         for (const std::optional<Frequency>& limit : {table.lowest, table.highest}) {
@@ -43,18 +43,18 @@ void add_table_margins(std::vector<RegimeMargin>& margins, const MotionFacts& mo
 
 }  // namespace
 
-std::vector<RegimeMargin> find_regime_margins(const PairFacts& facts, const std::vector<GroupComparison>& groups) {
+std::vector<RegimeMargin> find_regime_margins(const PairProperties& properties, const std::vector<GroupComparison>& groups) {
     std::vector<RegimeMargin> margins;
     for (const GroupComparison& group : groups) {
         if (const Border* const border = find_border(group.name)) add_group(margins, border->topic, group, 1.0);
         if (group.name == "delta_w/sigma_H") add_group(margins, "contacts", group, kRigidContact);
     }
-    if (facts.motion && facts.model_motion) {
+    if (properties.motion && properties.model_motion) {
         for (const Direction direction : {Direction::thin, Direction::wide}) {
-            add_first_motion(margins, facts.prototype, *facts.motion, direction, "prototype");
-            add_first_motion(margins, facts.model, *facts.model_motion, direction, "model");
+            add_first_motion(margins, properties.prototype, *properties.motion, direction, "prototype");
+            add_first_motion(margins, properties.model, *properties.model_motion, direction, "model");
         }
-        if (facts.table) add_table_margins(margins, *facts.model_motion, *facts.table);
+        if (properties.table) add_table_margins(margins, *properties.model_motion, *properties.table);
     }
     return margins;
 }

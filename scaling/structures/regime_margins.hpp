@@ -18,7 +18,8 @@ struct RegimeMargin {
     bool matters = true;    ///< where it is: a block at rest does not ask whether it would slide or rock
 };
 
-/// All that the facts give; as many for other values of the same facts. `facts` has the motion of the model, `groups` are theirs.
-std::vector<RegimeMargin> find_regime_margins(const PairFacts& facts, const std::vector<GroupComparison>& groups);
+/// All that the properties give; as many for other values of the same properties. `properties` has the motion of the model, `groups` are
+/// theirs.
+std::vector<RegimeMargin> find_regime_margins(const PairProperties& properties, const std::vector<GroupComparison>& groups);
 
 }  // namespace musim::scaling::detail

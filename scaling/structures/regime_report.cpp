@@ -10,7 +10,7 @@
 namespace musim::scaling {
 namespace {
 
-/// Whether contacts are rigid in prototype and model; nothing when the facts do not decide it.
+/// Whether contacts are rigid in prototype and model; nothing when the properties do not decide it.
 std::optional<bool> are_rigid(const std::vector<GroupComparison>& groups, std::string_view measure) {
     for (const GroupComparison& group : groups) {
         if (group.name == measure) return group.prototype < kRigidContact && group.model < kRigidContact;
@@ -58,9 +58,9 @@ double GroupComparison::factor() const {
     return prototype == 0.0 ? std::numeric_limits<double>::infinity() : model / prototype;
 }
 
-RegimeReport make_regime_report(const PairFacts& facts, const Similitude& similitude, const KeptNumbers& kept) {
-    check(facts);
-    PairFacts pair = facts;
+RegimeReport make_regime_report(const PairProperties& properties, const Similitude& similitude, const KeptNumbers& kept) {
+    check(properties);
+    PairProperties pair = properties;
     if (pair.motion && !pair.model_motion) pair.model_motion = to_model(*pair.motion, similitude);
     const bool is_shaken = pair.motion && pair.model_motion;
 

@@ -7,7 +7,7 @@
 
 #include "scaling/laws/group_meaning.hpp"
 #include "scaling/structures/distortion.hpp"
-#include "scaling/structures/structure_facts.hpp"
+#include "scaling/structures/structure_properties.hpp"
 
 namespace musim::scaling {
 
@@ -33,7 +33,7 @@ struct RegimeStatement {
     std::optional<Severity> severity = {};    ///< nothing: prototype and model are on one side
     std::string statement = {};               ///< one line
     std::vector<std::string> sources = {};
-    bool is_open = false;  ///< a border lies within the uncertainty of the facts (uncertain_regimes.hpp)
+    bool is_open = false;  ///< a border lies within the uncertainty of the properties (uncertain_regimes.hpp)
 };
 
 /// A group that prototype, model or both do not give.
@@ -55,8 +55,8 @@ struct RegimeReport {
 ///            does not follow the frequency that governs;
 ///   note     for κ_n and δ_w/σ_H while δ_w/σ_H is below kRigidContact in both, and for C^N while it is itself.
 ///
-/// What the law requires is what the numbers that it keeps ask for. Throws SimilitudeError as check(PairFacts).
-RegimeReport make_regime_report(const PairFacts& facts, const Similitude& similitude, const KeptNumbers& kept);
+/// What the law requires is what the numbers that it keeps ask for. Throws SimilitudeError as check(PairProperties).
+RegimeReport make_regime_report(const PairProperties& properties, const Similitude& similitude, const KeptNumbers& kept);
 
 /// Contacts count as rigid while the static overlap at the base is below this share of the height deviation, and while normal contact waves
 /// are faster than the motion by its inverse [-]. Why this value: an overlap of a tenth moves the number of carrying contacts by about as

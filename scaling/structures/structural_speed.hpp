@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "scaling/structures/rotating_chain.hpp"
-#include "scaling/structures/structure_facts.hpp"
+#include "scaling/structures/structure_properties.hpp"
 
 namespace musim::scaling {
 
@@ -29,9 +29,9 @@ struct StructuralSpeeds {
 };
 
 /// Of one structure.
-StructuralSpeeds find_structural_speeds(const StructureFacts& facts);
+StructuralSpeeds find_structural_speeds(const StructureProperties& properties);
 
 /// A single column of the structure's blocks that turn as they sway in one direction; nothing unless both stiffnesses are known.
-std::optional<RotatingChain> find_rotating_chain(const StructureFacts& facts, Direction direction);
+std::optional<RotatingChain> find_rotating_chain(const StructureProperties& properties, Direction direction);
 
 }  // namespace musim::scaling

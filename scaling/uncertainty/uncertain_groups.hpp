@@ -9,7 +9,7 @@
 #include "scaling/uncertainty/monte_carlo.hpp"
 #include "scaling/uncertainty/propagate.hpp"
 
-/// How sure the values of dimensionless groups are, from those of a problem's quantities.
+/// Uncertainties of the values of dimensionless groups, from those of a problem's quantities.
 namespace musim::scaling {
 
 /// The uncertain quantities of a problem, in its order.

@@ -16,7 +16,7 @@ namespace musim::scaling {
 /// again with one value moved show what it does to any result, through whatever is made of it on the way.
 class UncertainReading {
   public:
-    /// `source` is the name of the file as it stands in front of places; inputs are named without it.
+    /// `source` is the name of the file in front of places; inputs are named without it.
     explicit UncertainReading(std::string source) : source_(std::move(source)) {}
 
     /// The value to take at a place: its own, or where it was moved to. The same value read twice at one place is one input; others of that

@@ -12,7 +12,7 @@ namespace {
 
 using detail::RegimeMargin;
 
-/// Factors and groups that follow from facts, in one row.
+/// Factors and groups that follow from properties, in one row.
 std::vector<double> list_numbers(const std::vector<NamedFactor>& factors, const std::vector<GroupComparison>& groups) {
     std::vector<double> numbers;
     numbers.reserve(factors.size());
@@ -33,7 +33,7 @@ bool belongs(const RegimeMargin& margin, const RegimeStatement& regime) {
     return margin.topic == regime.topic && margin.direction == regime.direction;
 }
 
-/// Where facts lie against a border.
+/// Where properties lie against a border.
 enum class Side { of_no_matter, below, above };
 
 /// Against all borders of a regime.
@@ -47,18 +47,18 @@ std::vector<Side> find_sides(const RegimeStatement& regime, const std::vector<Re
 }
 
 /// What a margin says of a regime whose border lies within its interval; empty where it does not.
-std::string describe_doubt(const RegimeMargin& margin, const FirstOrder& ratio) {
+std::string describe_uncertainty(const RegimeMargin& margin, const FirstOrder& ratio) {
     const CoverageInterval interval = find_interval(ratio);
     if (!margin.matters || ratio.relative == 0.0 || !interval.contains(1.0)) return "";
     return fmt::format("; not sure: {} is {:.4g} times its limit ({:g} %: {:.4g} to {:.4g})", margin.what, ratio.value, 100.0 * kCoverage,
                        interval.lower, interval.upper);
 }
 
-void add_doubt(std::vector<RegimeStatement>& regimes, const RegimeMargin& margin, const std::string& doubt) {
-    if (doubt.empty()) return;
+void add_uncertainty(std::vector<RegimeStatement>& regimes, const RegimeMargin& margin, const std::string& warning) {
+    if (warning.empty()) return;
     for (RegimeStatement& regime : regimes) {
         if (!belongs(margin, regime)) continue;
-        regime.statement += doubt;
+        regime.statement += warning;
         regime.is_open = true;
         if (!regime.severity) regime.severity = Severity::warning;
     }
@@ -66,39 +66,39 @@ void add_doubt(std::vector<RegimeStatement>& regimes, const RegimeMargin& margin
 
 }  // namespace
 
-UncertainRegimes propagate(RegimeReport& report, const FactsAndLaw& facts, const KeptNumbers& kept,
-                           const std::vector<UncertainInput>& inputs, const std::vector<MovedFacts>& moved) {
-    // λ_l of the groups is the one that was chosen, whatever the facts
-    const auto evaluate = [&](const FactsAndLaw& each) {
-        const std::vector<GroupComparison> groups = make_regime_report(each.facts, facts.similitude, kept).groups;
-        return list_numbers(each.similitude.factors(), groups, detail::find_regime_margins(each.facts, groups));
+UncertainRegimes propagate(RegimeReport& report, const PropertiesAndLaw& properties, const KeptNumbers& kept,
+                           const std::vector<UncertainInput>& inputs, const std::vector<MovedProperties>& moved) {
+    // λ_l of the groups is the one that was chosen, whatever the properties
+    const auto evaluate = [&](const PropertiesAndLaw& each) {
+        const std::vector<GroupComparison> groups = make_regime_report(each.properties, properties.similitude, kept).groups;
+        return list_numbers(each.similitude.factors(), groups, detail::find_regime_margins(each.properties, groups));
     };
-    const std::vector<RegimeMargin> margins = detail::find_regime_margins(facts.facts, report.groups);
+    const std::vector<RegimeMargin> margins = detail::find_regime_margins(properties.properties, report.groups);
     std::vector<MovedResults> results;
     results.reserve(moved.size());
-    for (const MovedFacts& each : moved) results.push_back({evaluate(each.below), evaluate(each.above)});
+    for (const MovedProperties& each : moved) results.push_back({evaluate(each.below), evaluate(each.above)});
     const std::vector<FirstOrder> numbers =
-        find_first_order(list_numbers(facts.similitude.factors(), report.groups, margins), inputs, results);
+        find_first_order(list_numbers(properties.similitude.factors(), report.groups, margins), inputs, results);
 
     UncertainRegimes uncertain{.inputs = inputs, .factors = {}, .groups = {}, .samples = {}};
     auto next = numbers.begin();
-    for (const NamedFactor& factor : facts.similitude.factors()) uncertain.factors.push_back({std::string(factor.name), *next++, {}});
+    for (const NamedFactor& factor : properties.similitude.factors()) uncertain.factors.push_back({std::string(factor.name), *next++, {}});
     for (std::size_t i = 0; i < report.groups.size(); ++i, std::advance(next, 3)) {
         uncertain.groups.push_back({*next, *std::next(next), *std::next(next, 2)});
     }
-    for (const RegimeMargin& margin : margins) add_doubt(report.regimes, margin, describe_doubt(margin, *next++));
+    for (const RegimeMargin& margin : margins) add_uncertainty(report.regimes, margin, describe_uncertainty(margin, *next++));
     return uncertain;
 }
 
-void add_samples(UncertainRegimes& uncertain, const RegimeReport& report, const FactsAndLaw& facts, const KeptNumbers& kept,
-                 const DrawFacts& draw, const MonteCarloSettings& settings, const std::function<void(double)>& on_progress) {
-    const std::vector<RegimeMargin> own = detail::find_regime_margins(facts.facts, report.groups);
+void add_samples(UncertainRegimes& uncertain, const RegimeReport& report, const PropertiesAndLaw& properties, const KeptNumbers& kept,
+                 const DrawProperties& draw, const MonteCarloSettings& settings, const std::function<void(double)>& on_progress) {
+    const std::vector<RegimeMargin> own = detail::find_regime_margins(properties.properties, report.groups);
     std::vector<std::vector<Side>> own_sides;
     for (const RegimeStatement& regime : report.regimes) own_sides.push_back(find_sides(regime, own));
     const Evaluation evaluate = [&](std::span<const double> drawn) {
-        const FactsAndLaw each = draw(drawn);
-        const std::vector<GroupComparison> groups = make_regime_report(each.facts, facts.similitude, kept).groups;
-        const std::vector<RegimeMargin> margins = detail::find_regime_margins(each.facts, groups);
+        const PropertiesAndLaw each = draw(drawn);
+        const std::vector<GroupComparison> groups = make_regime_report(each.properties, properties.similitude, kept).groups;
+        const std::vector<RegimeMargin> margins = detail::find_regime_margins(each.properties, groups);
         std::vector<double> numbers = list_numbers(each.similitude.factors(), groups);
         for (std::size_t i = 0; i < own_sides.size(); ++i) {
             numbers.push_back(find_sides(report.regimes[i], margins) == own_sides[i] ? 0.0 : 1.0);

@@ -84,9 +84,9 @@ class Results {
   public:
     Results(const Places& places, const Values& values, Shaking direction) : places_(places), values_(values), direction_(direction) {}
 
-    void add_factors(const ModelScales& scales, const ModelFacts& facts) {
+    void add_factors(const ModelScales& scales, const ModelProperties& properties) {
         for (const NamedFactor& factor : scales.factors()) entries_.push_back({Section::factors, factor.name, factor.value});
-        for (const NamedFactor& group : group_factors(scales, facts)) entries_.push_back({Section::groups, group.name, group.value});
+        for (const NamedFactor& group : group_factors(scales, properties)) entries_.push_back({Section::groups, group.name, group.value});
     }
 
     /// δ of the groups of sliding between motion factors `shaken` and a structure whose factors are `real`.
@@ -210,7 +210,7 @@ bool UncertainScales::is_uncertain() const {
     return !quantities.inputs().empty();
 }
 
-UncertainReport propagate(const UncertainScales& scales, const MakeModelScales& make_scales, const ModelFacts& facts,
+UncertainReport propagate(const UncertainScales& scales, const MakeModelScales& make_scales, const ModelProperties& properties,
                           const std::optional<MonteCarloSettings>& monte_carlo) {
     const ModelScales shaken = make_scales(scales.factors(), values_of(scales.others));
     InputValues quantities;
@@ -227,7 +227,7 @@ UncertainReport propagate(const UncertainScales& scales, const MakeModelScales& 
         }
         const ModelScales real = make_scales(factors, others);
         Results results(places, values, scales.motion.direction);
-        results.add_factors(real, facts);
+        results.add_factors(real, properties);
         results.add_shaken(shaken, real);
         results.add_structure(shaken, real);
         results.add_measures(real);

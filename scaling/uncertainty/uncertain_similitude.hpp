@@ -66,7 +66,7 @@ struct UncertainReport {
 ///
 /// Throws SimilitudeError when the factors cannot be a similitude, when the law holds a factor that is uncertain, when
 /// friction_prototype contradicts the denominator of `friction`, and as run_monte_carlo() does.
-UncertainReport propagate(const UncertainScales& scales, const MakeModelScales& make_scales, const ModelFacts& facts,
+UncertainReport propagate(const UncertainScales& scales, const MakeModelScales& make_scales, const ModelProperties& properties,
                           const std::optional<MonteCarloSettings>& monte_carlo);
 
 }  // namespace musim::scaling

@@ -38,7 +38,7 @@ lsdem::Model make_column(int layers) {
     Scene scene = wood_scene();
     scene.structure = lsdem::Column{.layers = layers, .block = lsdem::find_material_preset("wood").reference_block};
     lsdem::Model model = at_rest(lsdem::make_model(scene));
-    model.skip_quiet = false;
+    model.skip_rest = false;
     return model;
 }
 
@@ -55,7 +55,7 @@ lsdem::Model make_tower(lsdem::FaceContact faces = lsdem::FaceContact::overlap) 
     Scene scene = tower_scene();
     scene.face_contact = faces;
     lsdem::Model model = at_rest(lsdem::make_model(scene));
-    model.skip_quiet = false;
+    model.skip_rest = false;
     return model;
 }
 
@@ -89,7 +89,7 @@ lsdem::Model make_sliding_tower() {
     lsdem::BuiltModel built = lsdem::build_model(scene);
     for (std::size_t i = 0; i < built.model.blocks.size(); ++i)
         built.model.blocks[i].velocity.x() = built.structure.layer[i] % 2 == 0 ? kSpeed : -kSpeed;
-    built.model.skip_quiet = false;
+    built.model.skip_rest = false;
     return built.model;
 }
 
@@ -135,7 +135,7 @@ lsdem::Model make_grid_tower() {
     Scene scene = tower_scene();
     scene.shape = lsdem::GridShape{.nodes_per_face = 44, .voxel = 0.65e-3 * scaling::si::meter};
     lsdem::Model model = lsdem::make_model(scene);
-    model.skip_quiet = false;
+    model.skip_rest = false;
     return model;
 }
 
@@ -150,9 +150,9 @@ lsdem::Model make_debris() {
     return model;
 }
 
-lsdem::Model make_quiet_column() {
+lsdem::Model make_column_at_rest() {
     lsdem::Model model = make_column(kLayers);
-    model.skip_quiet = true;
+    model.skip_rest = true;
     return model;
 }
 
@@ -172,7 +172,7 @@ std::vector<BenchScene> make_bench_scenes() {
     scenes.push_back({"shaken_no_rotation", [] { return without_rotation(shaken(make_tower())); }, kStrong});
     scenes.push_back({"tower_nodes", [] { return make_tower(lsdem::FaceContact::nodes); }});
     scenes.push_back({"tower_grid", make_grid_tower});
-    scenes.push_back({"column_quiet", make_quiet_column});
+    scenes.push_back({"column_at_rest", make_column_at_rest});
     scenes.push_back({"column_waiting", [] { return make_column(kLayers); }});
     scenes.push_back({"debris", make_debris});
     scenes.push_back({"towers_28k", [] { return make_towers(4); }});

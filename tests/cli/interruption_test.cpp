@@ -48,7 +48,7 @@ TEST_CASE("a command that is interrupted keeps what it has and says how to go on
         CHECK(terminated.exit_code == 143);
         CHECK_MESSAGE(terminated.err == "musim: interrupted by SIGTERM: " + std::string(c.go_on) + "\n", terminated.err);
         // nothing half-written: a folder has checkpoints, no results
-        here.shell("find . -name '*.tmp' -o -name '.unfinished' -o -name live.json -o -name '*.h5' >found.txt");
+        here.shell("find . -name '*.tmp' -o -name '.unfinished' -o -name progress.json -o -name '*.h5' >found.txt");
         CHECK(here.read("found.txt").empty());
     }
 }
@@ -60,7 +60,7 @@ TEST_CASE("an interrupted run goes on from its last step and can be interrupted 
     CHECK(here.interrupt("run scene.json -o out --checkpoint-interval 0.01", "INT", halfway).exit_code == 130);
     const std::string first = here.read("out/checkpoint");
     // no checkpoint of its own before: what it leaves is written when it is interrupted
-    const Outcome again = here.interrupt("run --resume out --checkpoint-interval 1000", "INT", "grep '\"running\"' out/live.json");
+    const Outcome again = here.interrupt("run --resume out --checkpoint-interval 1000", "INT", "grep '\"running\"' out/progress.json");
     CHECK(again.exit_code == 130);
     CHECK(again.err == "musim: interrupted by SIGINT: continue with `musim run --resume out`\n");
     CHECK(here.read("out/checkpoint") != first);

@@ -13,7 +13,7 @@ namespace {
 
 constexpr const char* kTable =
     R"({"schema": "musim-table/1", "name": "test table", "axes": [{"names": ["x"], "displacement": "100 mm", "velocity": "1 m/s"}],
-        "controller": {"rate": "2000 Hz", "quiet": "0.5 s", "displacement": "mm"}})";
+        "controller": {"rate": "2000 Hz", "rest": "0.5 s", "displacement": "mm"}})";
 
 /// One component in m/s², 2 s at 100 Hz.
 std::string make_record() {

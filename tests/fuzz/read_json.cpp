@@ -6,7 +6,7 @@
 
 #include "lsdem/scene/scene_json.hpp"
 #include "records/design/parse_design.hpp"
-#include "records/design/parse_facts.hpp"
+#include "records/design/parse_properties.hpp"
 #include "records/processing/recipe.hpp"
 #include "records/shake_table/shake_table.hpp"
 #include "scaling/laws/scale_law_json.hpp"
@@ -33,7 +33,7 @@ void read_scene(const std::string& text) {
 constexpr Reader kReaders[] = {
     {"scene", read_scene},
     {"design", [](const std::string& text) { records::parse_design(text, "fuzzed", {}); }},
-    {"facts", [](const std::string& text) { records::parse_facts(text, "fuzzed", {}, 0.04); }},
+    {"properties", [](const std::string& text) { records::parse_properties(text, "fuzzed", {}, 0.04); }},
     {"law", [](const std::string& text) { scaling::parse_scale_law(text, "fuzzed"); }},
     {"pi", [](const std::string& text) { scaling::parse_pi_problem(text, "fuzzed"); }},
     {"table", [](const std::string& text) { records::parse_shake_table(text, "fuzzed", nullptr); }},

@@ -217,7 +217,7 @@ void read_document(const std::string& text) {
 
 void read_live(const std::string& text) {
     static const tests::TemporaryFolder folder;
-    folder.write("live.json", text);
+    folder.write("progress.json", text);
     lsdem::look_into(folder.path());
 }
 

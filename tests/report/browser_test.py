@@ -192,7 +192,7 @@ def check_blocks(browser, blocks):
     history = browser.execute_script("return window.musimTower.historyOf(window.musimTower.runs[0], arguments[0])", blocks - 1)
     check(len(history) == 51, f"{len(history)} frames")
     browser.execute_script("const b = document.getElementById('tower-block'); b.value = 7; b.dispatchEvent(new Event('change'));")
-    check("block 7 of" in browser.execute_script("return document.getElementById('tower-block-facts').textContent"), "the block's facts are not told")
+    check("block 7 of" in browser.execute_script("return document.getElementById('tower-block-properties').textContent"), "the block's properties are not told")
     browser.execute_script("document.getElementById('tower-play').click()")
     # a busy machine draws its first picture when it can
     deadline = time.monotonic() + 30.0

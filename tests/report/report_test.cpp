@@ -128,8 +128,8 @@ TEST_CASE("what is missing is named, and the rest shown") {
 
     // an unfinished run beside a finished one
     std::filesystem::create_directories(place.path() / "killed");
-    std::ofstream(place.path() / "killed/live.json")
-        << R"({"schema": "musim-live/1", "name": "k", "phase": "running", "fraction": 0.25, "wall_s": 3})";
+    std::ofstream(place.path() / "killed/progress.json")
+        << R"({"schema": "musim-progress/1", "name": "k", "phase": "running", "fraction": 0.25, "wall_s": 3})";
     CHECK(holds(make_report({place.path() / "killed", place.path() / "out"}), "a run was killed here before it had results, at 25 %"));
 
     // damaged results
@@ -195,7 +195,7 @@ TEST_CASE("numbers and texts that are of another kind than they should be are le
     run_column(place.path() / "pair/prototype", false);
     run_column(place.path() / "pair/1-25", false);
     nlohmann::json summary = read_checked_json(place.path() / "pair/1-25/summary.json");
-    summary.update({{"energy_closure", nullptr}, {"similitude", nullptr}, {"steps", "many"}, {"doubts", nlohmann::json::array()}});
+    summary.update({{"energy_closure", nullptr}, {"similitude", nullptr}, {"steps", "many"}, {"warnings", nlohmann::json::array()}});
     write_json(place.path() / "pair/1-25/summary.json", summary);
     write_json(place.path() / "pair/pair.json",
                nlohmann::json::parse(R"({"pairs": [{"label": "1:25", "materials": 3, "consistent": "yes", "distortions": {},

@@ -6,6 +6,7 @@
 
 #include "lsdem/model_hash.hpp"
 #include "lsdem/scene/build_model.hpp"
+#include "lsdem/scene/preparation.hpp"
 #include "lsdem/scene/scale_scene.hpp"
 #include "lsdem/scene/scene_json.hpp"
 #include "lsdem/time_step.hpp"
@@ -118,6 +119,16 @@ TEST_CASE("settings of nodes where there are none, and old names, get one warnin
     const Scene nodes = parse(shape + R"(, "contact": {"nodes": "both", "faces": "nodes", "spacing": "even"})");
     REQUIRE(nodes.text.remarks.size() == 1);
     check_message(nodes.text.remarks[0], {"/contact/spacing"});
+}
+
+TEST_CASE("layers with scaled mass have an old name, which gets a warning") {
+    const std::string placing = R"(, "preparation": {"placing": ")";
+    const Scene scene = parse(placing + kOldMassScaledName + R"("})"), named = parse(placing + R"(layers_mass_scaled"})");
+    CHECK(scene == named);
+    REQUIRE(scene.text.remarks.size() == 1);
+    check_message(scene.text.remarks[0], {"/preparation/placing", "write \"layers_mass_scaled\""});
+    CHECK(named.text.remarks.empty());
+    CHECK(named.preparation->placing == Placing::layers_mass_scaled);
 }
 
 TEST_CASE("a bad accuracy or face is refused with its place and what is known") {

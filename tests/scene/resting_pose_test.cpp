@@ -124,7 +124,7 @@ TEST_CASE("boxes side by side lean only as far as their neighbors leave room") {
 }
 
 TEST_CASE("boxes that lean toward each other do not overlap") {
-    // each alone would lean into the other by far more than the gap between them, and the first is placed before the second has leaned
+    // alone, each would lean into the other by far more than the gap between them, and the first is placed before the second has leaned
     const double gap = 0.002, d = 0.03;
     const std::vector<BoxPose> below{box_at(-0.55, 0.0, kHigh + d), box_at(0.0, 0.0), box_at(0.55, 0.0, kHigh + d)};
     const double offset = 0.5 * (kWide + gap);

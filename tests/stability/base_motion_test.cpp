@@ -36,7 +36,7 @@ TEST_SUITE("stability") {
                     {.closure = 0.02, .gain = 1e-3, .overlap = 0.02});
     }
 
-    TEST_CASE("ten g at the base throw a wall down and the ledger still closes") {
+    TEST_CASE("ten g at the base throw a wall down and the energy balance still closes") {
         Model wall = make_wall(coarse_wood());
         shake(wall, 10.0 * kGravity, 20.0, 0.15);
         wall.ground.motion[2] = sample_velocity(0.15, 600, [](double t) { return 10.0 * kGravity / 300.0 * std::sin(300.0 * t); });

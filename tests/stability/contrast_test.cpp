@@ -103,7 +103,8 @@ TEST_SUITE("stability") {
         stone.shear_damping_ratio = 0.5;
         const Model damped = make_shaken_wall(stone);
         const Demands demands{.closure = 0.01, .gain = 1e-6, .overlap = 1e-2};
-        // the stiffness of a node depends on how many touched a step before: this law has no potential, and no step makes its ledger close
+        // the stiffness of a node depends on how many touched a step before: this law has no potential, and no step makes its energy
+        // balance close
         const Demands not_conservative{.closure = 0.1, .gain = 1e-3, .overlap = 1e-2};
         check_sound("wall, stiffness per contact", observe(per_contact, default_time_step(per_contact), 0.2, 100), not_conservative);
         check_sound("wall, nodes of both sides", observe(both, default_time_step(both), 0.2, 100), demands);

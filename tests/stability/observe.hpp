@@ -16,9 +16,9 @@ struct Observation {
     double time = 0.0;                     ///< simulated [s]
     std::uint64_t steps = 0;
 
-    double closure = 0.0;           ///< largest change of the ledger's balance [-]
-    double gain = 0.0;              ///< largest rise of the mechanical energy less base work above its least so far; needs no ledger [-]
-    double drift = 0.0;             ///< largest displacement of a block relative to the base within the last quarter of the run [-]
+    double closure = 0.0;  ///< largest change of the energy balance's balance [-]
+    double gain = 0.0;     ///< largest rise of the mechanical energy less base work above its least so far; needs no energy balance [-]
+    double drift = 0.0;    ///< largest displacement of a block relative to the base within the last quarter of the run [-]
     double kinetic_at_end = 0.0;    ///< [-]
     double reported_overlap = 0.0;  ///< Statistics::max_overlap_over_height, times the height of the tallest block [-]
     double measured_overlap = 0.0;  ///< deepest overlap of two boxes, or of a box and the ground, from their poses at any sample [-]

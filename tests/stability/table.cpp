@@ -28,7 +28,7 @@ std::string find_broken(const Observation& seen, const Demands& demands) {
     const auto demand = [&](bool holds, const char* what) { broken += holds ? "" : std::string(broken.empty() ? "" : ", ") + what; };
     // written so that a value that is not a number breaks its demand
     demand(!seen.divergence, "diverged");
-    demand(seen.closure <= demands.closure, "ledger open");
+    demand(seen.closure <= demands.closure, "balance open");
     demand(seen.gain <= demands.gain, "energy gained");
     demand(seen.drift <= demands.drift, "drifts");
     demand(seen.kinetic_at_end <= demands.kinetic, "does not rest");

@@ -10,7 +10,7 @@ namespace musim::lsdem::tests {
 /// What a stressed run must keep to; what a case does not ask for is not limited.
 struct Demands {
     static constexpr double kAny = std::numeric_limits<double>::infinity();
-    double closure = kAny;  ///< most that the ledger may be open
+    double closure = kAny;  ///< most that the energy balance may be open
     double gain = kAny;     ///< most that the mechanical energy may rise by itself
     double drift = kAny;    ///< most that a block may move in the last quarter, in smallest edges
     double kinetic = kAny;  ///< most kinetic energy at the end, of the energy in play

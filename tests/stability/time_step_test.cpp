@@ -42,8 +42,8 @@ TEST_SUITE("stability") {
     }
 
     // Dashpots and joints that lift hold the unstable motion of a damped chain down, so that it chatters instead of growing; no look at its
-    // state or its ledger shows. The program compares the two steps and warns (tests/cli).
-    TEST_CASE("a damped chain is quiet up to the limit and chatters above it without gaining energy") {
+    // state or its energy balance shows. The program compares the two steps and warns (tests/cli).
+    TEST_CASE("a damped chain is still up to the limit and chatters above it without gaining energy") {
         const Model chain = make_exact_chain(0.3);
         // at 0.3 g the chain is sheared by 5e-6 of an edge; chatter is a thousand times that
         for (const double fraction : kBelow)

@@ -74,9 +74,9 @@ double slip_difference(const Similitude& similitude) {
 }
 
 double distortion_of(const Similitude& similitude, const std::string& group) {
-    musim::scaling::ModelFacts facts;
-    facts.friction_prototype = kPrototypeFriction;
-    for (const auto& distortion : musim::scaling::find_distortions(similitude, facts))
+    musim::scaling::ModelProperties properties;
+    properties.friction_prototype = kPrototypeFriction;
+    for (const auto& distortion : musim::scaling::find_distortions(similitude, properties))
         if (distortion.group == group) return distortion.factor;
     return 1.0;
 }

@@ -38,7 +38,7 @@ Scene make_prototype() {
 
 PairStudy run_own(const Scene& prototype) {
     const ScenePair pair = pair_scene(prototype, {{kLength, "wood"}}, Materials::own, {.threads = 2},
-                                      {.judging = {.twins = 0, .half_step = false}, .each_alone = true});
+                                      {.judging = {.twins = 0, .half_step = false}, .one_at_a_time = true});
     REQUIRE(pair.study.models.size() == 1);
     return pair.study;
 }

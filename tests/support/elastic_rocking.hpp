@@ -120,7 +120,7 @@ class ElasticRocking {
     double per_length_;  ///< K w [Pa]
 };
 
-/// A block at rest at `angle` [rad] on an edge that already bears it: as deep as it stands there, and with the friction that keeps it from
+/// A block at rest at `angle` [rad] on an edge that already bears it: as deep as at rest, and with the friction that keeps it from
 /// slipping as it begins to fall. Put on its edge without either, it rings on it, and loses its friction in every bounce.
 inline Model make_borne_tilted_block(const Stone& stone, double angle) {
     const ElasticRocking rocking(stone);

@@ -77,7 +77,7 @@ TEST_CASE("blocks that tumble into each other keep linear and angular momentum t
     CHECK(worst_angular < 1e-12);
 }
 
-TEST_CASE("the energy ledger of a shaken and collapsing pile closes" * doctest::test_suite("slow")) {
+TEST_CASE("the energy balance of a shaken and collapsing pile closes" * doctest::test_suite("slow")) {
     Model model = make_loose_pile(wood(), 4, 3);
     model.ground.motion[0] = sample_velocity(0.4, 400, [](double t) { return 0.1 * std::sin(40.0 * t); });
     model.ground.motion[2] = sample_velocity(0.4, 400, [](double t) { return 0.03 * std::sin(70.0 * t); });
@@ -92,7 +92,7 @@ TEST_CASE("the energy ledger of a shaken and collapsing pile closes" * doctest::
         const double turnover = energy.friction_loss + energy.damping_loss;
         REQUIRE(turnover > 0.0);
         closure[run] = std::abs(energy.balance() - start) / turnover;
-        MESSAGE("ledger of the pile: closes to " << closure[run] << " of the losses, at " << fractions[run] << " of the limit");
+        MESSAGE("energy balance of the pile: closes to " << closure[run] << " of the losses, at " << fractions[run] << " of the limit");
         // 1 %: touching and parting within a step costs (ω0 dt)² of the energy of that contact, ω0 dt = 0.1 here for a whole face
         CHECK(closure[run] < 0.01);
     }
@@ -113,7 +113,7 @@ TEST_CASE("a block that slides off an edge falls to the ground and stays there")
     REQUIRE_FALSE(s.divergence().has_value());
     const double thin = stone.size.x();
     MESSAGE("slid off: at x " << s.position(1).x() << " z " << s.position(1).z() << ", overlap/height "
-                              << s.statistics().max_overlap_over_height << ", ledger "
+                              << s.statistics().max_overlap_over_height << ", energy balance "
                               << (s.energy().balance() - start) / s.energy().damping_loss);
     // on one of its faces on the ground, beside the table; within the overlap of its weight
     CHECK(s.position(1).x() > thin);
@@ -150,7 +150,7 @@ TEST_CASE("blocks that collide sideways bounce off each other and do not pass th
 namespace {
 
 struct Collision {
-    double error = 0.0;    ///< largest error of the ledger over the energy
+    double error = 0.0;    ///< largest error of the energy balance over the energy
     double overlap = 0.0;  ///< largest, over the height
 };
 
@@ -189,7 +189,7 @@ TEST_CASE("two blocks that collide at random neither gain energy nor pass into e
         worst = std::max(worst, collision.error);
         deepest = std::max(deepest, collision.overlap);
     }
-    MESSAGE(collisions << " collisions: ledger off at worst by " << worst << " of the energy; deepest overlap " << deepest
+    MESSAGE(collisions << " collisions: energy balance off at worst by " << worst << " of the energy; deepest overlap " << deepest
                        << " of the height");
     REQUIRE(collisions > 30);
     // of (ω dt)², with the ω of a corner or an edge, far below that of a face: 7e-6 at worst in 400 pairs
@@ -198,7 +198,7 @@ TEST_CASE("two blocks that collide at random neither gain energy nor pass into e
     CHECK(deepest < 0.02);
 }
 
-TEST_CASE("the ledger of colliding blocks closes with the square of the step") {
+TEST_CASE("the energy balance of colliding blocks closes with the square of the step") {
     Stone stone = wood();
     stone.restitution = 1.0;
     stone.friction = 0.0;
@@ -208,7 +208,7 @@ TEST_CASE("the ledger of colliding blocks closes with the square of the step") {
         errors[0] += collide(stone, seed, 0.1).error / 10.0;
         errors[1] += collide(stone, seed, 0.025).error / 10.0;
     }
-    MESSAGE("ledger of frictionless collisions off in the mean by " << errors[0] << " at 0.1 of the limit, by " << errors[1]
-                                                                    << " at 0.025");
+    MESSAGE("energy balance of frictionless collisions off in the mean by " << errors[0] << " at 0.1 of the limit, by " << errors[1]
+                                                                            << " at 0.025");
     CHECK(errors[0] == relative(16.0 * errors[1], 0.05));
 }

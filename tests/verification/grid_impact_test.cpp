@@ -71,7 +71,7 @@ Collision make_sphere_collision(double ratio, double friction, double restitutio
 }
 
 struct Rebound {
-    double restitution = 0.0, depth = 0.0, duration = 0.0, ledger = 0.0;  ///< [-], [m], [s], over the energy ½ m v²
+    double restitution = 0.0, depth = 0.0, duration = 0.0, balance = 0.0;  ///< [-], [m], [s], over the energy ½ m v²
     Vector3 velocity, other_velocity, spin, other_spin;
 };
 
@@ -89,7 +89,7 @@ Rebound collide(const Collision& c) {
     result.restitution = c.normal.dot(result.velocity - result.other_velocity) / c.bed.speed;
     const double height = 2.0 * c.model.shapes[c.model.blocks[1].shape].half_extents.z();
     result.depth = s.statistics().max_overlap_over_height * height;
-    result.ledger = (s.energy().balance() - before) / (0.5 * c.bed.mass * c.bed.speed * c.bed.speed);
+    result.balance = (s.energy().balance() - before) / (0.5 * c.bed.mass * c.bed.speed * c.bed.speed);
     return result;
 }
 
@@ -117,7 +117,7 @@ TEST_CASE("an elastic sphere rebounds from a plate at its own speed, in the time
     CHECK(std::hypot(r.velocity.x(), r.velocity.y()) < slope * speed);
     CHECK(r.spin.norm() * kBallRadius < slope * speed);
     // leapfrog: a touch falls anywhere in a step, (ω dt)² of the energy
-    CHECK(std::abs(r.ledger) < std::pow(kPi / kSteps, 2.0));
+    CHECK(std::abs(r.balance) < std::pow(kPi / kSteps, 2.0));
 }
 
 TEST_CASE("two elastic spheres, equal or not, exchange momentum in the time of a bed of springs") {

@@ -27,7 +27,7 @@ struct Rolling {
     double creepage = 0.0;       ///< 1 − ωR/v, mean over the second half [-]
     double sideways = 0.0;       ///< |y|/x at the end [-]
     double friction_loss = 0.0;  ///< over the work of gravity [-]
-    double closure = 0.0;        ///< error of the ledger over the work of gravity [-]
+    double closure = 0.0;        ///< error of the energy balance over the work of gravity [-]
 };
 
 /// Lets block 0 roll kWay down along x, which takes about sqrt(2·kWay/expected).
@@ -81,7 +81,7 @@ Model make_rolling_drum(double voxel, double spacing) {
 void check_rolling(const std::string& name, const Rolling& r, double expected, double share, double creepage) {
     MESSAGE(name << ": acceleration " << r.acceleration << ", expected " << expected << ", off by " << r.acceleration / expected - 1.0
                  << "; creepage " << r.creepage << " (bed " << creepage << "), friction loss " << r.friction_loss << ", sideways "
-                 << r.sideways << ", ledger " << r.closure);
+                 << r.sideways << ", energy balance " << r.closure);
     // The body turns about a point that is higher than its lowest by up to d, and creeps: both change the share that friction takes. At the
     // start the springs of the patch first deform by (T/N)d, a part of the way.
     const double offset = kOverlap / kBallRadius, start = share * std::tan(kSlope) * kOverlap / kWay;

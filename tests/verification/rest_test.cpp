@@ -63,7 +63,7 @@ struct Rest {
     double vertical = 0.0;       ///< root mean square vertical velocity at the end over that at its greatest
     double drift = 0.0;          ///< mean displacement per second, over the height of the structure [1/s]
     double energy_growth = 0.0;  ///< largest rise of kinetic plus elastic energy above its greatest in the first half, over that
-    double closure = 0.0;        ///< of the ledger, over the gravitational energy released
+    double closure = 0.0;        ///< of the energy balance, over the gravitational energy released
     double ringing_early = 0.0;  ///< greatest horizontal speed in the first half [m/s]
     double ringing_late = 0.0;   ///< and in the second
 };
@@ -108,7 +108,7 @@ Rest observe_rest(const Model& model, double duration, double height) {
 
 void check_rest(const Rest& rest, const std::string& name) {
     MESSAGE(name << ": reaction/weight off by " << rest.reaction << ", vertical motion left " << rest.vertical << ", drift " << rest.drift
-                 << " H/s, energy growth " << rest.energy_growth << ", ledger " << rest.closure << ", horizontal ringing "
+                 << " H/s, energy growth " << rest.energy_growth << ", energy balance " << rest.closure << ", horizontal ringing "
                  << rest.ringing_early << " then " << rest.ringing_late << " m/s");
     CHECK(rest.reaction < 1e-4);
     CHECK(rest.vertical < 1e-3);

@@ -74,7 +74,7 @@ namespace {
 
 struct Impact {
     double energy_ratio = 0.0;  ///< of the rocking energies, from the heights before and after
-    double closure = 0.0;       ///< error of the energy ledger over the energy before
+    double closure = 0.0;       ///< error of the energy balance over the energy before
 };
 
 /// Lets a block fall from half its slenderness, and follows it until its next highest tilt.
@@ -116,7 +116,7 @@ TEST_CASE("an impact of a rocking block takes energy and books where it went" * 
             CAPTURE(restitution);
             const Impact impact = measure_impact(side.stone, restitution, 0.05);
             MESSAGE(side.name << " side, e = " << restitution << ": r = " << impact.energy_ratio << " (Housner " << side.housner
-                              << "), ledger " << impact.closure);
+                              << "), energy balance " << impact.closure);
             // an impact never gives energy, and an edge contact does not stop a block dead
             CHECK(impact.energy_ratio < 1.0);
             CHECK(impact.energy_ratio > 0.0);

@@ -13,7 +13,7 @@ class Viewer {
     this.camera = new THREE.PerspectiveCamera(35, 1, 0.01, 100);
     this.camera.up.set(0, 0, 1);
     this.firstView = runs.length > 1 ? "beside" : "corner";
-    this.facts = new BlockFacts(this);
+    this.properties = new BlockProperties(this);
     this.names = new RunNames(runs);
     this.fillScene();
     this.leavePageItsMoves();
@@ -209,7 +209,7 @@ class Viewer {
       ends.appendChild(text);
     });
     part("legend").replaceChildren(document.createTextNode(this.quantity.name), bar, ends);
-    this.facts.make();
+    this.properties.make();
   }
 
   play(on) {
@@ -248,7 +248,7 @@ class Viewer {
     this.chosen = { run: run, block: block };
     part("run").value = String(run);
     part("block").value = String(block + 1);
-    this.facts.make();
+    this.properties.make();
     this.update();
   }
 
@@ -298,7 +298,7 @@ class Viewer {
     part("time").value = String(this.time);
     part("clock").textContent = this.time.toFixed(3) + " s of " + Number(this.duration.toPrecision(4)) + " s";
     part("time").setAttribute("aria-valuetext", part("clock").textContent);
-    this.facts.show();
+    this.properties.show();
     this.draw();
   }
 

@@ -319,7 +319,7 @@ TEST_CASE("a diverged run is exit code 4 with block and time, and its results ar
     const Outcome again = here.run("run scene.json --duration 1 --json");
     CHECK(again.exit_code == 0);
     CHECK(again.err.empty());
-    CHECK(again.json()["doubts"].empty());
+    CHECK(again.json()["warnings"].empty());
 }
 
 TEST_CASE("a step far above the critical one is refused before anything is computed") {
@@ -357,7 +357,7 @@ TEST_CASE("a run that reached its end with too large a step is a warning that na
     CHECK(outcome.exit_code == 0);
     CHECK_MESSAGE(outcome.err.starts_with("musim: warning: scene.json: the time step "), outcome.err);
     CHECK(outcome.err.find("take at most") != std::string::npos);
-    CHECK(outcome.json()["doubts"].size() == 1);
+    CHECK(outcome.json()["warnings"].size() == 1);
 }
 
 TEST_CASE("blocks that pass deep into each other are a warning with the depth") {

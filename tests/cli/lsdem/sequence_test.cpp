@@ -42,7 +42,7 @@ TEST_CASE("a structure is shaken until it collapses, and every stage is a run th
     CHECK(json["motions"] == 4);
     CHECK(json["collapse"]["stage"] == 3);
     CHECK(json["stages"][0]["status"] == "completed");
-    CHECK(json["stages"][0]["doubts"].empty());
+    CHECK(json["stages"][0]["warnings"].empty());
     CHECK(nlohmann::json::parse(here.read("whole/stage-02-jolt/summary.json"))["stage"]["number"] == 2);
     CHECK(here.count("whole") == 7);
     const Outcome response = here.run("response whole/stage-03-blow --json");

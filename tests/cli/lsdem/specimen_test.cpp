@@ -107,7 +107,7 @@ TEST_CASE("what cannot be a specimen is refused in one line") {
     place.write("wall.json", make_scene(kWall));
     place.write("blocks.json",
                 make_scene(R"({"kind": "blocks", "blocks": [{"size": ["1 cm", "1 cm", "1 cm"], "position": [0, 0, "5 mm"]}]})"));
-    place.write("file", "in the way");
+    place.write("file", "not a folder");
     const auto refused = [&](const std::string& arguments, int exit_code) {
         const Outcome outcome = place.run("specimen " + arguments);
         CHECK(outcome.exit_code == exit_code);

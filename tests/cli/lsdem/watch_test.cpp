@@ -14,7 +14,7 @@ TEST_CASE("watch follows a run, says that it was killed, and that it has finishe
         "base_motion": {"signal": "sine", "direction": "x", "amplitude": "0.6 g", "frequency": "2 Hz", "cycles": 80},
         "time": {"duration": "40 s"}, "output": {"spine_rate": "200 Hz"}})");
     // it reports its state after two seconds
-    here.kill_halfway("run scene.json -o out --checkpoint-interval 0", "[ out/live.json -nt started ]",
+    here.kill_halfway("run scene.json -o out --checkpoint-interval 0", "[ out/progress.json -nt started ]",
                       MUSIM_PROGRAM " watch out --json >look.json; " MUSIM_PROGRAM " watch out --once >look.txt");
     REQUIRE(here.has("look.json"));
     const nlohmann::json look = nlohmann::json::parse(here.read("look.json"));
@@ -37,7 +37,7 @@ TEST_CASE("watch follows a run, says that it was killed, and that it has finishe
     CHECK(here.run("watch out --json").json()["state"] == "killed");
 
     REQUIRE(here.run("run --resume out").exit_code == 0);
-    CHECK_FALSE(here.has("out/live.json"));
+    CHECK_FALSE(here.has("out/progress.json"));
     const Outcome finished = here.run("watch out");
     CHECK(finished.exit_code == 0);
     CHECK(finished.out == "out: finished, completed\n");
@@ -62,7 +62,8 @@ TEST_CASE("a terminal is shown where a run stands on a line that fits and with b
         return;
     }
     here.write("summary.json", R"({"status": "completed"})");
-    here.write("live.json", R"({"schema": "musim-live/1", "name": "a name that is far longer than there is room for", "phase": "running",
+    here.write("progress.json",
+               R"({"schema": "musim-progress/1", "name": "a name that is far longer than there is room for", "phase": "running",
         "fraction": 0.5, "wall_s": 3, "left_s": 3, "run": {"time_s": 1, "duration_s": 2, "stage": 1, "kinetic_energy_J": 1e-3,
         "largest_drift": 0.01, "blocks": 10, "fallen": 2, "collapsed": true, "axis": 0, "top_velocity_m_s": [-1, 0, 1]}})");
     const auto watch = [&](const std::string& environment) {

@@ -137,14 +137,14 @@ TEST_CASE("record plot says which record was integrated how") {
     here.write("b.csv", uncorrected);
     here.write("c.csv", make_csv());
     REQUIRE(here.run("record plot a.csv b.csv c.csv -o a.svg").exit_code == 0);
-    CHECK(here.read("a.svg").find(">Integrated: as it stands (a, c), high-pass 0.5 Hz (b).<") != std::string::npos);
+    CHECK(here.read("a.svg").find(">Integrated: no filter (a, c), high-pass 0.5 Hz (b).<") != std::string::npos);
     REQUIRE(here.run("record plot a.csv c.csv -o a.svg").exit_code == 0);
-    CHECK(here.read("a.svg").find(">Integrated: as it stands.<") != std::string::npos);
+    CHECK(here.read("a.svg").find(">Integrated: no filter.<") != std::string::npos);
     REQUIRE(here.run("record plot a.csv b.csv --length 1/4 -o a.svg").exit_code == 0);
     const std::string svg = here.read("a.svg");
-    CHECK(svg.find("as it stands (prototype of a), as it stands (model of a), high-pass 0.5 Hz (prototype of") != std::string::npos);
+    CHECK(svg.find("no filter (prototype of a), no filter (model of a), high-pass 0.5 Hz (prototype of") != std::string::npos);
     REQUIRE(here.run("record plot a.csv --length 1/4 -o a.svg").exit_code == 0);
-    CHECK(here.read("a.svg").find(">Integrated: as it stands (prototype), as it stands (model).<") != std::string::npos);
+    CHECK(here.read("a.svg").find(">Integrated: no filter (prototype), no filter (model).<") != std::string::npos);
 }
 
 TEST_CASE("more curves than look different are refused") {

@@ -17,7 +17,7 @@ namespace {
 /// A table of one axis, 1 m/s and the given displacement.
 std::string make_table(const std::string& displacement, const std::string& more = "") {
     return R"({"schema": "musim-table/1", "name": "test table", "axes": [{"names": ["x"], "displacement": ")" + displacement +
-           R"(", "velocity": "1 m/s")" + more + R"(}], "controller": {"rate": "2000 Hz", "quiet": "0.5 s", "displacement": "mm"}})";
+           R"(", "velocity": "1 m/s")" + more + R"(}], "controller": {"rate": "2000 Hz", "rest": "0.5 s", "displacement": "mm"}})";
 }
 
 constexpr const char* kArguments = "table synthetic --limits table.json --length 1/25 ";

@@ -349,7 +349,7 @@ bool same(const MainCellAnswer& a, const MainCellAnswer& b) {
 
 }  // namespace
 
-TEST_CASE("the lane and the company change no bit of a pair") {
+TEST_CASE("the lane and its neighbors in the lanes change no bit of a pair") {
     Poses poses;
     std::mt19937_64 random(8);
     for (int group = 0; group < 100; ++group) {

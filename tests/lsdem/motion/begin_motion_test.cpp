@@ -60,15 +60,15 @@ TEST_CASE("a motion cut in two is the whole motion, to the last bit, wherever it
         parts.begin_motion(along_x({at, all.end()}));
         advance(parts, steps - cut * steps_per_sample);
         CHECK(parts.state_hash() == whole.state_hash());
-        // the base counts its displacement anew, and the ledger what was done
+        // the base counts its displacement anew, and the energy balance what was done
         CHECK(moved + parts.base().displacement.x() == whole.base().displacement.x());
         CHECK(before + parts.energy().base_work == doctest::Approx(whole.energy().base_work).epsilon(1e-12));
         CHECK(losses_before.total() + parts.losses().total().total() == doctest::Approx(whole.losses().total().total()).epsilon(1e-12));
     }
 }
 
-TEST_CASE("another motion begins with the clock, the ledger and the base at zero and leaves the structure alone") {
-    // a quarter of the step: the ledger is not our subject
+TEST_CASE("another motion begins with the clock, the energy balance and the base at zero and leaves the structure alone") {
+    // a quarter of the step: the energy balance is not our subject
     Simulation s(make_shaken(dyadic_velocities()), 0.25 * dyadic_step(make_shaken({})));
     advance_to(s, 5.5 * kInterval);
     // stiff blocks chatter: a moment at which they touch
@@ -92,7 +92,7 @@ TEST_CASE("another motion begins with the clock, the ledger and the base at zero
     CHECK(s.statistics().steps == 0);
     CHECK(s.model().ground.motion[0].velocity.size() == 4);
 
-    // the ledger closes over the new motion; touching and parting within a step book up to a percent wrongly
+    // the energy balance closes over the new motion; touching and parting within a step book up to a percent wrongly
     // (docs/theory/overlap_contact.md)
     const double balance = s.energy().balance();
     advance_to(s, 4.0 * kInterval);

@@ -45,7 +45,7 @@ TEST_CASE("a held block that is let go falls from where it was put, at its speed
     // leapfrog is exact in free flight
     CHECK(s.position(1).z() == doctest::Approx(1.5 * stone.size.z() + gap - speed * t - 0.5 * kGravity * t * t).epsilon(1e-12));
     CHECK(s.velocity(1).z() == doctest::Approx(-speed - kGravity * t).epsilon(1e-12));
-    // and the ledger has taken it in
+    // and the energy balance has taken it in
     CHECK(std::abs(s.energy().balance() - balance) < 1e-12 * stone.weight() * stone.size.z());
     CHECK_FALSE(s.divergence().has_value());
 }
@@ -69,7 +69,7 @@ TEST_CASE("a released block comes to rest on the one below, and the ground bears
     CHECK(forces[1].force.z() == doctest::Approx(2.0 * stone.weight()).epsilon(1e-6));
 }
 
-TEST_CASE("when preparation ends, time, ledger and motion begin and contacts keep what they hold") {
+TEST_CASE("when preparation ends, time, energy balance and motion begin and contacts keep what they hold") {
     const Stone stone = wood();
     const double dt = 0.8 * compute_critical_time_step(make_held_column(stone));
     Simulation s(make_held_column(stone), dt);

@@ -151,9 +151,9 @@ TEST_CASE("saved states are the same for any number of threads and can be resume
     CHECK(static_cast<double>(state.size()) < 4096.0 * static_cast<double>(model.blocks.size()));
 }
 
-TEST_CASE("quiet time that was being passed over is passed over after a restore, too") {
+TEST_CASE("time at rest that was being passed over is passed over after a restore, too") {
     Model model = make_resting_column(wood(), 3);
-    model.skip_quiet = true;
+    model.skip_rest = true;
     model.ground.motion[0] = {0.2, 1e-3, {0.0, 0.1, 0.1}};
     const double step = 0.5 * compute_critical_time_step(model);
     Simulation whole(model, step);
@@ -214,7 +214,7 @@ TEST_CASE("a state of another model is refused, down to the last bit of any numb
         [&](Model& m) { m.contact_nodes = ContactNodes::both; },
         [&](Model& m) { m.stiffness_sharing = StiffnessSharing::per_contact; },
         [&](Model& m) { m.face_contact = FaceContact::nodes; },
-        [&](Model& m) { m.skip_quiet = !m.skip_quiet; },
+        [&](Model& m) { m.skip_rest = !m.skip_rest; },
         [&](Model& m) { m.skip_apart = !m.skip_apart; },
         [&](Model& m) { m.velocity_damping = 1e-300; },
         [&](Model& m) { up(m.shapes[1].nodes.half_z.back()); },

@@ -53,7 +53,7 @@ TEST_CASE("velocity and spin of a free block decay exponentially, whatever the t
         // the midpoint rule for the path: (α dt)²/24
         const double error = kRate * step * kRate * step / 24.0;
         CHECK((s.position(0) - (1.0 - decay) / kRate * start.velocity).norm() < (error + 1e-12) * start.velocity.norm() / kRate);
-        // exp(−2αt) of the kinetic energy is left, the rest is in the ledger
+        // exp(−2αt) of the kinetic energy is left, the rest is in the energy balance
         const Energy energy = s.energy();
         const double before = Simulation(model, step).energy().kinetic;
         CHECK(energy.kinetic == relative(decay * decay * before, 1e-11));
@@ -75,9 +75,9 @@ TEST_CASE("a falling block reaches the terminal velocity g/alpha, whatever the t
     }
 }
 
-// The ledger of elastic oscillations closes but for rounding; so it must with damping, and when its rate changes. Overlaps of 2e-9 m and
-// more are differences of places 0.2 m away, known to 4e-17 m: 1e-8 of the energy, and some more after hundreds of steps.
-TEST_CASE("the ledger closes while a column settles, and when the damping changes or ends") {
+// The energy balance of elastic oscillations closes but for rounding; so it must with damping, and when its rate changes. Overlaps of 2e-9
+// m and more are differences of places 0.2 m away, known to 4e-17 m: 1e-8 of the energy, and some more after hundreds of steps.
+TEST_CASE("the energy balance closes while a column settles, and when the damping changes or ends") {
     Stone stone = wood();
     stone.restitution = 1.0;
     Model model = make_resting_column(stone, 5);
@@ -99,7 +99,7 @@ TEST_CASE("the ledger closes while a column settles, and when the damping change
     CHECK(s.energy().preparation_loss == lost);
 }
 
-TEST_CASE("the ledger of a pile that is damped as it collapses closes") {
+TEST_CASE("the energy balance of a pile that is damped as it collapses closes") {
     Model model = make_loose_pile(wood(), 2, 2);
     model.velocity_damping = 20.0;
     Simulation s(model, 0.1 * compute_critical_time_step(model));
@@ -155,7 +155,7 @@ TEST_CASE("wide and plain instructions damp with the same bits, and so do any nu
 
 TEST_CASE("time is passed over only without damping, when being slow means being at rest") {
     Model model = make_resting_column(wood(), 2);
-    model.skip_quiet = true;
+    model.skip_rest = true;
     const double step = 0.5 * compute_critical_time_step(model);
     // drops by 1e-9 of its height; the most damping there can be: it falls at g·dt
     for (Block& block : model.blocks) block.position.z() += 1e-9 * wood().size.z();

@@ -65,7 +65,7 @@ TEST_CASE("a real CWA record has its station and clock") {
     CHECK(motion.station == "EAS, Anshuo");
     CHECK(motion.time_zero == make_utc_time(2018, 2, 6, 15, 50, 29.0));
     CHECK(motion.find_component("E").azimuth_deg == 90.0);
-    // its drift is no motion: integrated as it stands, N moves by 39 cm
+    // its drift is no motion: integrated without a filter, N moves by 39 cm
     CHECK(motion.integration_corner->value() == kUncorrectedCornerHz);
     const Intensity intensity = compute_intensity(motion.find_component("N").series, motion.integration_corner);
     CHECK(std::abs(intensity.pgd->value.value()) < 0.01);

@@ -41,7 +41,7 @@ TEST_CASE("a corrected USC file has the unit of its header's peak where its samp
     tests::check_refused(replaced(silent, "-242.39450", "-2.4239450"), "a:10: peak is");
 }
 
-// Its acceleration, integrated as it stands, drifts by 186 cm; header: PEAK VELOCITY 12.05681 CMS/SEC, PEAK DISPLACEMENT 1.42006 CMS.
+// Its acceleration, integrated without a filter, drifts by 186 cm; header: PEAK VELOCITY 12.05681 CMS/SEC, PEAK DISPLACEMENT 1.42006 CMS.
 TEST_CASE("a real USC file has the velocity and displacement of its header") {
     if (!tests::have_shared_records()) return;
     const GroundMotion motion = read_record(tests::shared_records() / "usc/017m30bt.s0a");

@@ -69,9 +69,9 @@ TEST_CASE("the level of an uncorrected record that begins in motion is the mean 
     // at rest first, whatever the mean of what follows
     std::fill(samples.begin(), samples.begin() + 50, kOffset);
     for (std::size_t i = 800; i < samples.size(); ++i) samples[i] += 0.5 * kAmplitude;
-    const TimeSeries quiet = moving.with_samples(samples);
-    CHECK_FALSE(begins_in_motion(quiet));
-    CHECK(compute_intensity(quiet, 0.05 / seconds).pga->value.value() == relative(1.5 * kAmplitude, 1e-12));
+    const TimeSeries at_rest_first = moving.with_samples(samples);
+    CHECK_FALSE(begins_in_motion(at_rest_first));
+    CHECK(compute_intensity(at_rest_first, 0.05 / seconds).pga->value.value() == relative(1.5 * kAmplitude, 1e-12));
 }
 
 TEST_CASE("peaks keep their sign and the first of equals wins") {

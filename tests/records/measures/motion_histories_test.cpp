@@ -14,7 +14,7 @@ namespace {
 
 using scaling::si::seconds;
 
-// a pulse above an offset, quiet before
+// a pulse above an offset, at rest before
 TimeSeries make_record(double amplitude = 1.0, double dt = 0.01) {
     std::vector<double> samples;
     for (int i = 0; i <= 2000; ++i) {

@@ -91,7 +91,7 @@ TEST_CASE("padding keeps times, a motion brought to rest ends there, and integra
     CHECK(std::abs(velocity.samples().back()) < 1e-12);
     CHECK(std::abs(displacement.samples().back()) < 1e-11);
 
-    // a packet quiet at its ends: trapezoids are off by (2πf dt)²/12
+    // a packet at rest at its ends: trapezoids are off by (2πf dt)²/12
     std::vector<double> samples;
     for (int i = 0; i < 2000; ++i)
         samples.push_back(std::exp(-0.5 * std::pow((kDt * i - 10.0) / 1.5, 2)) * std::sin(2.0 * pi * 2.0 * kDt * i));

@@ -51,9 +51,9 @@ TEST_CASE("a recipe is read, written and read again to the same") {
 
 TEST_CASE("level says so where a record begins in motion") {
     const Recipe recipe{step::Level{}};
-    GroundMotion quiet = make_motion();
-    for (Component& component : quiet.components) component.series = pad(component.series, 1.0 * seconds, 0.0 * seconds);
-    CHECK(process(quiet, recipe).history.size() == 1);
+    GroundMotion resting = make_motion();
+    for (Component& component : resting.components) component.series = pad(component.series, 1.0 * seconds, 0.0 * seconds);
+    CHECK(process(resting, recipe).history.size() == 1);
     GroundMotion moving = make_motion();
     for (Component& component : moving.components) component.series = cut(component.series, {8.0 * seconds, 12.0 * seconds});
     const auto history = process(moving, recipe).history;

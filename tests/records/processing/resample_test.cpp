@@ -15,7 +15,7 @@ using lsdem::tests::relative;
 using scaling::si::seconds;
 using std::numbers::pi;
 
-/// A wave packet of frequency f [1/s], quiet at both ends of 20 s.
+/// A wave packet of frequency f [1/s], at rest at both ends of 20 s.
 double packet(double f, double t) { return std::exp(-0.5 * std::pow((t - 10.0) / 2.0, 2)) * std::sin(2.0 * pi * f * t); }
 
 TimeSeries make_packet(double f, double dt) {

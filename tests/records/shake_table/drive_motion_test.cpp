@@ -27,7 +27,7 @@ GroundMotion make_record() { return make_synthetic_record({.duration = 10.0 * si
 
 AxisMotion make_axis(const std::string& name, scaling::Time dt = 0.25 * si::seconds) {
     const TimeSeries acceleration(SampleQuantity::acceleration, 0.0 * si::seconds, dt, {0.0, 0.8, -1.6, 0.8, 0.0});
-    return {name, add_quiet(integrate_twice(acceleration), 0.25 * si::seconds)};
+    return {name, add_rest(integrate_twice(acceleration), 0.25 * si::seconds)};
 }
 
 ControllerFormat make_format() {
@@ -56,9 +56,9 @@ TEST_CASE("a table's motion starts and ends at rest, its parts are integrals of 
     CHECK(std::abs(bare.displacement.samples().back()) < 1e-12 * largest(bare.displacement));
     CHECK(std::abs(bare.acceleration.samples().back()) < 1e-6 * largest(bare.acceleration));
 
-    const DriveMotion quiet = add_quiet(bare, 0.3 * si::seconds);
-    CHECK(quiet.displacement.size() == bare.displacement.size() + 200);
-    for (const TimeSeries* series : {&quiet.acceleration, &quiet.velocity, &quiet.displacement}) {
+    const DriveMotion resting = add_rest(bare, 0.3 * si::seconds);
+    CHECK(resting.displacement.size() == bare.displacement.size() + 200);
+    for (const TimeSeries* series : {&resting.acceleration, &resting.velocity, &resting.displacement}) {
         for (std::size_t i = 0; i < 100; ++i) {
             CHECK(series->samples()[i] == 0.0);
             CHECK(series->samples()[series->size() - 1 - i] == 0.0);

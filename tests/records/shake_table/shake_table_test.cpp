@@ -14,7 +14,7 @@ constexpr const char* kTable = R"({"schema": "musim-table/1", "name": "test", "e
      "acceleration": [{"payload": "0 kg", "limit": "3 g"}, {"payload": "5 t", "limit": "1.5 g"}], "overturning_moment": "20 kN*m",
      "lowest_frequency": "0.1 Hz", "highest_frequency": "50 Hz", "oil_column": {"frequency": "40 Hz", "share": 0.5}},
     {"names": ["vertical"], "acceleration": "0.8 g"}],
-    "controller": {"rate": "1024 Hz", "quiet": "2 s", "displacement": "mm", "velocity": "cm/s", "acceleration": "g",
+    "controller": {"rate": "1024 Hz", "rest": "2 s", "displacement": "mm", "velocity": "cm/s", "acceleration": "g",
                    "columns": ["time", "displacement"], "separator": "tab", "header": false, "digits": 6}})";
 
 std::string error_of(const std::string& json) {
@@ -68,7 +68,7 @@ TEST_CASE("a shake table is read with all its limits") {
     CHECK(vertical.acceleration.size() == 1);
     CHECK(vertical.controller_rate->value() == 1024.0);
     REQUIRE(table.controller);
-    CHECK(table.controller->quiet.value() == 2.0);
+    CHECK(table.controller->rest.value() == 2.0);
     CHECK(table.controller->displacement.si == 0.001);
     CHECK(table.controller->columns == std::vector{DriveColumn::time, DriveColumn::displacement});
     CHECK(table.controller->separator == '\t');
@@ -109,8 +109,10 @@ TEST_CASE("a damaged shake table is refused in one line that names the place") {
     CHECK(error_of(controller(R"("rate": "100 Hz", "separator": ";")")) ==
           "t.json: controller: separator is \";\"; take \"comma\", \"tab\" or \"space\"");
     CHECK(error_of(controller(R"("rate": "100 Hz", "digits": 18)")) == "t.json: controller: digits is not from 1 to 17; take 9");
-    CHECK(error_of(controller(R"("rate": "100 Hz", "quiet": "-1 s")")) ==
-          "t.json: controller: quiet is below zero; give a time of zero or more");
+    CHECK(error_of(controller(R"("rate": "100 Hz", "quiet": "-1 s")")) ==  // old name
+          "t.json: controller: rest is below zero; give a time of zero or more");
+    CHECK(error_of(controller(R"("rate": "100 Hz", "rest": "-1 s")")) ==
+          "t.json: controller: rest is below zero; give a time of zero or more");
     CHECK(error_of(controller(R"("rate": "100 Hz", "header": 1)")) ==
           "t.json: controller: header is neither true nor false; write one of them, without quotes");
 }

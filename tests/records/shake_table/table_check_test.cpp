@@ -158,7 +158,7 @@ TEST_CASE("a payload that grows and an acceleration that falls can leave two end
     CHECK(ranges[0].smallest < ranges[0].largest);
 }
 
-TEST_CASE("what a motion asks is measured as it stands") {
+TEST_CASE("what a motion asks is measured unfiltered") {
     // one cycle of v = (1 − cos 2πt)/2, which displaces by 1/2 m, then back
     std::vector<double> samples;
     constexpr int kSteps = 1000;

@@ -149,14 +149,14 @@ TEST_CASE("motion names that do not belong to one time are refused") {
 // docs/theory, vertical distortion of aluminium: ω/p 0.978, r 0.741 -> 0.972, e_r 0.861 -> 0.986 thin and 0.541 -> 0.941 wide
 TEST_CASE("vertical distortion changes omega/p by the half diagonal, and what impacts leave of a rotation") {
     const ModelScales aluminium = make_distorted(1.0 / 107.0, kAluminiumFriction);
-    const ModelFacts facts{.friction_prototype = 0.59,
-                           .slenderness = {kWide, kThin},
-                           .normal_stiffness = {},
-                           .shear_stiffness = {},
-                           .restitution = {},
-                           .height_deviation = {}};
+    const ModelProperties properties{.friction_prototype = 0.59,
+                                     .slenderness = {kWide, kThin},
+                                     .normal_stiffness = {},
+                                     .shear_stiffness = {},
+                                     .restitution = {},
+                                     .height_deviation = {}};
     double frequency = 0.0, restitution = 0.0;
-    for (const NamedFactor& group : group_factors(aluminium, facts)) {
+    for (const NamedFactor& group : group_factors(aluminium, properties)) {
         if (group.name == "omega/p") frequency = group.value;
         if (group.name == "e_r") restitution = group.value;
     }
@@ -167,7 +167,7 @@ TEST_CASE("vertical distortion changes omega/p by the half diagonal, and what im
     const auto leave = [](double slenderness) { return RockingBlock{slenderness * si::meters, 1.0 * si::meters}.angular_restitution(); };
     CHECK_EXPECTED(restitution, leave(slender) / leave(kThin));
     CHECK_EXPECTED(leave(slender) * leave(slender), "0.972");
-    const auto distortions = find_distortions(aluminium, facts);
+    const auto distortions = find_distortions(aluminium, properties);
     const Distortion* change = find(distortions, "e_r");
     REQUIRE(change != nullptr);
     CHECK(change->severity == Severity::warning);
@@ -175,7 +175,8 @@ TEST_CASE("vertical distortion changes omega/p by the half diagonal, and what im
           std::string::npos);
     CHECK(find(distortions, "mu/tan(alpha)") == nullptr);
     // one length scale keeps all angles
-    for (const NamedFactor& group : group_factors(make_similitude("mu", {.length = 1.0 / 107.0, .friction = kAluminiumFriction}), facts)) {
+    for (const NamedFactor& group :
+         group_factors(make_similitude("mu", {.length = 1.0 / 107.0, .friction = kAluminiumFriction}), properties)) {
         CHECK(group.name != "e_r");
     }
 }

@@ -19,8 +19,8 @@ const ScaleFactors kAluminium{.length = 1.0 / 107.0, .friction = 0.18 / 0.59, .d
 constexpr double kThin = 1.36 / 4.25;
 constexpr double kWide = 2.82 / 4.25;
 
-double group(const ModelScales& scales, std::string_view name, const ModelFacts& facts = {}) {
-    for (const NamedFactor& factor : group_factors(scales, facts)) {
+double group(const ModelScales& scales, std::string_view name, const ModelProperties& properties = {}) {
+    for (const NamedFactor& factor : group_factors(scales, properties)) {
         if (factor.name == name) return factor.value;
     }
     FAIL("no group " << name);
@@ -83,26 +83,26 @@ TEST_CASE("only groups that differ beyond rounding are distortions, in the order
 TEST_CASE("an exact similitude with scaled contacts has no distortion at any length") {
     for (int denominator = 1; denominator <= 200; ++denominator) {
         const Similitude similitude = make_similitude("exact", {.length = 1.0 / denominator, .gravity = 1.3, .density = 0.7});
-        const ModelFacts facts{.friction_prototype = 0.59,
-                               .slenderness = {kThin, kWide},
-                               .normal_stiffness = similitude.stiffness_static(),
-                               .shear_stiffness = similitude.stiffness(),
-                               .restitution = 1.0,
-                               .height_deviation = similitude.length()};
-        CHECK(group_factors(similitude, facts).size() == 17);
-        CHECK(find_distortions(similitude, facts).empty());
+        const ModelProperties properties{.friction_prototype = 0.59,
+                                         .slenderness = {kThin, kWide},
+                                         .normal_stiffness = similitude.stiffness_static(),
+                                         .shear_stiffness = similitude.stiffness(),
+                                         .restitution = 1.0,
+                                         .height_deviation = similitude.length()};
+        CHECK(group_factors(similitude, properties).size() == 17);
+        CHECK(find_distortions(similitude, properties).empty());
     }
 }
 
 TEST_CASE("friction that falls below the slenderness is an error that names the direction") {
-    const ModelFacts facts{.friction_prototype = 0.59,
-                           .slenderness = {kThin, kWide},
-                           .normal_stiffness = {},
-                           .shear_stiffness = {},
-                           .restitution = {},
-                           .height_deviation = {}};
+    const ModelProperties properties{.friction_prototype = 0.59,
+                                     .slenderness = {kThin, kWide},
+                                     .normal_stiffness = {},
+                                     .shear_stiffness = {},
+                                     .restitution = {},
+                                     .height_deviation = {}};
 
-    const std::vector<Distortion> aluminium = find_distortions(make_similitude("mu", kAluminium), facts);
+    const std::vector<Distortion> aluminium = find_distortions(make_similitude("mu", kAluminium), properties);
     const Distortion* change = find(aluminium, "mu/tan(alpha)");
     REQUIRE(change != nullptr);
     CHECK(change->severity == Severity::error);
@@ -111,7 +111,7 @@ TEST_CASE("friction that falls below the slenderness is an error that names the 
     CHECK(change->effect.find("0.6635") == std::string::npos);
 
     // wood stays on its side in both directions, 6.8 % off
-    const std::vector<Distortion> wood = find_distortions(make_similitude("mu", kWood), facts);
+    const std::vector<Distortion> wood = find_distortions(make_similitude("mu", kWood), properties);
     const Distortion* shift = find(wood, "mu/tan(alpha)");
     REQUIRE(shift != nullptr);
     CHECK(shift->severity == Severity::note);
@@ -125,12 +125,12 @@ TEST_CASE("friction that falls below the slenderness is an error that names the 
 TEST_CASE("the same solid at 1:25 is too stiff under gravity by 25 and too fast in structural speed by 5") {
     const double length = 1.0 / 25.0;
     const Similitude similitude = make_similitude("mu", {.length = length});
-    const ModelFacts same_solid{.friction_prototype = {},
-                                .slenderness = {},
-                                .normal_stiffness = length,
-                                .shear_stiffness = length,
-                                .restitution = 0.5,
-                                .height_deviation = 2.0 * length};
+    const ModelProperties same_solid{.friction_prototype = {},
+                                     .slenderness = {},
+                                     .normal_stiffness = length,
+                                     .shear_stiffness = length,
+                                     .restitution = 0.5,
+                                     .height_deviation = 2.0 * length};
 
     CHECK_EXPECTED(group(similitude, "kappa_n", same_solid), 25.0);
     CHECK_EXPECTED(group(similitude, "S_e^N", same_solid), 5.0);
@@ -149,7 +149,7 @@ TEST_CASE("the same solid at 1:25 is too stiff under gravity by 25 and too fast 
 }
 
 TEST_CASE("blocks of the prototype's stiffness raise the structural speed number of a 1:107 model about ten times") {
-    ModelFacts same_solid;
+    ModelProperties same_solid;
     same_solid.shear_stiffness = 1.0 / 107.0;
     const double factor = group(make_similitude("mu", {.length = 1.0 / 107.0, .friction = 0.63 / 0.59}), "S_e^N", same_solid);
     CHECK_EXPECTED(factor, 1.0 / std::sqrt(0.63 / 0.59 / 107.0));
@@ -164,18 +164,18 @@ TEST_CASE("the Cauchy law reports the gravity it neglects") {
     CHECK(froude->severity == Severity::warning);
 }
 
-TEST_CASE("facts that cannot be are refused with the reason") {
-    ModelFacts facts;
-    facts.slenderness = {kThin, 0.0};
-    CHECK_THROWS_WITH_AS(find_distortions(make_similitude("mu", kWood), facts),
+TEST_CASE("properties that cannot be are refused with the reason") {
+    ModelProperties properties;
+    properties.slenderness = {kThin, 0.0};
+    CHECK_THROWS_WITH_AS(find_distortions(make_similitude("mu", kWood), properties),
                          "distortions: a slenderness tan(alpha) is 0 (must be positive and finite); correct it or leave it out",
                          SimilitudeError);
-    facts = {};
-    facts.normal_stiffness = -1.0;
-    CHECK_THROWS_AS(group_factors(make_similitude("mu", kWood), facts), SimilitudeError);
-    facts = {};
-    facts.friction_prototype = std::nan("");
-    CHECK_THROWS_AS(group_factors(make_similitude("mu", kWood), facts), SimilitudeError);
+    properties = {};
+    properties.normal_stiffness = -1.0;
+    CHECK_THROWS_AS(group_factors(make_similitude("mu", kWood), properties), SimilitudeError);
+    properties = {};
+    properties.friction_prototype = std::nan("");
+    CHECK_THROWS_AS(group_factors(make_similitude("mu", kWood), properties), SimilitudeError);
 }
 
 TEST_CASE("severities have names") {

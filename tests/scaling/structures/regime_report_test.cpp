@@ -18,18 +18,20 @@ namespace musim::scaling::tests {
 namespace {
 
 /// The concrete prototype under the Ridgecrest motion, and a model.
-PairFacts make_pair(const StructureFacts& model) { return {.prototype = concrete_prototype(), .model = model, .motion = ridgecrest()}; }
+PairProperties make_pair(const StructureProperties& model) {
+    return {.prototype = concrete_prototype(), .model = model, .motion = ridgecrest()};
+}
 
 /// Aluminium and wood in blocks of exactly 1:107.
-StructureFacts at_1_107(StructureFacts model) {
+StructureProperties at_1_107(StructureProperties model) {
     for (std::size_t i = 0; i < 3; ++i) model.block[i] = concrete_prototype().block[i] / 107.0;
     return model;
 }
 
 KeptNumbers kept_by(const char* law) { return find_kept_numbers(solve_law(*find_scale_law(law), {{"l", 1.0 / 107.0}})); }
 
-RegimeReport report(const PairFacts& facts, const char* law, double length = 1.0 / 107.0) {
-    return make_regime_report(facts, make_similitude(law, make_scale_factors(facts, length)), kept_by(law));
+RegimeReport report(const PairProperties& properties, const char* law, double length = 1.0 / 107.0) {
+    return make_regime_report(properties, make_similitude(law, make_scale_factors(properties, length)), kept_by(law));
 }
 
 const GroupComparison& find(const RegimeReport& report, std::string_view name, std::optional<Direction> direction = {}) {
@@ -66,7 +68,7 @@ TEST_CASE("factors of the report's groups agree with the reference table of uneq
         {"mu/tan(alpha)", Direction::thin, "0.3051", "1.0678", "0.3051", "1.0678"},
         {"mu", {}, "0.3051", "1.0678", "0.3051", "1.0678"},
     };
-    const PairFacts aluminium = make_pair(at_1_107(aluminium_1_107())), wood = make_pair(at_1_107(wood_1_107()));
+    const PairProperties aluminium = make_pair(at_1_107(aluminium_1_107())), wood = make_pair(at_1_107(wood_1_107()));
     for (const Row& row : rows) {
         CAPTURE(row.name);
         CHECK_EXPECTED(find(report(aluminium, "froude"), row.name, row.direction).factor(), row.froude_aluminium);
@@ -95,7 +97,7 @@ TEST_CASE("values of prototype and models agree with the reference cases") {
 }
 
 TEST_CASE("the same solid at 1:25 keeps all but contact rigidity and structural speed") {
-    const StructureFacts model = concrete_1_25();
+    const StructureProperties model = concrete_1_25();
     const RegimeReport same = report(make_pair(model), "froude", 1.0 / 25.0);
     CHECK_EXPECTED(find(same, "S_e^N").factor(), 5.0);
     CHECK_EXPECTED(find(same, "kappa_n").factor(), 25.0);
@@ -112,21 +114,21 @@ TEST_CASE("the same solid at 1:25 keeps all but contact rigidity and structural 
 
 TEST_CASE("a harder contact is a note while the overlap is small in both, a warning otherwise or when it is not known") {
     // base overlap over σ_H: prototype 38 m g/(k_n σ_H) = 0.043, model 25 times less
-    PairFacts facts = make_pair(concrete_1_25());
-    const RegimeReport rigid = report(facts, "froude", 1.0 / 25.0);
+    PairProperties properties = make_pair(concrete_1_25());
+    const RegimeReport rigid = report(properties, "froude", 1.0 / 25.0);
     CHECK_EXPECTED(find(rigid, "delta_w/sigma_H").prototype, "0.043");
     CHECK(find(rigid, "kappa_n").severity == Severity::note);
     CHECK(find(rigid, "delta_w/sigma_H").severity == Severity::note);
     CHECK(find(rigid, "C^N").severity == Severity::note);
     CHECK(find_regime(rigid, "contacts")->statement.find("rigid: heights decide who carries in both") != std::string::npos);
 
-    facts.prototype.height_deviation = 1e-3 * si::meters;  // 0.54
-    const RegimeReport soft = report(facts, "froude", 1.0 / 25.0);
+    properties.prototype.height_deviation = 1e-3 * si::meters;  // 0.54
+    const RegimeReport soft = report(properties, "froude", 1.0 / 25.0);
     CHECK(find(soft, "kappa_n").severity == Severity::warning);
     CHECK(find_regime(soft, "contacts")->severity == Severity::warning);
 
-    facts.prototype.height_deviation.reset();
-    const RegimeReport unknown = report(facts, "froude", 1.0 / 25.0);
+    properties.prototype.height_deviation.reset();
+    const RegimeReport unknown = report(properties, "froude", 1.0 / 25.0);
     CHECK(find(unknown, "kappa_n").severity == Severity::warning);
     CHECK(find(unknown, "kappa_n").effect.find("without sigma_H") != std::string::npos);
     CHECK(find_regime(unknown, "contacts") == nullptr);
@@ -137,9 +139,9 @@ TEST_CASE("a harder contact is a note while the overlap is small in both, a warn
 }
 
 TEST_CASE("aluminium slides where concrete rocks: errors in the thin direction, whatever the input") {
-    const PairFacts facts = make_pair(at_1_107(aluminium_1_107()));
+    const PairProperties properties = make_pair(at_1_107(aluminium_1_107()));
     for (const char* law : {"mu", "froude"}) {
-        const RegimeReport aluminium = report(facts, law);
+        const RegimeReport aluminium = report(properties, law);
         CHECK(find(aluminium, "mu/tan(alpha)", Direction::thin).severity == Severity::error);
         CHECK(find(aluminium, "mu/tan(alpha)", Direction::wide).severity == Severity::warning);
         CHECK(find_regime(aluminium, "sliding or rocking first", Direction::thin)->severity == Severity::error);
@@ -147,7 +149,7 @@ TEST_CASE("aluminium slides where concrete rocks: errors in the thin direction, 
         CHECK(find_regime(aluminium, "first motion", Direction::thin)->severity == Severity::error);
     }
     // PGA/(g tan α) = 1.597: lifted; by the mu law 0.487
-    const RegimeReport by_mu = report(facts, "mu"), by_froude = report(facts, "froude");
+    const RegimeReport by_mu = report(properties, "mu"), by_froude = report(properties, "froude");
     CHECK(find_regime(by_mu, "uplift", Direction::thin)->severity == Severity::error);
     CHECK(find_regime(by_mu, "uplift", Direction::thin)->statement ==
           "a/(g*tan(alpha)) goes from 1.597 (the peak lifts a block) to 0.4872 (the peak lifts no block); the motion of law froude keeps "
@@ -167,20 +169,20 @@ TEST_CASE("aluminium slides where concrete rocks: errors in the thin direction, 
 }
 
 TEST_CASE("a group that sits on its border is not carried over it by rounding") {
-    PairFacts facts = make_pair(at_1_107(wood_1_107()));
-    facts.model.friction = facts.prototype.friction;
-    facts.motion->acceleration = facts.prototype.friction * facts.prototype.gravity;
-    facts.model_motion = facts.motion;
-    facts.model_motion->acceleration *= 1.0 + 1e-15;
-    CHECK_FALSE(find_regime(report(facts, "mu"), "sliding")->severity.has_value());
-    facts.model_motion->acceleration *= 1.0 + 1e-9;
-    CHECK(find_regime(report(facts, "mu"), "sliding")->severity == Severity::error);
+    PairProperties properties = make_pair(at_1_107(wood_1_107()));
+    properties.model.friction = properties.prototype.friction;
+    properties.motion->acceleration = properties.prototype.friction * properties.prototype.gravity;
+    properties.model_motion = properties.motion;
+    properties.model_motion->acceleration *= 1.0 + 1e-15;
+    CHECK_FALSE(find_regime(report(properties, "mu"), "sliding")->severity.has_value());
+    properties.model_motion->acceleration *= 1.0 + 1e-9;
+    CHECK(find_regime(report(properties, "mu"), "sliding")->severity == Severity::error);
 }
 
 TEST_CASE("each law asks for its own groups") {
-    const PairFacts facts = make_pair(at_1_107(aluminium_1_107()));
+    const PairProperties properties = make_pair(at_1_107(aluminium_1_107()));
     const auto is_required = [&](const char* law, std::string_view name, std::optional<Direction> direction = {}) {
-        return find(report(facts, law), name, direction).is_required;
+        return find(report(properties, law), name, direction).is_required;
     };
     for (const char* law : {"mu", "froude", "cauchy"}) CHECK(is_required(law, "b/H"));
     CHECK(is_required("mu", "mu^N"));
@@ -192,17 +194,17 @@ TEST_CASE("each law asks for its own groups") {
     CHECK(is_required("cauchy", "C^N"));
     CHECK_FALSE(is_required("cauchy", "a/g"));
 
-    PairFacts twin = facts;
+    PairProperties twin = properties;
     twin.model.friction = twin.prototype.friction;
     for (const GroupComparison& group : report(twin, "exact").groups) CHECK(group.is_required);
 }
 
 TEST_CASE("what the table gave the model counts, where it is given") {
-    PairFacts facts = make_pair(at_1_107(wood_1_107()));
-    const Similitude similitude = make_similitude("mu", make_scale_factors(facts, 1.0 / 107.0));
-    facts.model_motion = to_model(*facts.motion, similitude);
-    facts.model_motion->acceleration *= 0.8;
-    const RegimeReport weak = make_regime_report(facts, similitude, kept_by("mu"));
+    PairProperties properties = make_pair(at_1_107(wood_1_107()));
+    const Similitude similitude = make_similitude("mu", make_scale_factors(properties, 1.0 / 107.0));
+    properties.model_motion = to_model(*properties.motion, similitude);
+    properties.model_motion->acceleration *= 0.8;
+    const RegimeReport weak = make_regime_report(properties, similitude, kept_by("mu"));
     CHECK_EXPECTED(find(weak, "a/(mu*g)").factor(), 0.8);
     CHECK(find(weak, "a/(mu*g)").severity == Severity::warning);
     CHECK(find(weak, "a/(mu*g)").is_required);
@@ -210,29 +212,29 @@ TEST_CASE("what the table gave the model counts, where it is given") {
 }
 
 TEST_CASE("a table is held against the frequencies of the model's motion") {
-    PairFacts facts = make_pair(at_1_107(wood_1_107()));
-    facts.motion->highest_frequency = 10.0 / si::seconds;
+    PairProperties properties = make_pair(at_1_107(wood_1_107()));
+    properties.motion->highest_frequency = 10.0 / si::seconds;
     const double predominant = 2.0 * 10.68898;  // 1/λ_t of the mu law, wood
-    facts.table = Bandwidth{.highest = 5.01 * predominant / si::seconds};
-    CHECK_FALSE(find_regime(report(facts, "mu"), "table")->severity.has_value());
-    facts.table = Bandwidth{.highest = 4.99 * predominant / si::seconds};
-    CHECK(find_regime(report(facts, "mu"), "table")->severity == Severity::warning);
-    facts.table = Bandwidth{.highest = 0.99 * predominant / si::seconds};
-    CHECK(find_regime(report(facts, "mu"), "table")->severity == Severity::error);
-    facts.table = Bandwidth{.lowest = 1.01 * predominant / si::seconds};
-    CHECK(find_regime(report(facts, "mu"), "table")->severity == Severity::error);
-    facts.table = Bandwidth{};
-    CHECK(find_regime(report(facts, "mu"), "table") == nullptr);
+    properties.table = Bandwidth{.highest = 5.01 * predominant / si::seconds};
+    CHECK_FALSE(find_regime(report(properties, "mu"), "table")->severity.has_value());
+    properties.table = Bandwidth{.highest = 4.99 * predominant / si::seconds};
+    CHECK(find_regime(report(properties, "mu"), "table")->severity == Severity::warning);
+    properties.table = Bandwidth{.highest = 0.99 * predominant / si::seconds};
+    CHECK(find_regime(report(properties, "mu"), "table")->severity == Severity::error);
+    properties.table = Bandwidth{.lowest = 1.01 * predominant / si::seconds};
+    CHECK(find_regime(report(properties, "mu"), "table")->severity == Severity::error);
+    properties.table = Bandwidth{};
+    CHECK(find_regime(report(properties, "mu"), "table") == nullptr);
 }
 
 TEST_CASE("zero is a value: gaps that close and vertical shaking that is left out are distortions") {
-    PairFacts facts = make_pair(at_1_107(wood_1_107()));
-    facts.prototype.gap = 0.05 * si::meters;
-    facts.model.gap = 0.0 * si::meters;
-    facts.motion->vertical_acceleration = 0.0 * si::meters_per_second_squared;
-    facts.prototype.edge_radius = 0.0 * si::meters;
-    facts.model.edge_radius = 1e-3 * si::meters;
-    const RegimeReport zeros = report(facts, "mu");
+    PairProperties properties = make_pair(at_1_107(wood_1_107()));
+    properties.prototype.gap = 0.05 * si::meters;
+    properties.model.gap = 0.0 * si::meters;
+    properties.motion->vertical_acceleration = 0.0 * si::meters_per_second_squared;
+    properties.prototype.edge_radius = 0.0 * si::meters;
+    properties.model.edge_radius = 1e-3 * si::meters;
+    const RegimeReport zeros = report(properties, "mu");
     CHECK(find(zeros, "gap/H").factor() == 0.0);
     CHECK(find(zeros, "gap/H").severity == Severity::warning);
     CHECK(find(zeros, "a_vertical/g").factor() == 1.0);
@@ -242,9 +244,9 @@ TEST_CASE("zero is a value: gaps that close and vertical shaking that is left ou
 }
 
 TEST_CASE("without a motion what it would decide is left out") {
-    PairFacts facts = make_pair(at_1_107(wood_1_107()));
-    facts.motion.reset();
-    const RegimeReport still = report(facts, "mu");
+    PairProperties properties = make_pair(at_1_107(wood_1_107()));
+    properties.motion.reset();
+    const RegimeReport still = report(properties, "mu");
     CHECK(find_regime(still, "first motion", Direction::thin) == nullptr);
     CHECK(find_regime(still, "uplift", Direction::thin) == nullptr);
     CHECK(find_regime(still, "sliding or rocking first", Direction::thin) != nullptr);
@@ -252,18 +254,18 @@ TEST_CASE("without a motion what it would decide is left out") {
 }
 
 TEST_CASE("every group has a meaning with a source, and every known factor too") {
-    MotionFacts motion = ridgecrest();
+    MotionProperties motion = ridgecrest();
     for (const GroupValue& value : find_group_values(wood_1_107(), &motion, 1.0 * si::meters)) {
         const GroupMeaning& meaning = find_group_meaning(value.name);
         CHECK_FALSE(meaning.list_sources().empty());
         CHECK(meaning.if_larger != meaning.if_smaller);
     }
-    const ModelFacts all{.friction_prototype = 0.59,
-                         .slenderness = {0.32},
-                         .normal_stiffness = 1.0,
-                         .shear_stiffness = 1.0,
-                         .restitution = 1.0,
-                         .height_deviation = 1.0};
+    const ModelProperties all{.friction_prototype = 0.59,
+                              .slenderness = {0.32},
+                              .normal_stiffness = 1.0,
+                              .shear_stiffness = 1.0,
+                              .restitution = 1.0,
+                              .height_deviation = 1.0};
     for (const NamedFactor& factor : group_factors(make_similitude("mu", {.length = 0.5}), all))
         CHECK_NOTHROW(find_group_meaning(factor.name));
     CHECK_THROWS_AS(find_group_meaning("no such group"), std::out_of_range);
@@ -271,10 +273,10 @@ TEST_CASE("every group has a meaning with a source, and every known factor too")
 
 TEST_CASE("factors of the report are those of find_distortions where both give them") {
     for (const char* law : {"mu", "froude"}) {
-        const PairFacts facts = make_pair(at_1_107(aluminium_1_107()));
-        const Similitude similitude = make_similitude(law, make_scale_factors(facts, 1.0 / 107.0));
-        const RegimeReport full = make_regime_report(facts, similitude, kept_by(law));
-        for (const NamedFactor& factor : group_factors(similitude, make_model_facts(facts))) {
+        const PairProperties properties = make_pair(at_1_107(aluminium_1_107()));
+        const Similitude similitude = make_similitude(law, make_scale_factors(properties, 1.0 / 107.0));
+        const RegimeReport full = make_regime_report(properties, similitude, kept_by(law));
+        for (const NamedFactor& factor : group_factors(similitude, make_model_properties(properties))) {
             for (const GroupComparison& group : full.groups) {
                 // sizes of 1:107 rounded to doubles, roots of products of them: far below 1e-12
                 if (group.name == factor.name) CHECK(group.factor() == doctest::Approx(factor.value).epsilon(1e-12));
@@ -283,28 +285,28 @@ TEST_CASE("factors of the report are those of find_distortions where both give t
     }
 }
 
-TEST_CASE("facts that cannot be are refused with their owner") {
+TEST_CASE("properties that cannot be are refused with their owner") {
     const auto message = [](auto spoil) {
-        PairFacts facts = make_pair(wood_1_107());
-        spoil(facts);
+        PairProperties properties = make_pair(wood_1_107());
+        spoil(properties);
         try {
-            report(facts, "mu");
+            report(properties, "mu");
         } catch (const SimilitudeError& error) {
             return std::string(error.what());
         }
         return std::string();
     };
-    CHECK(message([](PairFacts& facts) { facts.model.normal_stiffness = Stiffness::from_value(0.0); }) ==
-          "facts: the normal stiffness of the model is 0 (must be positive and finite); correct it");
-    CHECK(message([](PairFacts& facts) { facts.prototype.layers = 0; }) ==
-          "facts: the number of layers of the prototype is 0 (must be positive and finite); correct it");
-    CHECK(message([](PairFacts& facts) { facts.model.gap = -1.0 * si::meters; }) ==
-          "facts: the gap of the model is -1 (must be finite and not below 0); correct it");
-    CHECK(message([](PairFacts& facts) { facts.motion->velocity = Velocity::from_value(std::nan("")); }) ==
-          "facts: the velocity of the prototype's motion is nan (must be positive and finite); correct it");
-    CHECK(message([](PairFacts& facts) { facts.table = Bandwidth{.highest = 0.0 / si::seconds}; }) ==
-          "facts: the highest frequency of the table is 0 (must be positive and finite); correct it");
-    CHECK(message([](PairFacts&) {}).empty());
+    CHECK(message([](PairProperties& properties) { properties.model.normal_stiffness = Stiffness::from_value(0.0); }) ==
+          "properties: the normal stiffness of the model is 0 (must be positive and finite); correct it");
+    CHECK(message([](PairProperties& properties) { properties.prototype.layers = 0; }) ==
+          "properties: the number of layers of the prototype is 0 (must be positive and finite); correct it");
+    CHECK(message([](PairProperties& properties) { properties.model.gap = -1.0 * si::meters; }) ==
+          "properties: the gap of the model is -1 (must be finite and not below 0); correct it");
+    CHECK(message([](PairProperties& properties) { properties.motion->velocity = Velocity::from_value(std::nan("")); }) ==
+          "properties: the velocity of the prototype's motion is nan (must be positive and finite); correct it");
+    CHECK(message([](PairProperties& properties) { properties.table = Bandwidth{.highest = 0.0 / si::seconds}; }) ==
+          "properties: the highest frequency of the table is 0 (must be positive and finite); correct it");
+    CHECK(message([](PairProperties&) {}).empty());
 }
 
 }  // namespace musim::scaling::tests

@@ -26,7 +26,7 @@ TEST_CASE("speeds and moduli of the papers' stacks agree with their reference va
 }
 
 TEST_CASE("structural speed in sticking and slipping, and what it takes to climb") {
-    const StructureFacts tower = concrete_prototype();
+    const StructureProperties tower = concrete_prototype();
     const StructuralSpeeds speeds = find_structural_speeds(tower);
     const double c = 4.25 * std::sqrt(25e9 / (2320.0 * 1.36 * 2.82 * 4.25));
     CHECK_EXPECTED(speeds.shear->value(), c);
@@ -45,8 +45,8 @@ TEST_CASE("the same solid at 1:25 has the prototype's speed, and a structural sp
 }
 
 TEST_CASE("with the required stiffness the speed scales as velocities do and the number is kept") {
-    const StructureFacts prototype = concrete_prototype();
-    StructureFacts model = wood_1_107();
+    const StructureProperties prototype = concrete_prototype();
+    StructureProperties model = wood_1_107();
     model.block = {prototype.block[0] / 107.0, prototype.block[1] / 107.0, prototype.block[2] / 107.0};
     const Similitude similitude = make_similitude("mu", make_scale_factors({prototype, model}, 1.0 / 107.0));
     model.normal_stiffness = similitude.stiffness_static() * *prototype.normal_stiffness;
@@ -96,7 +96,7 @@ TEST_CASE("behind the front curves of equal velocity climb a slipping chain at h
 }
 
 TEST_CASE("without stiffnesses there are no speeds") {
-    StructureFacts unknown = wood_1_107();
+    StructureProperties unknown = wood_1_107();
     unknown.normal_stiffness.reset();
     CHECK_FALSE(find_structural_speeds(unknown).normal.has_value());
     CHECK(find_structural_speeds(unknown).shear.has_value());

@@ -26,8 +26,8 @@ namespace {
 /// Exponents are exact but for rounding, variances add by two roundings each.
 constexpr double kRounding = 1e-12;
 
-/// Facts as a file would say them: a value to take for each place.
-using Say = std::function<PairFacts(UncertainReading&)>;
+/// Properties as a file would say them: a value to take for each place.
+using Say = std::function<PairProperties(UncertainReading&)>;
 
 struct Reported {
     RegimeReport report;
@@ -58,23 +58,24 @@ Reported report(const Say& say, const std::optional<MonteCarloSettings>& monte_c
     const LawFormulas formulas(solve_law(*find_scale_law("mu"), give({.length = length})));
     const KeptNumbers kept = find_kept_numbers(formulas.solved());
     const auto read = [&](UncertainReading& reading) {
-        const PairFacts facts = say(reading);
-        return FactsAndLaw{facts, make_similitude(formulas, formulas.choose(give(make_scale_factors(facts, length))))};
+        const PairProperties properties = say(reading);
+        return PropertiesAndLaw{properties, make_similitude(formulas, formulas.choose(give(make_scale_factors(properties, length))))};
     };
     UncertainReading reading("f.json");
-    FactsAndLaw facts = read(reading);
-    const auto shake = [&](FactsAndLaw one) {
-        if (one.facts.motion && !one.facts.model_motion) one.facts.model_motion = to_model(*one.facts.motion, facts.similitude);
+    PropertiesAndLaw properties = read(reading);
+    const auto shake = [&](PropertiesAndLaw one) {
+        if (one.properties.motion && !one.properties.model_motion)
+            one.properties.model_motion = to_model(*one.properties.motion, properties.similitude);
         return one;
     };
-    std::vector<MovedFacts> moved;
+    std::vector<MovedProperties> moved;
     for (const auto& each : read_moved(reading, read)) moved.push_back({shake(each.below), shake(each.above)});
-    facts = shake(facts);
-    RegimeReport report = make_regime_report(facts.facts, facts.similitude, kept);
-    UncertainRegimes uncertain = propagate(report, facts, kept, reading.inputs(), moved);
+    properties = shake(properties);
+    RegimeReport report = make_regime_report(properties.properties, properties.similitude, kept);
+    UncertainRegimes uncertain = propagate(report, properties, kept, reading.inputs(), moved);
     if (monte_carlo) {
         const auto draw = [&](std::span<const double> values) { return shake(read_drawn(reading, values, read)); };
-        add_samples(uncertain, report, facts, kept, draw, *monte_carlo);
+        add_samples(uncertain, report, properties, kept, draw, *monte_carlo);
     }
     return {report, uncertain};
 }
@@ -82,12 +83,12 @@ Reported report(const Say& say, const std::optional<MonteCarloSettings>& monte_c
 /// The concrete tower and a wooden model under the Ridgecrest motion, friction and peak known to some share.
 Say towers(double friction, double peak) {
     return [=](UncertainReading& reading) {
-        PairFacts facts{.prototype = concrete_prototype(), .model = wood_1_107(), .motion = ridgecrest()};
-        facts.prototype.friction = reading.take("prototype: friction", {0.59, 0.59 * friction});
-        facts.model.friction = reading.take("model: friction", {0.63, 0.63 * friction});
-        const double a = facts.motion->acceleration.value();
-        facts.motion->acceleration = Acceleration::from_value(reading.take("motion: acceleration", {a, a * peak}));
-        return facts;
+        PairProperties properties{.prototype = concrete_prototype(), .model = wood_1_107(), .motion = ridgecrest()};
+        properties.prototype.friction = reading.take("prototype: friction", {0.59, 0.59 * friction});
+        properties.model.friction = reading.take("model: friction", {0.63, 0.63 * friction});
+        const double a = properties.motion->acceleration.value();
+        properties.motion->acceleration = Acceleration::from_value(reading.take("motion: acceleration", {a, a * peak}));
+        return properties;
     };
 }
 
@@ -113,13 +114,13 @@ TEST_CASE("groups of a test as it is shaken have the uncertainties of their clos
 
 TEST_CASE("an uncertain block moves restitution by its slope, of either sign") {
     const Reported given = report([](UncertainReading& reading) {
-        PairFacts facts{.prototype = concrete_prototype(), .model = wood_1_107()};
-        const double b = facts.model.block[0].value();
-        facts.model.block[0] = Length::from_value(reading.take("model: block b", {b, 0.01 * b}));
-        return facts;
+        PairProperties properties{.prototype = concrete_prototype(), .model = wood_1_107()};
+        const double b = properties.model.block[0].value();
+        properties.model.block[0] = Length::from_value(reading.take("model: block b", {b, 0.01 * b}));
+        return properties;
     });
     // e_r = 1 − 1.5 sin²α with tan α = b/H: ∂e_r/∂ln b = −3 sin²α cos²α
-    const StructureFacts model = wood_1_107();
+    const StructureProperties model = wood_1_107();
     const double slenderness = (model.block[0] / model.block[2]).value(), cosine2 = 1.0 / (1.0 + slenderness * slenderness);
     const double expected = 0.01 * 3.0 * (1.0 - cosine2) * cosine2;
     CHECK(given.group("e_r", Direction::thin).model.uncertainty() == relative(expected, 1e-5));  // h² = 1e-6 of the difference
@@ -148,9 +149,9 @@ TEST_CASE("a regime says when its limit lies within the uncertainty, and only th
 }
 
 TEST_CASE("contacts and the table's band have limits of their own") {
-    const auto facts = [](double deviation, double highest) {
+    const auto properties = [](double deviation, double highest) {
         return [=](UncertainReading& reading) {
-            PairFacts pair{.prototype = concrete_prototype(), .model = wood_1_107(), .motion = ridgecrest()};
+            PairProperties pair{.prototype = concrete_prototype(), .model = wood_1_107(), .motion = ridgecrest()};
             // δ_w/σ_H of the prototype is 0.043, its limit 0.1
             pair.prototype.height_deviation = Length::from_value(reading.take("s", {12.5e-3, 12.5e-3 * deviation}));
             pair.motion->highest_frequency = Frequency::from_value(8.0);
@@ -159,7 +160,7 @@ TEST_CASE("contacts and the table's band have limits of their own") {
         };
     };
     // the model's 8 Hz are 85.5 Hz: 0.95 of the table's
-    const Reported vague = report(facts(0.6, 0.04)), sharp = report(facts(0.1, 0.01));
+    const Reported vague = report(properties(0.6, 0.04)), sharp = report(properties(0.1, 0.01));
     CHECK(vague.regime("contacts").is_open);
     CHECK(vague.regime("table").is_open);
     CHECK(vague.regime("table").statement.find("highest frequency of the model is 0.95") != std::string::npos);
@@ -167,7 +168,7 @@ TEST_CASE("contacts and the table's band have limits of their own") {
     CHECK_FALSE(sharp.regime("table").is_open);
 }
 
-TEST_CASE("samples of facts have the distribution of their closed forms") {
+TEST_CASE("samples of properties have the distribution of their closed forms") {
     const MonteCarloSettings settings{.samples = 20'000, .seed = 5, .distribution = Distribution::lognormal};
     const Reported given = report(towers(0.2, 0.1), settings);
     REQUIRE(given.group("a/(mu*g)").samples.has_value());
@@ -202,7 +203,7 @@ TEST_CASE("the share of samples in another regime is that of the normal distribu
     CHECK(given.share_elsewhere("sliding or rocking first", Direction::thin) == 0.0);  // 1.84 is 9 u away
 }
 
-TEST_CASE("samples of facts are the same bits for one seed, whatever the threads") {
+TEST_CASE("samples of properties are the same bits for one seed, whatever the threads") {
     const auto draw = [](std::uint64_t seed, int threads) {
         return report(towers(0.05, 0.02), MonteCarloSettings{.samples = 3'000, .seed = seed, .threads = threads});
     };

@@ -194,7 +194,7 @@ TEST_CASE("a setting is on the Pareto front when no other is both faster and clo
     AccuracyPanel panel{"made",
                         "Made",
                         {make_row(1e-1, 1.0), make_row(1e-2, 2.0), make_row(1e-2, 3.0), make_row(2e-2, 2.5), make_row(1e-3, 9.0),
-                         make_row(never, 0.1), make_row(0.0, 0.1, "shadow"), make_row(1e-1, 1.0)}};
+                         make_row(never, 0.1), make_row(0.0, 0.1, "copy"), make_row(1e-1, 1.0)}};
     mark_pareto(panel);
     const std::array<bool, 8> expected{true, true, false, false, true, false, false, true};
     for (std::size_t r = 0; r < expected.size(); ++r) CHECK_MESSAGE(panel.rows[r].pareto == expected[r], r);

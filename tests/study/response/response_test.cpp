@@ -242,7 +242,7 @@ TEST_CASE("a run reads back as it was written") {
     for (const SpeedEstimate& e : response.speeds) CHECK(e.why == "fewer than three levels are kept");
     CHECK(response.spine[1].residual_displacement ==
           run.final.position[2] - run.initial.position[2] - run.history.base.back().displacement);
-    // the losses in the file are those of the ledger: four terms, each rounded once
+    // the losses in the file are those of the energy balance: four terms, each rounded once
     const RunResult again = run_scene(parse_scene(run.scene));
     REQUIRE(again.history.energy.back().friction_loss > 0.0);
     CHECK(response.damage.loss->friction == doctest::Approx(again.history.energy.back().friction_loss).epsilon(1e-14));

@@ -36,27 +36,27 @@ TEST_CASE("a run that diverged below the critical step gets the advice to halve 
     CHECK(says(describe_divergence(unlimited), "0.0045 s"));
 }
 
-TEST_CASE("a sound run raises no doubt, a doubtful one says each number") {
+TEST_CASE("a sound run raises no warning, a doubtful one says each number") {
     RunResult run = make_made_run(3);
-    CHECK(find_doubts(run).empty());
+    CHECK(find_warnings(run).empty());
     run.critical_time_step = 0.0009;
     run.statistics.max_overlap_over_height = 2.0 * kDeepOverlap;
     run.energy_closure = 2.0 * kOpenBalance;
-    const auto doubts = find_doubts(run);
-    REQUIRE(doubts.size() == 3);
-    CHECK(says(doubts[0], "0.00072 s"));
-    CHECK(says(doubts[1], "0.1 of a block's height"));
-    CHECK(says(doubts[2], "open by 0.2"));
+    const auto warnings = find_warnings(run);
+    REQUIRE(warnings.size() == 3);
+    CHECK(says(warnings[0], "0.00072 s"));
+    CHECK(says(warnings[1], "0.1 of a block's height"));
+    CHECK(says(warnings[2], "open by 0.2"));
     run.rest = Rest{.at_rest = false, .steps = 640, .kinetic = 0.001, .reaction_over_weight = 0.75};
-    REQUIRE(find_doubts(run).size() == 4);
-    CHECK(says(find_doubts(run)[0], "640 steps"));
-    CHECK(says(find_doubts(run)[0], "bore 0.750000 of the weight"));
+    REQUIRE(find_warnings(run).size() == 4);
+    CHECK(says(find_warnings(run)[0], "640 steps"));
+    CHECK(says(find_warnings(run)[0], "bore 0.750000 of the weight"));
     run.rest->at_rest = true;
-    CHECK(find_doubts(run).size() == 3);
+    CHECK(find_warnings(run).size() == 3);
     run.rest->fallen = 2;
-    REQUIRE(find_doubts(run).size() == 4);
-    CHECK(says(find_doubts(run)[0], "blocks had fallen from their layers before"));
+    REQUIRE(find_warnings(run).size() == 4);
+    CHECK(says(find_warnings(run)[0], "blocks had fallen from their layers before"));
     // a run that diverged has its own sentence
     run.divergence = Divergence{};
-    CHECK(find_doubts(run).empty());
+    CHECK(find_warnings(run).empty());
 }

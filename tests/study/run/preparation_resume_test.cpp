@@ -69,8 +69,8 @@ TEST_CASE("a preparation resumed from any of its checkpoints ends in the bits of
     };
     // the last one gets its own inertia back before it is at rest
     const double patient = settings.added_patience;
-    for (const Way& way : {Way{Placing::quick_layers, patient}, Way{Placing::resting, patient}, Way{Placing::layers, patient},
-                           Way{Placing::quick_layers, 1e-2}}) {
+    for (const Way& way : {Way{Placing::layers_mass_scaled, patient}, Way{Placing::resting, patient}, Way{Placing::layers, patient},
+                           Way{Placing::layers_mass_scaled, 1e-2}}) {
         settings.placing = way.placing;
         settings.added_patience = way.added_patience;
         int looks = 0;
@@ -107,7 +107,7 @@ TEST_CASE("a run that is killed while its specimen is prepared, or later, goes o
         const RunResult resumed = resume_scene(scene, std::move(checkpoint), counted);
         CHECK(resumed.state_hash == whole.state_hash);
         CHECK(resumed.rest->steps == whole.rest->steps);
-        CHECK((looks == 0) == (look == 0));
+        CHECK((styles == 0) == (look == 0));
     }
 }
 

@@ -70,17 +70,17 @@ TEST_CASE("the image of a laid wall runs to the same bits where all factors are 
     }
 }
 
-TEST_CASE("the image of a column and of its shadow run to the same bits") {
+TEST_CASE("the image of a column and of its copy run to the same bits") {
     const Specimen column = make_column(3, 0.15);
     const TimePlan plan = make_plan(column, 200);
-    for (const Specimen& specimen : {column, make_shadow(column)}) {
+    for (const Specimen& specimen : {column, make_moved_copy(column)}) {
         const RunResult prototype = simulate(specimen, plan);
         for (const ScaleFactors& factors : kPowersOfTwo) CHECK(run_image(specimen, plan, prototype, factors).bitwise_identical);
     }
     // the last place scales, too
     const Similitude similitude = make_similitude("exact", {.length = 1.0 / 16.0});
-    CHECK(hash_model(scale_specimen(make_shadow(column), similitude).model, 1.0) ==
-          hash_model(make_shadow(scale_specimen(column, similitude)).model, 1.0));
+    CHECK(hash_model(scale_specimen(make_moved_copy(column), similitude).model, 1.0) ==
+          hash_model(make_moved_copy(scale_specimen(column, similitude)).model, 1.0));
 }
 
 TEST_CASE("an image is the model of the scaled scene, number by number") {

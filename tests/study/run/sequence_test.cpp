@@ -131,7 +131,7 @@ TEST_CASE("a sequence of one motion is the plain run, to the byte") {
     check_same_files(folder.path() / "plain", folder.path() / "sequence" / "stage-01-sine");
 }
 
-TEST_CASE("every stage begins where the one before left the structure, at rest, with the base and the ledger anew") {
+TEST_CASE("every stage begins where the one before left the structure, at rest, with the base and the energy balance anew") {
     const TemporaryFolder folder;
     const Scene scene = make_scene(kColumn, sine("0.5 g", R"(, "name": "first one", "repeat": 2)") + ", " + sine("0.4 g"));
     const SequenceSummary summary = shake(scene, folder.path());
@@ -154,7 +154,7 @@ TEST_CASE("every stage begins where the one before left the structure, at rest, 
         const auto json = nlohmann::json::parse(bytes_of(run.directory / "summary.json"));
         // what a step in which blocks touch or part books wrongly, see docs/theory/overlap_contact.md
         CHECK(json["energy_closure"] < 0.01);
-        CHECK(json["doubts"].empty());
+        CHECK(json["warnings"].empty());
         CHECK(parse_scene(run.scene).motions.empty());
         if (k == 0) continue;
         CHECK(json["rest"]["at_rest"] == true);
@@ -224,7 +224,7 @@ TEST_CASE("a sequence at 1:16 is the same bits in all stages and its summary") {
     }
 }
 
-TEST_CASE("a base that still moves when a stage ends is stopped before the quiet phase, as hard as the stage shook it") {
+TEST_CASE("a base that still moves when a stage ends is stopped before the rest phase, as hard as the stage shook it") {
     std::array<BaseComponent, 3> motion;
     motion[0] = {.start = 0.0, .dt = 0.5, .velocity = {0.0, 1.0, 0.5}};
     motion[2] = {.start = 0.0, .dt = 0.25, .velocity = {0.0, -1.0, 0.0}};
@@ -247,7 +247,7 @@ TEST_CASE("a base that still moves when a stage ends is stopped before the quiet
     CHECK(runs[1].history.spine_velocity.front().norm() < 1e-5);
 }
 
-TEST_CASE("a stage without a quiet phase goes on with the velocities of the one before") {
+TEST_CASE("a stage without a rest phase goes on with the velocities of the one before") {
     const TemporaryFolder folder;
     const SequenceSummary summary = shake(make_scene(kColumn, sine("0.5 g") + ", " + sine("0.4 g", R"(, "settle": false)")), folder.path());
     const auto runs = read_stages(folder.path(), summary);
@@ -277,7 +277,7 @@ TEST_CASE("the sequence ends with the stage in which the structure collapses, wh
     json.erase("checksum");
     CHECK(json == to_json(summary));
     CHECK(json["collapse"]["stage"] == 2);
-    CHECK(json["collapse"]["in_quiet_phase"] == false);
+    CHECK(json["collapse"]["in_rest_phase"] == false);
     CHECK(json["failure"]["mode"] == "undecided");
     CHECK(json["stages"][1]["since_first_start"]["fallen_blocks"] > 0);
     const std::string csv = bytes_of(folder.path() / "sequence.csv");
@@ -317,7 +317,7 @@ TEST_CASE("a structure that collapses while it comes to rest has collapsed after
     REQUIRE(summary.stages.size() == 1);
     CHECK(summary.status() == RunStatus::collapsed);
     CHECK(*summary.stages[0].collapse_time > 0.125);
-    CHECK(to_json(summary)["collapse"]["in_quiet_phase"] == true);
+    CHECK(to_json(summary)["collapse"]["in_rest_phase"] == true);
     CHECK(read_stages(folder.path(), summary)[0].status == RunStatus::collapsed);
 }
 
@@ -326,7 +326,7 @@ TEST_CASE("a sequence killed anywhere and resumed has the files of one that was 
     const TemporaryFolder folder;
     const fs::path whole = folder.path() / "whole";
     shake(scene, whole);
-    // in the first, a later and the last stage, in the quiet phase after the first, and right after one was stored; then once more
+    // in the first, a later and the last stage, in the rest phase after the first, and right after one was stored; then once more
     struct Kill {
         double first, second;
         std::string stored;

@@ -111,13 +111,13 @@ TEST_CASE("a time step far above the limit ends the run as diverged, with block 
     CHECK(run.steps < plan.steps());
 }
 
-TEST_CASE("a shadow differs from its specimen by one unit in the last place of one coordinate of every block") {
+TEST_CASE("a copy differs from its specimen by one unit in the last place of one coordinate of every block") {
     Specimen column = make_column(4);
     column.model.blocks[1].position.x() = -70.0;
-    const Specimen shadow = make_shadow(column);
+    const Specimen copy = make_moved_copy(column);
     for (std::size_t b = 0; b < 4; ++b) {
         const Vector3& from = column.model.blocks[b].position;
-        const Vector3& to = shadow.model.blocks[b].position;
+        const Vector3& to = copy.model.blocks[b].position;
         const Eigen::Index moved = b == 1 ? 0 : 2;
         CHECK(to[moved] == std::nextafter(from[moved], 1e9));
         for (Eigen::Index i = 0; i < 3; ++i) {

@@ -95,7 +95,7 @@ TEST_CASE("layer by layer or quickly or by resting planes the same blocks come t
     const Specimen upright = make_upright_specimen(scene);
     const double step = lsdem::compute_time_step(scene, upright.model).value();
     PreparationSettings settings = find_preparation(scene, upright);
-    REQUIRE(settings.placing == lsdem::Placing::quick_layers);
+    REQUIRE(settings.placing == lsdem::Placing::layers_mass_scaled);
     const PreparedSpecimen quick = prepare(upright, step, settings);
     settings.placing = lsdem::Placing::resting;
     const PreparedSpecimen resting = prepare(upright, step, settings);
@@ -144,7 +144,7 @@ TEST_CASE("what has no time to come to rest with inertia added does so with its 
 
 // The same blocks in the same places, so that differences block by block show more than two means. Forces have no such partners: a contact
 // of the one may be open in the other.
-TEST_CASE("specimens of quick layers are those of layer by layer in the mean and cost less" * doctest::test_suite("slow")) {
+TEST_CASE("specimens of layers with scaled mass are those of layer by layer in the mean and cost less" * doctest::test_suite("slow")) {
     lsdem::Scene scene = lsdem::parse_scene(
         R"({"schema": "musim-scene/1", "name": "ring", "material": "wood", "structure": {"kind": "tower", "layers": 6, "tiling": "ring_14",
         "block": ["12.710 mm", "26.355 mm", "39.780 mm"], "height_deviation": "0.155 mm", "seed": 1}, "time": {"duration": "10 ms"}})",
@@ -168,7 +168,7 @@ TEST_CASE("specimens of quick layers are those of layer by layer in the mean and
             settings.placing = placing;
             return prepare(upright, lsdem::compute_time_step(scene, upright.model).value(), settings);
         };
-        const PreparedSpecimen quick = prepare_by(lsdem::Placing::quick_layers), layers = prepare_by(lsdem::Placing::layers);
+        const PreparedSpecimen quick = prepare_by(lsdem::Placing::layers_mass_scaled), layers = prepare_by(lsdem::Placing::layers);
         REQUIRE(quick.rest.at_rest);
         REQUIRE(layers.rest.at_rest);
         quick_cost += quick.block_steps, cost += layers.block_steps;
@@ -282,7 +282,7 @@ TEST_CASE("a specimen serves other materials and scales" * doctest::test_suite("
     scene.preparation.emplace().specimen = file;
     const Specimen taken = make_specimen(scene);
     REQUIRE(taken.settling.has_value());
-    // where it was prepared it is at rest as it is: as many looks as it takes to believe that
+    // where it was prepared it is at rest as it is: as many checks as it takes to believe that
     CHECK(run_scene(scene).rest->steps <= 4 * 64);
     // stiffer, more slippery blocks take the same places: nothing jumps, nothing slides far
     lsdem::Scene other = scene;

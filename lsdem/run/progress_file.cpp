@@ -1,0 +1,117 @@
+#include "lsdem/run/progress_file.hpp"
+
+#include <algorithm>
+#include <exception>
+#include <fstream>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "lsdem/results/leftovers.hpp"
+#include "records/atomic_file.hpp"
+#include "scaling/regular_file.hpp"
+
+namespace musim::lsdem {
+namespace {
+
+constexpr const char* kProgressSchema = "musim-progress/1";
+// of the version before
+constexpr const char* kOldProgressName = "live.json";       // old name
+constexpr const char* kOldProgressSchema = "musim-live/1";  // old name
+
+ProgressState parse_progress_state(const nlohmann::json& json) {
+    ProgressState state;
+    json.at("name").get_to(state.name);
+    state.prepares = json.at("phase") == "preparing";
+    json.at("fraction").get_to(state.fraction);
+    json.at("wall_s").get_to(state.wall_time);
+    if (json.contains("left_s")) state.left = json["left_s"].get<double>();
+    if (json.contains("least_left_s")) state.least_left = json["least_left_s"].get<double>();
+    if (json.contains("run")) state.run = parse_progress_run(json["run"]);
+    return state;
+}
+
+template <class... Args, class Second>
+std::function<void(Args...)> also(std::function<void(Args...)> first, Second second) {
+    if (!first) return second;
+    return [first = std::move(first), second](Args... args) {
+        first(args...);
+        second(args...);
+    };
+}
+
+}  // namespace
+
+nlohmann::json to_json(const ProgressState& state) {
+    nlohmann::json json{{"schema", kProgressSchema},
+                        {"name", state.name},
+                        {"phase", state.prepares ? "preparing" : "running"},
+                        {"fraction", state.fraction},
+                        {"wall_s", state.wall_time}};
+    if (state.left) json["left_s"] = *state.left;
+    if (state.least_left) json["least_left_s"] = *state.least_left;
+    if (state.run) json["run"] = to_json(*state.run);
+    return json;
+}
+
+ProgressFile::ProgressFile(const std::filesystem::path& directory, std::string name, std::chrono::seconds interval)
+    : file_(directory / kProgressName), interval_(interval), next_(start_ + interval) {
+    state_.name = std::move(name);
+}
+
+void ProgressFile::listen_to(RunObserver& observer) {
+    observer.on_preparation_spare = also(std::move(observer.on_preparation_spare), [this](double part) { report_preparation_spare(part); });
+    observer.on_preparation = also(std::move(observer.on_preparation), [this](double fraction) { report_preparation(fraction); });
+    observer.on_progress = also(std::move(observer.on_progress), [this](double fraction) { report_progress(fraction); });
+    observer.on_sample =
+        also(std::move(observer.on_sample), [this](const RunResult& run, const TimePlan& plan) { report_sample(run, plan); });
+}
+
+ProgressFile::~ProgressFile() { detail::remove_with_leftovers(file_); }
+
+void ProgressFile::report(bool prepares, double fraction) {
+    const Clock::time_point now = Clock::now();
+    fraction = prepares ? joined_.after_preparing(fraction) : joined_.after_running(fraction);
+    if (!first_fraction_) {
+        first_fraction_ = fraction;
+        first_reported_ = now;
+    }
+    state_.prepares = prepares;
+    state_.fraction = fraction;
+    const double done = fraction - *first_fraction_;
+    const double taken = std::chrono::duration<double>(now - first_reported_).count();
+    const auto time_to = [&](double end) {
+        return done > 0.0 ? std::optional(taken * std::max(0.0, end - fraction) / done) : std::nullopt;
+    };
+    state_.left = time_to(1.0);
+    state_.least_left = spare_ > 0.0 ? time_to(1.0 - spare_) : std::nullopt;
+    if (is_due()) write();
+}
+
+void ProgressFile::report_sample(const RunResult& run, const TimePlan& plan) {
+    if (is_due()) state_.run = observe_run(run, plan);
+}
+
+void ProgressFile::write() {
+    state_.wall_time = std::chrono::duration<double>(Clock::now() - start_).count();
+    try {
+        records::write_file_atomically(file_, to_json(state_).dump(2) + "\n");
+    } catch (const records::WriteError&) {
+        // whoever looks on sees the state before; the run is not the worse for it
+    }
+    next_ = Clock::now() + interval_;
+}
+
+std::optional<ProgressState> read_progress_file(const std::filesystem::path& directory) {
+    std::ifstream stream = scaling::open_regular_file(directory / kProgressName);
+    if (!stream) stream = scaling::open_regular_file(directory / kOldProgressName);
+    try {
+        const nlohmann::json json = nlohmann::json::parse(stream);
+        if (json.at("schema") != kProgressSchema && json.at("schema") != kOldProgressSchema) return std::nullopt;
+        return parse_progress_state(json);
+    } catch (const nlohmann::json::exception&) {
+        return std::nullopt;
+    }
+}
+
+}  // namespace musim::lsdem

@@ -1,0 +1,64 @@
+#include "lsdem/run/rest_phase.hpp"
+
+#include <chrono>
+#include <cmath>
+
+#include "lsdem/run/advance_in_pieces.hpp"
+
+namespace musim::lsdem {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Stops a base that moves, and lets velocities decay from there.
+RestPhaseState begin_rest_phase(Simulation& simulation, const SequenceStage& stage, const Settling& settling) {
+    RestPhaseState state;
+    // undamped while the base moves: the damping of velocities would hold blocks back against it
+    state.stop = simulation.base().velocity;
+    if (!state.stop.isZero(0.0)) {
+        state.clock = simulation.time();
+        state.moved = simulation.base().displacement;
+        const std::array<BaseComponent, 3> stop = make_stop(stage.motion, state.stop);
+        simulation.begin_motion(stop);
+        detail::advance_in_pieces(simulation, static_cast<std::uint64_t>(std::ceil(stop[0].dt / simulation.time_step())),
+                                  [](std::uint64_t /*taken*/) {});
+    }
+    simulation.begin_preparation(settling.damping_rate);
+    return state;
+}
+
+}  // namespace
+
+RestPhaseEnd come_to_rest(Simulation& simulation, const SequenceStage& stage, const Settling& settling, RunResult& run,
+                          const RestPhaseWatch& watch, const std::optional<RestPhaseState>& from) {
+    const Clock::time_point start = Clock::now();
+    RestPhaseState state = from ? *from : begin_rest_phase(simulation, stage, settling);
+    const double wall_time_before = state.wall_time;
+    const auto wall_time = [&] { return wall_time_before + std::chrono::duration<double>(Clock::now() - start).count(); };
+    const auto base_moved = [&] { return Vector3(state.moved + simulation.base().displacement); };
+
+    SettlingWatch observer;
+    observer.on_progress = watch.on_progress;
+    observer.give_up = [&] {
+        note_falls(run, simulation, state.clock + simulation.time(), base_moved());
+        return run.collapse_time.has_value();
+    };
+    observer.on_state = [&](const SettlingState& now) {
+        state.settling = now;
+        state.wall_time = wall_time();
+        if (watch.on_state) watch.on_state(state);
+    };
+    RestPhaseEnd end;
+    end.rest = settle(simulation, settling, observer, state.settling);
+    update_status(run, simulation);
+    if (run.divergence) run.divergence->time += state.clock;
+    end.moved = base_moved();
+    end.wall_time = wall_time();
+    return end;
+}
+
+std::array<BaseComponent, 3> find_motion(const SequenceStage& stage, const RestPhaseState& state) {
+    return state.stop.isZero(0.0) ? stage.motion : make_stop(stage.motion, state.stop);
+}
+
+}  // namespace musim::lsdem

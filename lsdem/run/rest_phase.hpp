@@ -1,0 +1,34 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "lsdem/motion/simulation.hpp"
+#include "lsdem/results/checkpoint.hpp"
+#include "lsdem/run/sequence_plan.hpp"
+#include "lsdem/run/settle.hpp"
+
+namespace musim::lsdem {
+
+/// What is reported in a rest phase, at every check; either may be empty.
+struct RestPhaseWatch {
+    std::function<void(double, std::uint64_t)> on_progress = {};  ///< a guess of the part that is done, 0 to 1, and the steps taken
+    std::function<void(const RestPhaseState&)> on_state = {};     ///< where it stands
+};
+
+/// How a rest phase ended.
+struct RestPhaseEnd {
+    Rest rest;
+    Vector3 moved = Vector3::Zero();  ///< displacement of the base since the start of the stage [m]
+    double wall_time = 0.0;           ///< [s]
+};
+
+/// Brings base and structure to rest after the motion of a stage, or up to the structure's collapse, and looks for falls meanwhile; or
+/// carries that on from `from`, with the simulation as it was there. `run`, of the stage, takes falls, collapse and divergence.
+RestPhaseEnd come_to_rest(Simulation& simulation, const SequenceStage& stage, const Settling& settling, RunResult& run,
+                          const RestPhaseWatch& watch, const std::optional<RestPhaseState>& from = {});
+
+/// The motion that the base has in a rest phase, for restoring its simulation.
+std::array<BaseComponent, 3> find_motion(const SequenceStage& stage, const RestPhaseState& state);
+
+}  // namespace musim::lsdem
