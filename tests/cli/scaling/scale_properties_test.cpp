@@ -107,7 +107,7 @@ TEST_CASE("factors follow from the properties, and the same ones may be typed, o
     const auto alone = here.run("scale --length 1/107 --properties properties.json --json").json();
     CHECK(alone["factors"]["density"] == 800.0 / 2320.0);
     // the old names of option, schema and key
-    const std::string old_name = "musim-facts/1";
+    const std::string old_name = "musim-facts/1";  // old name
     here.write("old.json", std::regex_replace(std::string(kProperties), std::regex("musim-properties/1"), old_name) + "}");
     CHECK(here.run("scale --length 1/107 --facts old.json --json").json() == alone);  // old name
     CHECK(alone["facts"] == alone["properties"]);                                     // old name
