@@ -40,21 +40,26 @@ std::vector<std::string> find_choices(const std::string& full_type, const std::s
     return choices;
 }
 
-std::vector<std::string> list_names(const std::set<CLI::Option*>& options) {
+/// Names of some of an App's options, in the order in which it shows them.
+std::vector<std::string> list_names(const CLI::App& app, const std::set<CLI::Option*>& options) {
     std::vector<std::string> names;
-    for (const CLI::Option* option : options) names.push_back(option->get_name());
+    names.reserve(options.size());
+    for (const CLI::Option* option : app.get_options()) {
+        const bool is_meant = std::any_of(options.begin(), options.end(), [option](const CLI::Option* each) { return each == option; });
+        if (is_meant) names.push_back(option->get_name());
+    }
     return names;
 }
 
-OptionText describe_option(const CLI::Option& option) {
+OptionText describe_option(const CLI::App& app, const CLI::Option& option) {
     OptionText text;
     for (const std::string& name : option.get_snames()) text.names.push_back("-" + name);
     for (const std::string& name : option.get_lnames()) text.names.push_back("--" + name);
     if (option.get_positional()) text.names = {option.get_name(true)};
     text.help = option.get_description();
     text.is_required = option.get_required();
-    text.needs = list_names(option.get_needs());
-    text.bars = list_names(option.get_excludes());
+    text.needs = list_names(app, option.get_needs());
+    text.bars = list_names(app, option.get_excludes());
     if (option.get_items_expected_max() == 0) return text;
 
     const std::string full_type = option.get_type_name();
@@ -96,7 +101,7 @@ CommandText describe(const CLI::App& app, std::vector<std::string> words) {
     text.footer = read_footer(app.get_footer());
     for (const CLI::Option* option : app.get_options()) {
         if (option->get_group().empty()) continue;  // hidden
-        (option->get_positional() ? text.arguments : text.options).push_back(describe_option(*option));
+        (option->get_positional() ? text.arguments : text.options).push_back(describe_option(app, *option));
     }
     for (const CLI::App* each : app.get_subcommands([](const CLI::App* command) { return !command->get_group().empty(); })) {
         text.commands.push_back(describe(*each, text.words));

@@ -48,8 +48,8 @@ std::string italic(const std::string& text) { return "\\fI" + escape(text) + "\\
 std::string refer_to(const CommandText& command) { return bold(command.name("-")) + "(1)"; }
 
 std::string join_bold(const std::vector<std::string>& names) {
-    std::vector<std::string> list;
-    for (const std::string& name : names) list.push_back(bold(name));
+    std::vector<std::string> list(names.size());
+    std::transform(names.begin(), names.end(), list.begin(), bold);
     return join(list, ", ");
 }
 
@@ -95,11 +95,9 @@ std::string explain(const OptionText& option) {
 std::string explain_all(const std::vector<OptionText>& options) {
     std::string text;
     for (const OptionText& option : options) {
-        std::vector<std::string> names;
-        for (const std::string& name : option.names) names.push_back(bold(name));
-        std::string term = join(names, ", ");
+        std::string term;
         if (option.names.front().starts_with('-')) {
-            term = join({names.begin(), names.end() - 1}, ", ");
+            term = join_bold({option.names.begin(), option.names.end() - 1});
             term += (term.empty() ? "" : ", ") + show_option(option, option.names.back());
         } else {
             term = italic(option.names.front()) + (option.value.empty() ? "" : " (" + italic(option.value) + ")");

@@ -24,7 +24,7 @@ std::string name_function(const CommandText& command) { return "_" + command.nam
 /// What completes a value, as _arguments takes it.
 std::string find_action(const OptionText& option) {
     const std::string files = option.path == PathKind::folder ? "_files -/" : "_files";
-    const std::string names = "(" + join(option.choices, " ") + ")";
+    std::string names = "(" + join(option.choices, " ") + ")";
     if (option.choices.empty()) return option.path == PathKind::none ? " " : files;
     if (option.path == PathKind::none) return names;
     return fmt::format("{{_alternative \"names:name:{}\" \"files:file:{}\"}}", names, files);

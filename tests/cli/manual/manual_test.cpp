@@ -1,4 +1,5 @@
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <functional>
@@ -32,7 +33,7 @@ void visit_commands(const Workplace& here, const std::string& words,
                     const std::function<void(const std::string&, const std::string&)>& visit) {
     const std::string help = here.run(words + " --help").out;
     visit("musim" + words, help);
-    for (const std::string& each : list_words(help, "Subcommands:")) visit_commands(here, words + " " + each, visit);
+    for (const std::string& each : list_words(help, "Subcommands:")) visit_commands(here, fmt::format("{} {}", words, each), visit);
 }
 
 std::string replace_all(const std::string& text, const std::string& what, const std::string& by) {
@@ -115,8 +116,9 @@ TEST_CASE("zsh completes commands, options and values known by name") {
     for (const Case& each : {Case{"musim rec", "record  -- Ground"}, Case{"musim scale --law c", "cauchy[^a-z]*centrifuge"},
                              Case{"musim run x.json --th", "--threads  -- Threads;"}}) {
         CAPTURE(each.line);
-        const std::string arguments = std::string(MUSIM_PAGES "/zsh '") + each.line + "' '" + each.shows + "'";
-        CHECK(print_of(here, "timeout 20 " MUSIM_ZSH " -f " + kScripts + "complete.zsh " + arguments + " && echo shown") == "shown\n");
+        const std::string command = fmt::format("timeout 20 " MUSIM_ZSH " -f {}complete.zsh " MUSIM_PAGES "/zsh '{}' '{}' && echo shown",
+                                                kScripts, each.line, each.shows);
+        CHECK(print_of(here, command) == "shown\n");
     }
 }
 #endif
