@@ -73,8 +73,9 @@ std::string describe_top(const ReportedRun& run) {
 }
 
 Statement make_run_headline(const ReportedRun& run) {
-    if (run.run.status == RunStatus::diverged)
+    if (run.run.status == RunStatus::diverged) {
         return {Tone::bad, "The run diverged, its results are not to be used: " + run.run.divergence};
+    }
     if (!run.run.is_status_known) return {Tone::note, "How the run ended is not known."};
     const nlohmann::json outcome = find_object(run.summary, "outcome");
     const double blocks = find_number(outcome, "blocks"), fallen = find_number(outcome, "fallen");

@@ -104,11 +104,12 @@ ReportFigure make_figure(const std::string& name, const StackedPlot& plot) {
 
 std::string to_html(const ReportFigure& figure) {
     const std::string numbers = figure.twin.rows.empty() ? make_statement(Tone::plain, figure.twin.caption) : to_html(figure.twin);
+    const std::string time = figure.seconds_per_x > 0.0 ? fmt::format(" data-seconds-per-x=\"{}\"", figure.seconds_per_x) : "";
     return fmt::format(
-        "<figure id=\"figure-{}\" data-figure=\"{}\">\n<div class=\"plot\" role=\"img\" "
+        "<figure id=\"figure-{}\" data-figure=\"{}\"{}>\n<div class=\"plot\" role=\"img\" "
         "aria-label=\"{}\">{}</div>\n<figcaption>{}</figcaption>\n"
         "<details><summary>In numbers</summary>\n{}</details>\n</figure>\n",
-        figure.name, figure.name, escape_html(figure.twin.caption), name_apart(figure.svg, figure.name), escape_html(figure.title),
+        figure.name, figure.name, time, escape_html(figure.twin.caption), name_apart(figure.svg, figure.name), escape_html(figure.title),
         numbers);
 }
 

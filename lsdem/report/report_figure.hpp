@@ -13,8 +13,9 @@ struct ReportFigure {
     std::string name;   ///< of its files: letters, digits, underscores
     std::string title;  ///< in words, for who does not see it, too
     std::string svg;
-    std::string csv;  ///< all that it draws
-    HtmlTable twin;   ///< what it shows, in numbers
+    std::string csv;             ///< all that it draws
+    HtmlTable twin;              ///< what it shows, in numbers
+    double seconds_per_x = 0.0;  ///< where x is the time of the first run: [s] in one of its units, for the view of the blocks; else 0
 };
 
 /// Curves over one pair of axes. CSV: series,x,y, one line per point; of a shaded stretch a second series. Twin: for each series its ends

@@ -89,6 +89,12 @@ ReportFigure make_initial_tilt_figure(const std::vector<ReportedRun>& runs) {
     return make_tilt_figure("initial_tilt", runs.front().label, run.blocks.layer, tilt);
 }
 
+/// A figure over the time of the first run, whose x has so many seconds in one unit.
+ReportFigure over_time(ReportFigure figure, double seconds_per_x) {
+    figure.seconds_per_x = seconds_per_x;
+    return figure;
+}
+
 /// Were two runs sampled at the same dimensionless times?
 bool samples_alike(const ReportedRun& a, const ReportedRun& b) {
     const History &first = a.run.history, &second = b.run.history;
@@ -148,7 +154,7 @@ std::optional<ReportFigure> make_spine_figure(const std::vector<ReportedRun>& ru
         plot.runs.push_back(std::move(curves));
     }
     add_twin_band(plot, find_object(pair, "twins_band"), axis, velocity);
-    return make_figure("spine_velocity", plot);
+    return over_time(make_figure("spine_velocity", plot), 1.0 / time);
 }
 
 std::optional<ReportFigure> make_departure_figure(const nlohmann::json& pair, const std::string& name) {
@@ -163,7 +169,7 @@ std::optional<ReportFigure> make_departure_figure(const nlohmann::json& pair, co
     }
     if (departure.time.empty()) return std::nullopt;
     if (const double horizon = find_number(kept, "horizon_s"); std::isfinite(horizon)) departure.horizon = horizon;
-    return make_figure("departure", make_departure_plot(departure, name));
+    return over_time(make_figure("departure", make_departure_plot(departure, name)), 1.0);
 }
 
 std::optional<ReportFigure> make_difference_figure(const std::vector<ReportedRun>& runs) {
@@ -206,7 +212,7 @@ std::optional<ReportFigure> make_difference_figure(const std::vector<ReportedRun
     plot.series.erase(std::remove_if(plot.series.begin(), plot.series.end(), [&](const PlotSeries& series) { return !differs(series); }),
                       plot.series.end());
     if (plot.series.empty()) return std::nullopt;
-    return make_figure("difference", plot);
+    return over_time(make_figure("difference", plot), 1.0);
 }
 
 std::optional<ReportFigure> make_lag_figure(const ReportedRun& run) {
@@ -253,7 +259,7 @@ ReportFigure make_energy_figure(const ReportedRun& run) {
     add("lost by friction", [](const Energy& e) { return e.friction_loss; });
     add("lost in dashpots", [](const Energy& e) { return e.damping_loss; });
     add("work of the base", [](const Energy& e) { return e.base_work; });
-    return make_figure(name_figure("energy", run.label), plot);
+    return over_time(make_figure(name_figure("energy", run.label), plot), 1.0);
 }
 
 std::optional<ReportFigure> make_loss_figure(const std::vector<ReportedRun>& runs) {

@@ -28,7 +28,7 @@ if not shutil.which("chromium") or not shutil.which("chromedriver"):
 
 sys.dont_write_bytecode = True
 from browser_view import (  # noqa: E402
-    LEAST_AREA, SIZES, check, check_keys, check_names, check_order,
+    LEAST_AREA, SIZES, check, check_keys, check_linked_plots, check_names, check_order,
     check_sizes, check_width, check_without_webgl, set_size)
 
 SCENE = {
@@ -345,6 +345,7 @@ def main():
                 check_pointer(browser, name)
             check_blocks(browser, 6 * 14)
             check_keys(browser)
+            check_linked_plots(browser)
             check_names(browser)
             check_views(browser, pictures, "pair")
             check_console(browser)

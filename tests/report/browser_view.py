@@ -136,6 +136,26 @@ def check_keys(browser):
     check(state() == before, "keys at the end of the page change the view at its start")
 
 
+def check_linked_plots(browser):
+    """The plots over time show the time of the view: at the share of the axis at which it is; a click in the middle of an axis sets it."""
+    names = browser.execute_script("return [...document.querySelectorAll('figure[data-seconds-per-x]')].map(f => f.dataset.figure)")
+    check("spine_velocity" in names, f"of the plots only {names} are linked with the view")
+    for name in names:
+        clicked, end, seconds, axis = browser.execute_script("""
+            const figure = document.getElementById("figure-" + arguments[0]), frame = figure.querySelector("rect.frame"), box = frame.getBoundingClientRect();
+            figure.querySelector(".plot svg").dispatchEvent(new MouseEvent("click", {clientX: box.left + box.width / 2, clientY: box.top + box.height / 2}));
+            return [window.musimTower.time, window.musimTower.duration, Number(figure.dataset.secondsPerX), frame.dataset.x.split(" ").map(Number)];""", name)
+        middle = seconds * (axis[0] + axis[1]) / 2
+        check(abs(clicked - middle) < 0.01 * end and 0.4 * end < clicked < 0.6 * end, f"{name}: a click in the middle leads to {clicked} s of {end} s, not {middle} s")
+        share = browser.execute_script("""
+            const figure = document.getElementById("figure-" + arguments[0]), frame = figure.querySelector("rect.frame");
+            window.musimTower.goTo(0.25 * window.musimTower.duration);
+            const x = Number((figure.querySelector(".now").getAttribute("d") || "M-1e9").slice(1).split(" ")[0]);
+            return (x - Number(frame.getAttribute("x"))) / Number(frame.getAttribute("width"));""", name)
+        expected = (0.25 * end / seconds - axis[0]) / (axis[1] - axis[0])
+        check(abs(share - expected) < 0.01, f"{name}: the line stands at {share:.3f} of the axis, not at {expected:.3f}")
+
+
 def check_names(browser):
     """What a screen reader says: every control has a name, and the picture and the plots have theirs."""
     nameless = browser.execute_script("""

@@ -1,4 +1,5 @@
-// What every report does beside its blocks: on paper the numbers of all plots are there, and a pointer reads values off a plot.
+// What every report does beside its blocks: on paper the numbers of all plots are there, a pointer reads values off a plot, and plots over
+// the time of the first run go with the view of the blocks: a line shows its time, a click on the plot sets it.
 "use strict";
 (function () {
   window.addEventListener("beforeprint", function () {
@@ -50,5 +51,26 @@
       clear();
     });
     plot.addEventListener("pointerleave", clear);
+  });
+
+  document.querySelectorAll("figure[data-seconds-per-x]").forEach(function (figure) {
+    const seconds = Number(figure.dataset.secondsPerX), plot = figure.querySelector(".plot svg"), line = document.createElementNS(SVG, "path");
+    const frames = Array.from(plot.querySelectorAll("rect.frame")).filter(function (frame) { return frame.dataset.x.split(" ")[2] !== "log"; });
+    line.setAttribute("class", "now");
+    plot.appendChild(line);
+    document.addEventListener("musim-time", function (event) {
+      line.setAttribute("d", frames.map(function (frame) {
+        const axis = frame.dataset.x.split(" ").map(Number), share = (event.detail / seconds - axis[0]) / (axis[1] - axis[0]);
+        if (share < 0 || share > 1) return "";
+        return "M" + (Number(frame.getAttribute("x")) + share * Number(frame.getAttribute("width"))) + " " + frame.getAttribute("y") + "v" + frame.getAttribute("height");
+      }).join(""));
+    });
+    plot.addEventListener("click", function (event) {
+      const point = new DOMPoint(event.clientX, event.clientY).matrixTransform(plot.getScreenCTM().inverse());
+      const frame = frames.find(function (candidate) { return readOff(candidate, point); });
+      if (!frame) return;
+      const share = (point.x - Number(frame.getAttribute("x"))) / Number(frame.getAttribute("width"));
+      document.dispatchEvent(new CustomEvent("musim-seek", { detail: seconds * valueAt(frame.dataset.x, share) }));
+    });
   });
 })();

@@ -130,6 +130,7 @@ class Viewer {
     });
     this.controls.addEventListener("start", function () { viewer.leaveView(); });
     this.controls.addEventListener("change", function () { viewer.draw(); });
+    document.addEventListener("musim-seek", function (event) { viewer.goTo(event.detail); });
     this.listenToHandle();
     listenToKeys(this);
     new ResizeObserver(function () { viewer.resize(); }).observe(this.canvas.parentElement);
@@ -299,6 +300,8 @@ class Viewer {
     part("clock").textContent = this.time.toFixed(3) + " s of " + Number(this.duration.toPrecision(4)) + " s";
     part("time").setAttribute("aria-valuetext", part("clock").textContent);
     this.properties.show();
+    // the plots of the page show the time, too
+    document.dispatchEvent(new CustomEvent("musim-time", { detail: this.time }));
     this.draw();
   }
 
