@@ -79,7 +79,11 @@ std::string make_tower_scripts() {
 }
 
 ReportSection make_tower_section(const ReportContent& content) {
-    ReportSection section{.id = "blocks", .title = "Motion of the blocks", .html = {}, .figures = {}, .figures_beside = true};
+    ReportSection section{.id = "blocks",
+                          .title = content.runs.empty() ? "The blocks" : "Motion of the blocks",
+                          .html = {},
+                          .figures = {},
+                          .figures_beside = true};
     if (!has_three()) {
         section.html = make_statement(
             Tone::note, fmt::format("there is no three.js on the machine that made this report ({}); install it there (apt-get "
@@ -98,12 +102,13 @@ ReportSection make_tower_section(const ReportContent& content) {
         const ReportedRun& run = *reported;
         const TowerData data = make_tower_data(run);
         section.html += "<script type=\"application/json\" class=\"tower-data\">" + data.json.dump() + "</script>\n";
+        if (run.stands) continue;
         rounding +=
             fmt::format("{}{}: places to {:.2g} mm, turns to {:.2g}°, velocities to {:.2g} mm/s", rounding.empty() ? "" : "; ", run.label,
                         1e3 * data.rounding.displacement, data.rounding.rotation / scaling::kDegree, 1e3 * data.rounding.velocity);
         if (data.rounding.force > 0.0) rounding += fmt::format(", contact forces to {:.2g} weights", data.rounding.force);
     }
-    section.html += "<p class=\"small\">Rounded, at most, by " + escape_html(rounding) + ".</p>\n";
+    if (!rounding.empty()) section.html += "<p class=\"small\">Rounded, at most, by " + escape_html(rounding) + ".</p>\n";
     return section;
 }
 

@@ -172,6 +172,7 @@ def check_inputs(run, place):
         open_report(browser, place / "inputs.html")
         check(count_colours(browser) > 10, "no specimen is seen")
         check(not browser.execute_script("return document.getElementById('tower-play').checkVisibility()"), "a specimen can be played")
+        check_sizes(browser, "specimen")
         with open(place / "input_figures/record_1.csv", newline="") as file:
             check_peaks(browser, "record_1", list(csv.DictReader(file)))
         check_console(browser)

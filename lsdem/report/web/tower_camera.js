@@ -30,27 +30,44 @@ function arrangeRuns(bounds, aspect) {
   });
 }
 
-function cornersOf(bounds) {
-  const corners = [];
-  for (const x of [bounds.low[0], bounds.high[0]]) for (const y of [bounds.low[1], bounds.high[1]]) for (const z of [bounds.low[2], bounds.high[2]]) {
-    corners.push(new THREE.Vector3(x, y, z));
+// Corners of all blocks of a run at its start, one after another, in units of the first run.
+function findBlockCorners(run) {
+  const corners = new Float64Array(24 * run.blocks), turn = new THREE.Quaternion(), corner = new THREE.Vector3();
+  for (let b = 0, at = 0; b < run.blocks; ++b) {
+    const s = run.start.subarray(10 * b, 10 * b + 10);
+    turn.set(s[4], s[5], s[6], s[3]);
+    for (let ends = 0; ends < 8; ++ends, at += 3) {
+      corner.set((ends & 1 ? 0.5 : -0.5) * s[7], (ends & 2 ? 0.5 : -0.5) * s[8], (ends & 4 ? 0.5 : -0.5) * s[9]).applyQuaternion(turn);
+      for (const axis of [0, 1, 2]) corners[at + axis] = (corner.getComponent(axis) + s[axis]) / run.length;
+    }
   }
   return corners;
 }
 
+// How far the corners of the runs, each shifted along x, reach in a direction.
+function findReach(corners, shifts, direction) {
+  let most = -Infinity;
+  corners.forEach(function (places, i) {
+    const shift = direction.x * shifts[i];
+    for (let at = 0; at < places.length; at += 3) {
+      most = Math.max(most, shift + direction.x * places[at] + direction.y * places[at + 1] + direction.z * places[at + 2]);
+    }
+  });
+  return most;
+}
+
 // The nearest place of a camera that looks along -back, and what it looks at, so that all corners are within ROOM. A corner at x, y across
 // the view and w against it is seen at (x - cx)/(cw - w) from a camera at cx, cy, cw: each pair of sides asks for a cw of its own, and what
-// the less demanding pair leaves is shared evenly.
-function fitCamera(camera, corners, direction) {
+// the less demanding pair leaves is shared evenly. `reachOf` finds how far the corners reach in a direction.
+function fitCamera(camera, reachOf, direction) {
   const back = new THREE.Vector3().fromArray(direction).normalize();
   const right = new THREE.Vector3().crossVectors(camera.up, back).normalize(), up = new THREE.Vector3().crossVectors(back, right);
   const half = Math.tan(camera.fov * Math.PI / 360), side = ROOM.side * half * camera.aspect, top = ROOM.top * half, bottom = ROOM.bottom * half;
-  const most = function (of) { return Math.max.apply(null, corners.map(of)); };
-  const reach = function (axis, sign, slope) { return most(function (corner) { return sign * corner.dot(axis) + slope * corner.dot(back); }); };
+  const reach = function (axis, sign, slope) { return reachOf(axis.clone().multiplyScalar(sign).addScaledVector(back, slope)); };
   const rightmost = reach(right, 1, side), leftmost = reach(right, -1, side), highest = reach(up, 1, top), lowest = reach(up, -1, bottom);
   const cw = Math.max((rightmost + leftmost) / (2 * side), (highest + lowest) / (top + bottom));
   const cx = 0.5 * (rightmost - leftmost), cy = 0.5 * (highest - top * cw + bottom * cw - lowest);
-  const depth = 0.5 * (most(function (corner) { return corner.dot(back); }) - most(function (corner) { return -corner.dot(back); }));
+  const depth = 0.5 * (reachOf(back) - reachOf(back.clone().negate()));
   const target = right.multiplyScalar(cx).add(up.multiplyScalar(cy)).addScaledVector(back, depth);
   return { target: target, position: target.clone().addScaledVector(back, cw - depth) };
 }

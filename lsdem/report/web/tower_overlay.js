@@ -25,6 +25,14 @@ function makeGrid(extent) {
   return { lines: grid, step: step };
 }
 
+function cornersOf(bounds) {
+  const corners = [];
+  for (const x of [bounds.low[0], bounds.high[0]]) for (const y of [bounds.low[1], bounds.high[1]]) for (const z of [bounds.low[2], bounds.high[2]]) {
+    corners.push(new THREE.Vector3(x, y, z));
+  }
+  return corners;
+}
+
 // Names of several runs, each below its blocks.
 class RunNames {
   constructor(runs) {

@@ -34,6 +34,7 @@ class Viewer {
     this.shared = { exaggeration: { value: 1 }, cutNormal: { value: new THREE.Vector3(0, 1, 0) }, cutAt: { value: 1e9 }, colours: { value: null } };
     this.textures = { true: colourTexture(DIVERGING), false: colourTexture(SEQUENTIAL) };
     this.runBounds = this.runs.map(findBounds);
+    this.corners = this.runs.map(findBlockCorners);
     // what cuts go through: all runs in one place
     this.bounds = uniteBounds(this.runBounds);
     this.groups = this.runs.map(function (run) { return new Blocks(run, new THREE.Vector3(), this.shared); }, this);
@@ -48,14 +49,12 @@ class Viewer {
 
   // Places the runs beside each other for the picture's shape, and the grid below them.
   arrange() {
-    const shifts = arrangeRuns(this.runBounds, this.camera.aspect);
+    const shifts = this.shifts = arrangeRuns(this.runBounds, this.camera.aspect);
     this.boxes = this.runBounds.map(function (bounds, i) {
       return { low: [bounds.low[0] + shifts[i], bounds.low[1], bounds.low[2]], high: [bounds.high[0] + shifts[i], bounds.high[1], bounds.high[2]] };
     });
     this.groups.forEach(function (group, i) { group.origin.x = shifts[i]; });
-    // what cameras look at: all runs side by side
-    this.extent = uniteBounds(this.boxes);
-    const grid = makeGrid(this.extent);
+    const grid = makeGrid(uniteBounds(this.boxes));
     this.ground.children.slice().forEach(function (lines) { lines.geometry.dispose(); this.ground.remove(lines); }, this);
     this.ground.add(grid.lines);
     part("scale").textContent = "grid: " + writeLength(grid.step);
@@ -163,7 +162,8 @@ class Viewer {
 
   look(view) {
     this.view = view;
-    const fit = fitCamera(this.camera, cornersOf(this.extent), DIRECTIONS[view]);
+    const viewer = this, reachOf = function (direction) { return findReach(viewer.corners, viewer.shifts, direction); };
+    const fit = fitCamera(this.camera, reachOf, DIRECTIONS[view]);
     const distance = fit.position.distanceTo(fit.target);
     this.controls.target.copy(fit.target);
     this.camera.position.copy(fit.position);
@@ -306,10 +306,10 @@ class Viewer {
   }
 
   resize() {
-    const box = this.canvas.parentElement.getBoundingClientRect();
-    if (box.width < 1 || box.height < 1) return;
-    this.renderer.setSize(box.width, box.height, false);
-    this.camera.aspect = box.width / box.height;
+    const width = this.canvas.clientWidth, height = this.canvas.clientHeight;
+    if (width < 1 || height < 1) return;
+    this.renderer.setSize(width, height, false);
+    this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
     if (this.view === null) return this.draw();
     this.arrange();
