@@ -154,7 +154,7 @@ RunResult run_stages(Simulation& simulation, const Specimen& specimen, const Sta
         done += own;
         const bool goes_on = run.status == RunStatus::completed && k + 1 < stages.size();
         std::optional<RestPhaseEnd> rest_phase;
-        if (goes_on && stages[k + 1].settle\) rest_phase = come_to_rest(simulation, stages[k], motion.settling, run, {});
+        if (goes_on && stages[k + 1].settle) rest_phase = come_to_rest(simulation, stages[k], motion.settling, run, {});
         const bool stands = goes_on && run.status == RunStatus::completed;
         begin = stands ? pass_on(simulation, plan, k, run, rest_phase) : RunStart{};
         if (whole) {
