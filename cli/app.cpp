@@ -30,6 +30,7 @@ void add_commands(CLI::App& app, Action& action) {
     add_design_command(app, action);
     add_record_command(app, action);
     add_new_command(app, action);
+    add_check_command(app, action);
     add_run_command(app, action);
     add_pair_command(app, action);
     add_specimen_command(app, action);

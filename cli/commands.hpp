@@ -32,6 +32,7 @@ void add_record_make_command(CLI::App& record, Action& action);      ///< to the
 void add_record_process_command(CLI::App& record, Action& action);   ///< to the command `record`
 void add_record_spectrum_command(CLI::App& record, Action& action);  ///< to the command `record`
 void add_new_command(CLI::App& app, Action& action);
+void add_check_command(CLI::App& app, Action& action);
 void add_run_command(CLI::App& app, Action& action);
 void add_pair_command(CLI::App& app, Action& action);
 void add_specimen_command(CLI::App& app, Action& action);

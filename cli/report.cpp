@@ -78,15 +78,18 @@ void report_doubts(const std::string& where, const lsdem::RunResult& run) {
     for (const std::string& warning : lsdem::find_warnings(run)) note("musim: warning: {}: {}\n", where, warning);
 }
 
+void note_plain_number(const lsdem::Scene& scene) {
+    if (scene.text.plain_number.empty()) return;
+    note_at_end(
+        fmt::format("musim: note: {}: {}: a number without a unit is taken as SI, here and elsewhere in the file; write text with "
+                    "a unit",
+                    scene.text.origin, scene.text.plain_number));
+}
+
 lsdem::Scene read_scene(const std::filesystem::path& file) {
     lsdem::Scene scene = lsdem::read_scene(file);
     for (const std::string& remark : scene.text.remarks) note("musim: warning: {}\n", remark);
-    if (!scene.text.plain_number.empty()) {
-        note_at_end(
-            fmt::format("musim: note: {}: {}: a number without a unit is taken as SI, here and elsewhere in the file; write text with "
-                        "a unit",
-                        scene.text.origin, scene.text.plain_number));
-    }
+    note_plain_number(scene);
     return scene;
 }
 

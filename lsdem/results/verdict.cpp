@@ -13,7 +13,7 @@ namespace {
 bool above_critical(const RunResult& run) { return run.critical_time_step && run.time_step > *run.critical_time_step; }
 
 /// The step that "step": "auto" takes [s].
-double default_step(const RunResult& run) { return TimeSettings{}.safety * *run.critical_time_step; }
+double default_step(double critical) { return TimeSettings{}.safety * critical; }
 
 /// The fastest that the base moves [m/s].
 double find_peak_of_base(const RunResult& run) {
@@ -70,12 +70,19 @@ std::string describe_divergence(const RunResult& run) {
                                          text_of(run.divergence->kind).meaning);
     if (above_critical(run)) {
         return fmt::format("{}: the time step {:.4g} s is above the critical {:.4g} s; take at most {:.4g} s, or \"step\": \"auto\"", what,
-                           run.time_step, *run.critical_time_step, default_step(run));
+                           run.time_step, *run.critical_time_step, default_step(*run.critical_time_step));
     }
     return fmt::format(
         "{}: blocks that have left their places can be stiffer than the structure as built; take a time step of {:.4g} s, "
         "half of this one, or a lower \"safety\"",
         what, 0.5 * run.time_step);
+}
+
+std::string describe_large_step(double time_step, double critical) {
+    return fmt::format(
+        "the time step {:.4g} s is above the critical {:.4g} s (an unstable motion can stay bounded and go unnoticed); take at most {:.4g} "
+        "s, or \"step\": \"auto\"",
+        time_step, critical, default_step(critical));
 }
 
 std::vector<std::string> find_warnings(const RunResult& run) {
@@ -96,10 +103,7 @@ std::vector<std::string> find_warnings(const RunResult& run) {
                         run.rest->fallen, run.blocks.mass.size()));
     }
     if (above_critical(run)) {
-        warnings.push_back(
-            fmt::format("the time step {:.4g} s is above the critical {:.4g} s (an unstable motion can stay bounded and go "
-                        "unnoticed); take at most {:.4g} s, or \"step\": \"auto\"",
-                        run.time_step, *run.critical_time_step, default_step(run)));
+        warnings.push_back(describe_large_step(run.time_step, *run.critical_time_step));
     }
     if (run.statistics.overstiff && !above_critical(run)) {
         const Overstiff& worst = *run.statistics.overstiff;

@@ -26,6 +26,9 @@ std::string_view name_of(Divergence::Kind kind);
 /// the default one when the run's was above the critical step, else half of the run's. Requires a run that diverged.
 std::string describe_divergence(const RunResult& run);
 
+/// What there is to say of a time step above the critical one [s], and which to take.
+std::string describe_large_step(double time_step, double critical);
+
 /// What is doubtful about a run that reached its end, one sentence each, with numbers and what to do. A structure that was not
 /// at rest when its motion began (kUnborneWeight, kFastStart); a specimen that did not come to rest before it (Settling::patience ran out);
 /// a time step above the critical one (losses in contacts can hold an instability down, so that neither the run nor its energy balance

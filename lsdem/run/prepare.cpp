@@ -310,6 +310,18 @@ PreparedSpecimen prepare(const Specimen& upright, double time_step, const Prepar
     return finish(work.simulation(), own->max_overlap);
 }
 
+PreparationWork estimate_preparation(const Specimen& upright, double time_step, const PreparationSettings& preparation) {
+    if (preparation.placing == Placing::as_drawn) return {};
+    const bool resting = preparation.placing == Placing::resting;
+    const double stride = resting || preparation.placing == Placing::quick_layers ? preparation.stride : 1.0;
+    const double decay_time = 1.0 / (preparation.settling.damping_rate * stride * time_step);
+    double in_layers = 0.0;
+    for (const auto& [first, last] : find_layers(upright)) in_layers += static_cast<double>(last);
+    const double layers = in_layers * decay_time * (resting ? preparation.resting_patience : preparation.layer_patience);
+    const double whole = static_cast<double>(upright.model.blocks.size()) * decay_time;
+    return {layers + kLeastWhole * whole, layers + kMostWhole * whole};
+}
+
 PreparedPlaces find_places(const Simulation& simulation) {
     PreparedPlaces places;
     for (std::size_t i = 0; i < simulation.model().blocks.size(); ++i) {

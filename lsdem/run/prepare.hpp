@@ -69,6 +69,15 @@ PreparedSpecimen prepare(const Specimen& upright, double time_step, const Prepar
                          const RunSettings& settings = {}, const std::optional<PreparationState>& from = {},
                          const WorkToFollow& to_follow = {});
 
+/// What a preparation will take, before it begins [block steps].
+struct PreparationWork {
+    double least = 0.0, most = 0.0;
+};
+
+/// Of blocks that are laid in layers each layer takes its patience and the whole 4 to 12 times 1/α, as seen in uneven walls and rings; of
+/// blocks as drawn nothing that counts: they begin in equilibrium. Throws std::invalid_argument as prepare() does.
+PreparationWork estimate_preparation(const Specimen& upright, double time_step, const PreparationSettings& preparation);
+
 /// Where the blocks of a simulation are, and what they hold.
 PreparedPlaces find_places(const Simulation& simulation);
 

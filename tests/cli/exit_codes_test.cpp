@@ -19,6 +19,7 @@ struct Command {
 const std::vector<Command>& commands() {
     static const std::vector<Command> kCommands{
         {"run", "", "--duration"},
+        {"check", "", "--threads"},
         {"pair", "", "--length"},
         {"sequence", "-o out", "--checkpoint-interval"},
         {"ensemble", "-o out", "--members"},

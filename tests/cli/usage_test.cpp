@@ -81,8 +81,8 @@ TEST_CASE("a quantity with a dimension needs its unit, and a bad value is report
 TEST_CASE("help of every command succeeds, goes to stdout and has an example") {
     const Workplace here;
     CHECK(here.run("--help").exit_code == 0);
-    for (const std::string command : {"scale", "rescale", "design", "table", "record info", "record plot", "record spectrum", "run", "pair",
-                                      "bench accuracy", "bench similitude", "pi"}) {
+    for (const std::string command : {"scale", "rescale", "design", "table", "record info", "record plot", "record spectrum", "new",
+                                      "check", "run", "pair", "bench accuracy", "bench similitude", "pi"}) {
         const Outcome help = here.run(command + " --help");
         CHECK_MESSAGE(help.exit_code == 0, command);
         CHECK_MESSAGE(help.out.find("  musim " + command + " ") != std::string::npos, command);

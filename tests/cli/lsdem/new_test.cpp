@@ -7,7 +7,7 @@
 
 using namespace musim::cli;
 
-TEST_CASE("a new scene of every kind is written or printed, and runs at once") {
+TEST_CASE("a new scene of every kind is written or printed and runs at once") {
     const Workplace here;
     for (const std::string kind : {"tower", "wall", "column", "blocks"}) {
         CAPTURE(kind);
@@ -24,7 +24,7 @@ TEST_CASE("a new scene of every kind is written or printed, and runs at once") {
     }
 }
 
-TEST_CASE("a file that exists is not replaced by a new scene, unless asked") {
+TEST_CASE("a file that exists is not replaced by a new scene unless asked") {
     const Workplace here;
     here.write("mine.json", "my work");
     const Outcome refused = here.run("new column -o mine.json");
@@ -36,7 +36,7 @@ TEST_CASE("a file that exists is not replaced by a new scene, unless asked") {
     CHECK(here.read("mine.json") != "my work");
 }
 
-TEST_CASE("a new scene takes an own record, of which it uses the strong motion at the model's scale") {
+TEST_CASE("a new scene takes the strong motion of an own record at the scale of the model") {
     if (!musim::tests::have_shared_records()) return;
     const Workplace here;
     here.shell("cp '" + (musim::tests::shared_records() / "csmip" / "CICLC.v1").string() + "' mine.v1");

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lsdem/run/motion_summary.hpp"
+#include "lsdem/scene/scene.hpp"
+
+namespace musim::lsdem {
+
+/// A closed form of what a structure does, for orientation before it is run.
+struct SceneEstimate {
+    std::string key;                   ///< in JSON
+    std::string title;                 ///< for people
+    std::string text;                  ///< the value with its unit, or what happens
+    std::optional<double> value = {};  ///< SI; nothing where the text alone says it
+    std::string formula;               ///< from which it comes
+};
+
+/// Estimates of a scene whose first block is b x w x H, m its mass, k_n and k_s the stiffnesses of its face across H, μ its friction; p of
+/// the thin side, for example, is √(3g/(4R)), R = √(b² + H²)/2:
+///
+///   rocking_thin, rocking_wide       tan α = b/H, w/H: a block begins to rock above so many g [-] [Housner63]
+///   sliding                          μ: a block begins to slide above so many g [-]
+///   first_motion_thin, _wide         what a block does first under the larger horizontal PGA [Shenton96]
+///   frequency_parameter_thin, _wide  p [1/s] [Housner63]
+///   contact_frequency                √(k_n/m)/(2π): a block on one face, up and down [Hz]
+///
+/// and, of N layers of a column, tower or wall, l = N H high,
+///
+///   shear_frequency                  (1/π) √(k_s/m) sin(π/(4N + 2)): the lowest of a chain of N blocks that stick and do not turn [Hz];
+///                                    blocks that turn sway more slowly
+///   vertical_frequency               the same with k_n [Hz]
+///   elastic_speed                    c_e = H √(k_s/m) [m/s], at which sway climbs where joints stick
+///   climb_stick, climb_slip          l/c_e, 2 l/c_e: from base to top where joints stick, and where they slip [s]
+///   base_overlap                     N m g/(k_n H): overlap of the lowest faces under dead weight over H [-]
+///
+/// Source: scaling/structures. Nothing of spheres and without gravity.
+std::vector<SceneEstimate> estimate_scene(const Scene& scene, const std::vector<MotionSummary>& motions);
+
+}  // namespace musim::lsdem

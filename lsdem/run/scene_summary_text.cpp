@@ -1,0 +1,218 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "lsdem/results/summary.hpp"
+#include "lsdem/run/scene_summary.hpp"
+#include "scaling/quantity_text.hpp"
+
+namespace musim::lsdem {
+namespace {
+
+using nlohmann::json;
+
+template <class Quantity>
+std::string write(double value, int digits = 4) {
+    return scaling::format_quantity(Quantity::from_value(value), digits);
+}
+
+/// Three edges in one unit.
+std::string write_size(const Vector3& size) {
+    const double largest = size.maxCoeff();
+    const bool small = largest < 1.0;
+    const double unit = small ? 1e-3 : 1.0;
+    return fmt::format("{:.4g} x {:.4g} x {:.4g} {}", size.x() / unit, size.y() / unit, size.z() / unit, small ? "mm" : "m");
+}
+
+std::string write_duration(double seconds) {
+    if (seconds < 1.0) return "less than a second";
+    if (seconds < 100.0) return fmt::format("{:.0f} s", seconds);
+    if (seconds < 5400.0) return fmt::format("{:.0f} min", seconds / 60.0);
+    return fmt::format("{:.1f} h", seconds / 3600.0);
+}
+
+std::string write_bytes(double bytes) {
+    if (bytes < 1e5) return fmt::format("{:.0f} kB", std::ceil(1e-3 * bytes));
+    return bytes < 1e9 ? fmt::format("{:.2g} MB", 1e-6 * bytes) : fmt::format("{:.2g} GB", 1e-9 * bytes);
+}
+
+std::string count(std::size_t number, const std::string& of) { return fmt::format("{} {}{}", number, of, number == 1 ? "" : "s"); }
+
+std::string name_material(const std::string& name) { return name.empty() ? "the scene's material" : name; }
+
+void describe_structure(const SceneSummary& summary, std::vector<std::string>& lines) {
+    const Vector3 size = summary.high - summary.low;
+    lines.push_back(fmt::format("structure   {} in {}, {}, {} in all", count(summary.specimen.model.blocks.size(), "block"),
+                                count(static_cast<std::size_t>(summary.levels), "level"), write_size(size),
+                                write<scaling::Mass>(summary.mass)));
+    for (const BlockKind& kind : summary.kinds) {
+        lines.push_back(fmt::format("            {} of {}, {} each{}{}", kind.count, write_size(kind.size),
+                                    write<scaling::Mass>(kind.mass / static_cast<double>(kind.count)),
+                                    summary.materials.size() > 1 ? ", " + name_material(kind.material) : "",
+                                    kind.fixed > 0 ? fmt::format(", {} held in place", kind.fixed) : ""));
+    }
+    for (const auto& [name, material] : summary.materials) {
+        lines.push_back(fmt::format("material    {}density {}, k_n {}, k_s {}, friction {:.4g}, restitution {:.4g}",
+                                    name.empty() ? "" : name + ": ", scaling::format_quantity(material.density),
+                                    scaling::format_quantity(material.normal_stiffness, 4),
+                                    scaling::format_quantity(material.shear_stiffness, 4), material.friction, material.restitution));
+    }
+    const Ground& ground = summary.specimen.model.ground;
+    lines.push_back(fmt::format("contact     {}; {}", summary.contact,
+                                ground.present ? fmt::format("ground with friction {:.4g}", ground.material.friction) : "no ground"));
+}
+
+void describe_motion(const MotionSummary& motion, std::vector<std::string>& lines) {
+    lines.push_back(fmt::format("base        {}{}", motion.name.empty() ? "" : motion.name + ": ", motion.source));
+    for (const AxisMotion& axis : motion.axes) {
+        lines.push_back(
+            fmt::format("            along {}: {}, PGV {}, PGD {}{}", axis.axis, describe_pga(axis.pga, axis.source),
+                        write<scaling::Velocity>(axis.pgv, 3), write<scaling::Length>(axis.pgd, 3),
+                        axis.predominant_period ? ", predominant period " + write<scaling::Time>(*axis.predominant_period, 3) : ""));
+    }
+    if (!motion.similitude) return;
+    const scaling::Similitude& s = *motion.similitude;
+    lines.push_back(
+        fmt::format("            model at 1:{:.6g} by law {}: time {:.4g}, velocity {:.4g}, acceleration {:.4g} of the prototype's",
+                    1.0 / s.length(), s.law_name(), s.time(), s.velocity(), s.acceleration()));
+}
+
+void describe_run(const SceneSummary& summary, const std::optional<RunTimeEstimate>& run_time, std::vector<std::string>& lines) {
+    double duration = 0.0;
+    for (const MotionSummary& motion : summary.motions) duration += motion.plan.duration();
+    lines.push_back(fmt::format(
+        "time        {} in {} steps of {}{}", write<scaling::Time>(duration), summary.steps(), write<scaling::Time>(summary.time_step),
+        summary.critical_time_step ? fmt::format(", {:.3g} of the critical step", summary.time_step / *summary.critical_time_step) : ""));
+    lines.push_back("at rest     " + summary.preparation_text);
+    std::string files;
+    for (const OutputSize& output : summary.outputs) files += fmt::format(", {} about {}", output.file, write_bytes(output.bytes));
+    lines.push_back(fmt::format("output      {} samples of {} spine blocks, {} frames{}", summary.samples(), summary.specimen.spine.size(),
+                                summary.frames(), files));
+    if (!run_time || run_time->steps == 0) return;
+    const std::string rest = run_time->most_preparation > 0.0
+                                 ? fmt::format(", {} to {} before it to come to rest", write_duration(run_time->least_preparation),
+                                               write_duration(run_time->most_preparation))
+                                 : "";
+    lines.push_back(fmt::format("run time    about {} on {}{}; an estimate, from {} steps of this model that took {:.2g} s",
+                                write_duration(run_time->run), count(static_cast<std::size_t>(run_time->threads), "thread"), rest,
+                                run_time->steps, run_time->seconds));
+}
+
+json to_list(const Vector3& v) { return json::array({v.x(), v.y(), v.z()}); }
+
+json to_json(const BlockMaterial& material) {
+    return {{"density_kg_m3", material.density.value()},
+            {"normal_stiffness_n_m", material.normal_stiffness.value()},
+            {"shear_stiffness_n_m", material.shear_stiffness.value()},
+            {"friction", material.friction},
+            {"restitution", material.restitution},
+            {"shear_damping_ratio", material.shear_damping_ratio}};
+}
+
+json to_json(const MotionSummary& motion) {
+    json axes = json::array();
+    for (const AxisMotion& axis : motion.axes) {
+        json object{{"axis", std::string(1, axis.axis)}, {"pga_m_s2", axis.pga}, {"pgv_m_s", axis.pgv}, {"pgd_m", axis.pgd}};
+        object["predominant_period_s"] = axis.predominant_period ? json(*axis.predominant_period) : json();
+        object["source_pga_m_s2"] = axis.source.acceleration > 0.0 ? json(axis.source.acceleration) : json();
+        axes.push_back(object);
+    }
+    json object{{"source", motion.source},
+                {"axes", axes},
+                {"duration_s", motion.plan.duration()},
+                {"steps", motion.plan.steps()},
+                {"samples", motion.plan.samples + 1}};
+    if (!motion.name.empty()) object["name"] = motion.name;
+    if (motion.similitude) object["similitude"] = lsdem::to_json(*motion.similitude);
+    return object;
+}
+
+}  // namespace
+
+std::vector<std::string> describe(const SceneSummary& summary, const std::optional<RunTimeEstimate>& run_time) {
+    std::vector<std::string> lines;
+    describe_structure(summary, lines);
+    for (const MotionSummary& motion : summary.motions) describe_motion(motion, lines);
+    if (!summary.estimates.empty()) lines.emplace_back("estimates, of rigid blocks in closed form");
+    for (const SceneEstimate& estimate : summary.estimates) {
+        lines.push_back(fmt::format("            {}: {}   [{}]", estimate.title, estimate.text, estimate.formula));
+    }
+    describe_run(summary, run_time, lines);
+    return lines;
+}
+
+std::vector<std::pair<std::string, std::vector<std::string>>> describe_briefly(const SceneSummary& summary) {
+    const std::size_t blocks = summary.specimen.model.blocks.size();
+    std::vector<std::pair<std::string, std::vector<std::string>>> facts{
+        {"structure",
+         {fmt::format("{}, {}", count(blocks, "block"), count(static_cast<std::size_t>(summary.levels), "level")),
+          write_size(summary.high - summary.low), write<scaling::Mass>(summary.mass)}}};
+    if (summary.kinds.size() == 1) facts.push_back({"block", {write_size(summary.kinds.front().size)}});
+    for (const auto& [name, material] : summary.materials) {
+        facts.push_back({name.empty() ? "material" : "material " + name,
+                         {scaling::format_quantity(material.density),
+                          fmt::format("k_n {}, k_s {}", scaling::format_quantity(material.normal_stiffness, 4),
+                                      scaling::format_quantity(material.shear_stiffness, 4)),
+                          fmt::format("friction {:.4g}, restitution {:.4g}", material.friction, material.restitution)}});
+    }
+    const bool several = summary.motions.size() > 1;
+    const MotionSummary& first = summary.motions.front();
+    facts.push_back({"base motion", {several ? count(summary.motions.size(), "motion") : first.source}});
+    for (std::size_t k = 0; k < first.axes.size() && !several; ++k) {
+        const AxisMotion& axis = first.axes[k];
+        facts.back().second.push_back(fmt::format("along {}: {:.3g} g, {}", axis.axis, axis.pga / scaling::kStandardGravity.value(),
+                                                  write<scaling::Velocity>(axis.pgv, 3)));
+    }
+    facts.push_back({"time", {fmt::format("{} steps of {}", summary.steps(), write<scaling::Time>(summary.time_step))}});
+    return facts;
+}
+
+json to_json(const SceneSummary& summary, const std::optional<RunTimeEstimate>& run_time) {
+    json object{{"name", summary.name},
+                {"blocks", summary.specimen.model.blocks.size()},
+                {"levels", summary.levels},
+                {"mass_kg", summary.mass},
+                {"size_m", to_list(summary.high - summary.low)},
+                {"contact", summary.contact},
+                {"dt_s", summary.time_step},
+                {"critical_dt_s", summary.critical_time_step ? json(*summary.critical_time_step) : json()},
+                {"steps", summary.steps()},
+                {"samples", summary.samples()},
+                {"frames", summary.frames()},
+                {"spine_blocks", summary.specimen.spine.size()},
+                {"at_rest", summary.preparation_text},
+                {"warnings", summary.warnings}};
+    const Ground& ground = summary.specimen.model.ground;
+    object["ground_friction"] = ground.present ? json(ground.material.friction) : json();
+    object["kinds"] = json::array();
+    for (const BlockKind& kind : summary.kinds) {
+        object["kinds"].push_back({{"count", kind.count},
+                                   {"size_m", to_list(kind.size)},
+                                   {"mass_kg", kind.mass},
+                                   {"material", kind.material},
+                                   {"fixed", kind.fixed}});
+    }
+    object["materials"] = json::object();
+    for (const auto& [name, material] : summary.materials) object["materials"][name] = to_json(material);
+    object["motions"] = json::array();
+    for (const MotionSummary& motion : summary.motions) object["motions"].push_back(to_json(motion));
+    object["estimates"] = json::object();
+    for (const SceneEstimate& estimate : summary.estimates) {
+        object["estimates"][estimate.key] = {{"value", estimate.value ? json(*estimate.value) : json(estimate.text)},
+                                             {"what", estimate.title},
+                                             {"formula", estimate.formula}};
+    }
+    object["outputs_bytes"] = json::object();
+    for (const OutputSize& output : summary.outputs) object["outputs_bytes"][output.file] = output.bytes;
+    if (run_time) {
+        object["run_time"] = {{"run_s", run_time->run},
+                              {"preparation_s", json::array({run_time->least_preparation, run_time->most_preparation})},
+                              {"threads", run_time->threads},
+                              {"measured_steps", run_time->steps},
+                              {"measured_s", run_time->seconds}};
+    }
+    return object;
+}
+
+}  // namespace musim::lsdem
