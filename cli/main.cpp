@@ -9,6 +9,7 @@
 #include "cli/app.hpp"
 #include "cli/commands.hpp"
 #include "cli/output.hpp"
+#include "cli/overview.hpp"
 #include "cli/usage.hpp"
 #include "scaling/shorten.hpp"
 
@@ -23,6 +24,10 @@ int report(const std::string& message, int exit_code) {
 }
 
 int run(int argc, char** argv) {
+    if (argc < 2) {
+        note("{}", describe_program());
+        return kUsageError;
+    }
     CLI::App app;
     Action action;
     add_commands(app, action);

@@ -1,5 +1,7 @@
 #include <doctest/doctest.h>
 
+#include <regex>
+#include <set>
 #include <string>
 
 #include "tests/cli/program.hpp"
@@ -90,6 +92,21 @@ TEST_CASE("help of every command succeeds, goes to stdout and has an example") {
     }
 }
 
+TEST_CASE("musim alone names commands for what people come for") {
+    const Workplace here;
+    const Outcome alone = here.run("");
+    // wrong usage: a script whose command is an empty variable is to notice
+    CHECK(alone.exit_code == 2);
+    CHECK(alone.out.empty());
+    CHECK(alone.err.find("musim --help") != std::string::npos);
+    const std::string all = here.run("--help").out;
+    const std::regex command("musim ([a-z]+) ");
+    std::set<std::string> named;
+    for (std::sregex_iterator at(alone.err.begin(), alone.err.end(), command), end; at != end; ++at) named.insert((*at)[1]);
+    CHECK(named == std::set<std::string>{"scale", "record", "table", "new", "check", "run", "report", "pair"});
+    for (const std::string& name : named) CHECK_MESSAGE(all.find("\n  " + name + " ") != std::string::npos, name);
+}
+
 TEST_CASE("the version is printed") {
     const Outcome version = Workplace().run("--version");
     CHECK(version.exit_code == 0);
@@ -98,7 +115,7 @@ TEST_CASE("the version is printed") {
 
 TEST_CASE("wrong usage is one error line that names the help, exit code 2, nothing on stdout") {
     const Workplace here;
-    for (const char* arguments : {"", "nonsense", "scale", "scale --length", "scale --length abc", "scale --length 1/0",
+    for (const char* arguments : {"nonsense", "scale", "scale --length", "scale --length abc", "scale --length 1/0",
                                   "scale --length 1/25 --nope", "run", "pair", "rescale x.at2 --length 1/25", "record", "record info",
                                   "run x.json --threads -1", "pair x.json --materials other", "pair x.json --component x=360"}) {
         const Outcome outcome = here.run(arguments);
