@@ -46,7 +46,7 @@ std::string describe_source(const SceneMotion& motion) {
                       motion.source);
 }
 
-/// Of a velocity that is linear between samples, whose acceleration is constant there; nothing of a motion too short to tell.
+/// Of a velocity that is linear between samples, whose acceleration is constant there; nothing of a motion that is too short.
 std::optional<double> find_predominant_period(const BaseComponent& component) {
     std::vector<double> acceleration;
     for (std::size_t k = 1; k < component.velocity.size(); ++k) {

@@ -313,7 +313,7 @@ PreparedSpecimen prepare(const Specimen& upright, double time_step, const Prepar
 PreparationWork estimate_preparation(const Specimen& upright, double time_step, const PreparationSettings& preparation) {
     if (preparation.placing == Placing::as_drawn) return {};
     const bool resting = preparation.placing == Placing::resting;
-    const double stride = resting || preparation.placing == Placing::quick_layers ? preparation.stride : 1.0;
+    const double stride = resting || preparation.placing == Placing::layers_mass_scaled ? preparation.stride : 1.0;
     const double decay_time = 1.0 / (preparation.settling.damping_rate * stride * time_step);
     double in_layers = 0.0;
     for (const auto& [first, last] : find_layers(upright)) in_layers += static_cast<double>(last);

@@ -14,7 +14,7 @@ namespace musim::lsdem {
 namespace {
 
 using scaling::Direction;
-using scaling::StructureFacts;
+using scaling::StructureProperties;
 
 /// Of the first block.
 const BlockMaterial& find_material(const Scene& scene) {
@@ -24,21 +24,21 @@ const BlockMaterial& find_material(const Scene& scene) {
 }
 
 /// The block, and the layers where the structure has any.
-StructureFacts make_facts(const Scene& scene, const scaling::Acceleration& gravity) {
+StructureProperties make_properties(const Scene& scene, const scaling::Acceleration& gravity) {
     const BlockMaterial& material = find_material(scene);
-    StructureFacts facts;
-    facts.block = reference_block(scene);
-    facts.density = material.density;
-    facts.friction = material.friction;
-    facts.gravity = gravity;
-    facts.normal_stiffness = material.normal_stiffness;
-    facts.shear_stiffness = material.shear_stiffness;
+    StructureProperties properties;
+    properties.block = reference_block(scene);
+    properties.density = material.density;
+    properties.friction = material.friction;
+    properties.gravity = gravity;
+    properties.normal_stiffness = material.normal_stiffness;
+    properties.shear_stiffness = material.shear_stiffness;
     std::visit(
         [&](const auto& structure) {
-            if constexpr (requires { structure.layers; }) facts.layers = structure.layers;
+            if constexpr (requires { structure.layers; }) properties.layers = structure.layers;
         },
         scene.structure);
-    return facts;
+    return properties;
 }
 
 template <class Quantity>
@@ -46,10 +46,11 @@ std::string write(Quantity quantity) {
     return scaling::format_quantity(quantity, 4);
 }
 
-void add_rocking(std::vector<SceneEstimate>& estimates, const StructureFacts& facts, Direction direction, double pga_over_gravity) {
+void add_rocking(std::vector<SceneEstimate>& estimates, const StructureProperties& properties, Direction direction,
+                 double pga_over_gravity) {
     const std::string side(scaling::to_string(direction));
     const std::string edge = direction == Direction::thin ? "b" : "w";
-    const scaling::RockingBlock block = facts.rocking_block(direction);
+    const scaling::RockingBlock block = properties.rocking_block(direction);
     const double slenderness = block.slenderness();
     estimates.push_back({.key = "rocking_" + side,
                          .title = fmt::format("a block rocks across its {} side above", side),
@@ -58,13 +59,13 @@ void add_rocking(std::vector<SceneEstimate>& estimates, const StructureFacts& fa
                          .formula = edge + "/H"});
     estimates.push_back({.key = "frequency_parameter_" + side,
                          .title = fmt::format("frequency parameter p across the {} side", side),
-                         .text = fmt::format("{:.3g} 1/s", block.frequency_parameter(facts.gravity).value()),
-                         .value = block.frequency_parameter(facts.gravity).value(),
+                         .text = fmt::format("{:.3g} 1/s", block.frequency_parameter(properties.gravity).value()),
+                         .value = block.frequency_parameter(properties.gravity).value(),
                          .formula = fmt::format("sqrt(3g/(4R)), R = sqrt({}^2 + H^2)/2", edge)});
     if (!(pga_over_gravity > 0.0)) return;
     estimates.push_back({.key = "first_motion_" + side,
                          .title = fmt::format("under {:.3g} g a block shaken across its {} side", pga_over_gravity, side),
-                         .text = std::string(to_string(scaling::find_first_motion(pga_over_gravity, facts.friction, slenderness))),
+                         .text = std::string(to_string(scaling::find_first_motion(pga_over_gravity, properties.friction, slenderness))),
                          .formula = "Shenton 1996"});
 }
 
@@ -74,20 +75,20 @@ scaling::Frequency find_chain_frequency(const scaling::Stiffness& stiffness, con
     return scaling::Frequency::from_value(root / std::numbers::pi * std::sin(std::numbers::pi / (4.0 * blocks + 2.0)));
 }
 
-void add_structure(std::vector<SceneEstimate>& estimates, const StructureFacts& facts) {
-    const scaling::StructuralSpeeds speeds = scaling::find_structural_speeds(facts);
+void add_structure(std::vector<SceneEstimate>& estimates, const StructureProperties& properties) {
+    const scaling::StructuralSpeeds speeds = scaling::find_structural_speeds(properties);
     const auto add = [&](const char* key, const char* title, const auto& quantity, const char* formula) {
         estimates.push_back({.key = key, .title = title, .text = write(quantity), .value = quantity.value(), .formula = formula});
     };
     add("shear_frequency", "lowest shear frequency, joints stick and blocks do not turn",
-        find_chain_frequency(*facts.shear_stiffness, facts.block_mass(), facts.layers), "sqrt(k_s/m) sin(pi/(4N + 2))/pi");
-    add("vertical_frequency", "lowest vertical frequency", find_chain_frequency(*facts.normal_stiffness, facts.block_mass(), facts.layers),
-        "sqrt(k_n/m) sin(pi/(4N + 2))/pi");
+        find_chain_frequency(*properties.shear_stiffness, properties.block_mass(), properties.layers), "sqrt(k_s/m) sin(pi/(4N + 2))/pi");
+    add("vertical_frequency", "lowest vertical frequency",
+        find_chain_frequency(*properties.normal_stiffness, properties.block_mass(), properties.layers), "sqrt(k_n/m) sin(pi/(4N + 2))/pi");
     add("elastic_speed", "elastic structural speed c_e", *speeds.shear, "H sqrt(k_s/m)");
     add("climb_stick", "sway climbs to the top in, joints stick", *speeds.climb_stick, "N H/c_e");
     add("climb_slip", "the same, joints slip", *speeds.climb_slip, "2 N H/c_e");
-    const double weight = facts.block_mass().value() * facts.gravity.value();
-    const double overlap = facts.layers * weight / (facts.normal_stiffness->value() * facts.block[2].value());
+    const double weight = properties.block_mass().value() * properties.gravity.value();
+    const double overlap = properties.layers * weight / (properties.normal_stiffness->value() * properties.block[2].value());
     estimates.push_back({.key = "base_overlap",
                          .title = "overlap of the lowest faces under dead weight, over H",
                          .text = fmt::format("{:.2g}", overlap),
@@ -101,25 +102,26 @@ std::vector<SceneEstimate> estimate_scene(const Scene& scene, const std::vector<
     const auto gravity =
         scaling::Acceleration::from_value(std::hypot(scene.gravity[0].value(), scene.gravity[1].value(), scene.gravity[2].value()));
     if (std::holds_alternative<SphereShape>(scene.shape) || !(gravity.value() > 0.0)) return {};
-    const StructureFacts facts = make_facts(scene, gravity);
+    const StructureProperties properties = make_properties(scene, gravity);
     double pga = 0.0;
     for (const MotionSummary& motion : motions) {
         for (const AxisMotion& axis : motion.axes) pga = axis.axis == 'z' ? pga : std::max(pga, axis.pga);
     }
     std::vector<SceneEstimate> estimates;
-    for (const Direction direction : {Direction::thin, Direction::wide}) add_rocking(estimates, facts, direction, pga / gravity.value());
+    for (const Direction direction : {Direction::thin, Direction::wide})
+        add_rocking(estimates, properties, direction, pga / gravity.value());
     estimates.push_back({.key = "sliding",
                          .title = "a block slides above",
-                         .text = fmt::format("{:.3g} g", facts.friction),
-                         .value = facts.friction,
+                         .text = fmt::format("{:.3g} g", properties.friction),
+                         .value = properties.friction,
                          .formula = "friction coefficient"});
-    const double contact = std::sqrt(facts.normal_stiffness->value() / facts.block_mass().value()) / (2.0 * std::numbers::pi);
+    const double contact = std::sqrt(properties.normal_stiffness->value() / properties.block_mass().value()) / (2.0 * std::numbers::pi);
     estimates.push_back({.key = "contact_frequency",
                          .title = "a block on one face, up and down",
                          .text = write(scaling::Frequency::from_value(contact)),
                          .value = contact,
                          .formula = "sqrt(k_n/m)/(2 pi)"});
-    if (!std::holds_alternative<BlockList>(scene.structure)) add_structure(estimates, facts);
+    if (!std::holds_alternative<BlockList>(scene.structure)) add_structure(estimates, properties);
     return estimates;
 }
 

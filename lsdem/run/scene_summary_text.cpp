@@ -144,28 +144,28 @@ std::vector<std::string> describe(const SceneSummary& summary, const std::option
 
 std::vector<std::pair<std::string, std::vector<std::string>>> describe_briefly(const SceneSummary& summary) {
     const std::size_t blocks = summary.specimen.model.blocks.size();
-    std::vector<std::pair<std::string, std::vector<std::string>>> facts{
+    std::vector<std::pair<std::string, std::vector<std::string>>> properties{
         {"structure",
          {fmt::format("{}, {}", count(blocks, "block"), count(static_cast<std::size_t>(summary.levels), "level")),
           write_size(summary.high - summary.low), write<scaling::Mass>(summary.mass)}}};
-    if (summary.kinds.size() == 1) facts.push_back({"block", {write_size(summary.kinds.front().size)}});
+    if (summary.kinds.size() == 1) properties.push_back({"block", {write_size(summary.kinds.front().size)}});
     for (const auto& [name, material] : summary.materials) {
-        facts.push_back({name.empty() ? "material" : "material " + name,
-                         {scaling::format_quantity(material.density),
-                          fmt::format("k_n {}, k_s {}", scaling::format_quantity(material.normal_stiffness, 4),
-                                      scaling::format_quantity(material.shear_stiffness, 4)),
-                          fmt::format("friction {:.4g}, restitution {:.4g}", material.friction, material.restitution)}});
+        properties.push_back({name.empty() ? "material" : "material " + name,
+                              {scaling::format_quantity(material.density),
+                               fmt::format("k_n {}, k_s {}", scaling::format_quantity(material.normal_stiffness, 4),
+                                           scaling::format_quantity(material.shear_stiffness, 4)),
+                               fmt::format("friction {:.4g}, restitution {:.4g}", material.friction, material.restitution)}});
     }
     const bool several = summary.motions.size() > 1;
     const MotionSummary& first = summary.motions.front();
-    facts.push_back({"base motion", {several ? count(summary.motions.size(), "motion") : first.source}});
+    properties.push_back({"base motion", {several ? count(summary.motions.size(), "motion") : first.source}});
     for (std::size_t k = 0; k < first.axes.size() && !several; ++k) {
         const AxisMotion& axis = first.axes[k];
-        facts.back().second.push_back(fmt::format("along {}: {:.3g} g, {}", axis.axis, axis.pga / scaling::kStandardGravity.value(),
-                                                  write<scaling::Velocity>(axis.pgv, 3)));
+        properties.back().second.push_back(fmt::format("along {}: {:.3g} g, {}", axis.axis, axis.pga / scaling::kStandardGravity.value(),
+                                                       write<scaling::Velocity>(axis.pgv, 3)));
     }
-    facts.push_back({"time", {fmt::format("{} steps of {}", summary.steps(), write<scaling::Time>(summary.time_step))}});
-    return facts;
+    properties.push_back({"time", {fmt::format("{} steps of {}", summary.steps(), write<scaling::Time>(summary.time_step))}});
+    return properties;
 }
 
 json to_json(const SceneSummary& summary, const std::optional<RunTimeEstimate>& run_time) {

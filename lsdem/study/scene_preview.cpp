@@ -71,7 +71,7 @@ class Preview {
         draw_bodies(svg_, bodies_, view_, place_);
         draw_ruler();
         if (summary_.specimen.model.ground.present) draw_widths();
-        draw_facts();
+        draw_properties();
         draw_motion();
         return svg_ + "</svg>\n";
     }
@@ -149,7 +149,7 @@ class Preview {
         svg_ += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"#D55E00\" stroke-width=\"1.6\" stroke-linejoin=\"round\"/>\n", path);
     }
 
-    void draw_facts() {
+    void draw_properties() {
         double y = kTop + 20.0;
         for (const auto& [about, texts] : describe_briefly(summary_)) {
             detail::draw_text(svg_, kTextLeft, y, "start", kGrey, about);

@@ -95,23 +95,23 @@ def check_plots(browser, figures):
         for cell in cells:
             if series == "run":
                 values = [float(row["y"]) for row in rows if row["run"] == cell[0] and row["row"] == cell[1]]
-                expected, told = max(values, key=abs), float(cell[2])
+                expected, shown = max(values, key=abs), float(cell[2])
             else:
                 values = [float(row["y"]) for row in rows if row["series"] == cell[0]]
-                expected, told = max(values), float(cell[6])
-            check(abs(told - expected) <= 5e-4 * abs(expected) + 1e-300, f"{name}, {cell}: told {told}, the data have {expected}")
+                expected, shown = max(values), float(cell[6])
+            check(abs(shown - expected) <= 5e-4 * abs(expected) + 1e-300, f"{name}, {cell}: shown {shown}, the data have {expected}")
 
 
 def check_pointer(browser, name):
     """A pointer at the middle of a plot's frame reads off the middle of its axes."""
-    told = browser.execute_script("""
+    shown = browser.execute_script("""
         const figure = document.getElementById("figure-" + arguments[0]), svg = figure.querySelector("svg"), frame = svg.querySelector("rect.frame");
         const box = frame.getBoundingClientRect();
         svg.dispatchEvent(new PointerEvent("pointermove", {clientX: box.left + box.width / 2, clientY: box.top + box.height / 2}));
         return [frame.dataset.x, frame.dataset.xName, figure.querySelector(".readout").textContent];""", name)
-    low, high = (float(number) for number in told[0].split()[:2])
-    read = float(told[2].split(",")[0].rpartition("= ")[2])
-    check(told[2].startswith(told[1]) and abs(read - (low + high) / 2) <= 0.01 * (high - low), f"{name}: the pointer reads {told}")
+    low, high = (float(number) for number in shown[0].split()[:2])
+    read = float(shown[2].split(",")[0].rpartition("= ")[2])
+    check(shown[2].startswith(shown[1]) and abs(read - (low + high) / 2) <= 0.01 * (high - low), f"{name}: the pointer reads {shown}")
 
 
 def check_peaks(browser, name, rows):
@@ -122,8 +122,8 @@ def check_peaks(browser, name, rows):
     for cell in cells:
         component = cell[0].split()[0]
         values = [float(row["value"]) for row in rows if row["component"] == component and row["quantity"] == "acceleration_g" and row["scale"] == "prototype"]
-        drawn, told = max(map(abs, values)), float(cell[1].split()[0])
-        check("model" in cell[0] or (1 - 5e-4) * drawn <= told <= (1 + 5e-3) * drawn, f"{name}, {cell}: told {told}, the data have {drawn}")
+        drawn, shown = max(map(abs, values)), float(cell[1].split()[0])
+        check("model" in cell[0] or (1 - 5e-4) * drawn <= shown <= (1 + 5e-3) * drawn, f"{name}, {cell}: shown {shown}, the data have {drawn}")
 
 
 def find_renderer_memory():
@@ -193,7 +193,7 @@ def check_blocks(browser, blocks):
     history = browser.execute_script("return window.musimTower.historyOf(window.musimTower.runs[0], arguments[0])", blocks - 1)
     check(len(history) == 51, f"{len(history)} frames")
     browser.execute_script("const b = document.getElementById('tower-block'); b.value = 7; b.dispatchEvent(new Event('change'));")
-    check("block 7 of" in browser.execute_script("return document.getElementById('tower-block-properties').textContent"), "the block's properties are not told")
+    check("block 7 of" in browser.execute_script("return document.getElementById('tower-block-properties').textContent"), "the block's properties are not shown")
     browser.execute_script("document.getElementById('tower-play').click()")
     # a busy machine draws its first picture when it can
     deadline = time.monotonic() + 30.0

@@ -93,11 +93,11 @@ def check_width(browser, where):
 
 def check_order(browser, where):
     """The verdict is in the first window, with a number, above all plots and above the blocks."""
-    told = browser.execute_script("""
+    shown = browser.execute_script("""
         const line = document.querySelector(".statement"), box = line.getBoundingClientRect(), at = y => y + window.scrollY;
         const others = [...document.querySelectorAll("figure, #tower")].map(e => at(e.getBoundingClientRect().top));
         return [line.textContent, at(box.bottom), window.innerHeight, Math.min(...others)];""")
-    text, bottom, window, first = told
+    text, bottom, window, first = shown
     check(any(c.isdigit() for c in text), f"{where}: the verdict has no number: {text}")
     check(bottom <= min(window, first), f"{where}: the verdict ends at {bottom}, the window at {window}, the first picture begins at {first}")
 

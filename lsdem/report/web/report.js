@@ -8,7 +8,7 @@
 
   const SVG = "http://www.w3.org/2000/svg";
 
-  // The value of an axis, as the frame tells it, at a share of its length.
+  // The value of an axis, as the frame gives it, at a share of its length.
   function valueAt(axis, share) {
     const parts = axis.split(" "), low = Number(parts[0]), high = Number(parts[1]);
     const value = low + share * (high - low);
@@ -19,10 +19,10 @@
     const box = { x: Number(frame.getAttribute("x")), y: Number(frame.getAttribute("y")), width: Number(frame.getAttribute("width")), height: Number(frame.getAttribute("height")) };
     const right = (point.x - box.x) / box.width, up = 1 - (point.y - box.y) / box.height;
     if (right < 0 || right > 1 || up < 0 || up > 1) return null;
-    const tell = function (name, axis, share) { return name + " = " + valueAt(axis, share).toPrecision(4); };
-    const told = [tell(frame.dataset.xName, frame.dataset.x, right)];
-    if (frame.dataset.y) told.push(tell(frame.dataset.yName, frame.dataset.y, up));
-    return { text: told.join(",  "), box: box };
+    const readAxis = function (name, axis, share) { return name + " = " + valueAt(axis, share).toPrecision(4); };
+    const shown = [readAxis(frame.dataset.xName, frame.dataset.x, right)];
+    if (frame.dataset.y) shown.push(readAxis(frame.dataset.yName, frame.dataset.y, up));
+    return { text: shown.join(",  "), box: box };
   }
 
   document.querySelectorAll("figure").forEach(function (figure) {

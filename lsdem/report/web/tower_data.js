@@ -9,7 +9,7 @@ const DIVERGING = ["#053061", "#2166ac", "#4393c3", "#92c5de", "#d1e5f0", "#f7f7
 
 const isShaken = function (run) { return !run.stands; };
 
-// `unit` is what is told, `factor` of it in one of the values (m/s, m, degrees).
+// `unit` is what is shown, `factor` of it in one of the values (m/s, m, degrees).
 const QUANTITIES = [
   { key: "vx", name: "velocity along x", unit: "cm/s", factor: 100, signed: true, moves: true },
   { key: "vy", name: "velocity along y", unit: "cm/s", factor: 100, signed: true, moves: true },
