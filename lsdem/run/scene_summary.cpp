@@ -169,7 +169,7 @@ SceneSummary summarize_scene(const Scene& scene) {
 RunTimeEstimate measure_run_time(const SceneSummary& summary, int threads, double budget) {
     constexpr std::uint64_t kFirst = 8;  // steps in which contacts are met and memory is touched for the first time
     Model model = summary.specimen.model;
-    model.skip_quiet = false;
+    model.skip_rest = false;
     Simulation simulation(std::move(model), summary.time_step, threads);
     simulation.advance(kFirst);
     const std::uint64_t before = simulation.statistics().steps;
