@@ -28,6 +28,9 @@ constexpr double kFrameNumbers = 11.0, kBlockNumbers = 30.0;
 /// Letters of a number in spine.csv, with its comma: 15 to 17 digits, sign, point and often an exponent.
 constexpr double kCsvNumber = 21.0;
 
+/// Letters of a frame in result.xdmf.
+constexpr double kXdmfFrame = 1630.0;
+
 void count_blocks(const Scene& scene, SceneSummary& summary) {
     const Model& model = summary.specimen.model;
     summary.low.setConstant(std::numeric_limits<double>::infinity());
@@ -100,6 +103,7 @@ void size_outputs(SceneSummary& summary) {
     const double histories = samples * (kSampleNumbers + spine * kSpineNumbers) * sizeof(double);
     const double pictures = frames * (sizeof(double) + blocks * kFrameNumbers * sizeof(float));
     summary.outputs = {{"result.h5", histories + pictures + runs * blocks * kBlockNumbers * sizeof(double)},
+                       {"result.xdmf", frames * kXdmfFrame},
                        {"spine.csv", samples * (4.0 + 3.0 * spine) * kCsvNumber}};
 }
 

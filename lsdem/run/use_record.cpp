@@ -54,7 +54,9 @@ std::vector<std::string> use_record(Scene& scene, const std::filesystem::path& f
 }
 
 void scale_record(Scene& scene, const RecordScale& scale) {
-    scene.time.duration = make_similitude(scale).to_model(scene.time.duration);
+    const scaling::Similitude similitude = make_similitude(scale);
+    if (similitude.is_identity()) return;
+    scene.time.duration = similitude.to_model(scene.time.duration);
     std::get<RecordMotion>(scene.base_motion.source).scale = scale;
 }
 

@@ -21,7 +21,7 @@ using AxisComponents = std::array<std::optional<std::string>, 3>;
 std::vector<std::string> use_record(Scene& scene, const std::filesystem::path& file, const AxisComponents& components);
 
 /// Lets the record that a scene uses be of a prototype, of which the scene is a model by a law (RecordScale); its duration is then the
-/// model's. Throws scaling::SimilitudeError. Requires a record.
+/// model's. Nothing is done where every factor is 1. Throws scaling::SimilitudeError. Requires a record.
 void scale_record(Scene& scene, const RecordScale& scale);
 
 }  // namespace musim::lsdem

@@ -184,10 +184,15 @@ ReadableText comment_new_scene(const NewScene& wanted, const Scene& scene) {
     text.comments["/time"] = {"step: auto takes `safety` times the critical step of the structure; or give a time"};
     text.comments["/output"] = {
         fmt::format("spine_rate: samples a second of the blocks along one edge ({} in the prototype); without it every step is kept",
-                    scaling::format_quantity(similitude.to_prototype(scene.output.spine_rate), 2)),
+                    scaling::format_quantity(rounded(similitude.to_prototype(scene.output.spine_rate), 2), 3)),
         "frame_rate: positions of all blocks a second, for films and the 3D view of a report; without it there are none"};
-    text.kept = {"/structure/height_deviation", "/structure/seed", "/base_motion/direction",
-                 "/base_motion/seed",           "/time/step",      "/time/safety"};
+    text.kept = {"/structure/height_deviation",
+                 "/structure/seed",
+                 "/base_motion/direction",
+                 "/base_motion/scale/law",
+                 "/base_motion/seed",
+                 "/time/step",
+                 "/time/safety"};
     return text;
 }
 
