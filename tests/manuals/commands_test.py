@@ -3,8 +3,8 @@
 
 Called by ctest with the program's path; `commands_test.py MUSIM PAGE...` takes some pages alone.
 
-A page is run as a reader would: in one folder, with the repository's `examples` and `scripts` in it and the records that it names. Only the
-scenes of `examples` are shorter (shorten), so that minutes become seconds; commands are run as they are printed. A command may be
+A page is run as a reader would: in one folder, with the repository's `examples` and `scripts` in it and the records that it names. Only
+scenes, those of `examples` and those that commands write, are made shorter (shorten), so that minutes become seconds; commands are run as they are printed. A command may be
 interrupted after LIMIT seconds: it must then end by its own message. What a page takes for granted (RESULTS) is made first.
 
 A ```json block becomes the file that the next command names and that is not there yet. Exit code: 0, or what the comment says
@@ -42,6 +42,13 @@ OWN_SCENES = {"my_model.json": "tower_prototype.json"}
 OWN_TEXTS = {"code.csv": "period_s,psa_g\n0.05,0.4\n0.15,1.0\n0.5,1.0\n1,0.5\n5,0.1\n"}
 
 
+def shorten_scenes(paths):
+    for path in paths:
+        content = json.loads(path.read_text())
+        if isinstance(content, dict) and content.get("schema") == "musim-scene/1":
+            path.write_text(json.dumps(shorten(content), indent=2))
+
+
 def shorten(scene):
     """A scene with few layers and a tenth of its time at most, so that its commands run in seconds."""
     structure = scene.get("structure", {})
@@ -64,10 +71,7 @@ def lay_out(place):
     """The folder in which a page's commands run."""
     shutil.copytree(ROOT / "examples", place / "examples")
     (place / "scripts").symlink_to(ROOT / "scripts")
-    for path in (place / "examples").rglob("*.json"):
-        content = json.loads(path.read_text())
-        if content.get("schema") == "musim-scene/1":
-            path.write_text(json.dumps(shorten(content), indent=2))
+    shorten_scenes((place / "examples").rglob("*.json"))
 
 
 def read_blocks(page):
@@ -119,6 +123,7 @@ def allowed_codes(comment):
 def provide(command, place, own_json):
     """Puts in place what a command reads: a record by its name, a file of the reader's own, a block of JSON shown before."""
     shown = "\n".join(own_json[0]) if own_json else ""
+    command = re.sub(r"(-o|--out) [\w./-]+", "", command)
     for word in re.findall(r"[\w./-]+", f"{command} {shown}"):
         target = place / word
         if "/" in word or target.exists() or not re.search(r"\.\w+$", word):
@@ -166,7 +171,9 @@ def run_page(page, musim):
                 continue
             for command, comment in find_commands(lines):
                 provide(command, place, own_json)
+                before = set(place.glob("*.json"))
                 code, _, err, seconds = run(command, place, musim)
+                shorten_scenes(set(place.glob("*.json")) - before)
                 count += 1
                 ended = code in allowed_codes(comment) or (code == INTERRUPTED and "musim: " in err)
                 ended = ended or (NO_FFMPEG in err and shutil.which("ffmpeg") is None)
