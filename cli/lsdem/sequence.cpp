@@ -49,7 +49,7 @@ lsdem::SequenceSummary carry_out(const SequenceOptions& options) {
         scene = read_scene(options.scene);
         note_cut_motions(options.scene, *scene);
     }
-    lsdem::ProgressFile progress(options.directory(), scene ? scene->name : options.resume);
+    lsdem::ProgressFile progress_file(options.directory(), scene ? scene->name : options.resume);
     progress_file.listen_to(settings.observer);
     return scene ? lsdem::run_sequence(*scene, settings) : lsdem::resume_sequence(settings);
 }
