@@ -251,7 +251,7 @@ int run_pair(const PairOptions& options) {
                 .interval = options.checkpoint_interval,
                 .on_failure = [](const std::string& why) { note_at_end("musim: warning: no checkpoint: " + why); }};
         }
-        std::optional<lsdem::ProgressFile> progress;
+        std::optional<lsdem::ProgressFile> progress_file;
         if (folder) progress_file.emplace(options.out, prototype.name).listen_to(settings.observer);
         lsdem::PairSceneSettings how{.specimen = options.specimen == "each" ? lsdem::PairSpecimen::each : lsdem::PairSpecimen::one,
                                      .judging = {.twins = options.twins, .seed = options.seed, .half_step = !options.no_half_step},
