@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "lsdem/contact/contact_step.hpp"
 #include "lsdem/detail/wide.hpp"
@@ -145,14 +146,42 @@ double integrate_distance(std::size_t count, const Vector3* place, const double*
     return sum;
 }
 
+/// How a piece is seen along `normal`, in which the second body is pushed.
+struct Sight {
+    double sign, cosine, share;  ///< share: in the reach [-]
+    Sight(const OverlapPieces::Piece& piece, const Vector3& normal)
+        : sign(piece.of_first ? 1.0 : -1.0),
+          cosine(sign * piece.normal.dot(normal)),
+          share(share_of(piece) * detail::share_of_facing(cosine)) {}
+};
+
 }  // namespace
+
+double find_least_reach(const OverlapPieces& pieces, const Vector3& normal, double deepest) {
+    constexpr double kRounding = 1.0 - 1e-9;
+    std::array<double, 2> load{};
+    for (std::size_t p = 0; p < pieces.size(); ++p) {
+        const OverlapPieces::Piece& piece = pieces[p];
+        const Sight sight(piece, normal);
+        if (!(sight.share > 0.0)) continue;
+        const OverlapPieces::Vertex* const v = pieces.vertices(piece);
+        double sum = 0.0;
+        for_each_triangle(pieces, piece, v[0].place, [&](const Triangle& triangle, const std::array<std::size_t, 3>& index) {
+            sum += triangle.area / 3.0 * ((v[index[0]].depth + v[index[1]].depth) + v[index[2]].depth);
+        });
+        load[piece.of_first ? 0 : 1] += sight.share * sight.cosine * sum;
+    }
+    // a body without a load has no part in it
+    const double least = std::min(load[0] > 0.0 ? load[0] : load[1], load[1] > 0.0 ? load[1] : load[0]);
+    return least > 0.0 ? 2.0 / 3.0 * kRounding * std::sqrt(least / (std::numbers::pi * deepest)) : 0.0;
+}
 
 double find_reach(const OverlapPieces& pieces, const Vector3& normal, const Vector3& about) {
     std::array<double, 2> distance{}, load{};
     for (std::size_t p = 0; p < pieces.size(); ++p) {
         const OverlapPieces::Piece& piece = pieces[p];
-        const double sign = piece.of_first ? 1.0 : -1.0, cosine = sign * piece.normal.dot(normal);
-        const double share = share_of(piece) * detail::share_of_facing(cosine);
+        const Sight sight(piece, normal);
+        const double sign = sight.sign, cosine = sight.cosine, share = sight.share;
         if (!(share > 0.0)) continue;
         const OverlapPieces::Vertex* const v = pieces.vertices(piece);
         std::array<Vector3, OverlapPieces::kMostCorners> place;

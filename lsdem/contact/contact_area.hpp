@@ -42,4 +42,8 @@ PressureMoments find_pull(const OverlapPieces& pieces, const AffinePressure& das
 /// one across the normal: one that lies along the normal has none, as depths over its image would change without bound.
 double find_reach(const OverlapPieces& pieces, const Vector3& normal, const Vector3& about);
 
+/// No more than `find_reach` about any point: a load L [m³] of depths up to `deepest` [m] is nowhere closer to a point than in a disc, 2/3
+/// √(L/(π d)), of the body for which that is less; 0 of no load [m].
+double find_least_reach(const OverlapPieces& pieces, const Vector3& normal, double deepest);
+
 }  // namespace musim::lsdem

@@ -148,10 +148,10 @@ struct Lane {
                                                                            const LaneOverlap<W>& found) {
         constexpr double kTwoTo52 = 0x1p52;  // brings a small whole number into the lowest bits
         const auto bit = [](const Mask& mask, double value) MUSIM_WIDE_LAMBDA { return choose(mask, broadcast<Real>(value), Real{}); };
-        const Real asked =
-            (bit(result.may_slide, 0x1p23) + bit(result.may_pull, 0x1p22)) + (bit(result.may_both, 0x1p21) + bit(found.corner, 0x1p20));
-        const Real edges = (0x1p12 * found.cells[0].bounds + 0x1p4 * found.cells[1].bounds) + found.flush;
-        return __builtin_bit_cast(std::array<std::uint64_t, kWidth<Real>>, (asked + edges) + kTwoTo52);
+        const Real edges = 0x1p15 * found.cells[0].bounds + 0x1p7 * found.cells[1].bounds;
+        const Real asked = bit(result.may_pull, 0x1p6) + bit(result.may_both, 0x1p5) + bit(found.corner, 0x1p4) + found.flush;
+        const Real sum = bit(result.may_slide, 0x1p23) + (edges + asked);
+        return __builtin_bit_cast(std::array<std::uint64_t, kWidth<Real>>, sum + kTwoTo52);
     }
 
     MUSIM_WIDE static void store(const LaneOverlap<W>& found, LaneFinding* results) {

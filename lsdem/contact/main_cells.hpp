@@ -253,8 +253,10 @@ struct MainCells {
         Point first{};
         cell.for_each_edge([&](const Point& from, const Point& to, const Real& /*depth*/, const Real& /*depth*/, double sign,
                                const Mask& there) MUSIM_WIDE_LAMBDA {
-            const Real f0 = value(from), f1 = value(to), crossing = f0 / (f0 - f1);
+            const Real f0 = value(from), f1 = value(to);
             const Mask starts = f0 > zero, stops = f1 > zero;
+            if (!some(there & (starts | stops))) return;
+            const Real crossing = f0 / (f0 - f1);
             const Real low = choose(starts, zero, crossing), high = choose(stops, broadcast<Real>(1.0), crossing);
             const Real dx = to[0] - from[0], dy = to[1] - from[1], x = from[0] - fan[0], y = from[1] - fan[1];
             const Real twice = choose(there & (starts | stops), sign * ((high - low) * (x * dy - y * dx)), zero);

@@ -71,23 +71,20 @@ void OverlapPieces::add(const Piece& piece, const Vertex* vertices, std::size_t 
 }
 
 void OverlapPieces::cut_faces(const PlacedSolid& x, const PlacedSolid& y, bool of_first) {
-    std::array<std::array<double, PlacedSolid::kMostFaces>, PlacedSolid::kMostCorners> depth;
+    std::array<std::uint32_t, PlacedSolid::kMostFaces> outside{};  // corners, a bit each
     for (std::size_t c = 0; c < x.corner_count; ++c) {
-        for (std::size_t k = 0; k < y.face_count; ++k) depth[c][k] = y.depth(k, x.corner[c]);
+        for (std::size_t k = 0; k < y.face_count; ++k) outside[k] |= (y.depth(k, x.corner[c]) > 0.0 ? 0U : 1U) << c;
     }
     for (std::size_t f = 0; f < x.face_count; ++f) {
         const PlacedSolid::Loop& loop = x.loop[f];
-        // planes of y that all of the face is outside of, or that cut it; the least of the largest depths bounds the depth everywhere
+        // planes of y that all of the face is outside of, or that cut it
+        std::uint32_t of_face = 0, cuts = 0;
+        for (std::size_t i = 0; i < loop.count; ++i) of_face |= 1U << loop.first[i];
         bool apart = false;
-        std::uint32_t cuts = 0;
-        for (std::size_t k = 0; k < y.face_count && !apart; ++k) {
-            double least = depth[loop.first[0]][k], most = least;
-            for (std::size_t i = 1; i < loop.count; ++i) {
-                least = std::min(least, depth[loop.first[i]][k]);
-                most = std::max(most, depth[loop.first[i]][k]);
-            }
-            apart = !(most > 0.0);
-            if (!(least > 0.0)) cuts |= 1U << k;
+        for (std::size_t k = 0; k < y.face_count; ++k) {
+            const std::uint32_t out = outside[k] & of_face;
+            apart = apart || out == of_face;
+            cuts |= (out != 0 ? 1U : 0U) << k;
         }
         if (apart) continue;
         Polygon polygon;

@@ -63,7 +63,6 @@ OverlapContact from_lane(const Step::Memory& memory) {
 /// The area of a contact as pieces of both bodies, cut when first asked for.
 struct PieceCells {
     OverlapBodies& bodies;
-    double reach = 0.0;  ///< once least_reach was asked [m]
 
     static bool may_pull(bool touches, const Step::Geometry& /*geometry*/, const Step::Pressure& /*dashpot*/, double /*stiffness*/) {
         return touches;
@@ -73,10 +72,12 @@ struct PieceCells {
             musim::lsdem::find_pull(bodies.pieces(), {dashpot.at, from_lane(dashpot.slope), from_lane(dashpot.about)}, stiffness);
         return {pull.sum, to_lane(pull.at)};
     }
-    double least_reach(const Vector& normal, const Vector& about, const Step::Geometry& /*geometry*/) {
-        return reach = musim::lsdem::find_reach(bodies.pieces(), from_lane(normal), from_lane(about));
+    double least_reach(const Vector& normal, const Vector& /*about*/, const Step::Geometry& geometry) const {
+        return find_least_reach(bodies.pieces(), from_lane(normal), geometry.deepest);
     }
-    double find_reach(const Vector& /*normal*/, const Vector& /*about*/) const { return reach; }
+    double find_reach(const Vector& normal, const Vector& about) const {
+        return musim::lsdem::find_reach(bodies.pieces(), from_lane(normal), from_lane(about));
+    }
 };
 
 }  // namespace

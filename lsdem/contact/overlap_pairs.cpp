@@ -114,13 +114,13 @@ void OverlapBatch::place(std::size_t index, std::size_t at) {
 }
 
 void OverlapBatch::compute() {
-    sort();
-    for (std::size_t first = 0; first < waiting_count_; first += kSize) compute(&waiting_[first], std::min(kSize, waiting_count_ - first));
+    const std::uint64_t* const sorted = sort();
+    for (std::size_t first = 0; first < waiting_count_; first += kSize) compute(&sorted[first], std::min(kSize, waiting_count_ - first));
     waiting_count_ = 0;
 }
 
 /// By company, and pairs of the same in the order in which they came: digit by digit, the lowest first.
-void OverlapBatch::sort() {
+const std::uint64_t* OverlapBatch::sort() {
     constexpr std::size_t kDigitBits = 8, kDigits = OverlapContact::kCompanyBits / kDigitBits;
     static_assert(kDigits * kDigitBits == OverlapContact::kCompanyBits);
     using Counts = std::array<std::uint32_t, 1U << kDigitBits>;
@@ -128,16 +128,18 @@ void OverlapBatch::sort() {
         return waiting >> (32U + digit * kDigitBits) & ((1U << kDigitBits) - 1U);
     };
     std::array<Counts, kDigits> counts{};
+    std::uint64_t *from = waiting_.data(), *to = room_for_sort_.data();
     for (std::size_t i = 0; i < waiting_count_; ++i) {
         for (std::size_t digit = 0; digit < kDigits; ++digit) ++counts[digit][digit_of(waiting_[i], digit)];
     }
     for (std::size_t digit = 0; digit < kDigits; ++digit) {
-        if (waiting_count_ == 0 || counts[digit][digit_of(waiting_[0], digit)] == waiting_count_) continue;
+        if (waiting_count_ == 0 || counts[digit][digit_of(from[0], digit)] == waiting_count_) continue;
         std::uint32_t place = 0;
         for (std::uint32_t& count : counts[digit]) count = std::exchange(place, place + count);
-        for (std::size_t i = 0; i < waiting_count_; ++i) sorted_[counts[digit][digit_of(waiting_[i], digit)]++] = waiting_[i];
-        std::swap_ranges(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(waiting_count_), sorted_.begin());
+        for (std::size_t i = 0; i < waiting_count_; ++i) to[counts[digit][digit_of(from[i], digit)]++] = from[i];
+        std::swap(from, to);
     }
+    return from;
 }
 
 void OverlapBatch::compute(const std::uint64_t* waiting, std::size_t count) {

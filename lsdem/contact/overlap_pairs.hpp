@@ -41,7 +41,7 @@ class OverlapBatch {
     static_assert(kRoom % kSize == 0);
     /// A pair's index below its company.
     using Waiting = std::array<std::uint64_t, kRoom>;
-    void sort();
+    const std::uint64_t* sort();
     void place(std::size_t index, std::size_t lane);
     void compute(const std::uint64_t* waiting, std::size_t count);
     void compute_exactly(std::size_t index);
@@ -55,7 +55,7 @@ class OverlapBatch {
     double deepest_ = 0.0;
     // pairs that wait for company, see OverlapContact::company
     std::size_t waiting_count_ = 0;
-    Waiting waiting_, sorted_;
+    Waiting waiting_, room_for_sort_;
     // those that are computed now
     std::array<detail::LanePair, kSize> lanes_;
     std::array<GroundSheet, kSize> sheets_;

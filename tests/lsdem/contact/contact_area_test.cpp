@@ -37,6 +37,26 @@ struct Pair {
 }  // namespace
 
 // Depths over the image of such a face across the push change without bound, so that rounding would choose the reach.
+TEST_CASE("the least reach of friction is no more than its reach about any point") {
+    std::mt19937_64 random(4);
+    OverlapPieces pieces;
+    int touching = 0;
+    for (int trial = 0; trial < 300; ++trial) {
+        Pair(random).cut(pieces);
+        const OverlapGeometry geometry = find_overlap_geometry(pieces);
+        if (!geometry.touches()) continue;
+        ++touching;
+        const Vector3 normal = geometry.load.force.normalized();
+        const double least = find_least_reach(pieces, normal, geometry.load.deepest);
+        for (const Vector3& about : {geometry.pressed(), Vector3(geometry.pressed() + geometry.area.arm)}) {
+            const double reach = find_reach(pieces, normal, about);
+            CHECK(least <= reach);
+            CHECK((least > 0.0) == (reach > 0.0));
+        }
+    }
+    CHECK(touching > 100);
+}
+
 TEST_CASE("the reach of friction does not jump when a face comes to lie along the push") {
     std::mt19937_64 random(3);
     OverlapPieces pieces;
