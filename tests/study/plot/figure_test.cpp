@@ -114,10 +114,10 @@ TEST_CASE("text is wrapped at spaces") {
 }
 
 TEST_CASE("as many styles as are given differ, and the two blues in their dashes") {
-    for (const CurveStyles styles : {CurveStyles::apart, CurveStyles::pairs}) {
-        const std::size_t count = count_styles(looks);
+    for (const CurveStyles choice : {CurveStyles::apart, CurveStyles::pairs}) {
+        const std::size_t count = count_styles(choice);
         Figure figure = make_figure(make_shaking(100, 50));
-        figure.styles = looks;
+        figure.styles = choice;
         figure.key.clear();
         figure.columns.clear();
         for (std::size_t i = 0; i < count; ++i) figure.key.push_back({static_cast<int>(i), {"a", "b"}});
@@ -134,7 +134,7 @@ TEST_CASE("as many styles as are given differ, and the two blues in their dashes
         }
         CHECK(styles.size() == count);
         // three dashes for each blue
-        CHECK(of_blues.size() == (styles == CurveStyles::apart ? 6 : 0));
+        CHECK(of_blues.size() == (choice == CurveStyles::apart ? 6 : 0));
     }
 }
 
