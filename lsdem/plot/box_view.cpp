@@ -118,6 +118,7 @@ std::vector<std::size_t> sort_by_depth(const std::vector<DrawnBody>& bodies, std
     const auto depth = [&](std::size_t b) { return bodies[b].center.dot(view.toward()); };
     std::sort(some.begin(), some.end(), [&](std::size_t a, std::size_t b) { return depth(a) < depth(b); });
     std::vector<ViewBounds> bounds;
+    bounds.reserve(some.size());
     for (const std::size_t b : some) bounds.push_back(find_bounds_of(bodies[b], view));
     // what each one covers comes before it
     std::vector<std::vector<std::size_t>> after(some.size());

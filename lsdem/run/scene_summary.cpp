@@ -111,8 +111,9 @@ void add_warnings(const Scene& scene, SceneSummary& summary) {
     summary.warnings = scene.text.remarks;
     const auto warn = [&](const std::string& what) { summary.warnings.push_back(scene.place() + ": " + what); };
     for (const std::string& cut : describe_cut_motions(scene)) warn(cut);
-    if (scene.motions.empty() && summary.motions.front().axes.empty())
+    if (!std::holds_alternative<BlockList>(scene.structure) && summary.motions.front().axes.empty()) {
         warn("the base rests; give a \"base_motion\" to shake the structure");
+    }
     if (summary.critical_time_step && summary.time_step > *summary.critical_time_step) {
         warn(describe_large_step(summary.time_step, *summary.critical_time_step));
     }

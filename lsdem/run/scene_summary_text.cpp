@@ -34,7 +34,9 @@ std::string write_duration(double seconds) {
 
 std::string write_bytes(double bytes) {
     if (bytes < 1e5) return fmt::format("{:.0f} kB", std::ceil(1e-3 * bytes));
-    return bytes < 1e9 ? fmt::format("{:.2g} MB", 1e-6 * bytes) : fmt::format("{:.2g} GB", 1e-9 * bytes);
+    const bool large = bytes >= 1e9;
+    const double number = (large ? 1e-9 : 1e-6) * bytes;
+    return fmt::format("{:.{}f} {}", number, number < 10.0 ? 1 : 0, large ? "GB" : "MB");
 }
 
 std::string count(std::size_t number, const std::string& of) { return fmt::format("{} {}{}", number, of, number == 1 ? "" : "s"); }
@@ -82,21 +84,24 @@ void describe_run(const SceneSummary& summary, const std::optional<RunTimeEstima
     double duration = 0.0;
     for (const MotionSummary& motion : summary.motions) duration += motion.plan.duration();
     lines.push_back(fmt::format(
-        "time        {} in {} steps of {}{}", write<scaling::Time>(duration), summary.steps(), write<scaling::Time>(summary.time_step),
+        "time        {} in {} of {}{}", write<scaling::Time>(duration), count(summary.steps(), "step"),
+        write<scaling::Time>(summary.time_step),
         summary.critical_time_step ? fmt::format(", {:.3g} of the critical step", summary.time_step / *summary.critical_time_step) : ""));
     lines.push_back("at rest     " + summary.preparation_text);
     std::string files;
-    for (const OutputSize& output : summary.outputs) files += fmt::format(", {} about {}", output.file, write_bytes(output.bytes));
+    for (const OutputSize& output : summary.outputs) {
+        if (output.bytes > 0.0) files += fmt::format(", {} about {}", output.file, write_bytes(output.bytes));
+    }
     lines.push_back(fmt::format("output      {} samples of {} spine blocks, {} frames{}", summary.samples(), summary.specimen.spine.size(),
                                 summary.frames(), files));
     if (!run_time || run_time->steps == 0) return;
     const std::string rest = run_time->most_preparation > 0.0
-                                 ? fmt::format(", {} to {} before it to come to rest", write_duration(run_time->least_preparation),
+                                 ? fmt::format(", {} to {} before it until blocks rest", write_duration(run_time->least_preparation),
                                                write_duration(run_time->most_preparation))
                                  : "";
-    lines.push_back(fmt::format("run time    about {} on {}{}; an estimate, from {} steps of this model that took {:.2g} s",
-                                write_duration(run_time->run), count(static_cast<std::size_t>(run_time->threads), "thread"), rest,
-                                run_time->steps, run_time->seconds));
+    lines.push_back(fmt::format("run time    {}{} on {}{}; an estimate, from {} steps of this model that took {:.2g} s",
+                                run_time->run < 1.0 ? "" : "about ", write_duration(run_time->run),
+                                count(static_cast<std::size_t>(run_time->threads), "thread"), rest, run_time->steps, run_time->seconds));
 }
 
 json to_list(const Vector3& v) { return json::array({v.x(), v.y(), v.z()}); }

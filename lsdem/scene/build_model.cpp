@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <optional>
@@ -183,6 +184,10 @@ BuiltModel build_model(const Scene& scene) {
 Model make_model(const Scene& scene) { return build_model(scene).model; }
 
 scaling::Time compute_time_step(const Scene& scene, const Model& model) {
+    const auto is_held = [](const Block& block) { return block.fixed; };
+    if (!scene.time.step && std::all_of(model.blocks.begin(), model.blocks.end(), is_held)) {
+        throw SceneError(scene.place() + ": /structure: all blocks are held in place (nothing can move); leave \"fixed\" out of one");
+    }
     if (!scene.time.step) return scaling::Time::from_value(scene.time.safety * compute_critical_time_step(model));
     const std::optional<double> critical = find_critical_time_step(model);
     if (critical && scene.time.step->value() > kLargestStep * *critical) {

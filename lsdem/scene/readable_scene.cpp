@@ -41,14 +41,17 @@ bool has_comment(const ordered_json& value) {
 
 /// In as few lines as their width and comments allow, each object or list that is broken with an entry a line.
 std::string write_lines(const ordered_json& value, std::size_t indent, bool broken = false) {
-    const std::string line = write_line(value);
+    std::string line = write_line(value);
     const bool fits = indent + line.size() <= kWidth && !has_comment(value);
     if (!value.is_structured() || value.empty() || (fits && !broken)) return line;
     const std::string margin(indent + 2, ' ');
     std::string text;
     for (const auto& [key, entry] : value.items()) {
         const std::string name = value.is_object() ? ordered_json(key).dump() + ": " : "";
-        text += (text.empty() ? "" : ",\n") + margin + name + write_lines(entry, indent + 2, key == "comment");
+        text += text.empty() ? "" : ",\n";
+        text += margin;
+        text += name;
+        text += write_lines(entry, indent + 2, key == "comment");
     }
     return (value.is_object() ? "{\n" : "[\n") + text + "\n" + std::string(indent, ' ') + (value.is_object() ? "}" : "]");
 }

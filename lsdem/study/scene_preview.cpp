@@ -25,7 +25,6 @@ constexpr double kPictureWidth = 560.0, kTextLeft = 640.0, kPanelLeft = 92.0;
 /// Room around the structure for the ruler and the widths [px].
 constexpr double kRulerRoom = 96.0, kLabelRoom = 52.0;
 
-constexpr const char* kDimension = R"(stroke="#555" stroke-width="1")";
 constexpr const char* kGrey = R"(class="small" fill="#555")";
 
 std::string write_length(double length) { return scaling::format_quantity(scaling::Length::from_value(length), 4); }
@@ -63,7 +62,7 @@ class Preview {
     }
 
     std::string draw() {
-        svg_ = detail::open_svg(kWidth, kHeight);
+        svg_ = detail::open_svg(kWidth, moves() ? kHeight : kPanelTop + kMargin);
         const std::string title = detail::shorten(summary_.name, detail::kTitleFont, kWidth - 2.0 * kMargin);
         detail::draw_text(svg_, kMargin, 32.0, "start", "class=\"title\"", title);
         detail::draw_text(svg_, kMargin, 50.0, "start", kGrey, "as drawn, before it is run");
@@ -84,6 +83,8 @@ class Preview {
             const double x = corner.dot(view_.right()), y = corner.dot(view_.up());
             bounds = {std::min(bounds.left, x), std::max(bounds.right, x), std::min(bounds.bottom, y), std::max(bounds.top, y)};
         }
+        // the ruler stands on the level of the leftmost corner
+        bounds.top = std::max(bounds.top, ground_[0].dot(view_.up()) + summary_.high.z() * view_.up().z());
         place_.scale = std::min((kPictureWidth - kRulerRoom) / bounds.width(), (kPicture - kLabelRoom) / bounds.height());
         place_.x = kMargin + kRulerRoom + 0.5 * (kPictureWidth - kRulerRoom - place_.scale * (bounds.left + bounds.right));
         place_.y = kTop + 0.5 * (kPicture - kLabelRoom + place_.scale * (bounds.bottom + bounds.top));
@@ -92,6 +93,11 @@ class Preview {
 
     double x_of(const Vector3& world) const { return place_.x + place_.scale * world.dot(view_.right()); }
     double y_of(const Vector3& world) const { return place_.y - place_.scale * world.dot(view_.up()); }
+
+    bool moves() const {
+        return std::any_of(summary_.motions.begin(), summary_.motions.end(),
+                           [](const MotionSummary& motion) { return !motion.axes.empty(); });
+    }
 
     void draw_ground() {
         std::string points;

@@ -79,6 +79,8 @@ TEST_CASE("what a run would warn of is a warning of the check") {
 TEST_CASE("what cannot be checked is refused in one line") {
     const Workplace here;
     here.write("wrong.json", R"({"schema": "musim-scene/1", "materiel": "wood"})");
+    here.write("held.json", R"({"schema": "musim-scene/1", "material": "wood", "time": {"duration": "1 s"}, "structure": {"kind": "blocks",
+        "blocks": [{"size": ["1 m", "1 m", "1 m"], "position": ["0 m", "0 m", "0.5 m"], "fixed": true}]}})");
     here.write("other.json", R"({"schema": "musim-table/1"})");
     struct Case {
         const char* arguments;
@@ -87,13 +89,13 @@ TEST_CASE("what cannot be checked is refused in one line") {
     };
     for (const Case& wrong :
          {Case{"check", 2, "scene"}, Case{"check lost.json", 3, "lost.json: cannot be read"}, Case{"check wrong.json", 3, "did you mean"},
-          Case{"check other.json", 3, "other.json: /"}, Case{"check wrong.json -o wrong.json", 3, "it is also the input"},
-          Case{"check wrong.json -o a.txt", 3, "a.txt"}}) {
+          Case{"check other.json", 3, "other.json: /"}, Case{"check held.json", 3, "held.json: /structure: all blocks are held"},
+          Case{"check wrong.json -o wrong.json", 3, "it is also the input"}, Case{"check wrong.json -o a.txt", 3, "a.txt"}}) {
         CAPTURE(wrong.arguments);
         const Outcome outcome = here.run(wrong.arguments);
         CHECK(outcome.exit_code == wrong.exit_code);
         CHECK_MESSAGE(outcome.has_one_error_line(), outcome.err);
         CHECK_MESSAGE(outcome.err.find(wrong.message) != std::string::npos, outcome.err);
-        CHECK(here.count() == 2);
+        CHECK(here.count() == 3);
     }
 }
