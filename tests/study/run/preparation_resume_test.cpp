@@ -107,7 +107,7 @@ TEST_CASE("a run that is killed while its specimen is prepared, or later, goes o
         const RunResult resumed = resume_scene(scene, std::move(checkpoint), counted);
         CHECK(resumed.state_hash == whole.state_hash);
         CHECK(resumed.rest->steps == whole.rest->steps);
-        CHECK((styles == 0) == (look == 0));
+        CHECK((looks == 0) == (look == 0));
     }
 }
 
