@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/output.hpp"
+#include "cli/record_source.hpp"
 #include "lsdem/run/use_record.hpp"
 
 namespace musim::cli {
@@ -26,11 +27,15 @@ void RecordMotionOptions::add_to(CLI::App& command, const std::string& help) {
     command.add_option("--component", components, "Component along an axis, e.g. x=360 (default: the strongest horizontal along x)")
         ->type_name("AXIS=NAME")
         ->needs(option);
+    add_text_record_options(command, unit, dt);
+    command.get_option("--unit")->needs(option);
+    command.get_option("--dt")->needs(option);
 }
 
 void RecordMotionOptions::apply(lsdem::Scene& scene) const {
-    const std::vector<std::string> steps = lsdem::use_record(scene, record, parse_components(components));
-    for (const std::string& step : steps) note("{}: {}\n", record, step);
+    const std::optional<scaling::Time> step = dt ? std::optional(dt->value * scaling::si::seconds) : std::nullopt;
+    const std::vector<std::string> steps = lsdem::use_record(scene, record, parse_components(components), unit, step);
+    for (const std::string& line : steps) note("{}: {}\n", record, line);
 }
 
 }  // namespace musim::cli

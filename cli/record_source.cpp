@@ -27,11 +27,15 @@ std::string check_unit(const std::string& text) {
 
 }  // namespace
 
-void RecordSourceOptions::add_to(CLI::App& command) {
+void add_text_record_options(CLI::App& command, std::optional<std::string>& unit, std::optional<Number>& dt) {
     command.add_option("--dt", dt, "Time step [s] of a text file without a time column")->type_name("NUMBER")->check(above_zero());
     command.add_option("--unit", unit, "Unit of a plain text file, e.g. g or cm/s^2 (default SI)")
         ->type_name("UNIT")
         ->check(CLI::Validator(check_unit, ""));
+}
+
+void RecordSourceOptions::add_to(CLI::App& command) {
+    add_text_record_options(command, unit, dt);
     command
         .add_option("--quantity", quantity,
                     "What a text file holds, or which series to take of a file with several: acceleration, velocity or displacement")

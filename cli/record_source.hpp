@@ -10,6 +10,9 @@
 
 namespace musim::cli {
 
+/// Adds --dt and --unit, of plain text files.
+void add_text_record_options(CLI::App& command, std::optional<std::string>& unit, std::optional<Number>& dt);
+
 /// What a record file may leave unsaid, as options --dt, --unit, --quantity, --sensitivity, --station-xml.
 struct RecordSourceOptions {
     std::optional<Number> dt;

@@ -42,14 +42,16 @@ int run_new(const NewOptions& options) {
         lsdem::scale_record(scene, lsdem::find_scale(options.wanted));
     }
     lsdem::ReadableText text = lsdem::comment_new_scene(options.wanted, scene);
-    if (const fs::path folder = fs::path(options.out).parent_path(); !folder.empty()) text.folder = folder;
+    if (!options.out.empty()) text.folder = fs::absolute(options.out).parent_path();
     const std::string json = lsdem::write_readable_scene(scene, text);
     if (options.out.empty()) {
         print("{}", json);
         return kDone;
     }
     records::write_file_atomically(options.out, json);
-    print("{} written: {}\nnext: musim check {} -o preview.svg\n", options.out, scene.name, options.out);
+    const bool has_blank = options.out.find(' ') != std::string::npos;
+    print("{} written: {}\nnext: musim check {} -o preview.svg\n", options.out, scene.name,
+          has_blank ? "'" + options.out + "'" : options.out);
     return kDone;
 }
 
@@ -74,7 +76,8 @@ void add_new_command(CLI::App& app, Action& action) {
         ->type_name("NUMBER")
         ->check(above_zero());
     command
-        ->add_option("--layers", options->wanted.layers, "Layers of blocks (default: tower 8, wall 6, column 6, each pillar of blocks 2)")
+        ->add_option("--layers", options->wanted.layers,
+                     "Layers of blocks (default: tower 8, wall 6, column 6, each pillar of blocks 2, 50 at most)")
         ->type_name("N")
         ->check(whole_between(1, 1000));
     options->record.add_to(*command,

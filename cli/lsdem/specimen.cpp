@@ -119,9 +119,9 @@ int run_specimen(const SpecimenOptions& options) {
     batch.scene = read_scene(options.scene);
     if (!options.placing.empty()) {
         const auto& names = lsdem::placing_names();
-        const std::string name = options.placing == lsdem::kOldMassScaledName ? names.back() : options.placing;
         if (!batch.scene.preparation) batch.scene.preparation.emplace();
-        batch.scene.preparation->placing = static_cast<lsdem::Placing>(std::find(names.begin(), names.end(), name) - names.begin());
+        batch.scene.preparation->placing =
+            static_cast<lsdem::Placing>(std::find(names.begin(), names.end(), options.placing) - names.begin());
         lsdem::check_scene(batch.scene, options.scene);
     }
     for (int i = 0; i < options.seeds; ++i) batch.seeds.push_back(static_cast<std::uint64_t>(i) + lsdem::seed_of(batch.scene));
@@ -165,11 +165,10 @@ void add_specimen_command(CLI::App& app, Action& action) {
         ->expected(2)
         ->excludes(scene_file)
         ->excludes(out);
-    std::vector<std::string> accepted = lsdem::placing_names();
-    accepted.emplace_back(lsdem::kOldMassScaledName);
     command->add_option("--placing", options->placing, "How blocks come to their places, instead of the scene's own way")
         ->type_name("layers_mass_scaled|layers|resting|as_drawn")
-        ->check(one_of(accepted));
+        ->transform([](const std::string& name) { return name == lsdem::kOldMassScaledName ? lsdem::placing_names().back() : name; })
+        ->check(one_of(lsdem::placing_names()));
     command->add_option("--seeds", options->seeds, "Specimens with as many seeds, from the scene's on")
         ->type_name("N")
         ->check(above_zero())

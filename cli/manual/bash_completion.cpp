@@ -23,8 +23,9 @@ std::string describe_command_case(const CommandText& command) {
     for (const CommandText& each : command.commands) commands.push_back(each.words.back());
     for (const OptionText& option : command.options) options.insert(options.end(), option.names.begin(), option.names.end());
     const PathKind path = command.arguments.empty() ? PathKind::none : command.arguments.front().path;
-    std::string cases = fmt::format("        \"{}\") commands=\"{}\" options=\"{}\" arguments=\"{}\" ;;\n", command.name(),
-                                    join(commands, " "), join(options, " "), name_path(path));
+    const std::string values = command.arguments.empty() ? "" : join(command.arguments.front().choices, " ");
+    std::string cases = fmt::format("        \"{}\") commands=\"{}\" options=\"{}\" arguments=\"{}\" values=\"{}\" ;;\n", command.name(),
+                                    join(commands, " "), join(options, " "), name_path(path), values);
     for (const CommandText& each : command.commands) cases += describe_command_case(each);
     return cases;
 }
@@ -46,7 +47,7 @@ std::string describe_option_cases(const CommandText& command) {
 constexpr const char* kCompletion = R"(
 _musim() {
     local current=${COMP_WORDS[COMP_CWORD]} command=musim option= given=0 most=0 word i
-    local commands options arguments choices paths
+    local commands options arguments values choices paths
     _musim_command
     for ((i = 1; i < COMP_CWORD; ++i)); do
         word=${COMP_WORDS[i]}
@@ -67,7 +68,7 @@ _musim() {
     if [[ $current == -* ]]; then
         choices=$options paths=
     elif ((given >= most)); then
-        choices=$commands paths=$arguments
+        choices="$commands $values" paths=$arguments
     fi
     mapfile -t COMPREPLY < <(compgen -W "$choices" -- "$current"; [[ -z $paths ]] || compgen -A "$paths" -- "$current")
     [[ -z $paths ]] || compopt -o filenames 2>/dev/null

@@ -46,7 +46,9 @@ std::vector<std::string> list_names(const CLI::App& app, const std::set<CLI::Opt
     names.reserve(options.size());
     for (const CLI::Option* option : app.get_options()) {
         const bool is_meant = std::any_of(options.begin(), options.end(), [option](const CLI::Option* each) { return each == option; });
-        if (is_meant) names.push_back(option->get_name());
+        if (!is_meant) continue;
+        for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+        if (option->get_lnames().empty()) names.push_back(option->get_name());
     }
     return names;
 }

@@ -9,6 +9,8 @@ namespace musim::lsdem::detail {
 std::string escape(const std::string& text) {
     std::string safe;
     for (const char c : text) {
+        // control letters are no XML
+        if (static_cast<unsigned char>(c) < 0x20) continue;
         switch (c) {
             case '&':
                 safe += "&amp;";

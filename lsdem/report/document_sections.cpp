@@ -119,7 +119,9 @@ std::string make_document_verdict(const ReportedDocument& document) {
 }
 
 ReportSection make_document_section(const ReportedDocument& document, std::size_t number) {
-    return {.id = fmt::format("document-{}", number), .title = document.label, .html = to_html(document.json, document.label)};
+    json shown = document.json;
+    if (shown.contains("properties")) shown.erase("facts");  // the old name of the same
+    return {.id = fmt::format("document-{}", number), .title = document.label, .html = to_html(shown, document.label)};
 }
 
 }  // namespace musim::lsdem

@@ -42,7 +42,10 @@ Statement make_sequence_headline(const nlohmann::json& sequence) {
     }
     const std::string status = find_text(sequence, "status", "unknown");
     if (status != "completed") return {Tone::bad, fmt::format("The sequence did not end as planned: its status is \"{}\".", status)};
-    return {Tone::good, fmt::format("The structure stands after {} of {:.0f} motions{}.", stages.size(), motions, after)};
+    const double fallen = find_number(last, "fallen_blocks", 0.0);
+    const std::string falls = fallen > 0.0 ? fmt::format("; {:.0f} blocks fell", fallen) : "";
+    return {fallen > 0.0 ? Tone::warning : Tone::good,
+            fmt::format("The structure stands after {} of {:.0f} motions{}{}.", stages.size(), motions, falls, after)};
 }
 
 Statement make_ensemble_headline(const ReportedEnsemble& ensemble) {
@@ -94,6 +97,10 @@ Statement make_runs_headline(const std::vector<ReportedRun>& runs) {
         const RunStatus status = run.run.status;
         if (run.run.is_status_known && status == RunStatus::completed) {
             ++stand;
+            const double fallen = find_number(find_object(run.summary, "outcome"), "fallen", 0.0);
+            if (!(fallen > 0.0)) continue;
+            tone = std::max(tone, Tone::warning);
+            others += fmt::format("{} {} lost {:.0f} blocks", others.empty() ? ";" : ",", run.label, fallen);
             continue;
         }
         tone = std::max(tone, status == RunStatus::diverged ? Tone::bad : Tone::warning);

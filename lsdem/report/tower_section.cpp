@@ -34,6 +34,21 @@ SOFTWARE OR THE USE OR OTHER DEALINGS IN THE SOFTWARE.
 )";
 
 /// A script as the contents of an element, where "</script" would end it.
+/// JSON that no text in it can end the element, whatever a run or its folder is called.
+std::string dump_for_script(const nlohmann::json& json) {
+    const std::string text = json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+    std::string safe;
+    safe.reserve(text.size());
+    for (const char letter : text) {
+        if (letter == '<') {
+            safe += "\\u003c";
+        } else {
+            safe += letter;
+        }
+    }
+    return safe;
+}
+
 std::string as_element(std::string script) {
     for (std::size_t at = script.find("</script"); at != std::string::npos; at = script.find("</script", at + 1)) {
         script.replace(at, 2, "<\\/");
@@ -101,7 +116,7 @@ ReportSection make_tower_section(const ReportContent& content) {
     for (const ReportedRun* reported : shown) {
         const ReportedRun& run = *reported;
         const TowerData data = make_tower_data(run);
-        section.html += "<script type=\"application/json\" class=\"tower-data\">" + data.json.dump() + "</script>\n";
+        section.html += "<script type=\"application/json\" class=\"tower-data\">" + dump_for_script(data.json) + "</script>\n";
         if (run.stands) continue;
         rounding +=
             fmt::format("{}{}: places to {:.2g} mm, turns to {:.2g}°, velocities to {:.2g} mm/s", rounding.empty() ? "" : "; ", run.label,

@@ -46,10 +46,12 @@ std::string describe_source(const SceneMotion& motion) {
                       motion.source);
 }
 
-/// Of a velocity that is linear between samples, whose acceleration is constant there; nothing of a motion that is too short.
-std::optional<double> find_predominant_period(const BaseComponent& component) {
+/// Of a velocity that is linear between samples, whose acceleration is constant there, up to `end` [s]; nothing of a motion that is too
+/// short.
+std::optional<double> find_predominant_period(const BaseComponent& component, double end) {
     std::vector<double> acceleration;
     for (std::size_t k = 1; k < component.velocity.size(); ++k) {
+        if (component.start + static_cast<double>(k) * component.dt > end) break;
         acceleration.push_back((component.velocity[k] - component.velocity[k - 1]) / component.dt);
     }
     const double first = kShortestPeriod * component.dt, last = 0.5 * static_cast<double>(acceleration.size()) * component.dt;
@@ -66,13 +68,15 @@ AxisMotion measure_axis(const BaseMotion& base, const BaseComponent& component, 
     AxisMotion measured{.axis = kAxes[axis],
                         .pga = base.peak_acceleration(end)[a],
                         .source = source,
-                        .predominant_period = find_predominant_period(component)};
+                        .predominant_period = find_predominant_period(component, end)};
     for (std::size_t k = 0; k < component.velocity.size(); ++k) {
         const double time = component.start + static_cast<double>(k) * component.dt;
         if (time > end) break;
         measured.pgv = std::max(measured.pgv, std::abs(component.velocity[k]));
         measured.pgd = std::max(measured.pgd, std::abs(base.displacement(time)[a]));
     }
+    // between samples, or after the last one, where it moves on
+    measured.pgd = std::max(measured.pgd, std::abs(base.displacement(end)[a]));
     return measured;
 }
 

@@ -57,6 +57,7 @@ nlohmann::json to_json(const ProgressState& state) {
 ProgressFile::ProgressFile(const std::filesystem::path& directory, std::string name, std::chrono::seconds interval)
     : file_(directory / kProgressName), interval_(interval), next_(start_ + interval) {
     state_.name = std::move(name);
+    detail::remove_with_leftovers(directory / kOldProgressName);
 }
 
 void ProgressFile::listen_to(RunObserver& observer) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "lsdem/scene/scale_scene.hpp"
 #include "scaling/quantity_text.hpp"
@@ -23,13 +24,14 @@ const BlockMaterial& find_material(const Scene& scene) {
     return scene.materials.at(list->blocks.front().material);
 }
 
-/// The block, and the layers where the structure has any.
+/// The block, its thinner horizontal edge first, the least friction that occurs, and the layers where the structure has any.
 StructureProperties make_properties(const Scene& scene, const scaling::Acceleration& gravity) {
     const BlockMaterial& material = find_material(scene);
     StructureProperties properties;
     properties.block = reference_block(scene);
+    if (properties.block[1] < properties.block[0]) std::swap(properties.block[0], properties.block[1]);
     properties.density = material.density;
-    properties.friction = material.friction;
+    properties.friction = std::min(material.friction, scene.ground.friction.value_or(scene.material.friction));
     properties.gravity = gravity;
     properties.normal_stiffness = material.normal_stiffness;
     properties.shear_stiffness = material.shear_stiffness;
@@ -46,6 +48,11 @@ std::string write(Quantity quantity) {
     return scaling::format_quantity(quantity, 4);
 }
 
+/// An acceleration that is a multiple of the scene's gravity, in standard g as motions are.
+std::string write_limit(double over_gravity, const scaling::Acceleration& gravity) {
+    return fmt::format("{:.3g} g", over_gravity * gravity.value() / scaling::kStandardGravity.value());
+}
+
 void add_rocking(std::vector<SceneEstimate>& estimates, const StructureProperties& properties, Direction direction,
                  double pga_over_gravity) {
     const std::string side(scaling::to_string(direction));
@@ -54,19 +61,20 @@ void add_rocking(std::vector<SceneEstimate>& estimates, const StructurePropertie
     const double slenderness = block.slenderness();
     estimates.push_back({.key = "rocking_" + side,
                          .title = fmt::format("a block rocks across its {} side above", side),
-                         .text = fmt::format("{:.3g} g", slenderness),
+                         .text = write_limit(slenderness, properties.gravity),
                          .value = slenderness,
-                         .formula = edge + "/H"});
+                         .formula = edge + "/H of gravity"});
     estimates.push_back({.key = "frequency_parameter_" + side,
                          .title = fmt::format("frequency parameter p across the {} side", side),
                          .text = fmt::format("{:.3g} 1/s", block.frequency_parameter(properties.gravity).value()),
                          .value = block.frequency_parameter(properties.gravity).value(),
                          .formula = fmt::format("sqrt(3g/(4R)), R = sqrt({}^2 + H^2)/2", edge)});
     if (!(pga_over_gravity > 0.0)) return;
-    estimates.push_back({.key = "first_motion_" + side,
-                         .title = fmt::format("under {:.3g} g a block shaken across its {} side", pga_over_gravity, side),
-                         .text = std::string(to_string(scaling::find_first_motion(pga_over_gravity, properties.friction, slenderness))),
-                         .formula = "Shenton 1996"});
+    estimates.push_back(
+        {.key = "first_motion_" + side,
+         .title = fmt::format("under {} a block shaken across its {} side", write_limit(pga_over_gravity, properties.gravity), side),
+         .text = std::string(to_string(scaling::find_first_motion(pga_over_gravity, properties.friction, slenderness))),
+         .formula = "Shenton 1996"});
 }
 
 /// Lowest frequency of a chain of equal masses on springs that stands on the ground.
@@ -101,7 +109,8 @@ void add_structure(std::vector<SceneEstimate>& estimates, const StructurePropert
 std::vector<SceneEstimate> estimate_scene(const Scene& scene, const std::vector<MotionSummary>& motions) {
     const auto gravity =
         scaling::Acceleration::from_value(std::hypot(scene.gravity[0].value(), scene.gravity[1].value(), scene.gravity[2].value()));
-    if (std::holds_alternative<SphereShape>(scene.shape) || !(gravity.value() > 0.0)) return {};
+    const bool is_vertical = scene.gravity[0].value() == 0.0 && scene.gravity[1].value() == 0.0 && scene.gravity[2].value() < 0.0;
+    if (std::holds_alternative<SphereShape>(scene.shape) || !is_vertical) return {};
     const StructureProperties properties = make_properties(scene, gravity);
     double pga = 0.0;
     for (const MotionSummary& motion : motions) {
@@ -112,9 +121,9 @@ std::vector<SceneEstimate> estimate_scene(const Scene& scene, const std::vector<
         add_rocking(estimates, properties, direction, pga / gravity.value());
     estimates.push_back({.key = "sliding",
                          .title = "a block slides above",
-                         .text = fmt::format("{:.3g} g", properties.friction),
+                         .text = write_limit(properties.friction, gravity),
                          .value = properties.friction,
-                         .formula = "friction coefficient"});
+                         .formula = "least friction coefficient, of gravity"});
     const double contact = std::sqrt(properties.normal_stiffness->value() / properties.block_mass().value()) / (2.0 * std::numbers::pi);
     estimates.push_back({.key = "contact_frequency",
                          .title = "a block on one face, up and down",

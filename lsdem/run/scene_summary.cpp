@@ -9,6 +9,7 @@
 #include "lsdem/results/verdict.hpp"
 #include "lsdem/run/run.hpp"
 #include "lsdem/run/sequence_plan.hpp"
+#include "lsdem/run/specimen_file.hpp"
 #include "lsdem/scene/build_model.hpp"
 #include "lsdem/scene/motions.hpp"
 #include "lsdem/time_step.hpp"
@@ -84,6 +85,7 @@ void plan_preparation(const Scene& scene, SceneSummary& summary) {
         return;
     }
     if (scene.preparation && scene.preparation->specimen) {
+        take_places(*scene.preparation->specimen, summary.specimen);
         summary.preparation_text = "from the specimen " + scene.preparation->specimen->string();
         return;
     }
@@ -176,13 +178,15 @@ RunTimeEstimate measure_run_time(const SceneSummary& summary, int threads, doubl
     Model model = summary.specimen.model;
     model.skip_rest = false;
     Simulation simulation(std::move(model), summary.time_step, threads);
-    simulation.advance(kFirst);
+    const auto seconds_since = [](Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); };
+    const Clock::time_point begin = Clock::now();
+    for (std::uint64_t k = 0; k < kFirst && seconds_since(begin) < budget; ++k) simulation.advance(1);
     const std::uint64_t before = simulation.statistics().steps;
     const Clock::time_point start = Clock::now();
     RunTimeEstimate estimate{.threads = simulation.threads()};
     for (std::uint64_t chunk = 1; estimate.seconds < budget && estimate.steps < summary.steps() && !simulation.divergence();) {
         simulation.advance(chunk);
-        estimate.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+        estimate.seconds = seconds_since(start);
         estimate.steps = simulation.statistics().steps - before;
         if (estimate.seconds < budget / 4.0) chunk *= 2;
     }

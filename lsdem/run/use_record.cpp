@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "records/formats/read_record.hpp"
+#include "records/formats/read_text.hpp"
 #include "records/measures/intensity.hpp"
 #include "records/measures/strongest_component.hpp"
 #include "records/processing/processing.hpp"
@@ -18,13 +19,19 @@ double peak_acceleration(const records::Component& component) {
 
 }  // namespace
 
-std::vector<std::string> use_record(Scene& scene, const std::filesystem::path& file, const AxisComponents& components) {
-    const records::GroundMotion motion = records::read_record(file);
+std::vector<std::string> use_record(Scene& scene, const std::filesystem::path& file, const AxisComponents& components,
+                                    const std::optional<std::string>& unit, const std::optional<scaling::Time>& dt) {
+    const records::GroundMotion motion = records::read_record(file, {.dt = dt, .unit = unit, .quantity = {}});
     std::vector<std::string> steps;
+    for (const std::string& line : motion.history) {
+        if (line.find(records::kUnitNotGiven) != std::string::npos) steps.push_back(line + "; add --unit if that is wrong");
+    }
 
     RecordMotion source;
     source.file = std::filesystem::absolute(file);
     source.components = components;
+    source.unit = unit;
+    source.dt = dt;
     if (std::none_of(components.begin(), components.end(), [](const auto& name) { return name.has_value(); })) {
         source.components[0] = records::find_strongest_horizontal(motion).name;
     }

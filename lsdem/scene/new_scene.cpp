@@ -31,6 +31,9 @@ constexpr int kBlocksPerLayer = 5;
 /// [-].
 constexpr double kWallSafety = 0.4;
 
+/// Layers of a portal: more than a hundred blocks in a list are not for people.
+constexpr int kMostPortalLayers = 50;
+
 /// `value` to so many significant digits.
 double round_to(double value, int digits) {
     const double unit = std::pow(10.0, std::floor(std::log10(std::abs(value))) + 1.0 - digits);
@@ -91,7 +94,14 @@ Structure make_structure(const NewScene& wanted, const Triple<Length>& block) {
         column.block = block;
         return column;
     }
-    if (wanted.kind == "blocks") return make_portal(block, wanted.layers.value_or(2));
+    if (wanted.kind == "blocks") {
+        const int layers = wanted.layers.value_or(2);
+        if (layers > kMostPortalLayers) {
+            throw SceneError(fmt::format("blocks: {} layers are too many to list block by block; take {} at most, or a column", layers,
+                                         kMostPortalLayers));
+        }
+        return make_portal(block, layers);
+    }
     throw SceneError(fmt::format("\"{}\" is no structure; {}", wanted.kind, scaling::suggest_name(wanted.kind, new_scene_kinds())));
 }
 

@@ -84,7 +84,7 @@ void leave_out_defaults(ordered_json& root, const ordered_json::json_pointer& po
 }
 
 /// Names that say the same in fewer letters: the tiling by its preset, a length factor as 1/107, a record by its place beside the scene.
-void shorten_names(ordered_json& root, const fs::path& folder) {
+void shorten_names(ordered_json& root, const std::optional<fs::path>& folder) {
     ordered_json& structure = root.at("structure");
     if (structure.contains("tiling") && !structure["tiling"].contains("file")) {
         for (const std::string& name : tiling_preset_names()) {
@@ -97,8 +97,10 @@ void shorten_names(ordered_json& root, const fs::path& folder) {
     }
     if (!root.contains("base_motion") || !root["base_motion"].is_object() || !root["base_motion"].contains("record")) return;
     ordered_json& motion = root["base_motion"];
-    const fs::path near = fs::path(motion["record"].get<std::string>()).lexically_relative(fs::absolute(folder).lexically_normal());
-    if (!near.empty() && *near.begin() != "..") motion["record"] = near.string();
+    if (folder) {
+        const fs::path near = fs::path(motion["record"].get<std::string>()).lexically_relative(fs::absolute(*folder).lexically_normal());
+        if (!near.empty() && *near.begin() != "..") motion["record"] = near.string();
+    }
     if (!motion.contains("scale") || !motion["scale"].contains("length")) return;
     const double inverse = 1.0 / motion["scale"]["length"].get<double>(), whole = std::round(inverse);
     if (whole > 1.0 && std::abs(inverse - whole) <= kWhole * whole) {
@@ -111,7 +113,7 @@ void shorten_names(ordered_json& root, const fs::path& folder) {
 std::string write_readable_scene(const Scene& scene, const ReadableText& text) {
     ordered_json root = detail::to_json(scene, detail::QuantityStyle::text);
     shorten_names(root, text.folder);
-    const fs::path origin = text.folder / "scene.json";
+    const fs::path origin = text.folder.value_or(".") / "scene.json";
     const Scene meant = parse_scene(root.dump(), origin);
     leave_out_defaults(root, ordered_json::json_pointer(), meant, origin, text.kept);
     for (const auto& [pointer, lines] : text.comments) {

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -16,8 +17,9 @@ struct ReadableText {
     std::map<std::string, std::vector<std::string>> comments = {};
     /// JSON pointers of settings that are written although they have their defaults: "/time/safety".
     std::set<std::string> kept = {};
-    /// Where the file is to be: a record in or below this folder is named as seen from there, others by their absolute path.
-    std::filesystem::path folder = ".";
+    /// Where the file is to be: a record in or below this folder is named as seen from there, others, or all where it is not known, by
+    /// their absolute path.
+    std::optional<std::filesystem::path> folder = {};
 };
 
 /// A scene as JSON text for people to change: quantities as texts with units, to seven digits, and without the settings that have their

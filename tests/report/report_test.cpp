@@ -104,13 +104,15 @@ TEST_CASE("several runs are reported beside each other") {
     CHECK(content.runs.size() == 2);
     CHECK(content.remarks.empty());
 
-    // of the same name
-    std::filesystem::create_directories(place.path() / "a");
-    std::filesystem::rename(place.path() / "two", place.path() / "a/one");
-    const ReportContent alike = read_places({place.path() / "one", place.path() / "a/one"});
+    // of the same name, in a folder whose name would end a script
+    const std::filesystem::path other = place.path() / "a</script>/one";
+    std::filesystem::create_directories(other.parent_path());
+    std::filesystem::rename(place.path() / "two", other);
+    CHECK_FALSE(holds(make_report({place.path() / "one", other}), "a</script>"));
+    const ReportContent alike = read_places({place.path() / "one", other});
     REQUIRE(alike.runs.size() == 2);
     CHECK(alike.runs[0].label == (place.path() / "one").string());
-    CHECK(alike.runs[1].label == (place.path() / "a/one").string());
+    CHECK(alike.runs[1].label == other.string());
     for (const ReportSection& section : make_sections(alike)) {
         for (const ReportFigure& figure : section.figures) {
             CHECK_MESSAGE(figure.name.find_first_of("/. ") == std::string::npos, figure.name);

@@ -186,11 +186,20 @@ class Run {
 }
 
 // Extent of all blocks of a run at its start, in units of the first run.
+// How far a block with its axes turned by a quaternion reaches along an axis of the world.
+function reach(s, axis) {
+  const w = s[3], x = s[4], y = s[5], z = s[6];
+  const row = [[1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+               [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+               [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)]][axis];
+  return 0.5 * (Math.abs(row[0]) * s[7] + Math.abs(row[1]) * s[8] + Math.abs(row[2]) * s[9]);
+}
+
 function findBounds(run) {
   const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
   for (let b = 0; b < run.blocks; ++b) {
     for (let axis = 0; axis < 3; ++axis) {
-      const centre = run.start[10 * b + axis] / run.length, half = 0.5 * run.start[10 * b + 7 + axis] / run.length;
+      const centre = run.start[10 * b + axis] / run.length, half = reach(run.start.subarray(10 * b, 10 * b + 10), axis) / run.length;
       low[axis] = Math.min(low[axis], centre - half);
       high[axis] = Math.max(high[axis], centre + half);
     }

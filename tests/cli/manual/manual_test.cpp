@@ -82,15 +82,27 @@ TEST_CASE("bash completes commands, options, values known by name and files") {
     struct Case {
         const char *words, *offers;
     };
-    for (const Case& line :
-         {Case{"musim rec", "record\n"}, Case{"musim record pl", "plot\n"}, Case{"musim record make s", "sweep\nstochastic\n"},
-          Case{"musim run --thr", "--threads\n"}, Case{"musim run sc", "scene.json\n"}, Case{"musim run -o re", "results\n"},
-          Case{"musim run -o sc", "\n"}, Case{"musim run scene.json --thr", "--threads\n"}, Case{"musim run --threads ''", "\n"},
-          Case{"musim scale --law tr", "true_replica\n"}, Case{"musim scale --law sc", "scene.json\n"},
-          Case{"musim scale --format la", "latex\n"}, Case{"musim scale --format = la", "latex\n"},
-          Case{"musim scale --format =", "text\nmarkdown\nlatex\n"}, Case{"musim scale --json --format la", "latex\n"},
-          Case{"musim calibrate friction --material w", "wood\n"}, Case{"musim watch r", "results\n"},
-          Case{"musim record plot --window 1 s", "\n"}, Case{"musim record plot --window 1 2 s", "scene.json\n"}}) {
+    for (const Case& line : {Case{"musim rec", "record\n"},
+                             Case{"musim record pl", "plot\n"},
+                             Case{"musim record make s", "sweep\nstochastic\n"},
+                             Case{"musim run --thr", "--threads\n"},
+                             Case{"musim run sc", "scene.json\n"},
+                             Case{"musim run -o re", "results\n"},
+                             Case{"musim run -o sc", "\n"},
+                             Case{"musim run scene.json --thr", "--threads\n"},
+                             Case{"musim run --threads ''", "\n"},
+                             Case{"musim scale --law tr", "true_replica\n"},
+                             Case{"musim scale --law sc", "scene.json\n"},
+                             Case{"musim scale --format la", "latex\n"},
+                             Case{"musim scale --format = la", "latex\n"},
+                             Case{"musim scale --format =", "text\nmarkdown\nlatex\n"},
+                             Case{"musim scale --json --format la", "latex\n"},
+                             Case{"musim calibrate friction --material w", "wood\n"},
+                             Case{"musim watch r", "results\n"},
+                             Case{"musim new to", "tower\n"},
+                             Case{"musim new tower --mat", "--material\n"},
+                             Case{"musim record plot --window 1 s", "\n"},
+                             Case{"musim record plot --window 1 2 s", "scene.json\n"}}) {
         CAPTURE(line.words);
         CHECK(print_of(here, "bash " + kScripts + "complete.bash " MUSIM_PAGES "/bash/musim " + line.words) == line.offers);
     }

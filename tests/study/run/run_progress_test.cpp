@@ -1,6 +1,8 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "lsdem/results/checked_json.hpp"
@@ -72,7 +74,10 @@ TEST_CASE("a run reports its state in its folder while it goes on, and only then
         ResultFolder folder(out);
         CHECK(look_into(out).state == FolderState::working);
         CHECK(look_into(out).runs.empty());
+        const std::filesystem::path old_file = out / "live.json";  // old name
+        std::ofstream(old_file) << "{}";
         ProgressFile live(out, "made", std::chrono::seconds(0));
+        CHECK_FALSE(std::filesystem::exists(old_file));
         RunSettings settings;
         double heard = 0.0;
         settings.observer.on_progress = [&](double fraction) { heard = fraction; };

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <string>
@@ -13,6 +14,7 @@
 #include "lsdem/scene/new_scene.hpp"
 #include "lsdem/scene/scene_json.hpp"
 #include "lsdem/study/scene_preview.hpp"
+#include "scaling/error.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 using namespace musim::lsdem;
@@ -65,6 +67,35 @@ TEST_CASE("estimates are the closed forms that they name") {
     const double bar = estimate(column, "elastic_speed") / (4.0 * 10.0 * h);
     CHECK(estimate(column, "shear_frequency") == doctest::Approx(bar).epsilon(0.06));
     CHECK(estimate(column, "shear_frequency") < bar);
+}
+
+TEST_CASE("estimates are in standard g, for vertical gravity alone, and take the least friction") {
+    nlohmann::json scene = nlohmann::json::parse(std::ifstream(kExamples / "column.json"));
+    scene["gravity"] = "49.03325 m/s^2";
+    scene["ground"] = {{"friction", 0.1}};
+    const SceneSummary heavy = summarize_scene(parse_scene(scene.dump(), kExamples / "column.json"));
+    CHECK(estimate(heavy, "sliding") == 0.1);
+    for (const SceneEstimate& each : heavy.estimates) {
+        if (each.key == "sliding") CHECK(each.text == "0.5 g");
+        if (each.key == "rocking_thin") CHECK(each.text == "1.6 g");
+    }
+    scene["gravity"] = {"1 m/s^2", "0 m/s^2", "-9.81 m/s^2"};
+    CHECK(summarize_scene(parse_scene(scene.dump(), kExamples / "column.json")).estimates.empty());
+}
+
+TEST_CASE("a base that keeps a velocity goes on after its last sample") {
+    nlohmann::json scene = nlohmann::json::parse(std::ifstream(kExamples / "column.json"));
+    scene["base_motion"] = {{"signal", "step"}, {"direction", "x"}, {"velocity", "1 m/s"}};
+    scene["time"]["duration"] = "0.25 s";
+    const SceneSummary summary = summarize_scene(parse_scene(scene.dump(), kExamples / "column.json"));
+    CHECK(summary.motions.at(0).axes.at(0).pgd == doctest::Approx(0.25).epsilon(1e-3));
+}
+
+TEST_CASE("a scene whose specimen is missing cannot be run") {
+    nlohmann::json scene = nlohmann::json::parse(std::ifstream(kExamples / "uneven_wall.json"));
+    scene["preparation"] = {{"specimen", "missing.h5"}};
+    CHECK_THROWS_WITH_AS(summarize_scene(parse_scene(scene.dump(), kExamples / "uneven_wall.json")), doctest::Contains("missing.h5"),
+                         musim::Error);
 }
 
 TEST_CASE("a scene summary has the motion of the base") {
