@@ -63,7 +63,7 @@ void add_rocking(std::vector<SceneEstimate>& estimates, const StructurePropertie
                          .title = fmt::format("a block rocks across its {} side above", side),
                          .text = write_limit(slenderness, properties.gravity),
                          .value = slenderness,
-                         .formula = edge + "/H of gravity"});
+                         .formula = edge + "/H"});
     estimates.push_back({.key = "frequency_parameter_" + side,
                          .title = fmt::format("frequency parameter p across the {} side", side),
                          .text = fmt::format("{:.3g} 1/s", block.frequency_parameter(properties.gravity).value()),
@@ -123,7 +123,7 @@ std::vector<SceneEstimate> estimate_scene(const Scene& scene, const std::vector<
                          .title = "a block slides above",
                          .text = write_limit(properties.friction, gravity),
                          .value = properties.friction,
-                         .formula = "least friction coefficient, of gravity"});
+                         .formula = "least friction coefficient"});
     const double contact = std::sqrt(properties.normal_stiffness->value() / properties.block_mass().value()) / (2.0 * std::numbers::pi);
     estimates.push_back({.key = "contact_frequency",
                          .title = "a block on one face, up and down",
