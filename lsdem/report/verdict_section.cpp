@@ -113,8 +113,7 @@ ReportSection make_verdict_section(const ReportContent& content) {
     const std::vector<Statement> rest(calm, statements.end());
     const bool folds = rest.size() > kMostUnfolded && !content.runs.empty();
     section.html +=
-        folds ? fmt::format("<details><summary>How each run ended ({} statements)</summary>\n{}</details>\n",
-                            rest.size(), to_html(rest))
+        folds ? fmt::format("<details><summary>How each run ended ({} statements)</summary>\n{}</details>\n", rest.size(), to_html(rest))
               : to_html(rest);
     return section;
 }
