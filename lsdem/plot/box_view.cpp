@@ -116,7 +116,7 @@ bool covers(const DrawnBody& front, const DrawnBody& back, const BoxView& view) 
 /// The bodies of `some` from the farthest to the nearest.
 std::vector<std::size_t> sort_by_depth(const std::vector<DrawnBody>& bodies, std::vector<std::size_t> some, const BoxView& view) {
     const auto depth = [&](std::size_t b) { return bodies[b].center.dot(view.toward()); };
-    std::sort(some.begin(), some.end(), [&](std::size_t a, std::size_t b) { return depth(a) < depth(b); });
+    std::stable_sort(some.begin(), some.end(), [&](std::size_t a, std::size_t b) { return depth(a) < depth(b); });
     std::vector<ViewBounds> bounds;
     bounds.reserve(some.size());
     for (const std::size_t b : some) bounds.push_back(find_bounds_of(bodies[b], view));

@@ -31,7 +31,7 @@ struct WatchedFolder {
         status;  ///< of results that have one: "completed", "collapsed", "diverged", "consistent", "distorted"; "damaged"; else empty
 };
 
-/// Looks into a folder: who holds it (a lock that goes with its process; on file systems without locks, who has reported in the last
+/// Inspects a folder: who holds it (a lock that goes with its process; on file systems without locks, who has reported in the last
 /// ten seconds), what they reported, and what results are there. A folder that does not exist is empty.
 WatchedFolder look_into(const std::filesystem::path& directory);
 
