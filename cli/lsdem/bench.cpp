@@ -12,9 +12,9 @@
 #include "cli/output.hpp"
 #include "cli/overwriting.hpp"
 #include "cli/progress_line.hpp"
-#include "lsdem/bench/accuracy_plot.hpp"
-#include "lsdem/bench/accuracy_sweep.hpp"
 #include "lsdem/results/write_results.hpp"
+#include "tests/benches/accuracy_plot.hpp"
+#include "tests/benches/accuracy_sweep.hpp"
 
 namespace musim::cli {
 namespace {

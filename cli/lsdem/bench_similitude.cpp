@@ -14,10 +14,10 @@
 #include "cli/output.hpp"
 #include "cli/overwriting.hpp"
 #include "cli/progress_line.hpp"
-#include "lsdem/bench/similitude_bench.hpp"
-#include "lsdem/bench/similitude_figure.hpp"
 #include "lsdem/results/write_results.hpp"
 #include "scaling/text_table.hpp"
+#include "tests/benches/similitude_bench.hpp"
+#include "tests/benches/similitude_figure.hpp"
 
 namespace musim::cli {
 namespace {

@@ -17,10 +17,10 @@
 #include "cli/progress_line.hpp"
 #include "cli/report.hpp"
 #include "cli/version.hpp"
-#include "lsdem/bench/verdict_bench.hpp"
 #include "lsdem/results/write_results.hpp"
 #include "lsdem/scene/scene_json.hpp"
 #include "scaling/text_table.hpp"
+#include "tests/benches/verdict_bench.hpp"
 
 namespace musim::cli {
 namespace {

@@ -12,7 +12,7 @@ namespace {
 
 /// Sizes of the picture [px].
 constexpr detail::PanelFrame kFrame{.left = 84.0, .top = 66.0, .width = 620.0, .height = 420.0};
-constexpr double kBottom = 56.0, kLegendWidth = 230.0, kLegendLine = 19.0;
+constexpr double kLineBottom = 56.0, kLegendWidth = 230.0, kLegendLine = 19.0;
 
 /// A colour per series, one dash after all colours: lines as thick as each other, unlike those of runs drawn on top of each other.
 detail::LineStyle find_style(std::size_t index) {
@@ -29,7 +29,7 @@ std::string make_svg(const LinePlot& plot) {
     place.x_range.widen(0.02);
     const std::vector<detail::LineStyle> styles = detail::find_styles(plot, find_style);
 
-    std::string svg = detail::open_svg(kFrame.right() + kLegendWidth, kFrame.bottom() + kBottom);
+    std::string svg = detail::open_svg(kFrame.right() + kLegendWidth, kFrame.bottom() + kLineBottom);
     detail::draw_text(svg, kFrame.left, 26.0, "start", "class=\"title\"", plot.title);
     detail::draw_text(svg, kFrame.left, 46.0, "start", "class=\"small\"", plot.subtitle);
     detail::draw_panel(svg, plot, place, styles);

@@ -16,10 +16,10 @@ namespace musim::lsdem {
 namespace {
 
 /// Sizes of the picture [px].
-constexpr double kLeft = 84.0;
-constexpr double kRight = 24.0;
-constexpr double kTop = 96.0;
-constexpr double kBottom = 56.0;
+constexpr double kPlotLeft = 84.0;
+constexpr double kPlotRight = 24.0;
+constexpr double kPlotTop = 96.0;
+constexpr double kPlotBottom = 56.0;
 constexpr double kPlotWidth = 812.0;
 constexpr double kRowSpacing = 52.0;
 constexpr double kLegendDash = 44.0;
@@ -74,7 +74,7 @@ Axis make_x_axis(const StackedPlot& plot) {
         last = std::max(last, run.x.back());
     }
     if (!(last > first)) last = first + 1.0;
-    return {first, last, kLeft, kLeft + kPlotWidth};
+    return {first, last, kPlotLeft, kPlotLeft + kPlotWidth};
 }
 
 /// Largest finite absolute value of all curves and bands: the data a row spacing stands for. A diverged run must not flatten the others,
@@ -164,14 +164,14 @@ void draw_x_ticks(std::string& svg, const Axis& x_axis, double bottom) {
     const double spacing = round_down((x_axis.data_max - x_axis.data_min) / 5.0);
     for (double i = std::ceil(x_axis.data_min / spacing); i * spacing <= x_axis.data_max; ++i) {
         const double x = x_axis(i * spacing);
-        draw_line(svg, x, kTop, x, bottom, "stroke=\"#e4e4e4\"");
+        draw_line(svg, x, kPlotTop, x, bottom, "stroke=\"#e4e4e4\"");
         draw_line(svg, x, bottom, x, bottom + 5.0, "stroke=\"#333\"");
         draw_text(svg, x, bottom + 19.0, "middle", "class=\"small\"", fmt::format("{:.4g}", i * spacing));
     }
 }
 
 void draw_legend(std::string& svg, const StackedPlot& plot) {
-    double x = kLeft;
+    double x = kPlotLeft;
     for (std::size_t r = 0; r < plot.runs.size(); ++r) {
         const std::string style = stroke(style_of(plot, r));
         draw_line(svg, x, 70.0, x + kLegendDash, 70.0, style.c_str());
@@ -185,9 +185,9 @@ void draw_legend(std::string& svg, const StackedPlot& plot) {
 void draw_scale_bar(std::string& svg, double row_scale) {
     const double value = round_down(row_scale);
     const double length = value / row_scale * kRowSpacing;
-    const double x = kLeft + kPlotWidth - 8.0;
-    draw_line(svg, x, kTop - 8.0 - length, x, kTop - 8.0, "stroke=\"#333\" stroke-width=\"2\"");
-    draw_text(svg, x - 8.0, kTop - 10.0, "end", "class=\"small\"", fmt::format("bar: {:.3g}", value));
+    const double x = kPlotLeft + kPlotWidth - 8.0;
+    draw_line(svg, x, kPlotTop - 8.0 - length, x, kPlotTop - 8.0, "stroke=\"#333\" stroke-width=\"2\"");
+    draw_text(svg, x - 8.0, kPlotTop - 10.0, "end", "class=\"small\"", fmt::format("bar: {:.3g}", value));
 }
 
 }  // namespace
@@ -195,32 +195,33 @@ void draw_scale_bar(std::string& svg, double row_scale) {
 std::string make_svg(const StackedPlot& plot) {
     require_consistent(plot);
     const auto rows = static_cast<double>(plot.row_labels.size());
-    const double width = kLeft + kPlotWidth + kRight;
-    const double bottom = kTop + (rows + 1.0) * kRowSpacing;
-    const double height = bottom + kBottom;
+    const double width = kPlotLeft + kPlotWidth + kPlotRight;
+    const double bottom = kPlotTop + (rows + 1.0) * kRowSpacing;
+    const double height = bottom + kPlotBottom;
     const Axis x_axis = make_x_axis(plot);
     const double row_scale = find_row_scale(plot);
 
     std::string svg = detail::open_svg(width, height);
-    svg += fmt::format("<clipPath id=\"frame\"><rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/></clipPath>\n", kLeft,
-                       kTop, kPlotWidth, bottom - kTop);
+    svg += fmt::format("<clipPath id=\"frame\"><rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/></clipPath>\n",
+                       kPlotLeft, kPlotTop, kPlotWidth, bottom - kPlotTop);
 
     // axes: frame, ticks, labels, legend
-    draw_text(svg, kLeft, 26.0, "start", "class=\"title\"", plot.title);
-    draw_text(svg, kLeft, 46.0, "start", "class=\"small\"", detail::shorten(plot.subtitle, detail::kSmallFont, kPlotWidth));
+    draw_text(svg, kPlotLeft, 26.0, "start", "class=\"title\"", plot.title);
+    draw_text(svg, kPlotLeft, 46.0, "start", "class=\"small\"", detail::shorten(plot.subtitle, detail::kSmallFont, kPlotWidth));
     draw_legend(svg, plot);
     draw_x_ticks(svg, x_axis, bottom);
-    detail::draw_frame(svg, kLeft, kTop, kPlotWidth, bottom - kTop, {x_axis.data_min, x_axis.data_max, false, plot.x_label}, std::nullopt);
+    detail::draw_frame(svg, kPlotLeft, kPlotTop, kPlotWidth, bottom - kPlotTop, {x_axis.data_min, x_axis.data_max, false, plot.x_label},
+                       std::nullopt);
     draw_scale_bar(svg, row_scale);
-    draw_text(svg, kLeft + 0.5 * kPlotWidth, height - 14.0, "middle", "", plot.x_label);
-    detail::draw_upward_text(svg, 20.0, 0.5 * (kTop + bottom), plot.y_label);
+    draw_text(svg, kPlotLeft + 0.5 * kPlotWidth, height - 14.0, "middle", "", plot.x_label);
+    detail::draw_upward_text(svg, 20.0, 0.5 * (kPlotTop + bottom), plot.y_label);
 
     // one row per level, every run on top of the one before
     svg += "<g clip-path=\"url(#frame)\">\n";
     for (std::size_t row = 0; row < plot.row_labels.size(); ++row) {
         const double zero = bottom - (static_cast<double>(row) + 1.0) * kRowSpacing;
         const Axis y_axis{0.0, row_scale, zero, zero - kRowSpacing};
-        draw_line(svg, kLeft, zero, kLeft + kPlotWidth, zero, "stroke=\"#d0d0d0\"");
+        draw_line(svg, kPlotLeft, zero, kPlotLeft + kPlotWidth, zero, "stroke=\"#d0d0d0\"");
         for (std::size_t r = 0; r < plot.runs.size(); ++r) {
             if (!plot.runs[r].spread.empty()) {
                 const std::string band = make_band_path(plot.runs[r].x, plot.runs[r].y[row], plot.runs[r].spread[row], x_axis, y_axis);
@@ -233,8 +234,8 @@ std::string make_svg(const StackedPlot& plot) {
     svg += "</g>\n";
     for (std::size_t row = 0; row < plot.row_labels.size(); ++row) {
         const double zero = bottom - (static_cast<double>(row) + 1.0) * kRowSpacing;
-        draw_line(svg, kLeft - 5.0, zero, kLeft, zero, "stroke=\"#333\"");
-        draw_text(svg, kLeft - 9.0, zero + 4.0, "end", "class=\"small\"", plot.row_labels[row]);
+        draw_line(svg, kPlotLeft - 5.0, zero, kPlotLeft, zero, "stroke=\"#333\"");
+        draw_text(svg, kPlotLeft - 9.0, zero + 4.0, "end", "class=\"small\"", plot.row_labels[row]);
     }
     svg += "</svg>\n";
     return svg;

@@ -15,7 +15,7 @@ namespace {
 using detail::CameraAxes;
 using detail::Seen;
 
-constexpr double kMargin = 0.05;  ///< around the structure, of its larger side
+constexpr double kViewMargin = 0.05;  ///< around the structure, of its larger side
 
 /// Depth at which a ray along the third axis through (u, z) leaves a block toward the camera; nothing (−∞) when it misses.
 double find_depth(const Seen& seen, double u, double z) {
@@ -76,7 +76,7 @@ CameraImage take_picture(const StoredRun& run, std::size_t frame, const CameraSe
         low = low.cwiseMin((seen.center - extent).head<2>());
         high = high.cwiseMax((seen.center + extent).head<2>());
     }
-    const double margin = kMargin * (high - low).maxCoeff();
+    const double margin = kViewMargin * (high - low).maxCoeff();
     CameraImage image{.time = run.frames.time[frame],
                       .left = low.x() - margin,
                       .bottom = low.y() - margin,

@@ -15,11 +15,11 @@ namespace musim::lsdem {
 namespace {
 
 /// Sizes of the picture [px].
-constexpr double kLeft = 74.0, kTop = 62.0, kBottom = 54.0, kBarGap = 26.0, kBarWidth = 18.0, kBarLabels = 92.0;
+constexpr double kFieldLeft = 74.0, kFieldTop = 62.0, kFieldBottom = 54.0, kBarGap = 26.0, kBarWidth = 18.0, kBarLabels = 92.0;
 /// The longer side of a panel, alone and beside others; a panel alone is not narrower than its title.
 constexpr double kLongSide = 640.0, kLongSideOfMany = 420.0, kLeastWidth = 240.0;
 /// Between panels, for their times and scales; and how wide a row may be.
-constexpr double kColumnGap = 14.0, kRowGap = 48.0, kWidestRow = 1100.0;
+constexpr double kFieldGap = 14.0, kRowGap = 48.0, kWidestRow = 1100.0;
 /// Room for the times above the first row.
 constexpr double kTimeRoom = 16.0;
 /// Ticks of an axis, and of one that is narrower than so many pixels.
@@ -71,10 +71,10 @@ struct PanelGrid {
     double offset;         ///< of the image in its panel [px]
 
     std::size_t rows() const { return (count + columns - 1) / columns; }
-    double left(std::size_t panel) const { return kLeft + static_cast<double>(panel % columns) * (width + kColumnGap); }
+    double left(std::size_t panel) const { return kFieldLeft + static_cast<double>(panel % columns) * (width + kFieldGap); }
     double top(std::size_t panel) const {
         const std::size_t row = panel / columns;
-        return kTop + (count > 1 ? kTimeRoom : 0.0) + static_cast<double>(row) * (height + kRowGap);
+        return kFieldTop + (count > 1 ? kTimeRoom : 0.0) + static_cast<double>(row) * (height + kRowGap);
     }
     double right() const { return left(columns - 1) + width; }
     double bottom() const { return top(count - 1) + height; }
@@ -88,7 +88,7 @@ PanelGrid lay_out(const CameraImage& image, std::size_t count) {
     grid.width = std::max(count == 1 ? kLeastWidth : 0.0, width * grid.scale);
     grid.height = height * grid.scale;
     grid.offset = 0.5 * (grid.width - width * grid.scale);
-    const auto fitting = static_cast<std::size_t>((kWidestRow + kColumnGap) / (grid.width + kColumnGap));
+    const auto fitting = static_cast<std::size_t>((kWidestRow + kFieldGap) / (grid.width + kFieldGap));
     grid.columns = std::clamp<std::size_t>(fitting, 1, count);
     return grid;
 }
@@ -194,7 +194,7 @@ double find_field_limit(const StoredRun& run, const std::vector<FieldView>& view
 std::string make_field_svg(const StoredRun& run, const std::vector<FieldView>& views, const FieldPicture& picture) {
     const PanelGrid grid = lay_out(views.front().image, views.size());
     const bool alone = views.size() == 1;
-    std::string svg = detail::open_svg(grid.right() + kBarGap + kBarWidth + kBarLabels, grid.bottom() + kBottom);
+    std::string svg = detail::open_svg(grid.right() + kBarGap + kBarWidth + kBarLabels, grid.bottom() + kFieldBottom);
     detail::draw_text(svg, 16.0, 26.0, "start", "class=\"title\"",
                       alone ? fmt::format("Velocity at {:.4g} s", views.front().image.time) : "Velocity");
     detail::draw_text(svg, 16.0, 45.0, "start", "class=\"small\"", picture.name);
@@ -204,7 +204,7 @@ std::string make_field_svg(const StoredRun& run, const std::vector<FieldView>& v
         panel.draw_frame(svg, grid.is_leftmost(i));
         if (!alone) panel.draw_time(svg);
     }
-    detail::draw_text(svg, 0.5 * (kLeft + grid.right()), grid.bottom() + 40.0, "middle", "", "to the right [m]");
+    detail::draw_text(svg, 0.5 * (kFieldLeft + grid.right()), grid.bottom() + 40.0, "middle", "", "to the right [m]");
     const char* label = picture.component == FieldComponent::right ? "velocity to the right [m/s]"
                         : picture.component == FieldComponent::up  ? "velocity upward [m/s]"
                                                                    : "speed in the image plane [m/s]";

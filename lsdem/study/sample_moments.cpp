@@ -25,4 +25,10 @@ Eigen::ArrayXd SampleMoments::sd() const {
     return (squares_ / static_cast<double>(count_ - 1)).sqrt();
 }
 
+SampleMoments moments_of(const std::vector<double>& sample) {
+    SampleMoments moments(1);
+    for (const double value : sample) moments.add(Eigen::ArrayXd::Constant(1, value));
+    return moments;
+}
+
 }  // namespace musim::lsdem

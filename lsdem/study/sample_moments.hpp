@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <vector>
 
 namespace musim::lsdem {
 
@@ -24,5 +25,8 @@ class SampleMoments {
     Eigen::ArrayXd mean_;     ///< so far
     Eigen::ArrayXd squares_;  ///< Σ (x − mean)²
 };
+
+/// Of a sample of one quantity.
+SampleMoments moments_of(const std::vector<double>& sample);
 
 }  // namespace musim::lsdem

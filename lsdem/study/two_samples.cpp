@@ -10,12 +10,6 @@
 namespace musim::lsdem {
 namespace {
 
-SampleMoments moments_of(const std::vector<double>& sample) {
-    SampleMoments moments(1);
-    for (const double value : sample) moments.add(Eigen::ArrayXd::Constant(1, value));
-    return moments;
-}
-
 /// Probability, on both sides, of Welch's t = (mean₁ − mean₂)/√(s₁²/n₁ + s₂²/n₂), with as many degrees of freedom as Welch and
 /// Satterthwaite give it.
 double find_probability(const SampleMoments& first, const SampleMoments& second) {

@@ -49,12 +49,6 @@ double largest_coordinate(const RunResult& run) {
     return largest;
 }
 
-SampleMoments moments_of(const std::vector<double>& values) {
-    SampleMoments moments(1);
-    for (const double value : values) moments.add(Eigen::ArrayXd::Constant(1, value));
-    return moments;
-}
-
 /// That one more member of the population of `twins` is as far from their mean, on either side; their scatter is no less than given.
 double find_probability(double model, const std::vector<double>& twins, double least_scatter) {
     if (twins.size() < 2) return 1.0;

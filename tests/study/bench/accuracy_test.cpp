@@ -8,10 +8,10 @@
 #include <sstream>
 #include <string>
 
-#include "lsdem/bench/accuracy_cases.hpp"
-#include "lsdem/bench/accuracy_plot.hpp"
-#include "lsdem/bench/accuracy_sweep.hpp"
-#include "lsdem/bench/accuracy_tower.hpp"
+#include "tests/benches/accuracy_cases.hpp"
+#include "tests/benches/accuracy_plot.hpp"
+#include "tests/benches/accuracy_sweep.hpp"
+#include "tests/benches/accuracy_tower.hpp"
 #include "tests/support/relative.hpp"
 
 using namespace musim::lsdem;

@@ -1,4 +1,4 @@
-#include "lsdem/bench/similitude_bench.hpp"
+#include "tests/benches/similitude_bench.hpp"
 
 #include <doctest/doctest.h>
 
@@ -9,11 +9,11 @@
 #include <variant>
 #include <vector>
 
-#include "lsdem/bench/closed_responses.hpp"
-#include "lsdem/bench/similitude_figure.hpp"
 #include "scaling/error.hpp"
 #include "scaling/laws/law_similitude.hpp"
 #include "scaling/laws/scale_law_catalogue.hpp"
+#include "tests/benches/closed_responses.hpp"
+#include "tests/benches/similitude_figure.hpp"
 #include "tests/support/relative.hpp"
 
 using namespace musim::lsdem;

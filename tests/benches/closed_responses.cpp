@@ -1,4 +1,4 @@
-#include "lsdem/bench/closed_responses.hpp"
+#include "tests/benches/closed_responses.hpp"
 
 #include <fmt/format.h>
 

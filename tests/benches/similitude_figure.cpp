@@ -1,4 +1,4 @@
-#include "lsdem/bench/similitude_figure.hpp"
+#include "tests/benches/similitude_figure.hpp"
 
 #include <fmt/format.h>
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "lsdem/bench/similitude_cases.hpp"
+#include "tests/benches/similitude_cases.hpp"
 
 namespace musim::lsdem {
 

@@ -1,4 +1,4 @@
-#include "lsdem/bench/similitude_bench.hpp"
+#include "tests/benches/similitude_bench.hpp"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "lsdem/bench/similitude_model.hpp"
+#include "tests/benches/similitude_model.hpp"
 
 namespace musim::lsdem {
 

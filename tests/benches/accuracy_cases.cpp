@@ -1,4 +1,4 @@
-#include "lsdem/bench/accuracy_cases.hpp"
+#include "tests/benches/accuracy_cases.hpp"
 
 #include <algorithm>
 #include <array>
@@ -113,10 +113,10 @@ AccuracyOutcome run_slide(const AccuracySetting& setting) {
 }
 
 /// A block that falls to upright about a pivot in its base plane, `arm` [m] from its middle.
-struct Rocker {
+struct RockingCase {
     double arm, alpha, p;
 
-    Rocker(const Wood& wood, double pivot) : arm(pivot), alpha(std::atan2(2.0 * pivot, wood.size.z())) {
+    RockingCase(const Wood& wood, double pivot) : arm(pivot), alpha(std::atan2(2.0 * pivot, wood.size.z())) {
         const double radius = std::hypot(pivot, 0.5 * wood.size.z());
         const double inertia = (wood.size.x() * wood.size.x() + wood.size.z() * wood.size.z()) / 12.0;
         p = std::sqrt(kGravity * radius / (inertia + radius * radius));
@@ -139,7 +139,7 @@ Wood rough_wood() {
 }
 
 /// Times the fall of the last block of a model; the worst of several runs is kept.
-void time_fall(const Model& model, const AccuracySetting& setting, const Rocker& rocker, AccuracyOutcome& outcome) {
+void time_fall(const Model& model, const AccuracySetting& setting, const RockingCase& rocker, AccuracyOutcome& outcome) {
     const double expected = rocker.quarter_period();
     MeteredSimulation run(model, setting);
     const std::size_t block = model.blocks.size() - 1;
@@ -150,7 +150,7 @@ void time_fall(const Model& model, const AccuracySetting& setting, const Rocker&
 
 AccuracyOutcome run_rock_ground(const AccuracySetting& setting) {
     const Wood wood = rough_wood();
-    const Rocker rocker(wood, 0.5 * wood.size.x());
+    const RockingCase rocker(wood, 0.5 * wood.size.x());
     Model model = make_model(wood, setting);
     model.blocks.push_back(rocker.make(wood, Vector3::Zero()));
     AccuracyOutcome outcome;
@@ -160,7 +160,7 @@ AccuracyOutcome run_rock_ground(const AccuracySetting& setting) {
 
 AccuracyOutcome run_rock_own_edge(const AccuracySetting& setting) {
     const Wood wood = rough_wood();
-    const Rocker rocker(wood, 0.5 * wood.size.x());
+    const RockingCase rocker(wood, 0.5 * wood.size.x());
     const Vector3 larger(4.0 * wood.size.x(), 2.0 * wood.size.y(), wood.size.z());
     AccuracyOutcome outcome;
     for (const double between : {0.25, 0.5, 0.75}) {
@@ -182,7 +182,7 @@ AccuracyOutcome run_rock_own_edge(const AccuracySetting& setting) {
 
 AccuracyOutcome run_rock_other_edge(const AccuracySetting& setting) {
     const Wood wood = rough_wood();
-    const Rocker rocker(wood, 0.3 * wood.size.x());
+    const RockingCase rocker(wood, 0.3 * wood.size.x());
     Model model = make_model(wood, setting);
     Block support = make_block(wood, {0.0, 0.0, 0.5 * wood.size.z()});
     support.fixed = true;

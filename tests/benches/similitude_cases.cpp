@@ -1,4 +1,4 @@
-#include "lsdem/bench/similitude_cases.hpp"
+#include "tests/benches/similitude_cases.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

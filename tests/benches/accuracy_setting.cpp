@@ -1,4 +1,4 @@
-#include "lsdem/bench/accuracy_setting.hpp"
+#include "tests/benches/accuracy_setting.hpp"
 
 #include <algorithm>
 #include <cmath>

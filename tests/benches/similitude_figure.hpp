@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "lsdem/bench/similitude_bench.hpp"
+#include "tests/benches/similitude_bench.hpp"
 
 namespace musim::lsdem {
 

@@ -1,4 +1,4 @@
-#include "lsdem/bench/similitude_model.hpp"
+#include "tests/benches/similitude_model.hpp"
 
 #include <array>
 #include <cstddef>

@@ -4,10 +4,10 @@
 #include <string_view>
 #include <vector>
 
-#include "lsdem/bench/similitude_scenes.hpp"
 #include "lsdem/scene/scene.hpp"
 #include "scaling/laws/scale_law.hpp"
 #include "scaling/laws/similitude.hpp"
+#include "tests/benches/similitude_scenes.hpp"
 
 namespace musim::lsdem {
 

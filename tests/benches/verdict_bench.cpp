@@ -1,4 +1,4 @@
-#include "lsdem/bench/verdict_bench.hpp"
+#include "tests/benches/verdict_bench.hpp"
 
 #include <fmt/format.h>
 

@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "lsdem/bench/similitude_model.hpp"
-#include "lsdem/bench/similitude_prediction.hpp"
-#include "lsdem/bench/similitude_scenes.hpp"
+#include "tests/benches/similitude_model.hpp"
+#include "tests/benches/similitude_prediction.hpp"
+#include "tests/benches/similitude_scenes.hpp"
 
 namespace musim::lsdem {
 

@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <vector>
 
-#include "lsdem/bench/accuracy_setting.hpp"
 #include "lsdem/run/use_record.hpp"
+#include "tests/benches/accuracy_setting.hpp"
 
 namespace musim::lsdem {
 

@@ -1,11 +1,11 @@
-#include "lsdem/bench/similitude_prediction.hpp"
+#include "tests/benches/similitude_prediction.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
 
-#include "lsdem/bench/closed_responses.hpp"
+#include "tests/benches/closed_responses.hpp"
 
 namespace musim::lsdem {
 namespace {

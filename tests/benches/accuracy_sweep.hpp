@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "lsdem/bench/accuracy_setting.hpp"
 #include "lsdem/run/use_record.hpp"
 #include "lsdem/scene/accuracy_presets.hpp"
+#include "tests/benches/accuracy_setting.hpp"
 
 namespace musim::lsdem {
 

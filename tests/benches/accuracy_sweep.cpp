@@ -1,4 +1,4 @@
-#include "lsdem/bench/accuracy_sweep.hpp"
+#include "tests/benches/accuracy_sweep.hpp"
 
 #include <fmt/format.h>
 
@@ -7,9 +7,9 @@
 #include <cstddef>
 #include <iterator>
 
-#include "lsdem/bench/accuracy_cases.hpp"
-#include "lsdem/bench/accuracy_tower.hpp"
 #include "scaling/side_by_side.hpp"
+#include "tests/benches/accuracy_cases.hpp"
+#include "tests/benches/accuracy_tower.hpp"
 
 namespace musim::lsdem {
 namespace {

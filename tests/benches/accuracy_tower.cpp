@@ -1,4 +1,4 @@
-#include "lsdem/bench/accuracy_tower.hpp"
+#include "tests/benches/accuracy_tower.hpp"
 
 #include <fmt/format.h>
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "lsdem/bench/accuracy_setting.hpp"
+#include "tests/benches/accuracy_setting.hpp"
 
 namespace musim::lsdem {
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "lsdem/bench/accuracy_sweep.hpp"
+#include "tests/benches/accuracy_sweep.hpp"
 
 namespace musim::lsdem {
 

@@ -1,4 +1,4 @@
-#include "lsdem/bench/accuracy_plot.hpp"
+#include "tests/benches/accuracy_plot.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "lsdem/bench/similitude_scenes.hpp"
+#include "tests/benches/similitude_scenes.hpp"
 
 #include <array>
 #include <cmath>
