@@ -38,7 +38,7 @@ void Simulation::Implementation::release(const Release& given) {
     bodies.step[i].turn.setIdentity();
     const detail::VelocityDecay half = decay_over(0.5 * dt);
     bodies.velocity[i] = (bodies.velocity[i] - half.push * model.gravity) / half.keep;
-    start_energy += 0.5 * block.mass * block.velocity.squaredNorm();
+    balance.start_energy += 0.5 * block.mass * block.velocity.squaredNorm();
 }
 
 void Simulation::release(const std::vector<Release>& blocks) {
@@ -53,17 +53,17 @@ void Simulation::release(const std::vector<Release>& blocks) {
     const double before = s.find_exact_energy().balance();
     for (const Release& given : blocks) s.release(given);
     s.rebuild();
-    s.start_balance += s.find_exact_energy().balance() - before;
-    s.rest_end = s.step;
-    s.checks_at_rest = 0;
+    s.balance.start += s.find_exact_energy().balance() - before;
+    s.steps.rest_end = s.steps.done;
+    s.steps.checks_at_rest = 0;
 }
 
 void Simulation::begin_preparation(double damping_rate, Inertia inertia) {
     Implementation& s = *implementation_;
     set_velocity_damping(damping_rate);
-    s.preparing = true;
-    if (inertia == Inertia::as_stable) s.mass_scaling.begin(s.model, s.dt, s.list);
-    s.rest_end = s.step;
+    s.preparation.active = true;
+    if (inertia == Inertia::as_stable) s.preparation.mass_scaling.begin(s.model, s.dt, s.list);
+    s.steps.rest_end = s.steps.done;
 }
 
 void Simulation::renew_neighbors() { implementation_->rebuild(); }
@@ -71,41 +71,41 @@ void Simulation::renew_neighbors() { implementation_->rebuild(); }
 void Simulation::end_preparation() {
     Implementation& s = *implementation_;
     set_velocity_damping(0.0);
-    s.preparing = false;
-    s.mass_scaling.end(s.bodies, s.list);
-    s.base_origin = s.base.displacement - s.motion.displacement(0.0);
+    s.preparation.active = false;
+    s.preparation.mass_scaling.end(s.bodies, s.list);
+    s.base.origin = s.base.pose.displacement - s.base.motion.displacement(0.0);
     s.restart_balance();
-    s.step = s.rest_end = s.skipped = s.rebuilds = 0;
-    s.checks_at_rest = 0;
-    s.times = {};
-    std::fill(s.overlap.begin(), s.overlap.end(), 0.0);
-    s.overstiff.reset();
+    s.steps.done = s.steps.rest_end = s.steps.skipped = s.steps.rebuilds = 0;
+    s.steps.checks_at_rest = 0;
+    s.work.times = {};
+    std::fill(s.work.overlap.begin(), s.work.overlap.end(), 0.0);
+    s.health.overstiff.reset();
 }
 
 void Simulation::begin_motion(const std::array<BaseComponent, 3>& motion) {
     BaseMotion next(motion);
-    implementation_->motion = std::move(next);
+    implementation_->base.motion = std::move(next);
     implementation_->model.ground.motion = motion;
     end_preparation();
 }
 
-double Simulation::time() const { return static_cast<double>(implementation_->step) * implementation_->dt; }
+double Simulation::time() const { return static_cast<double>(implementation_->steps.done) * implementation_->dt; }
 double Simulation::time_step() const { return implementation_->dt; }
 const Model& Simulation::model() const { return implementation_->model; }
-int Simulation::threads() const { return implementation_->team.size(); }
+int Simulation::threads() const { return implementation_->work.team.size(); }
 Vector3 Simulation::position(std::size_t block) const { return implementation_->bodies.position.at(block); }
 Quaternion Simulation::orientation(std::size_t block) const { return implementation_->bodies.orientation.at(block); }
 
 Vector3 Simulation::contact_force(std::size_t block) const {
     const Implementation& s = *implementation_;
     if (block >= s.bodies.size()) throw std::out_of_range("Simulation: there is no such block");
-    return s.touches.sum(block, s.list.forces).force;
+    return s.work.touches.sum(block, s.list.forces).force;
 }
 
 Vector3 Simulation::contact_torque(std::size_t block) const {
     const Implementation& s = *implementation_;
     if (block >= s.bodies.size()) throw std::out_of_range("Simulation: there is no such block");
-    return s.touches.sum(block, s.list.forces).torque;
+    return s.work.touches.sum(block, s.list.forces).torque;
 }
 
 Vector3 Simulation::velocity(std::size_t block) const {
@@ -116,12 +116,12 @@ Vector3 Simulation::velocity(std::size_t block) const {
 
 Vector3 Simulation::angular_velocity(std::size_t block) const {
     const Implementation& s = *implementation_;
-    const Vector3 torque = s.touches.sum(block, s.list.forces).torque;
+    const Vector3 torque = s.work.touches.sum(block, s.list.forces).torque;
     return s.bodies.spin(block, s.momentum_after(s.decay_over(0.5 * s.dt), block, torque));
 }
 
 std::vector<ContactForce> Simulation::contact_forces() const {
-    refine_overlap_energies(implementation_->bodies, implementation_->base, implementation_->list);
+    refine_overlap_energies(implementation_->bodies, implementation_->base.pose, implementation_->list);
     const ContactList& list = implementation_->list;
     std::vector<ContactForce> forces;
     for (std::size_t p = 0; p < list.pairs.size(); ++p) {
@@ -136,7 +136,7 @@ std::vector<ContactForce> Simulation::contact_forces() const {
 std::vector<JointStiffness> Simulation::joint_stiffness() const {
     const Implementation& s = *implementation_;
     std::vector<JointStiffness> joints;
-    visit_meeting_areas(s.bodies, s.base, s.list, [&](std::size_t index, const MeetingArea& at) {
+    visit_meeting_areas(s.bodies, s.base.pose, s.list, [&](std::size_t index, const MeetingArea& at) {
         const ContactPair& pair = s.list.pairs[index];
         const auto follower = pair.follower == kGround ? std::nullopt : std::optional<std::size_t>(pair.follower);
         joints.push_back(
@@ -159,56 +159,56 @@ Kinematics Simulation::kinematics() const {
     return all;
 }
 
-Vector3 Simulation::peak_base_acceleration() const { return implementation_->motion.peak_acceleration(time()); }
+Vector3 Simulation::peak_base_acceleration() const { return implementation_->base.motion.peak_acceleration(time()); }
 
 BaseState Simulation::base() const {
-    const BaseMotion& motion = implementation_->motion;
-    const Vector3 displacement = implementation_->base.displacement - implementation_->base_origin;
-    if (implementation_->preparing) return {displacement};
+    const BaseMotion& motion = implementation_->base.motion;
+    const Vector3 displacement = implementation_->base.pose.displacement - implementation_->base.origin;
+    if (implementation_->preparation.active) return {displacement};
     return {displacement, motion.velocity(time()), motion.acceleration(time())};
 }
 
-Vector3 Simulation::base_reaction() const { return implementation_->base_force; }
+Vector3 Simulation::base_reaction() const { return implementation_->base.force; }
 
 Energy Simulation::energy() const { return implementation_->find_exact_energy(); }
 
 Losses Simulation::losses() const {
-    Losses losses = implementation_->finished;
+    Losses losses = implementation_->balance.finished;
     add_losses(implementation_->list, losses);
     return losses;
 }
 
 void Simulation::set_velocity_damping(double rate) {
     check_velocity_damping(rate, implementation_->dt);
-    implementation_->velocity_damping = rate;
-    implementation_->checks_at_rest = 0;
+    implementation_->preparation.damping_rate = rate;
+    implementation_->steps.checks_at_rest = 0;
 }
 
-double Simulation::velocity_damping() const { return implementation_->velocity_damping; }
+double Simulation::velocity_damping() const { return implementation_->preparation.damping_rate; }
 
 Statistics Simulation::statistics() const {
     const Implementation& s = *implementation_;
     Statistics statistics;
-    statistics.steps = s.step;
-    statistics.skipped = s.skipped;
+    statistics.steps = s.steps.done;
+    statistics.skipped = s.steps.skipped;
     statistics.pairs = s.list.pairs.size();
     statistics.apart = count_apart(s.bodies, s.list);
     const ContactTotals contacts = sum_contacts(s.list);
     statistics.contacts = contacts.contacts;
     statistics.contact_nodes = contacts.nodes;
-    statistics.rebuilds = s.rebuilds;
-    statistics.overstiff = s.overstiff;
-    statistics.max_overlap_over_height = *std::max_element(s.overlap.begin(), s.overlap.end());
+    statistics.rebuilds = s.steps.rebuilds;
+    statistics.overstiff = s.health.overstiff;
+    statistics.max_overlap_over_height = *std::max_element(s.work.overlap.begin(), s.work.overlap.end());
     return statistics;
 }
 
-PhaseTimes Simulation::phase_times() const { return implementation_->times; }
-std::optional<Divergence> Simulation::divergence() const { return implementation_->divergence; }
+PhaseTimes Simulation::phase_times() const { return implementation_->work.times; }
+std::optional<Divergence> Simulation::divergence() const { return implementation_->health.divergence; }
 
 bool Simulation::has_fallen(std::size_t block) const {
     const Implementation& s = *implementation_;
     const double sunk =
-        (s.bodies.start_position.at(block).z() - s.bodies.position[block].z()) + (s.base.displacement.z() - s.base_origin.z());
+        (s.bodies.start_position.at(block).z() - s.bodies.position[block].z()) + (s.base.pose.displacement.z() - s.base.origin.z());
     return lsdem::has_fallen(s.bodies.half[block], s.bodies.start_orientation[block].toRotationMatrix(), s.bodies.rotation[block], sunk);
 }
 

@@ -28,41 +28,74 @@ void require(bool holds, const char* what);
 /// Refuses rates that make no sense with the time step. Throws std::invalid_argument.
 void check_velocity_damping(double rate, double time_step);
 
+/// The base, which carries the structure.
+struct CarryingBase {
+    BaseMotion motion;
+    BasePose pose = {};
+    Vector3 origin = Vector3::Zero();  ///< where the base would be without the present motion [m]
+    Vector3 force = Vector3::Zero();   ///< on the blocks, at step n [N]
+    double work = 0.0;                 ///< done by the base [J]
+};
+
+/// While a structure is prepared the base stands, velocities decay, and blocks may have more inertia than their own.
+struct PreparationAids {
+    bool active = false;
+    double damping_rate = 0.0;  ///< of velocities [1/s]
+    detail::MassScaling mass_scaling = {};
+};
+
+/// Where the simulation is in time, in steps.
+struct StepCount {
+    std::uint64_t done = 0;
+    std::uint64_t skipped = 0;   ///< passed over, since nothing moved
+    std::uint64_t rest_end = 0;  ///< the step up to which nothing moves
+    int checks_at_rest = 0;      ///< in a row at which nothing moved
+    std::uint64_t rebuilds = 0;  ///< of the list of pairs
+};
+
+/// What the energy balance is counted from.
+struct EnergyBase {
+    double start_energy = 0.0;       ///< kinetic plus elastic at t = 0 [J]
+    double start = 0.0;              ///< of the balance at t = 0 [J]
+    Losses finished = {};            ///< up to the last rebuild of the list
+    double floor = 0.0;              ///< energy that needs no explanation [J]
+    double weight_times_edge = 0.0;  ///< [J]
+};
+
+/// What checks have found.
+struct Health {
+    std::optional<Divergence> divergence;
+    StiffnessWatch stiffness_watch;
+    std::optional<Overstiff> overstiff;  ///< the worst so far
+};
+
+/// Who does what in a step, and what each thread leaves.
+struct StepWork {
+    explicit StepWork(int threads)
+        : drift(static_cast<std::size_t>(threads), 0.0), overlap(static_cast<std::size_t>(threads), 0.0), team(threads) {}
+
+    detail::TouchList touches;     ///< what pushes each block
+    std::size_t end_of_loose = 0;  ///< from this block on all are held
+    detail::SharedWork pairs;      ///< of the list
+    std::vector<double> drift;     ///< per thread, largest of its blocks [m]
+    std::vector<double> overlap;   ///< per thread, largest overlap over height ever
+    PhaseTimes times;
+    ThreadTeam team;
+};
+
 struct Simulation::Implementation {
     Model model;
     double dt;
     Bodies bodies;
-    BaseMotion motion;
-    BasePose base;
-    Vector3 base_origin = Vector3::Zero();  ///< where the base would be without the present motion [m]
+    CarryingBase base;
     NeighborSearch search;
     ContactList list;
-    Losses finished;               ///< up to the last rebuild of the list
-    double velocity_damping;       ///< [1/s]
-    std::size_t end_of_loose = 0;  ///< from this block on all are held
-    detail::TouchList touches;
-    detail::MassScaling mass_scaling;      ///< of blocks in preparation
-    detail::SharedWork pair_work;          ///< list.pairs
-    Vector3 base_force = Vector3::Zero();  ///< on the blocks, at step n [N]
-    double base_work = 0.0;                ///< [J]
-    std::uint64_t step = 0;
-    std::uint64_t rebuilds = 0;
-    double smallest_edge = 0.0;
-    double start_energy = 0.0;       ///< kinetic plus elastic at t = 0 [J]
-    double start_balance = 0.0;      ///< of the energy balance at t = 0 [J]
-    double energy_floor = 0.0;       ///< energy that needs no explanation [J]
-    double weight_times_edge = 0.0;  ///< [J]
-    int checks_at_rest = 0;          ///< in a row at which nothing moved
-    std::uint64_t rest_end = 0;      ///< the step up to which nothing moves
-    std::uint64_t skipped = 0;       ///< steps passed over
-    bool preparing = false;          ///< the base stands
-    std::optional<Divergence> divergence;
-    StiffnessWatch stiffness_watch;
-    std::optional<Overstiff> overstiff;  ///< the worst so far
-    PhaseTimes times;
-    std::vector<double> drift;    ///< per thread, largest of its blocks [m]
-    std::vector<double> overlap;  ///< per thread, largest overlap over height ever
-    ThreadTeam team;
+    double smallest_edge = 0.0;  ///< of all blocks [m]
+    PreparationAids preparation;
+    StepCount steps;
+    EnergyBase balance;
+    Health health;
+    StepWork work;
 
     Implementation(Model given, double time_step, int threads);
 
@@ -76,7 +109,7 @@ struct Simulation::Implementation {
     void release(const Release& given);
     void restart_balance();
     void share_work();
-    detail::VelocityDecay decay_over(double h) const { return {velocity_damping, h}; }
+    detail::VelocityDecay decay_over(double h) const { return {preparation.damping_rate, h}; }
     /// Velocity after a time of decay [m/s].
     Vector3 velocity_after(const detail::VelocityDecay& decay, std::size_t i, const Vector3& force) const {
         return decay.keep * bodies.velocity[i] + decay.push * bodies.free[i] * (force * bodies.inverse_mass[i] + model.gravity);

@@ -45,11 +45,11 @@ void Simulation::Implementation::restart_balance() {
     bodies.start_position = bodies.position;
     bodies.start_orientation = bodies.orientation;
     clear_losses(list);
-    finished = Losses{.block = std::vector<PairWork>(bodies.size()), .ground = {}};
+    balance.finished = Losses{.block = std::vector<PairWork>(bodies.size()), .ground = {}};
     std::fill(bodies.preparation_loss.begin(), bodies.preparation_loss.end(), 0.0);
-    base_work = 0.0;
-    start_balance = find_exact_energy().balance();
-    start_energy = stored_and_kinetic();
+    base.work = 0.0;
+    balance.start = find_exact_energy().balance();
+    balance.start_energy = stored_and_kinetic();
 }
 
 double Simulation::Implementation::gravitational() const {
@@ -72,9 +72,9 @@ std::size_t Simulation::Implementation::fastest_block() const {
 }
 
 double Simulation::Implementation::half_preparation_loss(std::size_t i) const {
-    if (velocity_damping == 0.0 && !mass_scaling.is_active()) return 0.0;
+    if (preparation.damping_rate == 0.0 && !preparation.mass_scaling.is_active()) return 0.0;
     const detail::VelocityDecay decay = decay_over(dt);
-    const detail::TouchList::Load load = touches.sum(i, list.forces);
+    const detail::TouchList::Load load = work.touches.sum(i, list.forces);
     const Vector3& velocity = bodies.velocity[i];
     const Vector3& momentum = bodies.momentum[i];
     const Vector3 kick = dt * (load.force * bodies.inverse_mass[i] + model.gravity), twist = dt * load.torque;
@@ -88,7 +88,7 @@ Energy Simulation::Implementation::find_energy() const {
     const detail::VelocityDecay decay = decay_over(dt);
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         if (bodies.fixed[i] != 0) continue;
-        const detail::TouchList::Load load = touches.sum(i, list.forces);
+        const detail::TouchList::Load load = work.touches.sum(i, list.forces);
         const Vector3& velocity = bodies.velocity[i];
         const Vector3& momentum = bodies.momentum[i];
         const Vector3 spin = bodies.spin(i, momentum);
@@ -103,15 +103,15 @@ Energy Simulation::Implementation::find_energy() const {
     energy.elastic_normal = contacts.elastic_normal;
     energy.elastic_shear = contacts.elastic_shear;
     energy.gravitational = gravitational();
-    const PairWork before = finished.total();
+    const PairWork before = balance.finished.total();
     energy.friction_loss = before.friction + contacts.work.friction;
     energy.damping_loss = before.damping + contacts.work.damping;
-    energy.base_work = base_work;
+    energy.base_work = base.work;
     return energy;
 }
 
 Energy Simulation::Implementation::find_exact_energy() {
-    refine_overlap_energies(bodies, base, list);
+    refine_overlap_energies(bodies, base.pose, list);
     return find_energy();
 }
 
@@ -120,34 +120,36 @@ void Simulation::Implementation::find_non_finite() {
         const bool good = bodies.position[i].allFinite() && bodies.velocity[i].allFinite() && bodies.momentum[i].allFinite() &&
                           bodies.rotation[i].allFinite();
         if (good) continue;
-        divergence = Divergence{Divergence::Kind::non_finite, i, static_cast<double>(step) * dt};
+        health.divergence = Divergence{Divergence::Kind::non_finite, i, static_cast<double>(steps.done) * dt};
         return;
     }
 }
 
 void Simulation::Implementation::check_health() {
     find_non_finite();
-    if (divergence) return;
-    const double time = static_cast<double>(step) * dt;
-    const double put_in = start_energy + std::max(0.0, -gravitational()) + std::abs(base_work);
-    const double allowed = kEnergyFactor * put_in + energy_floor;
-    const double balance_bound = mass_scaling.is_active() ? kMassScalingBalanceBound : kBalanceBound;
+    if (health.divergence) return;
+    const double time = static_cast<double>(steps.done) * dt;
+    const double put_in = balance.start_energy + std::max(0.0, -gravitational()) + std::abs(base.work);
+    const double allowed = kEnergyFactor * put_in + balance.floor;
+    const double balance_bound = preparation.mass_scaling.is_active() ? kMassScalingBalanceBound : kBalanceBound;
     const auto out_of_bounds = [&] {
-        const bool unbalanced = std::abs(find_energy().balance() - start_balance) > balance_bound * put_in + energy_floor;
+        const bool unbalanced = std::abs(find_energy().balance() - balance.start) > balance_bound * put_in + balance.floor;
         return unbalanced || stored_and_kinetic() > allowed;
     };
     // what a step knows of the energy of a corner or an edge is rough: before it condemns a run it is found exactly
     if (out_of_bounds()) {
-        refine_overlap_energies(bodies, base, list);
-        if (out_of_bounds()) divergence = Divergence{Divergence::Kind::energy_out_of_bounds, fastest_block(), time};
+        refine_overlap_energies(bodies, base.pose, list);
+        if (out_of_bounds()) health.divergence = Divergence{Divergence::Kind::energy_out_of_bounds, fastest_block(), time};
     }
     // blocks with mass scaling have what their contacts ask for
-    if (!mass_scaling.is_active()) {
-        const StiffestBlock stiffest = stiffness_watch.find_stiffest(bodies, base, dt, list, overstiff ? overstiff->used : 1.0);
-        if (stiffest.used > 0.0) overstiff = Overstiff{stiffest.block, time, stiffest.used};
+    if (!preparation.mass_scaling.is_active()) {
+        const StiffestBlock stiffest =
+            health.stiffness_watch.find_stiffest(bodies, base.pose, dt, list, health.overstiff ? health.overstiff->used : 1.0);
+        if (stiffest.used > 0.0) health.overstiff = Overstiff{stiffest.block, time, stiffest.used};
     }
-    for (std::size_t i = 0; i < bodies.size() && !divergence; ++i) {
-        if (bodies.velocity[i].norm() * dt > kMaxStride * smallest_edge) divergence = Divergence{Divergence::Kind::too_fast, i, time};
+    for (std::size_t i = 0; i < bodies.size() && !health.divergence; ++i) {
+        if (bodies.velocity[i].norm() * dt > kMaxStride * smallest_edge)
+            health.divergence = Divergence{Divergence::Kind::too_fast, i, time};
     }
 }
 

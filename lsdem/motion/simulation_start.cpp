@@ -85,23 +85,21 @@ Simulation::Implementation::Implementation(Model given, double time_step, int th
     : model(checked(std::move(given), time_step)),
       dt(time_step),
       bodies(model),
-      motion(model.ground.motion),
+      base{.motion = BaseMotion(model.ground.motion)},
       search(model),
-      finished{.block = std::vector<PairWork>(model.blocks.size()), .ground = {}},
-      velocity_damping(model.velocity_damping),
-      team(choose_threads(threads, model.blocks.size())) {
-    drift.assign(static_cast<std::size_t>(team.size()), 0.0);
-    overlap.assign(static_cast<std::size_t>(team.size()), 0.0);
+      preparation{.damping_rate = model.velocity_damping},
+      work(choose_threads(threads, model.blocks.size())) {
+    balance.finished.block.resize(model.blocks.size());
     smallest_edge = std::numeric_limits<double>::infinity();
     for (const Vector3& half : bodies.half) smallest_edge = std::min(smallest_edge, 2.0 * half.minCoeff());
-    for (const Block& block : model.blocks) weight_times_edge += block.mass * model.gravity.norm() * smallest_edge;
-    energy_floor = kEnergyFloor * weight_times_edge + find_rounding_energy(model);
+    for (const Block& block : model.blocks) balance.weight_times_edge += block.mass * model.gravity.norm() * smallest_edge;
+    balance.floor = kEnergyFloor * balance.weight_times_edge + find_rounding_energy(model);
 }
 
 void Simulation::Implementation::start() {
     // where everything was one step ago, as the initial velocities have it
-    base.displacement = motion.displacement(0.0);
-    base.previous = motion.displacement(-dt);
+    base.pose.displacement = base.motion.displacement(0.0);
+    base.pose.previous = base.motion.displacement(-dt);
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         bodies.step[i].shift = dt * bodies.velocity[i];
         if (bodies.fixed[i] != 0) continue;
@@ -114,13 +112,13 @@ void Simulation::Implementation::start() {
     share_work();  // now that it is known what touches
     list.first_step = false;
     clear_losses(list);  // what the step before the start would have dissipated
-    start_energy = stored_and_kinetic();
+    balance.start_energy = stored_and_kinetic();
 
     // momenta of step −1/2, so that every step is the same
     const detail::VelocityDecay half = decay_over(0.5 * dt);
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         if (bodies.fixed[i] != 0) continue;
-        const detail::TouchList::Load load = touches.sum(i, list.forces);
+        const detail::TouchList::Load load = work.touches.sum(i, list.forces);
         bodies.velocity[i] -= half.push * (load.force * bodies.inverse_mass[i] + model.gravity);
         bodies.velocity[i] /= half.keep;
         if (bodies.inverse_inertia[i].isZero(0.0)) continue;
@@ -129,7 +127,7 @@ void Simulation::Implementation::start() {
         // that half lies before the start
         bodies.preparation_loss[i] = -half_preparation_loss(i);
     }
-    start_balance = find_exact_energy().balance();
+    balance.start = find_exact_energy().balance();
 }
 
 }  // namespace musim::lsdem

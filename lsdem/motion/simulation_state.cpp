@@ -24,13 +24,14 @@ void hash_bytes(const Vector3& v, std::uint64_t& hash) {
 }  // namespace
 
 void Simulation::Implementation::exchange(Archive& archive) {
-    double deepest = *std::max_element(overlap.begin(), overlap.end());
-    archive(bodies, base, base_origin, search.reference(), list, finished, velocity_damping, base_force, base_work);
-    archive(preparing, step, rebuilds, skipped, start_energy, start_balance, checks_at_rest, rest_end, divergence, overstiff, deepest);
+    double deepest = *std::max_element(work.overlap.begin(), work.overlap.end());
+    archive(bodies, base.pose, base.origin, search.reference(), list, balance.finished, preparation.damping_rate, base.force, base.work);
+    archive(preparation.active, steps.done, steps.rebuilds, steps.skipped, balance.start_energy, balance.start, steps.checks_at_rest,
+            steps.rest_end, health.divergence, health.overstiff, deepest);
     if (!archive.loads()) return;
-    overlap.front() = deepest;
-    check_restored(model, bodies, search.reference(), list, finished);
-    if (list.demand.wanted) mass_scaling.begin(model, dt, list);
+    work.overlap.front() = deepest;
+    check_restored(model, bodies, search.reference(), list, balance.finished);
+    if (list.demand.wanted) preparation.mass_scaling.begin(model, dt, list);
     share_work();
 }
 

@@ -52,85 +52,85 @@ std::vector<detail::Share> share_equally(std::size_t items, int threads, const W
 }  // namespace
 
 void Simulation::Implementation::move(double h) {
-    ++step;
-    base.previous = base.displacement;
-    if (!preparing) base.displacement = base_origin + motion.displacement(static_cast<double>(step) * dt);
-    const detail::Leap leap{.base_displacement = base.displacement,
-                            .base_step = base.displacement - base.previous,
+    ++steps.done;
+    base.pose.previous = base.pose.displacement;
+    if (!preparation.active) base.pose.displacement = base.origin + base.motion.displacement(static_cast<double>(steps.done) * dt);
+    const detail::Leap leap{.base_displacement = base.pose.displacement,
+                            .base_step = base.pose.displacement - base.pose.previous,
                             .gravity = model.gravity,
                             .h = h,
                             .decay = decay_over(h),
-                            .prepares = velocity_damping > 0.0 || mass_scaling.is_active()};
+                            .prepares = preparation.damping_rate > 0.0 || preparation.mass_scaling.is_active()};
     // while the base stands, what is held stays where it is
-    const std::size_t movers = preparing ? end_of_loose : bodies.size();
+    const std::size_t movers = preparation.active ? work.end_of_loose : bodies.size();
     const auto task = [&](int thread) {
-        const detail::Share share = share_of(movers, thread, team.size());
-        if (mass_scaling.is_active()) mass_scaling.give(touches, list, share.first, share.last, bodies);
-        drift[static_cast<std::size_t>(thread)] =
-            detail::move_blocks(touches, list.forces, search.reference(), leap, share.first, share.last, bodies);
+        const detail::Share share = share_of(movers, thread, work.team.size());
+        if (preparation.mass_scaling.is_active()) preparation.mass_scaling.give(work.touches, list, share.first, share.last, bodies);
+        work.drift[static_cast<std::size_t>(thread)] =
+            detail::move_blocks(work.touches, list.forces, search.reference(), leap, share.first, share.last, bodies);
     };
-    team.run(task);
+    work.team.run(task);
 }
 
 void Simulation::Implementation::rebuild() {
-    ++rebuilds;
-    search.rebuild(bodies, base, list, finished);
-    if (mass_scaling.is_active()) mass_scaling.price(list);
+    ++steps.rebuilds;
+    search.rebuild(bodies, base.pose, list, balance.finished);
+    if (preparation.mass_scaling.is_active()) preparation.mass_scaling.price(list);
     share_work();
 }
 
 void Simulation::Implementation::share_work() {
-    touches.rebuild(bodies.size(), list.pairs);
-    end_of_loose = bodies.size();
-    while (end_of_loose > 0 && bodies.fixed[end_of_loose - 1] != 0) --end_of_loose;
+    work.touches.rebuild(bodies.size(), list.pairs);
+    work.end_of_loose = bodies.size();
+    while (work.end_of_loose > 0 && bodies.fixed[work.end_of_loose - 1] != 0) --work.end_of_loose;
 
     const auto work_of_pair = [&](std::size_t index) -> std::size_t {
         const ContactPair& pair = list.pairs[index];
         if (pair.is_overlap()) return list.overlaps[pair.overlap].touches ? kNodesPerOverlap : 1;
         return pair.node_count;
     };
-    pair_work.set(share_equally(list.pairs.size(), team.size(), work_of_pair));
+    work.pairs.set(share_equally(list.pairs.size(), work.team.size(), work_of_pair));
 }
 
 void Simulation::Implementation::update_contacts() {
-    pair_work.begin();
+    work.pairs.begin();
     const auto task = [&](int thread) {
         const auto i = static_cast<std::size_t>(thread);
         detail::Share piece;
-        OverlapBatch overlaps(bodies, base, dt, list);
-        while (pair_work.take(i, piece)) {
-            const double deepest = compute_pairs(model, bodies, base, dt, piece.first, piece.last, list, overlaps);
-            overlap[i] = std::max(overlap[i], deepest);
+        OverlapBatch overlaps(bodies, base.pose, dt, list);
+        while (work.pairs.take(i, piece)) {
+            const double deepest = compute_pairs(model, bodies, base.pose, dt, piece.first, piece.last, list, overlaps);
+            work.overlap[i] = std::max(work.overlap[i], deepest);
         }
         overlaps.compute();
-        overlap[i] = std::max(overlap[i], overlaps.deepest());
+        work.overlap[i] = std::max(work.overlap[i], overlaps.deepest());
     };
-    team.run(task);
+    work.team.run(task);
     Vector3 force = Vector3::Zero();
     for (const std::uint32_t p : list.ground_pairs) force += list.forces[p].force;
-    base_work += 0.5 * (base_force + force).dot(base.displacement - base.previous);
-    base_force = force;
+    base.work += 0.5 * (base.force + force).dot(base.pose.displacement - base.pose.previous);
+    base.force = force;
 }
 
 /// Number of steps from here in which the base stands and nothing moves.
 std::uint64_t Simulation::Implementation::find_steps_at_rest() {
     // with damping, blocks that hardly move may still fall: forces need not balance
-    if (!model.skip_rest || velocity_damping > 0.0) return 0;
-    checks_at_rest = kinetic() <= kEnergyAtRest * weight_times_edge ? checks_at_rest + 1 : 0;
-    if (checks_at_rest < kChecksAtRest) return 0;
-    const double now = static_cast<double>(step) * dt;
-    const double still = preparing ? std::numeric_limits<double>::infinity() : motion.still_until(now) - now;
+    if (!model.skip_rest || preparation.damping_rate > 0.0) return 0;
+    steps.checks_at_rest = kinetic() <= kEnergyAtRest * balance.weight_times_edge ? steps.checks_at_rest + 1 : 0;
+    if (steps.checks_at_rest < kChecksAtRest) return 0;
+    const double now = static_cast<double>(steps.done) * dt;
+    const double still = preparation.active ? std::numeric_limits<double>::infinity() : base.motion.still_until(now) - now;
     return still > dt ? static_cast<std::uint64_t>(std::min(still / dt, 9e15)) - 1 : 0;
 }
 
 void Simulation::advance(std::uint64_t steps) {
     Implementation& s = *implementation_;
     std::uint64_t left = steps;
-    while (left > 0 && !s.divergence) {
-        if (s.step < s.rest_end) {
-            const std::uint64_t passed_over = std::min(left, s.rest_end - s.step);
-            s.step += passed_over;
-            s.skipped += passed_over;
+    while (left > 0 && !s.health.divergence) {
+        if (s.steps.done < s.steps.rest_end) {
+            const std::uint64_t passed_over = std::min(left, s.steps.rest_end - s.steps.done);
+            s.steps.done += passed_over;
+            s.steps.skipped += passed_over;
             left -= passed_over;
             continue;
         }
@@ -138,21 +138,21 @@ void Simulation::advance(std::uint64_t steps) {
         const auto start = Clock::now();
         s.move(s.dt);
         const auto moved = Clock::now();
-        s.times.motion += std::chrono::duration<double>(moved - start).count();
+        s.work.times.motion += std::chrono::duration<double>(moved - start).count();
 
-        const double farthest = *std::max_element(s.drift.begin(), s.drift.end());
+        const double farthest = *std::max_element(s.work.drift.begin(), s.work.drift.end());
         if (farthest > s.search.allowed_drift()) {
             s.find_non_finite();
-            if (s.divergence) return;
+            if (s.health.divergence) return;
             s.rebuild();
-            s.times.neighbors += seconds_since(moved);
+            s.work.times.neighbors += seconds_since(moved);
         }
         const auto listed = Clock::now();
         s.update_contacts();
-        s.times.contacts += seconds_since(listed);
-        if (s.step % kHealthInterval != 0) continue;
+        s.work.times.contacts += seconds_since(listed);
+        if (s.steps.done % kHealthInterval != 0) continue;
         s.check_health();
-        s.rest_end = s.step + s.find_steps_at_rest();
+        s.steps.rest_end = s.steps.done + s.find_steps_at_rest();
     }
 }
 
