@@ -2,6 +2,7 @@
 
 #include "lsdem/contact/lane_pairs.hpp"
 #include "lsdem/contact/overlap_lanes_512.hpp"
+#include "lsdem/contact/overlap_lanes_plain.hpp"
 #include "lsdem/detail/instructions.hpp"
 
 namespace musim::lsdem::detail {
@@ -10,14 +11,7 @@ namespace {
 MUSIM_AVX2 void compute_pairs_256(LanePair* pairs, std::size_t count, double dt, bool first_step, LaneOutput& nowhere) {
     LanePairs<Wide<4>>::compute(pairs, count, dt, first_step, nowhere);
 }
-void compute_pairs_plain(LanePair* pairs, std::size_t count, double dt, bool first_step, LaneOutput& nowhere) {
-    LanePairs<Wide<4>>::compute(pairs, count, dt, first_step, nowhere);
-}
-
 MUSIM_AVX2 void find_overlaps_256(const BoxMeeting* pairs, std::size_t count, LaneFinding* found) {
-    LanePairs<Wide<4>>::find_overlaps(pairs, count, found);
-}
-void find_overlaps_plain(const BoxMeeting* pairs, std::size_t count, LaneFinding* found) {
     LanePairs<Wide<4>>::find_overlaps(pairs, count, found);
 }
 
@@ -35,9 +29,6 @@ void compute_lane_pairs(LanePair* pairs, std::size_t count, double dt, bool firs
 }
 void compute_overlaps(const BoxMeeting* pairs, std::size_t count, LaneFinding* found) {
     widest(find_overlaps_512, find_overlaps_256, find_overlaps_plain)(pairs, count, found);
-}
-void ask_main_cells(const BoxMeeting* pairs, const MainCellQuestion* questions, MainCellAnswer* answers) {
-    LanePairs<Wide<4>>::ask(pairs, questions, answers);
 }
 
 }  // namespace musim::lsdem::detail

@@ -11,7 +11,7 @@ using musim::cli::Workplace;
 namespace {
 
 /// Two blocks that are shaken for so long that nobody waits for the end; one sample in all.
-std::string make_scene(const std::string& motion, const std::string& time = R"("time": {"duration": "3000 s"},)") {
+std::string make_long_scene(const std::string& motion, const std::string& time = R"("time": {"duration": "3000 s"},)") {
     return R"({"schema": "musim-scene/1", "name": "two blocks", "material": "wood",
  "structure": {"kind": "column", "layers": 2, "block": ["12.71 mm", "26.355 mm", "39.78 mm"], "height_deviation": "0.01 mm"},)" +
            motion + time + R"("output": {"spine_rate": "1 mHz"}})";
@@ -42,8 +42,8 @@ TEST_CASE("a command that is interrupted keeps what it has and says how to go on
           Case{"bench twins scene.json", "sleep 0.3", "nothing was written; with -o DIR the command could be continued"}}) {
         CAPTURE(c.command);
         const Workplace here;
-        here.write("scene.json", make_scene(kMotion));
-        here.write("motions.json", make_scene("\"motions\": [{\"base_motion\": " + kSine + "}],", ""));
+        here.write("scene.json", make_long_scene(kMotion));
+        here.write("motions.json", make_long_scene("\"motions\": [{\"base_motion\": " + kSine + "}],", ""));
         const Outcome terminated = here.interrupt(c.command, "TERM", c.halfway);
         CHECK(terminated.exit_code == 143);
         CHECK_MESSAGE(terminated.err == "musim: interrupted by SIGTERM: " + std::string(c.go_on) + "\n", terminated.err);
@@ -55,7 +55,7 @@ TEST_CASE("a command that is interrupted keeps what it has and says how to go on
 
 TEST_CASE("an interrupted run goes on from its last step and can be interrupted again") {
     const Workplace here;
-    here.write("scene.json", make_scene(kMotion));
+    here.write("scene.json", make_long_scene(kMotion));
     const std::string halfway = "[ -e out/checkpoint ]";
     CHECK(here.interrupt("run scene.json -o out --checkpoint-interval 0.01", "INT", halfway).exit_code == 130);
     const std::string first = here.read("out/checkpoint");

@@ -11,7 +11,7 @@ using namespace musim::cli;
 
 namespace {
 
-constexpr const char* kTable =
+constexpr const char* kTestTable =
     R"({"schema": "musim-table/1", "name": "test table", "axes": [{"names": ["x"], "displacement": "100 mm", "velocity": "1 m/s"}],
         "controller": {"rate": "2000 Hz", "rest": "0.5 s", "displacement": "mm"}})";
 
@@ -26,7 +26,7 @@ std::string make_record() {
 void lay_out(const Workplace& here) {
     here.write("a.csv", make_record());
     here.write("b.csv", make_record());
-    here.write("table.json", kTable);
+    here.write("table.json", kTestTable);
     here.write("recipe.json", R"({"schema": "musim-recipe/1", "steps": [{"step": "level"}]})");
     here.write("target.csv", "0.1,0.2\n0.2,0.2\n0.4,0.2\n");
     here.shell("ln -s a.csv link.csv; mkdir folder");
@@ -66,7 +66,7 @@ TEST_CASE("no command writes over what it reads or what else it writes") {
     CHECK(here.count() == files);
     CHECK(here.read("a.csv") == make_record());
     CHECK(here.read("b.csv") == make_record());
-    CHECK(here.read("table.json") == kTable);
+    CHECK(here.read("table.json") == kTestTable);
 
     CHECK(here.run("rescale link.csv --length 1/4 -o folder/../a.csv").err ==
           "musim: error: folder/../a.csv: cannot be written (it is also the input link.csv); name another file\n");

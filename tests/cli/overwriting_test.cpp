@@ -21,11 +21,11 @@ std::string make_scene(const std::string& blocks, const std::string& motion) {
 const std::string kJolt = R"({"signal": "ricker", "direction": "x", "amplitude": "0.2 g", "frequency": "200 Hz"})";
 
 /// A command that writes a folder `out`, and the same for other results.
-struct Command {
+struct Overwriter {
     std::string first, other;
 };
 
-void check_command(const Workplace& here, const Command& command) {
+void check_command(const Workplace& here, const Overwriter& command) {
     here.shell("rm -rf out");
     REQUIRE_MESSAGE(here.run(command.first + " -o out").exit_code == 0, command.first);
     CHECK_MESSAGE(here.run(command.first + " -o out").exit_code == 0, command.first);
@@ -51,13 +51,13 @@ TEST_CASE("commands do not write over results of another scene or other options 
     here.write("one_motion.json", make_scene("2", "\"motions\": [{\"base_motion\": " + kJolt + "}]"));
     here.write("two_motions.json", make_scene("2", "\"motions\": [{\"base_motion\": " + kJolt + ", \"repeat\": 2}]"));
     const std::string pair = "pair two.json --twins 0 --no-half-step ";
-    for (const Command& command : std::vector<Command>{{"run two.json", "run three.json"},
-                                                       {"run two.json", "run two.json --duration 0.005"},
-                                                       {"run two.json", pair + "--length 1/4"},
-                                                       {pair + "--length 1/4", pair + "--length 1/16"},
-                                                       {"sequence two_motions.json", "sequence one_motion.json"},
-                                                       {"ensemble two.json --members 2", "ensemble three.json --members 2"},
-                                                       {"bench twins two.json --models 2", "bench twins two.json --models 1"}}) {
+    for (const Overwriter& command : std::vector<Overwriter>{{"run two.json", "run three.json"},
+                                                             {"run two.json", "run two.json --duration 0.005"},
+                                                             {"run two.json", pair + "--length 1/4"},
+                                                             {pair + "--length 1/4", pair + "--length 1/16"},
+                                                             {"sequence two_motions.json", "sequence one_motion.json"},
+                                                             {"ensemble two.json --members 2", "ensemble three.json --members 2"},
+                                                             {"bench twins two.json --models 2", "bench twins two.json --models 1"}}) {
         check_command(here, command);
     }
     // before they compute

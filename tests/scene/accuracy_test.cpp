@@ -21,7 +21,7 @@ namespace {
 
 Scene parse(const std::string& more) { return parse_scene(make_scene_text(kColumn, more), "dir/tower.json"); }
 
-std::string refuse(const std::string& more) {
+std::string refuse_accuracy(const std::string& more) {
     return error_of([&] { parse(more); });
 }
 
@@ -132,10 +132,10 @@ TEST_CASE("layers with scaled mass have an old name, which gets a warning") {
 }
 
 TEST_CASE("a bad accuracy or face is refused with its place and what is known") {
-    check_message(refuse(R"(, "accuracy": "standart")"), {"dir/tower.json: /accuracy", "standart", "\"standard\""});
-    check_message(refuse(R"(, "accuracy": 3)"), {"/accuracy", "a text is wanted"});
-    check_message(refuse(R"(, "acuracy": "fast")"), {"/acuracy: unknown key", "did you mean \"accuracy\"?"});
-    check_message(refuse(R"(, "contact": {"faces": "patches"})"), {"/contact/faces", "patches", "overlap, nodes"});
-    check_message(refuse(R"(, "contact": {"spacing": "fine"})"), {"/contact/spacing", "even"});
-    check_message(refuse(R"(, "contact": {"face": "patch"})"), {"/contact/face: unknown key", "did you mean \"faces\"?"});
+    check_message(refuse_accuracy(R"(, "accuracy": "standart")"), {"dir/tower.json: /accuracy", "standart", "\"standard\""});
+    check_message(refuse_accuracy(R"(, "accuracy": 3)"), {"/accuracy", "a text is wanted"});
+    check_message(refuse_accuracy(R"(, "acuracy": "fast")"), {"/acuracy: unknown key", "did you mean \"accuracy\"?"});
+    check_message(refuse_accuracy(R"(, "contact": {"faces": "patches"})"), {"/contact/faces", "patches", "overlap, nodes"});
+    check_message(refuse_accuracy(R"(, "contact": {"spacing": "fine"})"), {"/contact/spacing", "even"});
+    check_message(refuse_accuracy(R"(, "contact": {"face": "patch"})"), {"/contact/face: unknown key", "did you mean \"faces\"?"});
 }

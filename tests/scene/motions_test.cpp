@@ -32,7 +32,7 @@ Scene make_scene() {
                                  R"(, "duration": "2 s", "settle": false}])"));
 }
 
-std::string refuse(const std::string& text) {
+std::string refuse_motion(const std::string& text) {
     return error_of([&] { parse_scene(text); });
 }
 
@@ -97,26 +97,28 @@ TEST_CASE("the similar twin of a list of motions is the list of the twins of its
 
 TEST_CASE("bad lists of motions are refused with their place") {
     const std::string one = "[{\"base_motion\": " + kSine + "}]";
-    check_message(refuse(make_text(one, "", ", \"base_motion\": " + kSine)), {"/motions: there is a \"base_motion\" as well", "leave one"});
-    check_message(refuse(make_text("[]")), {"/motions: a list", "at least one"});
-    check_message(refuse(make_text(kSine)), {"/motions: a list"});
-    check_message(refuse(make_text("[{}]")), {"/motions/0", "key \"base_motion\" is missing"});
-    check_message(refuse(make_text("[{\"base_motion\": " + kSine + ", \"repat\": 2}]")),
+    check_message(refuse_motion(make_text(one, "", ", \"base_motion\": " + kSine)),
+                  {"/motions: there is a \"base_motion\" as well", "leave one"});
+    check_message(refuse_motion(make_text("[]")), {"/motions: a list", "at least one"});
+    check_message(refuse_motion(make_text(kSine)), {"/motions: a list"});
+    check_message(refuse_motion(make_text("[{}]")), {"/motions/0", "key \"base_motion\" is missing"});
+    check_message(refuse_motion(make_text("[{\"base_motion\": " + kSine + ", \"repat\": 2}]")),
                   {"/motions/0/repat: unknown key", "did you mean \"repeat\"?"});
-    check_message(refuse(make_text("[{\"base_motion\": " + kSine + ", \"repeat\": 0}]")),
+    check_message(refuse_motion(make_text("[{\"base_motion\": " + kSine + ", \"repeat\": 0}]")),
                   {"/motions/0/repeat: 0 (must be from 1 to 1000)"});
-    check_message(refuse(make_text("[{\"base_motion\": " + kSine + ", \"duration\": \"-1 s\"}]")),
+    check_message(refuse_motion(make_text("[{\"base_motion\": " + kSine + ", \"duration\": \"-1 s\"}]")),
                   {"/motions/0/duration: -1 s (must be positive)"});
-    check_message(refuse(make_text("[{\"base_motion\": " + kSine + ", \"settle\": false}]")),
+    check_message(refuse_motion(make_text("[{\"base_motion\": " + kSine + ", \"settle\": false}]")),
                   {"/motions/0/settle: no motion comes before"});
-    check_message(refuse(make_text(one, R"({"duration": "-1 s"})")), {"/time/duration: -1 s (must be positive)"});
-    check_message(refuse(make_text(one, "", R"(, "ground": {"present": false})")), {"/motions/0/base_motion: there is no ground to move"});
+    check_message(refuse_motion(make_text(one, R"({"duration": "-1 s"})")), {"/time/duration: -1 s (must be positive)"});
+    check_message(refuse_motion(make_text(one, "", R"(, "ground": {"present": false})")),
+                  {"/motions/0/base_motion: there is no ground to move"});
     std::string no_frequency = kSine;
     no_frequency.replace(no_frequency.find("4 Hz"), 4, "0 Hz");
-    check_message(refuse(make_text("[{\"base_motion\": " + kPulse + "}, {\"base_motion\": " + no_frequency + "}]")),
+    check_message(refuse_motion(make_text("[{\"base_motion\": " + kPulse + "}, {\"base_motion\": " + no_frequency + "}]")),
                   {"/motions/1/base_motion/frequency: 0 Hz (must be positive)"});
     // without a list the duration is as needed as ever
-    check_message(refuse(R"({"schema": "musim-scene/1", "material": "wood", "structure": )" + kColumn + R"(, "time": {}})"),
+    check_message(refuse_motion(R"({"schema": "musim-scene/1", "material": "wood", "structure": )" + kColumn + R"(, "time": {}})"),
                   {"key \"duration\" is missing"});
     const Scene step = parse_scene(make_text(R"([{"base_motion": {"signal": "step", "velocity": "1 m/s"}}])"));
     check_message(error_of([&] { expand_motions(step); }), {"/motions/0: the motion has no end", "give a \"duration\""});

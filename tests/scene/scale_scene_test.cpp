@@ -100,7 +100,7 @@ void check_models(const Model& scaled, const Model& prototype, const Similitude&
 
 const std::string kSynthetic =
     R"(, "base_motion": {"signal": "synthetic", "pga": "0.511 g", "pgv": "42.4 cm/s", "duration": "10 s", "dt": "0.005 s", "start": "0.3 s"})";
-const std::string kSine = R"(, "base_motion": {"signal": "sine", "amplitude": "0.4 g", "frequency": "3 Hz", "cycles": 4})";
+const std::string kSineMotion = R"(, "base_motion": {"signal": "sine", "amplitude": "0.4 g", "frequency": "3 Hz", "cycles": 4})";
 const std::string kGrid = R"(, "shape": {"kind": "box", "level_set": "grid", "voxel": "0.65 mm"})";
 const std::string kSphere = R"(, "shape": {"kind": "sphere", "radius": "10 cm", "nodes": 60, "voxel": "1 cm"})";
 
@@ -109,8 +109,8 @@ const std::string kSphere = R"(, "shape": {"kind": "sphere", "radius": "10 cm", 
 TEST_CASE("the model of a twin is the scaled model, bit for bit in all fields, for factors that are powers of two") {
     const std::vector<std::string> texts{
         make_scene_text(kTower, kSynthetic),
-        make_scene_text(kWall, kSine),
-        make_scene_text(kWall, kSine + R"(, "contact": {"faces": "nodes", "nodes": "both"})"),
+        make_scene_text(kWall, kSineMotion),
+        make_scene_text(kWall, kSineMotion + R"(, "contact": {"faces": "nodes", "nodes": "both"})"),
         make_scene_text(kBlocks, kSteel + kRicker + R"(, "ground": {"friction": 0.2})"),
         make_scene_text(kColumn, kGrid + R"(, "base_motion": {"signal": "step", "velocity": "32 mm/s"})"),
         make_scene_text(R"({"kind": "blocks", "blocks": [{"position": [0, 0, "0.1 m"], "velocity": [1, 2, 3]}]})", kSphere),
@@ -166,7 +166,7 @@ TEST_CASE("a twin written to text is the same twin") {
 }
 
 TEST_CASE("under the mu law friction, gravity and motion each follow their own factor") {
-    const Scene scene = parse_scene(make_scene_text(kColumn, kSine + R"(, "ground": {"friction": 0.4})"));
+    const Scene scene = parse_scene(make_scene_text(kColumn, kSineMotion + R"(, "ground": {"friction": 0.4})"));
     const Similitude similitude = make_similitude("mu", {.length = 1.0 / 107.0, .friction = 0.5, .gravity = 2.0, .density = 3.0});
     const Scene model = scale_scene(scene, similitude);
     CHECK(model.material.friction == scene.material.friction * 0.5);
@@ -193,7 +193,7 @@ TEST_CASE("a twin moves along z by its own factor") {
 }
 
 TEST_CASE("a twin of its own material keeps geometry and motion and takes the measured properties of its block") {
-    Scene scene = parse_scene(make_scene_text(R"({"kind": "column", "layers": 2, "block": ["1.36 m", "2.82 m", "4.25 m"]})", kSine));
+    Scene scene = parse_scene(make_scene_text(R"({"kind": "column", "layers": 2, "block": ["1.36 m", "2.82 m", "4.25 m"]})", kSineMotion));
     scene.material.shear_damping_ratio = 0.1;
     scene.time.step = scaling::Time::from_value(1e-4);
     const Similitude similitude = make_similitude("mu", {.length = 1.0 / 107.0, .friction = 0.63 / 0.59});

@@ -23,7 +23,7 @@ using musim::scaling::make_similitude;
 using musim::scaling::Similitude;
 
 constexpr double kPrototypeFriction = 0.59;
-constexpr int kSamples = 400;
+constexpr int kRunSamples = 400;
 
 /// A concrete slab, so flat that no edge lifts even when friction turns around (eccentricity 3 mu H/2 below the kernel w/6), under the
 /// built-in record of PGA 1.5 g and PGV 100 cm/s.
@@ -43,11 +43,11 @@ Scene make_prototype() {
 std::vector<double> simulate_slip(const Scene& scene) {
     const musim::lsdem::Model model = musim::lsdem::make_model(scene);
     const double limit = musim::lsdem::compute_time_step(scene, model).value();
-    const double interval = scene.time.duration.value() / kSamples;
+    const double interval = scene.time.duration.value() / kRunSamples;
     const auto steps = static_cast<std::uint64_t>(std::ceil(interval / limit));
     Simulation simulation(model, interval / static_cast<double>(steps));
     std::vector<double> slip;
-    for (int sample = 0; sample < kSamples; ++sample) {
+    for (int sample = 0; sample < kRunSamples; ++sample) {
         simulation.advance(steps);
         slip.push_back(simulation.position(0).x() - model.blocks[0].position.x() - simulation.base().displacement.x());
     }

@@ -19,7 +19,7 @@ using musim::scaling::Similitude;
 
 namespace {
 
-ScenePair run(const Scene& model, const PairSceneSettings& how, Materials materials = Materials::own) {
+ScenePair run_own_pair(const Scene& model, const PairSceneSettings& how, Materials materials = Materials::own) {
     return pair_scene(make_pushed_wall(), {{.scene = model}}, materials, {.threads = 2}, how);
 }
 
@@ -31,7 +31,7 @@ PairSceneSettings accept(double tolerance, std::size_t specimens) {
 
 TEST_CASE("a scene that is the prototype's image is its model, to the last bit at a power of four") {
     const Scene image = scale_scene(make_pushed_wall(), make_similitude("exact", {.length = 1.0 / 16.0}));
-    const ScenePair pair = run(image, {}, Materials::exact);
+    const ScenePair pair = run_own_pair(image, {}, Materials::exact);
     REQUIRE(pair.study.models.size() == 1);
     CHECK(pair.study.models[0].label == "1:16");
     CHECK(pair.study.models[0].difference.bitwise_identical);
@@ -40,7 +40,7 @@ TEST_CASE("a scene that is the prototype's image is its model, to the last bit a
 
 TEST_CASE("a model that differs by nothing is accepted, unless chance alone does more") {
     const Scene same = make_pushed_wall();
-    const ScenePair alone = run(same, accept(0.01, 0));
+    const ScenePair alone = run_own_pair(same, accept(0.01, 0));
     const OwnJudgement accepted = judge_own(alone.study, alone.study.models[0]);
     REQUIRE(accepted.quantities.size() == 3);
     CHECK(accepted.accepted == true);
@@ -49,7 +49,7 @@ TEST_CASE("a model that differs by nothing is accepted, unless chance alone does
         CHECK_FALSE(quantity.of_specimens.has_value());
         CHECK_FALSE(quantity.beyond_chance);
     }
-    const ScenePair beside = run(same, accept(0.01, 3));
+    const ScenePair beside = run_own_pair(same, accept(0.01, 3));
     CHECK(beside.study.specimen_traces.size() == 3);
     const OwnJudgement chance = judge_own(beside.study, beside.study.models[0]);
     CHECK(chance.quantities[0].of_specimens > 0.01);
@@ -60,7 +60,7 @@ TEST_CASE("a model that differs by nothing is accepted, unless chance alone does
 TEST_CASE("a model of a tenth of the friction is distorted, more than other specimens") {
     Scene slippery = make_pushed_wall();
     slippery.material.friction *= 0.1;
-    const ScenePair pair = run(slippery, accept(0.05, 6));
+    const ScenePair pair = run_own_pair(slippery, accept(0.05, 6));
     const PairedRun& model = pair.study.models[0];
     const OwnJudgement judgement = judge_own(pair.study, model);
     CHECK(judgement.accepted == false);
@@ -76,17 +76,17 @@ TEST_CASE("a scene without a rate is compared at the prototype's times, whatever
     stiff.material.normal_stiffness *= 4.0;
     stiff.material.shear_stiffness *= 4.0;
     const ScenePair pair = pair_scene(prototype, {{.scene = stiff}}, Materials::own, {.threads = 2}, accept(0.05, 1));
-    const RunResult &run = pair.study.prototype, &model = pair.study.models[0].run;
-    CHECK(model.time_step < 0.6 * run.time_step);
-    REQUIRE(model.history.samples() == run.history.samples());
-    CHECK(model.history.time.back() == doctest::Approx(run.history.time.back()).epsilon(1e-9));
-    CHECK(pair.study.specimen_traces[0].running.size() == run.history.samples());
+    const RunResult &run_own_pair = pair.study.prototype, &model = pair.study.models[0].run;
+    CHECK(model.time_step < 0.6 * run_own_pair.time_step);
+    REQUIRE(model.history.samples() == run_own_pair.history.samples());
+    CHECK(model.history.time.back() == doctest::Approx(run_own_pair.history.time.back()).epsilon(1e-9));
+    CHECK(pair.study.specimen_traces[0].running.size() == run_own_pair.history.samples());
 }
 
 TEST_CASE("other structures are no models, and structures without drawn heights have no other specimens") {
     Scene taller = make_pushed_wall();
     std::get<Wall>(taller.structure).layers = 3;
-    CHECK_THROWS_AS(run(taller, {}), SceneError);
+    CHECK_THROWS_AS(run_own_pair(taller, {}), SceneError);
     Scene even = make_pushed_wall();
     std::get<Wall>(even.structure).height_deviation = {};
     CHECK_THROWS_AS(pair_scene(even, {{.scene = even}}, Materials::own, {}, accept(0.05, 3)), SceneError);

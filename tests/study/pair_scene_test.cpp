@@ -20,7 +20,7 @@ namespace {
 constexpr double kLength = 1.0 / 107.0;
 
 /// Three blocks on each other that slide, as prototype of the tower's wood: its own model at 1:107 distorts nothing.
-Scene make_prototype() {
+Scene make_prototype_scene() {
     Scene prototype = parse_scene(R"({
         "schema": "musim-scene/1", "name": "pair scene", "material": "wood",
         "structure": { "kind": "column", "layers": 3, "block": ["1.36 m", "2.82 m", "4.25 m"] },
@@ -54,7 +54,7 @@ TEST_CASE("a scale is named so that who reads it has it") {
 }
 
 TEST_CASE("a material that similitude asks for has no property that differs") {
-    Scene prototype = make_prototype();
+    Scene prototype = make_prototype_scene();
     prototype.time.duration = 1.0 * musim::scaling::si::second;  // before rounding has grown to what can be seen
     const PairStudy study = run_own(prototype);
     CHECK(study.models.front().alone.empty());
@@ -62,7 +62,7 @@ TEST_CASE("a material that similitude asks for has no property that differs") {
 }
 
 TEST_CASE("the one property of a model that differs makes all of its difference" * doctest::test_suite("slow")) {
-    Scene prototype = make_prototype();
+    Scene prototype = make_prototype_scene();
     prototype.material.restitution = 0.6;
     const PairedRun model = run_own(prototype).models.front();
     REQUIRE(model.alone.size() == 1);
@@ -73,7 +73,7 @@ TEST_CASE("the one property of a model that differs makes all of its difference"
 }
 
 TEST_CASE("every property that differs is found with its factor" * doctest::test_suite("slow")) {
-    Scene prototype = make_prototype();
+    Scene prototype = make_prototype_scene();
     prototype.material.friction = 0.42;
     prototype.material.normal_stiffness *= 4.0;
     prototype.material.shear_stiffness *= 2.0;
@@ -94,7 +94,7 @@ TEST_CASE("every property that differs is found with its factor" * doctest::test
 }
 
 TEST_CASE("without being asked no property is run alone" * doctest::test_suite("slow")) {
-    Scene prototype = make_prototype();
+    Scene prototype = make_prototype_scene();
     prototype.material.restitution = 0.6;
     const ScenePair pair = pair_scene(prototype, {{kLength, "wood"}}, Materials::own, {}, {.judging = {.twins = 0, .half_step = false}});
     CHECK(pair.study.models.front().alone.empty());

@@ -15,7 +15,7 @@ using musim::scaling::Similitude;
 
 namespace {
 
-PairMember make_prototype(std::size_t cubes, double friction) {
+PairMember make_prototype_member(std::size_t cubes, double friction) {
     const Specimen column = make_column(cubes, friction);
     return {"prototype", column, make_plan(column, 300), Similitude()};
 }
@@ -28,7 +28,7 @@ PairMember make_model(const PairMember& prototype, double length, const std::str
 }  // namespace
 
 TEST_CASE("scales that are powers of four give the same bits, side by side or one after the other") {
-    const PairMember prototype = make_prototype(3, 0.15);
+    const PairMember prototype = make_prototype_member(3, 0.15);
     const std::vector<PairMember> models{make_model(prototype, 1.0 / 16.0, "1:16"), make_model(prototype, 1.0 / 64.0, "1:64")};
     for (const int threads : {1, 2, 5}) {
         const PairStudy study = run_pair(prototype, models, Materials::exact, {.threads = threads});
@@ -42,7 +42,7 @@ TEST_CASE("scales that are powers of four give the same bits, side by side or on
 }
 
 TEST_CASE("a stack that only slides agrees at 1:25 and 1:107 to the rounding level") {
-    const PairMember prototype = make_prototype(2, 0.15);
+    const PairMember prototype = make_prototype_member(2, 0.15);
     const std::vector<PairMember> models{make_model(prototype, 1.0 / 25.0, "1:25"), make_model(prototype, 1.0 / 107.0, "1:107")};
     const PairStudy study = run_pair(prototype, models, Materials::exact, {.threads = 2});
     // it does slide: the base jerks at 2 m/s², friction carries 1.5
@@ -57,7 +57,7 @@ TEST_CASE("a stack that only slides agrees at 1:25 and 1:107 to the rounding lev
 }
 
 TEST_CASE("a model with another friction is not consistent, unless it is its own material") {
-    const PairMember prototype = make_prototype(2, 0.15);
+    const PairMember prototype = make_prototype_member(2, 0.15);
     PairMember model = make_model(prototype, 1.0 / 16.0, "1:16");
     model.specimen.model.materials[0].friction = 0.12;
     model.specimen.model.ground.material.friction = 0.12;
@@ -70,7 +70,7 @@ TEST_CASE("a model with another friction is not consistent, unless it is its own
 }
 
 TEST_CASE("twins depart from their prototype by rounding, one by one the same whatever their number") {
-    const PairMember prototype = make_prototype(3, 0.15);
+    const PairMember prototype = make_prototype_member(3, 0.15);
     const PairStudy few = run_pair(prototype, {}, Materials::exact, {}, {.twins = 2, .half_step = false});
     const PairStudy more = run_pair(prototype, {}, Materials::exact, {.threads = 2}, {.twins = 4, .half_step = false});
     CHECK(few.same_bits == true);
@@ -87,7 +87,7 @@ TEST_CASE("twins depart from their prototype by rounding, one by one the same wh
 }
 
 TEST_CASE("without twins nothing is judged") {
-    const PairMember prototype = make_prototype(2, 0.15);
+    const PairMember prototype = make_prototype_member(2, 0.15);
     PairMember model = make_model(prototype, 1.0 / 25.0, "1:25");
     model.specimen.model.materials[0].friction = 0.1501;
     model.specimen.model.ground.material.friction = 0.1501;
@@ -98,7 +98,7 @@ TEST_CASE("without twins nothing is judged") {
 }
 
 TEST_CASE("the run at half the step has the prototype's samples") {
-    const PairMember prototype = make_prototype(2, 0.15);
+    const PairMember prototype = make_prototype_member(2, 0.15);
     const PairStudy study = run_pair(prototype, {}, Materials::exact, {}, {.twins = 0});
     REQUIRE(study.half_step.has_value());
     CHECK(study.half_step->run.history.samples() == study.prototype.history.samples());
@@ -107,14 +107,14 @@ TEST_CASE("the run at half the step has the prototype's samples") {
 }
 
 TEST_CASE("an error in one of the runs reaches the caller") {
-    PairMember prototype = make_prototype(1, 0.15);
+    PairMember prototype = make_prototype_member(1, 0.15);
     PairMember model = make_model(prototype, 1.0 / 16.0, "1:16");
     model.specimen.model.blocks[0].mass = -1.0;
     CHECK_THROWS_AS(run_pair(prototype, {model}, Materials::exact, {.threads = 2}), std::invalid_argument);
 }
 
 TEST_CASE("a diverged run is seen") {
-    PairMember prototype = make_prototype(2, 0.15);
+    PairMember prototype = make_prototype_member(2, 0.15);
     prototype.plan.time_step *= 20.0;
     CHECK(run_pair(prototype, {}, Materials::exact).diverged());
 }

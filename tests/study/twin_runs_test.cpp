@@ -26,7 +26,7 @@ using musim::tests::TemporaryFolder;
 namespace {
 
 /// Overlaps at rest are 1e-4 of a block's height.
-Scene make_column() {
+Scene make_column_scene() {
     return parse_scene(R"({"schema": "musim-scene/1", "name": "pushed column",
         "material": {"density": 800, "normal_stiffness": "30 kN/m", "shear_stiffness": "26 kN/m", "friction": 0.63, "restitution": 0.3},
         "structure": {"kind": "column", "layers": 3, "block": ["12.71 mm", "26.355 mm", "39.78 mm"]},
@@ -73,7 +73,7 @@ TEST_CASE("models at powers of four do not differ at all, others by rounding, si
 }
 
 TEST_CASE("a scene without a rate is sampled a hundred times a second, and blocks of equal height begin as they are") {
-    const TwinStudy study = run_twins(make_column(), {{.length = 0.0625}, {.length = 0.07}});
+    const TwinStudy study = run_twins(make_column_scene(), {{.length = 0.0625}, {.length = 0.07}});
     CHECK(study.prototype.samples == 11);
     CHECK(study.prototype.moving_blocks == 3);
     CHECK(find_growth(study.prototype, study.twins[0]).running.back() == 0.0);
@@ -121,7 +121,7 @@ TEST_CASE("what is there is not run again, what is missing or damaged is, to the
 }
 
 TEST_CASE("copies moved in the same directions part in proportion to how far") {
-    const TwinStudy study = run_twins(make_column(), choose_shifted({1e-10, 1e-9, 1e-8}, 2, 1), {.threads = 2});
+    const TwinStudy study = run_twins(make_column_scene(), choose_shifted({1e-10, 1e-9, 1e-8}, 2, 1), {.threads = 2});
     const TwinSummary summary = summarize(study);
     const std::vector<Proportionality> sets = find_proportionality(study, summary.twins);
     REQUIRE(sets.size() == 2);

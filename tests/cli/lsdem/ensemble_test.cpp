@@ -13,7 +13,8 @@ using namespace musim::cli;
 namespace {
 
 /// A wall of three courses of unequal blocks that is shaken for 20 samples.
-std::string make_scene(const std::string& output = R"("spine_rate": "500 Hz")", const std::string& time = R"("duration": "0.04 s")") {
+std::string make_ensemble_scene(const std::string& output = R"("spine_rate": "500 Hz")",
+                                const std::string& time = R"("duration": "0.04 s")") {
     return R"({"schema": "musim-scene/1", "name": "small wall", "material": "concrete",
  "structure": {"kind": "wall", "layers": 3, "blocks_per_layer": 2, "block": ["54.4 mm", "112.8 mm", "170 mm"],
                "height_deviation": "0.3 mm", "seed": 5},
@@ -57,7 +58,7 @@ std::string name_of(const nlohmann::json& summary, std::size_t i) { return summa
 
 TEST_CASE("an ensemble has a summary and members that musim response reads, and the same command again runs nothing") {
     const Workplace here;
-    here.write("wall.json", make_scene());
+    here.write("wall.json", make_ensemble_scene());
     const Outcome first = here.run("ensemble wall.json -o out --members 3 --threads 2 --json");
     REQUIRE_MESSAGE(first.exit_code == 0, first.err);
     const nlohmann::json summary = first.json();
@@ -95,7 +96,7 @@ TEST_CASE("an ensemble has a summary and members that musim response reads, and 
 
 TEST_CASE("members use the specimens of a folder, and what is missing there is prepared once") {
     const Workplace here;
-    here.write("wall.json", make_scene());
+    here.write("wall.json", make_ensemble_scene());
     REQUIRE(here.run("specimen wall.json -o specimens").exit_code == 0);
     here.shell("ls specimens > before; cp -a specimens kept");
     const Outcome first = here.run("ensemble wall.json -o out --members 2 --specimens specimens --json");
@@ -107,7 +108,7 @@ TEST_CASE("members use the specimens of a folder, and what is missing there is p
     // what musim run makes of the same file, in every bit
     std::string file = here.read("before");
     file.erase(file.find('\n'));
-    nlohmann::json scene = nlohmann::json::parse(make_scene());
+    nlohmann::json scene = nlohmann::json::parse(make_ensemble_scene());
     scene["preparation"] = {{"specimen", "specimens/" + file}};
     here.write("one.json", scene.dump());
     REQUIRE(here.run("run one.json -o one").exit_code == 0);
@@ -131,7 +132,7 @@ TEST_CASE("members use the specimens of a folder, and what is missing there is p
 TEST_CASE("an ensemble that is killed goes on from its checkpoints to the same bytes") {
     const Workplace here;
     // 50 samples with a checkpoint each: the kill comes long before the first member's end
-    here.write("wall.json", make_scene(R"("spine_rate": "500 Hz")", R"("duration": "0.1 s")"));
+    here.write("wall.json", make_ensemble_scene(R"("spine_rate": "500 Hz")", R"("duration": "0.1 s")"));
     REQUIRE(here.run("ensemble wall.json -o whole --members 2 --threads 1").exit_code == 0);
     here.kill_halfway("ensemble wall.json -o out --members 2 --threads 1 --checkpoint-interval 0", "ls out/members/*/checkpoint");
     REQUIRE_FALSE(here.has("out/ensemble.json"));
@@ -185,7 +186,7 @@ TEST_CASE("a similar ensemble at 1:16 has the same bands to the last bit, and ov
 TEST_CASE("diverged members are kept and reported with the reason, and end in exit code 4") {
     const Workplace here;
     // the base throws the blocks farther in a step than they are thick
-    std::string wall = make_scene();
+    std::string wall = make_ensemble_scene();
     wall.replace(wall.find("\"direction\": \"x\""), 16, "\"direction\": \"z\"");
     wall.replace(wall.find("0.4 g"), 5, "1e7 g");
     here.write("wall.json", wall);
@@ -201,7 +202,7 @@ TEST_CASE("diverged members are kept and reported with the reason, and end in ex
 
 TEST_CASE("a member that cannot be run does not stop the others") {
     const Workplace here;
-    here.write("wall.json", make_scene());
+    here.write("wall.json", make_ensemble_scene());
     const auto list = here.run("ensemble wall.json -o out --members 2 --list --json").json();
     // a file is where the first member's folder should be
     here.shell("mkdir -p out/members && touch out/members/" + name_of(list, 0));
@@ -219,7 +220,7 @@ TEST_CASE("a member that cannot be run does not stop the others") {
 
 TEST_CASE("what makes no ensemble is refused in one line, before anything runs") {
     const Workplace here;
-    here.write("wall.json", make_scene());
+    here.write("wall.json", make_ensemble_scene());
     for (const std::string wrong :
          {"ensemble", "ensemble wall.json", "ensemble wall.json -o out --members 0", "ensemble wall.json -o out --members 2 --only 3",
           "ensemble wall.json -o out --only 1 --list", "ensemble --compare out out --specimens specimens"}) {
@@ -227,7 +228,7 @@ TEST_CASE("what makes no ensemble is refused in one line, before anything runs")
         CHECK_MESSAGE(outcome.exit_code == 2, wrong);
         CHECK_MESSAGE(outcome.has_one_error_line(), outcome.err);
     }
-    here.write("every_step.json", make_scene(R"("spine_rate": "0 Hz")"));
+    here.write("every_step.json", make_ensemble_scene(R"("spine_rate": "0 Hz")"));
     here.write("broken.json", "{");
     for (const std::string wrong : {"every_step.json", "broken.json", "none.json"}) {
         const Outcome outcome = here.run("ensemble " + wrong + " -o out");

@@ -8,7 +8,7 @@ using namespace musim::cli;
 
 namespace {
 
-constexpr const char* kScene = R"({"schema": "musim-scene/1", "name": "two columns",
+constexpr const char* kTwoColumns = R"({"schema": "musim-scene/1", "name": "two columns",
     "material": {"density": 2320, "normal_stiffness": "2 GN/m", "shear_stiffness": "2 GN/m", "friction": 0.3, "restitution": 0.3},
     "structure": {"kind": "column", "layers": 3, "block": ["2 m", "2 m", "1 m"]},
     "base_motion": {"signal": "sine", "direction": "x", "amplitude": "0.4 g", "frequency": "4 Hz", "cycles": 1},
@@ -18,7 +18,7 @@ constexpr const char* kScene = R"({"schema": "musim-scene/1", "name": "two colum
 
 TEST_CASE("report makes one page of a pair, and its plots as files with their data") {
     const Workplace here;
-    here.write("scene.json", kScene);
+    here.write("scene.json", kTwoColumns);
     REQUIRE(here.run("pair scene.json --length 1/16 --length 1/25 -o out").exit_code == 0);
     const Outcome outcome = here.run("report out -o page.html --figures figures --json");
     REQUIRE(outcome.exit_code == 0);
@@ -68,7 +68,7 @@ TEST_CASE("report refuses what holds no results and leaves no page") {
     }
     CHECK(here.run("report").exit_code == 2);
     CHECK(here.run("report . --format pdf").exit_code == 2);
-    here.write("scene.json", kScene);
+    here.write("scene.json", kTwoColumns);
     REQUIRE(here.run("run scene.json -o out").exit_code == 0);
     const Outcome full = here.run("report out -o page.html", kFullDisk);
     CHECK(full.exit_code == 3);

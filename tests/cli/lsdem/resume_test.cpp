@@ -9,7 +9,7 @@ using namespace musim::cli;
 namespace {
 
 /// Two blocks on ground that is shaken by `base_motion`; 100 samples.
-std::string make_scene(const std::string& base_motion) {
+std::string make_resumed_scene(const std::string& base_motion) {
     return R"({"schema": "musim-scene/1", "name": "two blocks",
  "material": {"density": 2320, "normal_stiffness": "2 GN/m", "shear_stiffness": "2 GN/m", "friction": 0.3, "restitution": 0.3},
  "structure": {"kind": "blocks", "blocks": [
@@ -20,7 +20,7 @@ std::string make_scene(const std::string& base_motion) {
  "time": {"duration": "0.5 s", "step": "auto"}, "output": {"spine_rate": "200 Hz", "frame_rate": "40 Hz"}})";
 }
 
-const char* const kSine = R"({"signal": "sine", "direction": "x", "amplitude": "0.6 g", "frequency": "2 Hz", "cycles": 2})";
+const char* const kStrongSine = R"({"signal": "sine", "direction": "x", "amplitude": "0.6 g", "frequency": "2 Hz", "cycles": 2})";
 
 /// Kills `musim ARGUMENTS` once it has written a checkpoint. One checkpoint per sample, so that there is time enough: each waits for the
 /// disk.
@@ -43,7 +43,7 @@ void check_same_results(const Workplace& here) {
 
 TEST_CASE("a run that is killed twice and resumed has the results of one that was not, to the byte") {
     const Workplace here;
-    here.write("scene.json", make_scene(kSine));
+    here.write("scene.json", make_resumed_scene(kStrongSine));
     REQUIRE(here.run("run scene.json -o whole --threads 1").exit_code == 0);
     CHECK_FALSE(here.has("whole/checkpoint"));
 
@@ -92,7 +92,7 @@ TEST_CASE("a run that is killed while it prepares its specimen goes on from ther
 
 TEST_CASE("nothing else works on the directory of a run, nor starts anew over its checkpoint") {
     const Workplace here;
-    here.write("scene.json", make_scene(kSine));
+    here.write("scene.json", make_resumed_scene(kStrongSine));
     kill_halfway(here, "run scene.json -o out",
                  MUSIM_PROGRAM " run --resume out 2>resume.txt; echo $? >>resume.txt\n" MUSIM_PROGRAM
                                " run scene.json -o out 2>anew.txt; echo $? >>anew.txt");
@@ -113,7 +113,7 @@ TEST_CASE("nothing else works on the directory of a run, nor starts anew over it
 TEST_CASE("a run whose record has changed or gone cannot be resumed, until it is back") {
     const Workplace here;
     REQUIRE(here.run("rescale synthetic --length 1 --law froude -o record.csv").exit_code == 0);
-    here.write("scene.json", make_scene(R"({"record": "record.csv", "components": {"x": "1"}})"));
+    here.write("scene.json", make_resumed_scene(R"({"record": "record.csv", "components": {"x": "1"}})"));
     REQUIRE(here.run("run scene.json -o whole").exit_code == 0);
     kill_halfway(here, "run scene.json -o out");
     REQUIRE(here.has("out/checkpoint"));
@@ -134,7 +134,7 @@ TEST_CASE("a run whose record has changed or gone cannot be resumed, until it is
 
 TEST_CASE("a run of an older format cannot be resumed: one line names file and format") {
     const Workplace here;
-    here.write("scene.json", make_scene(kSine));
+    here.write("scene.json", make_resumed_scene(kStrongSine));
     kill_halfway(here, "run scene.json -o out");
     REQUIRE(here.has("out/checkpoint"));
     std::string old = here.read("out/checkpoint");
@@ -169,7 +169,7 @@ TEST_CASE("there is one clear line when there is nothing to resume from") {
 
 TEST_CASE("usage of --resume and --checkpoint-interval is checked") {
     const Workplace here;
-    here.write("scene.json", make_scene(kSine));
+    here.write("scene.json", make_resumed_scene(kStrongSine));
     for (const std::string wrong : {"run", "run scene.json --resume out", "run --resume out -o out", "run --resume out --duration 1",
                                     "run scene.json --checkpoint-interval -1", "run scene.json --checkpoint-interval often"}) {
         const Outcome outcome = here.run(wrong);
@@ -181,7 +181,7 @@ TEST_CASE("usage of --resume and --checkpoint-interval is checked") {
 
 TEST_CASE("a pair that is killed and begun again has the results of one that was not, and leaves nothing else") {
     const Workplace here;
-    here.write("scene.json", make_scene(kSine));
+    here.write("scene.json", make_resumed_scene(kStrongSine));
     const std::string pair = "pair scene.json --length 1/25 --twins 2 --threads 1 -o ";
     REQUIRE(here.run(pair + "whole").exit_code == 0);
     here.kill_halfway(pair + "out --checkpoint-interval 0", "ls out/unfinished-*/1-25.checkpoint", ":");

@@ -9,7 +9,7 @@ using namespace musim::cli;
 namespace {
 
 /// A column of two blocks; a jolt that it stands twice and one that throws it down.
-std::string make_scene() {
+std::string make_sequence_scene() {
     const std::string jolt = R"({"base_motion": {"signal": "sine", "direction": "x", "frequency": "6 Hz", "cycles": 1, "amplitude": )";
     return R"({"schema": "musim-scene/1", "name": "two blocks", "material": "wood",
  "structure": {"kind": "column", "layers": 2, "block": ["12.710 mm", "26.355 mm", "39.780 mm"]},
@@ -18,7 +18,7 @@ std::string make_scene() {
            R"("0.2 g"}}], "output": {"spine_rate": "200 Hz"}})";
 }
 
-void check_same_results(const Workplace& here) {
+void check_same_stages(const Workplace& here) {
     for (const std::string name : {"sequence.json", "sequence.csv", "sequence_levels.csv", "stage-01-jolt/result.h5",
                                    "stage-02-jolt/result.h5", "stage-02-jolt/spine.csv", "stage-03-blow/result.h5"})
         CHECK_MESSAGE(here.read("out/" + name) == here.read("whole/" + name), name);
@@ -29,7 +29,7 @@ void check_same_results(const Workplace& here) {
 
 TEST_CASE("a structure is shaken until it collapses, and every stage is a run that other commands read") {
     const Workplace here;
-    here.write("scene.json", make_scene());
+    here.write("scene.json", make_sequence_scene());
     const Outcome outcome = here.run("sequence scene.json -o whole --json");
     CHECK(outcome.exit_code == 0);
     CHECK(outcome.err.empty());
@@ -55,19 +55,19 @@ TEST_CASE("a structure is shaken until it collapses, and every stage is a run th
 
     here.shell("cp -r whole out");
     CHECK(here.run("sequence scene.json -o out").exit_code == 0);
-    check_same_results(here);
+    check_same_stages(here);
 
     here.shell("rm -r out");
     const Outcome text = here.run("sequence scene.json -o out --threads 1");
     CHECK(text.exit_code == 0);
     CHECK_MESSAGE(text.out.find("3 of 4 motions") != std::string::npos, text.out);
     CHECK_MESSAGE(text.out.find("after the start of stage-03-blow") != std::string::npos, text.out);
-    check_same_results(here);
+    check_same_stages(here);
 }
 
 TEST_CASE("a sequence that is killed and resumed has the results of one that was not to the byte" * doctest::test_suite("slow")) {
     const Workplace here;
-    here.write("scene.json", make_scene());
+    here.write("scene.json", make_sequence_scene());
     REQUIRE(here.run("sequence scene.json -o whole").exit_code == 0);
     // once the first stage is there, at the next checkpoint
     here.write("kill.sh", MUSIM_PROGRAM
@@ -86,7 +86,7 @@ TEST_CASE("a sequence that is killed and resumed has the results of one that was
     CHECK(other.err.find("musim sequence --resume out") != std::string::npos);
     const Outcome outcome = here.run("sequence --resume out");
     CHECK(outcome.exit_code == 0);
-    check_same_results(here);
+    check_same_stages(here);
     const Outcome again = here.run("sequence --resume out");
     CHECK(again.exit_code == 3);
     CHECK(again.err.find("has finished") != std::string::npos);
@@ -94,7 +94,7 @@ TEST_CASE("a sequence that is killed and resumed has the results of one that was
 
 TEST_CASE("what is doubtful about a stage is a warning that names it") {
     const Workplace here;
-    std::string scene = make_scene();
+    std::string scene = make_sequence_scene();
     // just above the critical step, with which it would not come to rest before
     scene.replace(scene.find("\"output\""), 8, R"("preparation": "none", "time": {"step": "13 us"}, "output")");
     scene.replace(scene.find("0.2 g"), 5, "1e-9 g");
@@ -108,7 +108,7 @@ TEST_CASE("what is doubtful about a stage is a warning that names it") {
 
 TEST_CASE("a stage that diverges ends the sequence with its own exit code and is stored") {
     const Workplace here;
-    std::string scene = make_scene();
+    std::string scene = make_sequence_scene();
     // the base throws the blocks farther in a step than they are thick
     scene.replace(scene.find("\"direction\": \"x\""), 16, "\"direction\": \"z\"");
     scene.replace(scene.find("0.2 g"), 5, "1e7 g");
@@ -124,7 +124,7 @@ TEST_CASE("a stage that diverges ends the sequence with its own exit code and is
 
 TEST_CASE("commands that take one motion name the one that takes a list") {
     const Workplace here;
-    here.write("scene.json", make_scene());
+    here.write("scene.json", make_sequence_scene());
     for (const std::string command : {"run scene.json", "run scene.json --duration 1"}) {
         const Outcome outcome = here.run(command);
         CHECK(outcome.exit_code == 3);
@@ -134,7 +134,7 @@ TEST_CASE("commands that take one motion name the one that takes a list") {
     const Outcome duration = here.run("pair scene.json --duration 1");
     CHECK(duration.exit_code == 3);
     CHECK_MESSAGE(duration.has_one_error_line(), duration.err);
-    std::string uneven = make_scene();
+    std::string uneven = make_sequence_scene();
     uneven.replace(uneven.find("\"layers\": 2"), 11, R"("layers": 2, "height_deviation": "0.1 mm")");
     here.write("uneven.json", uneven);
     const Outcome ensemble = here.run("ensemble uneven.json -o out");
@@ -147,7 +147,7 @@ TEST_CASE("commands that take one motion name the one that takes a list") {
 
 TEST_CASE("usage of the sequence command is checked") {
     const Workplace here;
-    here.write("scene.json", make_scene());
+    here.write("scene.json", make_sequence_scene());
     for (const std::string wrong : {"sequence", "sequence scene.json", "sequence -o out", "sequence scene.json -o out --resume out",
                                     "sequence scene.json -o out --checkpoint-interval -1"}) {
         const Outcome outcome = here.run(wrong);

@@ -9,7 +9,7 @@ using namespace musim::cli;
 
 namespace {
 
-std::string make_scene(const std::string& structure) {
+std::string make_uneven_scene(const std::string& structure) {
     return R"({"schema": "musim-scene/1", "name": "wall", "material": "wood",
  "structure": )" +
            structure + R"(, "time": {"duration": "2 ms"}, "output": {"spine_rate": "2000 Hz"}})";
@@ -22,7 +22,7 @@ const std::string kWall = R"({"kind": "wall", "layers": 3, "blocks_per_layer": 1
 
 TEST_CASE("specimens are made for several seeds, found again, and used by a scene that names one") {
     const Workplace place;
-    place.write("wall.json", make_scene(kWall));
+    place.write("wall.json", make_uneven_scene(kWall));
     const Outcome made = place.run("specimen wall.json -o made --seeds 2 --json");
     REQUIRE(made.exit_code == 0);
     const auto specimens = made.json()["specimens"];
@@ -39,7 +39,7 @@ TEST_CASE("specimens are made for several seeds, found again, and used by a scen
     CHECK(again.json()["specimens"][1]["reused"] == true);
     CHECK(again.json()["specimens"][1]["file"] == specimens[1]["file"]);
 
-    std::string scene = make_scene(kWall);
+    std::string scene = make_uneven_scene(kWall);
     scene.insert(scene.size() - 1, R"(, "preparation": {"specimen": ")" + specimens[0]["file"].get<std::string>() + "\"}");
     place.write("with.json", scene);
     const Outcome run = place.run("run with.json --json");
@@ -56,7 +56,7 @@ TEST_CASE("specimens are made for several seeds, found again, and used by a scen
 
 TEST_CASE("specimens laid in two ways are compared by what was printed of them") {
     const Workplace place;
-    place.write("wall.json", make_scene(kWall));
+    place.write("wall.json", make_uneven_scene(kWall));
     const Outcome layers = place.run("specimen wall.json -o layers --seeds 3 --placing layers --json");
     const Outcome quick = place.run("specimen wall.json -o quick --seeds 2 --json");
     REQUIRE(layers.exit_code == 0);
@@ -104,9 +104,9 @@ TEST_CASE("specimens laid in two ways are compared by what was printed of them")
 
 TEST_CASE("what cannot be a specimen is refused in one line") {
     const Workplace place;
-    place.write("wall.json", make_scene(kWall));
+    place.write("wall.json", make_uneven_scene(kWall));
     place.write("blocks.json",
-                make_scene(R"({"kind": "blocks", "blocks": [{"size": ["1 cm", "1 cm", "1 cm"], "position": [0, 0, "5 mm"]}]})"));
+                make_uneven_scene(R"({"kind": "blocks", "blocks": [{"size": ["1 cm", "1 cm", "1 cm"], "position": [0, 0, "5 mm"]}]})"));
     place.write("file", "not a folder");
     const auto refused = [&](const std::string& arguments, int exit_code) {
         const Outcome outcome = place.run("specimen " + arguments);
@@ -117,7 +117,7 @@ TEST_CASE("what cannot be a specimen is refused in one line") {
     refused("wall.json --seeds 0", 2);
     refused("nothing.json", 3);
     refused("blocks.json", 3);
-    std::string sudden = make_scene(kWall);
+    std::string sudden = make_uneven_scene(kWall);
     sudden.insert(1, R"("preparation": "none", )");
     place.write("sudden.json", sudden);
     refused("sudden.json", 3);
@@ -126,7 +126,7 @@ TEST_CASE("what cannot be a specimen is refused in one line") {
 
 TEST_CASE("a specimen that another process makes is refused, and what killed ones left is removed") {
     const Workplace here;
-    here.write("wall.json", make_scene(kWall));
+    here.write("wall.json", make_uneven_scene(kWall));
     const std::string command = "specimen wall.json -o out --json";
     const std::string file = here.run(command).json()["specimens"][0]["file"];
     const std::string hidden = "out/." + file.substr(4);

@@ -16,7 +16,7 @@ namespace {
 constexpr double kGravity = 9.80665;  // [m/s²]
 
 /// A record of 10 s at 100 Hz in m/s² as musim writes it; `corner` as of an uncorrected one.
-std::string make_csv(const std::function<double(double)>& acceleration, bool corner = false) {
+std::string make_channel(const std::function<double(double)>& acceleration, bool corner = false) {
     std::string text = "# musim ground motion 1\n# quantity: acceleration\n# unit: m/s^2\n# start_s: 0\n# dt_s: 0.01\n";
     if (corner) text += "# integration_corner_hz: 0.05\n";
     text += "time_s,360\n";
@@ -36,7 +36,7 @@ double number(const nlohmann::json& object, const char* key) { return object.at(
 
 TEST_CASE("record info measures a constant acceleration as the closed forms do") {
     const Workplace here;
-    here.write("a.csv", make_csv([](double) { return 3.0; }));
+    here.write("a.csv", make_channel([](double) { return 3.0; }));
     const auto a = info(here, "a.csv");
     CHECK(number(a, "d5_75_s") == doctest::Approx(7.0).epsilon(1e-9));
     CHECK(number(a, "cav_m_s") == doctest::Approx(30.0).epsilon(1e-9));
@@ -50,7 +50,7 @@ TEST_CASE("record info measures a constant acceleration as the closed forms do")
 
 TEST_CASE("record info shows the files that it can use beside those that it cannot") {
     const Workplace here;
-    here.write("good.csv", make_csv([](double) { return 3.0; }));
+    here.write("good.csv", make_channel([](double) { return 3.0; }));
     here.write("bad.at2", "no record\n");
     for (const std::string files : {"good.csv bad.at2 good.csv", "bad.at2 good.csv good.csv"}) {
         const Outcome outcome = here.run("record info " + files);
@@ -65,7 +65,7 @@ TEST_CASE("record info shows the files that it can use beside those that it cann
 
 TEST_CASE("record info names the start, the clock and what turned the file into motion") {
     const Workplace here;
-    std::string text = make_csv([](double t) { return std::sin(8.0 * t); }, true);
+    std::string text = make_channel([](double t) { return std::sin(8.0 * t); }, true);
     text.replace(text.find("# start_s: 0"), 12, "# start_s: 12.5\n# time_zero_utc: 2019/07/06 03:16:08.000000");
     text.replace(text.find("\n0,"), 3, "\n12.5,");
     for (int i = 1; i <= 1000; ++i) {
@@ -93,7 +93,7 @@ TEST_CASE("record info names the start, the clock and what turned the file into 
 // (1 + e^{−ζπ/√(1−ζ²)})/2 of it; its area from T₁ to T₂ is A (T₂² − T₁²)/(2π) of the same.
 TEST_CASE("record info has Housner's spectrum intensity") {
     const Workplace here;
-    here.write("a.csv", make_csv([](double) { return 3.0; }));
+    here.write("a.csv", make_channel([](double) { return 3.0; }));
     const double overshoot = 0.5 * (1.0 + std::exp(-0.05 * std::numbers::pi / std::sqrt(1.0 - 0.05 * 0.05)));
     const auto expected = [&](double first, double last) {
         return 100.0 * 3.0 * (last * last - first * first) / (2.0 * std::numbers::pi) * overshoot;
@@ -105,7 +105,7 @@ TEST_CASE("record info has Housner's spectrum intensity") {
 
 TEST_CASE("record info finds the period of a sine") {
     const Workplace here;
-    here.write("a.csv", make_csv([](double t) { return 2.0 * std::sin(4.0 * std::numbers::pi * t); }));
+    here.write("a.csv", make_channel([](double t) { return 2.0 * std::sin(4.0 * std::numbers::pi * t); }));
     const auto a = info(here, "a.csv");
     // 1001 samples are no whole number of periods: 1 % for what leaks; 200 periods are 2 % apart; 5 % damping shifts by less
     CHECK(number(a, "mean_period_s") == doctest::Approx(0.5).epsilon(0.01));
@@ -115,7 +115,7 @@ TEST_CASE("record info finds the period of a sine") {
 
 TEST_CASE("record info puts a record in proportion to a structure") {
     const Workplace here;
-    here.write("a.csv", make_csv([](double) { return 3.0; }));
+    here.write("a.csv", make_channel([](double) { return 3.0; }));
     const auto groups = info(here, "a.csv --friction 0.2 --length 2 --slenderness 45").at("groups");
     const double yield = 0.2 * kGravity;
     CHECK(number(groups, "pga_over_mu_g") == doctest::Approx(3.0 / yield).epsilon(1e-9));
@@ -136,8 +136,8 @@ TEST_CASE("record info puts a record in proportion to a structure") {
 TEST_CASE("record info measures uncorrected records above their initial level") {
     const Workplace here;
     const auto shake = [](double t) { return t < 1.0 ? 0.0 : 3.0 * std::sin(5.0 * t) * std::exp(-0.3 * t); };
-    here.write("level.csv", make_csv(shake, true));
-    here.write("offset.csv", make_csv([&](double t) { return shake(t) + 5.0; }, true));
+    here.write("level.csv", make_channel(shake, true));
+    here.write("offset.csv", make_channel([&](double t) { return shake(t) + 5.0; }, true));
     const auto level = info(here, "level.csv --friction 0.1"), offset = info(here, "offset.csv --friction 0.1");
     // rounding of the offset samples
     for (const char* key : {"d5_75_s", "cav_m_s", "rms_g", "mean_period_s"})

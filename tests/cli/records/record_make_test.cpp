@@ -19,9 +19,9 @@ nlohmann::json make(const Workplace& here, const std::string& arguments) {
     return outcome.json();
 }
 
-/// The only component of a record, as `record info` gives it.
-nlohmann::json info(const Workplace& here, const std::string& file) {
-    return here.run("record info --json " + file).json()["components"].at(0);
+/// The only component of a record, as `record info_of` gives it.
+nlohmann::json info_of(const Workplace& here, const std::string& file) {
+    return here.run("record info_of --json " + file).json()["components"].at(0);
 }
 
 }  // namespace
@@ -32,7 +32,7 @@ TEST_CASE("record make writes motions that have what was asked for") {
     CHECK(ricker["peaks"]["pga_g"].get<double>() == Approx(0.3).epsilon(1e-12));
     CHECK(ricker["peaks"]["dt_s"] == 0.004);
     CHECK(ricker["history"].at(0).get<std::string>().find("2 Hz") != std::string::npos);
-    CHECK(info(here, "ricker.csv")["pga_g"] == ricker["peaks"]["pga_g"]);
+    CHECK(info_of(here, "ricker.csv")["pga_g"] == ricker["peaks"]["pga_g"]);
 
     // the sampled velocity is off by (2π f dt)²/12, 2e-5
     CHECK(make(here, "pulse --frequency 0.5 --amplitude 80 --cycles 2.4 -o pulse.at2")["peaks"]["pgv_cm_s"].get<double>() ==
@@ -45,7 +45,7 @@ TEST_CASE("record make writes motions that have what was asked for") {
     CHECK(sweep["history"].at(0).get<std::string>().starts_with("made: linear sine sweep"));
 
     make(here, "stochastic --pga 0.4 --pgv 30 --d5-95 12 --seed 7 -o noise.csv");
-    const auto noise = info(here, "noise.csv");
+    const auto noise = info_of(here, "noise.csv");
     CHECK(noise["pga_g"].get<double>() == Approx(0.4).epsilon(1e-9));
     CHECK(noise["pgv_cm_s"].get<double>() == Approx(30.0).epsilon(1e-6));
     CHECK(noise["d5_95_s"].get<double>() == Approx(12.0).epsilon(0.01));
@@ -57,7 +57,7 @@ TEST_CASE("record make writes motions that have what was asked for") {
 
 // The pulse's closed form [MavroeidisPapageorgiou03] with γ = 2, ν = 0, v = A/2 (1 + cos πf τ) cos 2πf τ, on oscillators of 5 % damping
 // that go on for its length after it, by the classic Runge-Kutta method.
-TEST_CASE("record info finds the period of a short pulse") {
+TEST_CASE("record info_of finds the period of a short pulse") {
     constexpr double frequency = 0.5, length = 4.0, pi = std::numbers::pi;  // [Hz], [s]
     const auto acceleration = [&](double t) {                               // of A = 1 m/s
         if (t > length) return 0.0;
@@ -85,7 +85,7 @@ TEST_CASE("record info finds the period of a short pulse") {
     const Workplace here;
     make(here, "pulse --frequency 0.5 --cycles 2 --phase 0 -o pulse.csv");
     // 200 periods over a ratio of 200 are 3 % apart, those here 1 %
-    CHECK(info(here, "pulse.csv")["pulse_period_s"].get<double>() == Approx(expected).epsilon(0.04));
+    CHECK(info_of(here, "pulse.csv")["pulse_period_s"].get<double>() == Approx(expected).epsilon(0.04));
 }
 
 TEST_CASE("what record make cannot do is one error line") {

@@ -17,7 +17,7 @@ using namespace musim::cli;
 namespace {
 
 /// A record of two components, 5 s at 100 Hz, in m/s²; the first one's largest value is -4 at 1.23 s.
-std::string make_csv() {
+std::string make_two_channels() {
     std::string text = "# musim ground motion 1\n# quantity: acceleration\n# unit: m/s^2\n# start_s: 0\n# dt_s: 0.01\ntime_s,360,90\n";
     for (int i = 0; i <= 500; ++i) {
         const double t = 0.01 * i;
@@ -58,7 +58,7 @@ std::vector<std::string> read_paths(const std::string& svg) {
 
 TEST_CASE("record plot draws every component with its peaks, and writes all samples beside it") {
     const Workplace here;
-    here.write("a.csv", make_csv());
+    here.write("a.csv", make_two_channels());
     const Outcome outcome = here.run("record plot a.csv -o a.svg --csv drawn.csv --json");
     REQUIRE_MESSAGE(outcome.exit_code == 0, outcome.err);
     CHECK(outcome.json()["components"].size() == 2);
@@ -86,7 +86,7 @@ TEST_CASE("record plot draws every component with its peaks, and writes all samp
 
 TEST_CASE("a model's curves fall on its prototype's") {
     const Workplace here;
-    here.write("a.csv", make_csv());
+    here.write("a.csv", make_two_channels());
     // 1:16 in the same material: all factors are powers of two
     REQUIRE(here.run("record plot a.csv --component 360 --highpass 0.5 --length 1/16 -o a.svg").exit_code == 0);
     const std::vector<std::string> paths = read_paths(here.read("a.svg"));
@@ -118,7 +118,7 @@ TEST_CASE("record plot draws what a velocity record has") {
     REQUIRE(here.run("record plot v.txt --quantity velocity --unit m/s -o v.svg").exit_code == 0);
     CHECK(read_paths(here.read("v.svg")).size() == 2);
     // on a page as wide as with the spectra that it has not
-    here.write("a.csv", make_csv());
+    here.write("a.csv", make_two_channels());
     REQUIRE(here.run("record plot a.csv -o a.svg").exit_code == 0);
     const auto width = [&](const char* file) {
         pugi::xml_document document;
@@ -131,11 +131,11 @@ TEST_CASE("record plot draws what a velocity record has") {
 
 TEST_CASE("record plot says which record was integrated how") {
     const Workplace here;
-    here.write("a.csv", make_csv());
-    std::string uncorrected = make_csv();
+    here.write("a.csv", make_two_channels());
+    std::string uncorrected = make_two_channels();
     uncorrected.insert(uncorrected.find("time_s"), "# integration_corner_hz: 0.5\n");
     here.write("b.csv", uncorrected);
-    here.write("c.csv", make_csv());
+    here.write("c.csv", make_two_channels());
     REQUIRE(here.run("record plot a.csv b.csv c.csv -o a.svg").exit_code == 0);
     CHECK(here.read("a.svg").find(">Integrated: no filter (a, c), high-pass 0.5 Hz (b).<") != std::string::npos);
     REQUIRE(here.run("record plot a.csv c.csv -o a.svg").exit_code == 0);
@@ -149,7 +149,7 @@ TEST_CASE("record plot says which record was integrated how") {
 
 TEST_CASE("more curves than look different are refused") {
     const Workplace here;
-    here.write("a.csv", make_csv());
+    here.write("a.csv", make_two_channels());
     const std::string three = " a.csv a.csv a.csv", nine = three + three + three;
     // 18 components
     CHECK(here.run("record plot" + nine + " -o a.svg").exit_code == 0);
@@ -166,7 +166,7 @@ TEST_CASE("more curves than look different are refused") {
 
 TEST_CASE("what record plot cannot draw is one error line and no file") {
     const Workplace here;
-    here.write("a.csv", make_csv());
+    here.write("a.csv", make_two_channels());
     struct Case {
         const char* arguments;
         int exit_code;

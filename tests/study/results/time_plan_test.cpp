@@ -12,7 +12,7 @@ using namespace musim::lsdem;
 
 namespace {
 
-Scene make_scene(const std::string& rate, const std::string& time = R"("duration": "0.5 s")") {
+Scene make_planned_scene(const std::string& rate, const std::string& time = R"("duration": "0.5 s")") {
     return parse_scene(fmt::format(R"({{"schema": "musim-scene/1", "material": "wood",
         "structure": {{"kind": "column", "layers": 2, "block": ["12.71 mm", "26.355 mm", "39.78 mm"]}},
         "time": {{{}}}, "output": {{"spine_rate": "{}"}}}})",
@@ -26,21 +26,21 @@ constexpr const char* kRates[] = {"1 uHz", "1 Hz", "3 Hz", "200 Hz", "333.3 Hz",
 }  // namespace
 
 TEST_CASE("the rate of the spine decides when samples are taken and not how long a run is") {
-    const Scene some = make_scene("200 Hz");
+    const Scene some = make_planned_scene("200 Hz");
     const double limit = compute_time_step(some, make_upright_specimen(some).model).value();
     for (const char* rate : kRates) {
         CAPTURE(rate);
-        const TimePlan plan = plan_of(make_scene(rate));
+        const TimePlan plan = plan_of(make_planned_scene(rate));
         CHECK(plan.duration() == doctest::Approx(0.5).epsilon(0.5 * plan.time_step / 0.5));
         CHECK(plan.time_step <= limit * (1.0 + 1e-12));
         // nor how long a step is: two samples a step would be twice as many steps
         CHECK(plan.time_step > 0.5 * limit);
     }
     // samples are as asked for where they can be
-    CHECK(plan_of(make_scene("200 Hz")).samples == 100);
-    CHECK(plan_of(make_scene("1 uHz")).samples == 1);
-    CHECK(plan_of(make_scene("333.3 Hz")).samples == 167);
-    const TimePlan every = plan_of(make_scene("1 GHz"));
+    CHECK(plan_of(make_planned_scene("200 Hz")).samples == 100);
+    CHECK(plan_of(make_planned_scene("1 uHz")).samples == 1);
+    CHECK(plan_of(make_planned_scene("333.3 Hz")).samples == 167);
+    const TimePlan every = plan_of(make_planned_scene("1 GHz"));
     CHECK(every.steps_per_sample == 1);
     CHECK(every.time_step == limit);
 }
@@ -48,7 +48,7 @@ TEST_CASE("the rate of the spine decides when samples are taken and not how long
 TEST_CASE("a step of the scene's own is kept and the run has as many as the duration holds") {
     for (const char* rate : kRates) {
         CAPTURE(rate);
-        const TimePlan plan = plan_of(make_scene(rate, R"("duration": "0.5 s", "step": "5.03 us")"));
+        const TimePlan plan = plan_of(make_planned_scene(rate, R"("duration": "0.5 s", "step": "5.03 us")"));
         CHECK(plan.time_step == 5.03e-6);
         // 99403.6 steps; what does not fill a sample is a few of them
         CHECK(plan.steps() <= 99404);
@@ -57,7 +57,7 @@ TEST_CASE("a step of the scene's own is kept and the run has as many as the dura
 }
 
 TEST_CASE("runs with steps of their own are sampled at the same times when that is asked for") {
-    const Scene scene = make_scene("1 MHz");
+    const Scene scene = make_planned_scene("1 MHz");
     const Model model = make_upright_specimen(scene).model;
     const TimePlan plan = make_time_plan(scene, model, Sampling::at_rate);
     CHECK(plan.time_step == 1e-6);

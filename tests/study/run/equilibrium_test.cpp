@@ -29,7 +29,7 @@ Scene make_still(const std::string& structure, const std::string& more = "") {
                        "equilibrium_test");
 }
 
-const char* const kTower = R"({"kind": "tower", "layers": 6, "block": ["1.36 m", "2.82 m", "4.25 m"], "tiling": "ring_14"})";
+const char* const kRingTower = R"({"kind": "tower", "layers": 6, "block": ["1.36 m", "2.82 m", "4.25 m"], "tiling": "ring_14"})";
 const char* const kWall = R"({"kind": "wall", "layers": 5, "blocks_per_layer": 4, "block": ["1.36 m", "2.82 m", "4.25 m"]})";
 
 double find_fastest(const RunResult& run) {
@@ -57,7 +57,7 @@ TEST_CASE("a column in equilibrium overlaps by what it carries over its stiffnes
 }
 
 TEST_CASE("a structure without a motion stands still from the start, whatever it is") {
-    for (const char* structure : {kTower, kWall}) {
+    for (const char* structure : {kRingTower, kWall}) {
         const RunResult run = run_scene(make_still(structure));
         CHECK(std::abs(*run.start_reaction_over_weight - 1.0) < 1e-8);
         CHECK(find_fastest(run) < 1e-9 * std::sqrt(kGravity * kHeight));
@@ -65,7 +65,7 @@ TEST_CASE("a structure without a motion stands still from the start, whatever it
 }
 
 TEST_CASE("without preparation weight begins to act at once") {
-    const RunResult run = run_scene(make_still(kTower, R"(, "preparation": "none")"));
+    const RunResult run = run_scene(make_still(kRingTower, R"(, "preparation": "none")"));
     CHECK(std::abs(*run.start_reaction_over_weight) < 1e-6);
     CHECK(find_fastest(run) > 1e-3 * std::sqrt(kGravity * kHeight));
 }

@@ -22,9 +22,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Killed {};
+struct KilledPreparation {};
 
-Scene make_wall_scene(const std::string& more = R"(, "time": {"duration": "10 ms"}, "output": {"spine_rate": "4800 Hz"})") {
+Scene make_prepared_wall(const std::string& more = R"(, "time": {"duration": "10 ms"}, "output": {"spine_rate": "4800 Hz"})") {
     return parse_scene(
         R"({"schema": "musim-scene/1", "name": "uneven wall", "material": "wood", "structure": {"kind": "wall", "layers": 3,
         "blocks_per_layer": 2, "block": ["12.710 mm", "26.355 mm", "39.780 mm"], "height_deviation": "0.155 mm", "seed": 3})" +
@@ -39,7 +39,7 @@ CheckpointSettings checkpoint_in(const fs::path& folder) {
 /// Throws at the call number `call`, from 1.
 std::function<void(double)> killer(int call) {
     return [left = call](double) mutable {
-        if (--left == 0) throw Killed{};
+        if (--left == 0) throw KilledPreparation{};
     };
 }
 
@@ -59,7 +59,7 @@ void check_same(const PreparedSpecimen& a, const PreparedSpecimen& b) {
 }  // namespace
 
 TEST_CASE("a preparation resumed from any of its checkpoints ends in the bits of an uninterrupted one" * doctest::test_suite("slow")) {
-    const Scene scene = make_wall_scene();
+    const Scene scene = make_prepared_wall();
     const Specimen upright = make_upright_specimen(scene);
     const double step = compute_time_step(scene, upright.model).value();
     PreparationSettings settings = find_preparation(scene, upright);
@@ -81,7 +81,7 @@ TEST_CASE("a preparation resumed from any of its checkpoints ends in the bits of
             CAPTURE(look);
             const TemporaryFolder folder;
             const RunSettings killed{.observer = {.on_progress = killer(look)}, .checkpoint = checkpoint_in(folder.path())};
-            CHECK_THROWS_AS(prepare(upright, step, settings, killed), Killed);
+            CHECK_THROWS_AS(prepare(upright, step, settings, killed), KilledPreparation);
             const Checkpoint checkpoint = read_checkpoint(folder.path() / kCheckpointName, "1.2");
             REQUIRE(checkpoint.preparation.has_value());
             check_same(prepare(upright, step, settings, {.threads = 2}, checkpoint.preparation), whole);
@@ -90,7 +90,7 @@ TEST_CASE("a preparation resumed from any of its checkpoints ends in the bits of
 }
 
 TEST_CASE("a run that is killed while its specimen is prepared, or later, goes on from there") {
-    const Scene scene = make_wall_scene();
+    const Scene scene = make_prepared_wall();
     const RunResult whole = run_scene(scene);
     for (const int look : {2, 100, 0}) {
         CAPTURE(look);
@@ -98,7 +98,7 @@ TEST_CASE("a run that is killed while its specimen is prepared, or later, goes o
         // one that is not killed in its preparation is killed after two samples
         RunSettings killed{.observer = {.on_progress = killer(2)}, .checkpoint = checkpoint_in(folder.path())};
         if (look > 0) killed.observer.on_preparation = killer(look);
-        CHECK_THROWS_AS(run_scene(scene, killed), Killed);
+        CHECK_THROWS_AS(run_scene(scene, killed), KilledPreparation);
         Checkpoint checkpoint = read_checkpoint(folder.path() / kCheckpointName, "1.2");
         CHECK(checkpoint.preparation.has_value() == (look > 0));
         CHECK(checkpoint.places.has_value() == (look == 0));
@@ -120,16 +120,18 @@ TEST_CASE("a preparation that began in equilibrium is resumed to the same bits")
     const RunResult whole = run_scene(scene);
     const TemporaryFolder folder;
     // it is at rest all the time: progress is reported at the end only
-    CHECK_THROWS_AS(run_scene(scene, {.observer = {.on_preparation = killer(1)}, .checkpoint = checkpoint_in(folder.path())}), Killed);
+    CHECK_THROWS_AS(run_scene(scene, {.observer = {.on_preparation = killer(1)}, .checkpoint = checkpoint_in(folder.path())}),
+                    KilledPreparation);
     Checkpoint checkpoint = read_checkpoint(folder.path() / kCheckpointName, "1.2");
     REQUIRE(checkpoint.preparation.has_value());
     CHECK(resume_scene(scene, std::move(checkpoint)).state_hash == whole.state_hash);
 }
 
 TEST_CASE("a checkpoint of a preparation of other blocks is refused") {
-    const Scene scene = make_wall_scene();
+    const Scene scene = make_prepared_wall();
     const TemporaryFolder folder;
-    CHECK_THROWS_AS(run_scene(scene, {.observer = {.on_preparation = killer(3)}, .checkpoint = checkpoint_in(folder.path())}), Killed);
+    CHECK_THROWS_AS(run_scene(scene, {.observer = {.on_preparation = killer(3)}, .checkpoint = checkpoint_in(folder.path())}),
+                    KilledPreparation);
     const Checkpoint checkpoint = read_checkpoint(folder.path() / kCheckpointName, "1.2");
     CHECK_THROWS_AS((void)resume_scene(with_seed(scene, 4), checkpoint), std::runtime_error);
 }
@@ -149,12 +151,12 @@ TEST_CASE("blocks in no layers are prepared as they are drawn") {
 TEST_CASE("specimens whose preparation was killed are the same files in the end and leave nothing else behind" *
           doctest::test_suite("slow")) {
     const TemporaryFolder folder;
-    SpecimenBatch batch{.scene = make_wall_scene(), .seeds = {3}, .folder = folder.path() / "whole", .version = "test", .threads = 1};
+    SpecimenBatch batch{.scene = make_prepared_wall(), .seeds = {3}, .folder = folder.path() / "whole", .version = "test", .threads = 1};
     const SpecimenReport whole = make_specimens(batch).front();
     batch.folder = folder.path() / "killed";
     batch.checkpoint_interval = 0.0;
     batch.on_progress = killer(50);
-    CHECK_THROWS_AS(make_specimens(batch), Killed);
+    CHECK_THROWS_AS(make_specimens(batch), KilledPreparation);
     const fs::path file = batch.folder / whole.file.filename(), checkpoint = file.string() + ".checkpoint";
     CHECK(fs::exists(checkpoint));
     CHECK_FALSE(fs::exists(file));
@@ -187,7 +189,7 @@ TEST_CASE("specimens whose preparation was killed are the same files in the end 
 }
 
 TEST_CASE("a sequence that is killed while its specimen is prepared goes on from there") {
-    const Scene scene = make_wall_scene(
+    const Scene scene = make_prepared_wall(
         R"(, "motions": [{"base_motion": {"signal": "sine", "direction": "y", "amplitude": "0.2 g", "frequency": "40 Hz", "cycles": 1}}],
         "output": {"spine_rate": "4800 Hz"})");
     const TemporaryFolder folder;
@@ -196,7 +198,7 @@ TEST_CASE("a sequence that is killed while its specimen is prepared goes on from
     settings.directory = folder.path() / "killed";
     settings.checkpoint_interval = 0.0;
     settings.observer.on_preparation = killer(50);
-    CHECK_THROWS_AS(run_sequence(scene, settings), Killed);
+    CHECK_THROWS_AS(run_sequence(scene, settings), KilledPreparation);
     settings.observer.on_preparation = {};
     resume_sequence(settings);
     const char* const spine = "stage-01-sine/spine.csv";

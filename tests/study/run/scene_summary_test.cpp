@@ -31,7 +31,7 @@ double estimate(const SceneSummary& summary, const std::string& key) {
     return 0.0;
 }
 
-std::size_t count(const std::string& text, const std::string& part) {
+std::size_t count_parts(const std::string& text, const std::string& part) {
     std::size_t n = 0;
     for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++n;
     return n;
@@ -146,9 +146,9 @@ TEST_CASE("a preview draws the faces that can be seen") {
     // of a column seen from a corner: two sides of every block, and the top
     const SceneSummary column = summarize_scene(make_new_scene({.kind = "column", .layers = 4}));
     const std::string svg = make_preview_svg(column);
-    CHECK(count(svg, "<polygon") == 4 * 2 + 1 + 1);
+    CHECK(count_parts(svg, "<polygon") == 4 * 2 + 1 + 1);
     CHECK(svg.find("Acceleration of the base along x") != std::string::npos);
     // of a hollow tower most faces are hidden
     const SceneSummary tower = summarize_scene(make_new_scene({.kind = "tower", .layers = 4}));
-    CHECK(count(make_preview_svg(tower), "<polygon") < tower.specimen.model.blocks.size() * 2);
+    CHECK(count_parts(make_preview_svg(tower), "<polygon") < tower.specimen.model.blocks.size() * 2);
 }

@@ -45,7 +45,7 @@ std::string make_text(const std::string& structure, const std::string& motions, 
            structure + ", " + motions + R"(, "time": )" + time + R"(, "output": {"spine_rate": "400 Hz"}})";
 }
 
-Scene make_scene(const std::string& structure, const std::string& motions) {
+Scene make_sequence_scene(const std::string& structure, const std::string& motions) {
     return parse_scene(make_text(structure, "\"motions\": [" + motions + "]"));
 }
 
@@ -64,7 +64,7 @@ std::vector<StoredRun> read_stages(const fs::path& directory, const SequenceSumm
 }
 
 /// All files below a directory but for the wall times in them.
-std::map<std::string, std::string> read_files(const fs::path& directory) {
+std::map<std::string, std::string> read_stage_files(const fs::path& directory) {
     std::map<std::string, std::string> files;
     for (const auto& entry : fs::recursive_directory_iterator(directory)) {
         if (!entry.is_regular_file()) continue;
@@ -81,7 +81,7 @@ std::map<std::string, std::string> read_files(const fs::path& directory) {
 }
 
 void check_same_files(const fs::path& a, const fs::path& b) {
-    const auto left = read_files(a), right = read_files(b);
+    const auto left = read_stage_files(a), right = read_stage_files(b);
     REQUIRE(left.size() == right.size());
     for (const auto& file : left) {
         const std::string& name = file.first;
@@ -122,7 +122,7 @@ TEST_CASE("a sequence of one motion is the plain run, to the byte") {
     const std::string motion = R"({"signal": "sine", "direction": "y", "amplitude": "0.4 g", "frequency": "8 Hz", "cycles": 1})";
     const Scene plain = parse_scene(make_text(kColumn, "\"base_motion\": " + motion));
     const TemporaryFolder folder;
-    const SequenceSummary summary = shake(make_scene(kColumn, sine("0.4 g")), folder.path() / "sequence");
+    const SequenceSummary summary = shake(make_sequence_scene(kColumn, sine("0.4 g")), folder.path() / "sequence");
     CHECK(summary.status() == RunStatus::completed);
     CHECK_FALSE(summary.stages.front().at_start.has_value());
     ResultFolder results(folder.path() / "plain");
@@ -133,7 +133,7 @@ TEST_CASE("a sequence of one motion is the plain run, to the byte") {
 
 TEST_CASE("every stage begins where the one before left the structure, at rest, with the base and the energy balance anew") {
     const TemporaryFolder folder;
-    const Scene scene = make_scene(kColumn, sine("0.5 g", R"(, "name": "first one", "repeat": 2)") + ", " + sine("0.4 g"));
+    const Scene scene = make_sequence_scene(kColumn, sine("0.5 g", R"(, "name": "first one", "repeat": 2)") + ", " + sine("0.4 g"));
     const SequenceSummary summary = shake(scene, folder.path());
     REQUIRE(summary.stages.size() == 3);
     CHECK(summary.stages[0].where.folder == "stage-01-first-one");
@@ -182,7 +182,8 @@ TEST_CASE("residuals since the first start add up over the stages, relative to t
     const std::string block =
         R"({"kind": "blocks", "blocks": [{"size": ["39.78 mm", "26.355 mm", "12.71 mm"], "position": [0, 0, "6.355 mm"]}]})";
     const TemporaryFolder folder;
-    const SequenceSummary summary = shake(make_scene(block, sine("2 g", R"(, "duration": "0.4 s", "repeat": 3)", "x")), folder.path());
+    const SequenceSummary summary =
+        shake(make_sequence_scene(block, sine("2 g", R"(, "duration": "0.4 s", "repeat": 3)", "x")), folder.path());
     REQUIRE(summary.stages.size() == 3);
     Vector3 sum = Vector3::Zero();
     for (const StageSummary& stage : summary.stages) {
@@ -197,9 +198,9 @@ TEST_CASE("residuals since the first start add up over the stages, relative to t
 }
 
 TEST_CASE("a sequence at 1:16 is the same bits in all stages and its summary") {
-    const Scene scene = make_scene(kColumn, sine("0.7 g") + ", " +
-                                                R"({"base_motion": {"signal": "half_sine", "amplitude": "0.3 g", "duration": "0.06 s"}})" +
-                                                ", " + sine("0.5 g"));
+    const Scene scene = make_sequence_scene(
+        kColumn, sine("0.7 g") + ", " + R"({"base_motion": {"signal": "half_sine", "amplitude": "0.3 g", "duration": "0.06 s"}})" + ", " +
+                     sine("0.5 g"));
     const musim::scaling::Similitude similitude = musim::scaling::make_similitude("exact", {.length = 1.0 / 16.0});
     const TemporaryFolder folder;
     const SequenceSummary large = shake(scene, folder.path() / "large");
@@ -236,7 +237,7 @@ TEST_CASE("a base that still moves when a stage ends is stopped before the rest 
 
     const TemporaryFolder folder;
     const std::string push = R"({"base_motion": {"signal": "half_sine", "amplitude": "0.2 g", "duration": "0.06 s"}, "duration": "0.1 s"})";
-    const SequenceSummary summary = shake(make_scene(kColumn, push + ", " + push), folder.path());
+    const SequenceSummary summary = shake(make_sequence_scene(kColumn, push + ", " + push), folder.path());
     const auto runs = read_stages(folder.path(), summary);
     REQUIRE(runs.size() == 2);
     const double end = runs[0].history.base.back().displacement.x(), speed = runs[0].history.base.back().velocity.x();
@@ -249,7 +250,8 @@ TEST_CASE("a base that still moves when a stage ends is stopped before the rest 
 
 TEST_CASE("a stage without a rest phase goes on with the velocities of the one before") {
     const TemporaryFolder folder;
-    const SequenceSummary summary = shake(make_scene(kColumn, sine("0.5 g") + ", " + sine("0.4 g", R"(, "settle": false)")), folder.path());
+    const SequenceSummary summary =
+        shake(make_sequence_scene(kColumn, sine("0.5 g") + ", " + sine("0.4 g", R"(, "settle": false)")), folder.path());
     const auto runs = read_stages(folder.path(), summary);
     REQUIRE(runs.size() == 2);
     CHECK(runs[0].history.spine_velocity.back().norm() > 1e-3);
@@ -263,7 +265,7 @@ TEST_CASE("a stage without a rest phase goes on with the velocities of the one b
 
 TEST_CASE("the sequence ends with the stage in which the structure collapses, which is dated") {
     const TemporaryFolder folder;
-    const Scene scene = make_scene(kColumn, sine("0.3 g") + ", " + sine("3 g", R"(, "duration": "0.5 s")") + ", " + sine("0.3 g"));
+    const Scene scene = make_sequence_scene(kColumn, sine("0.3 g") + ", " + sine("3 g", R"(, "duration": "0.5 s")") + ", " + sine("0.3 g"));
     const SequenceSummary summary = shake(scene, folder.path());
     CHECK(summary.planned == 3);
     REQUIRE(summary.stages.size() == 2);
@@ -293,8 +295,9 @@ TEST_CASE("blocks that earlier stages have thrown down count for the collapse" *
     const std::string blocks = make_lone_blocks(40, {{0, 120}, {1, 70}}, 30);
     const std::string wait = R"(, "duration": "0.8 s")";
     const TemporaryFolder folder;
-    const SequenceSummary summary = shake(
-        make_scene(blocks, sine("0.25 g", wait, "x") + ", " + sine("0.4 g", wait, "x") + ", " + sine("0.3 g", wait, "x")), folder.path());
+    const SequenceSummary summary =
+        shake(make_sequence_scene(blocks, sine("0.25 g", wait, "x") + ", " + sine("0.4 g", wait, "x") + ", " + sine("0.3 g", wait, "x")),
+              folder.path());
     REQUIRE(summary.stages.size() == 2);
     CHECK(summary.stages[0].status == RunStatus::completed);
     CHECK(summary.stages[0].fallen == 1);
@@ -312,7 +315,8 @@ TEST_CASE("blocks that earlier stages have thrown down count for the collapse" *
 
 TEST_CASE("a structure that collapses while it comes to rest has collapsed after its motion") {
     const TemporaryFolder folder;
-    const Scene scene = make_scene(make_lone_blocks(1, {}, 100), sine("1 g", R"(, "duration": "0.125 s")", "x") + ", " + sine("0.1 g"));
+    const Scene scene =
+        make_sequence_scene(make_lone_blocks(1, {}, 100), sine("1 g", R"(, "duration": "0.125 s")", "x") + ", " + sine("0.1 g"));
     const SequenceSummary summary = shake(scene, folder.path());
     REQUIRE(summary.stages.size() == 1);
     CHECK(summary.status() == RunStatus::collapsed);
@@ -322,7 +326,7 @@ TEST_CASE("a structure that collapses while it comes to rest has collapsed after
 }
 
 TEST_CASE("a sequence killed anywhere and resumed has the files of one that was not to the byte" * doctest::test_suite("slow")) {
-    const Scene scene = make_scene(kColumn, sine("0.5 g", R"(, "repeat": 2)") + ", " + sine("0.4 g"));
+    const Scene scene = make_sequence_scene(kColumn, sine("0.5 g", R"(, "repeat": 2)") + ", " + sine("0.4 g"));
     const TemporaryFolder folder;
     const fs::path whole = folder.path() / "whole";
     shake(scene, whole);
@@ -365,7 +369,7 @@ TEST_CASE("a sequence is resumed with the same records only, where there is one,
     const SequenceSummary again = shake(scene, out);
     REQUIRE(again.stages.size() == 2);
     const fs::path second = out / again.stages[1].where.folder;
-    const Scene shorter = make_scene(kColumn, sine("0.1 g"));
+    const Scene shorter = make_sequence_scene(kColumn, sine("0.1 g"));
     CHECK(message_of<ResultError>([&] { shake(shorter, out); }).find("contents.json: here are results of another scene") !=
           std::string::npos);
     CHECK(fs::exists(second));
@@ -378,7 +382,8 @@ TEST_CASE("a sequence is resumed with the same records only, where there is one,
 TEST_CASE("motions that the base could only join by a jump are refused before anything runs") {
     const TemporaryFolder folder;
     const auto refused = [&](const std::string& motions, const std::string& what) {
-        const std::string message = message_of<std::runtime_error>([&] { shake(make_scene(kColumn, motions), folder.path() / "out"); });
+        const std::string message =
+            message_of<std::runtime_error>([&] { shake(make_sequence_scene(kColumn, motions), folder.path() / "out"); });
         CHECK_MESSAGE(message.find(what) != std::string::npos, message);
         CHECK(message.find('\n') == std::string::npos);
         CHECK_FALSE(fs::exists(folder.path() / "out"));
@@ -388,13 +393,13 @@ TEST_CASE("motions that the base could only join by a jump are refused before an
     // in the middle of the sine it runs fastest
     const std::string half = sine("0.5 g", R"(, "duration": "0.0625 s")");
     refused(half + ", " + sine("0.1 g", R"(, "settle": false)"), "/motions/1: the base would jump by 0.195 m/s from stage-01-sine");
-    CHECK_NOTHROW(plan_sequence(make_scene(kColumn, sine("0.1 g") + ", " + step)));
+    CHECK_NOTHROW(plan_sequence(make_sequence_scene(kColumn, sine("0.1 g") + ", " + step)));
     const Scene plain = parse_scene(make_text(kColumn, R"("base_motion": null)"));
     CHECK(message_of<std::runtime_error>([&] { plan_sequence(plain); }).find("use `musim run`") != std::string::npos);
 }
 
 TEST_CASE("a scene with a list of motions is refused where one can be used") {
-    const Scene scene = make_scene(kColumn, sine("0.1 g"));
+    const Scene scene = make_sequence_scene(kColumn, sine("0.1 g"));
     CHECK(message_of<std::runtime_error>([&] { run_scene(scene); }).find("use `musim sequence`") != std::string::npos);
 }
 
@@ -403,7 +408,7 @@ TEST_CASE("a sequence gives the same files with any number of threads") {
     const std::string wall = R"({"kind": "wall", "layers": 9, "blocks_per_layer": 33, "block": ["12.710 mm", "26.355 mm", "39.780 mm"]})";
     const std::string jolt =
         R"({"base_motion": {"signal": "sine", "direction": "x", "amplitude": "2 g", "frequency": "400 Hz", "cycles": 1}, "duration": "2.5 ms")";
-    const Scene scene = make_scene(wall, jolt + "}, " + jolt + R"(, "settle": false})");
+    const Scene scene = make_sequence_scene(wall, jolt + "}, " + jolt + R"(, "settle": false})");
     const TemporaryFolder folder;
     const SequenceSummary summary = shake(scene, folder.path() / "one", 1);
     REQUIRE(summary.stages.size() == 2);

@@ -16,7 +16,7 @@ using musim::lsdem::tests::relative;
 namespace {
 
 /// Two blocks that slide and turn under two motions with a pause between them, and a third without one.
-Scene make_scene() {
+Scene make_staged_scene() {
     return parse_scene(R"({"schema": "musim-scene/1", "name": "shaken again",
         "material": {"density": 2320, "normal_stiffness": "2 GN/m", "shear_stiffness": "2 GN/m", "friction": 0.3, "restitution": 0.3},
         "structure": {"kind": "column", "layers": 2, "block": ["1.5 m", "2 m", "1 m"]},
@@ -31,8 +31,8 @@ Scene make_scene() {
 }  // namespace
 
 TEST_CASE("a pair of several motions agrees to the last bit at a power of four, and else as twins do") {
-    const ScenePair pair =
-        pair_scene(make_scene(), {{.length = 1.0 / 16.0}, {.length = 0.3}}, Materials::exact, {.threads = 2}, {.judging = {.twins = 2}});
+    const ScenePair pair = pair_scene(make_staged_scene(), {{.length = 1.0 / 16.0}, {.length = 0.3}}, Materials::exact, {.threads = 2},
+                                      {.judging = {.twins = 2}});
     CHECK(pair.study.models[0].difference.bitwise_identical);
     CHECK(pair.study.same_bits == true);
     CHECK(pair.study.agreement() == Agreement::agree);
