@@ -13,8 +13,16 @@
 namespace musim::lsdem {
 namespace {
 
-double peak_acceleration(const records::Component& component) {
-    return std::abs(records::find_peak_acceleration(component.series).value.value());
+/// What measures of a component are taken from: many instruments add an offset, in which a weak motion would drown.
+records::TimeSeries level(const records::GroundMotion& motion, const records::Component& component) {
+    return records::level_uncorrected(component.series, motion.integration_corner);
+}
+
+std::string describe_filter(const records::GroundMotion& motion) {
+    if (motion.integration_corner) {
+        return fmt::format("zero-phase high-pass at {:g} Hz, as the record is uncorrected", motion.integration_corner->value());
+    }
+    return "no high-pass, as the file does not say that the record is uncorrected; if it is, set base_motion.highpass, e.g. \"0.05 Hz\"";
 }
 
 }  // namespace
@@ -41,19 +49,18 @@ std::vector<std::string> use_record(Scene& scene, const std::filesystem::path& f
         const records::Component& component = motion.find_component(*source.components[axis]);
         source.components[axis] = component.name;
         if (first == nullptr) first = &component;
+        const double peak = std::abs(records::find_peak_acceleration(level(motion, component)).value.value());
         steps.push_back(fmt::format("component {} of {} along {}, the record's own peak {:.4g} g", component.name, motion.component_names(),
-                                    "xyz"[axis], peak_acceleration(component) / scaling::kStandardGravity.value()));
+                                    "xyz"[axis], peak / scaling::kStandardGravity.value()));
     }
 
-    const records::TimeWindow window = records::find_strong_motion(first->series);
+    const records::TimeWindow window = records::find_strong_motion(level(motion, *first));
     source.window = {window.start, window.end};
     scene.time.duration = window.end - window.start;
     steps.push_back(fmt::format("strong motion from {:.2f} s to {:.2f} s of the record", window.start.value(), window.end.value()));
 
     source.highpass_corner = motion.integration_corner;
-    steps.push_back(source.highpass_corner
-                        ? fmt::format("zero-phase high-pass at {:g} Hz, as the record is uncorrected", source.highpass_corner->value())
-                        : std::string("no high-pass, as the record is corrected"));
+    steps.push_back(describe_filter(motion));
     steps.emplace_back("integrated to a velocity and a displacement that end at rest");
 
     scene.base_motion = {.source = source, .factors = {}};

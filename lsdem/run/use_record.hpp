@@ -16,9 +16,9 @@ using AxisComponents = std::array<std::optional<std::string>, 3>;
 /// Replaces a scene's base motion by the strong motion of a recorded one, and its duration by the length of that.
 ///
 /// With no component named, the one with the largest PGA among the horizontal ones (those with an azimuth; all, when no azimuth is known)
-/// goes along x. The window is records::find_strong_motion of the first component used; the high-pass corner is the record's own (0.05 Hz
-/// for uncorrected records). `unit` and `dt` are of plain text files, which the scene then names. Returns what was done, one line each.
-/// Throws records::ReadError and records::ProcessingError.
+/// goes along x. The window is records::find_strong_motion of the first component used, of an uncorrected record above its initial level;
+/// the high-pass corner is the record's own (0.05 Hz for uncorrected records). `unit` and `dt` are of plain text files, which the scene
+/// then names. Returns what was done, one line each. Throws records::ReadError and records::ProcessingError.
 std::vector<std::string> use_record(Scene& scene, const std::filesystem::path& file, const AxisComponents& components,
                                     const std::optional<std::string>& unit = {}, const std::optional<scaling::Time>& dt = {});
 

@@ -1,4 +1,5 @@
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <string>
 
@@ -48,6 +49,22 @@ TEST_CASE("a new scene takes the strong motion of an own record at the scale of 
     CHECK(motion["scale"]["length"] == "1/107");
     CHECK(here.run("run column.json --duration 1e-3 --json").exit_code == 0);
     CHECK(here.run("new column --record mine.v1 --component y=nowhere").exit_code == 3);
+}
+
+TEST_CASE("a new scene of an uncorrected record has the strong motion above the instrument's offset") {
+    const Workplace here;
+    std::string record =
+        "# musim ground motion 1\n# quantity: acceleration\n# unit: m/s^2\n# start_s: 0\n# dt_s: 0.01\n# integration_corner_hz: "
+        "0.05\ntime_s,EW\n";
+    for (int i = 0; i < 4000; ++i) {
+        // 1 m/s^2 for two seconds, on an offset of 2 m/s^2 throughout
+        record += fmt::format("{},{}\n", 0.01 * i, 2.0 + (i >= 2000 && i < 2200 ? (i / 10 % 2 == 0 ? 1.0 : -1.0) : 0.0));
+    }
+    here.write("offset.csv", record);
+    const Outcome made = here.run("new column --record offset.csv --length 1 -o column.json");
+    REQUIRE_MESSAGE(made.exit_code == 0, made.err);
+    CHECK_MESSAGE(made.err.find("the record's own peak 0.102 g") != std::string::npos, made.err);
+    CHECK_MESSAGE(made.err.find("strong motion from 19.8") != std::string::npos, made.err);
 }
 
 TEST_CASE("what a new scene cannot be is refused in one line") {
