@@ -13,6 +13,7 @@ void add_commands(CLI::App& app, Action& action) {
     app.description("Similitude toolkit and LS-DEM simulator for towers of dry-stacked blocks");
     app.set_version_flag("--version", std::string("musim ") + kVersion);
     app.require_subcommand(1);
+    app.get_formatter()->label("SUBCOMMAND", "COMMAND");
     app.footer(
         "Exit codes:\n"
         "  0         done\n"
@@ -26,23 +27,30 @@ void add_commands(CLI::App& app, Action& action) {
         "Numbers may be fractions: --length 1/107 --friction 0.63/0.59. `musim COMMAND --help` has examples.");
     add_scale_command(app, action);
     add_rescale_command(app, action);
-    add_table_command(app, action);
     add_design_command(app, action);
+    add_pi_command(app, action);
+    group_commands(app, "Scale a model test", {"scale", "rescale", "design", "pi"});
     add_record_command(app, action);
+    add_table_command(app, action);
+    group_commands(app, "Prepare a ground motion, check a shake table", {"record", "table"});
     add_new_command(app, action);
     add_check_command(app, action);
-    add_run_command(app, action);
-    add_pair_command(app, action);
-    add_specimen_command(app, action);
-    add_ensemble_command(app, action);
-    add_sequence_command(app, action);
-    add_bench_command(app, action);
     add_calibrate_command(app, action);
-    add_response_command(app, action);
-    add_report_command(app, action);
-    add_field_command(app, action);
+    add_specimen_command(app, action);
+    group_commands(app, "Describe a structure", {"new", "check", "calibrate", "specimen"});
+    add_run_command(app, action);
+    add_sequence_command(app, action);
+    add_ensemble_command(app, action);
     add_watch_command(app, action);
-    add_pi_command(app, action);
+    group_commands(app, "Shake it", {"run", "sequence", "ensemble", "watch"});
+    add_pair_command(app, action);
+    group_commands(app, "Compare prototype and models", {"pair"});
+    add_report_command(app, action);
+    add_response_command(app, action);
+    add_field_command(app, action);
+    group_commands(app, "See results", {"report", "response", "field"});
+    add_bench_command(app, action);
+    group_commands(app, "Measure how exact musim is", {"bench"});
 
     refuse_empty_values(app);
 }

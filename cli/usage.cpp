@@ -50,7 +50,15 @@ std::string describe_extra_word(const TypedCommand& typed, const std::vector<std
                            scaling::suggest_name(words.front(), subcommands));
     }
     const auto option = std::find_if(words.begin(), words.end(), [](const std::string& word) { return word.starts_with('-'); });
-    if (option == words.end()) return fmt::format("\"{}\": {} takes no further argument", words.front(), typed.name);
+    if (option == words.end()) {
+        const CLI::Option* const record = typed.app->get_option_no_throw("--record");
+        const char* const merging =
+            record != nullptr && record->count() > 0
+                ? " (--record takes one file); merge the files of one station with `musim record process A B --step "
+                  "'{\"step\": \"align\"}' -o both.csv`"
+                : "";
+        return fmt::format("\"{}\": {} takes no further argument{}", words.front(), typed.name, merging);
+    }
     const std::string name = option->substr(0, option->find('='));
     return fmt::format("{}: {} has no such option{}", name, typed.name, hint_at_option(name, *typed.app));
 }
@@ -75,6 +83,10 @@ void refuse_empty_values(CLI::App& app) {
         if (option->get_expected_min() > 0) option->check(not_empty);
     }
     for (CLI::App* each : app.get_subcommands([](CLI::App*) { return true; })) refuse_empty_values(*each);
+}
+
+void group_commands(CLI::App& app, const std::string& title, const std::vector<std::string>& names) {
+    for (const std::string& name : names) app.get_subcommand(name)->group(title);
 }
 
 std::string describe_usage_error(const CLI::App& app, const CLI::ParseError& error) {

@@ -3,11 +3,15 @@
 #include <CLI/App.hpp>
 #include <CLI/Error.hpp>
 #include <string>
+#include <vector>
 
 namespace musim::cli {
 
 /// Makes every option and argument of a command and its subcommands refuse an empty value, such as -o "".
 void refuse_empty_values(CLI::App& app);
+
+/// Shows some of a command's commands under a heading of its help, by what people want to do.
+void group_commands(CLI::App& app, const std::string& title, const std::vector<std::string>& names);
 
 /// What is wrong with a command line, in one line that begins with the word at fault and ends with the help to turn to. A mistyped command
 /// or option comes first, with the nearest known one: what else is missing often follows from it. `app` has been given the command line.

@@ -12,6 +12,7 @@
 #include "cli/output.hpp"
 #include "cli/overwriting.hpp"
 #include "cli/progress_line.hpp"
+#include "cli/usage.hpp"
 #include "lsdem/results/write_results.hpp"
 #include "tests/benches/accuracy_plot.hpp"
 #include "tests/benches/accuracy_sweep.hpp"
@@ -118,6 +119,8 @@ void add_bench_command(CLI::App& app, Action& action) {
         "  musim bench accuracy --quick --json\n"
         "Run times are processor time of the stepping thread; docs/validation/accuracy.md explains the problems.");
     command->callback([&action, options] { action = [options] { return run_whole([&] { return run_bench_accuracy(*options); }); }; });
+    group_commands(*bench, "Test laws and verdicts", {"similitude", "twins", "verdict"});
+    group_commands(*bench, "Measure errors and run times", {"accuracy"});
 }
 
 }  // namespace musim::cli

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/options.hpp"
+#include "cli/usage.hpp"
 #include "lsdem/scene/material_presets.hpp"
 
 namespace musim::cli {
@@ -84,6 +85,8 @@ void add_calibrate_command(CLI::App& app, Action& action) {
     add_friction_command(*calibrate, action);
     add_restitution_command(*calibrate, action);
     add_presets_command(*calibrate, action);
+    group_commands(*calibrate, "Test a block", {"stiffness", "friction", "restitution"});
+    group_commands(*calibrate, "Look up a measured material", {"presets"});
 }
 
 }  // namespace musim::cli

@@ -100,6 +100,7 @@ CommandText describe(const CLI::App& app, std::vector<std::string> words) {
     text.words = std::move(words);
     text.words.push_back(app.get_name());
     text.summary = app.get_description();
+    text.group = app.get_group();
     text.footer = read_footer(app.get_footer());
     for (const CLI::Option* option : app.get_options()) {
         if (option->get_group().empty()) continue;  // hidden

@@ -38,6 +38,7 @@ struct FooterText {
 struct CommandText {
     std::vector<std::string> words;  ///< "musim", "record", "plot"
     std::string summary;             ///< one line
+    std::string group;               ///< heading under which the command above shows it
     std::vector<OptionText> options, arguments;
     FooterText footer;
     std::vector<CommandText> commands;

@@ -108,8 +108,10 @@ std::string explain_all(const std::vector<OptionText>& options) {
 }
 
 std::string list_commands(const CommandText& command) {
-    std::string text;
+    std::string text, group;
     for (const CommandText& each : command.commands) {
+        if (each.group != group) text += fmt::format(".SS {}\n", escape(each.group));
+        group = each.group;
         text += define(bold(each.words.back()), fmt::format("{}; see\n{}.", escape(each.summary), refer_to(each)));
     }
     return text;

@@ -16,6 +16,7 @@
 #include "cli/records/record_groups.hpp"
 #include "cli/records/record_measures.hpp"
 #include "cli/records/record_peaks.hpp"
+#include "cli/usage.hpp"
 #include "records/measures/intensity.hpp"
 #include "records/processing/processing.hpp"
 
@@ -198,10 +199,13 @@ void add_record_command(CLI::App& app, Action& action) {
         "are shown (exit code 3).");
     info->callback([&action, options] { action = [options] { return run_record_info(*options); }; });
     add_record_plot_command(*command, action);
-    add_record_process_command(*command, action);
     add_record_spectrum_command(*command, action);
-    add_record_make_command(*command, action);
+    add_record_process_command(*command, action);
     add_record_match_command(*command, action);
+    add_record_make_command(*command, action);
+    group_commands(*command, "Measure a record", {"info", "plot", "spectrum"});
+    group_commands(*command, "Change a record", {"process", "match"});
+    group_commands(*command, "Make a motion", {"make"});
 }
 
 }  // namespace musim::cli

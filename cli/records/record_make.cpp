@@ -11,6 +11,7 @@
 #include "cli/output.hpp"
 #include "cli/records/record_output.hpp"
 #include "cli/records/record_peaks.hpp"
+#include "cli/usage.hpp"
 #include "records/synthesis/ricker.hpp"
 #include "records/synthesis/sine_sweep.hpp"
 #include "records/synthesis/synthetic.hpp"
@@ -172,6 +173,8 @@ void add_record_make_command(CLI::App& record, Action& action) {
     add_pulse(*command, action);
     add_sweep(*command, action);
     add_stochastic(*command, action);
+    group_commands(*command, "Make a motion by a formula", {"ricker", "pulse", "sweep"});
+    group_commands(*command, "Make an earthquake", {"stochastic"});
     command->footer(
         "Examples:\n"
         "  musim record make ricker --frequency 2 --pga 0.3 -o ricker.csv\n"

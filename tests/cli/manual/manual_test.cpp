@@ -28,12 +28,25 @@ std::vector<std::string> list_words(const std::string& help, const std::string& 
     return words;
 }
 
+/// The commands that a help lists, under headings that say what they are for.
+std::vector<std::string> list_commands(const std::string& help) {
+    std::vector<std::string> commands;
+    std::istringstream lines(help);
+    for (std::string line, before; std::getline(lines, line) && line != "Examples:" && line != "Exit codes:"; before = line) {
+        const bool is_heading = before.empty() && line.size() > 1 && line.front() != ' ' && line.back() == ':';
+        if (!is_heading || line == "Positionals:" || line == "Options:") continue;
+        const std::vector<std::string> below = list_words(help, line);
+        commands.insert(commands.end(), below.begin(), below.end());
+    }
+    return commands;
+}
+
 /// Calls `visit` with the words of a command and its help, then for each of its commands.
 void visit_commands(const Workplace& here, const std::string& words,
                     const std::function<void(const std::string&, const std::string&)>& visit) {
     const std::string help = here.run(words + " --help").out;
     visit("musim" + words, help);
-    for (const std::string& each : list_words(help, "Subcommands:")) visit_commands(here, fmt::format("{} {}", words, each), visit);
+    for (const std::string& each : list_commands(help)) visit_commands(here, fmt::format("{} {}", words, each), visit);
 }
 
 std::string replace_all(const std::string& text, const std::string& what, const std::string& by) {
@@ -63,7 +76,7 @@ TEST_CASE("every command has a man page with all its options and examples and ev
                 CHECK_MESSAGE(zsh.find(name) != std::string::npos, name);
             }
         }
-        for (const std::string& name : list_words(help, "Subcommands:")) {
+        for (const std::string& name : list_commands(help)) {
             CHECK(page.find("\\fB" + name + "\\fR") != std::string::npos);
             CHECK(zsh.find("'" + name + ":") != std::string::npos);
         }
@@ -73,6 +86,20 @@ TEST_CASE("every command has a man page with all its options and examples and ev
         }
     });
     CHECK(commands > 30);
+}
+
+TEST_CASE("commands stand under what people want to do") {
+    const Workplace here;
+    const std::string help = here.run("--help").out;
+    CHECK(list_words(help, "Compare prototype and models:") == std::vector<std::string>{"pair"});
+    CHECK(list_words(help, "See results:") == std::vector<std::string>{"report", "response", "field"});
+    CHECK(list_commands(help).size() == 19);
+    const std::string page = musim::tests::bytes_of(MUSIM_PAGES "/man1/musim.1");
+    CHECK(page.find(".SS See results\n.TP\n\\fBreport\\fR\n") != std::string::npos);
+    for (const char* const command : {"record", "record make", "calibrate", "bench"}) {
+        CAPTURE(command);
+        CHECK(here.run(std::string(command) + " --help").out.find("Subcommands") == std::string::npos);
+    }
 }
 
 TEST_CASE("bash completes commands, options, values known by name and files") {
