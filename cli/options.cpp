@@ -128,12 +128,14 @@ scaling::UncertainScales SimilitudeOptions::scales() const {
     return scales;
 }
 
+void note_larger_model(double length) {
+    if (!(length > 1.0)) return;
+    note_at_end(fmt::format(
+        "musim: note: --length {0:.7g} makes the model larger than the prototype; a model at 1:{0:.7g} is --length 1/{0:.7g}", length));
+}
+
 void SimilitudeOptions::note_doubtful_factors(bool knows_coefficient) const {
-    if (length.value() > 1.0) {
-        note_at_end(fmt::format(
-            "musim: note: --length {0:.7g} makes the model larger than the prototype; a model at 1:{0:.7g} is --length 1/{0:.7g}",
-            length.value()));
-    }
+    note_larger_model(length.value());
     if (knows_coefficient || command->count("--friction") == 0 || friction.value() >= 1.0) return;
     std::string text = command->get_option("--friction")->results().back();
     if (const std::size_t mark = text.find("+/-"); mark != std::string::npos) text.erase(mark, 3);

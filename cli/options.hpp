@@ -83,6 +83,9 @@ scaling::Similitude solve_similitude(const std::string& law, const std::vector<s
 /// Texts of --set, "NAME=NUMBER", with or without uncertainties. Throws CLI::ValidationError for another form.
 std::vector<scaling::UncertainFactor> parse_factors(const std::vector<std::string>& texts);
 
+/// A remark at the end on a length above one: 107 typed for 1/107 would be a scale, too.
+void note_larger_model(double length);
+
 /// A remark at the end when one of the factors is uncertain: for commands that use their values alone.
 void note_values_used(const std::vector<scaling::UncertainFactor>& factors);
 

@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
@@ -12,6 +13,7 @@
 #include "lsdem/run/use_record.hpp"
 #include "lsdem/scene/new_scene.hpp"
 #include "records/atomic_file.hpp"
+#include "scaling/quantity_text.hpp"
 
 namespace musim::cli {
 namespace {
@@ -21,6 +23,7 @@ namespace fs = std::filesystem;
 struct NewOptions {
     lsdem::NewScene wanted;
     std::optional<Number> length;
+    std::vector<std::string> block;
     RecordMotionOptions record;
     std::string out;
     bool force = false;
@@ -31,6 +34,16 @@ void refuse_existing(const NewOptions& options) {
     std::error_code unknown;
     if (options.out.empty() || options.force || !fs::is_regular_file(options.out, unknown)) return;
     throw records::WriteError(options.out + ": there is a file of this name already; name another, or take --force to replace it");
+}
+
+std::optional<lsdem::Triple<scaling::Length>> parse_block(const std::vector<std::string>& edges) {
+    if (edges.empty()) return std::nullopt;
+    lsdem::Triple<scaling::Length> block;
+    for (std::size_t i = 0; i < block.size(); ++i) {
+        block[i] = read_option("--block", [&] { return scaling::parse_quantity<scaling::Length>(edges[i]); });
+        if (!(block[i].value() > 0.0)) throw CLI::ValidationError("--block", edges[i] + " is not above zero");
+    }
+    return block;
 }
 
 int run_new(const NewOptions& options) {
@@ -72,9 +85,15 @@ void add_new_command(CLI::App& app, Action& action) {
         ->add_option(
             "--length", options->length,
             "Length of the model over that of the prototype, whose blocks are 1.36 x 2.82 x 4.25 m (default: of the material's block, "
-            "wood 1/107)")
+            "wood 1/107; with --block H over 4.25 m)")
         ->type_name("NUMBER")
         ->check(above_zero());
+    command
+        ->add_option("--block", options->block,
+                     "Edges of your blocks: thin b, wide w, height H, such as \"30 mm\" \"60 mm\" \"90 mm\" (default: the prototype's "
+                     "at the model's length); stiffnesses are fitted to them")
+        ->type_name("LENGTH")
+        ->expected(3);
     command
         ->add_option("--layers", options->wanted.layers,
                      "Layers of blocks (default: tower 8, wall 6, column 6, each pillar of blocks 2, 50 at most)")
@@ -88,9 +107,14 @@ void add_new_command(CLI::App& app, Action& action) {
         "  musim new tower -o tower.json\n"
         "  musim new column --layers 4 --record station.v1 --component y=360 -o column.json\n"
         "  musim new wall --material concrete --length 1/25\n"
+        "  musim new tower --block \"30 mm\" \"60 mm\" \"90 mm\" --record station.v1 -o tower.json\n"
         "The scene is complete: `musim check` says what it means, `musim run` runs it. Change it in any editor; its comments say how.");
     command->callback([&action, options] {
-        if (options->length) options->wanted.length = options->length->value;
+        options->wanted.block = parse_block(options->block);
+        if (options->length) {
+            options->wanted.length = options->length->value;
+            note_larger_model(options->length->value);
+        }
         action = [options] { return run_new(*options); };
     });
 }

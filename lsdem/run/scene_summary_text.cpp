@@ -75,9 +75,10 @@ void describe_motion(const MotionSummary& motion, std::vector<std::string>& line
     }
     if (!motion.similitude) return;
     const scaling::Similitude& s = *motion.similitude;
-    lines.push_back(
-        fmt::format("            model at 1:{:.6g} by law {}: time {:.4g}, velocity {:.4g}, acceleration {:.4g} of the prototype's",
-                    1.0 / s.length(), s.law_name(), s.time(), s.velocity(), s.acceleration()));
+    const std::string scale =
+        s.length() > 1.0 ? fmt::format("{:.6g}:1, larger than its prototype,", s.length()) : fmt::format("1:{:.6g}", 1.0 / s.length());
+    lines.push_back(fmt::format("            model at {} by law {}: time {:.4g}, velocity {:.4g}, acceleration {:.4g} of the prototype's",
+                                scale, s.law_name(), s.time(), s.velocity(), s.acceleration()));
 }
 
 void describe_run(const SceneSummary& summary, const std::optional<RunTimeEstimate>& run_time, std::vector<std::string>& lines) {

@@ -45,9 +45,12 @@ Quantity rounded(Quantity quantity, int digits) {
     return Quantity::from_value(round_to(quantity.value(), digits));
 }
 
-/// Thin, wide and high edges of the prototype's block at the model's length, to a micrometre in a millimetre.
+/// Thin, wide and high edges of the prototype's block.
+const Triple<Length> kPrototypeBlock{1.36 * scaling::si::meter, 2.82 * scaling::si::meter, 4.25 * scaling::si::meter};
+
+/// The prototype's block at the model's length, to a micrometre in a millimetre.
 Triple<Length> make_block(double length) {
-    Triple<Length> block{1.36 * scaling::si::meter, 2.82 * scaling::si::meter, 4.25 * scaling::si::meter};
+    Triple<Length> block = kPrototypeBlock;
     for (Length& edge : block) edge = rounded(edge * length, 4);
     return block;
 }
@@ -105,9 +108,16 @@ Structure make_structure(const NewScene& wanted, const Triple<Length>& block) {
     throw SceneError(fmt::format("\"{}\" is no structure; {}", wanted.kind, scaling::suggest_name(wanted.kind, new_scene_kinds())));
 }
 
-double find_length(const NewScene& wanted) { return wanted.length.value_or(find_material_preset(wanted.material).length_scale); }
+double find_length(const NewScene& wanted) {
+    if (wanted.length) return *wanted.length;
+    if (wanted.block) return round_to((*wanted.block)[2] / kPrototypeBlock[2], 4);
+    return find_material_preset(wanted.material).length_scale;
+}
 
-std::string describe_scale(double length) { return length == 1.0 ? "prototype scale" : fmt::format("1:{:.6g}", 1.0 / length); }
+std::string describe_scale(double length) {
+    if (length == 1.0) return "prototype scale";
+    return length < 1.0 ? fmt::format("1:{:.6g}", 1.0 / length) : fmt::format("{:.6g}:1", length);
+}
 
 /// The material on one face of the model's block, in numbers that people write.
 BlockMaterial make_material(const NewScene& wanted, const Triple<Length>& block) {
@@ -166,7 +176,7 @@ RecordScale find_scale(const NewScene& wanted) {
 
 Scene make_new_scene(const NewScene& wanted) {
     const scaling::Similitude similitude = make_similitude(find_scale(wanted));
-    const Triple<Length> block = make_block(similitude.length());
+    const Triple<Length> block = wanted.block.value_or(make_block(similitude.length()));
     Scene scene;
     scene.structure = make_structure(wanted, block);
     scene.name = fmt::format("{} of {} blocks, {}", wanted.kind == "blocks" ? "portal" : wanted.kind, wanted.material,

@@ -15,17 +15,20 @@ const std::vector<std::string>& new_scene_kinds();
 
 /// What a new scene is to be.
 struct NewScene {
-    std::string kind = "tower";         ///< one of new_scene_kinds()
-    std::string material = "wood";      ///< a preset
-    std::optional<double> length = {};  ///< λ_l of the model; default: that of the block on which the material was measured [-]
-    std::optional<int> layers = {};     ///< default: tower 8, wall 6, column 6, blocks (of each pillar) 2
+    std::string kind = "tower";     ///< one of new_scene_kinds()
+    std::string material = "wood";  ///< a preset
+    /// λ_l of the model; default: H of `block` over the prototype's, else that of the block on which the material was measured [-]
+    std::optional<double> length = {};
+    std::optional<Triple<scaling::Length>> block = {};  ///< thin, wide edge and height; default: the prototype's at the length
+    std::optional<int> layers = {};                     ///< default: tower 8, wall 6, column 6, blocks (of each pillar) 2
 };
 
 /// The mu law between the papers' prototype, of concrete with μ = 0.59 [Harmon23], and the model. Throws SceneError for a material that is
 /// not known.
 RecordScale find_scale(const NewScene& wanted);
 
-/// A scene of the prototype's blocks (1.36 x 2.82 x 4.25 m) at the model's length, of a measured material fitted to them (fit_to_block). A
+/// A scene of the prototype's blocks (1.36 x 2.82 x 4.25 m) at the model's length, or of other ones, of a measured material fitted to them
+/// (fit_to_block). A
 /// made earthquake shakes it along x whose prototype has the peaks of the papers' record, 0.511 g and 42.4 cm/s, and lasts 10 s.
 /// Samples and pictures are as dense as 100 and 25 Hz in the prototype. Throws SceneError, also for layers below 1, and
 /// scaling::SimilitudeError for a length that is not positive.

@@ -67,6 +67,27 @@ TEST_CASE("a new scene of an uncorrected record has the strong motion above the 
     CHECK_MESSAGE(made.err.find("strong motion from 19.8") != std::string::npos, made.err);
 }
 
+TEST_CASE("a new scene of own blocks has their scale and stiffness") {
+    const Workplace here;
+    const Outcome made = here.run("new tower --layers 2 --block '6.8 cm' '14.1 cm' '21.25 cm' -o tower.json");
+    REQUIRE_MESSAGE(made.exit_code == 0, made.err);
+    CHECK(made.out.find("tower of wood blocks, 1:20") != std::string::npos);
+    // k = E A/H: the same solid in blocks of 107/20 times the length
+    const auto scene = nlohmann::json::parse(here.read("tower.json"));
+    CHECK(scene["structure"]["block"] == nlohmann::json({"68 mm", "141 mm", "212.5 mm"}));
+    CHECK(scene["material"]["normal_stiffness"] == "160.5 MN/m");
+    CHECK(here.run("new tower --block '6.8 cm' '14.1 cm' '21.25 cm' --length 1/25").out.find("wood blocks, 1:25") != std::string::npos);
+    CHECK(here.run("check tower.json").exit_code == 0);
+}
+
+TEST_CASE("a model larger than its prototype is noted wherever it is asked for") {
+    const Workplace here;
+    const Outcome made = here.run("new column --length 107 -o column.json");
+    CHECK(made.exit_code == 0);
+    CHECK(made.out.find("wood blocks, 107:1") != std::string::npos);
+    CHECK(made.err.find("musim: note: --length 107 makes the model larger than the prototype") != std::string::npos);
+}
+
 TEST_CASE("what a new scene cannot be is refused in one line") {
     const Workplace here;
     struct Case {
@@ -78,6 +99,9 @@ TEST_CASE("what a new scene cannot be is refused in one line") {
          {Case{"new", 2, "kind is required"}, Case{"new towr", 2, "did you mean \"tower\"?"}, Case{"new tower --layers 0", 2, "--layers"},
           Case{"new tower --length 0", 2, "--length"}, Case{"new tower --material stone", 2, "--material"},
           Case{"new tower --component x=1", 2, "--record"}, Case{"new tower --record lost.v1", 3, "lost.v1"},
+          Case{"new tower --block 1cm 2cm", 2, "--block"}, Case{"new tower --block 1cm 2cm 3kg", 2, "a length is wanted"},
+          Case{"new tower --block 1cm 2cm 0m", 2, "not above zero"},
+          Case{"new tower --record a.at2 b.at2", 2, "--record takes one file); merge the files of one station with `musim record process"},
           Case{"new tower --length 1e-300", 3, "musim: error: "}, Case{"new tower -o gone/tower.json", 3, "gone"}}) {
         CAPTURE(wrong.arguments);
         const Outcome outcome = here.run(wrong.arguments);
