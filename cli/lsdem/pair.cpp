@@ -92,6 +92,7 @@ std::vector<lsdem::ModelChoice> make_choices(const PairOptions& options) {
     }
     if (!options.models.empty()) return choices;
     for (std::size_t i = 0; i < options.lengths.size(); ++i) {
+        note_larger_model(options.lengths[i]);
         choices.push_back({.length = options.lengths[i], .material = options.own.empty() ? std::string() : options.own[i]});
         if (options.law.empty()) continue;
         const std::vector<scaling::UncertainFactor> factors = parse_factors(options.factors);
@@ -182,8 +183,11 @@ void print_study(const lsdem::ScenePair& pair) {
           lsdem::to_string(study.materials));
     print_table(study);
     print(
+        "`rms diff.`, `max diff.`: over the prototype's rms and largest velocity, of the spine block where they are largest;\n"
         "`parting`: prototype time at which a velocity first differs by {:g} of the largest; `loss diff.`: of the energy dissipated,\n"
-        "level by level, as a part of all that the prototype dissipated\n",
+        "level by level, as a part of all that the prototype dissipated; `sd`: standard deviations farther off than the twins, `p`:\n"
+        "probability that a twin is as far off; `exact image`, `last places moved`: the two kinds of twins. Percentages above are of the\n"
+        "largest value of the prototype on any level.\n",
         lsdem::kPartingLevel);
     for (const lsdem::PairedRun& model : study.models) {
         if (model.distortions.empty()) continue;

@@ -27,17 +27,22 @@ const QuantityCheck* find_same(const std::vector<QuantityCheck>& checks, const Q
 
 std::string describe_quantity(const PairStudy& study, const OwnQuantity& quantity) {
     std::vector<std::string> chance;
-    if (!study.twins.empty()) chance.push_back("twins " + format_up_to(quantity.check.of_twins));
-    if (quantity.of_specimens) chance.push_back("other specimens " + format_up_to(*quantity.of_specimens));
-    std::string text = fmt::format("{} {} off", quantity.name, format_percent(quantity.check.difference));
+    if (!study.twins.empty()) chance.push_back("twins " + format_range(quantity.check.twins));
+    if (quantity.of_specimens) chance.push_back("other specimens " + format_range(*quantity.of_specimens));
+    const char* const side = quantity.check.model < quantity.check.prototype ? "lower" : "higher";
+    std::string text = fmt::format("{} {} {}", quantity.name, format_percent(quantity.check.difference), side);
     if (chance.empty()) return text;
     return text + fmt::format(" ({}: {})", join_words(chance), quantity.beyond_chance ? "more than chance" : "chance may do that");
 }
 
-std::string describe_acceptance(double tolerance, const OwnJudgement& judgement, const PairedRun& model) {
+std::string describe_acceptance(const PairStudy& study, const OwnJudgement& judgement, const PairedRun& model) {
+    const double tolerance = *study.tolerance;
     if (model.run.status == RunStatus::diverged) return " NOT accepted: it diverged.";
     const std::string limit = format_percent(tolerance);
-    if (*judgement.accepted) return fmt::format(" Accepted: all within {}, as other specimens are.", limit);
+    if (*judgement.accepted) {
+        const char* const others = study.specimen_traces.empty() ? "" : " and other specimens";
+        return fmt::format(" Accepted: all within {}{}.", limit, study.twins.empty() ? "" : fmt::format(", as twins{} are", others));
+    }
     const auto farthest = std::max_element(judgement.quantities.begin(), judgement.quantities.end(),
                                            [](const auto& a, const auto& b) { return a.check.difference < b.check.difference; });
     if (farthest->check.difference > tolerance) {
@@ -89,10 +94,11 @@ OwnJudgement judge_own(const PairStudy& study, const PairedRun& model) {
         if (twins_part) quantity.beyond_chance = check->probability < kBeyondChanceEach;
         if (!study.specimen_traces.empty()) {
             const QuantityCheck& other = *find_same(of_specimens, *check);
-            quantity.of_specimens = other.of_twins;
+            quantity.of_specimens = other.twins;
             quantity.beyond_chance = quantity.beyond_chance && other.probability < kBeyondChanceEach;
         }
-        const double largest = std::max({check->difference, check->of_twins, quantity.of_specimens.value_or(0.0)});
+        const double largest =
+            std::max({check->difference, check->twins.largest(), quantity.of_specimens.value_or(DifferenceRange()).largest()});
         accepted = accepted && largest <= study.tolerance.value_or(0.0);
         judgement.quantities.push_back(std::move(quantity));
     }
@@ -105,7 +111,7 @@ std::string describe_own(const PairStudy& study, const PairedRun& model) {
     std::vector<std::string> parts;
     for (const OwnQuantity& quantity : judgement.quantities) parts.push_back(describe_quantity(study, quantity));
     std::string text = fmt::format("Model {} of {}: {}.", model.label, model.material, join_words(parts));
-    if (judgement.accepted) text += describe_acceptance(*study.tolerance, judgement, model);
+    if (judgement.accepted) text += describe_acceptance(study, judgement, model);
     return text;
 }
 

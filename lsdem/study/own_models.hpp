@@ -25,7 +25,7 @@ inline constexpr double kBeyondChance = 0.05;
 struct OwnQuantity {
     std::string name;  ///< "peak velocity of the top"
     QuantityCheck check;
-    std::optional<double> of_specimens;  ///< the largest of them, as QuantityCheck::of_twins [-]; nothing without any
+    std::optional<DifferenceRange> of_specimens;  ///< as QuantityCheck::twins; nothing without any
     bool beyond_chance = false;
 };
 

@@ -46,7 +46,7 @@ static nlohmann::json to_json(const std::vector<QuantityCheck>& checks) {
                        {"prototype", check.prototype},
                        {"model", check.model},
                        {"difference", check.difference},
-                       {"of_twins", check.of_twins},
+                       {"of_twins", check.twins.largest()},
                        {"probability", check.probability}});
     }
     return all;
@@ -57,8 +57,8 @@ static nlohmann::json to_json(const OwnJudgement& judgement) {
     for (const OwnQuantity& quantity : judgement.quantities) {
         quantities.push_back({{"name", quantity.name},
                               {"difference", quantity.check.difference},
-                              {"of_twins", quantity.check.of_twins},
-                              {"of_specimens", scaling::or_null(quantity.of_specimens)},
+                              {"of_twins", quantity.check.twins.largest()},
+                              {"of_specimens", quantity.of_specimens ? nlohmann::json(quantity.of_specimens->largest()) : nlohmann::json()},
                               {"beyond_chance", quantity.beyond_chance}});
     }
     return {{"quantities", quantities}, {"accepted", scaling::or_null(judgement.accepted)}};

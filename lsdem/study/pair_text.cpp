@@ -19,6 +19,11 @@ std::string format_percent(double part) {
 
 std::string format_up_to(double part) { return (part < kRoundingLevel ? "" : "up to ") + format_percent(part); }
 
+std::string format_range(const DifferenceRange& range) {
+    if (range.largest() < kRoundingLevel) return format_up_to(range.largest());
+    return fmt::format("-{:.2g} % to +{:.2g} %", -100.0 * range.lowest, 100.0 * range.highest);
+}
+
 std::string join_words(const std::vector<std::string>& words) {
     std::string text;
     for (std::size_t i = 0; i < words.size(); ++i) text += (i == 0 ? "" : i + 1 == words.size() ? " and " : ", ") + words[i];
@@ -47,7 +52,7 @@ std::string give_reason(const Judgement& judgement) {
     if (least == judgement.quantities.end() || judgement.least_probability >= kAgrees) return "it diverged";
     const std::string where = least->level > 0 ? fmt::format(" of level {}", least->level) : "";
     return fmt::format("{}{} is {} off, twins {} (probability {:.1g})", least->title, where, format_percent(least->difference),
-                       format_up_to(least->of_twins), judgement.least_probability);
+                       format_up_to(least->twins.largest()), judgement.least_probability);
 }
 
 std::string describe_exact(const PairStudy& study) {
@@ -91,11 +96,23 @@ std::string describe_scaling(const PairStudy& study, const Yardstick& yardstick)
 std::string describe_horizon(const PairStudy& study, const Yardstick& yardstick) {
     if (study.twins.empty()) return "";
     if (!yardstick.is_within_run()) {
-        return fmt::format("Velocities of exact models agree to {} to the end ({:.4g} s).", format_percent(kPartingLevel), yardstick.end());
+        return fmt::format("Twins agree to {} to the end ({:.4g} s).", format_percent(kPartingLevel), yardstick.end());
     }
     return fmt::format(
-        "Up to {:.3g} s of {:.4g} s velocities agree to {}; beyond, no two runs of this structure can be predicted in detail.",
+        "Up to {:.3g} s of {:.4g} s twins agree to {}; beyond, rounding alone changes the motion of single blocks: no two runs agree in "
+        "detail.",
         yardstick.horizon(), yardstick.end(), format_percent(kPartingLevel));
+}
+
+/// How exact the prototype's own run is, which no twin shows: they all have its step.
+std::string describe_half_step(const PairStudy& study, const Yardstick& yardstick) {
+    if (!study.half_step) return "";
+    const std::optional<double> parting = yardstick.parting_time(study.half_step->trace);
+    const QuantityCheck* const peak = find_top(study.half_step->judgement.quantities, "peak_velocity");
+    std::string text = fmt::format("At half the time step velocities agree to {} {}", format_percent(kPartingLevel),
+                                   parting ? fmt::format("up to {:.3g} s", *parting) : "to the end");
+    if (peak != nullptr) text += fmt::format("; the peak velocity of the top changes by {}", format_percent(peak->difference));
+    return text + ": the error of the step, which twins share.";
 }
 
 /// The model for which that differs most.
@@ -114,17 +131,14 @@ std::string describe_quantities(const PairStudy& study) {
         const QuantityCheck* const check = find_farthest_top(study, key);
         if (check == nullptr) return;
         std::string part = fmt::format("{} {}", name, format_percent(check->difference));
-        if (!study.twins.empty()) part += fmt::format(" (twins: {})", format_up_to(check->of_twins));
+        if (!study.twins.empty()) part += fmt::format(" (twins: {})", format_up_to(check->twins.largest()));
         parts.push_back(std::move(part));
     };
     add("peak_velocity", "peak velocity of the top");
     add("residual_displacement", "its residual displacement");
     add("total_loss", "losses");
     if (parts.empty()) return "";
-    std::string text = "Farthest from the prototype: " + join_words(parts) + ".";
-    const QuantityCheck* const half = study.half_step ? find_top(study.half_step->judgement.quantities, "peak_velocity") : nullptr;
-    if (half != nullptr) text += fmt::format(" Half the time step changes that peak by {}.", format_percent(half->difference));
-    return text;
+    return "Farthest from the prototype: " + join_words(parts) + ".";
 }
 
 std::string describe_power(const PairStudy& study, const Yardstick& yardstick) {
@@ -150,6 +164,7 @@ std::vector<std::string> describe_verdict(const PairStudy& study) {
     }
     add(describe_horizon(study, yardstick));
     if (study.materials == Materials::exact) add(describe_quantities(study));
+    add(describe_half_step(study, yardstick));
     add(describe_power(study, yardstick));
     if (study.materials == Materials::exact) {
         add("This checks the program and the law, not a model test: a real model has a stiffness, a friction and heights of its own "

@@ -15,6 +15,8 @@ std::vector<std::string> describe_verdict(const PairStudy& study);
 std::string format_percent(double part);
 /// "up to 3.4 %", or "below 1e-07 %".
 std::string format_up_to(double part);
+/// "-1.9 % to +15 %"; as format_up_to when both ends are rounding.
+std::string format_range(const DifferenceRange& range);
 /// "a, b and c".
 std::string join_words(const std::vector<std::string>& words);
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <initializer_list>
 #include <optional>
@@ -52,13 +53,23 @@ Agreement worst(std::initializer_list<Agreement> all);
 /// "agree", "differ", "undecided", "not_judged".
 std::string to_string(Agreement agreement);
 
+/// Between which differences several runs lie, the prototype (0) among them [-].
+struct DifferenceRange {
+    double lowest = 0.0, highest = 0.0;
+
+    void include(double difference) { lowest = std::min(lowest, difference), highest = std::max(highest, difference); }
+    double largest() const { return std::max(-lowest, highest); }
+};
+
 /// One quantity of a model beside the prototype's and the twins'.
 struct QuantityCheck {
     std::string key, title, unit;
     int level = 0;
     double prototype = 0.0, model = 0.0;  ///< [unit]
-    /// Differences to the prototype over the largest value that the prototype has on any level [-]: of the model, the largest of the twins.
-    double difference = 0.0, of_twins = 0.0;
+    /// Differences to the prototype over the largest value that the prototype has on any level [-]: the size of the model's, and the
+    /// twins'.
+    double difference = 0.0;
+    DifferenceRange twins{};
     double probability = 1.0;  ///< that a twin lies as far from the other twins [-]; 1 where that is not asked
 };
 

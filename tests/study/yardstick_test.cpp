@@ -2,10 +2,12 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
 
+#include "lsdem/study/pair_text.hpp"
 #include "tests/study/made_specimen.hpp"
 
 using namespace musim::lsdem;
@@ -43,6 +45,22 @@ TEST_CASE("a run is no distance from itself") {
     CHECK(judgement.agreement == Agreement::agree);
     CHECK(judgement.within_rounding);
     for (const QuantityCheck& check : judgement.quantities) CHECK(check.difference == 0.0);
+}
+
+TEST_CASE("twins lie between their lowest and highest difference, the prototype among them") {
+    const RunResult prototype = run_column();
+    std::vector<RunTrace> twins(2, make_trace(prototype, 1e-12));
+    const auto peaks = [](RunTrace& trace) -> std::vector<double>& { return trace.quantities.front().value; };
+    const std::size_t top = peaks(twins[0]).size() - 1;
+    const double largest = *std::max_element(peaks(twins[0]).begin(), peaks(twins[0]).end());
+    peaks(twins[0])[top] += 0.1 * largest;
+    peaks(twins[1])[top] += 0.2 * largest;
+    const std::vector<QuantityCheck> checks = Yardstick(prototype, twins).check_quantities(trace_run(prototype, prototype, kOne));
+    CHECK(checks[top].twins.lowest == 0.0);
+    CHECK(checks[top].twins.highest == doctest::Approx(0.2));
+    CHECK(checks[top].twins.largest() == checks[top].twins.highest);
+    CHECK(format_range({.lowest = -0.019, .highest = 0.15}) == "-1.9 % to +15 %");
+    CHECK(format_range({}) == "below 1e-07 %");
 }
 
 TEST_CASE("the horizon is where the first twin differs by a thousandth") {
