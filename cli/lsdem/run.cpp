@@ -72,6 +72,12 @@ struct Begin {
 };
 
 Begin begin_anew(const RunOptions& options) {
+    if (fs::is_directory(options.scene)) {
+        throw std::runtime_error(
+            fmt::format("{0}: is a folder, not a scene; name a scene's file, or continue the interrupted run in the folder with `musim run "
+                        "--resume {0}`",
+                        options.scene));
+    }
     Begin begin{.scene = read_scene(options.scene), .scene_text = {}, .checkpoint = {}};
     if (options.duration) begin.scene.time.duration = options.duration->value * scaling::si::seconds;
     lsdem::check_scene(begin.scene, options.scene);
@@ -168,7 +174,7 @@ int run_run(const RunOptions& options) {
         print_json(lsdem::make_summary(run));
     } else {
         print_run(scene, run);
-        if (folder) print("Results in {}\n", directory);
+        print("{}\n", folder ? "Results in " + directory : "No file of it is kept; -o DIR keeps results");
     }
     const std::string& where = resumes ? directory : options.scene;
     report_doubts(where, run);

@@ -98,13 +98,13 @@ Outcome scale_back(Outcome outcome, const scaling::Similitude& similitude) {
 
 std::vector<std::string> describe(const Outcome& outcome) {
     std::vector<std::string> lines;
-    if (outcome.pgv.isZero(0.0)) {
-        lines.emplace_back("base at rest");
-    } else {
-        lines.push_back(fmt::format("base motion along {}: {}, PGV {}", axis_name(outcome.axis),
-                                    describe_pga(outcome.pga[outcome.axis], outcome.source_pga[static_cast<std::size_t>(outcome.axis)]),
-                                    write<scaling::Velocity>(outcome.pgv[outcome.axis])));
+    for (int axis = 0; axis < 3; ++axis) {
+        if (!(outcome.pgv[axis] > 0.0)) continue;
+        lines.push_back(fmt::format("base motion along {}: {}, PGV {}", axis_name(axis),
+                                    describe_pga(outcome.pga[axis], outcome.source_pga[static_cast<std::size_t>(axis)]),
+                                    write<scaling::Velocity>(outcome.pgv[axis])));
     }
+    if (lines.empty()) lines.emplace_back("base at rest");
     if (outcome.top_level > 0) {
         std::string line = fmt::format("top (level {}) against the base: peak {}, residual {}", outcome.top_level,
                                        write<scaling::Length>(outcome.top_peak), write<scaling::Length>(outcome.top_residual));

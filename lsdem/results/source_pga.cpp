@@ -15,6 +15,7 @@ namespace {
 std::string in_gravities(double acceleration) { return fmt::format("{:.4g} g", acceleration / scaling::kStandardGravity.value()); }
 
 const char* name_source(const SourcePga& source) { return source.is_record ? "record" : "scene"; }
+const char* describe_source(const SourcePga& source) { return source.is_record ? "record at this scale" : "scene"; }
 
 }  // namespace
 
@@ -29,7 +30,7 @@ std::array<SourcePga, 3> find_source_pga(const std::array<BaseComponent, 3>& mot
         const MotionSource& from = motion[axis].source;
         const auto a = static_cast<int>(axis);
         const char* why = until_end[a] < whole[a] ? "the run ends before its peak"
-                          : from.is_processed     ? "cut or filtered for the base"
+                          : from.is_processed     ? "cut, filtered or brought to rest for the base"
                                                   : "velocity linear between samples";
         sources[axis] = {.acceleration = from.peak_acceleration, .is_record = from.is_record, .why = why};
     }
@@ -38,8 +39,8 @@ std::array<SourcePga, 3> find_source_pga(const std::array<BaseComponent, 3>& mot
 
 std::string describe_pga(double base, const SourcePga& source) {
     if (!source.differs_from(base)) return "PGA " + in_gravities(base);
-    return fmt::format("PGA {} at the base ({} in the {}: {})", in_gravities(base), in_gravities(source.acceleration), name_source(source),
-                       source.why);
+    return fmt::format("PGA {} at the base ({} in the {}: {})", in_gravities(base), in_gravities(source.acceleration),
+                       describe_source(source), source.why);
 }
 
 nlohmann::json to_json(const std::array<SourcePga, 3>& sources) {

@@ -22,8 +22,8 @@ struct SourcePga {
 /// Of the three components of a motion that ran until `end` [s].
 std::array<SourcePga, 3> find_source_pga(const std::array<BaseComponent, 3>& motion, double end);
 
-/// "PGA 0.5 g", or both where they differ: "PGA 0.5055 g at the base (0.511 g in the record: velocity linear between samples)". `base`: of
-/// the base [m/s²].
+/// "PGA 0.5 g", or both where they differ: "PGA 0.5055 g at the base (0.511 g in the record at this scale: velocity linear between
+/// samples)". `base`: of the base [m/s²].
 std::string describe_pga(double base, const SourcePga& source);
 
 /// Along x, y and z: {"of": "record" or "scene", "pga_g", "why"}, or null where not known.

@@ -61,7 +61,7 @@ TEST_CASE("a run whose base has another PGA than its record says both everywhere
     std::string text = SceneText().text();
     const std::size_t begin = text.find(R"({"signal")"), end = text.find('}', begin);
     here.write("scene.json", text.replace(begin, end - begin + 1, R"({"record": "motion.txt", "components": {"x": "1"}})"));
-    const std::string both = "at the base (0.5 g in the record: velocity linear between samples)";
+    const std::string both = "at the base (0.5 g in the record at this scale: velocity linear between samples)";
     const Outcome run = here.run("run scene.json -o out --duration 0.6");
     CHECK_MESSAGE(run.out.find(both) != std::string::npos, run.out);
     const auto summary = nlohmann::json::parse(here.read("out/summary.json"))["outcome"];
@@ -225,7 +225,12 @@ TEST_CASE("models of their own material list what they distort") {
     CHECK(refused.exit_code == 6);
     CHECK(refused.out.starts_with("Model 1:50 of aluminium: "));
     CHECK(refused.out.find("NOT accepted") != std::string::npos);
-    CHECK(here.run("pair scene.json --length 1/50 --materials own --material aluminium --accept 1e6").exit_code == 0);
+    CHECK(refused.out.find("\nAt half the time step velocities agree to 0.1 % ") != std::string::npos);
+    const Outcome accepted = here.run("pair scene.json --length 1/50 --materials own --material aluminium --accept 1e6");
+    CHECK(accepted.exit_code == 0);
+    // no other specimens were run
+    CHECK(accepted.out.find("Accepted: all within 100000000 %") != std::string::npos);
+    CHECK(accepted.out.find("specimens") == std::string::npos);
     CHECK(here.run("pair scene.json --accept 5%").exit_code == 2);
     // a scene as its own model
     const auto same = here.run("pair scene.json scene.json --json").json()["pairs"][0];
@@ -258,6 +263,16 @@ TEST_CASE("pair --record shakes with the strong motion of a record and says what
     CHECK(here.run("pair scene.json --record missing.at2").exit_code == 3);
     CHECK(here.run("pair scene.json --record record.csv --component x=nope").exit_code == 3);
     CHECK(here.run("pair scene.json --record record.csv --component 360").exit_code == 2);
+}
+
+TEST_CASE("a folder of results given as a scene is refused with the way to resume") {
+    const Workplace here;
+    here.shell("mkdir out");
+    const Outcome outcome = here.run("run out");
+    CHECK(outcome.exit_code == 3);
+    CHECK_MESSAGE(outcome.has_one_error_line(), outcome.err);
+    CHECK(outcome.err.find("out: is a folder, not a scene") != std::string::npos);
+    CHECK(outcome.err.find("`musim run --resume out`") != std::string::npos);
 }
 
 TEST_CASE("a broken scene is one error line that names file and key, exit code 3, and no output") {

@@ -58,6 +58,16 @@ TEST_CASE("a run ends with peak, residual, drift, slip, rotation and fallen bloc
     CHECK(to_json(outcome)["pga_g"][0].get<double>() == doctest::Approx(0.5));
 }
 
+TEST_CASE("an outcome has the base's motion along every axis that moves") {
+    Outcome outcome = find_outcome(make_swing());
+    outcome.pga.z() = 0.1 * musim::scaling::kStandardGravity.value();
+    outcome.pgv.z() = 0.05;
+    CHECK(describe(outcome)[0] == "base motion along x: PGA 0.5 g, PGV 25 cm/s");
+    CHECK(describe(outcome)[1] == "base motion along z: PGA 0.1 g, PGV 5 cm/s");
+    outcome.pgv.setZero();
+    CHECK(describe(outcome)[0] == "base at rest");
+}
+
 TEST_CASE("the outcome of a model is scaled back to the prototype and ratios stay") {
     const musim::scaling::Similitude similitude = musim::scaling::make_similitude("mu", {.length = 1.0 / 16.0});
     const Outcome model = find_outcome(make_swing()), prototype = scale_back(model, similitude);

@@ -24,11 +24,12 @@ std::array<BaseComponent, 3> make_motion(bool is_processed) {
 
 TEST_CASE("a base whose PGA is not that of its record says both and why") {
     const auto plain = find_source_pga(make_motion(false), 1.0), filtered = find_source_pga(make_motion(true), 1.0);
-    CHECK(describe_pga(0.5 * kG, plain[0]) == "PGA 0.5 g at the base (0.6 g in the record: velocity linear between samples)");
-    CHECK(describe_pga(0.5 * kG, filtered[0]) == "PGA 0.5 g at the base (0.6 g in the record: cut or filtered for the base)");
+    CHECK(describe_pga(0.5 * kG, plain[0]) == "PGA 0.5 g at the base (0.6 g in the record at this scale: velocity linear between samples)");
+    CHECK(describe_pga(0.5 * kG, filtered[0]) ==
+          "PGA 0.5 g at the base (0.6 g in the record at this scale: cut, filtered or brought to rest for the base)");
     // the first interval only
     const auto cut = find_source_pga(make_motion(true), 0.1);
-    CHECK(describe_pga(0.25 * kG, cut[0]) == "PGA 0.25 g at the base (0.6 g in the record: the run ends before its peak)");
+    CHECK(describe_pga(0.25 * kG, cut[0]) == "PGA 0.25 g at the base (0.6 g in the record at this scale: the run ends before its peak)");
     // the peak has begun
     CHECK(find_source_pga(make_motion(false), 0.15)[0].why == plain[0].why);
 }
