@@ -181,13 +181,19 @@ void draw_legend(std::string& svg, const StackedPlot& plot) {
     }
 }
 
+/// The unit that a label ends with, as in "v [cm/s]"; empty without one.
+std::string find_unit(const std::string& label) {
+    const std::size_t open = label.find('['), close = label.find(']', open);
+    return close == std::string::npos ? "" : " " + label.substr(open + 1, close - open - 1);
+}
+
 /// A bar as long as a round value, at the right end of the frame's top.
-void draw_scale_bar(std::string& svg, double row_scale) {
+void draw_scale_bar(std::string& svg, double row_scale, const std::string& unit) {
     const double value = round_down(row_scale);
     const double length = value / row_scale * kRowSpacing;
     const double x = kPlotLeft + kPlotWidth - 8.0;
     draw_line(svg, x, kPlotTop - 8.0 - length, x, kPlotTop - 8.0, "stroke=\"#333\" stroke-width=\"2\"");
-    draw_text(svg, x - 8.0, kPlotTop - 10.0, "end", "class=\"small\"", fmt::format("bar: {:.3g}", value));
+    draw_text(svg, x - 8.0, kPlotTop - 10.0, "end", "class=\"small\"", fmt::format("bar: {:.3g}{}", value, unit));
 }
 
 }  // namespace
@@ -212,7 +218,7 @@ std::string make_svg(const StackedPlot& plot) {
     draw_x_ticks(svg, x_axis, bottom);
     detail::draw_frame(svg, kPlotLeft, kPlotTop, kPlotWidth, bottom - kPlotTop, {x_axis.data_min, x_axis.data_max, false, plot.x_label},
                        std::nullopt);
-    draw_scale_bar(svg, row_scale);
+    draw_scale_bar(svg, row_scale, find_unit(plot.y_label));
     draw_text(svg, kPlotLeft + 0.5 * kPlotWidth, height - 14.0, "middle", "", plot.x_label);
     detail::draw_upward_text(svg, 20.0, 0.5 * (kPlotTop + bottom), plot.y_label);
 

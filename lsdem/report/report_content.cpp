@@ -105,8 +105,8 @@ class Reader {
         content.summary = read_object(folder / "pair.json");
         add_run(folder / "prototype", "prototype");
         for (const nlohmann::json& model : find_list(content.summary, "pairs")) {
-            const std::string name = name_folder(find_text(model, "label"));
-            if (!name.empty()) add_model(folder / name, name);
+            const std::string label = find_text(model, "label");
+            if (!label.empty()) add_model(folder / name_folder(label), label);
         }
         // the largest first: the prototype, then models as they get smaller
         std::stable_sort(content.runs.begin(), content.runs.end(),
@@ -228,7 +228,9 @@ class Reader {
         for (const fs::path& specimen : specimens) add_specimen(specimen);
         if (specimens.empty() && !unfinished) {
             content.remarks.push_back(
-                fmt::format("{}: there are no results of `musim run`, `pair`, `sequence`, `ensemble` or `specimen` here", folder.string()));
+                fmt::format("{}: there are no results of `musim run`, `pair`, `sequence`, `ensemble` or `specimen` here; give the "
+                            "folder that one of them was given as -o",
+                            folder.string()));
         }
     }
 

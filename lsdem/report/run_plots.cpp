@@ -6,6 +6,7 @@
 #include <cctype>
 #include <cmath>
 #include <functional>
+#include <optional>
 
 #include "lsdem/report/json_parts.hpp"
 #include "lsdem/report/level_tilts.hpp"
@@ -77,8 +78,16 @@ ReportFigure make_residual_figure(const std::vector<ReportedRun>& runs) {
     return make_figure("residual_displacement", plot);
 }
 
-/// The tilts' distribution in one run, their means in several.
-ReportFigure make_initial_tilt_figure(const std::vector<ReportedRun>& runs) {
+/// Tilts below this are rounding: blocks stand upright [rad].
+constexpr double kUpright = 1e-9;
+
+/// The tilts' distribution in one run, their means in several; nothing where all blocks stand upright.
+std::optional<ReportFigure> make_initial_tilt_figure(const std::vector<ReportedRun>& runs) {
+    const bool is_any_tilted = std::any_of(runs.begin(), runs.end(), [](const ReportedRun& run) {
+        const std::vector<Quaternion>& orientations = run.run.initial.orientation;
+        return std::any_of(orientations.begin(), orientations.end(), [](const Quaternion& each) { return find_tilt(each) > kUpright; });
+    });
+    if (!is_any_tilted) return std::nullopt;
     if (runs.size() > 1) {
         return make_level_figure("initial_tilt", "Tilt of the blocks at the start, mean", "tilt [degrees]", runs,
                                  [](const LevelDamage& level, const ReportedRun&) { return level.initial_tilt.mean / kDegree; });
@@ -235,13 +244,15 @@ std::optional<ReportFigure> make_lag_figure(const ReportedRun& run) {
 
 std::vector<ReportFigure> make_profile_figures(const std::vector<ReportedRun>& runs) {
     if (std::none_of(runs.begin(), runs.end(), [](const ReportedRun& run) { return run.response.has_value(); })) return {};
-    return {make_residual_figure(runs),
-            make_level_figure(
-                "slip", "Slip below each level at the end, mean", "slip [mm]", runs,
-                [](const LevelDamage& level, const ReportedRun& run) { return 1e3 * level.slip.mean / run.run.similitude.length(); }),
-            make_level_figure("rotation", "Rotation of the blocks since the start, mean", "rotation [degrees]", runs,
-                              [](const LevelDamage& level, const ReportedRun&) { return level.rotation.mean / kDegree; }),
-            make_initial_tilt_figure(runs)};
+    std::vector<ReportFigure> figures{
+        make_residual_figure(runs),
+        make_level_figure(
+            "slip", "Slip below each level at the end, mean", "slip [mm]", runs,
+            [](const LevelDamage& level, const ReportedRun& run) { return 1e3 * level.slip.mean / run.run.similitude.length(); }),
+        make_level_figure("rotation", "Rotation of the blocks since the start, mean", "rotation [degrees]", runs,
+                          [](const LevelDamage& level, const ReportedRun&) { return level.rotation.mean / kDegree; })};
+    if (std::optional<ReportFigure> tilts = make_initial_tilt_figure(runs)) figures.push_back(std::move(*tilts));
+    return figures;
 }
 
 ReportFigure make_energy_figure(const ReportedRun& run) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "lsdem/report/document_sections.hpp"
@@ -30,6 +31,10 @@ HtmlTable make_member_table(const ReportedEnsemble& ensemble) {
                               number_cell(find_number(member, "top_peak_velocity_m_s")),
                               {.text = find_text(member, "reason")}});
     }
+    const bool has_reasons = std::any_of(table.rows.begin(), table.rows.end(), [](const auto& row) { return !row.back().text.empty(); });
+    if (has_reasons) return table;
+    table.heads.pop_back();
+    for (std::vector<HtmlCell>& row : table.rows) row.pop_back();
     return table;
 }
 

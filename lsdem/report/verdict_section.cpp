@@ -66,8 +66,10 @@ void add_pair(std::vector<Statement>& statements, const nlohmann::json& pair) {
             statements.push_back({Tone::good, label + ": the same as the prototype, bit for bit"});
         } else if (find_text(model, "materials") == "own") {
             statements.push_back(
-                {Tone::warning, fmt::format("{}: made of its own material and distorted; velocities of the spine differ by {:.3g} (rms)",
-                                            label, find_number(model, "rms_relative_velocity_difference"))});
+                {Tone::warning,
+                 fmt::format(
+                     "{}: made of its own material and distorted; velocities of the spine differ by {:.3g} of the prototype's (rms)", label,
+                     find_number(model, "rms_relative_velocity_difference"))});
         }
     }
 }

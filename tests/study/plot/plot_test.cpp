@@ -56,6 +56,14 @@ Extent path_extent(const std::string& svg, std::size_t index) {
 
 }  // namespace
 
+TEST_CASE("the scale bar has the unit of the rows") {
+    StackedPlot plot = make_flat_plot(3);
+    for (double& value : plot.runs[0].y[0]) value = 2.0;
+    CHECK(make_svg(plot).find("bar: 2<") != std::string::npos);
+    plot.y_label = "v [cm/s], one row per level";
+    CHECK(make_svg(plot).find("bar: 2 cm/s<") != std::string::npos);
+}
+
 TEST_CASE("a stacked plot draws every run once in every row and names rows, runs and axes") {
     const std::string svg = make_svg(make_flat_plot(10));
     CHECK(count(svg, "<path ") == 4);
