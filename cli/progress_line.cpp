@@ -16,6 +16,9 @@ using namespace std::chrono_literals;
 /// Nothing is shown before: most commands are done by then.
 constexpr auto kPatience = 2s;
 
+/// A run is observed from so long before a line is due, since samples and progress come in turns, and so often.
+constexpr std::chrono::milliseconds kAhead = 1s, kObserving = 100ms;
+
 /// What stays of a name on a line that is too short for it.
 constexpr std::size_t kLeastOfName = 12;
 
@@ -83,7 +86,10 @@ void ProgressLine::name(const std::string& what) {
 
 void ProgressLine::see(const lsdem::RunResult& run, const lsdem::TimePlan& plan) {
     const std::lock_guard lock(mutex_);
-    if (Clock::now() >= next_) seen_ = lsdem::observe_run(run, plan);
+    const auto now = Clock::now();
+    if (now < next_ - kAhead || now < observed_ + kObserving) return;
+    seen_ = lsdem::observe_run(run, plan);
+    observed_ = now;
 }
 
 void ProgressInParts::begin_part(const std::string& what, double share) {

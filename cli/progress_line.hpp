@@ -31,7 +31,7 @@ class ProgressLine {
     /// What the lines from now on begin with.
     void name(const std::string& what);
 
-    /// Where the run stands, for the lines from now on. As often as one likes: looked at only when a line falls due.
+    /// Where the run stands, for the lines from now on. As often as one likes: observed only shortly before a line is due.
     void see(const lsdem::RunResult& run, const lsdem::TimePlan& plan);
 
   private:
@@ -44,7 +44,7 @@ class ProgressLine {
     bool terminal_;
     bool shown_ = false;
     Clock::time_point start_ = Clock::now();
-    Clock::time_point next_;
+    Clock::time_point next_, observed_{};
     std::mutex mutex_;
 };
 

@@ -90,7 +90,11 @@ void ProgressFile::report(bool prepares, double fraction) {
 }
 
 void ProgressFile::report_sample(const RunResult& run, const TimePlan& plan) {
-    if (is_due()) state_.run = observe_run(run, plan);
+    // ahead of the time, since samples and progress come in turns
+    const Clock::time_point now = Clock::now();
+    if (now < next_ - interval_ / 2 || now < observed_ + interval_ / 20) return;
+    state_.run = observe_run(run, plan);
+    observed_ = now;
 }
 
 void ProgressFile::write() {

@@ -61,7 +61,7 @@ class ProgressFile {
     std::filesystem::path file_;
     ProgressState state_;
     Clock::duration interval_;
-    Clock::time_point start_ = Clock::now(), next_;
+    Clock::time_point start_ = Clock::now(), next_, observed_{};
     JoinedProgress joined_;
     std::optional<double> first_fraction_;
     Clock::time_point first_reported_;
