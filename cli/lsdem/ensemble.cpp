@@ -95,6 +95,7 @@ void print_summary(const lsdem::EnsembleSummary& summary, const std::vector<lsde
               with_sd(level->peak_displacement, summary.axis, 1e-3), with_sd(level->residual_displacement, summary.axis, 1e-3));
     }
     for (const lsdem::SpeedMoments& speed : summary.speeds) {
+        if (speed.speed.count() == 0) continue;
         print("  speed by {:<17} {} m/s, {} members\n", speed.method, with_sd(speed.speed, 0), speed.speed.count());
     }
     print("  damage index {}\n", with_sd(summary.damage, 0));

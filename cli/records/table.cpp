@@ -169,13 +169,12 @@ nlohmann::json describe(const TableOptions& options, const records::ShakeTable& 
 
 /// What to do about a record that the table does not make.
 std::string advise(const TableOptions& options, const Verdict& verdict) {
-    if (verdict.corrections.empty()) return "; choose another length scale or table";
-    if (!options.correct) return "; choose another length scale, or add --correct";
+    const std::string scale = verdict.scales.empty() ? "" : "choose another length scale, or ";
+    if (verdict.corrections.empty()) return verdict.scales.empty() ? "; choose another table" : "; choose another length scale or table";
+    if (!options.correct) return "; " + scale + "add --correct";
     const double change = std::exp(verdict.corrections.front().mean_change);
-    return fmt::format(
-        " (the best correction changes PSA by a factor {:.3g} on average, {:.3g} is accepted); choose another length scale, "
-        "or add --accept {:.2f}",
-        change, options.accept.value, std::ceil(100.0 * change) / 100.0);
+    return fmt::format(" (the best correction changes PSA by a factor {:.3g} on average, {:.3g} is accepted); {}add --accept {:.2f}",
+                       change, options.accept.value, scale, std::ceil(100.0 * change) / 100.0);
 }
 
 int run_table(TableOptions options) {
@@ -195,7 +194,9 @@ int run_table(TableOptions options) {
     const Pairs pairs = parse_axes(options.axes);
     const records::ShakeTable table = read_shake_table(options.limits);
     if (!options.drive.empty() && !table.controller)
-        throw records::ReadError(options.limits + ": has no controller (a drive file needs its rate and units); add \"controller\"");
+        throw records::ReadError(options.limits +
+                                 ": has no controller (a drive file needs its rate and units); add, for example, \"controller\": "
+                                 "{\"rate\": \"1024 Hz\", \"displacement\": \"mm\"}");
     const records::AssignedAxes assigned = records::assign_axes(options.source.load(options.record), table, pairs);
 
     std::vector<scaling::Shaking> directions;

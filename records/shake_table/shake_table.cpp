@@ -84,6 +84,7 @@ TableAxis read_axis(const JsonReader& fields, bool was_in_order) {
 
 /// One entry of the list stands for as many axes as it has names.
 void add_axes(std::vector<TableAxis>& axes, const JsonReader& fields, bool was_in_order) {
+    if (fields.has("name")) fields.fail("\"name\" is none of its settings", "write a list of names, \"names\": [\"x\"]");
     if (!fields.has("names") || !fields["names"].json().is_array() || fields["names"].json().empty()) {
         fields.fail("has no names", "add \"names\": [\"x\"], one for each direction that has these limits");
     }

@@ -156,7 +156,7 @@ TEST_CASE("the payload is the model's, or the prototype's scaled") {
     CHECK(used("--prototype-mass '15625 t'") == relative(0.5, 1e-12));  // 25³ t
     CHECK(used("--payload '4 t'") == relative(2.0, 1e-12));
     CHECK(here.run(std::string(kArguments) + "--payload '4 t' --correct").err ==
-          "musim: error: synthetic: the table cannot make it; choose another length scale or table\n");
+          "musim: error: synthetic: the table cannot make it; choose another table\n");
 }
 
 TEST_CASE("the example tables are read") {
