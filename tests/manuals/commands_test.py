@@ -38,7 +38,8 @@ RESULTS = {
     ],
 }
 # files that stand for a reader's own: another record, a scene of the examples, a text
-OWN_RECORDS = {"other.v1": "CICLC.v1", "my.mseed": "CI.CLC..HNE.mseed", "station.xml": "CI.CLC.xml"}
+OWN_RECORDS = {"other.v1": "CICLC.v1", "my.mseed": "CI.CLC..HNE.mseed", "station.xml": "CI.CLC.xml",
+               **{f"STATION.{direction}": f"AOM0011801241951.{direction}" for direction in ("EW", "NS", "UD")}}
 OWN_SCENES = {"my_model.json": "tower_prototype.json"}
 OWN_TEXTS = {"code.csv": "period_s,psa_g\n0.05,0.4\n0.15,1.0\n0.5,1.0\n1,0.5\n5,0.1\n"}
 
