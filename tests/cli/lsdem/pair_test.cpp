@@ -1,0 +1,92 @@
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "tests/cli/lsdem/two_blocks.hpp"
+#include "tests/cli/program.hpp"
+
+using namespace musim::cli;
+
+TEST_CASE("pair agrees in every bit at 1:16 and within the yardstick at 1:107, and draws it") {
+    const Workplace here;
+    here.write("scene.json", SceneText().text());
+    const Outcome outcome = here.run("pair scene.json --length 1/16 --length 1/107 -o out --json");
+    CHECK(outcome.exit_code == 0);
+    const auto object = outcome.json();
+    CHECK(object["consistent"] == true);
+    CHECK(object["runs"].size() == 3);
+    CHECK(object["agreement"] == "agree");
+    CHECK(object["verdict"][0] == "The models agree with the prototype.");
+    REQUIRE(object["pairs"].size() == 2);
+    for (const char* key : {"length", "materials", "max_relative_velocity_difference", "rms_relative_velocity_difference", "shadow_rms",
+                            "bitwise_identical", "distortions"}) {
+        CHECK_MESSAGE(object["pairs"][1].contains(key), key);
+    }
+    CHECK(object["pairs"][0]["bitwise_identical"] == true);
+    CHECK(object["pairs"][0]["rms_relative_velocity_difference"] == 0.0);
+    CHECK(object["pairs"][1]["length"].get<double>() == 1.0 / 107.0);
+    for (const char* name : {"prototype/result.h5", "departure.svg", "1-16/spine.csv", "1-107/summary.json", "pair.json"}) {
+        CHECK_MESSAGE(here.has(std::string("out/") + name), name);
+    }
+    CHECK(here.read("out/spine.svg").starts_with("<svg"));
+}
+
+TEST_CASE("pair prints a table with a verdict for every run") {
+    const Workplace here;
+    here.write("scene.json", SceneText().text());
+    const Outcome outcome = here.run("pair scene.json --twins 2");
+    CHECK(outcome.exit_code == 0);
+    CHECK(outcome.out.starts_with("The models agree with the prototype.\n"));
+    for (const char* word : {"prototype", "twin", "1:25", "1:107", "half step", "agrees to rounding"})
+        CHECK_MESSAGE(outcome.out.find(word) != std::string::npos, word);
+}
+
+TEST_CASE("models of their own material list what they distort") {
+    const Workplace here;
+    here.write("scene.json", SceneText().text());
+    const auto pair = here.run("pair scene.json --length 1/107 --materials own --json").json()["pairs"][0];
+    CHECK(pair["materials"] == "own");
+    CHECK(pair["distortions"].size() > 0);
+    CHECK(here.run("pair scene.json --length 1/50 --materials own").exit_code == 3);
+    const Outcome refused = here.run("pair scene.json --length 1/50 --materials own --material aluminium --accept 0.1%");
+    CHECK(refused.exit_code == 6);
+    CHECK(refused.out.starts_with("Model 1:50 of aluminium: "));
+    CHECK(refused.out.find("NOT accepted") != std::string::npos);
+    CHECK(refused.out.find("\nAt half the time step velocities agree to 0.1 % ") != std::string::npos);
+    const Outcome accepted = here.run("pair scene.json --length 1/50 --materials own --material aluminium --accept 1e6");
+    CHECK(accepted.exit_code == 0);
+    // no other specimens were run
+    CHECK(accepted.out.find("Accepted: all within 100000000 %") != std::string::npos);
+    CHECK(accepted.out.find("specimens") == std::string::npos);
+    CHECK(here.run("pair scene.json --accept 5%").exit_code == 2);
+    // a scene as its own model
+    const auto same = here.run("pair scene.json scene.json --json").json()["pairs"][0];
+    CHECK(same["materials"] == "own");
+    CHECK(same["bitwise_identical"] == true);
+}
+
+TEST_CASE("pair scales by another law, as data") {
+    const Workplace here;
+    here.write("scene.json", SceneText().text());
+    const auto centrifuge = here.run("pair scene.json --length 1/16 --law centrifuge --json").json();
+    CHECK(centrifuge["pairs"][0]["bitwise_identical"] == true);
+    CHECK(centrifuge["consistent"] == true);
+    CHECK(here.run("pair scene.json --length 1/16 --law nonsense").exit_code == 3);
+    CHECK(here.run("pair scene.json --length 1/16 --law froude --set l=1/16").exit_code == 3);
+    CHECK(here.run("pair scene.json --length 1/16 --set mu=1").exit_code == 2);
+    CHECK(here.run("pair scene.json --length 1/107 --law centrifuge --materials own").exit_code == 2);
+}
+
+TEST_CASE("pair --record shakes with the strong motion of a record and says what it did") {
+    const Workplace here;
+    here.write("scene.json", SceneText().text());
+    REQUIRE(here.run("rescale synthetic --length 1 --law froude -o record.csv").exit_code == 0);
+    const Outcome outcome = here.run("pair scene.json --length 1/16 --record record.csv --duration 0.2 --json");
+    CHECK(outcome.exit_code == 0);
+    CHECK(outcome.err.find("along x") != std::string::npos);
+    CHECK(outcome.err.find("strong motion from") != std::string::npos);
+    CHECK(outcome.json()["pairs"][0]["bitwise_identical"] == true);
+    CHECK(here.run("pair scene.json --record missing.at2").exit_code == 3);
+    CHECK(here.run("pair scene.json --record record.csv --component x=nope").exit_code == 3);
+    CHECK(here.run("pair scene.json --record record.csv --component 360").exit_code == 2);
+}
