@@ -110,7 +110,7 @@ Structure make_structure(const NewScene& wanted, const Triple<Length>& block) {
 
 double find_length(const NewScene& wanted) {
     if (wanted.length) return *wanted.length;
-    if (wanted.block) return round_to((*wanted.block)[2] / kPrototypeBlock[2], 4);
+    if (wanted.block) return (*wanted.block)[2] / kPrototypeBlock[2];
     return find_material_preset(wanted.material).length_scale;
 }
 
