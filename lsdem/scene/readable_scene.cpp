@@ -1,5 +1,6 @@
 #include "lsdem/scene/readable_scene.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -9,6 +10,7 @@
 #include "lsdem/scene/scene_error.hpp"
 #include "lsdem/scene/scene_json.hpp"
 #include "lsdem/scene/tower_tiling.hpp"
+#include "scaling/number.hpp"
 
 namespace musim::lsdem {
 namespace {
@@ -83,7 +85,20 @@ void leave_out_defaults(ordered_json& root, const ordered_json::json_pointer& po
     }
 }
 
-/// Names that say the same in fewer letters: the tiling by its preset, a length factor as 1/107, a record by its place beside the scene.
+/// The factor as people write it: 1/107, or a quotient of short numbers with the same bits, 0.63/0.59 for 1.0677966101694916.
+ordered_json shorten_factor(double factor) {
+    const double inverse = 1.0 / factor, whole = std::round(inverse);
+    if (whole > 1.0 && std::abs(inverse - whole) <= kWhole * whole) return "1/" + std::to_string(static_cast<long long>(whole));
+    constexpr std::size_t kShort = 8;  // digits
+    for (int hundredths = 1; hundredths < 1000 && fmt::format("{}", factor).size() > kShort; ++hundredths) {
+        const double over = 0.01 * hundredths, under = std::round(factor * hundredths * 10.0);
+        const std::string text = fmt::format("{:.6g}/{:.6g}", under / 1000.0, over);
+        if (scaling::parse_number(text) == factor) return text;
+    }
+    return factor;
+}
+
+/// Names that say the same in fewer letters: the tiling by its preset, factors as quotients, a record by its place beside the scene.
 void shorten_names(ordered_json& root, const std::optional<fs::path>& folder) {
     ordered_json& structure = root.at("structure");
     if (structure.contains("tiling") && !structure["tiling"].contains("file")) {
@@ -101,10 +116,9 @@ void shorten_names(ordered_json& root, const std::optional<fs::path>& folder) {
         const fs::path near = fs::path(motion["record"].get<std::string>()).lexically_relative(fs::absolute(*folder).lexically_normal());
         if (!near.empty() && *near.begin() != "..") motion["record"] = near.string();
     }
-    if (!motion.contains("scale") || !motion["scale"].contains("length")) return;
-    const double inverse = 1.0 / motion["scale"]["length"].get<double>(), whole = std::round(inverse);
-    if (whole > 1.0 && std::abs(inverse - whole) <= kWhole * whole) {
-        motion["scale"]["length"] = "1/" + std::to_string(static_cast<long long>(whole));
+    if (!motion.contains("scale")) return;
+    for (const char* factor : {"length", "friction"}) {
+        if (motion["scale"].contains(factor)) motion["scale"][factor] = shorten_factor(motion["scale"][factor].get<double>());
     }
 }
 

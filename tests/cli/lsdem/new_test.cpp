@@ -47,6 +47,7 @@ TEST_CASE("a new scene takes the strong motion of an own record at the scale of 
     const auto motion = nlohmann::json::parse(here.read("column.json"))["base_motion"];
     CHECK(motion["record"] == "mine.v1");
     CHECK(motion["scale"]["length"] == "1/107");
+    CHECK(motion["scale"]["friction"] == "0.63/0.59");
     CHECK(here.run("run column.json --duration 1e-3 --json").exit_code == 0);
     CHECK(here.run("new column --record mine.v1 --component y=nowhere").exit_code == 3);
 }

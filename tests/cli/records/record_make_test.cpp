@@ -19,9 +19,9 @@ nlohmann::json make(const Workplace& here, const std::string& arguments) {
     return outcome.json();
 }
 
-/// The only component of a record, as `record info_of` gives it.
+/// The only component of a record, as `record info` gives it.
 nlohmann::json info_of(const Workplace& here, const std::string& file) {
-    return here.run("record info_of --json " + file).json()["components"].at(0);
+    return here.run("record info --json " + file).json()["components"].at(0);
 }
 
 }  // namespace
@@ -57,7 +57,7 @@ TEST_CASE("record make writes motions that have what was asked for") {
 
 // The pulse's closed form [MavroeidisPapageorgiou03] with γ = 2, ν = 0, v = A/2 (1 + cos πf τ) cos 2πf τ, on oscillators of 5 % damping
 // that go on for its length after it, by the classic Runge-Kutta method.
-TEST_CASE("record info_of finds the period of a short pulse") {
+TEST_CASE("record info finds the period of a short pulse") {
     constexpr double frequency = 0.5, length = 4.0, pi = std::numbers::pi;  // [Hz], [s]
     const auto acceleration = [&](double t) {                               // of A = 1 m/s
         if (t > length) return 0.0;
