@@ -11,13 +11,6 @@
 #include "lsdem/motion/simulation_core.hpp"
 
 namespace musim::lsdem {
-void release_block(const Release& release, Model& model) {
-    Block& block = model.blocks.at(release.block);
-    block.fixed = false;
-    block.position = release.position;
-    block.orientation = release.orientation;
-    block.velocity = release.velocity;
-}
 
 Simulation::Simulation(Model model, double time_step, int threads)
     : implementation_(std::make_unique<Implementation>(std::move(model), time_step, threads)) {
@@ -28,65 +21,26 @@ Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 
-void Simulation::Implementation::release(const Release& given) {
-    release_block(given, model);
-    const std::size_t i = given.block;
-    const Block& block = model.blocks[i];
-    bodies.step[i].travel += (block.position - bodies.position[i]).norm() + search.reference().diameter[i];
-    bodies.release(i, model);
-    bodies.step[i].shift = dt * block.velocity;
-    bodies.step[i].turn.setIdentity();
-    const detail::VelocityDecay half = decay_over(0.5 * dt);
-    bodies.velocity[i] = (bodies.velocity[i] - half.push * model.gravity) / half.keep;
-    balance.start_energy += 0.5 * block.mass * block.velocity.squaredNorm();
-}
-
-void Simulation::release(const std::vector<Release>& blocks) {
-    Implementation& s = *implementation_;
-    std::vector<std::uint8_t> named(s.bodies.size(), 0);
-    for (const Release& given : blocks) {
-        require(given.block < s.bodies.size() && s.bodies.fixed[given.block] != 0, "Simulation: only a held block can be released");
-        require(named[given.block]++ == 0, "Simulation: a block is released twice");
-        require(given.position.allFinite() && given.velocity.allFinite() && std::abs(given.orientation.norm() - 1.0) < 1e-9,
-                "Simulation: a released block's state is not finite, or its quaternion not of unit length");
-    }
-    const double before = s.find_exact_energy().balance();
-    for (const Release& given : blocks) s.release(given);
-    s.rebuild();
-    s.balance.start += s.find_exact_energy().balance() - before;
-    s.steps.rest_end = s.steps.done;
-    s.steps.checks_at_rest = 0;
-}
-
-void Simulation::begin_preparation(double damping_rate, Inertia inertia) {
-    Implementation& s = *implementation_;
-    set_velocity_damping(damping_rate);
-    s.preparation.active = true;
-    if (inertia == Inertia::as_stable) s.preparation.mass_scaling.begin(s.model, s.dt, s.list);
-    s.steps.rest_end = s.steps.done;
-}
-
 void Simulation::renew_neighbors() { implementation_->rebuild(); }
 
-void Simulation::end_preparation() {
-    Implementation& s = *implementation_;
-    set_velocity_damping(0.0);
-    s.preparation.active = false;
-    s.preparation.mass_scaling.end(s.bodies, s.list);
-    s.base.origin = s.base.pose.displacement - s.base.motion.displacement(0.0);
-    s.restart_balance();
-    s.steps.done = s.steps.rest_end = s.steps.skipped = s.steps.rebuilds = 0;
-    s.steps.checks_at_rest = 0;
-    s.work.times = {};
-    std::fill(s.work.overlap.begin(), s.work.overlap.end(), 0.0);
-    s.health.overstiff.reset();
+/// The state becomes the start of a run.
+void Simulation::Implementation::restart() {
+    preparation.active = false;
+    preparation.damping_rate = 0.0;
+    preparation.mass_scaling.end(bodies, list);
+    base.origin = base.pose.displacement - base.motion.displacement(0.0);
+    restart_balance();
+    steps = {};
+    work.times = {};
+    std::fill(work.overlap.begin(), work.overlap.end(), 0.0);
+    health.overstiff.reset();
 }
 
 void Simulation::begin_motion(const std::array<BaseComponent, 3>& motion) {
     BaseMotion next(motion);
     implementation_->base.motion = std::move(next);
     implementation_->model.ground.motion = motion;
-    end_preparation();
+    implementation_->restart();
 }
 
 double Simulation::time() const { return static_cast<double>(implementation_->steps.done) * implementation_->dt; }

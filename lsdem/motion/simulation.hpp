@@ -85,17 +85,6 @@ struct PhaseTimes {
     double neighbors = 0.0, contacts = 0.0, motion = 0.0;
 };
 
-/// A held block (Block::fixed), put in its place and let go.
-struct Release {
-    std::size_t block = 0;
-    Vector3 position = Vector3::Zero();               ///< centre of mass, world frame [m]
-    Quaternion orientation = Quaternion::Identity();  ///< body to world
-    Vector3 velocity = Vector3::Zero();               ///< world frame [m/s]
-};
-
-/// Puts a held block of a model in its place and lets it go, as Simulation::release does with its own.
-void release_block(const Release& release, Model& model);
-
 /// What one block bears from another, or from the ground.
 struct ContactForce {
     std::size_t leader = 0;
@@ -113,13 +102,6 @@ struct JointStiffness {
     Vector3 normal = Vector3::Zero();     ///< in which the follower is pushed, world frame
     Vector3 middle = Vector3::Zero();     ///< of the area, world frame [m]
     Matrix3 second = Matrix3::Zero();     ///< moments of the area about its middle [m⁴]
-};
-
-/// What inertia blocks have while a specimen is prepared.
-enum class Inertia {
-    own,       ///< that of their mass
-    as_stable  ///< so much more, as long as their contacts ask for it, that they are stable at whatever time step; see
-               ///< docs/theory/preparation.md
 };
 
 /// Explicit LS-DEM simulation with a fixed time step. Results are the same bits for any number of threads.
@@ -146,29 +128,17 @@ class Simulation {
 
     /// The simulation that `save` wrote, of the same model and time step; reads no further than its end. Throws std::runtime_error, which
     /// says what is wrong, for anything else: no state, one cut off or damaged, one of another model (down to the last bit of any number in
-    /// it) or written by another version; std::invalid_argument as the constructor does.
+    /// it) or written by another version; std::invalid_argument as the constructor does. One that was saved while it settled goes on as
+    /// a SettlingSimulation.
     static Simulation restore(Model model, std::istream& in, int threads = 1);
-    /// Puts held blocks in their places and lets them go, each at its velocity. What they bring in gravitational and kinetic energy counts
-    /// as there from the start. Throws std::invalid_argument for a block that is not held, or is
-    /// named twice, and for a state that is not finite.
-    void release(const std::vector<Release>& blocks);
-
-    /// From now on the base stands where it is at t = 0 and velocities decay at `damping_rate` [1/s], as when blocks are laid by hand.
-    /// Throws std::invalid_argument for a rate that is negative or not finite.
-    void begin_preparation(double damping_rate, Inertia inertia = Inertia::own);
-
     /// Makes the neighbor list anew, as it is by itself after some motion. Changes no bit of what follows.
     void renew_neighbors();
 
-    /// Ends it: the state becomes the start of the run. Time is zero again, the base free to move, damping off; energy balance, counters
-    /// and extremes begin anew. Contacts keep their history.
-    void end_preparation();
-
-    /// Ends the present motion of the base, and preparation: another one begins. The state becomes the start of another run, as in
-    /// end_preparation(), and the base goes on from where it is: its displacement is continuous and base() counts it anew. Its velocity
-    /// becomes that of the new motion at once; whoever wants no jump lets both motions meet. Velocities of blocks, contacts and their
-    /// histories are kept; model() has the new motion. Throws std::invalid_argument, and changes nothing, when a sample is not finite or a
-    /// sample interval not positive.
+    /// Ends the present motion of the base: another one begins. The state becomes the start of another run: time is zero, damping off;
+    /// energy balance, counters and extremes begin anew. The base goes on from where it is: its displacement is continuous and base()
+    /// counts it anew. Its velocity becomes that of the new motion at once; whoever wants no jump lets both motions meet. Velocities of
+    /// blocks, contacts and their histories are kept; model() has the new motion. Throws std::invalid_argument, and changes nothing, when a
+    /// sample is not finite or a sample interval not positive.
     void begin_motion(const std::array<BaseComponent, 3>& motion);
 
     double time() const;         ///< n·dt [s]
@@ -209,6 +179,7 @@ class Simulation {
     double fallen_fraction() const;  ///< of the blocks [-]
 
   private:
+    friend class SettlingSimulation;
     struct Implementation;
     explicit Simulation(std::unique_ptr<Implementation> implementation);
     std::unique_ptr<Implementation> implementation_;

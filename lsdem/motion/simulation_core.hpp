@@ -15,11 +15,11 @@
 #include "lsdem/motion/mass_scaling.hpp"
 #include "lsdem/motion/motion_kernel.hpp"
 #include "lsdem/motion/neighbors.hpp"
-#include "lsdem/motion/simulation.hpp"
+#include "lsdem/motion/settling_simulation.hpp"
 #include "lsdem/thread_team.hpp"
 
 /// What a simulation consists of. Its functions are in simulation_start.cpp, simulation_step.cpp, simulation_energy.cpp and
-/// simulation_state.cpp; what users see of it, in simulation.cpp.
+/// simulation_state.cpp; what users see of it, in simulation.cpp and settling_simulation.cpp.
 namespace musim::lsdem {
 
 /// Throws std::invalid_argument with the message unless `holds`.
@@ -107,6 +107,7 @@ struct Simulation::Implementation {
     void update_contacts();
     void rebuild();
     void release(const Release& given);
+    void restart();
     void restart_balance();
     void share_work();
     detail::VelocityDecay decay_over(double h) const { return {preparation.damping_rate, h}; }

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "lsdem/motion/simulation.hpp"
+#include "lsdem/motion/settling_simulation.hpp"
 #include "lsdem/results/rest.hpp"
 #include "lsdem/types.hpp"
 

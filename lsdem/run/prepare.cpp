@@ -83,7 +83,7 @@ class PreparationRun {
           settings_(settings),
           state_(from.value_or(PreparationState{})),
           resumes_(from && !from->simulation.empty()),
-          simulation_(begin(upright, (scales_mass() ? settings.stride : 1.0) * time_step, threads)) {}
+          settling_(begin(upright, (scales_mass() ? settings.stride : 1.0) * time_step, threads)) {}
 
     void run(const RunSettings& settings, PreparedSpecimen& prepared, WorkDone& work) {
         CheckpointWriter checkpoints(settings.checkpoint.value_or(CheckpointSettings{}));
@@ -100,31 +100,31 @@ class PreparationRun {
                     checkpoints.after_look([&](const CheckpointSettings& to) { write_checkpoint(to, save()); });
                 };
             }
-            prepared.rest = settle(simulation_, rule(), watch, state_.settling);
+            prepared.rest = settle(settling_, rule(), watch, state_.settling);
             state_.steps += prepared.rest.steps;
             state_.block_steps += prepared.rest.steps * blocks_in_round();
             if (!in_layers()) whole_steps_ += static_cast<double>(prepared.rest.steps);
             // the first, on the base, is at rest at once
             if (in_layers() && state_.round > 0) layer_steps_ = static_cast<double>(prepared.rest.steps);
             const bool hopeless = state_.round >= layer_rounds() && !prepared.rest.at_rest;
-            if (simulation_.divergence() || hopeless) break;
+            if (simulation().divergence() || hopeless) break;
         }
         prepared.steps = state_.steps;
         prepared.block_steps = state_.block_steps;
     }
 
-    const Simulation& simulation() const { return simulation_; }
+    const Simulation& simulation() const { return settling_.state(); }
 
     /// Did the whole fail to come to rest with inertia added?
-    bool wants_own_inertia(const Rest& rest) const { return scales_mass() && !rest.at_rest && !in_layers() && !simulation_.divergence(); }
+    bool wants_own_inertia(const Rest& rest) const { return scales_mass() && !rest.at_rest && !in_layers() && !simulation().divergence(); }
 
     /// From where it goes on with its own.
     PreparationState begin_again() const {
         PreparationState state;
         state.steps = state_.steps;
         state.block_steps = state_.block_steps;
-        state.max_overlap = simulation_.statistics().max_overlap_over_height;
-        state.start = find_places(simulation_);
+        state.max_overlap = simulation().statistics().max_overlap_over_height;
+        state.start = find_places(simulation());
         return state;
     }
 
@@ -137,24 +137,23 @@ class PreparationRun {
     std::size_t layer_rounds() const { return layers_.size(); }
     bool in_layers() const { return state_.round < layer_rounds(); }
     bool is_last() const { return state_.round + 1 == layer_rounds() + settings_.whole_rounds; }
-    std::size_t blocks_in_round() const { return in_layers() ? layers_[state_.round].second : simulation_.model().blocks.size(); }
+    std::size_t blocks_in_round() const { return in_layers() ? layers_[state_.round].second : simulation().model().blocks.size(); }
 
-    Simulation begin(const Specimen& upright, double time_step, int threads) const {
+    SettlingSimulation begin(const Specimen& upright, double time_step, int threads) const {
         Model model = by_layers() ? hold_upper_layers(upright, layers_) : upright.model;
         if (resumes_) {
             for (const Release& release : state_.releases) release_block(release, model);
             std::istringstream saved(state_.simulation);
-            return Simulation::restore(std::move(model), saved, threads);
+            return SettlingSimulation(Simulation::restore(std::move(model), saved, threads));
         }
-        Simulation simulation(std::move(model), time_step, threads);
-        simulation.begin_preparation(settings_.settling.damping_rate, scales_mass() ? Inertia::as_stable : Inertia::own);
-        return simulation;
+        return {Simulation(std::move(model), time_step, threads), settings_.settling.damping_rate,
+                scales_mass() ? Inertia::as_stable : Inertia::own};
     }
 
     PreparationState save() const {
         PreparationState state = state_;
         std::ostringstream out;
-        simulation_.save(out);
+        simulation().save(out);
         state.simulation = std::move(out).str();
         return state;
     }
@@ -174,7 +173,7 @@ class PreparationRun {
     void begin_round() {
         if (in_layers() && state_.round > 0) add_layer(state_.round);
         const double last_damping = scales_mass() ? settings_.last_damping_with_mass_scaling : settings_.last_damping;
-        if (is_last()) simulation_.set_velocity_damping(last_damping * settings_.settling.damping_rate);
+        if (is_last()) settling_.set_damping_rate(last_damping * settings_.settling.damping_rate);
     }
 
     Settling rule() const {
@@ -194,10 +193,10 @@ class PreparationRun {
     /// What is left, from the steps that the present round has taken and the part of it that the decay of its energy suggests: layers to
     /// come take as long as the last one, at first their patience; the whole takes as long as others did, or longer.
     WorkLeft find_left(double part, std::uint64_t steps) const {
-        const auto taken = static_cast<double>(steps), blocks = static_cast<double>(simulation_.model().blocks.size());
+        const auto taken = static_cast<double>(steps), blocks = static_cast<double>(simulation().model().blocks.size());
         const double by_decay = part > 0.0 ? taken * (1.0 - part) / part : std::numeric_limits<double>::infinity();
         if (!by_layers()) return {blocks * by_decay, blocks * by_decay};
-        const double decay_time = 1.0 / (settings_.settling.damping_rate * simulation_.time_step());
+        const double decay_time = 1.0 / (settings_.settling.damping_rate * simulation().time_step());
         if (!in_layers()) {
             const double whole = whole_steps_ + taken, least = kLeastWhole * decay_time - whole, most = kMostWhole * decay_time - whole;
             // what takes longer than others goes by its decay
@@ -211,12 +210,12 @@ class PreparationRun {
     }
 
     void add_layer(std::size_t k) {
-        const Model& model = simulation_.model();
+        const Model& model = simulation().model();
         const auto [first_below, first] = layers_[k - 1];
         const std::size_t last = layers_[k].second;
         std::vector<BoxPose> below, boxes;
         for (std::size_t i = first_below; i < first; ++i) {
-            below.push_back({2.0 * half_extents(model, model.blocks[i]), simulation_.position(i), simulation_.orientation(i)});
+            below.push_back({2.0 * half_extents(model, model.blocks[i]), simulation().position(i), simulation().orientation(i)});
         }
         for (std::size_t i = first; i < last; ++i) boxes.push_back(box_of(model, model.blocks[i]));
         const double clearance = find_clearance(boxes.front().size);
@@ -228,7 +227,7 @@ class PreparationRun {
             const double speed = resting() ? 0.0 : settings_.lowering * std::sqrt(model.gravity.norm() * box.size.z());
             releases.push_back({i, box.position + clearance * Vector3::UnitZ(), box.orientation, {0.0, 0.0, -speed}});
         }
-        simulation_.release(releases);
+        settling_.release(releases);
         state_.releases.insert(state_.releases.end(), releases.begin(), releases.end());
     }
 
@@ -239,7 +238,7 @@ class PreparationRun {
     bool resumes_;                       ///< in the middle of the present round
     std::optional<double> layer_steps_;  ///< of the last layer's round
     double whole_steps_ = 0.0;           ///< of the rounds of the whole that have ended
-    Simulation simulation_;
+    SettlingSimulation settling_;
 };
 
 void describe(const Simulation& simulation, PreparedSpecimen& prepared) {

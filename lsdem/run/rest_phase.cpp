@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 #include "lsdem/run/advance_in_pieces.hpp"
 
@@ -11,8 +12,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 /// Stops a base that moves, and lets velocities decay from there.
-RestPhaseState begin_rest_phase(Simulation& simulation, const SequenceStage& stage, const Settling& settling) {
-    RestPhaseState state;
+SettlingSimulation begin_rest_phase(Simulation simulation, const SequenceStage& stage, const Settling& settling, RestPhaseState& state) {
     // undamped while the base moves: the damping of velocities would hold blocks back against it
     state.stop = simulation.base().velocity;
     if (!state.stop.isZero(0.0)) {
@@ -23,8 +23,7 @@ RestPhaseState begin_rest_phase(Simulation& simulation, const SequenceStage& sta
         detail::advance_in_pieces(simulation, static_cast<std::uint64_t>(std::ceil(stop[0].dt / simulation.time_step())),
                                   [](std::uint64_t /*taken*/) {});
     }
-    simulation.begin_preparation(settling.damping_rate);
-    return state;
+    return {std::move(simulation), settling.damping_rate};
 }
 
 }  // namespace
@@ -32,28 +31,32 @@ RestPhaseState begin_rest_phase(Simulation& simulation, const SequenceStage& sta
 RestPhaseEnd come_to_rest(Simulation& simulation, const SequenceStage& stage, const Settling& settling, RunResult& run,
                           const RestPhaseWatch& watch, const std::optional<RestPhaseState>& from) {
     const Clock::time_point start = Clock::now();
-    RestPhaseState state = from ? *from : begin_rest_phase(simulation, stage, settling);
+    RestPhaseState state = from.value_or(RestPhaseState{});
+    SettlingSimulation settling_simulation =
+        from ? SettlingSimulation(std::move(simulation)) : begin_rest_phase(std::move(simulation), stage, settling, state);
+    const Simulation& now = settling_simulation.state();
     const double wall_time_before = state.wall_time;
     const auto wall_time = [&] { return wall_time_before + std::chrono::duration<double>(Clock::now() - start).count(); };
-    const auto base_moved = [&] { return Vector3(state.moved + simulation.base().displacement); };
+    const auto base_moved = [&] { return Vector3(state.moved + now.base().displacement); };
 
     SettlingWatch observer;
     observer.on_progress = watch.on_progress;
     observer.give_up = [&] {
-        note_falls(run, simulation, state.clock + simulation.time(), base_moved());
+        note_falls(run, now, state.clock + now.time(), base_moved());
         return run.collapse_time.has_value();
     };
-    observer.on_state = [&](const SettlingState& now) {
-        state.settling = now;
+    observer.on_state = [&](const SettlingState& settled) {
+        state.settling = settled;
         state.wall_time = wall_time();
-        if (watch.on_state) watch.on_state(state);
+        if (watch.on_state) watch.on_state(state, now);
     };
     RestPhaseEnd end;
-    end.rest = settle(simulation, settling, observer, state.settling);
-    update_status(run, simulation);
+    end.rest = settle(settling_simulation, settling, observer, state.settling);
+    update_status(run, now);
     if (run.divergence) run.divergence->time += state.clock;
     end.moved = base_moved();
     end.wall_time = wall_time();
+    simulation = std::move(settling_simulation).finish();
     return end;
 }
 

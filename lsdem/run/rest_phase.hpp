@@ -13,7 +13,7 @@ namespace musim::lsdem {
 /// What is reported in a rest phase, at every check; either may be empty.
 struct RestPhaseWatch {
     std::function<void(double, std::uint64_t)> on_progress = {};  ///< a guess of the part that is done, 0 to 1, and the steps taken
-    std::function<void(const RestPhaseState&)> on_state = {};     ///< where it stands
+    std::function<void(const RestPhaseState&, const Simulation&)> on_state = {};  ///< where it stands
 };
 
 /// How a rest phase ended.
@@ -24,7 +24,8 @@ struct RestPhaseEnd {
 };
 
 /// Brings base and structure to rest after the motion of a stage, or up to the structure's collapse, and looks for falls meanwhile; or
-/// carries that on from `from`, with the simulation as it was there. `run`, of the stage, takes falls, collapse and divergence.
+/// carries that on from `from`, with the simulation that was saved there. `run`, of the stage, takes falls, collapse and divergence. The
+/// simulation is then ready for the next motion (Simulation::begin_motion); when something is thrown it is gone.
 RestPhaseEnd come_to_rest(Simulation& simulation, const SequenceStage& stage, const Settling& settling, RunResult& run,
                           const RestPhaseWatch& watch, const std::optional<RestPhaseState>& from = {});
 

@@ -127,8 +127,8 @@ class Sequence {
             if (part > kClearDecay) rest_length_ = taken / part;
             report(before + taken, rest_work(stage) - taken + work_after(stage));
         };
-        watch.on_state = [&](const RestPhaseState& state) {
-            checkpoints.after_look([&](const CheckpointSettings& to) { write_checkpoint(to, plan.samples, plan, run, simulation, state); });
+        watch.on_state = [&](const RestPhaseState& state, const Simulation& now) {
+            checkpoints.after_look([&](const CheckpointSettings& to) { write_checkpoint(to, plan.samples, plan, run, now, state); });
         };
         return come_to_rest(simulation, plan_.stages[stage], plan_.settling, run, watch, from);
     }

@@ -48,14 +48,15 @@ double choose_damping_rate(const Vector3& size, double gravity) {
     return 0.5 * std::sqrt(0.75 * gravity / (0.5 * std::hypot(thin, size.z())));
 }
 
-Rest settle(Simulation& simulation, const Settling& settling, const SettlingWatch& watch, SettlingState state) {
+Rest settle(SettlingSimulation& settling_simulation, const Settling& settling, const SettlingWatch& watch, SettlingState state) {
+    const Simulation& simulation = settling_simulation.state();
     const Weight weight(simulation.model());
     Rest rest;
     if (!weight.exists()) return rest;
     double part = 0.0;
     const double most_steps = settling.patience / (settling.damping_rate * simulation.time_step());
     while (static_cast<double>(state.steps) < most_steps) {
-        simulation.advance(kLookInterval);
+        settling_simulation.advance(kLookInterval);
         if (simulation.divergence()) break;
         state.steps += kLookInterval;
         rest.kinetic = find_liveliest(simulation);

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <functional>
 
-#include "lsdem/motion/simulation.hpp"
+#include "lsdem/motion/settling_simulation.hpp"
 #include "lsdem/results/rest.hpp"
 
 namespace musim::lsdem {
@@ -25,9 +25,9 @@ struct SettlingWatch {
     std::function<void(const SettlingState&)> on_state = {};  ///< given the state, unless it has ended
 };
 
-/// Brings a simulation that is in preparation (Simulation::begin_preparation) to rest, or carries that on from `state`. The part that is
-/// done is guessed from the decay of the liveliest block's energy. Ends early, not at rest, when the simulation diverges. Throws
-/// scaling::Interrupted when the program is asked to stop, after telling where it stands.
-Rest settle(Simulation& simulation, const Settling& settling, const SettlingWatch& watch = {}, SettlingState state = {});
+/// Brings a simulation to rest, or carries that on from `state`. The part that is done is guessed from the decay of the liveliest block's
+/// energy. Ends early, not at rest, when the simulation diverges. Throws scaling::Interrupted when the program is asked to stop, after
+/// telling where it stands.
+Rest settle(SettlingSimulation& settling_simulation, const Settling& settling, const SettlingWatch& watch = {}, SettlingState state = {});
 
 }  // namespace musim::lsdem

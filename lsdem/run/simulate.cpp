@@ -198,10 +198,10 @@ void update_status(RunResult& run, const Simulation& simulation) {
 
 std::optional<Rest> settle_specimen(Simulation& simulation, const Specimen& specimen) {
     if (!specimen.settling) return std::nullopt;
-    simulation.begin_preparation(specimen.settling->damping_rate);
-    Rest rest = settle(simulation, *specimen.settling);
-    rest.fallen = count_fallen(simulation, specimen.layer);
-    simulation.end_preparation();
+    SettlingSimulation settling(std::move(simulation), specimen.settling->damping_rate);
+    Rest rest = settle(settling, *specimen.settling);
+    rest.fallen = count_fallen(settling.state(), specimen.layer);
+    simulation = std::move(settling).finish();
     return rest;
 }
 

@@ -56,8 +56,8 @@ struct RunStart {
     double wall_time = 0.0;                  ///< spent on it so far [s]
 };
 
-/// Lets a specimen come to rest when it asks for that (Simulation::end_preparation follows); nothing when it does not. One that was
-/// prepared is at rest within a few hundred steps.
+/// Lets a specimen come to rest when it asks for that, and its simulation begin from there; nothing when it does not. One that was
+/// prepared is at rest within a few hundred steps. When something is thrown the simulation is gone.
 std::optional<Rest> settle_specimen(Simulation& simulation, const Specimen& specimen);
 
 /// Runs a simulation of `specimen` that is at t = 0 to the end of a plan, or until it diverges; the simulation is then at that end. Throws

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "lsdem/contact/overlap_contact.hpp"
-#include "lsdem/motion/simulation.hpp"
+#include "lsdem/motion/settling_simulation.hpp"
 #include "lsdem/time_step.hpp"
 #include "tests/support/heaps.hpp"
 #include "tests/support/models.hpp"
@@ -285,9 +285,9 @@ TEST_CASE("blocks of unequal height come to rest in long steps, and go on in ano
     const Stone stone = wood();
     Model model = shortened(make_running_bond(stone, 1, 3, 4), 0.01);
     const double height = stone.size.z(), speed = std::sqrt(kGravity * height), step = 0.8 * compute_critical_time_step(model);
-    Simulation settled(model, 4.0 * step);
-    settled.begin_preparation(4.0 * speed / height, Inertia::as_stable);
-    settled.advance(36000);
+    SettlingSimulation settling(Simulation(model, 4.0 * step), 4.0 * speed / height, Inertia::as_stable);
+    settling.advance(36000);
+    const Simulation& settled = settling.state();
     REQUIRE_FALSE(settled.divergence());
     for (std::size_t b = 0; b < model.blocks.size(); ++b) {
         REQUIRE(settled.velocity(b).norm() < 1e-6 * speed);

@@ -5,9 +5,10 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "lsdem/motion/simulation.hpp"
+#include "lsdem/motion/settling_simulation.hpp"
 #include "lsdem/time_step.hpp"
 #include "tests/support/models.hpp"
 #include "tests/support/motion.hpp"
@@ -106,10 +107,11 @@ TEST_CASE("a base that stood for a while goes on from where it stood") {
     advance_to(s, 10.0 * kInterval);
     const double before = s.base().displacement.x();
     REQUIRE(before != 0.0);
-    s.begin_preparation(20.0);
-    s.advance(40000);
-    CHECK(s.base().displacement.x() == before);
-    const double place = s.position(0).x();
+    SettlingSimulation settling(std::move(s), 20.0);
+    settling.advance(40000);
+    CHECK(settling.state().base().displacement.x() == before);
+    const double place = settling.state().position(0).x();
+    s = std::move(settling).finish();
     s.begin_motion({});
     s.advance(1000);
     CHECK(s.base().displacement == Vector3::Zero());

@@ -5,9 +5,10 @@
 #include <cstdint>
 #include <sstream>
 #include <string>
+#include <utility>
 
 #include "lsdem/detail/instructions.hpp"
-#include "lsdem/motion/simulation.hpp"
+#include "lsdem/motion/settling_simulation.hpp"
 #include "lsdem/time_step.hpp"
 #include "tests/support/heaps.hpp"
 #include "tests/support/models.hpp"
@@ -39,10 +40,8 @@ Model make_dropped_pyramid(const Stone& stone = wood()) {
     return model;
 }
 
-Simulation begin(const Model& model, Inertia inertia, int threads = 1) {
-    Simulation s(model, kStride * 0.8 * compute_critical_time_step(model), threads);
-    s.begin_preparation(kRate, inertia);
-    return s;
+SettlingSimulation begin(const Model& model, Inertia inertia, int threads = 1) {
+    return {Simulation(model, kStride * 0.8 * compute_critical_time_step(model), threads), kRate, inertia};
 }
 
 double liveliest(const Simulation& s) {
@@ -73,14 +72,16 @@ TEST_CASE("blocks with mass scaling come to rest in steps in which with their ow
     double weight = 0.0;
     for (const Block& block : pyramid.blocks) weight += block.mass * kGravity;
 
-    Simulation s = begin(pyramid, Inertia::as_stable);
-    s.advance(60000);
+    SettlingSimulation settling = begin(pyramid, Inertia::as_stable);
+    const Simulation& s = settling.state();
+    settling.advance(60000);
     REQUIRE_FALSE(s.divergence().has_value());
     CHECK(s.base_reaction().z() == relative(weight, 1e-6));
     CHECK(liveliest(s) < 1e-6 * std::sqrt(kGravity * wood().size.z()));
 
-    Simulation own = begin(pyramid, Inertia::own);
-    own.advance(60000);
+    SettlingSimulation own_inertia = begin(pyramid, Inertia::own);
+    own_inertia.advance(60000);
+    const Simulation& own = own_inertia.state();
     CHECK((own.divergence().has_value() || liveliest(own) > 1e-3 * std::sqrt(kGravity * wood().size.z())));
 }
 
@@ -91,8 +92,9 @@ TEST_CASE("a column with mass scaling stands as deep as its springs say") {
     constexpr std::size_t kBlocks = 6;
     Model column = make_resting_column(stone, kBlocks);
     for (Block& block : column.blocks) block.position.z() += 1e-3 * stone.size.z();
-    Simulation s = begin(column, Inertia::as_stable);
-    s.advance(40000);
+    SettlingSimulation settling = begin(column, Inertia::as_stable);
+    const Simulation& s = settling.state();
+    settling.advance(40000);
     REQUIRE_FALSE(s.divergence().has_value());
     double height = 0.0;
     const double unit = stone.weight() / stone.normal_stiffness;
@@ -116,15 +118,16 @@ TEST_CASE("inertia is added at rest: momenta stay, velocities fall, and the ener
         block.angular_velocity.z() = speed / stone.size.x();
         model.blocks.push_back(block);
     }
-    Simulation s = begin(model, Inertia::as_stable);
+    SettlingSimulation settling = begin(model, Inertia::as_stable);
+    const Simulation& s = settling.state();
     const double start = s.energy().mechanical();
-    s.advance(20);
+    settling.advance(20);
     const auto sum_of_speeds = [&] { return s.velocity(0).x() + s.velocity(1).x(); };
     const double slowed = sum_of_speeds();
     CHECK(slowed > 0.0);
     CHECK(slowed < 1.2 * speed);
     CHECK(s.angular_velocity(0).z() * stone.size.x() == relative(0.5 * slowed, 1e-3));
-    s.advance(100);
+    settling.advance(100);
     CHECK(sum_of_speeds() == relative(slowed * std::exp(-100.0 * kRate * s.time_step()), 1e-3));
     CHECK(s.energy().mechanical() < 0.5 * start);
     CHECK(std::abs(s.energy().balance() - start) < 0.01 * start);
@@ -137,14 +140,14 @@ TEST_CASE("the energy balance closes with mass scaling, and when it ends") {
     // so heavy that no contact opens, also where mass scaling pushes on
     Model model = make_resting_column(stone, 5, false, 100.0 * kGravity);
     for (Block& block : model.blocks) block.velocity.z() = -2e-4;
-    Simulation s = begin(model, Inertia::as_stable);
+    SettlingSimulation settling = begin(model, Inertia::as_stable);
+    const Simulation& s = settling.state();
     const double start = s.energy().balance();
     for (int look = 0; look < 20; ++look) {
-        s.advance(37);
+        settling.advance(37);
         CHECK(std::abs(s.energy().balance() - start) < 1e-5 * std::abs(s.energy().preparation_loss));
     }
-    s.end_preparation();
-    CHECK(s.energy().preparation_loss == 0.0);
+    CHECK(std::move(settling).finish().energy().preparation_loss == 0.0);
 }
 
 TEST_CASE("in the steps of a run hardly anything is added, and motion is that of own inertia") {
@@ -152,31 +155,30 @@ TEST_CASE("in the steps of a run hardly anything is added, and motion is that of
     Model model = make_model(wood());
     model.blocks.push_back(make_block(wood(), {0.0, 0.0, 0.501 * wood().size.z()}));
     const double dt = 0.1 * compute_critical_time_step(model);
-    Simulation own(model, dt), added(model, dt);
-    own.begin_preparation(kRate);
-    added.begin_preparation(kRate, Inertia::as_stable);
-    for (Simulation* s : {&own, &added}) s->advance(20000);
-    CHECK(own.state_hash() == added.state_hash());
+    SettlingSimulation own(Simulation(model, dt), kRate), added(Simulation(model, dt), kRate, Inertia::as_stable);
+    for (SettlingSimulation* s : {&own, &added}) s->advance(20000);
+    CHECK(own.state().state_hash() == added.state().state_hash());
 }
 
 TEST_CASE("a preparation with mass scaling goes on from a saved state to the same bits, with any number of threads") {
     const Model pyramid = make_dropped_pyramid();
-    Simulation whole = begin(pyramid, Inertia::as_stable), relay = begin(pyramid, Inertia::as_stable);
+    SettlingSimulation whole = begin(pyramid, Inertia::as_stable), relay = begin(pyramid, Inertia::as_stable);
     for (const std::uint64_t steps : {1U, 50U, 333U, 64U, 1000U, 700U}) {
-        std::istringstream in(save(relay));
-        relay = Simulation::restore(pyramid, in);
+        std::istringstream in(save(relay.state()));
+        relay = SettlingSimulation(Simulation::restore(pyramid, in));
         whole.advance(steps);
         relay.advance(steps);
-        CHECK(save(relay) == save(whole));
+        CHECK(save(relay.state()) == save(whole.state()));
     }
-    CHECK(whole.statistics().rebuilds > 2);
+    CHECK(whole.state().statistics().rebuilds > 2);
 
     const Model bond = make_running_bond(wood(), 8, 12, 9);
     std::string alone;
     for (const int threads : {1, 2, 3}) {
-        Simulation s = begin(bond, Inertia::as_stable, threads);
+        SettlingSimulation settling = begin(bond, Inertia::as_stable, threads);
+        const Simulation& s = settling.state();
         REQUIRE(s.threads() == threads);
-        s.advance(200);
+        settling.advance(200);
         if (threads == 1) alone = save(s);
         CHECK(save(s) == alone);
     }
@@ -186,8 +188,9 @@ TEST_CASE("wide and plain instructions add the same inertia") {
     std::string plain;
     for (const auto most : {musim::lsdem::detail::Instructions::plain, musim::lsdem::detail::Instructions::avx512}) {
         musim::lsdem::detail::limit_instructions(most);
-        Simulation s = begin(make_dropped_pyramid(), Inertia::as_stable);
-        s.advance(3000);
+        SettlingSimulation settling = begin(make_dropped_pyramid(), Inertia::as_stable);
+        const Simulation& s = settling.state();
+        settling.advance(3000);
         if (plain.empty()) plain = s.state_hash();
         CHECK(s.state_hash() == plain);
     }
@@ -195,12 +198,13 @@ TEST_CASE("wide and plain instructions add the same inertia") {
 
 TEST_CASE("mass scaling has no size of its own: sixteen times as large is the same to the bit") {
     const Model small = make_dropped_pyramid(), large = make_dropped_pyramid(large_wood());
-    Simulation a(small, kStride * 0.8 * compute_critical_time_step(small)), b(large, 4.0 * a.time_step());
+    SettlingSimulation settling_a = begin(small, Inertia::as_stable);
+    const Simulation& a = settling_a.state();
+    SettlingSimulation settling_b(Simulation(large, 4.0 * a.time_step()), 0.25 * kRate, Inertia::as_stable);
+    const Simulation& b = settling_b.state();
     REQUIRE(b.time_step() == kStride * 0.8 * compute_critical_time_step(large));
-    a.begin_preparation(kRate, Inertia::as_stable);
-    b.begin_preparation(0.25 * kRate, Inertia::as_stable);
-    a.advance(3000);
-    b.advance(3000);
+    settling_a.advance(3000);
+    settling_b.advance(3000);
     for (std::size_t i = 0; i < small.blocks.size(); ++i) {
         CHECK(b.position(i) == 16.0 * a.position(i));
         CHECK(b.orientation(i).coeffs() == a.orientation(i).coeffs());

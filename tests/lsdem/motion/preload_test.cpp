@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "lsdem/motion/simulation.hpp"
+#include "lsdem/motion/settling_simulation.hpp"
 #include "lsdem/time_step.hpp"
 #include "tests/support/models.hpp"
 
@@ -34,9 +34,9 @@ TEST_CASE("a pile goes on in another simulation with the forces that its contact
     const Stone stone = wood();
     Model model = make_leaning_beam(stone);
     const double h = stone.size.z(), step = 0.5 * compute_critical_time_step(model), rate = 4.0 * std::sqrt(kGravity / h);
-    Simulation settled(model, step);
-    settled.begin_preparation(rate);
-    settled.advance(200000);
+    SettlingSimulation settling(Simulation(model, step), rate);
+    settling.advance(200000);
+    const Simulation& settled = settling.state();
     REQUIRE(settled.velocity(2).norm() < 1e-5 * std::sqrt(kGravity * h));
 
     for (std::size_t b = 0; b < model.blocks.size(); ++b) {

@@ -2,9 +2,10 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
-#include "lsdem/motion/simulation.hpp"
+#include "lsdem/motion/settling_simulation.hpp"
 #include "lsdem/time_step.hpp"
 #include "tests/support/models.hpp"
 
@@ -33,14 +34,15 @@ TEST_CASE("a held block that is let go falls from where it was put, at its speed
     Model model = make_held_column(stone);
     model.ground.motion[0] = {};
     const double dt = 1e-5, gap = 0.5 * stone.size.z(), speed = 0.1;
-    Simulation s(model, dt);
-    s.advance(100);
+    SettlingSimulation settling(Simulation(model, dt), 0.0);
+    const Simulation& s = settling.state();
+    settling.advance(100);
     const Vector3 held = s.position(1);
     CHECK(held == model.blocks[1].position);
-    s.release({put_on_top(stone, gap, speed)});
+    settling.release({put_on_top(stone, gap, speed)});
     const double balance = s.energy().balance();
     CHECK(s.velocity(1).z() == doctest::Approx(-speed).epsilon(1e-12));
-    s.advance(1000);
+    settling.advance(1000);
     const double t = 1000.0 * dt;
     // leapfrog is exact in free flight
     CHECK(s.position(1).z() == doctest::Approx(1.5 * stone.size.z() + gap - speed * t - 0.5 * kGravity * t * t).epsilon(1e-12));
@@ -52,10 +54,10 @@ TEST_CASE("a held block that is let go falls from where it was put, at its speed
 
 TEST_CASE("a released block comes to rest on the one below, and the ground bears both") {
     const Stone stone = wood();
-    Simulation s(make_held_column(stone), 0.8 * compute_critical_time_step(make_held_column(stone)));
-    s.begin_preparation(192.0);
-    s.release({put_on_top(stone, 0.0, 0.01)});
-    s.advance(40000);
+    SettlingSimulation settling(Simulation(make_held_column(stone), 0.8 * compute_critical_time_step(make_held_column(stone))), 192.0);
+    const Simulation& s = settling.state();
+    settling.release({put_on_top(stone, 0.0, 0.01)});
+    settling.advance(40000);
     CHECK(s.base_reaction().z() == doctest::Approx(2.0 * stone.weight()).epsilon(1e-6));
     // the base stands while a specimen is prepared
     CHECK(s.base().displacement == Vector3::Zero());
@@ -72,13 +74,12 @@ TEST_CASE("a released block comes to rest on the one below, and the ground bears
 TEST_CASE("when preparation ends, time, energy balance and motion begin and contacts keep what they hold") {
     const Stone stone = wood();
     const double dt = 0.8 * compute_critical_time_step(make_held_column(stone));
-    Simulation s(make_held_column(stone), dt);
-    s.begin_preparation(192.0);
-    s.release({put_on_top(stone, 0.0, 0.01)});
-    s.advance(40000);
-    const Vector3 place = s.position(1);
-    const double elastic = s.energy().elastic_normal;
-    s.end_preparation();
+    SettlingSimulation settling(Simulation(make_held_column(stone), dt), 192.0);
+    settling.release({put_on_top(stone, 0.0, 0.01)});
+    settling.advance(40000);
+    const Vector3 place = settling.state().position(1);
+    const double elastic = settling.state().energy().elastic_normal;
+    Simulation s = std::move(settling).finish();
     CHECK(s.time() == 0.0);
     CHECK(s.statistics().steps == 0);
     CHECK(s.energy().preparation_loss == 0.0);
@@ -98,7 +99,7 @@ TEST_CASE("when preparation ends, time, energy balance and motion begin and cont
 
 TEST_CASE("only held blocks can be released, once, in a state that makes sense") {
     const Stone stone = wood();
-    Simulation s(make_held_column(stone), 1e-6);
+    SettlingSimulation s(Simulation(make_held_column(stone), 1e-6), 192.0);
     const Release good = put_on_top(stone, 0.1, 0.0);
     CHECK_THROWS_AS(s.release({{.block = 0}}), std::invalid_argument);
     CHECK_THROWS_AS(s.release({{.block = 7}}), std::invalid_argument);
@@ -111,5 +112,5 @@ TEST_CASE("only held blocks can be released, once, in a state that makes sense")
     CHECK_THROWS_AS(s.release({bad}), std::invalid_argument);
     CHECK_NOTHROW(s.release({good}));
     CHECK_THROWS_AS(s.release({good}), std::invalid_argument);
-    CHECK_THROWS_AS(s.begin_preparation(-1.0), std::invalid_argument);
+    CHECK_THROWS_AS(SettlingSimulation(Simulation(make_held_column(stone), 1e-6), -1.0), std::invalid_argument);
 }

@@ -9,6 +9,7 @@
 #include <limits>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "lsdem/block_height.hpp"
@@ -201,19 +202,19 @@ TEST_CASE("a prepared specimen bears what it bore, and its blocks stay where the
     CHECK(simulation.base_reaction().z() == doctest::Approx(upright.model.gravity.norm() * total_mass(upright.model)).epsilon(1e-5));
     // one that is begun by its overlaps alone jumps
     double height = 0.0, lively = 0.0;
-    simulation.begin_preparation(prepared_rate(scene, upright));
+    SettlingSimulation settling(std::move(simulation), prepared_rate(scene, upright));
     for (int i = 0; i < 2000; ++i) {
-        simulation.advance(1);
-        for (std::size_t b = 0; b < upright.model.blocks.size(); ++b) lively = std::max(lively, simulation.velocity(b).norm());
+        settling.advance(1);
+        for (std::size_t b = 0; b < upright.model.blocks.size(); ++b) lively = std::max(lively, settling.state().velocity(b).norm());
     }
     // what is left is a ringing about the place of rest: no farther than the fastest block that counts as at rest comes in this time, and
     // no farther in four times as long
     for (const std::uint64_t more : {0U, 6000U}) {
-        simulation.advance(more);
+        settling.advance(more);
         for (std::size_t b = 0; b < upright.model.blocks.size(); ++b) {
             height = 2.0 * half_extents(upright.model, upright.model.blocks[b]).z();
             const double speed = std::sqrt(2.0 * prepared.rest.kinetic * upright.model.gravity.norm() * height);
-            CHECK((simulation.position(b) - prepared.specimen.model.blocks[b].position).norm() < speed * 2000.0 * step);
+            CHECK((settling.state().position(b) - prepared.specimen.model.blocks[b].position).norm() < speed * 2000.0 * step);
         }
     }
     CHECK(lively < 1e-5 * std::sqrt(upright.model.gravity.norm() * height));
@@ -353,13 +354,13 @@ TEST_CASE("a specimen from its file is that in memory: places to the bit, fricti
     // friction holds something
     CHECK(held > 1e-3 * memory.blocks[0].mass * memory.gravity.norm());
     // what differs by rounding stays so while nothing moves: both stand
-    Simulation from_memory(memory, step), from_file(stored, step);
+    SettlingSimulation from_memory(Simulation(memory, step), prepared_rate(scene, upright));
+    SettlingSimulation from_file(Simulation(stored, step), prepared_rate(scene, upright));
     const double height = 2.0 * half_extents(memory, memory.blocks[0]).z();
-    for (Simulation* simulation : {&from_memory, &from_file}) simulation->begin_preparation(prepared_rate(scene, upright));
     from_memory.advance(500);
     from_file.advance(500);
     for (std::size_t i = 0; i < memory.blocks.size(); ++i) {
-        CHECK((from_memory.position(i) - from_file.position(i)).norm() < 1e-12 * height);
+        CHECK((from_memory.state().position(i) - from_file.state().position(i)).norm() < 1e-12 * height);
     }
 }
 
