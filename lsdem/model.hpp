@@ -91,31 +91,36 @@ struct Preload {
     bool operator==(const Preload&) const = default;
 };
 
-/// Everything that defines a simulation, apart from its time step.
+/// How a model is computed.
+struct Numerics {
+    FaceContact face_contact = FaceContact::overlap;  ///< of StiffnessSharing::per_area; per_contact counts the leader's nodes
+    ContactNodes contact_nodes = ContactNodes::leader;
+    StiffnessSharing stiffness_sharing = StiffnessSharing::per_area;
+    bool skip_rest = true;   ///< pass over time in which the base stands and nothing moves
+    bool skip_apart = true;  ///< pass over pairs that cannot have met since they were found apart; same results
+};
+
+/// Everything that defines a simulation, apart from its time step: what there is, and how it is computed.
 struct Model {
     std::vector<Shape> shapes;
     std::vector<Material> materials;
     std::vector<Block> blocks;
     Ground ground;
     Vector3 gravity = Vector3::Zero();  ///< world frame [m/s²]
-    ContactNodes contact_nodes = ContactNodes::leader;
-    StiffnessSharing stiffness_sharing = StiffnessSharing::per_area;
-    bool skip_rest = true;                            ///< pass over time in which the base stands and nothing moves
-    bool skip_apart = true;                           ///< pass over pairs that cannot have met since they were found apart; same results
-    FaceContact face_contact = FaceContact::overlap;  ///< of StiffnessSharing::per_area; per_contact counts the leader's nodes
+    /// What friction of blocks that stand already holds; of contacts that are not named nothing. Contacts by nodes don't take it.
+    std::vector<Preload> preload;
     /// Rate α at which velocities and spins decay towards rest, dv/dt = F/m − α·v [1/s]; only for preparing a specimen while the base
     /// stands. The velocity damping of [Harmon23, eq. 12], v ← (1 − c_v)·v in each step, is α = −ln(1 − c_v)/dt. See
     /// docs/theory/preparation.md.
     double velocity_damping = 0.0;
-    /// What friction of blocks that stand already holds; of contacts that are not named nothing. Contacts by nodes don't take it.
-    std::vector<Preload> preload;
+    Numerics numerics;
 };
 
 /// Does a block meet the ground, and others of its kind, by their overlap?
 inline bool meets_by_overlap(const Model& model, const Block& block) {
     const Shape& shape = model.shapes[block.shape];
-    return model.face_contact == FaceContact::overlap && model.stiffness_sharing == StiffnessSharing::per_area && shape.faceted &&
-           std::holds_alternative<BoxLevelSet>(shape.level_set);
+    return model.numerics.face_contact == FaceContact::overlap && model.numerics.stiffness_sharing == StiffnessSharing::per_area &&
+           shape.faceted && std::holds_alternative<BoxLevelSet>(shape.level_set);
 }
 
 }  // namespace musim::lsdem

@@ -138,7 +138,7 @@ class Partners {
             worst.normal_damping = std::max(worst.normal_damping, law.normal_damping);
             worst.shear_damping = std::max(worst.shear_damping, law.shear_damping);
         }
-        return model_.stiffness_sharing == StiffnessSharing::per_contact ? scaled(worst, 2.0) : worst;
+        return model_.numerics.stiffness_sharing == StiffnessSharing::per_contact ? scaled(worst, 2.0) : worst;
     }
 
   private:
@@ -170,7 +170,7 @@ double block_limit(const Model& model, const Partners& partners, const Block& bl
 double block_limit(const Model& model, const Partners& partners, const Block& block) {
     if (meets_by_overlap(model, block)) return block_limit(model, partners, block, Spread::even);
     const double spread = block_limit(model, partners, block, Spread::by_nodes);
-    if (model.stiffness_sharing == StiffnessSharing::per_area) return spread;
+    if (model.numerics.stiffness_sharing == StiffnessSharing::per_area) return spread;
     return std::min(spread, block_limit(model, partners, block, Spread::at_corner));
 }
 

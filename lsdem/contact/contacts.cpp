@@ -112,7 +112,7 @@ void store(const PairSums& sums, const Matrix3& frame, const Vector3& leader_in_
 
 /// Area of every node in contact when a pair shares its stiffness per contact, from the number that touched a step ago; zero otherwise.
 double find_equal_area(const Model& model, const Shape& leader, const PairTally& before) {
-    if (model.stiffness_sharing == StiffnessSharing::per_area) return 0.0;
+    if (model.numerics.stiffness_sharing == StiffnessSharing::per_area) return 0.0;
     return leader.face_area / std::max(1U, before.touching);
 }
 

@@ -118,7 +118,7 @@ Interface NeighborSearch::make_pair_interface(BlockPair blocks) const {
     const Block& b = model_->blocks[blocks.follower];
     const double area = std::min(area_a, model_->shapes[b.shape].face_area);
     const Interface whole = make_interface(model_->materials[a.material], model_->materials[b.material], mass, area);
-    return model_->contact_nodes == ContactNodes::both ? scaled(whole, 0.5) : whole;
+    return model_->numerics.contact_nodes == ContactNodes::both ? scaled(whole, 0.5) : whole;
 }
 
 void NeighborSearch::find_block_pairs(const Bodies& bodies, std::vector<BlockPair>& pairs) const {
@@ -238,7 +238,7 @@ void NeighborSearch::rebuild(const Bodies& bodies, const BasePose& base, Contact
     std::vector<BlockPair> found, directed;
     find_block_pairs(bodies, found);
     for (const BlockPair& p : found) {
-        const bool both = model_->contact_nodes == ContactNodes::both;
+        const bool both = model_->numerics.contact_nodes == ContactNodes::both;
         const bool first_leads = had(p.leader, p.follower) || (!had(p.follower, p.leader) && leads(bodies, p.leader, p.follower));
         if (both || first_leads) directed.push_back({p.leader, p.follower});
         if (both || !first_leads) directed.push_back({p.follower, p.leader});
@@ -263,7 +263,7 @@ void NeighborSearch::rebuild(const Bodies& bodies, const BasePose& base, Contact
     list.forces.assign(list.pairs.size(), PairForce{});
     list.tallies.assign(list.pairs.size(), PairTally{});
     list.active.resize(list.pairs.size());
-    list.trusted_gap = model_->skip_apart ? kTrustedGap : 0.0;
+    list.trusted_gap = model_->numerics.skip_apart ? kTrustedGap : 0.0;
     list.next_check.assign(list.pairs.size(), 0.0);
     list.faces.assign(list.pairs.size(), 0);
     list.first_step = previous_.first_step;

@@ -115,7 +115,7 @@ void Simulation::Implementation::update_contacts() {
 /// Number of steps from here in which the base stands and nothing moves.
 std::uint64_t Simulation::Implementation::find_steps_at_rest() {
     // with damping, blocks that hardly move may still fall: forces need not balance
-    if (!model.skip_rest || preparation.damping_rate > 0.0) return 0;
+    if (!model.numerics.skip_rest || preparation.damping_rate > 0.0) return 0;
     steps.checks_at_rest = kinetic() <= kEnergyAtRest * balance.weight_times_edge ? steps.checks_at_rest + 1 : 0;
     if (steps.checks_at_rest < kChecksAtRest) return 0;
     const double now = static_cast<double>(steps.done) * dt;

@@ -176,7 +176,7 @@ SceneSummary summarize_scene(const Scene& scene) {
 RunTimeEstimate measure_run_time(const SceneSummary& summary, int threads, double budget) {
     constexpr std::uint64_t kFirst = 8;  // steps in which contacts are met and memory is touched for the first time
     Model model = summary.specimen.model;
-    model.skip_rest = false;
+    model.numerics.skip_rest = false;
     Simulation simulation(std::move(model), summary.time_step, threads);
     const auto seconds_since = [](Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); };
     const Clock::time_point begin = Clock::now();

@@ -169,9 +169,9 @@ BuiltModel build_model(const Scene& scene) {
     model.ground.material.friction = scene.ground.friction.value_or(scene.material.friction);
     model.ground.motion = make_base_components(scene.base_motion, scene.place() + ": /base_motion");
     model.gravity = detail::to_vector(scene.gravity);
-    model.contact_nodes = scene.contact_nodes;
-    model.stiffness_sharing = scene.stiffness_sharing;
-    model.face_contact = scene.face_contact;
+    model.numerics.contact_nodes = scene.contact_nodes;
+    model.numerics.stiffness_sharing = scene.stiffness_sharing;
+    model.numerics.face_contact = scene.face_contact;
 
     built.structure.spine = arrangement.spine;
     for (const Placement& placement : arrangement.blocks) {

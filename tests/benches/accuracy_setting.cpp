@@ -20,9 +20,9 @@ Shape make_shape(const AccuracySetting& setting, const Vector3& size, const Vect
 }
 
 void apply(const AccuracySetting& setting, Model& model) {
-    model.face_contact = setting.faces;
-    model.contact_nodes = setting.sides;
-    model.skip_rest = false;
+    model.numerics.face_contact = setting.faces;
+    model.numerics.contact_nodes = setting.sides;
+    model.numerics.skip_rest = false;
 }
 
 double read_thread_time() {

@@ -38,7 +38,7 @@ lsdem::Model make_column(int layers) {
     Scene scene = wood_scene();
     scene.structure = lsdem::Column{.layers = layers, .block = lsdem::find_material_preset("wood").reference_block};
     lsdem::Model model = at_rest(lsdem::make_model(scene));
-    model.skip_rest = false;
+    model.numerics.skip_rest = false;
     return model;
 }
 
@@ -55,7 +55,7 @@ lsdem::Model make_tower(lsdem::FaceContact faces = lsdem::FaceContact::overlap) 
     Scene scene = tower_scene();
     scene.face_contact = faces;
     lsdem::Model model = at_rest(lsdem::make_model(scene));
-    model.skip_rest = false;
+    model.numerics.skip_rest = false;
     return model;
 }
 
@@ -89,7 +89,7 @@ lsdem::Model make_sliding_tower() {
     lsdem::BuiltModel built = lsdem::build_model(scene);
     for (std::size_t i = 0; i < built.model.blocks.size(); ++i)
         built.model.blocks[i].velocity.x() = built.structure.layer[i] % 2 == 0 ? kSpeed : -kSpeed;
-    built.model.skip_rest = false;
+    built.model.numerics.skip_rest = false;
     return built.model;
 }
 
@@ -135,7 +135,7 @@ lsdem::Model make_grid_tower() {
     Scene scene = tower_scene();
     scene.shape = lsdem::GridShape{.nodes_per_face = 44, .voxel = 0.65e-3 * scaling::si::meter};
     lsdem::Model model = lsdem::make_model(scene);
-    model.skip_rest = false;
+    model.numerics.skip_rest = false;
     return model;
 }
 
@@ -152,7 +152,7 @@ lsdem::Model make_debris() {
 
 lsdem::Model make_column_at_rest() {
     lsdem::Model model = make_column(kLayers);
-    model.skip_rest = true;
+    model.numerics.skip_rest = true;
     return model;
 }
 

@@ -131,9 +131,9 @@ void check_same(const Twins& twins, std::uint64_t steps, double least_motion) {
 template <class Check>
 void for_all_contacts(Twins twins, const Check& check) {
     check(twins);
-    twins.change([](Model& model) { model.face_contact = FaceContact::nodes; });
+    twins.change([](Model& model) { model.numerics.face_contact = FaceContact::nodes; });
     check(twins);
-    twins.change([](Model& model) { model.contact_nodes = ContactNodes::both; });
+    twins.change([](Model& model) { model.numerics.contact_nodes = ContactNodes::both; });
     check(twins);
 }
 
@@ -169,7 +169,7 @@ TEST_CASE("a shaken column of offset blocks moves as one of blocks with shapes o
     Twins twins = make_twins(wood(), stack(wood(), kStrains));
     twins.change(shake);
     for_all_contacts(twins, [](const Twins& t) { check_same(t, 3000, 1e-3); });
-    twins.change([](Model& model) { model.stiffness_sharing = StiffnessSharing::per_contact; });
+    twins.change([](Model& model) { model.numerics.stiffness_sharing = StiffnessSharing::per_contact; });
     check_same(twins, 3000, 1e-3);
 }
 
@@ -209,7 +209,7 @@ TEST_CASE("offset blocks thrown on each other at all angles fall as those with s
     }
     Twins twins = make_twins(wood(), places);
     check_same(twins, 12000, 1.0);
-    twins.change([](Model& model) { model.face_contact = FaceContact::nodes; });
+    twins.change([](Model& model) { model.numerics.face_contact = FaceContact::nodes; });
     check_same(twins, 12000, 1.0);
 }
 

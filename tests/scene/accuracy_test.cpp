@@ -66,7 +66,7 @@ TEST_CASE("boxes meet by their overlap unless a scene asks for nodes") {
         const Scene scene = parse(faces);
         CHECK_FALSE(scene.has_contact_nodes());
         const Model model = make_model(scene);
-        CHECK(model.face_contact == FaceContact::overlap);
+        CHECK(model.numerics.face_contact == FaceContact::overlap);
         CHECK(meets_by_overlap(model, model.blocks.front()));
         // corners only
         CHECK(model.shapes.front().nodes.size() == 8);

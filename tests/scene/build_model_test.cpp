@@ -39,9 +39,9 @@ TEST_CASE("mass is density times volume and the stiffness of a face is spread ov
     CHECK(model.ground.material.normal_stiffness == model.materials[0].normal_stiffness);
     CHECK(model.ground.present);
     CHECK(model.gravity == Vector3(0.0, 0.0, -9.80665));
-    CHECK(model.contact_nodes == ContactNodes::leader);
-    CHECK(model.stiffness_sharing == StiffnessSharing::per_area);
-    CHECK(model.face_contact == FaceContact::overlap);
+    CHECK(model.numerics.contact_nodes == ContactNodes::leader);
+    CHECK(model.numerics.stiffness_sharing == StiffnessSharing::per_area);
+    CHECK(model.numerics.face_contact == FaceContact::overlap);
 }
 
 TEST_CASE("the ground may have its own friction or be absent, and both sides may probe") {
@@ -49,8 +49,8 @@ TEST_CASE("the ground may have its own friction or be absent, and both sides may
         make_scene_text(kColumn, R"(, "ground": {"friction": 0.2}, "contact": {"nodes": "both", "stiffness": "per_contact"})")));
     CHECK(model.ground.material.friction == 0.2);
     CHECK(model.materials[0].friction == 0.63);
-    CHECK(model.contact_nodes == ContactNodes::both);
-    CHECK(model.stiffness_sharing == StiffnessSharing::per_contact);
+    CHECK(model.numerics.contact_nodes == ContactNodes::both);
+    CHECK(model.numerics.stiffness_sharing == StiffnessSharing::per_contact);
     CHECK_FALSE(make_model(parse_scene(make_scene_text(kColumn, R"(, "ground": {"present": false})"))).ground.present);
 }
 

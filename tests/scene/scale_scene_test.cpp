@@ -94,8 +94,8 @@ void check_models(const Model& scaled, const Model& prototype, const Similitude&
         CHECK(scaled.ground.motion[axis].velocity == times(prototype.ground.motion[axis].velocity, s.velocity()));
     }
     check_vector(scaled.gravity, prototype.gravity, s.gravity());
-    CHECK(scaled.contact_nodes == prototype.contact_nodes);
-    CHECK(scaled.face_contact == prototype.face_contact);
+    CHECK(scaled.numerics.contact_nodes == prototype.numerics.contact_nodes);
+    CHECK(scaled.numerics.face_contact == prototype.numerics.face_contact);
 }
 
 const std::string kSynthetic =

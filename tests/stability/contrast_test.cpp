@@ -97,9 +97,9 @@ TEST_SUITE("stability") {
     TEST_CASE("a shaken wall stays sound with every way to share and damp its contacts") {
         Stone stone = coarse_wood();
         Model per_contact = make_shaken_wall(stone), both = per_contact;
-        per_contact.stiffness_sharing = StiffnessSharing::per_contact;
-        both.face_contact = FaceContact::nodes;
-        both.contact_nodes = ContactNodes::both;
+        per_contact.numerics.stiffness_sharing = StiffnessSharing::per_contact;
+        both.numerics.face_contact = FaceContact::nodes;
+        both.numerics.contact_nodes = ContactNodes::both;
         stone.shear_damping_ratio = 0.5;
         const Model damped = make_shaken_wall(stone);
         const Demands demands{.closure = 0.01, .gain = 1e-6, .overlap = 1e-2};

@@ -31,8 +31,8 @@ TEST_SUITE("stability") {
 TEST_SUITE("stability-slow") {
     TEST_CASE("a heap of 36 blocks with the nodes of both sides is poured and comes to rest") {
         Model heap = make_poured_heap(3, 4, 0.1);
-        heap.face_contact = FaceContact::nodes;
-        heap.contact_nodes = ContactNodes::both;
+        heap.numerics.face_contact = FaceContact::nodes;
+        heap.numerics.contact_nodes = ContactNodes::both;
         check_sound("heap of 36, nodes of both sides", observe(heap, default_time_step(heap), 1.0, 200), kPoured);
     }
 

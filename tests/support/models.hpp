@@ -66,7 +66,7 @@ inline Material make_material(const Stone& stone) {
 /// A model with one shape, one material, the ground of that material, gravity, and no blocks yet. Every step of it is computed.
 inline Model make_model(const Stone& stone) {
     Model model;
-    model.skip_rest = false;
+    model.numerics.skip_rest = false;
     model.shapes.push_back(make_box_shape(stone.size, make_node_lattice(stone.size, stone.nodes_per_face)));
     model.materials.push_back(make_material(stone));
     model.ground.material = model.materials.front();

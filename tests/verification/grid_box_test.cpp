@@ -161,7 +161,7 @@ TEST_CASE("grid blocks that collide at random create no energy") {
         const Stone stone = reference_wood();
         Model model = make_tumbling_cloud(stone, 2);
         model.shapes[0] = make_grid_box_shape(stone.size, make_node_lattice(stone.size, stone.nodes_per_face), kPaperVoxel);
-        model.contact_nodes = nodes;
+        model.numerics.contact_nodes = nodes;
         Simulation s(model, 0.2 * compute_critical_time_step(model));
         const double start = s.energy().balance();
         double most = 0.0;

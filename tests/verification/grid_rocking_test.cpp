@@ -127,7 +127,7 @@ namespace {
 /// Quarter period over the expected one, of a body on a plate with nodes every `spacing` [m].
 Fall fall_on_plate(Shape shape, double spacing, ContactNodes nodes) {
     Model model = make_rocking_model(std::move(shape));
-    model.contact_nodes = nodes;
+    model.numerics.contact_nodes = nodes;
     const Pendulum pendulum = pendulum_of(model.shapes[0]);
     const double angle = 0.5 * pendulum.slenderness();
     tilt(model, angle);

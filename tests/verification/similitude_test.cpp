@@ -103,7 +103,7 @@ TEST_CASE("blocks of unequal height repeat their prototype to the last bit, by t
     const ExactScale scale{1.0 / 16.0, 0.25, 1.0, 1.0};
     for (const FaceContact faces : {FaceContact::overlap, FaceContact::nodes}) {
         Model prototype = shortened(make_shaken_wall(stone), 0.01);
-        prototype.face_contact = faces;
+        prototype.numerics.face_contact = faces;
         const double step = 0.8 * compute_critical_time_step(prototype);
         Simulation large(prototype, step), small(scale_model(prototype, stone, scale), step * scale.time);
         large.advance(5000);

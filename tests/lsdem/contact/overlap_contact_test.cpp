@@ -275,7 +275,7 @@ TEST_CASE("threads, restarts and passing over pairs that are apart change no bit
     }
     CHECK(relay.state_hash() == whole.state_hash());
     CHECK(relay.energy().balance() == whole.energy().balance());
-    model.skip_apart = false;
+    model.numerics.skip_apart = false;
     Simulation looking(model, step);
     looking.advance(1200);
     CHECK(looking.state_hash() == whole.state_hash());

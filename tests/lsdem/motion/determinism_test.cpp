@@ -38,7 +38,7 @@ TEST_CASE("wide and plain instructions give the same bits") {
     model.ground.motion[0] = velocity_step(1.0);
     const Model pile = make_loose_pile(wood(), 2, 2);
     Model by_nodes = model;
-    by_nodes.face_contact = FaceContact::nodes;
+    by_nodes.numerics.face_contact = FaceContact::nodes;
     Model uneven = shortened(model, 0.01);
     for (const Model* scene :
          {static_cast<const Model*>(&model), &pile, static_cast<const Model*>(&by_nodes), static_cast<const Model*>(&uneven)}) {

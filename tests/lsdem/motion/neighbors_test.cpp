@@ -41,7 +41,7 @@ std::set<Entry> find_by_brute_force(const Model& model, const Bodies& bodies) {
             const Vector3 world = bodies.rotation[l] * nodes.position(i) + bodies.position[l];
             if (world.z() < 0.0) entries.insert({l, kGround, i});
             for (std::uint32_t f = 0; f < bodies.size(); ++f) {
-                if (f == l || !(model.contact_nodes == ContactNodes::both || leads(bodies, l, f))) continue;
+                if (f == l || !(model.numerics.contact_nodes == ContactNodes::both || leads(bodies, l, f))) continue;
                 const BoxLevelSet box{model.shapes[model.blocks[f].shape].half_extents};
                 if (box.value(bodies.rotation[f].transpose() * (world - bodies.position[f])) < 0.0) entries.insert({l, f, i});
             }
@@ -54,7 +54,7 @@ std::set<Entry> find_by_brute_force(const Model& model, const Bodies& bodies) {
 Model make_random_heap(std::uint32_t seed) {
     const Stone stone = wood();
     Model model = make_model(stone);
-    model.face_contact = FaceContact::nodes;
+    model.numerics.face_contact = FaceContact::nodes;
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> even(0.0, 1.0);
     for (int i = 0; i < 60; ++i)
@@ -77,7 +77,7 @@ TEST_CASE("the neighbor list of a random heap holds every touching node that bru
     for (const ContactNodes which : {ContactNodes::leader, ContactNodes::both}) {
         for (std::uint32_t seed = 1; seed <= 5; ++seed) {
             Model model = make_random_heap(seed);
-            model.contact_nodes = which;
+            model.numerics.contact_nodes = which;
             const Bodies bodies(model);
             NeighborSearch search(model);
             ContactList list;
@@ -100,7 +100,7 @@ TEST_CASE("the neighbor list of a random heap holds every touching node that bru
 TEST_CASE("the neighbor list of a random heap holds every pair of boxes of which brute force finds a node in the other") {
     for (std::uint32_t seed = 1; seed <= 5; ++seed) {
         Model model = make_random_heap(seed);
-        model.face_contact = FaceContact::overlap;
+        model.numerics.face_contact = FaceContact::overlap;
         const Bodies bodies(model);
         NeighborSearch search(model);
         ContactList list;

@@ -74,10 +74,10 @@ std::vector<NamedModel> make_models() {
     Model viscous = make_running_bond(dashpots, 1, 2, 3), by_nodes = bond, both = bond, per_contact = bond;
     viscous.blocks[0].fixed = true;
     shake(viscous);
-    by_nodes.face_contact = FaceContact::nodes;
-    both.face_contact = FaceContact::nodes;
-    both.contact_nodes = ContactNodes::both;
-    per_contact.stiffness_sharing = StiffnessSharing::per_contact;
+    by_nodes.numerics.face_contact = FaceContact::nodes;
+    both.numerics.face_contact = FaceContact::nodes;
+    both.numerics.contact_nodes = ContactNodes::both;
+    per_contact.numerics.stiffness_sharing = StiffnessSharing::per_contact;
     per_contact.materials[0].shear_damping_ratio = 0.1;
     Model grids = make_resting_column(wood(), 3);
     grids.shapes[0] = make_grid_box_shape(wood().size, make_node_lattice(wood().size, 44), 0.001);
@@ -153,7 +153,7 @@ TEST_CASE("saved states are the same for any number of threads and can be resume
 
 TEST_CASE("time at rest that was being passed over is passed over after a restore, too") {
     Model model = make_resting_column(wood(), 3);
-    model.skip_rest = true;
+    model.numerics.skip_rest = true;
     model.ground.motion[0] = {0.2, 1e-3, {0.0, 0.1, 0.1}};
     const double step = 0.5 * compute_critical_time_step(model);
     Simulation whole(model, step);
@@ -211,11 +211,11 @@ TEST_CASE("a state of another model is refused, down to the last bit of any numb
         [&](Model& m) { up(m.ground.motion[0].velocity[0]); },
         [&](Model& m) { up(m.ground.motion[1].start); },
         [&](Model& m) { up(m.gravity.x()); },
-        [&](Model& m) { m.contact_nodes = ContactNodes::both; },
-        [&](Model& m) { m.stiffness_sharing = StiffnessSharing::per_contact; },
-        [&](Model& m) { m.face_contact = FaceContact::nodes; },
-        [&](Model& m) { m.skip_rest = !m.skip_rest; },
-        [&](Model& m) { m.skip_apart = !m.skip_apart; },
+        [&](Model& m) { m.numerics.contact_nodes = ContactNodes::both; },
+        [&](Model& m) { m.numerics.stiffness_sharing = StiffnessSharing::per_contact; },
+        [&](Model& m) { m.numerics.face_contact = FaceContact::nodes; },
+        [&](Model& m) { m.numerics.skip_rest = !m.numerics.skip_rest; },
+        [&](Model& m) { m.numerics.skip_apart = !m.numerics.skip_apart; },
         [&](Model& m) { m.velocity_damping = 1e-300; },
         [&](Model& m) { up(m.shapes[1].nodes.half_z.back()); },
         [&](Model& m) { up(m.shapes[0].node_spacing.x()); },
@@ -250,7 +250,7 @@ TEST_CASE("a state that is cut off or has one byte changed is refused in words")
 TEST_CASE("contents that contradict themselves are refused, whatever their checksum says") {
     Model model = make_running_bond(wood(), 1, 2, 2);
     for (const FaceContact faces : {FaceContact::overlap, FaceContact::nodes}) {
-        model.face_contact = faces;
+        model.numerics.face_contact = faces;
         Simulation s(model, 0.5 * compute_critical_time_step(model));
         s.advance(50);
         std::istringstream in(save(s));

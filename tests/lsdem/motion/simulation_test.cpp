@@ -158,7 +158,7 @@ TEST_CASE("passing over time at rest changes nothing that can be measured") {
     model.ground.motion[0].start = 0.3;
     const double step = 0.5 * compute_critical_time_step(model);
     Simulation whole(model, step);
-    model.skip_rest = true;
+    model.numerics.skip_rest = true;
     Simulation skipping(model, step);
     const auto steps = static_cast<std::uint64_t>(0.35 / step);
     whole.advance(steps);

@@ -17,9 +17,9 @@ namespace {
 /// Runs a model with and without passing over pairs that are apart, and compares all bits on the way.
 void check_same_bits(Model model, int looks, std::uint64_t steps_between) {
     const double dt = 0.8 * compute_critical_time_step(model);
-    model.skip_apart = true;
+    model.numerics.skip_apart = true;
     Simulation skipping(model, dt, 1);
-    model.skip_apart = false;
+    model.numerics.skip_apart = false;
     Simulation looking(model, dt, 1);
     std::size_t most_apart = 0, most_touching = 0;
     for (int look = 0; look < looks; ++look) {

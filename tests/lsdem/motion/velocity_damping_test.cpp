@@ -155,7 +155,7 @@ TEST_CASE("wide and plain instructions damp with the same bits, and so do any nu
 
 TEST_CASE("time is passed over only without damping, when being slow means being at rest") {
     Model model = make_resting_column(wood(), 2);
-    model.skip_rest = true;
+    model.numerics.skip_rest = true;
     const double step = 0.5 * compute_critical_time_step(model);
     // drops by 1e-9 of its height; the most damping there can be: it falls at g·dt
     for (Block& block : model.blocks) block.position.z() += 1e-9 * wood().size.z();
