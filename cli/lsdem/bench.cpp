@@ -10,8 +10,8 @@
 #include "cli/interruption.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
-#include "cli/overwriting.hpp"
 #include "cli/progress_line.hpp"
+#include "cli/result_options.hpp"
 #include "cli/usage.hpp"
 #include "lsdem/results/write_results.hpp"
 #include "tests/benches/accuracy_plot.hpp"
@@ -20,14 +20,10 @@
 namespace musim::cli {
 namespace {
 
-struct BenchAccuracyOptions {
-    std::string out;
+struct BenchAccuracyOptions : ResultOptions {
     std::string record;
     std::string component;
     bool quick = false;
-    bool json = false;
-    OverwritingOption overwriting;
-    int threads = 0;
 };
 
 /// An error that is no finite number is null.
@@ -65,8 +61,7 @@ void print_sweep(const lsdem::AccuracySweep& sweep) {
 }
 
 int run_bench_accuracy(const BenchAccuracyOptions& options) {
-    std::optional<lsdem::ResultFolder> folder;
-    if (!options.out.empty()) folder.emplace(options.out, options.overwriting.origin_with_options(), options.overwriting.choice());
+    std::optional<lsdem::ResultFolder> folder = options.make_folder(options.origin_with_options());
 
     lsdem::SweepOptions wanted{.record = options.record, .components = {}, .quick = options.quick, .threads = options.threads};
     if (!options.component.empty()) wanted.components[0] = options.component;
@@ -101,7 +96,7 @@ void add_bench_command(CLI::App& app, Action& action) {
     add_bench_verdict_command(*bench, action);
     CLI::App* command =
         bench->add_subcommand("accuracy", "Error against run time, over time steps, overlap and nodes as contact, and grids");
-    command->add_option("-o,--out", options->out, "Directory for accuracy.csv and accuracy.svg")->type_name("DIR");
+    options->add_out(*command, "Directory for accuracy.csv and accuracy.svg");
     CLI::Option* record =
         command->add_option("--record", options->record, "Earthquake of the mini-tower, at prototype scale (default: a synthetic one)")
             ->type_name("FILE");
@@ -109,10 +104,7 @@ void add_bench_command(CLI::App& app, Action& action) {
         ->type_name("NAME")
         ->needs(record);
     command->add_flag("--quick", options->quick, "Few settings and a low tower: seconds instead of minutes");
-    command->add_option("--threads", options->threads, "Runs side by side; errors are the same for any number (default: all cores)")
-        ->check(not_negative());
-    options->overwriting.add_to(*command);
-    add_json_option(*command, options->json);
+    options->add_to(*command);
     command->footer(
         "Examples:\n"
         "  musim bench accuracy --record CICLC.v1 --component 360 -o out/accuracy\n"

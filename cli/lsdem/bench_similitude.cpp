@@ -12,8 +12,8 @@
 #include "cli/named_values.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
-#include "cli/overwriting.hpp"
 #include "cli/progress_line.hpp"
+#include "cli/result_options.hpp"
 #include "lsdem/results/write_results.hpp"
 #include "scaling/text_table.hpp"
 #include "tests/benches/similitude_bench.hpp"
@@ -22,13 +22,9 @@
 namespace musim::cli {
 namespace {
 
-struct BenchSimilitudeOptions {
-    std::string out;
+struct BenchSimilitudeOptions : ResultOptions {
     std::string law;
     scaling::ReportStyle style = scaling::ReportStyle::plain;
-    bool json = false;
-    OverwritingOption overwriting;
-    int threads = 0;
 };
 
 /// "friction x 1.1", or "-".
@@ -69,8 +65,7 @@ NamedValues list_values(const lsdem::SimilitudeOutcome& outcome) {
 
 int run_bench_similitude(const BenchSimilitudeOptions& options) {
     const std::vector<lsdem::SimilitudeCase> cases = lsdem::make_similitude_cases(options.law);
-    std::optional<lsdem::ResultFolder> folder;
-    if (!options.out.empty()) folder.emplace(options.out, options.overwriting.origin_with_options(), options.overwriting.choice());
+    std::optional<lsdem::ResultFolder> folder = options.make_folder(options.origin_with_options());
 
     std::vector<lsdem::SimilitudeOutcome> outcomes;
     {
@@ -104,12 +99,10 @@ void add_bench_similitude_command(CLI::App& bench, Action& action) {
     auto options = std::make_shared<BenchSimilitudeOptions>();
     CLI::App* command =
         bench.add_subcommand("similitude", "Laws of similitude against the simulator: groups kept equal, and one broken on purpose");
-    command->add_option("-o,--out", options->out, "Directory for similitude.csv and a figure per law")->type_name("DIR");
+    options->add_out(*command, "Directory for similitude.csv and a figure per law");
     command->add_option("--law", options->law, "Only this law (default: all)")->check(one_of(lsdem::similitude_law_names()));
     add_format_option(*command, options->style, "Form of the table");
-    add_threads_option(*command, options->threads);
-    options->overwriting.add_to(*command);
-    add_json_option(*command, options->json);
+    options->add_to(*command);
     command->footer(
         "Examples:\n"
         "  musim bench similitude -o out/similitude\n"

@@ -12,9 +12,9 @@
 #include "cli/named_values.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
-#include "cli/overwriting.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/report.hpp"
+#include "cli/result_options.hpp"
 #include "cli/version.hpp"
 #include "lsdem/results/write_results.hpp"
 #include "lsdem/scene/scene_json.hpp"
@@ -26,17 +26,13 @@
 namespace musim::cli {
 namespace {
 
-struct BenchTwinsOptions {
+struct BenchTwinsOptions : ResultOptions {
     std::vector<std::string> scenes;
-    std::string out;
     std::optional<Number> duration;
     std::vector<Number> shifts;
     std::size_t models = 20;
     std::uint64_t seed = 1;
     scaling::ReportStyle style = scaling::ReportStyle::plain;
-    bool json = false;
-    OverwritingOption overwriting;
-    int threads = 0;
 };
 
 /// A study and what it comes to.
@@ -61,7 +57,7 @@ lsdem::Scene read_prototype(const std::string& file, const BenchTwinsOptions& op
 Measured measure_twins(const lsdem::Scene& prototype, const BenchTwinsOptions& options, ProgressInParts& progress) {
     lsdem::TwinSettings settings{
         .directory = options.out, .version = kVersion, .threads = options.threads, .observer = progress.observer()};
-    settings.on_warning = [](const std::string& why) { note("musim: warning: no checkpoint: {}\n", why); };
+    settings.on_warning = note_no_checkpoint;
     lsdem::TwinStudy twins = lsdem::run_twins(prototype, choose_twins(options), settings);
     lsdem::TwinSummary summary = lsdem::summarize(twins);
     return {std::move(twins), std::move(summary)};
@@ -128,12 +124,9 @@ void write_results(lsdem::ResultFolder& folder, const std::vector<Measured>& all
 int run_bench_twins(const BenchTwinsOptions& options) {
     std::vector<lsdem::Scene> prototypes;
     for (const std::string& file : options.scenes) prototypes.push_back(read_prototype(file, options));
-    std::optional<lsdem::ResultFolder> folder;
-    if (!options.out.empty()) {
-        lsdem::ResultOrigin origin = options.overwriting.origin_with_options({{"--models", options.models}});
-        for (const lsdem::Scene& prototype : prototypes) origin.add(prototype, prototype.name + ": ");
-        folder.emplace(options.out, std::move(origin), options.overwriting.choice());
-    }
+    lsdem::ResultOrigin origin = options.origin_with_options({{"--models", options.models}});
+    for (const lsdem::Scene& prototype : prototypes) origin.add(prototype, prototype.name + ": ");
+    std::optional<lsdem::ResultFolder> folder = options.make_folder(std::move(origin));
 
     std::vector<Measured> all;
     bool diverged = false;
@@ -159,8 +152,7 @@ void add_bench_twins_command(CLI::App& bench, Action& action) {
     auto options = std::make_shared<BenchTwinsOptions>();
     CLI::App* command = bench.add_subcommand("twins", "How exact models, or copies moved a little, part from their prototype");
     command->add_option("scenes", options->scenes, "Scene files of prototypes")->required()->type_name("SCENE.json...");
-    command->add_option("-o,--out", options->out, "Directory for twins.csv, spread.csv, summary.json and what each run leaves")
-        ->type_name("DIR");
+    options->add_out(*command, "Directory for twins.csv, spread.csv, summary.json and what each run leaves");
     command->add_option("--models", options->models, "Exact models of each scene; with --perturb: sets of directions")
         ->type_name("N")
         ->check(whole_between(1, 100000))
@@ -178,9 +170,7 @@ void add_bench_twins_command(CLI::App& bench, Action& action) {
         ->delimiter(',')
         ->check(above_zero());
     add_format_option(*command, options->style, "Form of the tables");
-    add_threads_option(*command, options->threads);
-    options->overwriting.add_to(*command);
-    add_json_option(*command, options->json);
+    options->add_to(*command);
     command->footer(
         "Examples:\n"
         "  musim bench twins examples/tower_prototype.json -o out/twins --duration 2\n"

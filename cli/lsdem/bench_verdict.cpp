@@ -13,9 +13,9 @@
 #include "cli/interruption.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
-#include "cli/overwriting.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/report.hpp"
+#include "cli/result_options.hpp"
 #include "cli/version.hpp"
 #include "lsdem/results/write_results.hpp"
 #include "lsdem/scene/scene_json.hpp"
@@ -27,17 +27,13 @@ namespace {
 
 using Models = std::vector<lsdem::JudgedModel>;
 
-struct BenchVerdictOptions {
+struct BenchVerdictOptions : ResultOptions {
     std::vector<std::string> scenes;
-    std::string out;
     std::optional<Number> duration;
     lsdem::VerdictBenchPlan plan;
     std::vector<std::string> errors;
     std::vector<Number> sizes;
     scaling::ReportStyle style = scaling::ReportStyle::plain;
-    bool json = false;
-    OverwritingOption overwriting;
-    int threads = 0;
 };
 
 std::vector<std::string> error_names() {
@@ -70,7 +66,7 @@ lsdem::VerdictBench measure(const std::string& file, const lsdem::Scene& prototy
     note_cut_motions(file, prototype);
     lsdem::TwinSettings settings{
         .directory = options.out, .version = kVersion, .threads = options.threads, .observer = progress.observer()};
-    settings.on_warning = [](const std::string& why) { note("musim: warning: no checkpoint: {}\n", why); };
+    settings.on_warning = note_no_checkpoint;
     lsdem::VerdictBench bench = lsdem::run_verdict_bench(prototype, plan, settings);
     bench.scene = std::filesystem::path(file).stem().string();
     return bench;
@@ -202,13 +198,9 @@ int run_bench_verdict(const BenchVerdictOptions& options) {
     const lsdem::VerdictBenchPlan plan = make_plan(options);
     std::vector<lsdem::Scene> prototypes;
     for (const std::string& file : options.scenes) prototypes.push_back(read_prototype(file, options));
-    std::optional<lsdem::ResultFolder> folder;
-    if (!options.out.empty()) {
-        lsdem::ResultOrigin origin =
-            options.overwriting.origin_with_options({{"--sets", plan.sets}, {"--models", plan.models}, {"--images", plan.images}});
-        for (std::size_t k = 0; k < prototypes.size(); ++k) origin.add(prototypes[k], options.scenes[k] + ": ");
-        folder.emplace(options.out, std::move(origin), options.overwriting.choice());
-    }
+    lsdem::ResultOrigin origin = options.origin_with_options({{"--sets", plan.sets}, {"--models", plan.models}, {"--images", plan.images}});
+    for (std::size_t k = 0; k < prototypes.size(); ++k) origin.add(prototypes[k], options.scenes[k] + ": ");
+    std::optional<lsdem::ResultFolder> folder = options.make_folder(std::move(origin));
     std::vector<lsdem::VerdictBench> benches;
     {
         const std::vector<double> shares = lsdem::share_work(prototypes);
@@ -237,7 +229,7 @@ void add_bench_verdict_command(CLI::App& bench, Action& action) {
     CLI::App* command = bench.add_subcommand("verdict", "How often `musim pair` calls exact models different, and which errors it finds");
     lsdem::VerdictBenchPlan& plan = options->plan;
     command->add_option("scenes", options->scenes, "Scene files of prototypes")->required()->type_name("SCENE.json...");
-    command->add_option("-o,--out", options->out, "Directory for verdicts.json and what each run leaves")->type_name("DIR");
+    options->add_out(*command, "Directory for verdicts.json and what each run leaves");
     const auto add_count = [&](const char* name, std::size_t& value, const char* text, std::size_t least) {
         command->add_option(name, value, text)
             ->type_name("N")
@@ -261,9 +253,7 @@ void add_bench_verdict_command(CLI::App& bench, Action& action) {
         ->type_name("NUMBER")
         ->check(above_zero());
     add_format_option(*command, options->style, "Form of the tables");
-    add_threads_option(*command, options->threads);
-    options->overwriting.add_to(*command);
-    add_json_option(*command, options->json);
+    options->add_to(*command);
     command->footer(
         "Examples:\n"
         "  musim bench verdict examples/uneven_wall.json -o out/verdict --sets 12 --seed 1001\n"

@@ -54,17 +54,10 @@ lsdem::BlockSample SampleOptions::sample() const {
     return sample;
 }
 
-void TestOptions::add_to(CLI::App& command, const char* files) {
-    sample.add_to(command);
-    command.add_option("-o,--out", out, std::string("Directory for ") + files)->type_name("DIR");
-    overwriting.add_to(command);
-    add_threads_option(command, threads);
-    add_json_option(command, json);
-}
-
-std::optional<lsdem::ResultFolder> TestOptions::make_folder() const {
-    if (out.empty()) return std::optional<lsdem::ResultFolder>();
-    return std::optional<lsdem::ResultFolder>(std::in_place, out, overwriting.origin_with_options(), overwriting.choice());
+void TestOptions::add_to(CLI::App& app, const char* files) {
+    sample.add_to(app);
+    add_out(app, std::string("Directory for ") + files);
+    ResultOptions::add_to(app);
 }
 
 nlohmann::json describe_sample(const lsdem::BlockSample& sample) {

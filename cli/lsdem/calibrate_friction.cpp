@@ -63,7 +63,7 @@ NamedValues list_values(const lsdem::TiltCase& test, const lsdem::TiltResult& re
 }
 
 int run_friction(const FrictionOptions& options) {
-    std::optional<lsdem::ResultFolder> folder = options.test.make_folder();
+    std::optional<lsdem::ResultFolder> folder = options.test.make_folder(options.test.origin_with_options());
     const lsdem::BlockSample sample = options.test.sample.sample();
     const std::vector<lsdem::TiltCase> cases = list_cases();
     const std::vector<lsdem::TiltResult> results = compute_tests(options, sample, cases);

@@ -74,7 +74,7 @@ void print_curves(const lsdem::BlockSample& sample, const std::vector<lsdem::Roc
 }
 
 int run_restitution(const RestitutionOptions& options) {
-    std::optional<lsdem::ResultFolder> folder = options.test.make_folder();
+    std::optional<lsdem::ResultFolder> folder = options.test.make_folder(options.test.origin_with_options());
     const lsdem::BlockSample sample = options.test.sample.sample();
     lsdem::RockingSweep sweep{.restitutions = to_values(options.restitutions),
                               .angles = to_values(options.angles, kDegree),

@@ -104,7 +104,7 @@ std::optional<std::string> judge_preset(const std::string& material, const Direc
 }
 
 int run_stiffness(const StiffnessOptions& options) {
-    std::optional<lsdem::ResultFolder> folder = options.test.make_folder();
+    std::optional<lsdem::ResultFolder> folder = options.test.make_folder(options.test.origin_with_options());
     const lsdem::BlockSample sample = options.test.sample.sample();
     const lsdem::WaveSettings settings{
         .layers = options.layers,

@@ -8,7 +8,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
-#include "cli/overwriting.hpp"
+#include "cli/result_options.hpp"
 #include "lsdem/calibration/block_sample.hpp"
 #include "lsdem/results/write_results.hpp"
 #include "scaling/angle.hpp"
@@ -30,15 +30,10 @@ struct SampleOptions {
 };
 
 /// What every test has besides its own options.
-struct TestOptions {
+struct TestOptions : ResultOptions {
     SampleOptions sample;
-    std::string out;
-    int threads = 0;
-    bool json = false;
-    OverwritingOption overwriting;
 
-    void add_to(CLI::App& command, const char* files);
-    std::optional<lsdem::ResultFolder> make_folder() const;
+    void add_to(CLI::App& app, const char* files);
 };
 
 nlohmann::json describe_sample(const lsdem::BlockSample& sample);

@@ -16,9 +16,9 @@
 #include "cli/lsdem/specimen_batch.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
-#include "cli/overwriting.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/report.hpp"
+#include "cli/result_options.hpp"
 #include "cli/version.hpp"
 #include "lsdem/run/run.hpp"
 #include "lsdem/scene/scene_json.hpp"
@@ -31,19 +31,14 @@ namespace {
 
 using lsdem::MemberStatus;
 
-struct EnsembleOptions {
+struct EnsembleOptions : ResultOptions {
     std::string scene;
-    std::string out;
     std::vector<std::string> compare;
     int members = 10;
     int only = 0;  ///< from 1; 0: all
     bool list = false;
     std::string specimens;
     std::string axis;
-    Number checkpoint_interval{60.0};
-    int threads = 0;
-    bool json = false;
-    OverwritingOption overwriting;
 
     std::optional<int> axis_index() const {
         if (axis.empty()) return std::nullopt;
@@ -114,13 +109,12 @@ int list_members(const EnsembleOptions& options, const std::vector<lsdem::Ensemb
 
 std::vector<lsdem::MemberReport> carry_out(const EnsembleOptions& options, const std::vector<lsdem::EnsembleMember>& members,
                                            ProgressInParts& progress) {
-    const lsdem::MemberSettings settings{
-        .directory = options.out,
-        .version = kVersion,
-        .threads = options.threads,
-        .checkpoint_interval = options.checkpoint_interval,
-        .on_progress = progress.observer().on_progress,
-        .on_no_checkpoint = [](const std::string& why) { note("musim: warning: no checkpoint: {}\n", why); }};
+    const lsdem::MemberSettings settings{.directory = options.out,
+                                         .version = kVersion,
+                                         .threads = options.threads,
+                                         .checkpoint_interval = options.checkpoint_interval,
+                                         .on_progress = progress.observer().on_progress,
+                                         .on_no_checkpoint = note_no_checkpoint};
     return lsdem::run_members(members, settings);
 }
 
@@ -175,9 +169,9 @@ int run_ensemble(const EnsembleOptions& options) {
     lsdem::make_upright_specimen(members.front().scene);
     std::optional<lsdem::ResultFolder> folder;
     if (options.only == 0) {
-        lsdem::ResultOrigin origin = options.overwriting.origin();
+        lsdem::ResultOrigin origin = options.origin();
         origin.add(scene);
-        folder.emplace(options.out, std::move(origin), options.overwriting.choice());
+        folder.emplace(options.out, std::move(origin), options.choice());
     }
     note_cut_motions(options.scene, scene);
     if (options.only > 0) members = {members[static_cast<std::size_t>(options.only - 1)]};
@@ -207,8 +201,7 @@ void add_ensemble_command(CLI::App& app, Action& action) {
     CLI::App* command = app.add_subcommand("ensemble", "A scene with several seeds of its block heights: mean and scatter");
     CLI::Option* scene_file = command->add_option("scene", options->scene, "Scene file with a height_deviation");
     scene_file->type_name("SCENE.json");
-    CLI::Option* out = command->add_option("-o,--out", options->out, "Directory for the members and ensemble.json, .h5, .csv, .svg");
-    out->type_name("DIR");
+    CLI::Option* out = options->add_out(*command, "Directory for the members and ensemble.json, .h5, .csv, .svg");
     CLI::Option* compare =
         command->add_option("--compare", options->compare, "Compare ensembles with the first of them, of any scales; run nothing");
     compare->type_name("DIR DIR...")->expected(2, 1000)->excludes(scene_file)->excludes(out);
@@ -228,10 +221,7 @@ void add_ensemble_command(CLI::App& app, Action& action) {
         ->excludes(list);
     command->add_option("--axis", options->axis, "Axis of the main motion (default: along which the base moves most)")
         ->check(one_of({"x", "y", "z"}));
-    add_checkpoint_interval_option(*command, options->checkpoint_interval);
-    options->overwriting.add_to(*command);
-    add_threads_option(*command, options->threads);
-    add_json_option(*command, options->json);
+    options->add_with_checkpoints_to(*command);
     command->footer(
         "Examples:\n"
         "  musim ensemble examples/uneven_wall.json -o out/walls --members 10\n"

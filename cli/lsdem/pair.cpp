@@ -13,10 +13,10 @@
 #include "cli/interruption.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
-#include "cli/overwriting.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/record_motion.hpp"
 #include "cli/report.hpp"
+#include "cli/result_options.hpp"
 #include "cli/version.hpp"
 #include "lsdem/results/write_results.hpp"
 #include "lsdem/run/progress_file.hpp"
@@ -34,7 +34,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct PairOptions {
+struct PairOptions : ResultOptions {
     std::string scene;
     std::vector<std::string> models;
     std::vector<Number> lengths{{1.0 / 25.0}, {1.0 / 107.0}};
@@ -43,7 +43,6 @@ struct PairOptions {
     std::vector<std::string> factors;
     std::vector<std::string> own;  ///< presets and files
     RecordMotionOptions record;
-    std::string out;
     std::optional<Number> duration;
     std::string specimen = "one";
     std::optional<std::size_t> twins;
@@ -52,10 +51,6 @@ struct PairOptions {
     std::optional<Share> accept;
     bool no_half_step = false;
     bool one_at_a_time = false;
-    Number checkpoint_interval{60.0};
-    int threads = 0;
-    bool json = false;
-    OverwritingOption overwriting;
 };
 
 /// Scenes of their own are compared as they are; else exact is meant unless own materials are asked for.
@@ -232,15 +227,12 @@ int judge(const std::string& scene, const lsdem::PairStudy& study) {
 int run_pair(const PairOptions& options) {
     const lsdem::Scene prototype = make_prototype(options);
     const std::vector<lsdem::ModelChoice> choices = make_choices(options);
-    std::optional<lsdem::ResultFolder> folder;
-    if (!options.out.empty()) {
-        lsdem::ResultOrigin origin = options.overwriting.origin_with_options();
-        origin.add(prototype);
-        for (const lsdem::ModelChoice& choice : choices) {
-            if (choice.scene) origin.add(*choice.scene, choice.scene->name + ": ");
-        }
-        folder.emplace(options.out, std::move(origin), options.overwriting.choice());
+    lsdem::ResultOrigin origin = options.origin_with_options();
+    origin.add(prototype);
+    for (const lsdem::ModelChoice& choice : choices) {
+        if (choice.scene) origin.add(*choice.scene, choice.scene->name + ": ");
     }
+    std::optional<lsdem::ResultFolder> folder = options.make_folder(std::move(origin));
     note_cut_motions(options.scene, prototype);
 
     std::optional<lsdem::ScenePair> pair;
@@ -349,14 +341,11 @@ void add_pair_command(CLI::App& app, Action& action) {
     add_model_options(*command, *options);
     add_judging_options(*command, *options);
     options->record.add_to(*command, "Shake with the strong motion of this record instead of the scene's");
-    command->add_option("-o,--out", options->out, "Directory: a folder per run, spine.svg, departure.svg, pair.json")->type_name("DIR");
+    options->add_out(*command, "Directory: a folder per run, spine.svg, departure.svg, pair.json");
     command->add_option("--duration", options->duration, "Simulated time of the prototype [s], instead of the scene's")
         ->type_name("NUMBER")
         ->check(above_zero());
-    add_checkpoint_interval_option(*command, options->checkpoint_interval);
-    options->overwriting.add_to(*command);
-    add_threads_option(*command, options->threads);
-    add_json_option(*command, options->json);
+    options->add_with_checkpoints_to(*command);
     command->footer(
         "Examples:\n"
         "  musim pair examples/tower_prototype.json -o out/pair\n"

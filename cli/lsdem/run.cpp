@@ -13,9 +13,9 @@
 #include "cli/interruption.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
-#include "cli/overwriting.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/report.hpp"
+#include "cli/result_options.hpp"
 #include "cli/version.hpp"
 #include "lsdem/results/failure.hpp"
 #include "lsdem/results/outcome.hpp"
@@ -29,15 +29,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct RunOptions {
+struct RunOptions : ResultOptions {
     std::string scene;
-    std::string out;
     std::string resume;
     std::optional<Number> duration;
-    Number checkpoint_interval{60.0};
-    int threads = 0;
-    bool json = false;
-    OverwritingOption overwriting;
 };
 
 /// The similitude by which the scene's record was made that of a model; nothing for other scenes.
@@ -120,12 +115,11 @@ Begin begin_from(const std::string& directory) {
 lsdem::RunResult carry_out(Begin begin, const RunOptions& options, const std::string& directory) {
     lsdem::RunSettings settings{.threads = options.threads};
     if (!directory.empty()) {
-        settings.checkpoint =
-            lsdem::CheckpointSettings{.file = checkpoint_in(directory),
-                                      .scene = begin.scene_text,
-                                      .program_version = kVersion,
-                                      .interval = options.checkpoint_interval,
-                                      .on_failure = [](const std::string& why) { note("musim: warning: no checkpoint: {}\n", why); }};
+        settings.checkpoint = lsdem::CheckpointSettings{.file = checkpoint_in(directory),
+                                                        .scene = begin.scene_text,
+                                                        .program_version = kVersion,
+                                                        .interval = options.checkpoint_interval,
+                                                        .on_failure = note_no_checkpoint};
     }
     ProgressInParts progress(begin.scene.name, begin.checkpoint.has_value());
     settings.observer = progress.observer();
@@ -155,9 +149,9 @@ int run_run(const RunOptions& options) {
         begin = begin_from(directory);
     }
     if (folder) {
-        lsdem::ResultOrigin origin = options.overwriting.origin();
+        lsdem::ResultOrigin origin = options.origin();
         origin.add(begin->scene);
-        folder->set_origin(std::move(origin), resumes ? lsdem::Overwriting::resume : options.overwriting.choice());
+        folder->set_origin(std::move(origin), resumes ? lsdem::Overwriting::resume : options.choice());
         if (!resumes) refuse_old_checkpoint(directory);
     }
     const lsdem::Scene scene = begin->scene;
@@ -188,8 +182,7 @@ void add_run_command(CLI::App& app, Action& action) {
     CLI::App* command = app.add_subcommand("run", "One simulation of a scene");
     CLI::Option* scene_file = command->add_option("scene", options->scene, "Scene file (JSON, schema musim-scene/1)");
     scene_file->type_name("SCENE.json");
-    CLI::Option* out = command->add_option("-o,--out", options->out, "Directory for result.h5, result.xdmf, spine.csv and summary.json");
-    out->type_name("DIR");
+    CLI::Option* out = options->add_out(*command, "Directory for result.h5, result.xdmf, spine.csv and summary.json");
     CLI::Option* duration = command->add_option("--duration", options->duration, "Simulated time [s], instead of the scene's");
     duration->type_name("NUMBER")->check(above_zero());
     command->add_option("--resume", options->resume, "Continue the run that was killed while it worked on DIR")
@@ -197,10 +190,7 @@ void add_run_command(CLI::App& app, Action& action) {
         ->excludes(scene_file)
         ->excludes(out)
         ->excludes(duration);
-    add_checkpoint_interval_option(*command, options->checkpoint_interval);
-    options->overwriting.add_to(*command);
-    add_threads_option(*command, options->threads);
-    add_json_option(*command, options->json);
+    options->add_with_checkpoints_to(*command);
     command->footer(
         "Examples:\n"
         "  musim run examples/tower_prototype.json -o out/tower\n"

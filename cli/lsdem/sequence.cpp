@@ -11,9 +11,9 @@
 #include "cli/interruption.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
-#include "cli/overwriting.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/report.hpp"
+#include "cli/result_options.hpp"
 #include "cli/version.hpp"
 #include "lsdem/run/progress_file.hpp"
 #include "lsdem/scene/scene_json.hpp"
@@ -22,14 +22,9 @@
 namespace musim::cli {
 namespace {
 
-struct SequenceOptions {
+struct SequenceOptions : ResultOptions {
     std::string scene;
-    std::string out;
     std::string resume;
-    Number checkpoint_interval{60.0};
-    int threads = 0;
-    bool json = false;
-    OverwritingOption overwriting;
 
     const std::string& directory() const { return resume.empty() ? out : resume; }
 };
@@ -40,10 +35,10 @@ lsdem::SequenceSummary carry_out(const SequenceOptions& options) {
     lsdem::SequenceSettings settings{.directory = options.directory(),
                                      .version = kVersion,
                                      .threads = options.threads,
-                                     .force = options.overwriting.force,
+                                     .force = options.force,
                                      .checkpoint_interval = options.checkpoint_interval,
                                      .observer = progress.observer(),
-                                     .on_no_checkpoint = [](const std::string& why) { note("musim: warning: no checkpoint: {}\n", why); }};
+                                     .on_no_checkpoint = note_no_checkpoint};
     std::optional<lsdem::Scene> scene;
     if (!resumes) {
         scene = read_scene(options.scene);
@@ -107,16 +102,12 @@ void add_sequence_command(CLI::App& app, Action& action) {
     CLI::App* command = app.add_subcommand("sequence", "Several motions one after another on the same structure, until it has collapsed");
     CLI::Option* scene_file = command->add_option("scene", options->scene, "Scene file with a list of \"motions\"");
     scene_file->type_name("SCENE.json");
-    CLI::Option* out = command->add_option("-o,--out", options->out, "Directory for a folder per stage, sequence.json and two CSV files");
-    out->type_name("DIR");
+    CLI::Option* out = options->add_out(*command, "Directory for a folder per stage, sequence.json and two CSV files");
     command->add_option("--resume", options->resume, "Continue the sequence that was killed while it worked on DIR")
         ->type_name("DIR")
         ->excludes(scene_file)
         ->excludes(out);
-    add_checkpoint_interval_option(*command, options->checkpoint_interval);
-    options->overwriting.add_to(*command);
-    add_threads_option(*command, options->threads);
-    add_json_option(*command, options->json);
+    options->add_with_checkpoints_to(*command);
     command->footer(
         "Examples:\n"
         "  musim sequence examples/aftershocks.json -o out/aftershocks\n"

@@ -1,4 +1,4 @@
-#include "cli/overwriting.hpp"
+#include "cli/result_options.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,9 @@
 #include <array>
 #include <CLI/CLI.hpp>
 #include <string_view>
+#include <utility>
 
+#include "cli/output.hpp"
 #include "cli/version.hpp"
 #include "scaling/error.hpp"
 #include "scaling/number.hpp"
@@ -36,16 +38,30 @@ std::string name_value(const CLI::Option& option, const std::string& text) {
 
 }  // namespace
 
-void OverwritingOption::add_to(CLI::App& app) {
+CLI::Option* ResultOptions::add_out(CLI::App& app, const std::string& help) {
+    return app.add_option("-o,--out", out, help)->type_name("DIR");
+}
+
+void ResultOptions::add_to(CLI::App& app) {
     command = &app;
     app.add_flag("--force", force, "Replace results in the directory that are of another scene, version or options");
+    add_threads_option(app, threads);
+    add_json_option(app, json);
 }
 
-lsdem::ResultOrigin OverwritingOption::origin() const {
-    return {.command = name_command(*command), .program_version = kVersion, .parts = {}};
+void ResultOptions::add_with_checkpoints_to(CLI::App& app) {
+    add_checkpoint_interval_option(app, checkpoint_interval);
+    add_to(app);
 }
 
-lsdem::ResultOrigin OverwritingOption::origin_with_options(const std::map<std::string, std::size_t>& counts) const {
+std::optional<lsdem::ResultFolder> ResultOptions::make_folder(lsdem::ResultOrigin origin) const {
+    if (out.empty()) return std::nullopt;
+    return std::optional<lsdem::ResultFolder>(std::in_place, out, std::move(origin), choice());
+}
+
+lsdem::ResultOrigin ResultOptions::origin() const { return {.command = name_command(*command), .program_version = kVersion, .parts = {}}; }
+
+lsdem::ResultOrigin ResultOptions::origin_with_options(const std::map<std::string, std::size_t>& counts) const {
     lsdem::ResultOrigin origin = this->origin();
     origin.counts = counts;
     for (const CLI::Option* option : command->get_options()) {
@@ -57,5 +73,7 @@ lsdem::ResultOrigin OverwritingOption::origin_with_options(const std::map<std::s
     }
     return origin;
 }
+
+void note_no_checkpoint(const std::string& why) { note("musim: warning: no checkpoint: {}\n", why); }
 
 }  // namespace musim::cli
