@@ -166,12 +166,4 @@ bool Simulation::has_fallen(std::size_t block) const {
     return lsdem::has_fallen(s.bodies.half[block], s.bodies.start_orientation[block].toRotationMatrix(), s.bodies.rotation[block], sunk);
 }
 
-double Simulation::fallen_fraction() const {
-    const std::size_t blocks = implementation_->bodies.size();
-    if (blocks == 0) return 0.0;
-    std::size_t fallen = 0;
-    for (std::size_t i = 0; i < blocks; ++i) fallen += has_fallen(i) ? 1 : 0;
-    return static_cast<double>(fallen) / static_cast<double>(blocks);
-}
-
 }  // namespace musim::lsdem

@@ -176,7 +176,6 @@ class Simulation {
 
     /// Has a block fallen since the start? See lsdem/fallen.hpp.
     bool has_fallen(std::size_t block) const;
-    double fallen_fraction() const;  ///< of the blocks [-]
 
   private:
     friend class SettlingSimulation;

@@ -67,7 +67,7 @@ struct Damage {
 /// Angle of a block's own z axis with the vertical [rad].
 double find_tilt(const Quaternion& orientation);
 
-/// Compares the end of a run with its start. Blocks count as fallen as in Simulation::fallen_fraction: sunk by a quarter of their height,
+/// Compares the end of a run with its start. Blocks count as fallen as in Simulation::has_fallen: sunk by a quarter of their height,
 /// or tilted by 45°. Fixed blocks count like others.
 Damage assess_damage(const RunData& run);
 

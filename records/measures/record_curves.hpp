@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,8 +13,6 @@ namespace musim::records {
 
 /// What a curve of a record shows.
 enum class CurveKind { acceleration, velocity, displacement, arias, fourier, psa };
-inline constexpr std::array<CurveKind, 6> kCurveKinds{CurveKind::acceleration, CurveKind::velocity, CurveKind::displacement,
-                                                      CurveKind::arias,        CurveKind::fourier,  CurveKind::psa};
 
 /// One curve: g, cm/s, cm, % of the Arias intensity, g·s (Fourier amplitude) or g (PSA) over s, Hz (Fourier amplitude) or s (PSA).
 struct Curve {

@@ -69,7 +69,6 @@ TEST_CASE("blocks that tumble into each other keep linear and angular momentum t
         worst_angular = std::max(worst_angular, (now.angular - start.angular).norm() / start.scale_angular);
         most_contacts = std::max(most_contacts, s.statistics().contacts);
     }
-    MESSAGE("momentum off by " << worst_linear << ", angular by " << worst_angular << "; most contacts " << most_contacts);
     REQUIRE(most_contacts > 0);
     REQUIRE(s.energy().damping_loss > 0.0);
     // 20000 steps, each rounding sums of forces far larger than the momenta they add: the square root of that times 1e-16, with room
@@ -92,7 +91,6 @@ TEST_CASE("the energy balance of a shaken and collapsing pile closes" * doctest:
         const double turnover = energy.friction_loss + energy.damping_loss;
         REQUIRE(turnover > 0.0);
         closure[run] = std::abs(energy.balance() - start) / turnover;
-        MESSAGE("energy balance of the pile: closes to " << closure[run] << " of the losses, at " << fractions[run] << " of the limit");
         // 1 %: touching and parting within a step costs (ω0 dt)² of the energy of that contact, ω0 dt = 0.1 here for a whole face
         CHECK(closure[run] < 0.01);
     }
@@ -112,9 +110,6 @@ TEST_CASE("a block that slides off an edge falls to the ground and stays there")
     advance_to(s, 0.8);
     REQUIRE_FALSE(s.divergence().has_value());
     const double thin = stone.size.x();
-    MESSAGE("slid off: at x " << s.position(1).x() << " z " << s.position(1).z() << ", overlap/height "
-                              << s.statistics().max_overlap_over_height << ", energy balance "
-                              << (s.energy().balance() - start) / s.energy().damping_loss);
     // on one of its faces on the ground, beside the table; within the overlap of its weight
     CHECK(s.position(1).x() > thin);
     CHECK(s.position(1).z() > 0.499 * thin);
@@ -189,8 +184,6 @@ TEST_CASE("two blocks that collide at random neither gain energy nor pass into e
         worst = std::max(worst, collision.error);
         deepest = std::max(deepest, collision.overlap);
     }
-    MESSAGE(collisions << " collisions: energy balance off at worst by " << worst << " of the energy; deepest overlap " << deepest
-                       << " of the height");
     REQUIRE(collisions > 30);
     // of (ω dt)², with the ω of a corner or an edge, far below that of a face: 7e-6 at worst in 400 pairs
     CHECK(worst < 1e-5);
@@ -208,7 +201,5 @@ TEST_CASE("the energy balance of colliding blocks closes with the square of the 
         errors[0] += collide(stone, seed, 0.1).error / 10.0;
         errors[1] += collide(stone, seed, 0.025).error / 10.0;
     }
-    MESSAGE("energy balance of frictionless collisions off in the mean by " << errors[0] << " at 0.1 of the limit, by " << errors[1]
-                                                                            << " at 0.025");
     CHECK(errors[0] == relative(16.0 * errors[1], 0.05));
 }

@@ -49,8 +49,6 @@ TEST_CASE("a velocity step at the base of a column slips its lowest interface by
     const double speed = 0.8 * wood().size.z();  // 0.8 H per second
     const BaseSlip soft = run_base_step(wood(), count, speed);
     const BaseSlip stiff = run_base_step(stiffened(wood(), 100.0), count, speed);
-    MESSAGE("base step: k x 1: " << 1e3 * soft.time << " ms, " << 1e6 * soft.slip << " um; k x 100: " << 1e3 * stiff.time << " ms, "
-                                 << 1e6 * stiff.slip << " um; expected 5.14926 ms, 81.9351 um");
 
     // a wave passes the column in l/c_s = 0.77 ms; until it is back the top lags by μg l/(2 c_s), and the lowest block rings by as much:
     // that part of V is the error of the rigid limit in time, twice that in the slip and
@@ -127,8 +125,6 @@ TEST_CASE("where every interface slips the motion climbs a column at half the el
         Stone rough = stone;
         rough.friction = 1e3;
         const double sticking = measure_front_speed(rough, c.count, level, 0.5 * level, 0.13, 0.79);
-        MESSAGE("front speed over elastic speed, N = " << c.count << ": slipping " << slipping << " (" << c.slipping << "), sticking "
-                                                       << sticking << " (" << c.sticking << ")");
         // The independent chains were read with another level and range of heights, which is why theirs differ by a percent or three.
         // Dispersion widens the front to some N^(1/3) blocks: a share N^(-2/3) of the height, which is also how far the half of the
         // continuum is off; the part of it that tilts the fit is a third

@@ -70,7 +70,6 @@ TEST_CASE("a free block keeps its angular momentum exactly and its energy within
             (n < 10000 ? early : late) = std::max(n < 10000 ? early : late, error);
             drift = std::max(drift, (momentum(s) - momentum_start).norm() / momentum_start.norm());
         }
-        MESSAGE("free rotation: |L| off by " << drift << ", 2T within " << early << ", later " << late);
         // the momentum is a stored number that nothing touches: the quaternion's rounding is all
         CHECK(drift < 1e-14);
         // (ω dt)² of a turn in each step
@@ -84,8 +83,6 @@ TEST_CASE("a free block keeps its angular momentum exactly and its energy within
 TEST_CASE("the rates of a free block have the period of the elliptic functions to second order") {
     for (const FreeRotation& start : kFreeRotations) {
         const double coarse = measure_period(start, start.period / 250.0), fine = measure_period(start, start.period / 1000.0);
-        MESSAGE("period " << fine << " s, expected " << start.period << "; error ratio "
-                          << (coarse - start.period) / (fine - start.period));
         // (ω dt)², and a quarter of the step makes a sixteenth of it; near the separatrix the period has a logarithm of it beside
         const double turn = start.period / 1000.0 * std::sqrt(start.twice_energy / 0.8168333);
         CHECK(std::abs(fine / start.period - 1.0) < turn * turn);

@@ -76,7 +76,6 @@ TEST_CASE("grid blocks stacked edge on edge lose at most the cells on their edge
         const double lost = 1.0 + std::floor(kPaperVoxel / spacing);
         const double inner = (1.0 - (2.0 * lost - 1.0) / (lattice.nx - 1)) * (1.0 - (2.0 * lost - 1.0) / (lattice.ny - 1));
         const double grid = interface_stiffness(as_grid, stone, 0.0);
-        MESSAGE("edge on edge, " << nodes << " nodes: stiffness over k_n " << grid << ", at least " << inner);
         CHECK(grid > inner * (1.0 - 1e-9));
         CHECK(grid < 1.0 + 1e-9);
         CHECK(interface_stiffness(as_box, stone, 0.0) ==
@@ -117,8 +116,6 @@ Slid slide_stack(MakeShape make) {
 
 TEST_CASE("a shaken stack of grid blocks slides as far as one of boxes") {
     const Slid grid = slide_stack(as_grid), box = slide_stack(as_box);
-    MESSAGE("slip of a stack [mm]: grid " << 1e3 * grid.lower << ", " << 1e3 * grid.upper << "; box " << 1e3 * box.lower << ", "
-                                          << 1e3 * box.upper);
     REQUIRE(std::abs(box.lower) > 1e-3);
     REQUIRE(std::abs(box.upper - box.lower) > 1e-3);
     // Slip depends on friction and weight, not on how the springs are laid out: that only changes how the blocks lean while they slide, by
@@ -144,8 +141,6 @@ TEST_CASE("a grid block slides down a grid plate as Coulomb says") {
     const double time_before = s.time(), speed_before = s.velocity(0).x();
     advance_to(s, duration);
     const double x = s.position(0).x(), measured = (s.velocity(0).x() - speed_before) / (s.time() - time_before);
-    MESSAGE("grid block down a grid plate: acceleration " << measured << ", expected " << expected << ", off by "
-                                                          << measured / expected - 1.0);
     // At the start friction lags until its springs have given by μ·sink, for sqrt(2μ·sink/g); what the block gains by that, μ g cos θ times
     // it, stays, and sets it ringing by as much.
     const double gained = friction * kGravity * std::cos(angle) * std::sqrt(2.0 * friction * sink / kGravity);
@@ -169,7 +164,6 @@ TEST_CASE("grid blocks that collide at random create no energy") {
             advance(s, 50);
             most = std::max(most, s.energy().balance() / start - 1.0);
         }
-        MESSAGE("grid blocks in collision: energy left " << s.energy().mechanical() / start << ", created at most " << most);
         REQUIRE(s.energy().damping_loss > 0.1 * start);
         // contacts that touch and part within a step are booked to (ω dt)², and change faces: as of boxes, 1 % of the energy
         CHECK(most < 0.01);

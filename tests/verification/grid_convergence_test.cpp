@@ -46,8 +46,6 @@ TEST_CASE("a sphere's grid converges with the square of its voxel, its normal wi
     std::array<SurfaceError, 4> errors;
     for (std::size_t i = 0; i < voxels.size(); ++i) {
         errors[i] = measure_surface(voxels[i]);
-        MESSAGE("voxel " << voxels[i] << " R: radius short by " << errors[i].mean << " R, bumps " << errors[i].spread
-                         << " R, normal off by " << errors[i].normal);
         // next order: curvature 1/(R − h) inside against 1/R
         CHECK(errors[i].mean == relative(voxels[i] * voxels[i] / 6.0, voxels[i]));
     }
@@ -91,7 +89,6 @@ TEST_CASE("a sphere on a plate rests at the height of its bed of springs, to sec
     for (std::size_t i = 0; i < errors.size(); ++i) {
         const double voxel = 0.2 / static_cast<double>(1U << i);
         errors[i] = find_depth(voxel * r, 0.015 * r, overlap) / r - overlap / r;
-        MESSAGE("voxel " << voxel << " R: sphere sinks deeper by " << errors[i] << " R, level set smaller by " << voxel * voxel / 6.0);
         // the cap is a tenth of the surface in all turns together: its mean of φ differs from that of the sphere by a part of the bumps
         CHECK(errors[i] == relative(voxel * voxel / 6.0, 0.25));
     }
@@ -124,12 +121,11 @@ double measure_scatter(double spacing, double overlap) {
 // The lattice samples the pressure of the cap, K(d − r²/2R) within a = sqrt(2Rd). Its Fourier transform falls as (q a)^(−5/2), and so does
 // what sums over the lattice, q = 2π/s, differ by from the integral. In the mean over all places the sum is exact.
 TEST_CASE("the force on a sphere scatters with the power five halves of the plate's node spacing") {
-    const double r = kBallRadius, overlap = 0.02 * r, patch = std::sqrt(2.0 * r * overlap);
+    const double r = kBallRadius, overlap = 0.02 * r;
     const std::array<double, 3> spacings{0.16, 0.08, 0.04};
     std::array<double, 3> scatter{};
     for (std::size_t i = 0; i < spacings.size(); ++i) {
         scatter[i] = measure_scatter(spacings[i] * r, overlap);
-        MESSAGE("spacing " << spacings[i] * r / patch << " of the patch's radius: force scatters by " << scatter[i]);
     }
     // the power holds on average: the transform oscillates about it, by a Bessel function's phase
     CHECK(0.5 * order(scatter[0], scatter[2]) == doctest::Approx(2.5).epsilon(0.2));

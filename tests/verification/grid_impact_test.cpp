@@ -105,8 +105,6 @@ TEST_CASE("an elastic sphere rebounds from a plate at its own speed, in the time
     const double speed = 0.1;
     const Collision c = make_plate_collision(0.3, 1.0, speed, stiffness_for_depth(ball_mass(kBallRadius), kBallRadius, speed));
     const Rebound r = collide(c);
-    MESSAGE("sphere on plate, e = 1: e " << r.restitution << ", depth " << r.depth / c.bed.depth() << ", duration "
-                                         << r.duration / c.bed.duration() << " of the bed's");
     const double within = bed_tolerance(kBallRadius, kSpacing);
     CHECK(r.depth / c.bed.depth() == relative(1.0, within));
     CHECK(r.duration / c.bed.duration() == relative(1.0, within + 2.0 / kSteps));
@@ -125,8 +123,6 @@ TEST_CASE("two elastic spheres, equal or not, exchange momentum in the time of a
     for (const double ratio : {1.0, 1.5}) {
         const Collision c = make_sphere_collision(ratio, 0.3, 1.0, speed);
         const Rebound r = collide(c);
-        MESSAGE("spheres 1 : " << ratio << ", e = 1: e " << r.restitution << ", depth " << r.depth / c.bed.depth() << ", duration "
-                               << r.duration / c.bed.duration() << " of the bed's");
         const double within = bed_tolerance(c.bed.radius, kSpacing);
         const double slope = 0.5 * kVoxel / kBallRadius;
         CHECK(r.depth / c.bed.depth() == relative(1.0, within));
@@ -150,7 +146,6 @@ TEST_CASE("a damped sphere loses what the dashpots of the bed take") {
         const Collision c = make_plate_collision(0.3, material, v, stiffness);
         const Rebound r = collide(c);
         const double expected = c.bed.restitution(), loss = 1.0 - expected;
-        MESSAGE("material e " << material << ", speed " << v << ": e " << r.restitution << ", bed " << expected);
         // the loss to the accuracy of the bed; a dashpot that lags by half a step, of its share of the force, as of a block
         const Interface law = make_interface(c.model.materials[0], c.model.materials[0], c.bed.mass, c.model.shapes[0].face_area);
         const double share = law.normal_damping * v / (law.normal_stiffness * c.bed.depth());
@@ -182,7 +177,6 @@ TEST_CASE("a sphere that lands on a single node rebounds by the node's share of 
             s.advance(static_cast<std::uint64_t>(3.0 * kSteps + voxel * voxel / (4.0 * r) / speed / s.time_step()));
             REQUIRE(s.statistics().contact_nodes == 0);
             const double measured = s.velocity(0).norm() / speed, expected = compute_restitution(zeta);
-            MESSAGE("single node of " << area / model.shapes[0].face_area << " of the face: e " << measured << ", expected " << expected);
             // Half a step of lag in the dashpot's share 2ζ of the force. The normal of a grid leans by up to β = h/(2R): the push then
             // passes the centre at Rβ, which spins the sphere and leaves 1 + 3.5β² of its mass to the rebound.
             const double lean = 0.5 * voxel / r;
@@ -204,9 +198,6 @@ void check_gross_sliding(double friction, double wanted, double tangential_speed
     REQUIRE(tangential_speed - spin_speed >= 3.5 * friction * (1.0 + wanted) * speed);
     const Rebound r = collide(c);
     const double push = friction * (1.0 + wanted) * speed, spun = r.spin.y() * kBallRadius - spin_speed;
-    MESSAGE("oblique, e = " << wanted << ", v_t " << tangential_speed << ", Rw " << spin_speed << ": v_t' " << r.velocity.x()
-                            << " (expected " << tangential_speed - push << "), change of Rw " << spun << " (expected " << 2.5 * push
-                            << "), e " << r.restitution);
     // friction's arm is shorter than R by up to d; its impulse is off by the push of a normal that leans by twice the grid's slope h/(2R),
     // averaged over the nodes of the cap, and by that of the restitution
     const double cap_nodes = 2.0 * kPi * kBallRadius * kDepth / (kSpacing * kSpacing);
@@ -246,7 +237,6 @@ TEST_CASE("unequal spheres that meet obliquely share friction's impulse and spin
     const double slowed = (3.0 * speed - r.velocity.dot(side)) * m0 / impulse, dragged = r.other_velocity.dot(side) * m1 / impulse;
     const double spun = r.spin.dot(axis) * m0 * kBallRadius / (2.5 * impulse);
     const double other_spun = r.other_spin.dot(axis) * m1 * 1.5 * kBallRadius / (2.5 * impulse);
-    MESSAGE("unequal spheres, over expected: " << slowed << " " << dragged << " " << spun << " " << other_spun);
     // The line of centres turns to both sides by passed/apart: of the impulses that this exchanges, the damped half is second order. The
     // arm of friction is shorter by up to d, and the nodes of the smaller cap meet slopes of the grid that do not cancel.
     const double turn = passed / apart, cap_nodes = 2.0 * kPi * c.bed.radius * kDepth / (kSpacing * kSpacing);

@@ -113,8 +113,6 @@ TEST_CASE("a tilted drum falls to upright in the quarter period of its rim") {
         tilt(model, fraction * pendulum.slenderness());
         const double expected = pendulum.quarter_period(fraction * pendulum.slenderness());
         const Fall fall = fall_to_upright(model, 2.0 * expected);
-        MESSAGE("drum on the ground from " << fraction << " of its slenderness: quarter period over expected "
-                                           << fall.quarter_period / expected);
         // one rim node: half a ring wide, π(R² − (R − R/20)²)/60
         const double node_area = kPi * kRadius * kRadius * (1.0 - 0.95 * 0.95) / 60.0;
         CHECK(fall.quarter_period / expected == relative(1.0, sink_effect(model, node_area)));
@@ -149,9 +147,6 @@ TEST_CASE("a body that rocks on a plate pivots within a spacing and a voxel of i
     const Fall drum_both = fall_on_plate(make_drum(), spacing, ContactNodes::both);
     const Fall box = fall_on_plate(make_grid_block(), spacing, ContactNodes::leader);
     const Fall box_both = fall_on_plate(make_grid_block(), spacing, ContactNodes::both);
-    MESSAGE("quarter period on a plate over expected: drum " << drum.quarter_period << ", probed from both sides "
-                                                             << drum_both.quarter_period << "; box " << box.quarter_period << ", "
-                                                             << box_both.quarter_period);
     for (const Fall& fall : {drum, box}) {
         CHECK(fall.quarter_period > 1.0 - 1e-3);
         CHECK(fall.quarter_period < 1.0 + inset);
@@ -194,8 +189,6 @@ TEST_CASE("a drum on a shaken base lifts at its diameter over its height") {
     const double threshold = 2.0 * kRadius / kHeight, duration = 0.5 / std::sqrt(pendulum.squared_rate());
     const double expected = pendulum.shaken_tilt(duration, [&](double t) { return 1.2 * threshold * ramp(t, duration); });
     const double below = shake_drum(0.98 * threshold, duration), above = shake_drum(1.2 * threshold, duration);
-    MESSAGE("drum shaken at 0.98 and 1.2 of the uplift threshold: tilt " << below / expected << " and " << above / expected
-                                                                         << " of the rigid one's at 1.2");
     CHECK(std::abs(below) < kFirmLean);
     // above: it starts to fall from its lean, ahead of the rigid drum by the time in which that, with the rate j of the base's
     // acceleration, would take up the lean, θ = p² j t³/6; over the rest of the time that adds 2t/duration to the tilt

@@ -79,9 +79,7 @@ Model make_rolling_drum(double voxel, double spacing) {
 
 /// `share`: of gravity that friction takes, 2/7 or 1/3; `creepage` expected.
 void check_rolling(const std::string& name, const Rolling& r, double expected, double share, double creepage) {
-    MESSAGE(name << ": acceleration " << r.acceleration << ", expected " << expected << ", off by " << r.acceleration / expected - 1.0
-                 << "; creepage " << r.creepage << " (bed " << creepage << "), friction loss " << r.friction_loss << ", sideways "
-                 << r.sideways << ", energy balance " << r.closure);
+    INFO(name);
     // The body turns about a point that is higher than its lowest by up to d, and creeps: both change the share that friction takes. At the
     // start the springs of the patch first deform by (T/N)d, a part of the way.
     const double offset = kOverlap / kBallRadius, start = share * std::tan(kSlope) * kOverlap / kWay;

@@ -38,7 +38,6 @@ TEST_CASE("an impact has the coefficient of restitution that was asked for") {
     for (const double e : {0.3, 0.5, 0.7, 0.9, 1.0}) {
         CAPTURE(e);
         const double coarse = measure_restitution(e, 200.0, 0.05), fine = measure_restitution(e, 800.0, 0.05);
-        MESSAGE("restitution " << e << ": " << coarse << " at 200 steps, " << fine << " at 800");
         // the dashpot force lags by half a step: of its share 2ζ of the force, a phase π/(2·200)
         const double zeta = compute_damping_ratio(e);
         CHECK(std::abs(coarse - e) < 2.0 * zeta * kPi / 400.0 + 1e-4);
@@ -133,7 +132,6 @@ TEST_CASE("cyclic shear dissipates the area of the spring-slider's loop") {
     advance_to(s, 9.0 * quarter);
     const double loss = s.energy().friction_loss - before.friction_loss;
     const double work = s.energy().base_work - before.base_work;
-    MESSAGE("shear loop: " << 1e6 * loss << " uJ, expected 0.2624732");
     // the corners of the triangle are cut within a base sample of 10 ns in 1 ms, twice a cycle: 2e-5 of u0
     CHECK(loss == relative(0.2624732e-6, 4e-5));
     CHECK(work == relative(loss, 1e-4));

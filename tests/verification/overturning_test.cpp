@@ -66,8 +66,6 @@ double compare_thresholds(const Stone& stone, Pulse pulse, double ratio, double 
     const double elastic = elastic_threshold(stone, pulse, ratio, exact);
     const double measured =
         bisect(0.998 * elastic, 1.002 * elastic, 6, [&](double strength) { return simulation_overturns(stone, pulse, ratio, strength); });
-    MESSAGE("overturning at omega/p = " << ratio << ": s = " << measured << ", on an elastic edge " << elastic << " (off by "
-                                        << measured / elastic - 1.0 << "), rigid block " << exact);
     // Bracket 0.4 %/2⁶ = 6e-5. Of the shift by the edge, ElasticRocking leaves out the spring of friction, and that N is not the weight:
     // less by 3/4 sin²α of it upright, and the depth, which goes with its root, by half of that.
     const ElasticRocking rocking(stone);

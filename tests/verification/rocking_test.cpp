@@ -47,9 +47,6 @@ void check_quarter_period(const Stone& stone, const QuarterPeriod& expected, dou
     const double soft = measure_quarter_period(stone, tilt) / exact - 1.0, firm = measure_quarter_period(firm_stone, tilt) / exact - 1.0;
     const double soft_delay = ElasticRocking(stone).quarter_period_delay(tilt);
     const double firm_delay = ElasticRocking(firm_stone).quarter_period_delay(tilt);
-    MESSAGE("quarter period at " << expected.amplitude << ": later by " << soft << " (elastic edge " << soft_delay
-                                 << "), 16 times as stiff by " << firm << " (" << firm_delay << "), off by " << soft - soft_delay << " and "
-                                 << firm - firm_delay << "; of rigid edges " << (4.0 * firm - soft) / 3.0);
     // the closed form of the elastic edge leaves out mostly that friction's spring gives; the table has six digits
     const double given = ElasticRocking(stone).friction_share();
     CHECK(std::abs(soft - soft_delay) < 2e-6 + given * soft_delay);
@@ -115,8 +112,6 @@ TEST_CASE("an impact of a rocking block takes energy and books where it went" * 
             CAPTURE(side.name);
             CAPTURE(restitution);
             const Impact impact = measure_impact(side.stone, restitution, 0.05);
-            MESSAGE(side.name << " side, e = " << restitution << ": r = " << impact.energy_ratio << " (Housner " << side.housner
-                              << "), energy balance " << impact.closure);
             // an impact never gives energy, and an edge contact does not stop a block dead
             CHECK(impact.energy_ratio < 1.0);
             CHECK(impact.energy_ratio > 0.0);
@@ -173,9 +168,6 @@ TEST_CASE("friction decides whether a shaken block slides or rocks or does both"
     const Response slides = shake_from_rest(stone, 0.30, 0.511, duration);
     const Response both = shake_from_rest(stone, 0.34, 0.511, duration);
     const Response rocks = shake_from_rest(stone, 0.40, 0.511, duration);
-    MESSAGE("slip/estimate and tilt/estimate: mu 0.30: " << -slides.slip / sliding << " " << slides.tilt / rocking_tilt
-                                                         << "; mu 0.34: " << -both.slip / sliding << " " << both.tilt / rocking_tilt
-                                                         << "; mu 0.40: " << -rocks.slip / sliding << " " << rocks.tilt / rocking_tilt);
     // pure sliding: no tilt but that of springs near uplift. Until the block has leaned onto its edge, about 1/ω of its pitching,
     // friction lags: a velocity of μ g/ω, ω² = k_θ/I with k_θ = k_n b²/12 and I = m (b² + H²)/3
     const auto lag = [&](const Stone& s, double friction) {

@@ -184,8 +184,6 @@ TEST_CASE("friction scaling is exact for a column that only slides and distorted
             difference = std::max(difference, std::abs(relative(prototype) - relative(model)));
             slip = std::max(slip, std::abs(relative(prototype)));
         }
-        MESSAGE("friction scaling 0.25, " << std::string(locked ? "sliding" : "free to rock") << ": difference over slip "
-                                          << difference / slip);
         REQUIRE(slip > 1e-4 * wood().size.z());
         // sliding: all that differs is how the first instants of sticking ring, within the elastic offset of the base joint
         const double offset = 3.0 * wood().friction * wood().weight() / wood().shear_stiffness;

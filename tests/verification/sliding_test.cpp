@@ -71,7 +71,6 @@ TEST_CASE("a block on a steep incline slides with g times sine less friction") {
 
         // the printed number is rounded to 5e-7; what is left of the vertical ringing after 50 ms changes friction by less than 1e-6
         CHECK(std::abs(measured - c.acceleration) < 5e-7 + 1e-6 * kGravity);
-        MESSAGE("incline " << c.degrees << " deg: " << measured << " m/s2, expected " << c.acceleration);
     }
 }
 
@@ -82,7 +81,6 @@ TEST_CASE("a sliding block stops after the Coulomb distance") {
     model.blocks[0].velocity.x() = 0.5;
     Simulation s(model, lying_time_step(model));
     const double stopped = find_crossing(s, 0.2, [](const Simulation& now) { return now.velocity(0).x(); });
-    MESSAGE("stopping: " << 1e3 * stopped << " ms, " << 1e3 * relative_x(s) << " mm; expected 80.9022 ms, 20.2256 mm");
 
     // friction acts fully after a slip of μN/k_s, which the block crosses in less than one step at 0.5 m/s: one step's error in time
     CHECK(std::abs(stopped - 80.9022e-3) < 5e-8 + 1.0 * s.time_step());
@@ -104,8 +102,6 @@ TEST_CASE("a rectangular base pulse moves a block by the slip of Newmark") {
         advance(s, 100);
         const double end = find_crossing(s, 0.3, [](const Simulation& now) { return now.velocity(0).x() - now.base().velocity.x(); });
         advance_to(s, c.end + 0.02);
-        MESSAGE("pulse " << c.amplitude_g << " g: slip " << -1e3 * relative_x(s) << " mm, expected " << 1e3 * c.slip << "; end "
-                         << 1e3 * end << " ms, expected " << 1e3 * c.end);
 
         // the sudden start rings in shear until the springs slip: friction comes late by a quarter of that period, worth A·T of slip per
         // second of delay
@@ -130,8 +126,6 @@ TEST_CASE("a half-sine base pulse moves a block by the closed-form slip") {
         advance_to(s, 0.5 * c.duration);
         const double end = find_crossing(s, 0.3, [](const Simulation& now) { return now.velocity(0).x() - now.base().velocity.x(); });
         advance_to(s, c.end + 0.02);
-        MESSAGE("half-sine " << c.amplitude_g << " g: slip " << -1e3 * relative_x(s) << " mm, expected " << 1e3 * c.slip << "; end "
-                             << 1e3 * end << " ms, expected " << 1e3 * c.end);
 
         // slip begins where the springs are loaded: within a few steps of t1 and of the end, while the relative velocity is near zero;
         // the rest is the elastic offset, twice 2 μN/k_s
@@ -171,8 +165,6 @@ TEST_CASE("harmonic base motion slides a block by the peak-to-peak slip of the s
         }
         const double slip = high - low, loss = s.energy().friction_loss - loss_before;
         const double expected_loss = 2.0 * c.friction * stone.weight() * c.slip;
-        MESSAGE("harmonic mu " << c.friction << " f " << c.frequency << ": D " << 1e3 * slip << " mm, expected " << 1e3 * c.slip
-                               << "; loss/(2 mu m g D) " << loss / expected_loss);
 
         // the slip is second order in the errors of its turning points; 2e-4 covers the chords and one step of delay at each turn,
         // ω dt = 3e-4 at most
@@ -197,8 +189,6 @@ TEST_CASE("a block that spins on the ground stops after the closed-form time and
         const double stopped = find_crossing(s, 0.1, [](const Simulation& now) { return now.angular_velocity(0).z(); });
         const Quaternion q = s.orientation(0);
         const double angle = (2.0 * std::atan2(q.z(), q.w()) - twist) * 180.0 / kPi;
-        MESSAGE("spin from " << twist << ": stops in " << 1e3 * stopped << " ms after " << angle << " deg, expected " << 1e3 * kTime
-                             << " and " << kAngle << ", off by " << stopped / kTime - 1.0 << " and " << angle / kAngle - 1.0);
         // Friction acts in full after a turn of μ m g r̄/(k_s J/A): with α of the stop, and I/m = J/A, of α m/k_s, which takes so long at
         // the rate of the start; a step beside. The angle goes with the square of the time.
         const double loading = kRate / kTime * stone.mass() / stone.shear_stiffness / kRate;

@@ -69,8 +69,6 @@ TEST_CASE("a block that spins across a plate is slowed by mu N times the mean di
         const double expected = stone.friction * mean_distance(stone.size.x(), stone.size.y()) * normal_impulse(s, stone, 1);
         REQUIRE(s.angular_velocity(1).z() > 0.1 * rate);
         const double loading = std::sqrt(stone.mass() / stone.shear_stiffness) / s.time();
-        MESSAGE("spin on a plate at " << twist << ": " << lost / expected << " of the closed form, springs load for " << loading
-                                      << " of the time");
         CHECK(lost == relative(expected, 2.0 * loading));
     }
 }
@@ -83,7 +81,6 @@ TEST_CASE("a beam that turns on an edge is slowed by mu N times a quarter of the
     advance_to(s, 0.03);
     const double lost = inertia * (rate - s.angular_velocity(1).z());
     const double expected = stone.friction * 0.25 * length * normal_impulse(s, stone, 1);
-    MESSAGE("spin on an edge: " << lost / expected << " of the closed form, rate " << s.angular_velocity(1).z());
     // its springs load in 0.16 ms, at first and after every bounce
     CHECK(lost == relative(expected, 5e-3));
 }
@@ -105,8 +102,6 @@ TEST_CASE("a tile that slides and spins across a plate loses force and couple by
         const double impulse = stone.friction * (normal_impulse(s, stone, 1) - fell);
         const double force = stone.mass() * (slower - s.velocity(1).x()) / impulse;
         const double couple = inertia * (turns - s.angular_velocity(1).z()) / (reach * impulse);
-        MESSAGE("tile at " << speed << " m/s and " << rate << " rad/s: force " << force << ", couple " << couple
-                           << " of the limits of each");
         CHECK(std::hypot(force, couple) == relative(1.0, 2e-3));
         CHECK(std::min(force, couple) > 0.1);
     }

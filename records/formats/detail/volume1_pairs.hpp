@@ -6,7 +6,6 @@
 namespace musim::records::detail {
 
 /// Lines of the headers above the pairs: 13 of text, 7 of integers, 7 of reals.
-inline constexpr std::size_t kVolume1TextLines = 13;
 inline constexpr std::size_t kVolume1HeaderLines = 27;
 
 /// The unit of the values.

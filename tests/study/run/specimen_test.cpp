@@ -181,9 +181,6 @@ TEST_CASE("specimens of layers with scaled mass are those of layer by layer in t
         for (const double f : quick.force) quick_force.add(f);
         for (const double f : layers.force) force.add(f);
     }
-    MESSAGE("tilt ", tilt.mean(), ", more by ", tilt_difference.mean(), " +/- ", std::sqrt(tilt_difference.variance_of_mean()), "; forces ",
-            quick_force.mean(), " and ", force.mean(), ", scatter ", std::sqrt(quick_force.variance()), " and ",
-            std::sqrt(force.variance()), "; cost ", static_cast<double>(quick_cost) / static_cast<double>(cost));
     CHECK(std::abs(tilt_difference.mean()) < 3.0 * std::sqrt(tilt_difference.variance_of_mean()));
     CHECK(std::sqrt(tilt_difference.variance_of_mean()) < 0.02 * tilt.mean());
     CHECK(std::abs(quick_force.mean() - force.mean()) < 3.0 * std::sqrt(quick_force.variance_of_mean() + force.variance_of_mean()));
