@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
 
 #include "lsdem/scene/detail/scene_to_json.hpp"
@@ -72,6 +74,12 @@ class SceneWriter {
     ordered_json write(Quantity quantity) const {
         if (style_ == QuantityStyle::text) return scaling::format_quantity(quantity, kDigits);
         return quantity.value();
+    }
+
+    /// Times of a record, which are read beside each other.
+    ordered_json write_seconds(scaling::Time time) const {
+        if (style_ == QuantityStyle::text) return fmt::format("{:.{}g} s", time.value(), kDigits);
+        return time.value();
     }
 
     template <class Quantity>
@@ -175,7 +183,7 @@ class SceneWriter {
         if (motion.unit) object["unit"] = *motion.unit;
         if (motion.quantity) object["quantity"] = records::to_string(*motion.quantity);
         put(object, "dt", motion.dt);
-        if (motion.window) object["window"] = {write((*motion.window)[0]), write((*motion.window)[1])};
+        if (motion.window) object["window"] = {write_seconds((*motion.window)[0]), write_seconds((*motion.window)[1])};
         put(object, "highpass", motion.highpass_corner);
         if (motion.scale) {
             auto [law, set] = *motion.scale;

@@ -59,8 +59,9 @@ TEST_CASE("an interrupted run goes on from its last step and can be interrupted 
     const std::string halfway = "[ -e out/checkpoint ]";
     CHECK(here.interrupt("run scene.json -o out --checkpoint-interval 0.01", "INT", halfway).exit_code == 130);
     const std::string first = here.read("out/checkpoint");
-    // no checkpoint of its own before: what it leaves is written when it is interrupted
-    const Outcome again = here.interrupt("run --resume out --checkpoint-interval 1000", "INT", "grep '\"running\"' out/progress.json");
+    // no checkpoint of its own before: what it leaves is written when it is interrupted, after some steps
+    const Outcome again =
+        here.interrupt("run --resume out --checkpoint-interval 1000", "INT", "grep '\"running\"' out/progress.json && sleep 0.2");
     CHECK(again.exit_code == 130);
     CHECK(again.err == "musim: interrupted by SIGINT: continue with `musim run --resume out`\n");
     CHECK(here.read("out/checkpoint") != first);
