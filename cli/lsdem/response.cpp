@@ -153,7 +153,8 @@ void add_response_command(CLI::App& app, Action& action) {
         "  musim response out/tower --field 0.4 0.5 0.6 -o out/tower/response\n"
         "  musim response out/tower --axis x --window 0.3 0.8 --json\n"
         "The speed is the slope of height over lag, by first arrival, cross-correlation, peak and deconvolution; S^N is it over sqrt(mu g "
-        "l).");
+        "l).\n"
+        "First arrival is the plainest of them; the others want a whole pulse in the window. Where they differ, blocks stick and slip.");
     command->callback([&action, options] { action = [options] { return run_response(*options); }; });
 }
 

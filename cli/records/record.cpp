@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <algorithm>
 #include <CLI/CLI.hpp>
 #include <cmath>
@@ -120,6 +121,18 @@ ComponentInfo make_info(const RecordInfoOptions& options, const std::string& fil
     return info;
 }
 
+/// A displacement that is largest where the record ends has drifted, as a rule.
+void note_drift(const ComponentInfo& info) {
+    constexpr double kEnd = 0.01;  // of the record
+    if (info.corner || !info.intensity.pgd) return;
+    const records::TimeSeries& series = info.component.series;
+    if (info.intensity.pgd->time < series.end() - kEnd * series.duration()) return;
+    note_at_end(
+        fmt::format("musim: note: {}: displacement of {} is largest at the end, {:.3g} m: drift, unless the ground moved for good; a "
+                    "high-pass takes it out (--highpass 0.05)",
+                    info.file, info.component.name, std::abs(info.intensity.pgd->value.value())));
+}
+
 /// A file and its components, or what is wrong with it.
 struct FileInfo {
     std::optional<records::GroundMotion> motion;
@@ -133,6 +146,7 @@ void read_info(const RecordInfoOptions& options, const std::string& file, FileIn
         info.motion = options.source.load(file);
         for (const records::Component& component : info.motion->components) {
             info.components.push_back(make_info(options, file, *info.motion, component));
+            note_drift(info.components.back());
         }
     } catch (const records::ReadError& error) {
         info.error = error.what();

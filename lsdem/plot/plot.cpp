@@ -196,6 +196,12 @@ void draw_scale_bar(std::string& svg, double row_scale, const std::string& unit)
     draw_text(svg, x - 8.0, kPlotTop - 10.0, "end", "class=\"small\"", fmt::format("bar: {:.3g}{}", value, unit));
 }
 
+void draw_mark(std::string& svg, const PlotMark& mark, const Axis& x_axis, double bottom) {
+    const double x = x_axis(mark.x);
+    draw_line(svg, x, kPlotTop, x, bottom, "stroke=\"#333\" stroke-dasharray=\"5 4\"");
+    draw_text(svg, x + 5.0, kPlotTop + 14.0, "start", "class=\"small\"", mark.label);
+}
+
 }  // namespace
 
 std::string make_svg(const StackedPlot& plot) {
@@ -221,6 +227,8 @@ std::string make_svg(const StackedPlot& plot) {
     draw_scale_bar(svg, row_scale, find_unit(plot.y_label));
     draw_text(svg, kPlotLeft + 0.5 * kPlotWidth, height - 14.0, "middle", "", plot.x_label);
     detail::draw_upward_text(svg, 20.0, 0.5 * (kPlotTop + bottom), plot.y_label);
+
+    if (plot.mark) draw_mark(svg, *plot.mark, x_axis, bottom);
 
     // one row per level, every run on top of the one before
     svg += "<g clip-path=\"url(#frame)\">\n";

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,12 @@ struct PlotCurves {
     std::vector<std::vector<double>> spread = {};
 };
 
+/// A place on the abscissa: a dashed line through all rows, with words at its upper end.
+struct PlotMark {
+    double x = 0.0;
+    std::string label;
+};
+
 /// Curves of several runs, one row per level of a structure, the lowest level at the bottom, as in Fig. 8 of [Harmon23].
 struct StackedPlot {
     std::string title;
@@ -22,6 +29,7 @@ struct StackedPlot {
     std::string y_label;
     std::vector<std::string> row_labels;  ///< from bottom to top
     std::vector<PlotCurves> runs;         ///< drawn in order; the first one widest, so that the others show on top of it
+    std::optional<PlotMark> mark = {};
 };
 
 /// The plot as an SVG document: white ground, rows spaced by their largest value, a scale bar per row spacing, colours that stay apart in

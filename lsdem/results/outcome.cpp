@@ -106,7 +106,7 @@ std::vector<std::string> describe(const Outcome& outcome) {
     }
     if (lines.empty()) lines.emplace_back("base at rest");
     if (outcome.top_level > 0) {
-        std::string line = fmt::format("top (level {}) against the base: peak {}, residual {}", outcome.top_level,
+        std::string line = fmt::format("top (level {}) against the base, horizontally: peak {}, residual {}", outcome.top_level,
                                        write<scaling::Length>(outcome.top_peak), write<scaling::Length>(outcome.top_residual));
         if (outcome.drift_level > 0) {
             line += fmt::format("; largest drift {:.3g} % (below level {})", 100.0 * outcome.drift, outcome.drift_level);

@@ -36,14 +36,21 @@ double find_least(const LinePlot& plot) {
 
 }  // namespace
 
+std::optional<double> find_horizon(const PairStudy& study) {
+    if (study.twin_traces.empty()) return std::nullopt;
+    const Yardstick yardstick = study.yardstick();
+    return yardstick.is_within_run() ? std::optional(yardstick.horizon()) : std::nullopt;
+}
+
+std::string name_horizon(double horizon) { return fmt::format("horizon, {:.3g} s", horizon); }
+
 Departure find_departure(const PairStudy& study) {
     Departure departure{
         .time = study.prototype.history.time, .models = {}, .twins = study.twin_traces.size(), .twins_low = {}, .twins_high = {}};
     for (const PairedRun& model : study.models) departure.models.push_back({model.label, model.trace.running});
     if (study.half_step) departure.models.push_back({"half the step", study.half_step->trace.running});
     if (study.twin_traces.empty()) return departure;
-    const Yardstick yardstick = study.yardstick();
-    if (yardstick.is_within_run()) departure.horizon = yardstick.horizon();
+    departure.horizon = find_horizon(study);
     for (std::size_t k = 0; k < departure.time.size(); ++k) {
         double low = 0.0, high = 0.0;
         for (const RunTrace& twin : study.twin_traces) {
@@ -74,7 +81,7 @@ LinePlot make_departure_plot(const Departure& departure, const std::string& name
     for (const Departure::Curve& curve : departure.models) plot.series.push_back(make_series(curve.label, curve.running, departure.time));
     if (departure.horizon) {
         PlotSeries horizon;
-        horizon.label = fmt::format("horizon, {:.3g} s", *departure.horizon);
+        horizon.label = name_horizon(*departure.horizon);
         horizon.x = {*departure.horizon, *departure.horizon};
         horizon.y = {find_least(plot), 1.0};
         horizon.style = kStyleOfHorizon;

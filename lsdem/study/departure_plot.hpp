@@ -23,6 +23,11 @@ struct Departure {
 };
 Departure find_departure(const PairStudy& study);
 
+/// Of a pair with twins, where it lies within the run [s].
+std::optional<double> find_horizon(const PairStudy& study);
+/// "horizon, 4.68 s".
+std::string name_horizon(double horizon);
+
 /// The departures on a logarithmic axis, twins as a band, the horizon marked. `name` says of what.
 LinePlot make_departure_plot(const Departure& departure, const std::string& name);
 

@@ -105,6 +105,7 @@ StackedPlot make_spine_plot(const PairStudy& study, const MotionScales& scales, 
             for (double& width : widths) width *= units.velocity;
         }
     }
+    if (const std::optional<double> horizon = find_horizon(study)) plot.mark = {*horizon * units.time, name_horizon(*horizon)};
     for (const PairedRun& model : study.models) plot.runs.push_back(make_curves(model.label, model.run, model.run.similitude, units, rows));
     return plot;
 }

@@ -48,6 +48,18 @@ TEST_CASE("record info measures a constant acceleration as the closed forms do")
     CHECK(info(here, "a.csv --mean-period-band 51 60")["mean_period_s"].is_null());
 }
 
+TEST_CASE("record info notes a displacement that drifts") {
+    const Workplace here;
+    here.write("drift.csv", make_channel([](double t) { return std::sin(6.0 * t) + 0.1; }));
+    here.write("rest.csv", make_channel([](double t) {
+                   return t < 2.0 ? std::cos(2.0 * std::numbers::pi * t) - std::cos(3.0 * std::numbers::pi * t) : 0.0;
+               }));
+    const Outcome drift = here.run("record info drift.csv");
+    CHECK(drift.err.starts_with("musim: note: drift.csv: displacement of 360 is largest at the end, "));
+    CHECK(here.run("record info drift.csv --highpass 0.2").err.empty());
+    CHECK(here.run("record info rest.csv").err.empty());
+}
+
 TEST_CASE("record info shows the files that it can use beside those that it cannot") {
     const Workplace here;
     here.write("good.csv", make_channel([](double) { return 3.0; }));

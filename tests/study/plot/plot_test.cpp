@@ -64,6 +64,20 @@ TEST_CASE("the scale bar has the unit of the rows") {
     CHECK(make_svg(plot).find("bar: 2 cm/s<") != std::string::npos);
 }
 
+TEST_CASE("a mark is a dashed line through all rows, with its words") {
+    StackedPlot plot = make_flat_plot(3);
+    const std::string dashes = "stroke-dasharray=\"5 4\"", without = make_svg(plot);
+    plot.mark = {1.0, "horizon, 1 s"};
+    const std::string with = make_svg(plot);
+    CHECK(count(with, dashes) == count(without, dashes) + 1);
+    CHECK(count(with, ">horizon, 1 s<") == 1);
+    // the middle of the samples 0, 1, 2 is that of the frame
+    std::smatch line, frame;
+    REQUIRE(std::regex_search(with, line, std::regex("<line x1=\"([0-9.]+)\"[^>]*" + dashes)));
+    REQUIRE(std::regex_search(with, frame, std::regex("<rect x=\"([0-9.]+)\" y=\"[0-9.]+\" width=\"([0-9.]+)\"")));
+    CHECK(std::stod(line[1]) == doctest::Approx(std::stod(frame[1]) + 0.5 * std::stod(frame[2])).epsilon(1e-3));
+}
+
 TEST_CASE("a stacked plot draws every run once in every row and names rows, runs and axes") {
     const std::string svg = make_svg(make_flat_plot(10));
     CHECK(count(svg, "<path ") == 4);

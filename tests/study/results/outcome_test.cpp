@@ -52,7 +52,7 @@ TEST_CASE("a run ends with peak, residual, drift, slip, rotation and fallen bloc
     const std::vector<std::string> lines = describe(outcome);
     REQUIRE(lines.size() == 4);
     CHECK(lines[0] == "base motion along x: PGA 0.5 g, PGV 25 cm/s");
-    CHECK(lines[1] == "top (level 2) against the base: peak 200 mm, residual 50 mm; largest drift 20 % (below level 2)");
+    CHECK(lines[1] == "top (level 2) against the base, horizontally: peak 200 mm, residual 50 mm; largest drift 20 % (below level 2)");
     CHECK(lines[2] == "largest slip left 50 mm (block 1, level 2); largest rotation left 5.73 deg (block 1, level 2)");
     CHECK(lines[3] == "0 of 2 blocks fallen");
     CHECK(to_json(outcome)["pga_g"][0].get<double>() == doctest::Approx(0.5));
