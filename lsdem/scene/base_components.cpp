@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
 
 #include "lsdem/scene/scene_error.hpp"
 #include "records/formats/read_record.hpp"
@@ -113,9 +114,24 @@ scaling::Time find_time_origin(const RecordMotion& motion, const records::Ground
     return earliest.value_or(scaling::Time{});
 }
 
+/// Reads the record of a scene, which gives by keys what commands give by options.
+records::GroundMotion read_scene_record(const RecordMotion& motion) {
+    try {
+        return records::read_record(motion.file, {.dt = motion.dt, .unit = motion.unit, .quantity = motion.quantity});
+    } catch (const records::ReadError& error) {
+        std::string text = error.what();
+        for (const std::string key : {"dt", "unit", "quantity"}) {
+            const std::string option = "--" + key;
+            for (std::size_t at = text.find(option); at != std::string::npos; at = text.find(option, at)) {
+                text.replace(at, option.size(), "\"" + key + "\"");
+            }
+        }
+        throw records::ReadError(text);
+    }
+}
+
 std::array<BaseComponent, 3> make_components(const RecordMotion& motion) {
-    const records::GroundMotion record =
-        records::read_record(motion.file, {.dt = motion.dt, .unit = motion.unit, .quantity = motion.quantity});
+    const records::GroundMotion record = read_scene_record(motion);
     const scaling::Time origin = find_time_origin(motion, record);
     records::BaseMotionSettings settings;
     settings.high_pass = motion.highpass_corner;

@@ -56,6 +56,23 @@ TEST_CASE("without a base motion no axis moves") {
     for (const BaseComponent& component : make_base_components({})) CHECK(component.velocity.empty());
 }
 
+TEST_CASE("what a record lacks is asked for by the scene's keys, not by options of commands") {
+    const tests::TemporaryFolder folder;
+    std::ofstream(folder.path() / "column.txt") << "1\n2\n3\n2\n1\n";
+    const auto refuse = [&](const std::string& more) -> std::string {
+        const std::string text = R"({"record": "column.txt", "components": {"x": "1"})" + more + "}";
+        try {
+            make_base_components(parse_motion(text, folder.path() / "scene.json"));
+        } catch (const records::ReadError& error) {
+            return error.what();
+        }
+        return "";
+    };
+    CHECK(refuse(R"(, "unit": "furlong")").ends_with("name one of these with \"unit\""));
+    CHECK(refuse(R"(, "unit": "g")").find("give it with \"dt\"") != std::string::npos);
+    CHECK(refuse(R"(, "unit": "g")").find("--") == std::string::npos);
+}
+
 TEST_CASE("a step is one sample that holds from its start") {
     const auto components =
         make_base_components(parse_motion(R"({"signal": "step", "velocity": "32 mm/s", "direction": "z", "start": "0.1 s"})"));
