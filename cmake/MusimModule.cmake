@@ -19,7 +19,7 @@ function(musim_compile_rules target)
   target_compile_definitions(${target} PUBLIC $<$<CONFIG:Debug>:_GLIBCXX_ASSERTIONS=1>)
 endfunction()
 
-# For code whose speed nobody waits for (command line, pages, tests): a fraction of the compile time of -O3.
+# For code whose speed nobody waits for (command line, tests that calculate): a fraction of the compile time of -O3.
 function(musim_compile_quickly target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release,RelWithDebInfo>:-O1>)
   # at -O1 GCC 12 takes empty optionals for uninitialised ones
@@ -51,7 +51,7 @@ function(musim_unite target)
   endif()
 endfunction()
 
-# For results, runs and studies: JSON in most files; at -O2 they compile a fifth faster than at -O3, and the kernel is where time goes.
+# For results, runs, studies and pages: JSON in most files; at -O2 they compile a fifth faster than at -O3, and the kernel is where time goes.
 function(musim_study_rules target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O2>)
   musim_sanitize_quickly(${target})

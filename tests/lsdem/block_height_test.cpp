@@ -138,7 +138,7 @@ void for_all_contacts(Twins twins, const Check& check) {
 }
 
 /// A push of the base that makes blocks slide and rock.
-void shake(Model& model) {
+void shake_layers(Model& model) {
     model.ground.motion[0] = sample_velocity(0.02, 40, [](double t) { return 0.25 * std::sin(300.0 * t); });
     model.ground.motion[1] = sample_velocity(0.02, 40, [](double t) { return 0.15 * std::sin(200.0 * t); });
 }
@@ -167,7 +167,7 @@ ContactList find_contacts(const Model& model) {
 
 TEST_CASE("a shaken column of offset blocks moves as one of blocks with shapes of their own") {
     Twins twins = make_twins(wood(), stack(wood(), kStrains));
-    twins.change(shake);
+    twins.change(shake_layers);
     for_all_contacts(twins, [](const Twins& t) { check_same(t, 3000, 1e-3); });
     twins.change([](Model& model) { model.numerics.stiffness_sharing = StiffnessSharing::per_contact; });
     check_same(twins, 3000, 1e-3);
@@ -188,7 +188,7 @@ TEST_CASE("offset blocks that lie on either side slip and press as those with sh
             places.push_back({.strain = i == 0 ? 0.03 : -0.02, .position = position, .orientation = turn});
         }
         Twins twins = make_twins(wood(), places);
-        twins.change(shake);
+        twins.change(shake_layers);
         for_all_contacts(twins, [](const Twins& t) { check_same(t, 4000, 2e-3); });
         // and rocks on the edges of its ends
         twins.change([&](Model& model) { model.blocks.back().angular_velocity = 3.0 * Vector3::Unit(1 - axis); });
@@ -218,7 +218,7 @@ TEST_CASE("one grid level set serves blocks of all heights") {
     const Stone stone = wood();
     const double part = 1.0 / 60.0, voxel = part * stone.size.z();
     Twins column = make_twins(stone, stack(stone, {3.0 * part, -2.0 * part, part, 0.0}), voxel);
-    column.change(shake);
+    column.change(shake_layers);
     check_same(column, 3000, 1e-3);
     check_same(make_twins(stone, collide(stone, 3.0 * part, -2.0 * part), voxel), 3000, 1e-2);
     check_same(make_twins(stone, collide(stone, -part, 2.0 * part), voxel), 3000, 1e-2);

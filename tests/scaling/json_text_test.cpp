@@ -15,24 +15,24 @@ namespace {
 
 std::string nest(std::size_t levels) { return std::string(levels, '[') + std::string(levels, ']'); }
 
-std::string message_of(const std::string& text) {
-    return tests::message_of<ParseError>([&] { parse_json_text(text); });
+std::string json_message(const std::string& text) {
+    return musim::tests::message_of<ParseError>([&] { parse_json_text(text); });
 }
 
 TEST_CASE("JSON nested deeper than people write is refused and not run through") {
     CHECK(parse_json_text(nest(kMostJsonLevels)).is_array());
-    CHECK(message_of(nest(kMostJsonLevels + 1)) == "nested in more than 100 levels");
-    CHECK(message_of(nest(100'000)) == "nested in more than 100 levels");
+    CHECK(json_message(nest(kMostJsonLevels + 1)) == "nested in more than 100 levels");
+    CHECK(json_message(nest(100'000)) == "nested in more than 100 levels");
     // a law echoes what is no text in its lists
     const std::string law = R"({"schema": "musim-law/1", "name": "x", "title": "t", "held": [)" + nest(100'000) + "]}";
-    CHECK(tests::message_of<std::runtime_error>([&] { parse_scale_law(law, "law.json"); }) ==
+    CHECK(musim::tests::message_of<std::runtime_error>([&] { parse_scale_law(law, "law.json"); }) ==
           "law.json: nested in more than 100 levels; correct the JSON");
 }
 
 TEST_CASE("numbers beyond doubles and broken JSON are reported in a short line") {
-    CHECK(message_of("[1e999]") == "number overflow parsing '1e999'");
-    CHECK(message_of("{").starts_with("parse error at line 1, column 2: "));
-    const std::string many = message_of("[" + std::string(5000, '9') + "]");
+    CHECK(json_message("[1e999]") == "number overflow parsing '1e999'");
+    CHECK(json_message("{").starts_with("parse error at line 1, column 2: "));
+    const std::string many = json_message("[" + std::string(5000, '9') + "]");
     CHECK(many.starts_with("number overflow parsing '9999"));
     CHECK(many.size() == 160);
 }

@@ -8,7 +8,7 @@ namespace musim::scaling::tests {
 
 namespace {
 
-std::string message_of(const char* text) {
+std::string number_message(const char* text) {
     try {
         parse_number(text);
     } catch (const ParseError& error) {
@@ -34,18 +34,18 @@ TEST_CASE("numbers and fractions are read to the last bit") {
 
 TEST_CASE("text that is no number is refused with the reason") {
     for (const char* junk : {"", "  ", "abc", "nan", "inf", "-inf", "+", ".", "e5", "/2", "--1"}) {
-        CHECK(message_of(junk).find("does not begin with a finite number") != std::string::npos);
+        CHECK(number_message(junk).find("does not begin with a finite number") != std::string::npos);
     }
     for (const char* trailing : {"1x", "1 2", "1/2/3", "1/", "1/nan", "1,5", "0x10", "1e", "5 m"}) {
-        CHECK(message_of(trailing).find("after the number") != std::string::npos);
+        CHECK(number_message(trailing).find("after the number") != std::string::npos);
     }
-    CHECK(message_of("1/0").find("division by zero") != std::string::npos);
-    CHECK(message_of("1/0.0e7").find("division by zero") != std::string::npos);
+    CHECK(number_message("1/0").find("division by zero") != std::string::npos);
+    CHECK(number_message("1/0.0e7").find("division by zero") != std::string::npos);
     for (const char* out_of_range : {"1e400", "1e-400", "1e99999999999999999999", "1e2147483647", "1/1e-400"}) {
-        CHECK(message_of(out_of_range).find("for a double") != std::string::npos);
+        CHECK(number_message(out_of_range).find("for a double") != std::string::npos);
     }
-    CHECK(message_of("1e300/1e-300").find("the fraction is too large or too small") != std::string::npos);
-    CHECK(message_of("1e-300/1e300").find("the fraction is too large or too small") != std::string::npos);
+    CHECK(number_message("1e300/1e-300").find("the fraction is too large or too small") != std::string::npos);
+    CHECK(number_message("1e-300/1e300").find("the fraction is too large or too small") != std::string::npos);
 }
 
 }  // namespace musim::scaling::tests

@@ -5,6 +5,13 @@
 /// The papers' tower and its models: measured blocks and face stiffnesses of [Harmon23] and what follows (shared similitude.md).
 namespace musim::scaling::tests {
 
+/// Width over height of a block, on its thin and its wide side.
+inline constexpr double kThin = 1.36 / 4.25;
+inline constexpr double kWide = 2.82 / 4.25;
+
+/// Friction of aluminium over that of concrete.
+inline constexpr double kAluminiumFriction = 0.18 / 0.59;
+
 /// N = 38; sizes [mm], density [kg/m³], stiffnesses [MN/m], deviation [mm].
 inline StructureProperties make_tower(const char* name, std::array<double, 3> block, double density, double friction, double restitution,
                                       double normal, double shear, double deviation) {

@@ -13,7 +13,7 @@ namespace musim::scaling::tests {
 namespace {
 
 template <class Quantity>
-std::string message_of(std::string_view text) {
+std::string quantity_message(std::string_view text) {
     try {
         parse_quantity<Quantity>(text);
     } catch (const ParseError& error) {
@@ -80,7 +80,7 @@ TEST_CASE("g is gravity where an acceleration is wanted and gram where a mass is
     CHECK(si_value<Density>("0.8 g/cm^3") == 800.0);
     CHECK(si_value<Force>("2 kg*g") == 2.0 * 9.80665);
     CHECK(si_value<Force>("2 kg*m/s^2") == 2.0);
-    CHECK(contains(message_of<Acceleration>("5 kg"), "an acceleration is wanted (such as \"0.511 g\"), this is a mass"));
+    CHECK(contains(quantity_message<Acceleration>("5 kg"), "an acceleration is wanted (such as \"0.511 g\"), this is a mass"));
 }
 
 TEST_CASE("powers of ten move the decimal point before rounding") {
@@ -103,39 +103,39 @@ TEST_CASE("plain numbers are SI and fractions take a unit") {
 }
 
 TEST_CASE("a quantity of another dimension is refused with both dimensions") {
-    CHECK(message_of<Stiffness>("30 MN") == "\"30 MN\": a stiffness is wanted (such as \"30 MN/m\"), this is a force");
-    CHECK(contains(message_of<Length>("3 s"), "a length is wanted (such as \"4.25 m\"), this is a time"));
-    CHECK(contains(message_of<Ratio>("3 s"), "a plain number is wanted (such as \"0.63\"), this is a time"));
-    CHECK(contains(message_of<Length>("3 N^2"), "this is in kg^2 m^2 s^-4"));
+    CHECK(quantity_message<Stiffness>("30 MN") == "\"30 MN\": a stiffness is wanted (such as \"30 MN/m\"), this is a force");
+    CHECK(contains(quantity_message<Length>("3 s"), "a length is wanted (such as \"4.25 m\"), this is a time"));
+    CHECK(contains(quantity_message<Ratio>("3 s"), "a plain number is wanted (such as \"0.63\"), this is a time"));
+    CHECK(contains(quantity_message<Length>("3 N^2"), "this is in kg^2 m^2 s^-4"));
 }
 
 TEST_CASE("an unknown unit is refused with the nearest one") {
-    CHECK(contains(message_of<Stiffness>("30 Mn/m"), "unknown unit \"Mn\" (did you mean \"MN\"?)"));
-    CHECK(contains(message_of<Length>("3 meter"), "unknown unit \"meter\""));
-    CHECK(contains(message_of<Stress>("3 gpa"), "(did you mean \"GPa\"?)"));
-    CHECK(contains(message_of<Frequency>("3 hz"), "(did you mean \"Hz\"?)"));
-    CHECK(contains(message_of<Length>("3 x"), "unknown unit \"x\"; write"));
+    CHECK(contains(quantity_message<Stiffness>("30 Mn/m"), "unknown unit \"Mn\" (did you mean \"MN\"?)"));
+    CHECK(contains(quantity_message<Length>("3 meter"), "unknown unit \"meter\""));
+    CHECK(contains(quantity_message<Stress>("3 gpa"), "(did you mean \"GPa\"?)"));
+    CHECK(contains(quantity_message<Frequency>("3 hz"), "(did you mean \"Hz\"?)"));
+    CHECK(contains(quantity_message<Length>("3 x"), "unknown unit \"x\"; write"));
 }
 
 TEST_CASE("broken quantities are refused with the reason") {
-    CHECK(contains(message_of<Length>(""), "does not begin with a finite number"));
-    CHECK(contains(message_of<Length>("m"), "does not begin with a finite number"));
-    CHECK(contains(message_of<Length>("nan m"), "does not begin with a finite number"));
-    CHECK(contains(message_of<Length>("1/0 m"), "division by zero"));
-    CHECK(contains(message_of<Length>("1e308 Mm"), "for a double"));
-    CHECK(contains(message_of<Length>("1e2147483647 Mm"), "for a double"));
-    CHECK(contains(message_of<Time>("1e308 h"), "too large for a double"));
-    CHECK(contains(message_of<Damping>("1 N*"), "a unit is missing at the end"));
-    CHECK(contains(message_of<Damping>("1 N//m"), "unexpected \"/m\" in the unit"));
-    CHECK(contains(message_of<Damping>("1 (N*s"), "a closing bracket is missing"));
-    CHECK(contains(message_of<Damping>("1 N)"), "a closing bracket without an opening one"));
-    CHECK(contains(message_of<Area>("1 m^"), "a power must be a whole number"));
-    CHECK(contains(message_of<Area>("1 m^x"), "a power must be a whole number"));
-    CHECK(contains(message_of<Area>("1 m^99999999999"), "the power is too large"));
-    CHECK(contains(message_of<Area>("1 (((m^9)^9)^9)^9"), "the powers are too large"));
-    CHECK(contains(message_of<Area>("1 " + std::string(1000, '(')), "the unit is too long"));
-    CHECK(contains(message_of<Length>("1 m 3"), "unexpected \"3\" in the unit"));
-    CHECK(contains(message_of<Length>("12.7 mm 5 mm"), "unexpected \"5 mm\" in the unit"));
+    CHECK(contains(quantity_message<Length>(""), "does not begin with a finite number"));
+    CHECK(contains(quantity_message<Length>("m"), "does not begin with a finite number"));
+    CHECK(contains(quantity_message<Length>("nan m"), "does not begin with a finite number"));
+    CHECK(contains(quantity_message<Length>("1/0 m"), "division by zero"));
+    CHECK(contains(quantity_message<Length>("1e308 Mm"), "for a double"));
+    CHECK(contains(quantity_message<Length>("1e2147483647 Mm"), "for a double"));
+    CHECK(contains(quantity_message<Time>("1e308 h"), "too large for a double"));
+    CHECK(contains(quantity_message<Damping>("1 N*"), "a unit is missing at the end"));
+    CHECK(contains(quantity_message<Damping>("1 N//m"), "unexpected \"/m\" in the unit"));
+    CHECK(contains(quantity_message<Damping>("1 (N*s"), "a closing bracket is missing"));
+    CHECK(contains(quantity_message<Damping>("1 N)"), "a closing bracket without an opening one"));
+    CHECK(contains(quantity_message<Area>("1 m^"), "a power must be a whole number"));
+    CHECK(contains(quantity_message<Area>("1 m^x"), "a power must be a whole number"));
+    CHECK(contains(quantity_message<Area>("1 m^99999999999"), "the power is too large"));
+    CHECK(contains(quantity_message<Area>("1 (((m^9)^9)^9)^9"), "the powers are too large"));
+    CHECK(contains(quantity_message<Area>("1 " + std::string(1000, '(')), "the unit is too long"));
+    CHECK(contains(quantity_message<Length>("1 m 3"), "unexpected \"3\" in the unit"));
+    CHECK(contains(quantity_message<Length>("12.7 mm 5 mm"), "unexpected \"5 mm\" in the unit"));
 }
 
 TEST_CASE("quantities print in the units engineers write") {

@@ -14,7 +14,7 @@ namespace musim::scaling::tests {
 namespace {
 
 template <class Read>
-std::string message_of(const Read& read) {
+std::string reading_message(const Read& read) {
     try {
         read();
     } catch (const ParseError& error) {
@@ -105,7 +105,7 @@ TEST_CASE("what cannot be an uncertain number is refused with the culprit") {
              Case{"", "does not begin with a finite number"},
          }) {
         CAPTURE(wanted.text);
-        const std::string message = message_of([&] { parse_uncertain_ratio(wanted.text); });
+        const std::string message = reading_message([&] { parse_uncertain_ratio(wanted.text); });
         CHECK_MESSAGE(message.find(wanted.message) != std::string::npos, message);
     }
     for (const Case& wanted : {
@@ -119,7 +119,7 @@ TEST_CASE("what cannot be an uncertain number is refused with the culprit") {
              Case{"-42.4+/-0.5 cm/s", "the value is -0.424 (must be positive"},
          }) {
         CAPTURE(wanted.text);
-        const std::string message = message_of([&] { parse_uncertain_quantity<Velocity>(wanted.text); });
+        const std::string message = reading_message([&] { parse_uncertain_quantity<Velocity>(wanted.text); });
         CHECK_MESSAGE(message.find(wanted.message) != std::string::npos, message);
     }
 }

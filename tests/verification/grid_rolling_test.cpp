@@ -15,12 +15,12 @@ using namespace musim::lsdem::tests;
 
 namespace {
 
-constexpr double kSlope = 20.0 * kPi / 180.0;     // of the plane [rad]
-constexpr double kOverlap = 0.005 * kBallRadius;  // of the body at rest, d [m]
-constexpr double kWay = 3.0 * kBallRadius;        // how far it rolls [m]
+constexpr double kSlope = 20.0 * kPi / 180.0;            // of the plane [rad]
+constexpr double kRollingOverlap = 0.005 * kBallRadius;  // of the body at rest, d [m]
+constexpr double kWay = 3.0 * kBallRadius;               // how far it rolls [m]
 
 /// Half width of the patch, a = sqrt(2Rd) [m].
-const double kPatch = std::sqrt(2.0 * kBallRadius * kOverlap);
+const double kPatch = std::sqrt(2.0 * kBallRadius * kRollingOverlap);
 
 struct Rolling {
     double acceleration = 0.0;   ///< 2x/t² at the end [m/s²]
@@ -50,10 +50,10 @@ Rolling roll(const Model& model, double expected) {
 /// A sphere on a plate in inclined gravity, at its rest height.
 Model make_rolling_sphere(double voxel, double spacing) {
     const double r = kBallRadius, mass = ball_mass(r), weight = mass * kGravity * std::cos(kSlope);
-    Model model = make_empty_model(make_ball_material(weight / (kPi * r * kOverlap * kOverlap), 0.3, 1.0));
+    Model model = make_empty_model(make_ball_material(weight / (kPi * r * kRollingOverlap * kRollingOverlap), 0.3, 1.0));
     model.gravity = tilted_gravity(kSlope);
     add_shape(model, make_sphere_shape(r, 400, voxel));
-    add_block(model, 0, mass, {0.0, 0.0, r - sphere_shrinkage(r, voxel) - kOverlap}, skew_orientation());
+    add_block(model, 0, mass, {0.0, 0.0, r - sphere_shrinkage(r, voxel) - kRollingOverlap}, skew_orientation());
     add_plate(model, -0.5 * r, kWay + 0.5 * r, 0.8 * r, spacing, voxel);
     return model;
 }
@@ -65,10 +65,10 @@ Model make_rolling_drum(double voxel, double spacing) {
     add_shape(model, make_cylinder_shape(r, height, {48, 6, 7}, voxel));
     const double mass = kBallDensity * model.shapes[0].volume, weight = mass * kGravity * std::cos(kSlope);
     // a bed of width w: F = ∫K·δ dA = (4/3) K w a d
-    model.materials[0] = make_ball_material(weight / (4.0 / 3.0 * width * kPatch * kOverlap), 0.6, 1.0);
+    model.materials[0] = make_ball_material(weight / (4.0 / 3.0 * width * kPatch * kRollingOverlap), 0.6, 1.0);
     model.gravity = tilted_gravity(kSlope);
     const Quaternion lying(Eigen::AngleAxisd(-0.5 * kPi, Vector3::UnitX())), turn(Eigen::AngleAxisd(0.3, Vector3::UnitY()));
-    add_block(model, 0, mass, {0.0, 0.0, r - cylinder_shrinkage(r, voxel) - kOverlap}, turn * lying);
+    add_block(model, 0, mass, {0.0, 0.0, r - cylinder_shrinkage(r, voxel) - kRollingOverlap}, turn * lying);
     const std::size_t plate = add_plate(model, -0.5 * r, kWay + 0.5 * r, width, spacing, voxel);
     // across the way the patch is uniform: few rows do
     const NodeLattice few{static_cast<int>(std::ceil((kWay + r) / spacing)) + 1, 5, 2};
@@ -82,7 +82,7 @@ void check_rolling(const std::string& name, const Rolling& r, double expected, d
     INFO(name);
     // The body turns about a point that is higher than its lowest by up to d, and creeps: both change the share that friction takes. At the
     // start the springs of the patch first deform by (T/N)d, a part of the way.
-    const double offset = kOverlap / kBallRadius, start = share * std::tan(kSlope) * kOverlap / kWay;
+    const double offset = kRollingOverlap / kBallRadius, start = share * std::tan(kSlope) * kRollingOverlap / kWay;
     CHECK(std::abs(r.acceleration / expected - 1.0) < share * (creepage + offset) + start);
     CHECK(std::abs(r.creepage - creepage) < offset);
     // friction only works against creep: T·γv
@@ -121,11 +121,11 @@ namespace {
 /// The same bodies on the ground, felt with their own nodes: on the side of a drum every 0.02 R around, on a sphere every 0.03 R.
 Model make_sphere_on_ground() {
     const double r = kBallRadius, mass = ball_mass(r), weight = mass * kGravity * std::cos(kSlope);
-    Model model = make_empty_model(make_ball_material(weight / (kPi * r * kOverlap * kOverlap), 0.3, 1.0));
+    Model model = make_empty_model(make_ball_material(weight / (kPi * r * kRollingOverlap * kRollingOverlap), 0.3, 1.0));
     model.ground.present = true;
     model.gravity = tilted_gravity(kSlope);
     add_shape(model, make_sphere_shape(r, 14000, 0.2 * r));
-    add_block(model, 0, mass, {0.0, 0.0, r - kOverlap}, skew_orientation());
+    add_block(model, 0, mass, {0.0, 0.0, r - kRollingOverlap}, skew_orientation());
     return model;
 }
 
@@ -135,11 +135,11 @@ Model make_drum_on_ground() {
     model.ground.present = true;
     add_shape(model, make_cylinder_shape(r, height, {314, 6, 5}, 0.2 * r));
     const double mass = kBallDensity * model.shapes[0].volume, weight = mass * kGravity * std::cos(kSlope);
-    model.materials[0] = make_ball_material(weight / (4.0 / 3.0 * height * kPatch * kOverlap), 0.6, 1.0);
+    model.materials[0] = make_ball_material(weight / (4.0 / 3.0 * height * kPatch * kRollingOverlap), 0.6, 1.0);
     model.ground.material = model.materials[0];
     model.gravity = tilted_gravity(kSlope);
     const Quaternion lying(Eigen::AngleAxisd(-0.5 * kPi, Vector3::UnitX())), turn(Eigen::AngleAxisd(0.3, Vector3::UnitY()));
-    add_block(model, 0, mass, {0.0, 0.0, r - kOverlap}, turn * lying);
+    add_block(model, 0, mass, {0.0, 0.0, r - kRollingOverlap}, turn * lying);
     return model;
 }
 

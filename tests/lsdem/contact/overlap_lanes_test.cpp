@@ -20,8 +20,6 @@ using namespace musim::lsdem::detail;
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 /// Two boxes that overlap by about `depth`.
 struct Boxes {
     Vector3 half_a, half_b, place_a, place_b;
@@ -73,7 +71,7 @@ class Poses {
                 tilt = size_between(1e-7, 1e-3), twist = size_between(1e-6, 1e-2), shift.y() = 1e-3 * even();
                 break;
             case Kind::turned:
-                twist = 0.5 * kPi + (flip() ? 1e-3 * even() : 0.0), shift.x() = 0.17 + 2.0 * even() * boxes.depth;
+                twist = 0.5 * std::numbers::pi + (flip() ? 1e-3 * even() : 0.0), shift.x() = 0.17 + 2.0 * even() * boxes.depth;
                 break;
             case Kind::twisted:
                 tilt = size_between(1e-7, 1e-2), twist = 0.1 * even(), shift = Vector3(0.15 * even(), 0.3 * even(), 0.0);
@@ -87,7 +85,7 @@ class Poses {
                 tilt = size_between(1e-7, 0.3), twist = 3.0 * even(), shift = Vector3(0.3 * even(), 0.5 * even(), 0.0);
                 boxes.half_b = Vector3(0.4, 0.4, 0.4) + 0.3 * Vector3(even(), even(), even());
         }
-        const double direction = kPi * even();
+        const double direction = std::numbers::pi * even();
         const Matrix3 turn =
             (Eigen::AngleAxisd(tilt, Vector3(std::cos(direction), std::sin(direction), 0.0)) * Eigen::AngleAxisd(twist, Vector3::UnitZ()))
                 .toRotationMatrix();
@@ -303,7 +301,7 @@ TEST_CASE("the least reach of an even square is that of the disc of its area") {
     ask_main_cells(meetings.data(), questions.data(), answers.data());
     // strips as wide as the depth are no part of the cell
     CHECK(answers[0].reach == doctest::Approx((std::numbers::sqrt2 + std::log(1.0 + std::numbers::sqrt2)) / 6.0).epsilon(1e-5));
-    CHECK(answers[0].least_reach == doctest::Approx(2.0 / 3.0 / std::sqrt(kPi)).epsilon(1e-5));
+    CHECK(answers[0].least_reach == doctest::Approx(2.0 / 3.0 / std::sqrt(std::numbers::pi)).epsilon(1e-5));
 }
 
 // Cells of blocks that stand edge on edge have edges of the length of rounding, which may vanish as they are projected.

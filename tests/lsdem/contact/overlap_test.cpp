@@ -17,8 +17,6 @@ using musim::lsdem::tests::relative;
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 /// A body and where it stands: origin at `center`, body to world by `rotation`.
 struct Body {
     Solid solid;
@@ -56,7 +54,8 @@ Solid wedge(double size) {
 Solid hexagonal_prism(double size) {
     std::vector<Vector3> corners;
     for (int i = 0; i < 6; ++i) {
-        for (const double z : {-0.7, 0.7}) corners.emplace_back(size * std::cos(i * kPi / 3), size * std::sin(i * kPi / 3), size * z);
+        for (const double z : {-0.7, 0.7})
+            corners.emplace_back(size * std::cos(i * std::numbers::pi / 3), size * std::sin(i * std::numbers::pi / 3), size * z);
     }
     return make_solid(corners);
 }
@@ -178,7 +177,7 @@ std::vector<std::array<Body, 2>> random_pairs() {
     }
     // flat, turned and slightly tilted
     for (const double tilt : {0.0, 1e-3, 0.05}) {
-        for (const double twist : {0.0, 0.2, kPi / 2}) {
+        for (const double twist : {0.0, 0.2, std::numbers::pi / 2}) {
             const Body a{solids[0]};
             Body b{solids[0],
                    (Eigen::AngleAxisd(tilt, Vector3(0.6, 0.8, 0.0)) * Eigen::AngleAxisd(twist, Vector3::UnitZ())).toRotationMatrix()};
@@ -241,7 +240,8 @@ TEST_CASE("an edge in a face bears its share of Winkler's load") {
     const double depth = 1e-4, length = 0.6;
     const Body a{box({4.0, 4.0, 1.0})};
     for (const double degrees : {1.0, 5.0, 30.0, 45.0}) {
-        const double t = degrees * kPi / 180.0, c = (1.0 + 1.0 / (std::sin(t) + std::cos(t))) / (2.0 * std::cos(t) * std::cos(t));
+        const double t = degrees * std::numbers::pi / 180.0,
+                     c = (1.0 + 1.0 / (std::sin(t) + std::cos(t))) / (2.0 * std::cos(t) * std::cos(t));
         const Matrix3 rotation = Eigen::AngleAxisd(t, Vector3::UnitY()).toRotationMatrix();
         const double lowest = 0.5 * (0.4 * std::sin(t) + 1.0 * std::cos(t));
         const Body b{box({0.4, length, 1.0}), rotation, {0.0, 0.0, 0.5 + lowest - depth}};

@@ -50,7 +50,7 @@ double liveliest(const Simulation& s) {
     return speed;
 }
 
-std::string save(const Simulation& s) {
+std::string save_state(const Simulation& s) {
     std::ostringstream out;
     s.save(out);
     return out.str();
@@ -164,11 +164,11 @@ TEST_CASE("a preparation with mass scaling goes on from a saved state to the sam
     const Model pyramid = make_dropped_pyramid();
     SettlingSimulation whole = begin(pyramid, Inertia::as_stable), relay = begin(pyramid, Inertia::as_stable);
     for (const std::uint64_t steps : {1U, 50U, 333U, 64U, 1000U, 700U}) {
-        std::istringstream in(save(relay.state()));
+        std::istringstream in(save_state(relay.state()));
         relay = SettlingSimulation(Simulation::restore(pyramid, in));
         whole.advance(steps);
         relay.advance(steps);
-        CHECK(save(relay.state()) == save(whole.state()));
+        CHECK(save_state(relay.state()) == save_state(whole.state()));
     }
     CHECK(whole.state().statistics().rebuilds > 2);
 
@@ -179,8 +179,8 @@ TEST_CASE("a preparation with mass scaling goes on from a saved state to the sam
         const Simulation& s = settling.state();
         REQUIRE(s.threads() == threads);
         settling.advance(200);
-        if (threads == 1) alone = save(s);
-        CHECK(save(s) == alone);
+        if (threads == 1) alone = save_state(s);
+        CHECK(save_state(s) == alone);
     }
 }
 

@@ -21,7 +21,7 @@ using namespace musim::lsdem::tests;
 namespace {
 
 /// The papers' rate for wood, c_v = 0.002 at their step [1/s].
-constexpr double kRate = 192.0;
+constexpr double kDampingRate = 192.0;
 
 /// One block in free flight that spins about a principal axis, without gravity.
 Model make_flight() {
@@ -32,7 +32,7 @@ Model make_flight() {
     block.velocity = {0.3, -0.2, 0.1};
     block.angular_velocity = block.orientation * Vector3(0.0, 0.0, 5.0);
     model.blocks.push_back(block);
-    model.velocity_damping = kRate;
+    model.velocity_damping = kDampingRate;
     return model;
 }
 
@@ -46,13 +46,14 @@ TEST_CASE("velocity and spin of a free block decay exponentially, whatever the t
         CAPTURE(step);
         Simulation s(model, step);
         advance_to(s, 0.03);
-        const double decay = std::exp(-kRate * s.time());
+        const double decay = std::exp(-kDampingRate * s.time());
         // as many roundings as steps, 3000 at most, each of 1e-16
         CHECK((s.velocity(0) - decay * start.velocity).norm() < 1e-12 * decay * start.velocity.norm());
         CHECK((s.angular_velocity(0) - decay * start.angular_velocity).norm() < 1e-12 * decay * start.angular_velocity.norm());
         // the midpoint rule for the path: (α dt)²/24
-        const double error = kRate * step * kRate * step / 24.0;
-        CHECK((s.position(0) - (1.0 - decay) / kRate * start.velocity).norm() < (error + 1e-12) * start.velocity.norm() / kRate);
+        const double error = kDampingRate * step * kDampingRate * step / 24.0;
+        CHECK((s.position(0) - (1.0 - decay) / kDampingRate * start.velocity).norm() <
+              (error + 1e-12) * start.velocity.norm() / kDampingRate);
         // exp(−2αt) of the kinetic energy is left, the rest is in the energy balance
         const Energy energy = s.energy();
         const double before = Simulation(model, step).energy().kinetic;
@@ -64,13 +65,13 @@ TEST_CASE("velocity and spin of a free block decay exponentially, whatever the t
 TEST_CASE("a falling block reaches the terminal velocity g/alpha, whatever the time step") {
     Model model = make_flight();
     model.gravity.z() = -kGravity;
-    for (const double step : {1e-5, 1e-3, 1.0 / kRate}) {
+    for (const double step : {1e-5, 1e-3, 1.0 / kDampingRate}) {
         CAPTURE(step);
         Simulation s(model, step);
         const double start = s.energy().balance();
-        advance_to(s, 40.0 / kRate);
+        advance_to(s, 40.0 / kDampingRate);
         // exp(−40) is 4e-18: only rounding is left
-        CHECK((s.velocity(0) - Vector3(0.0, 0.0, -kGravity / kRate)).norm() < 1e-12 * kGravity / kRate);
+        CHECK((s.velocity(0) - Vector3(0.0, 0.0, -kGravity / kDampingRate)).norm() < 1e-12 * kGravity / kDampingRate);
         CHECK(s.energy().balance() - start == doctest::Approx(0.0).scale(s.energy().preparation_loss).epsilon(1e-12));
     }
 }
@@ -82,11 +83,11 @@ TEST_CASE("the energy balance closes while a column settles, and when the dampin
     stone.restitution = 1.0;
     Model model = make_resting_column(stone, 5);
     for (Block& block : model.blocks) block.velocity.z() = -2e-4;
-    model.velocity_damping = 10.0 * kRate;
+    model.velocity_damping = 10.0 * kDampingRate;
     Simulation s(model, 0.2 * compute_critical_time_step(model));
     const double start = s.energy().balance();
     const auto error = [&] { return std::abs(s.energy().balance() - start) / s.energy().preparation_loss; };
-    for (const double rate : {3.0 * kRate, 30.0 * kRate, 0.0}) {
+    for (const double rate : {3.0 * kDampingRate, 30.0 * kDampingRate, 0.0}) {
         s.advance(500);
         CHECK(error() < 1e-7);
         s.set_velocity_damping(rate);
@@ -143,7 +144,7 @@ TEST_CASE("wide and plain instructions damp with the same bits, and so do any nu
         CHECK(outcome == plain);
     }
     Model bond = make_running_bond(wood(), 4, 12, 9);
-    bond.velocity_damping = kRate;
+    bond.velocity_damping = kDampingRate;
     REQUIRE(bond.blocks.size() > 400);
     Simulation one(bond, 0.8 * compute_critical_time_step(bond), 1), two(bond, one.time_step(), 2);
     one.advance(50);
@@ -178,5 +179,5 @@ TEST_CASE("a damping rate that is negative, not a number or above one per step i
         model.velocity_damping = rate;
         CHECK_THROWS_AS(Simulation(model, 1e-4), std::invalid_argument);
     }
-    CHECK(s.velocity_damping() == kRate);
+    CHECK(s.velocity_damping() == kDampingRate);
 }

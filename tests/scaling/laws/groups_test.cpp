@@ -7,14 +7,13 @@
 #include "scaling/angle.hpp"
 #include "scaling/laws/law_similitude.hpp"
 #include "tests/scaling/expected.hpp"
+#include "tests/scaling/paper_towers.hpp"
 
 namespace musim::scaling::tests {
 
 namespace {
 
 const Length kBlockHeight = 4.25 * si::meter;
-constexpr double kThin = 1.36 / 4.25;
-constexpr double kWide = 2.82 / 4.25;
 
 Length half_diagonal(double width) { return Length::from_value(0.5 * std::hypot(width, kBlockHeight.value())); }
 

@@ -10,14 +10,11 @@
 #include "scaling/structures/distortion.hpp"
 #include "scaling/structures/rocking_block.hpp"
 #include "tests/scaling/expected.hpp"
+#include "tests/scaling/paper_towers.hpp"
 
 namespace musim::scaling::tests {
 
 namespace {
-
-const double kAluminiumFriction = 0.18 / 0.59;
-constexpr double kThin = 1.36 / 4.25;
-constexpr double kWide = 2.82 / 4.25;
 
 ModelScales make_scales(const ScaleLaw& law, const std::vector<GivenFactor>& given) {
     const LawFormulas formulas(solve_law(law, given));

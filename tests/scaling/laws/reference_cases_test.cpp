@@ -14,16 +14,16 @@ namespace musim::scaling::tests {
 
 namespace {
 
-constexpr double kConcreteFriction = 0.59;
-constexpr double kWoodFriction = 0.63;
-constexpr double kAluminiumFriction = 0.18;
+constexpr double kFrictionOfConcrete = 0.59;
+constexpr double kFrictionOfWood = 0.63;
+constexpr double kFrictionOfAluminium = 0.18;
 
 const Length kTowerHeight = 161.5 * si::meter;
 const Velocity kPeakVelocity = 0.424 * si::meters_per_second;
 const Acceleration kPeakAcceleration = 0.511 * kStandardGravity;
 
-const ScaleFactors kWood{.length = 1.0 / 107.0, .friction = kWoodFriction / kConcreteFriction, .density = 800.0 / 2320.0};
-const ScaleFactors kAluminium{.length = 1.0 / 107.0, .friction = kAluminiumFriction / kConcreteFriction};
+const ScaleFactors kWood{.length = 1.0 / 107.0, .friction = kFrictionOfWood / kFrictionOfConcrete, .density = 800.0 / 2320.0};
+const ScaleFactors kAluminium{.length = 1.0 / 107.0, .friction = kFrictionOfAluminium / kFrictionOfConcrete};
 const ScaleFactors kConcrete{.length = 1.0 / 25.0};
 const ScaleFactors kCentrifuge{.length = 1.0 / 25.0, .gravity = 25.0};
 
@@ -36,19 +36,20 @@ struct KinematicCase {
 
 std::vector<KinematicCase> kinematic_cases() {
     return {
-        {"prototype", Similitude(), kConcreteFriction, 1.0, 1.0, 1.0, 1.0, 42.4, 0.511, "0.01387054", "0.8661017"},
-        {"1:107, mu unchanged", make_similitude("froude", {.length = 1.0 / 107.0}), kConcreteFriction, "0.0966736", "10.34408", "0.0966736",
-         1.0, "4.098963", 0.511, "0.01387054", "0.8661017"},
-        {"1:107 wood, mu law", make_similitude("mu", kWood), kWoodFriction, "0.09355432", "10.68898", "0.09989698", "1.0677966", "4.235632",
-         "0.5456441", "0.01387054", "0.8661017"},
-        {"1:107 wood, Froude input", make_similitude("froude", kWood), kWoodFriction, "0.0966736", "10.34408", "0.0966736", 1.0, "4.098963",
-         0.511, "0.01342298", "0.8111111"},
-        {"1:107 aluminium, mu law", make_similitude("mu", kAluminium), kAluminiumFriction, "0.1750241", "5.713499", "0.05339718",
+        {"prototype", Similitude(), kFrictionOfConcrete, 1.0, 1.0, 1.0, 1.0, 42.4, 0.511, "0.01387054", "0.8661017"},
+        {"1:107, mu unchanged", make_similitude("froude", {.length = 1.0 / 107.0}), kFrictionOfConcrete, "0.0966736", "10.34408",
+         "0.0966736", 1.0, "4.098963", 0.511, "0.01387054", "0.8661017"},
+        {"1:107 wood, mu law", make_similitude("mu", kWood), kFrictionOfWood, "0.09355432", "10.68898", "0.09989698", "1.0677966",
+         "4.235632", "0.5456441", "0.01387054", "0.8661017"},
+        {"1:107 wood, Froude input", make_similitude("froude", kWood), kFrictionOfWood, "0.0966736", "10.34408", "0.0966736", 1.0,
+         "4.098963", 0.511, "0.01342298", "0.8111111"},
+        {"1:107 aluminium, mu law", make_similitude("mu", kAluminium), kFrictionOfAluminium, "0.1750241", "5.713499", "0.05339718",
          "0.3050847", "2.264041", "0.1558983", "0.01387054", "0.8661017"},
-        {"1:107 aluminium, Froude input", make_similitude("froude", kAluminium), kAluminiumFriction, "0.0966736", "10.34408", "0.0966736",
+        {"1:107 aluminium, Froude input", make_similitude("froude", kAluminium), kFrictionOfAluminium, "0.0966736", "10.34408", "0.0966736",
          1.0, "4.098963", 0.511, "0.02511210", "2.838889"},
-        {"1:25 concrete", make_similitude("mu", kConcrete), kConcreteFriction, 0.2, 5.0, 0.2, 1.0, 8.48, 0.511, "0.01387054", "0.8661017"},
-        {"1:25 centrifuge", make_similitude("exact", kCentrifuge), kConcreteFriction, 0.04, 25.0, 1.0, 25.0, 42.4, 12.775, "0.01387054",
+        {"1:25 concrete", make_similitude("mu", kConcrete), kFrictionOfConcrete, 0.2, 5.0, 0.2, 1.0, 8.48, 0.511, "0.01387054",
+         "0.8661017"},
+        {"1:25 centrifuge", make_similitude("exact", kCentrifuge), kFrictionOfConcrete, 0.04, 25.0, 1.0, 25.0, 42.4, 12.775, "0.01387054",
          "0.8661017"},
     };
 }
@@ -109,11 +110,11 @@ TEST_CASE("dynamic factors of the papers' models agree with the reference table"
 
 TEST_CASE("groups of the prototype under Ridgecrest and Denali agree with the reference table") {
     CHECK_EXPECTED(groups::froude_number(kPeakVelocity, kStandardGravity, kTowerHeight), "0.01065416");
-    CHECK_EXPECTED(groups::mu_number(kPeakVelocity, kConcreteFriction, kStandardGravity, 160.0 * si::meter), "0.01393540");
+    CHECK_EXPECTED(groups::mu_number(kPeakVelocity, kFrictionOfConcrete, kStandardGravity, 160.0 * si::meter), "0.01393540");
 
     const Velocity denali_velocity = 1.618 * si::meters_per_second;
-    CHECK_EXPECTED(groups::mu_number(denali_velocity, kConcreteFriction, kStandardGravity, kTowerHeight), "0.05293049");
-    CHECK_EXPECTED(groups::sliding_demand(0.33 * kStandardGravity, kConcreteFriction, kStandardGravity), "0.5593220");
+    CHECK_EXPECTED(groups::mu_number(denali_velocity, kFrictionOfConcrete, kStandardGravity, kTowerHeight), "0.05293049");
+    CHECK_EXPECTED(groups::sliding_demand(0.33 * kStandardGravity, kFrictionOfConcrete, kStandardGravity), "0.5593220");
     CHECK_EXPECTED(100.0 * make_similitude("mu", kConcrete).to_model(denali_velocity).value(), "32.36");
 }
 

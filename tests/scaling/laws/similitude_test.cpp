@@ -20,7 +20,7 @@ bool is_power_of_two(double value) {
     return std::frexp(value, &exponent) == 0.5;
 }
 
-std::string message_of(const ScaleFactors& chosen, const char* law = "mu") {
+std::string similitude_message(const ScaleFactors& chosen, const char* law = "mu") {
     try {
         const Similitude similitude = make_similitude(law, chosen);
     } catch (const SimilitudeError& error) {
@@ -32,7 +32,7 @@ std::string message_of(const ScaleFactors& chosen, const char* law = "mu") {
 }  // namespace
 
 TEST_CASE("an unknown law is answered with the list") {
-    CHECK(message_of({}, "Froude").find("there is no law \"Froude\" (did you mean \"froude\"?); choose one of artificial_mass,") !=
+    CHECK(similitude_message({}, "Froude").find("there is no law \"Froude\" (did you mean \"froude\"?); choose one of artificial_mass,") !=
           std::string::npos);
 }
 
@@ -176,14 +176,14 @@ TEST_CASE("the list of factors begins with the keys that files rely on and names
 
 TEST_CASE("factors that cannot be are refused with the reason") {
     for (const double bad : {0.0, -1.0, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
-        CHECK(message_of({.length = bad}).find("must be positive and finite") != std::string::npos);
-        CHECK(message_of({.friction = bad}).find("must be positive and finite") != std::string::npos);
-        CHECK(message_of({.gravity = bad}).find("must be positive and finite") != std::string::npos);
-        CHECK(message_of({.density = bad}).find("must be positive and finite") != std::string::npos);
+        CHECK(similitude_message({.length = bad}).find("must be positive and finite") != std::string::npos);
+        CHECK(similitude_message({.friction = bad}).find("must be positive and finite") != std::string::npos);
+        CHECK(similitude_message({.gravity = bad}).find("must be positive and finite") != std::string::npos);
+        CHECK(similitude_message({.density = bad}).find("must be positive and finite") != std::string::npos);
     }
-    CHECK(message_of({.length = 1e-80}).find("leaves the range of doubles") != std::string::npos);
-    CHECK(message_of({.friction = 0.9}, "exact").find("law exact: mu = 0.9 cannot be where mu is held") != std::string::npos);
-    CHECK(message_of({.friction = 0.9}, "froude").empty());
+    CHECK(similitude_message({.length = 1e-80}).find("leaves the range of doubles") != std::string::npos);
+    CHECK(similitude_message({.friction = 0.9}, "exact").find("law exact: mu = 0.9 cannot be where mu is held") != std::string::npos);
+    CHECK(similitude_message({.friction = 0.9}, "froude").empty());
 }
 
 }  // namespace musim::scaling::tests

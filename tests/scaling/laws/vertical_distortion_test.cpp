@@ -7,6 +7,7 @@
 #include "scaling/laws/groups.hpp"
 #include "scaling/laws/law_similitude.hpp"
 #include "tests/scaling/expected.hpp"
+#include "tests/scaling/paper_towers.hpp"
 
 // The mu law with heights by λ_V and horizontal sizes by U λ_V (shared similitude.md, 5.2): tan α, horizontal displacement and acceleration
 // scale by U, U λ_V and U, time by √λ_V. Aluminium for concrete, U = 0.18/0.59, the thin side, one sine of 0.5 g and 0.8 s. Peaks
@@ -15,7 +16,6 @@ namespace musim::scaling::tests {
 
 namespace {
 
-constexpr double kAluminium = 0.18 / 0.59;
 constexpr double kLength = 1.0 / 107.0;
 
 /// A rigid block, its impacts, and a sine that shakes it.
@@ -88,8 +88,6 @@ double find_peak(const Rocking& block) {
     return peak;
 }
 
-constexpr double kThin = 1.36 / 4.25;
-
 Rocking make_prototype() { return {1.36 * si::meters, 4.25 * si::meters, groups::rocking_restitution(kThin), 0.5, 0.8 * si::seconds}; }
 
 /// The prototype by a law, its own restitution with its own slenderness.
@@ -100,11 +98,11 @@ Rocking make_model(const Similitude& similitude) {
 }
 
 /// The prototype with heights by λ_V and widths and accelerations by U besides.
-Rocking make_distorted(double restitution) {
+Rocking make_distorted_rocking(double restitution) {
     const Similitude heights = make_similitude("froude", {.length = kLength});
     Rocking model = make_model(heights);
-    model.width *= kAluminium;
-    model.strength *= kAluminium;
+    model.width *= kAluminiumFriction;
+    model.strength *= kAluminiumFriction;
     model.restitution = restitution;
     return model;
 }
@@ -117,22 +115,22 @@ TEST_CASE("a model by the Froude law rocks like its prototype") {
 }
 
 TEST_CASE("an aluminium model by the mu law does not rock at all") {
-    const Rocking model = make_model(make_similitude("mu", {.length = kLength, .friction = kAluminium}));
+    const Rocking model = make_model(make_similitude("mu", {.length = kLength, .friction = kAluminiumFriction}));
     CHECK_EXPECTED(model.strength, "0.1525");
     CHECK(find_peak(model) == 0.0);
 }
 
 TEST_CASE("an aluminium model of distorted height rocks, nearly like its prototype where it loses as much in impacts") {
-    const double own = groups::rocking_restitution(kThin * kAluminium);
+    const double own = groups::rocking_restitution(kThin * kAluminiumFriction);
     CHECK_EXPECTED(std::pow(groups::rocking_restitution(kThin), 2), "0.741");
     CHECK_EXPECTED(std::pow(own, 2), "0.972");
-    CHECK_EXPECTED(find_peak(make_distorted(groups::rocking_restitution(kThin))), "0.41205");
-    CHECK_EXPECTED(find_peak(make_distorted(own)), "0.52347");
+    CHECK_EXPECTED(find_peak(make_distorted_rocking(groups::rocking_restitution(kThin))), "0.41205");
+    CHECK_EXPECTED(find_peak(make_distorted_rocking(own)), "0.52347");
 }
 
 TEST_CASE("a model of distorted height keeps friction over slenderness and the sliding and rocking demand, and nearly omega/p") {
     const Rocking prototype = make_prototype();
-    const Rocking model = make_distorted(1.0);
+    const Rocking model = make_distorted_rocking(1.0);
     const double slenderness = model.width / model.height;
     CHECK_EXPECTED(groups::regime(0.18, slenderness), groups::regime(0.59, kThin));
     const auto shaking = [](const Rocking& block) { return block.strength * kStandardGravity; };

@@ -15,12 +15,12 @@ namespace musim::scaling::tests {
 
 namespace {
 
-constexpr int kProblems = 250;
+constexpr int kRandomProblems = 250;
 
 template <class Check>
 void for_random_problems(const Check& check) {
     std::mt19937_64 random(20240601);
-    for (int i = 0; i < kProblems; ++i) {
+    for (int i = 0; i < kRandomProblems; ++i) {
         CAPTURE(i);
         check(make_random_problem(random, 1 + random() % 12), random);
     }

@@ -9,15 +9,14 @@
 
 #include "scaling/laws/law_similitude.hpp"
 #include "tests/scaling/expected.hpp"
+#include "tests/scaling/paper_towers.hpp"
 
 namespace musim::scaling::tests {
 
 namespace {
 
-const ScaleFactors kWood{.length = 1.0 / 107.0, .friction = 0.63 / 0.59, .density = 800.0 / 2320.0};
-const ScaleFactors kAluminium{.length = 1.0 / 107.0, .friction = 0.18 / 0.59, .density = 2625.0 / 2320.0};
-constexpr double kThin = 1.36 / 4.25;
-constexpr double kWide = 2.82 / 4.25;
+const ScaleFactors kWoodModel{.length = 1.0 / 107.0, .friction = 0.63 / 0.59, .density = 800.0 / 2320.0};
+const ScaleFactors kAluminiumModel{.length = 1.0 / 107.0, .friction = 0.18 / 0.59, .density = 2625.0 / 2320.0};
 
 double group(const ModelScales& scales, std::string_view name, const ModelProperties& properties = {}) {
     for (const NamedFactor& factor : group_factors(scales, properties)) {
@@ -27,7 +26,7 @@ double group(const ModelScales& scales, std::string_view name, const ModelProper
     return 0.0;
 }
 
-const Distortion* find(const std::vector<Distortion>& distortions, std::string_view name) {
+const Distortion* find_distortion(const std::vector<Distortion>& distortions, std::string_view name) {
     const auto found = std::find_if(distortions.begin(), distortions.end(), [&](const Distortion& d) { return d.group == name; });
     return found == distortions.end() ? nullptr : &*found;
 }
@@ -63,21 +62,22 @@ TEST_CASE("distortions of aluminium and wood under Froude and mu input agree wit
     };
     for (const DistortionRow& row : rows) {
         CAPTURE(row.name);
-        CHECK_EXPECTED(group(shake_alike(make_similitude("froude", kAluminium)), row.name), row.froude_aluminium);
-        CHECK_EXPECTED(group(shake_alike(make_similitude("froude", kWood)), row.name), row.froude_wood);
-        CHECK_EXPECTED(group(shake_alike(make_similitude("mu", kAluminium)), row.name), row.mu_aluminium);
-        CHECK_EXPECTED(group(shake_alike(make_similitude("mu", kWood)), row.name), row.mu_wood);
+        CHECK_EXPECTED(group(shake_alike(make_similitude("froude", kAluminiumModel)), row.name), row.froude_aluminium);
+        CHECK_EXPECTED(group(shake_alike(make_similitude("froude", kWoodModel)), row.name), row.froude_wood);
+        CHECK_EXPECTED(group(shake_alike(make_similitude("mu", kAluminiumModel)), row.name), row.mu_aluminium);
+        CHECK_EXPECTED(group(shake_alike(make_similitude("mu", kWoodModel)), row.name), row.mu_wood);
         // the laws' own vertical shaking keeps its group
-        const double by_law = row.name == "a_vertical/g" ? 1.0 : group(shake_alike(make_similitude("mu", kWood)), row.name);
-        CHECK(group(make_similitude("mu", kWood), row.name) == by_law);
+        const double by_law = row.name == "a_vertical/g" ? 1.0 : group(shake_alike(make_similitude("mu", kWoodModel)), row.name);
+        CHECK(group(make_similitude("mu", kWoodModel), row.name) == by_law);
     }
 }
 
 TEST_CASE("only groups that differ beyond rounding are distortions, in the order of the groups") {
     std::vector<std::string> names;
-    for (const Distortion& distortion : find_distortions(shake_alike(make_similitude("mu", kAluminium)))) names.push_back(distortion.group);
+    for (const Distortion& distortion : find_distortions(shake_alike(make_similitude("mu", kAluminiumModel))))
+        names.push_back(distortion.group);
     CHECK(names == std::vector<std::string>{"a/g", "a/(g*tan(alpha))", "a_vertical/g", "omega/p", "Fr^N", "mu/tan(alpha)", "mu"});
-    CHECK(find(find_distortions(make_similitude("mu", kAluminium)), "a_vertical/g") == nullptr);
+    CHECK(find_distortion(find_distortions(make_similitude("mu", kAluminiumModel)), "a_vertical/g") == nullptr);
 }
 
 TEST_CASE("an exact similitude with scaled contacts has no distortion at any length") {
@@ -102,8 +102,8 @@ TEST_CASE("friction that falls below the slenderness is an error that names the 
                                      .restitution = {},
                                      .height_deviation = {}};
 
-    const std::vector<Distortion> aluminium = find_distortions(make_similitude("mu", kAluminium), properties);
-    const Distortion* change = find(aluminium, "mu/tan(alpha)");
+    const std::vector<Distortion> aluminium = find_distortions(make_similitude("mu", kAluminiumModel), properties);
+    const Distortion* change = find_distortion(aluminium, "mu/tan(alpha)");
     REQUIRE(change != nullptr);
     CHECK(change->severity == Severity::error);
     CHECK(change->effect.find("at tan(alpha) = 0.32 mu/tan(alpha) goes from 1.844 (rocking can start first) to 0.5625 (sliding first)") !=
@@ -111,15 +111,15 @@ TEST_CASE("friction that falls below the slenderness is an error that names the 
     CHECK(change->effect.find("0.6635") == std::string::npos);
 
     // wood stays on its side in both directions, 6.8 % off
-    const std::vector<Distortion> wood = find_distortions(make_similitude("mu", kWood), properties);
-    const Distortion* shift = find(wood, "mu/tan(alpha)");
+    const std::vector<Distortion> wood = find_distortions(make_similitude("mu", kWoodModel), properties);
+    const Distortion* shift = find_distortion(wood, "mu/tan(alpha)");
     REQUIRE(shift != nullptr);
     CHECK(shift->severity == Severity::note);
 
     // without the prototype's friction nothing can be said of the regime
-    const std::vector<Distortion> unknown = find_distortions(make_similitude("mu", kAluminium));
-    REQUIRE(find(unknown, "mu/tan(alpha)") != nullptr);
-    CHECK(find(unknown, "mu/tan(alpha)")->severity == Severity::warning);
+    const std::vector<Distortion> unknown = find_distortions(make_similitude("mu", kAluminiumModel));
+    REQUIRE(find_distortion(unknown, "mu/tan(alpha)") != nullptr);
+    CHECK(find_distortion(unknown, "mu/tan(alpha)")->severity == Severity::warning);
 }
 
 TEST_CASE("the same solid at 1:25 is too stiff under gravity by 25 and too fast in structural speed by 5") {
@@ -158,7 +158,7 @@ TEST_CASE("blocks of the prototype's stiffness raise the structural speed number
 
 TEST_CASE("the Cauchy law reports the gravity it neglects") {
     const std::vector<Distortion> distortions = find_distortions(make_similitude("cauchy", {.length = 0.04}));
-    const Distortion* froude = find(distortions, "Fr^N");
+    const Distortion* froude = find_distortion(distortions, "Fr^N");
     REQUIRE(froude != nullptr);
     CHECK_EXPECTED(froude->factor, 5.0);
     CHECK(froude->severity == Severity::warning);
@@ -167,15 +167,15 @@ TEST_CASE("the Cauchy law reports the gravity it neglects") {
 TEST_CASE("properties that cannot be are refused with the reason") {
     ModelProperties properties;
     properties.slenderness = {kThin, 0.0};
-    CHECK_THROWS_WITH_AS(find_distortions(make_similitude("mu", kWood), properties),
+    CHECK_THROWS_WITH_AS(find_distortions(make_similitude("mu", kWoodModel), properties),
                          "distortions: a slenderness tan(alpha) is 0 (must be positive and finite); correct it or leave it out",
                          SimilitudeError);
     properties = {};
     properties.normal_stiffness = -1.0;
-    CHECK_THROWS_AS(group_factors(make_similitude("mu", kWood), properties), SimilitudeError);
+    CHECK_THROWS_AS(group_factors(make_similitude("mu", kWoodModel), properties), SimilitudeError);
     properties = {};
     properties.friction_prototype = std::nan("");
-    CHECK_THROWS_AS(group_factors(make_similitude("mu", kWood), properties), SimilitudeError);
+    CHECK_THROWS_AS(group_factors(make_similitude("mu", kWoodModel), properties), SimilitudeError);
 }
 
 TEST_CASE("severities have names") {

@@ -28,13 +28,13 @@ StructureProperties at_1_107(StructureProperties model) {
     return model;
 }
 
-KeptNumbers kept_by(const char* law) { return find_kept_numbers(solve_law(*find_scale_law(law), {{"l", 1.0 / 107.0}})); }
+KeptNumbers find_kept(const char* law) { return find_kept_numbers(solve_law(*find_scale_law(law), {{"l", 1.0 / 107.0}})); }
 
 RegimeReport report(const PairProperties& properties, const char* law, double length = 1.0 / 107.0) {
-    return make_regime_report(properties, make_similitude(law, make_scale_factors(properties, length)), kept_by(law));
+    return make_regime_report(properties, make_similitude(law, make_scale_factors(properties, length)), find_kept(law));
 }
 
-const GroupComparison& find(const RegimeReport& report, std::string_view name, std::optional<Direction> direction = {}) {
+const GroupComparison& find_group(const RegimeReport& report, std::string_view name, std::optional<Direction> direction = {}) {
     const auto found = std::find_if(report.groups.begin(), report.groups.end(),
                                     [&](const auto& group) { return group.name == name && group.direction == direction; });
     REQUIRE_MESSAGE(found != report.groups.end(), name);
@@ -71,36 +71,36 @@ TEST_CASE("factors of the report's groups agree with the reference table of uneq
     const PairProperties aluminium = make_pair(at_1_107(aluminium_1_107())), wood = make_pair(at_1_107(wood_1_107()));
     for (const Row& row : rows) {
         CAPTURE(row.name);
-        CHECK_EXPECTED(find(report(aluminium, "froude"), row.name, row.direction).factor(), row.froude_aluminium);
-        CHECK_EXPECTED(find(report(wood, "froude"), row.name, row.direction).factor(), row.froude_wood);
-        CHECK_EXPECTED(find(report(aluminium, "mu"), row.name, row.direction).factor(), row.mu_aluminium);
-        CHECK_EXPECTED(find(report(wood, "mu"), row.name, row.direction).factor(), row.mu_wood);
+        CHECK_EXPECTED(find_group(report(aluminium, "froude"), row.name, row.direction).factor(), row.froude_aluminium);
+        CHECK_EXPECTED(find_group(report(wood, "froude"), row.name, row.direction).factor(), row.froude_wood);
+        CHECK_EXPECTED(find_group(report(aluminium, "mu"), row.name, row.direction).factor(), row.mu_aluminium);
+        CHECK_EXPECTED(find_group(report(wood, "mu"), row.name, row.direction).factor(), row.mu_wood);
     }
 }
 
 TEST_CASE("values of prototype and models agree with the reference cases") {
     const RegimeReport wood = report(make_pair(wood_1_107()), "mu");
-    CHECK_EXPECTED(find(wood, "mu^N").prototype, "0.01387054");
-    CHECK_EXPECTED(find(wood, "a/(mu*g)").prototype, "0.8661017");
-    CHECK_EXPECTED(find(wood, "Fr^N").prototype, "0.01065416");
-    CHECK_EXPECTED(find(wood, "mu/tan(alpha)", Direction::thin).prototype, "1.844");
-    CHECK_EXPECTED(find(wood, "mu/tan(alpha)", Direction::wide).prototype, "0.889");
-    CHECK_EXPECTED(find(wood, "kappa_n").model / 1e6, "2.416");
-    CHECK_EXPECTED(find(wood, "delta_w/sigma_H").model * 1e4, "8.5");
-    CHECK_EXPECTED(find(wood, "sigma_H/H").model * 100.0, "0.390");
-    CHECK_EXPECTED(find(wood, "e_r", Direction::wide).prototype, "0.5415");  // √0.2932
+    CHECK_EXPECTED(find_group(wood, "mu^N").prototype, "0.01387054");
+    CHECK_EXPECTED(find_group(wood, "a/(mu*g)").prototype, "0.8661017");
+    CHECK_EXPECTED(find_group(wood, "Fr^N").prototype, "0.01065416");
+    CHECK_EXPECTED(find_group(wood, "mu/tan(alpha)", Direction::thin).prototype, "1.844");
+    CHECK_EXPECTED(find_group(wood, "mu/tan(alpha)", Direction::wide).prototype, "0.889");
+    CHECK_EXPECTED(find_group(wood, "kappa_n").model / 1e6, "2.416");
+    CHECK_EXPECTED(find_group(wood, "delta_w/sigma_H").model * 1e4, "8.5");
+    CHECK_EXPECTED(find_group(wood, "sigma_H/H").model * 100.0, "0.390");
+    CHECK_EXPECTED(find_group(wood, "e_r", Direction::wide).prototype, "0.5415");  // √0.2932
     // ω/p at T = 0.5 s: 4π over 1.8156 1/s, printed to five digits
-    CHECK(find(wood, "omega/p", Direction::thin).prototype == doctest::Approx(4.0 * std::numbers::pi / 1.8156).epsilon(3e-5));
+    CHECK(find_group(wood, "omega/p", Direction::thin).prototype == doctest::Approx(4.0 * std::numbers::pi / 1.8156).epsilon(3e-5));
     // measured blocks stand for 1:106.84, not 1:107
-    CHECK_EXPECTED(107.0 / find(wood, "H/(lambda_l*H_prototype)").factor(), "106.84");
-    CHECK(find(wood, "H/(lambda_l*H_prototype)").severity == Severity::note);
+    CHECK_EXPECTED(107.0 / find_group(wood, "H/(lambda_l*H_prototype)").factor(), "106.84");
+    CHECK(find_group(wood, "H/(lambda_l*H_prototype)").severity == Severity::note);
 }
 
 TEST_CASE("the same solid at 1:25 keeps all but contact rigidity and structural speed") {
     const StructureProperties model = concrete_1_25();
     const RegimeReport same = report(make_pair(model), "froude", 1.0 / 25.0);
-    CHECK_EXPECTED(find(same, "S_e^N").factor(), 5.0);
-    CHECK_EXPECTED(find(same, "kappa_n").factor(), 25.0);
+    CHECK_EXPECTED(find_group(same, "S_e^N").factor(), 5.0);
+    CHECK_EXPECTED(find_group(same, "kappa_n").factor(), 25.0);
     for (const GroupComparison& group : same.groups) {
         const bool is_elastic = group.name == "S_e^N" || group.name == "kappa_n" || group.name == "C^N" || group.name == "delta_w/sigma_H";
         CAPTURE(group.name);
@@ -108,7 +108,7 @@ TEST_CASE("the same solid at 1:25 keeps all but contact rigidity and structural 
         CHECK(group.effect.empty() != is_elastic);
         CHECK_FALSE(group.sources.empty());
     }
-    CHECK(find(same, "S_e^N").severity == Severity::warning);
+    CHECK(find_group(same, "S_e^N").severity == Severity::warning);
     for (const RegimeStatement& regime : same.regimes) CHECK_FALSE(regime.severity.has_value());
 }
 
@@ -116,21 +116,21 @@ TEST_CASE("a harder contact is a note while the overlap is small in both, a warn
     // base overlap over σ_H: prototype 38 m g/(k_n σ_H) = 0.043, model 25 times less
     PairProperties properties = make_pair(concrete_1_25());
     const RegimeReport rigid = report(properties, "froude", 1.0 / 25.0);
-    CHECK_EXPECTED(find(rigid, "delta_w/sigma_H").prototype, "0.043");
-    CHECK(find(rigid, "kappa_n").severity == Severity::note);
-    CHECK(find(rigid, "delta_w/sigma_H").severity == Severity::note);
-    CHECK(find(rigid, "C^N").severity == Severity::note);
+    CHECK_EXPECTED(find_group(rigid, "delta_w/sigma_H").prototype, "0.043");
+    CHECK(find_group(rigid, "kappa_n").severity == Severity::note);
+    CHECK(find_group(rigid, "delta_w/sigma_H").severity == Severity::note);
+    CHECK(find_group(rigid, "C^N").severity == Severity::note);
     CHECK(find_regime(rigid, "contacts")->statement.find("rigid: heights decide who carries in both") != std::string::npos);
 
     properties.prototype.height_deviation = 1e-3 * si::meters;  // 0.54
     const RegimeReport soft = report(properties, "froude", 1.0 / 25.0);
-    CHECK(find(soft, "kappa_n").severity == Severity::warning);
+    CHECK(find_group(soft, "kappa_n").severity == Severity::warning);
     CHECK(find_regime(soft, "contacts")->severity == Severity::warning);
 
     properties.prototype.height_deviation.reset();
     const RegimeReport unknown = report(properties, "froude", 1.0 / 25.0);
-    CHECK(find(unknown, "kappa_n").severity == Severity::warning);
-    CHECK(find(unknown, "kappa_n").effect.find("without sigma_H") != std::string::npos);
+    CHECK(find_group(unknown, "kappa_n").severity == Severity::warning);
+    CHECK(find_group(unknown, "kappa_n").effect.find("without sigma_H") != std::string::npos);
     CHECK(find_regime(unknown, "contacts") == nullptr);
     const auto not_given =
         std::find_if(unknown.untold.begin(), unknown.untold.end(), [](const auto& each) { return each.name == "sigma_H/H"; });
@@ -142,8 +142,8 @@ TEST_CASE("aluminium slides where concrete rocks: errors in the thin direction, 
     const PairProperties properties = make_pair(at_1_107(aluminium_1_107()));
     for (const char* law : {"mu", "froude"}) {
         const RegimeReport aluminium = report(properties, law);
-        CHECK(find(aluminium, "mu/tan(alpha)", Direction::thin).severity == Severity::error);
-        CHECK(find(aluminium, "mu/tan(alpha)", Direction::wide).severity == Severity::warning);
+        CHECK(find_group(aluminium, "mu/tan(alpha)", Direction::thin).severity == Severity::error);
+        CHECK(find_group(aluminium, "mu/tan(alpha)", Direction::wide).severity == Severity::warning);
         CHECK(find_regime(aluminium, "sliding or rocking first", Direction::thin)->severity == Severity::error);
         CHECK_FALSE(find_regime(aluminium, "sliding or rocking first", Direction::wide)->severity.has_value());
         CHECK(find_regime(aluminium, "first motion", Direction::thin)->severity == Severity::error);
@@ -182,7 +182,7 @@ TEST_CASE("a group that sits on its border is not carried over it by rounding") 
 TEST_CASE("each law asks for its own groups") {
     const PairProperties properties = make_pair(at_1_107(aluminium_1_107()));
     const auto is_required = [&](const char* law, std::string_view name, std::optional<Direction> direction = {}) {
-        return find(report(properties, law), name, direction).is_required;
+        return find_group(report(properties, law), name, direction).is_required;
     };
     for (const char* law : {"mu", "froude", "cauchy"}) CHECK(is_required(law, "b/H"));
     CHECK(is_required("mu", "mu^N"));
@@ -204,11 +204,11 @@ TEST_CASE("what the table gave the model counts, where it is given") {
     const Similitude similitude = make_similitude("mu", make_scale_factors(properties, 1.0 / 107.0));
     properties.model_motion = to_model(*properties.motion, similitude);
     properties.model_motion->acceleration *= 0.8;
-    const RegimeReport weak = make_regime_report(properties, similitude, kept_by("mu"));
-    CHECK_EXPECTED(find(weak, "a/(mu*g)").factor(), 0.8);
-    CHECK(find(weak, "a/(mu*g)").severity == Severity::warning);
-    CHECK(find(weak, "a/(mu*g)").is_required);
-    CHECK_EXPECTED(find(weak, "mu^N").factor(), 1.0);
+    const RegimeReport weak = make_regime_report(properties, similitude, find_kept("mu"));
+    CHECK_EXPECTED(find_group(weak, "a/(mu*g)").factor(), 0.8);
+    CHECK(find_group(weak, "a/(mu*g)").severity == Severity::warning);
+    CHECK(find_group(weak, "a/(mu*g)").is_required);
+    CHECK_EXPECTED(find_group(weak, "mu^N").factor(), 1.0);
 }
 
 TEST_CASE("a table is held against the frequencies of the model's motion") {
@@ -235,12 +235,12 @@ TEST_CASE("zero is a value: gaps that close and vertical shaking that is left ou
     properties.prototype.edge_radius = 0.0 * si::meters;
     properties.model.edge_radius = 1e-3 * si::meters;
     const RegimeReport zeros = report(properties, "mu");
-    CHECK(find(zeros, "gap/H").factor() == 0.0);
-    CHECK(find(zeros, "gap/H").severity == Severity::warning);
-    CHECK(find(zeros, "a_vertical/g").factor() == 1.0);
-    CHECK_FALSE(find(zeros, "a_vertical/g").severity.has_value());
-    CHECK(std::isinf(find(zeros, "edge_radius/H").factor()));
-    CHECK(find(zeros, "edge_radius/H").severity == Severity::warning);
+    CHECK(find_group(zeros, "gap/H").factor() == 0.0);
+    CHECK(find_group(zeros, "gap/H").severity == Severity::warning);
+    CHECK(find_group(zeros, "a_vertical/g").factor() == 1.0);
+    CHECK_FALSE(find_group(zeros, "a_vertical/g").severity.has_value());
+    CHECK(std::isinf(find_group(zeros, "edge_radius/H").factor()));
+    CHECK(find_group(zeros, "edge_radius/H").severity == Severity::warning);
 }
 
 TEST_CASE("without a motion what it would decide is left out") {
@@ -275,7 +275,7 @@ TEST_CASE("factors of the report are those of find_distortions where both give t
     for (const char* law : {"mu", "froude"}) {
         const PairProperties properties = make_pair(at_1_107(aluminium_1_107()));
         const Similitude similitude = make_similitude(law, make_scale_factors(properties, 1.0 / 107.0));
-        const RegimeReport full = make_regime_report(properties, similitude, kept_by(law));
+        const RegimeReport full = make_regime_report(properties, similitude, find_kept(law));
         for (const NamedFactor& factor : group_factors(similitude, make_model_properties(properties))) {
             for (const GroupComparison& group : full.groups) {
                 // sizes of 1:107 rounded to doubles, roots of products of them: far below 1e-12

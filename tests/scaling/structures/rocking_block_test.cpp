@@ -11,28 +11,28 @@ namespace musim::scaling::tests {
 
 namespace {
 
-const RockingBlock kThin{.width = 1.36 * si::meters, .height = 4.25 * si::meters};
-const RockingBlock kWide{.width = 2.82 * si::meters, .height = 4.25 * si::meters};
+const RockingBlock kThinBlock{.width = 1.36 * si::meters, .height = 4.25 * si::meters};
+const RockingBlock kWideBlock{.width = 2.82 * si::meters, .height = 4.25 * si::meters};
 
 }  // namespace
 
 TEST_CASE("the prototype block rocks with its reference size, slenderness, frequency and restitution") {
-    CHECK_EXPECTED(kThin.half_diagonal().value(), "2.2311");
-    CHECK_EXPECTED(kThin.angle() / kDegree, "17.745");
-    CHECK_EXPECTED(kThin.frequency_parameter(kStandardGravity).value(), "1.8156");
-    CHECK_EXPECTED(kThin.angular_restitution(), "0.8607");  // √0.7407
-    CHECK_EXPECTED(kThin.energy_restitution(), "0.7407");
-    CHECK_EXPECTED(kWide.half_diagonal().value(), "2.5502");
-    CHECK_EXPECTED(kWide.angle() / kDegree, "33.565");
-    CHECK_EXPECTED(kWide.frequency_parameter(kStandardGravity).value(), "1.6982");
-    CHECK_EXPECTED(kWide.energy_restitution(), "0.2932");
+    CHECK_EXPECTED(kThinBlock.half_diagonal().value(), "2.2311");
+    CHECK_EXPECTED(kThinBlock.angle() / kDegree, "17.745");
+    CHECK_EXPECTED(kThinBlock.frequency_parameter(kStandardGravity).value(), "1.8156");
+    CHECK_EXPECTED(kThinBlock.angular_restitution(), "0.8607");  // √0.7407
+    CHECK_EXPECTED(kThinBlock.energy_restitution(), "0.7407");
+    CHECK_EXPECTED(kWideBlock.half_diagonal().value(), "2.5502");
+    CHECK_EXPECTED(kWideBlock.angle() / kDegree, "33.565");
+    CHECK_EXPECTED(kWideBlock.frequency_parameter(kStandardGravity).value(), "1.6982");
+    CHECK_EXPECTED(kWideBlock.energy_restitution(), "0.2932");
 }
 
 TEST_CASE("p of a model grows by the root of gravity over length, the restitution stays") {
     // λ_p = √(λ_g/λ_l); powers of two, so to the last bit
-    const RockingBlock model{.width = kThin.width / 16.0, .height = kThin.height / 16.0};
-    CHECK(model.frequency_parameter(4.0 * kStandardGravity) == 8.0 * kThin.frequency_parameter(kStandardGravity));
-    CHECK(model.energy_restitution() == kThin.energy_restitution());
+    const RockingBlock model{.width = kThinBlock.width / 16.0, .height = kThinBlock.height / 16.0};
+    CHECK(model.frequency_parameter(4.0 * kStandardGravity) == 8.0 * kThinBlock.frequency_parameter(kStandardGravity));
+    CHECK(model.energy_restitution() == kThinBlock.energy_restitution());
 }
 
 TEST_CASE("friction needed to rock is tan alpha where rocking starts, and that of the moment balance above") {

@@ -16,10 +16,10 @@ namespace {
 
 using std::numbers::pi;
 
-struct Case {
+struct ChainCase {
     double slenderness, stiffness_ratio;
 };
-const std::vector<Case> kCases = {{0.32, 1.05}, {0.6635, 1.154}, {0.05, 10.0}, {3.0, 0.1}, {20.0, 2.6}};
+const std::vector<ChainCase> kCases = {{0.32, 1.05}, {0.6635, 1.154}, {0.05, 10.0}, {3.0, 0.1}, {20.0, 2.6}};
 
 /// Angular frequencies of a ring of `count` blocks, spring by spring, m = k_s = H = 1.
 std::vector<double> find_ring_frequencies(const RotatingChain& chain, Eigen::Index count) {

@@ -23,7 +23,7 @@ std::vector<UncertainFactor> make_factors(const std::vector<std::pair<const char
 }
 
 /// A law solved and propagated; values are texts such as "29.2+/-1 GPa".
-struct Case {
+struct LawCase {
     SolvedLaw solved;
     UncertainLawReport report;
 
@@ -49,9 +49,9 @@ struct Case {
     }
 };
 
-Case propagate_case(const std::string& name, const std::vector<std::pair<const char*, const char*>>& factors,
-                    const std::vector<std::pair<const char*, const char*>>& values = {},
-                    const std::optional<MonteCarloSettings>& monte_carlo = {}) {
+LawCase propagate_case(const std::string& name, const std::vector<std::pair<const char*, const char*>>& factors,
+                       const std::vector<std::pair<const char*, const char*>>& values = {},
+                       const std::optional<MonteCarloSettings>& monte_carlo = {}) {
     ScaleLaw law = load_scale_law(name);
     const std::vector<PiQuantity> quantities = quantities_of(law);
     std::vector<UncertainPrototype> prototype;
@@ -66,14 +66,14 @@ Case propagate_case(const std::string& name, const std::vector<std::pair<const c
     return {std::move(solved), std::move(report)};
 }
 
-const char* const kWood = "(0.63+/-5%)/(0.59+/-5%)";
+const char* const kWoodRatio = "(0.63+/-5%)/(0.59+/-5%)";
 
 }  // namespace
 
 TEST_CASE("laws as data propagate what the laws of the code do, to first order and as shaken") {
     UncertainScales scales;
     scales.length = parse_uncertain_ratio("1/107+/-0.4%");
-    scales.friction = parse_uncertain_ratio(kWood);
+    scales.friction = parse_uncertain_ratio(kWoodRatio);
     scales.gravity = parse_uncertain_ratio("1+/-0.2%");
     scales.density = parse_uncertain_ratio("(800+/-1%)/(2320+/-2%)");
     const std::pair<const char*, const char*> names[] = {
@@ -87,7 +87,8 @@ TEST_CASE("laws as data propagate what the laws of the code do, to first order a
             scales,
             [law](const ScaleFactors& factors, const std::vector<GivenFactor>& /*others*/) { return make_similitude(law, factors); }, {},
             {});
-        const Case data = propagate_case(law, {{"l", "1/107+/-0.4%"}, {"mu", kWood}, {"g", "1+/-0.2%"}, {"rho", "(800+/-1%)/(2320+/-2%)"}});
+        const LawCase data =
+            propagate_case(law, {{"l", "1/107+/-0.4%"}, {"mu", kWoodRatio}, {"g", "1+/-0.2%"}, {"rho", "(800+/-1%)/(2320+/-2%)"}});
         REQUIRE(data.report.inputs.size() == code.inputs.size());
         for (const auto& name : names) {
             const char* const key = name.first;
@@ -99,7 +100,7 @@ TEST_CASE("laws as data propagate what the laws of the code do, to first order a
             CHECK(data.relative(quantity) == doctest::Approx(found->first_order.relative).epsilon(1e-12));
         }
     }
-    const Case mu = propagate_case("mu", {{"l", "1/107+/-0.4%"}, {"mu", kWood}, {"g", "1+/-0.2%"}});
+    const LawCase mu = propagate_case("mu", {{"l", "1/107+/-0.4%"}, {"mu", kWoodRatio}, {"g", "1+/-0.2%"}});
     CHECK(mu.held("v/sqrt(mu*g*l)") == 0.0);
     // u(v/sqrt(mu g l))² = (u(l)² + u(mu)² + u(g)²)/4, a/(mu g): u(mu)² + u(g)²
     CHECK_EXPECTED(mu.shaken("v/sqrt(mu*g*l)"), 0.5 * std::hypot(0.004, std::sqrt(2.0) * 0.05, 0.002));
@@ -109,22 +110,22 @@ TEST_CASE("laws as data propagate what the laws of the code do, to first order a
 
 TEST_CASE("solved factors of any law have the uncertainty of the chosen ones, by the powers they have in it") {
     // E = rho g l
-    const Case replica = propagate_case("true_replica", {{"l", "1/25+/-0.4%"}, {"rho", "(2310+/-1%)/(2320+/-2%)"}});
+    const LawCase replica = propagate_case("true_replica", {{"l", "1/25+/-0.4%"}, {"rho", "(2310+/-1%)/(2320+/-2%)"}});
     CHECK_EXPECTED(replica.relative("E"), std::hypot(0.004, 0.01, 0.02));
     CHECK_EXPECTED(replica.relative("t"), 0.5 * 0.004);
     CHECK(replica.held("E/(rho*g*l)") == 0.0);
     CHECK(replica.factor("E").first_order.exponents == std::vector{1.0, 1.0, -1.0});
     // g = E/(rho l)
-    const Case centrifuge = propagate_case("centrifuge", {{"l", "1/25"}, {"E", "1+/-3%"}});
+    const LawCase centrifuge = propagate_case("centrifuge", {{"l", "1/25"}, {"E", "1+/-3%"}});
     CHECK_EXPECTED(centrifuge.relative("g"), 0.03);
     CHECK_EXPECTED(centrifuge.relative("v"), 0.5 * 0.03);
     // a lumped force: v = sqrt(l F_R/m)
-    const Case force = propagate_case("restoring_force", {{"l", "1/25+/-1%"}, {"F_R", "1e-4+/-2%"}, {"rho", "1+/-3%"}});
+    const LawCase force = propagate_case("restoring_force", {{"l", "1/25+/-1%"}, {"F_R", "1e-4+/-2%"}, {"rho", "1+/-3%"}});
     CHECK_EXPECTED(force.relative("a"), std::hypot(0.03, 0.02, 0.03));
     // shaken by values: v is certain, l, F_R and m = rho l³ are not
     CHECK_EXPECTED(force.shaken("v/sqrt(l*F_R/m)"), 0.5 * std::hypot(2.0 * 0.01, 0.02, 0.03));
     // widths follow friction; a/(mu g) is shaken by a value
-    const Case tall = propagate_case("mu_vertical_distortion", {{"H", "1/25"}, {"mu", kWood}});
+    const LawCase tall = propagate_case("mu_vertical_distortion", {{"H", "1/25"}, {"mu", kWoodRatio}});
     CHECK_EXPECTED(tall.relative("b"), std::sqrt(2.0) * 0.05);
     CHECK(tall.watched("mu/tan_alpha") == 0.0);
     CHECK_EXPECTED(tall.shaken("a/(mu*g)"), std::sqrt(2.0) * 0.05);
@@ -145,7 +146,7 @@ TEST_CASE("powers of any denominator are found to rounding") {
 }
 
 TEST_CASE("values of the prototype are carried to the model with both uncertainties") {
-    const Case replica = propagate_case("true_replica", {{"l", "1/25+/-0.4%"}}, {{"E", "29.2+/-5% GPa"}, {"v", "42.4 cm/s"}});
+    const LawCase replica = propagate_case("true_replica", {{"l", "1/25+/-0.4%"}}, {{"E", "29.2+/-5% GPa"}, {"v", "42.4 cm/s"}});
     REQUIRE(replica.report.values.size() == 2);
     const UncertainPair& velocity = replica.report.values[0];
     CHECK(velocity.name == "v");
@@ -158,14 +159,14 @@ TEST_CASE("values of the prototype are carried to the model with both uncertaint
 }
 
 TEST_CASE("the prototype's value and the lower one of its fraction are one input") {
-    const Case wood = propagate_case("mu", {{"l", "1/107"}, {"mu", kWood}}, {{"mu", "0.59+/-5%"}});
+    const LawCase wood = propagate_case("mu", {{"l", "1/107"}, {"mu", kWoodRatio}}, {{"mu", "0.59+/-5%"}});
     CHECK(wood.report.inputs.size() == 2);
     CHECK_EXPECTED(wood.report.values[0].prototype.first_order.relative, 0.05);
     // 0.59 · 0.63/0.59: the model's own 5 %, not sqrt(3) of them
     CHECK_EXPECTED(wood.report.values[0].model.first_order.relative, 0.05);
     const auto message = [](const char* value) {
         return musim::tests::message_of<std::runtime_error>([&] {
-            propagate_case("mu", {{"l", "1/107"}, {"mu", kWood}}, {{"mu", value}});
+            propagate_case("mu", {{"l", "1/107"}, {"mu", kWoodRatio}}, {{"mu", value}});
         });
     };
     CHECK(message("0.6").find("mu of the prototype is 0.6") != std::string::npos);
@@ -176,7 +177,7 @@ TEST_CASE("the prototype's value and the lower one of its fraction are one input
 TEST_CASE("an addition is a difference: its uncertainty is that of both sides, with what they share") {
     // (λ_E L²/g − L³) M: ∂/∂ln L = 2 L² − 3 L³, ∂/∂ln E = L²
     const MonteCarloSettings settings{.samples = 100'000, .seed = 3};
-    const Case added = propagate_case("artificial_mass", {{"l", "1/25+/-0.4%"}, {"E", "1+/-1%"}}, {{"m_s", "270151+/-1% t"}}, settings);
+    const LawCase added = propagate_case("artificial_mass", {{"l", "1/25+/-0.4%"}, {"E", "1+/-1%"}}, {{"m_s", "270151+/-1% t"}}, settings);
     const double l = 1.0 / 25.0;
     const UncertainAddition& addition = *added.report.additions[0];
     CHECK_EXPECTED(addition.factor.value, l * l - l * l * l);
@@ -189,10 +190,10 @@ TEST_CASE("an addition is a difference: its uncertainty is that of both sides, w
     CHECK(std::abs(share - 1.0) <= 5.0 / std::sqrt(200'000.0) + 0.02);
 
     // nothing to add, and less than nothing
-    const Case none = propagate_case("artificial_mass", {{"l", "1"}, {"E", "1+/-1%"}});
+    const LawCase none = propagate_case("artificial_mass", {{"l", "1"}, {"E", "1+/-1%"}});
     CHECK(none.report.additions[0]->factor.value == 0.0);
     CHECK_EXPECTED(none.report.additions[0]->factor.uncertainty, 0.01);
-    const Case less = propagate_case("artificial_mass", {{"l", "1"}, {"E", "1/2+/-1%"}});
+    const LawCase less = propagate_case("artificial_mass", {{"l", "1"}, {"E", "1/2+/-1%"}});
     CHECK_EXPECTED(less.report.additions[0]->factor.value, -0.5);
     CHECK_EXPECTED(less.report.additions[0]->factor.uncertainty, 0.005);
 }
@@ -202,7 +203,7 @@ TEST_CASE("samples of solved factors agree with first order and depend on the se
         return propagate_case("true_replica", {{"l", "1/25+/-0.4%"}, {"rho", "1+/-1%"}}, {},
                               MonteCarloSettings{.samples = 20'000, .seed = seed, .threads = threads});
     };
-    const Case one = run(7, 1), two = run(7, 2), other = run(8, 1);
+    const LawCase one = run(7, 1), two = run(7, 2), other = run(8, 1);
     const SampleSummary& modulus = *one.factor("E").samples;
     CHECK(modulus.mean == two.factor("E").samples->mean);
     CHECK(modulus.upper == two.factor("E").samples->upper);

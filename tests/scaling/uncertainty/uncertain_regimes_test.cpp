@@ -24,7 +24,7 @@ using lsdem::tests::relative;
 namespace {
 
 /// Exponents are exact but for rounding, variances add by two roundings each.
-constexpr double kRounding = 1e-12;
+constexpr double kFormulaRounding = 1e-12;
 
 /// Properties as a file would say them: a value to take for each place.
 using Say = std::function<PairProperties(UncertainReading&)>;
@@ -98,16 +98,16 @@ TEST_CASE("groups of a test as it is shaken have the uncertainties of their clos
     const Reported given = report(towers(0.05, 0.02));
     CHECK(given.uncertain.inputs.size() == 3);
     // prototype and model: u(a/(μ g))² = u(a)² + u(μ)²; of their ratio the peak cancels, as the model is shaken by the prototype's
-    CHECK(given.group("a/(mu*g)").prototype.relative == relative(std::hypot(0.02, 0.05), kRounding));
-    CHECK(given.group("a/(mu*g)").model.relative == relative(std::hypot(0.02, 0.05), kRounding));
-    CHECK(given.group("a/(mu*g)").factor.relative == relative(std::hypot(0.05, 0.05), kRounding));
-    CHECK(given.group("mu^N").model.relative == relative(0.025, kRounding));
+    CHECK(given.group("a/(mu*g)").prototype.relative == relative(std::hypot(0.02, 0.05), kFormulaRounding));
+    CHECK(given.group("a/(mu*g)").model.relative == relative(std::hypot(0.02, 0.05), kFormulaRounding));
+    CHECK(given.group("a/(mu*g)").factor.relative == relative(std::hypot(0.05, 0.05), kFormulaRounding));
+    CHECK(given.group("mu^N").model.relative == relative(0.025, kFormulaRounding));
     CHECK(given.group("a/g").factor.relative == 0.0);  // shaken with a value of λ_μ
-    CHECK(given.group("mu/tan(alpha)", Direction::thin).model.relative == relative(0.05, kRounding));
+    CHECK(given.group("mu/tan(alpha)", Direction::thin).model.relative == relative(0.05, kFormulaRounding));
     CHECK(given.group("e_r", Direction::thin).model.relative == 0.0);
     // factors are those to aim at
     for (const UncertainResult& factor : given.uncertain.factors) {
-        if (factor.name == "time") CHECK(factor.first_order.relative == relative(0.5 * std::hypot(0.05, 0.05), kRounding));
+        if (factor.name == "time") CHECK(factor.first_order.relative == relative(0.5 * std::hypot(0.05, 0.05), kFormulaRounding));
         if (factor.name == "mass") CHECK(factor.first_order.relative == 0.0);
     }
 }
