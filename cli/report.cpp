@@ -7,7 +7,7 @@
 #include "lsdem/results/verdict.hpp"
 #include "lsdem/scene/motions.hpp"
 #include "lsdem/scene/scene_json.hpp"
-#include "scaling/structures/solid_elasticity.hpp"
+#include "scaling/laws/model_scales.hpp"
 
 namespace musim::cli {
 

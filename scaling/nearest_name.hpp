@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,3 +18,11 @@ std::string suggest_name(std::string_view name, const std::vector<std::string>& 
 std::string hint_at_name(std::string_view name, const std::vector<std::string>& known);
 
 }  // namespace musim::scaling
+
+namespace musim::scaling::detail {
+
+/// The first of the names in `known` that are nearest to `name`, of those whose edit distance is below `limit`; empty for none. An edit is
+/// 1 for another case of the same letter, 2 for any other change.
+std::string find_nearest(std::string_view name, const std::vector<std::string>& known, const std::function<int(const std::string&)>& limit);
+
+}  // namespace musim::scaling::detail

@@ -9,10 +9,10 @@
 #include <set>
 
 #include "scaling/detail/dimension_names.hpp"
-#include "scaling/detail/edit_distance.hpp"
 #include "scaling/detail/number_text.hpp"
 #include "scaling/detail/unit_text.hpp"
 #include "scaling/detail/wide_product.hpp"
+#include "scaling/nearest_name.hpp"
 #include "scaling/quantity_text.hpp"
 #include "scaling/shorten.hpp"
 
@@ -74,18 +74,11 @@ void check_quantities(const std::vector<PiQuantity>& quantities) {
 std::size_t find_quantity(const std::vector<PiQuantity>& quantities, std::string_view name, std::string_view owner) {
     const auto found = std::find_if(quantities.begin(), quantities.end(), [&](const PiQuantity& each) { return each.name == name; });
     if (found != quantities.end()) return static_cast<std::size_t>(found - quantities.begin());
-    std::string_view nearest;
-    int smallest = 2 * static_cast<int>(name.size());
-    for (const PiQuantity& quantity : quantities) {
-        const int distance = detail::edit_distance(name, quantity.name);
-        if (distance >= smallest) continue;
-        smallest = distance;
-        nearest = quantity.name;
-    }
-    if (!nearest.empty()) throw PiError(fmt::format("\"{}\" is no quantity of {}; did you mean \"{}\"?", name, owner, nearest));
-    std::vector<std::string_view> names;
+    std::vector<std::string> names;
     names.reserve(quantities.size());
-    for (const PiQuantity& quantity : quantities) names.emplace_back(quantity.name);
+    for (const PiQuantity& quantity : quantities) names.push_back(quantity.name);
+    const std::string nearest = detail::find_nearest(name, names, [&](const auto&) { return 2 * static_cast<int>(name.size()); });
+    if (!nearest.empty()) throw PiError(fmt::format("\"{}\" is no quantity of {}; did you mean \"{}\"?", name, owner, nearest));
     throw PiError(fmt::format("\"{}\" is no quantity of {}; take one of {}", name, owner, fmt::join(names, ", ")));
 }
 

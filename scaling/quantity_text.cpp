@@ -50,8 +50,7 @@ std::string format_si(double value, Dimension dimension, int digits) { return fo
 std::string si_unit(const RationalDimension& dimension) { return dimension.is_dimensionless() ? "1" : detail::base_units(dimension); }
 
 std::string format_si_like(double value, double like, const RationalDimension& dimension, int digits) {
-    const auto halves = to_halves(dimension);
-    const detail::DimensionName* known = halves ? detail::find_dimension_name(*halves) : nullptr;
+    const detail::DimensionName* known = detail::find_dimension_name(dimension);
     if (known == nullptr) return fmt::format("{:.{}g} {}", value, digits, detail::base_units(dimension));
 
     // zero has no size of its own: print it in the largest unit not above the SI unit

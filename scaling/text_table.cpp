@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 #include <sstream>
+#include <string_view>
 
 namespace musim::scaling {
 
@@ -131,39 +133,18 @@ std::string to_latex(const TextTable& table) {
 }
 
 std::string make_table(const TextTable& table, ReportStyle style) {
-    switch (style) {
-        case ReportStyle::markdown:
-            return to_markdown(table);
-        case ReportStyle::latex:
-            return to_latex(table);
-        case ReportStyle::plain:
-            break;
-    }
-    return to_plain_text(table);
+    if (style == ReportStyle::markdown) return to_markdown(table);
+    return style == ReportStyle::latex ? to_latex(table) : to_plain_text(table);
 }
 
 std::string make_title(const std::string& text, ReportStyle style) {
-    switch (style) {
-        case ReportStyle::markdown:
-            return "# " + text + "\n\n";
-        case ReportStyle::latex:
-            return fmt::format("\\section*{{{}}}\n", escape_latex(text));
-        case ReportStyle::plain:
-            break;
-    }
-    return text + "\n";
+    if (style == ReportStyle::markdown) return "# " + text + "\n\n";
+    return style == ReportStyle::latex ? fmt::format("\\section*{{{}}}\n", escape_latex(text)) : text + "\n";
 }
 
 std::string make_heading(const std::string& text, ReportStyle style) {
-    switch (style) {
-        case ReportStyle::markdown:
-            return "\n## " + text + "\n\n";
-        case ReportStyle::latex:
-            return fmt::format("\n\\subsection*{{{}}}\n", escape_latex(text));
-        case ReportStyle::plain:
-            break;
-    }
-    return "\n" + text + "\n";
+    if (style == ReportStyle::markdown) return "\n## " + text + "\n\n";
+    return style == ReportStyle::latex ? fmt::format("\n\\subsection*{{{}}}\n", escape_latex(text)) : "\n" + text + "\n";
 }
 
 std::string make_lines(const std::vector<std::string>& lines, ReportStyle style) {
@@ -182,39 +163,17 @@ std::string make_paragraph(const std::string& text, ReportStyle style) {
 }
 
 std::string escape_latex(const std::string& text) {
+    static const std::map<char, std::string_view> kSigns{
+        {'\\', "\\textbackslash{}"}, {'^', "\\textasciicircum{}"}, {'~', "\\textasciitilde{}"}, {'<', "$<$"}, {'>', "$>$"}, {'|', "$|$"}};
     std::string escaped;
     for (const char c : text) {
-        switch (c) {
-            case '#':
-            case '$':
-            case '%':
-            case '&':
-            case '_':
-            case '{':
-            case '}':
-                escaped += std::string("\\") + c;
-                break;
-            case '\\':
-                escaped += "\\textbackslash{}";
-                break;
-            case '^':
-                escaped += "\\textasciicircum{}";
-                break;
-            case '~':
-                escaped += "\\textasciitilde{}";
-                break;
-            case '<':
-                escaped += "$<$";
-                break;
-            case '>':
-                escaped += "$>$";
-                break;
-            case '|':
-                escaped += "$|$";
-                break;
-            default:
-                escaped += c;
+        const auto sign = kSigns.find(c);
+        if (sign != kSigns.end()) {
+            escaped += sign->second;
+            continue;
         }
+        if (std::string_view("#$%&_{}").find(c) != std::string_view::npos) escaped += '\\';
+        escaped += c;
     }
     return escaped;
 }

@@ -9,7 +9,7 @@
 #include "cli/scaling/uncertainty_output.hpp"
 #include "scaling/json_optional.hpp"
 #include "scaling/laws/length_range.hpp"
-#include "scaling/uncertainty/coverage.hpp"
+#include "scaling/uncertainty/propagate.hpp"
 
 namespace musim::cli {
 namespace {

@@ -17,7 +17,7 @@
 #include "cli/uncertain_options.hpp"
 #include "records/processing/scale_record.hpp"
 #include "records/shake_table/table_axes.hpp"
-#include "scaling/structures/solid_elasticity.hpp"
+#include "scaling/laws/model_scales.hpp"
 
 namespace musim::cli {
 namespace {

@@ -14,8 +14,8 @@
 #include "cli/scaling/scale_properties.hpp"
 #include "cli/scaling/scale_uncertainty.hpp"
 #include "cli/uncertain_options.hpp"
+#include "scaling/laws/model_scales.hpp"
 #include "scaling/structures/distortion.hpp"
-#include "scaling/structures/solid_elasticity.hpp"
 #include "scaling/text_table.hpp"
 
 namespace musim::cli {

@@ -14,7 +14,7 @@
 #include "cli/scaling/properties_output.hpp"
 #include "records/design/parse_properties.hpp"
 #include "records/design/properties_law.hpp"
-#include "scaling/laws/kept_numbers.hpp"
+#include "scaling/laws/group_meaning.hpp"
 #include "scaling/laws/law_similitude.hpp"
 #include "scaling/laws/scale_law_catalogue.hpp"
 #include "scaling/uncertainty/uncertain_regimes.hpp"

@@ -6,7 +6,7 @@
 
 #include "cli/named_values.hpp"
 #include "scaling/text_table.hpp"
-#include "scaling/uncertainty/coverage.hpp"
+#include "scaling/uncertainty/propagate.hpp"
 #include "scaling/uncertainty/uncertain_similitude.hpp"
 
 namespace musim::cli {

@@ -50,24 +50,22 @@ std::vector<DimensionName> make_dimension_names() {
 
 }  // namespace
 
-const DimensionName* find_dimension_name(Dimension dimension) {
+const DimensionName* find_dimension_name(const RationalDimension& dimension) {
     static const std::vector<DimensionName> kNames = make_dimension_names();
+    const auto halves = to_halves(dimension);
     for (const DimensionName& entry : kNames) {
-        if (entry.dimension == dimension) return &entry;
+        if (halves && entry.dimension == *halves) return &entry;
     }
     return nullptr;
 }
 
 std::string describe(const RationalDimension& dimension) {
-    if (const auto halves = to_halves(dimension)) {
-        if (const DimensionName* known = find_dimension_name(*halves)) return std::string(known->name);
-    }
-    return "in " + base_units(dimension);
+    const DimensionName* known = find_dimension_name(dimension);
+    return known != nullptr ? std::string(known->name) : "in " + base_units(dimension);
 }
 
 std::string describe_wish(const RationalDimension& dimension) {
-    const auto halves = to_halves(dimension);
-    const DimensionName* known = halves ? find_dimension_name(*halves) : nullptr;
+    const DimensionName* known = find_dimension_name(dimension);
     if (known == nullptr) return fmt::format("a quantity in {} is wanted", base_units(dimension));
     return fmt::format("{} is wanted (such as \"{}\")", known->name, known->example);
 }

@@ -24,7 +24,7 @@ struct DimensionName {
 };
 
 /// The entry of a dimension, or null when it has no name.
-const DimensionName* find_dimension_name(Dimension dimension);
+const DimensionName* find_dimension_name(const RationalDimension& dimension);
 
 /// "a stiffness", or "in kg m^2 s^-5" for a dimension without a name.
 std::string describe(const RationalDimension& dimension);

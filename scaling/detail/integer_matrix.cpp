@@ -100,4 +100,15 @@ std::int64_t to_int64(const Integer& integer) {
     return static_cast<std::int64_t>(integer);
 }
 
+Rational make_rational(const Integer& numerator, const Integer& denominator) {
+    const Integer divisor = boost::multiprecision::gcd(numerator, denominator);
+    return {to_int64(numerator / divisor), to_int64(denominator / divisor)};
+}
+
+Integer common_denominator(const std::vector<Rational>& numbers) {
+    Integer common = 1;
+    for (const Rational& number : numbers) common = boost::multiprecision::lcm(common, Integer(number.denominator()));
+    return common;
+}
+
 }  // namespace musim::scaling::detail

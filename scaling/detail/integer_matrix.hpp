@@ -1,6 +1,7 @@
 #pragma once
 
 #include <boost/multiprecision/cpp_int.hpp>
+
 #include <cstddef>
 #include <vector>
 
@@ -40,5 +41,11 @@ std::vector<std::size_t> all_columns(const std::vector<PiQuantity>& quantities);
 
 /// Throws PiError when it does not fit.
 std::int64_t to_int64(const Integer& integer);
+
+/// numerator/denominator in lowest terms; throws as to_int64().
+Rational make_rational(const Integer& numerator, const Integer& denominator);
+
+/// The least number that makes all of them whole.
+Integer common_denominator(const std::vector<Rational>& numbers);
 
 }  // namespace musim::scaling::detail

@@ -11,9 +11,9 @@
 #include <string>
 #include <utility>
 
-#include "scaling/detail/edit_distance.hpp"
 #include "scaling/detail/text_cursor.hpp"
 #include "scaling/error.hpp"
+#include "scaling/nearest_name.hpp"
 #include "scaling/shorten.hpp"
 #include "scaling/units.hpp"
 
@@ -84,21 +84,14 @@ constexpr std::array<Prefix, 11> kPrefixes{
 
 /// The known unit, with or without prefix, that is spelled most like `name`; empty when none shares a letter with it.
 std::string find_nearest_unit(std::string_view name) {
-    // half of the letters may be wrong: "GPx", but nothing for "furlong"
-    int smallest = static_cast<int>(name.size()) / 2 + 2;
-    std::string nearest;
-    const auto consider = [&](std::string candidate) {
-        const int distance = edit_distance(name, candidate);
-        if (distance >= smallest) return;
-        smallest = distance;
-        nearest = std::move(candidate);
-    };
+    std::vector<std::string> known;
     for (const Symbol& symbol : kSymbols) {
-        consider(std::string(symbol.name));
+        known.emplace_back(symbol.name);
         if (!symbol.takes_prefix) continue;
-        for (const Prefix& prefix : kPrefixes) consider(fmt::format("{}{}", prefix.name, symbol.name));
+        for (const Prefix& prefix : kPrefixes) known.push_back(fmt::format("{}{}", prefix.name, symbol.name));
     }
-    return nearest;
+    // half of the letters may be wrong: "GPx", but nothing for "furlong"
+    return find_nearest(name, known, [&](const auto&) { return static_cast<int>(name.size()) / 2 + 2; });
 }
 
 void multiply(Unit& product, const Unit& factor) {

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "scaling/laws/rooted_product.hpp"
+#include "scaling/detail/wide_product.hpp"
 #include "scaling/laws/scale_law.hpp"
 
 namespace musim::scaling {

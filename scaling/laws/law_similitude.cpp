@@ -7,7 +7,6 @@
 #include <optional>
 #include <vector>
 
-#include "scaling/laws/law_shaking.hpp"
 #include "scaling/laws/named_factors.hpp"
 #include "scaling/laws/scale_law_catalogue.hpp"
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scaling/laws/law_shaking.hpp"
 #include "scaling/laws/law_similitude.hpp"
 #include "scaling/laws/named_factors.hpp"
 

@@ -8,8 +8,8 @@
 
 #include "scaling/detail/dimension_names.hpp"
 #include "scaling/detail/integer_matrix.hpp"
+#include "scaling/detail/wide_product.hpp"
 #include "scaling/factor_rounding.hpp"
-#include "scaling/laws/rooted_product.hpp"
 #include "scaling/pi/pi_express.hpp"
 
 namespace musim::scaling {
@@ -20,19 +20,6 @@ using detail::Integer;
 using detail::IntegerMatrix;
 using detail::IntegerRow;
 using Exponents = std::vector<Rational>;
-
-/// Product of the denominators in a row, at least once each.
-Integer common_denominator(const Exponents& exponents) {
-    Integer common = 1;
-    for (const Rational& exponent : exponents) common = boost::multiprecision::lcm(common, Integer(exponent.denominator()));
-    return common;
-}
-
-/// numerator/denominator in lowest terms.
-Rational make_rational(const Integer& numerator, const Integer& denominator) {
-    const Integer divisor = boost::multiprecision::gcd(numerator, denominator);
-    return {detail::to_int64(numerator / divisor), detail::to_int64(denominator / divisor)};
-}
 
 void check_chosen(const ScaleProblem& problem) {
     for (std::size_t j = 0; j < problem.quantities.size(); ++j) {
@@ -83,7 +70,7 @@ class Solver {
     detail::Echelon find_dependences() const {
         IntegerMatrix matrix(unknowns_.size());
         for (const ScaleProduct& product : problem_.held) {
-            const Integer common = common_denominator(product.exponents);
+            const Integer common = detail::common_denominator(product.exponents);
             for (std::size_t row = 0; row < unknowns_.size(); ++row) {
                 const Rational& exponent = product.exponents[unknowns_[row]];
                 matrix[row].emplace_back(common / exponent.denominator() * exponent.numerator());
@@ -97,7 +84,7 @@ class Solver {
         IntegerMatrix matrix;
         for (const std::size_t i : independent) {
             const Exponents& exponents = problem_.held[i].exponents;
-            const Integer common = common_denominator(exponents);
+            const Integer common = detail::common_denominator(exponents);
             IntegerRow row;
             for (const std::size_t j : columns_) row.emplace_back(common / exponents[j].denominator() * exponents[j].numerator());
             matrix.push_back(std::move(row));
@@ -110,7 +97,7 @@ class Solver {
             Exponents exponents(count_);
             for (std::size_t column = echelon.pivots[k] + 1; column < columns_.size(); ++column) {
                 const Integer& entry = echelon.rows[k][column];
-                if (entry != 0) exponents[columns_[column]] = make_rational(-entry, pivot);
+                if (entry != 0) exponents[columns_[column]] = detail::make_rational(-entry, pivot);
             }
             solved_[columns_[echelon.pivots[k]]] = std::move(exponents);
         }
@@ -177,17 +164,8 @@ class Solver {
 }  // namespace
 
 std::string_view to_string(ScaleState state) {
-    switch (state) {
-        case ScaleState::chosen:
-            return "chosen";
-        case ScaleState::solved:
-            return "solved";
-        case ScaleState::free:
-            return "free";
-        case ScaleState::needs:
-            break;
-    }
-    return "needs";
+    constexpr std::string_view kNames[] = {"chosen", "solved", "free", "needs"};
+    return kNames[static_cast<std::size_t>(state)];
 }
 
 ScaleProduct parse_scale_product(std::string_view text, const std::vector<PiQuantity>& quantities, bool is_definition) {

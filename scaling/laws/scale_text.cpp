@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "scaling/pi/fraction_text.hpp"
+#include "scaling/pi/pi_text.hpp"
 
 namespace musim::scaling {
 

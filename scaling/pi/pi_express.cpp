@@ -160,8 +160,7 @@ std::vector<Rational> express(const std::vector<Rational>& wanted, const std::ve
     }
 
     // one row per quantity, one column per group, the wanted product (times its denominators) last
-    detail::Integer common = 1;
-    for (const Rational& exponent : wanted) common = boost::multiprecision::lcm(common, detail::Integer(exponent.denominator()));
+    const detail::Integer common = detail::common_denominator(wanted);
     detail::IntegerMatrix matrix;
     for (std::size_t i = 0; i < quantities.size(); ++i) {
         detail::IntegerRow row;
@@ -175,11 +174,7 @@ std::vector<Rational> express(const std::vector<Rational>& wanted, const std::ve
     }
     const detail::IntegerRow dependence = echelon.kernel_vector(groups.size());
     std::vector<Rational> powers;
-    for (std::size_t k = 0; k < groups.size(); ++k) {
-        const detail::Integer divisor = dependence.back() * common;
-        const detail::Integer shared = boost::multiprecision::gcd(divisor, dependence[k]);
-        powers.emplace_back(detail::to_int64(-dependence[k] / shared), detail::to_int64(divisor / shared));
-    }
+    for (std::size_t k = 0; k < groups.size(); ++k) powers.push_back(detail::make_rational(-dependence[k], dependence.back() * common));
     return powers;
 }
 

@@ -32,9 +32,9 @@ Columns put_first(const Columns& first, std::size_t count) {
     return order;
 }
 
-/// The dependence of the last of some columns on the others, as a group.
-PiGroup dependence_of_last(const std::vector<PiQuantity>& quantities, const Columns& columns, const detail::Echelon& echelon) {
-    const detail::IntegerRow vector = echelon.kernel_vector(columns.size() - 1);
+/// The dependence of column `last` of some on those before it, as a group.
+PiGroup dependence_of(std::size_t last, const std::vector<PiQuantity>& quantities, const Columns& columns, const detail::Echelon& echelon) {
+    const detail::IntegerRow vector = echelon.kernel_vector(last);
     PiGroup group(quantities.size(), 0);
     for (std::size_t k = 0; k < columns.size(); ++k) group[columns[k]] = detail::to_int64(vector[k]);
     return group;
@@ -50,7 +50,7 @@ void add_repeating(const std::vector<PiQuantity>& quantities, const std::string&
     chosen.push_back(j);
     const detail::Echelon echelon = detail::eliminate(detail::dimensional_matrix(quantities, chosen), chosen.size());
     if (echelon.rank() == chosen.size()) return;
-    const PiGroup dependence = dependence_of_last(quantities, chosen, echelon);
+    const PiGroup dependence = dependence_of(chosen.size() - 1, quantities, chosen, echelon);
     Columns dependent;
     for (const std::size_t k : chosen) {
         if (dependence[k] != 0) dependent.push_back(k);
@@ -78,12 +78,9 @@ PiBasis basis_over(const std::vector<PiQuantity>& quantities, const Columns& rep
     for (std::size_t k = 0; k < order.size(); ++k) {
         if (echelon.is_pivot(k)) {
             basis.repeating.push_back(order[k]);
-            continue;
+        } else {
+            basis.groups.push_back(dependence_of(k, quantities, order, echelon));
         }
-        const detail::IntegerRow vector = echelon.kernel_vector(k);
-        PiGroup group(order.size(), 0);
-        for (std::size_t i = 0; i < order.size(); ++i) group[order[i]] = detail::to_int64(vector[i]);
-        basis.groups.push_back(std::move(group));
     }
     return basis;
 }

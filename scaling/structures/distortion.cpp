@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "scaling/laws/group_meaning.hpp"
-#include "scaling/structures/border.hpp"
+#include "scaling/structures/regime_borders.hpp"
 #include "scaling/structures/rocking_block.hpp"
 
 namespace musim::scaling {
@@ -78,15 +78,8 @@ std::string describe_regime_changes(const detail::Border& regime, const ModelSca
 }  // namespace
 
 std::string_view to_string(Severity severity) {
-    switch (severity) {
-        case Severity::note:
-            return "note";
-        case Severity::warning:
-            return "warning";
-        case Severity::error:
-            break;
-    }
-    return "error";
+    constexpr std::string_view kNames[] = {"note", "warning", "error"};
+    return kNames[static_cast<std::size_t>(severity)];
 }
 
 std::optional<Severity> find_severity(double factor) {

@@ -20,17 +20,8 @@ double RockingBlock::angular_restitution() const { return groups::rocking_restit
 double RockingBlock::energy_restitution() const { return angular_restitution() * angular_restitution(); }
 
 std::string_view to_string(FirstMotion motion) {
-    switch (motion) {
-        case FirstMotion::rest:
-            return "rests";
-        case FirstMotion::slide:
-            return "slides";
-        case FirstMotion::rock:
-            return "rocks";
-        case FirstMotion::slide_rock:
-            break;
-    }
-    return "slides and rocks";
+    constexpr std::string_view kNames[] = {"rests", "slides", "rocks", "slides and rocks"};
+    return kNames[static_cast<std::size_t>(motion)];
 }
 
 double find_friction_to_rock(double acceleration_over_gravity, double slenderness) {

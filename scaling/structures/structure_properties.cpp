@@ -72,12 +72,6 @@ void check(const MotionProperties& properties, std::string_view owner) {
     if (properties.direction) checker.require_not_negative("direction", *properties.direction);
 }
 
-template <class Value>
-std::optional<double> find_factor(const std::optional<Value>& model, const std::optional<Value>& prototype) {
-    if (!model || !prototype) return std::nullopt;
-    return static_cast<double>(*model / *prototype);
-}
-
 template <class Quantity>
 std::optional<Quantity> scale(const std::optional<Quantity>& prototype, const Similitude& similitude) {
     return prototype ? std::optional(similitude.to_model(*prototype)) : std::nullopt;
@@ -120,10 +114,10 @@ ModelProperties make_model_properties(const PairProperties& properties) {
     const StructureProperties &model = properties.model, &prototype = properties.prototype;
     return {.friction_prototype = prototype.friction,
             .slenderness = {prototype.rocking_block(Direction::thin).slenderness(), prototype.rocking_block(Direction::wide).slenderness()},
-            .normal_stiffness = find_factor(model.normal_stiffness, prototype.normal_stiffness),
-            .shear_stiffness = find_factor(model.shear_stiffness, prototype.shear_stiffness),
-            .restitution = find_factor(model.restitution, prototype.restitution),
-            .height_deviation = find_factor(model.height_deviation, prototype.height_deviation)};
+            .normal_stiffness = find_ratio(model.normal_stiffness, prototype.normal_stiffness),
+            .shear_stiffness = find_ratio(model.shear_stiffness, prototype.shear_stiffness),
+            .restitution = find_ratio(model.restitution, prototype.restitution),
+            .height_deviation = find_ratio(model.height_deviation, prototype.height_deviation)};
 }
 
 MotionProperties to_model(const MotionProperties& prototype, const Similitude& similitude) {

@@ -75,6 +75,12 @@ void check(const PairProperties& properties);
 /// λ_μ, λ_g and λ_ρ that the properties give, with a chosen λ_l.
 ScaleFactors make_scale_factors(const PairProperties& properties, double length);
 
+/// model/prototype of numbers or quantities of one dimension, where both are known.
+template <class Value>
+std::optional<double> find_ratio(const std::optional<Value>& model, const std::optional<Value>& prototype) {
+    return model && prototype ? std::optional(static_cast<double>(*model / *prototype)) : std::nullopt;
+}
+
 /// What find_distortions() wants to know, as factors; those that one side does not give are left out.
 ModelProperties make_model_properties(const PairProperties& properties);
 

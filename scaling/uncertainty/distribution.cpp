@@ -2,42 +2,70 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <numbers>
-#include <string>
-#include <utility>
 
 #include "scaling/detail/portable_math.hpp"
-#include "scaling/uncertainty/normal_quantile.hpp"
 
 namespace musim::scaling {
 
 namespace {
 
-constexpr std::array<std::pair<Distribution, std::string_view>, 3> kNames{{
-    {Distribution::normal, "normal"},
-    {Distribution::lognormal, "lognormal"},
-    {Distribution::uniform, "uniform"},
-}};
+/// Numerator and denominator of a rational function, from the constant term upwards.
+struct RationalFunction {
+    std::array<double, 8> numerator;
+    std::array<double, 8> denominator;
+
+    double operator()(double x) const { return evaluate(numerator, x) / evaluate(denominator, x); }
+
+  private:
+    static double evaluate(const std::array<double, 8>& coefficients, double x) {
+        double sum = 0.0;
+        for (auto c = coefficients.rbegin(); c != coefficients.rend(); ++c) sum = sum * x + *c;
+        return sum;
+    }
+};
+
+// [Wichura88], PPND16: the middle, the tails, the far tails
+constexpr RationalFunction kMiddle{{3.3871328727963666080e0, 1.3314166789178437745e2, 1.9715909503065514427e3, 1.3731693765509461125e4,
+                                    4.5921953931549871457e4, 6.7265770927008700853e4, 3.3430575583588128105e4, 2.5090809287301226727e3},
+                                   {1.0, 4.2313330701600911252e1, 6.8718700749205790830e2, 5.3941960214247511077e3, 2.1213794301586595867e4,
+                                    3.9307895800092710610e4, 2.8729085735721942674e4, 5.2264952788528545610e3}};
+constexpr RationalFunction kTail{
+    {1.42343711074968357734e0, 4.63033784615654529590e0, 5.76949722146069140550e0, 3.64784832476320460504e0, 1.27045825245236838258e0,
+     2.41780725177450611770e-1, 2.27238449892691845833e-2, 7.74545014278341407640e-4},
+    {1.0, 2.05319162663775882187e0, 1.67638483018380384940e0, 6.89767334985100004550e-1, 1.48103976427480074590e-1,
+     1.51986665636164571966e-2, 5.47593808499534494600e-4, 1.05075007164441684324e-9}};
+constexpr RationalFunction kFarTail{
+    {6.65790464350110377720e0, 5.46378491116411436990e0, 1.78482653991729133580e0, 2.96560571828504891230e-1, 2.65321895265761230930e-2,
+     1.24266094738807843860e-3, 2.71155556874348757815e-5, 2.01033439929228813265e-7},
+    {1.0, 5.99832206555887937690e-1, 1.36929880922735805310e-1, 1.48753612908506148525e-2, 7.86869131145613259100e-4,
+     1.84631831751005468180e-5, 1.42151175831644588870e-7, 2.04426310338993978564e-15}};
+
+/// In the order of Distribution.
+constexpr std::string_view kNames[] = {"normal", "lognormal", "uniform"};
 
 }  // namespace
 
-Distribution parse_distribution(std::string_view name) {
-    std::string known;
-    for (const auto& [distribution, distribution_name] : kNames) {
-        if (distribution_name == name) return distribution;
-        known += fmt::format("{}{}", known.empty() ? "" : ", ", distribution_name);
-    }
-    throw SimilitudeError(fmt::format("uncertainty: there is no distribution \"{}\"; choose one of {}", name, known));
+double normal_quantile(double p) {
+    const double from_middle = p - 0.5;
+    if (std::abs(from_middle) <= 0.425) return from_middle * kMiddle(0.425 * 0.425 - from_middle * from_middle);
+    const double tail = from_middle < 0.0 ? p : 1.0 - p;
+    const double depth = std::sqrt(-detail::portable_log(tail));
+    const double size = depth <= 5.0 ? kTail(depth - 1.6) : kFarTail(depth - 5.0);
+    return std::copysign(size, from_middle);
 }
 
-std::string_view to_string(Distribution distribution) {
-    for (const auto& [known, name] : kNames) {
-        if (known == distribution) return name;
-    }
-    return "unknown";
+Distribution parse_distribution(std::string_view name) {
+    const auto* const found = std::find(std::begin(kNames), std::end(kNames), name);
+    if (found != std::end(kNames)) return static_cast<Distribution>(found - std::begin(kNames));
+    throw SimilitudeError(fmt::format("uncertainty: there is no distribution \"{}\"; choose one of {}", name, fmt::join(kNames, ", ")));
 }
+
+std::string_view to_string(Distribution distribution) { return kNames[static_cast<std::size_t>(distribution)]; }
 
 double find_quantile(Distribution distribution, const Uncertain& quantity, double p) {
     switch (distribution) {

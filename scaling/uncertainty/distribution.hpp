@@ -6,6 +6,10 @@
 
 namespace musim::scaling {
 
+/// z with Φ(z) = p, the quantile of the standard normal distribution, for 0 < p < 1: rational functions, 1e-15 relative [Wichura88]. The
+/// same bits on every machine with IEEE doubles.
+double normal_quantile(double p);
+
 /// How an uncertain value spreads; each with the value as its mean and the standard uncertainty as its standard deviation [JCGM101] 6.4.
 enum class Distribution {
     normal,     ///< values known from repeated measurement; draws at or below zero are refused

@@ -5,7 +5,6 @@
 #include <functional>
 #include <vector>
 
-#include "scaling/uncertainty/coverage.hpp"
 #include "scaling/uncertainty/distribution.hpp"
 #include "scaling/uncertainty/propagate.hpp"
 

@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
+
+#include "scaling/uncertainty/distribution.hpp"
 
 namespace musim::scaling {
 
@@ -70,6 +73,12 @@ std::vector<FirstOrder> find_first_order(const std::vector<double>& results, con
         propagated.push_back(make_first_order(results[r], std::move(exponents), inputs));
     }
     return propagated;
+}
+
+CoverageInterval find_interval(const FirstOrder& result) {
+    const double spread = std::exp(normal_quantile(0.5 * (1.0 + kCoverage)) * result.relative);
+    const auto [lower, upper] = std::minmax({result.value / spread, result.value * spread});
+    return {lower, upper};
 }
 
 }  // namespace musim::scaling

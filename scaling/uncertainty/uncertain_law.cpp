@@ -163,40 +163,21 @@ class LawRows {
     std::vector<ShakenProduct> shaken_;
 };
 
-/// Takes results in the order of LawRows::evaluate().
-class ResultsInOrder {
-  public:
-    ResultsInOrder(std::vector<FirstOrder> results, const std::optional<MonteCarloRun>& run, const std::vector<UncertainInput>& inputs)
-        : results_(std::move(results)), run_(run), inputs_(inputs) {}
+/// The result when there is a factor.
+std::optional<UncertainResult> take(ResultsInOrder& results, const std::string& name, const ScaleFactor& factor) {
+    return factor.value ? std::optional(results.take(name)) : std::nullopt;
+}
 
-    UncertainResult take(const std::string& name) {
-        UncertainResult result{name, std::move(results_[next_]), {}};
-        if (run_) result.samples = run_->results[next_];
-        ++next_;
-        return result;
+/// u² = Σ (Σ ± value power_i)² (u_i/x_i)² over both terms: a difference may be zero, where it has no powers of its own.
+UncertainDifference take_difference(ResultsInOrder& results, const std::string& name, const std::vector<UncertainInput>& inputs) {
+    const FirstOrder total = results.take(name).first_order, own = results.take(name).first_order;
+    UncertainDifference difference{total.value - own.value, 0.0, results.take(name).samples};
+    for (std::size_t k = 0; k < inputs.size(); ++k) {
+        const double slope = total.value * total.exponents[k] - own.value * own.exponents[k];
+        difference.uncertainty = std::hypot(difference.uncertainty, slope * inputs[k].quantity.relative());
     }
-
-    std::optional<UncertainResult> take(const std::string& name, const ScaleFactor& factor) {
-        return factor.value ? std::optional(take(name)) : std::nullopt;
-    }
-
-    /// u² = Σ (Σ ± value power_i)² (u_i/x_i)² over both terms: a difference may be zero, where it has no powers of its own.
-    UncertainDifference take_difference(const std::string& name) {
-        const FirstOrder total = take(name).first_order, own = take(name).first_order;
-        UncertainDifference difference{total.value - own.value, 0.0, take(name).samples};
-        for (std::size_t k = 0; k < inputs_.size(); ++k) {
-            const double slope = total.value * total.exponents[k] - own.value * own.exponents[k];
-            difference.uncertainty = std::hypot(difference.uncertainty, slope * inputs_[k].quantity.relative());
-        }
-        return difference;
-    }
-
-  private:
-    std::vector<FirstOrder> results_;
-    const std::optional<MonteCarloRun>& run_;
-    const std::vector<UncertainInput>& inputs_;
-    std::size_t next_ = 0;
-};
+    return difference;
+}
 
 }  // namespace
 
@@ -205,21 +186,19 @@ UncertainLawReport propagate(const SolvedLaw& solved, const std::vector<Uncertai
     const LawRows rows(solved, given, prototype);
     check_held(solved, given);
     const Evaluation evaluate = [&](std::span<const double> drawn) { return rows.evaluate(drawn); };
-    std::optional<MonteCarloRun> run;
-    if (monte_carlo) run = run_monte_carlo(rows.inputs(), evaluate, *monte_carlo);
-    ResultsInOrder results(propagate_first_order(rows.inputs(), evaluate), run, rows.inputs());
+    ResultsInOrder results(rows.inputs(), evaluate, monte_carlo);
 
     UncertainLawReport report;
     report.inputs = rows.inputs();
-    if (run) report.draws = run->draws;
+    report.draws = results.draws();
     const ScaleProblem& problem = solved.problem;
     const ScaleSolution& solution = solved.solution;
     for (std::size_t j = 0; j < problem.quantities.size(); ++j) {
-        report.factors.push_back(results.take(problem.quantities[j].name, solution.quantities[j].factor));
+        report.factors.push_back(take(results, problem.quantities[j].name, solution.quantities[j].factor));
     }
-    for (std::size_t i = 0; i < problem.held.size(); ++i) report.held.push_back(results.take(problem.held[i].text, solution.held[i]));
+    for (std::size_t i = 0; i < problem.held.size(); ++i) report.held.push_back(take(results, problem.held[i].text, solution.held[i]));
     for (std::size_t i = 0; i < problem.watched.size(); ++i) {
-        report.watched.push_back(results.take(problem.watched[i].text, solution.watched[i]));
+        report.watched.push_back(take(results, problem.watched[i].text, solution.watched[i]));
     }
     for (const ShakenProduct& product : rows.shaken()) report.shaken.push_back(results.take(product.text));
     for (std::size_t j = 0; j < problem.quantities.size(); ++j) {
@@ -231,8 +210,8 @@ UncertainLawReport propagate(const SolvedLaw& solved, const std::vector<Uncertai
     for (const LawAddition& addition : solved.law.additions) {
         std::optional<UncertainAddition>& entry = report.additions.emplace_back();
         if (!solved.added(addition)) continue;
-        entry = UncertainAddition{results.take_difference(addition.name), {}};
-        if (solved.find_base(addition)) entry->model = results.take_difference(addition.name);
+        entry = UncertainAddition{take_difference(results, addition.name, report.inputs), {}};
+        if (solved.find_base(addition)) entry->model = take_difference(results, addition.name, report.inputs);
     }
     return report;
 }

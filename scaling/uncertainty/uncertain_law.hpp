@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "scaling/uncertainty/monte_carlo.hpp"
-#include "scaling/uncertainty/uncertain_factor.hpp"
 #include "scaling/uncertainty/uncertain_result.hpp"
 
 namespace musim::scaling {

@@ -4,8 +4,8 @@
 
 #include <iterator>
 
-#include "scaling/structures/regime_margins.hpp"
-#include "scaling/uncertainty/coverage.hpp"
+#include "scaling/structures/regime_borders.hpp"
+#include "scaling/uncertainty/propagate.hpp"
 
 namespace musim::scaling {
 namespace {

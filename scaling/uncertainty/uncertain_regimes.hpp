@@ -57,7 +57,7 @@ struct UncertainRegimes {
 };
 
 /// Propagates uncertain properties to a report of them, to first order. Where a border of a regime lies in a coverage interval
-/// (coverage.hpp) the report's statement says so, `is_open`, and a regime that is the same by the values becomes a warning: μ/tan α, a/(g
+/// (find_interval) the report's statement says so, `is_open`, and a regime that is the same by the values becomes a warning: μ/tan α, a/(g
 /// tan α) and a/(μ g) at 1, δ_w/σ_H at kRigidContact, what a block needs to start as it does, frequencies at the ends of the table's band.
 /// `moved` has one entry for each input. Throws SimilitudeError as make_regime_report().
 UncertainRegimes propagate(RegimeReport& report, const PropertiesAndLaw& properties, const KeptNumbers& kept,

@@ -174,26 +174,20 @@ std::string name_of(const Entry& entry, const UncertainScales& scales) {
 }
 
 /// The results under their names, in the lists of a report.
-void sort_into(UncertainReport& report, const std::vector<Entry>& entries, std::vector<UncertainResult> results) {
+void sort_into(UncertainReport& report, const std::vector<Entry>& entries, const UncertainScales& scales, ResultsInOrder& results) {
     for (std::size_t i = 0; i < entries.size(); ++i) {
         const Entry& entry = entries[i];
-        switch (entry.section) {
-            case Section::factors:
-                report.factors.push_back(std::move(results[i]));
-                break;
-            case Section::groups:
-                report.groups.push_back(std::move(results[i]));
-                break;
-            case Section::shaken:
-                report.shaken.push_back(std::move(results[i]));
-                break;
-            case Section::structure:
-            case Section::measures: {
-                auto& pairs = entry.section == Section::structure ? report.structure : report.measures;
-                pairs.push_back({results[i].name, entry.dimension, std::move(results[i]), std::move(results[i + 1])});
-                ++i;
-                break;
-            }
+        const std::string name = name_of(entry, scales);
+        UncertainResult result = results.take(name);
+        if (entry.section == Section::structure || entry.section == Section::measures) {
+            auto& pairs = entry.section == Section::structure ? report.structure : report.measures;
+            pairs.push_back({name, entry.dimension, std::move(result), results.take(name)});
+            ++i;
+        } else {
+            (entry.section == Section::factors  ? report.factors
+             : entry.section == Section::groups ? report.groups
+                                                : report.shaken)
+                .push_back(std::move(result));
         }
     }
 }
@@ -244,16 +238,9 @@ UncertainReport propagate(const UncertainScales& scales, const MakeModelScales& 
     std::vector<double> values;
     for (const UncertainInput& input : report.inputs) values.push_back(input.quantity.value);
     const std::vector<Entry> entries = find_entries(values);
-    std::vector<UncertainResult> results;
-    for (FirstOrder& first_order : propagate_first_order(report.inputs, evaluate)) {
-        results.push_back({name_of(entries[results.size()], scales), std::move(first_order), {}});
-    }
-    if (monte_carlo) {
-        const MonteCarloRun run = run_monte_carlo(report.inputs, evaluate, *monte_carlo);
-        for (std::size_t i = 0; i < results.size(); ++i) results[i].samples = run.results[i];
-        report.draws = run.draws;
-    }
-    sort_into(report, entries, std::move(results));
+    ResultsInOrder results(report.inputs, evaluate, monte_carlo);
+    report.draws = results.draws();
+    sort_into(report, entries, scales, results);
     return report;
 }
 

@@ -8,7 +8,6 @@
 #include "scaling/laws/model_scales.hpp"
 #include "scaling/structures/distortion.hpp"
 #include "scaling/uncertainty/monte_carlo.hpp"
-#include "scaling/uncertainty/uncertain_factor.hpp"
 #include "scaling/uncertainty/uncertain_result.hpp"
 
 namespace musim::scaling {

@@ -7,7 +7,6 @@
 #include "scaling/detail/portable_math.hpp"
 #include "scaling/random_bits.hpp"
 #include "scaling/uncertainty/distribution.hpp"
-#include "scaling/uncertainty/normal_quantile.hpp"
 #include "tests/scaling/expected.hpp"
 #include "tests/support/relative.hpp"
 

@@ -1,4 +1,3 @@
-#include "scaling/laws/kept_numbers.hpp"
 
 #include <doctest/doctest.h>
 

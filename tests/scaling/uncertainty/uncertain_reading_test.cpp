@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "scaling/uncertainty/coverage.hpp"
+#include "scaling/uncertainty/propagate.hpp"
 #include "tests/scaling/expected.hpp"
 #include "tests/support/relative.hpp"
 

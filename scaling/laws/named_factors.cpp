@@ -1,4 +1,4 @@
-#include "scaling/laws/law_shaking.hpp"
+#include "scaling/laws/named_factors.hpp"
 
 #include <cmath>
 
