@@ -8,7 +8,6 @@
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "records/formats/read_record.hpp"
-#include "records/formats/read_text.hpp"
 #include "records/synthesis/synthetic.hpp"
 
 namespace musim::cli {

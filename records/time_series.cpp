@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace musim::records {
 
@@ -19,6 +21,16 @@ TimeSeries::TimeSeries(SampleQuantity quantity, scaling::Time start, scaling::Ti
                                               samples_.size(), samples_[i]));
         }
     }
+}
+
+double find_largest(std::span<const double> samples) {
+    double largest = 0.0;
+    for (const double sample : samples) largest = std::max(largest, std::abs(sample));
+    return largest;
+}
+
+double find_mean(std::span<const double> samples) {
+    return std::accumulate(samples.begin(), samples.end(), 0.0) / static_cast<double>(samples.size());
 }
 
 void require_quantity(const TimeSeries& series, SampleQuantity wanted, std::string_view step) {

@@ -46,6 +46,12 @@ class TimeSeries {
     std::vector<double> samples_;
 };
 
+/// Largest absolute value; 0 of no samples.
+double find_largest(std::span<const double> samples);
+
+/// Mean of at least one sample.
+double find_mean(std::span<const double> samples);
+
 /// Throws ProcessingError, naming `step`, unless the series holds `wanted`.
 void require_quantity(const TimeSeries& series, SampleQuantity wanted, std::string_view step);
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "records/measures/measures.hpp"
-#include "records/measures/own_spectrum.hpp"
+#include "records/measures/response_spectrum.hpp"
 
 namespace musim::cli {
 

@@ -16,7 +16,7 @@
 #include "cli/report.hpp"
 #include "cli/uncertain_options.hpp"
 #include "records/processing/scale_record.hpp"
-#include "records/shake_table/table_axes.hpp"
+#include "records/shake_table/shake_table.hpp"
 #include "scaling/laws/model_scales.hpp"
 
 namespace musim::cli {

@@ -20,7 +20,7 @@
 #include "cli/report.hpp"
 #include "records/atomic_file.hpp"
 #include "records/processing/scale_record.hpp"
-#include "records/shake_table/table_axes.hpp"
+#include "records/shake_table/shake_table.hpp"
 #include "records/shake_table/table_correction.hpp"
 #include "records/shake_table/write_drive_file.hpp"
 #include "scaling/quantity_text.hpp"

@@ -5,9 +5,7 @@
 #include <cmath>
 
 #include "records/formats/read_record.hpp"
-#include "records/formats/read_text.hpp"
 #include "records/measures/intensity.hpp"
-#include "records/measures/strongest_component.hpp"
 #include "records/processing/processing.hpp"
 
 namespace musim::lsdem {

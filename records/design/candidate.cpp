@@ -131,9 +131,9 @@ ModelState find_state(const Setting& setting, const Models& models, double lengt
 std::vector<LimitRanges> find_limit_ranges(const Setting& setting, const Models& models) {
     const Design& design = setting.design;
     const scaling::Memoized<scaling::ModelScales> scales([&](double length) { return models.at(length); });
-    const auto uses = [&](const records::AxisLoad& load, double length) { return find_axis_uses(design.prototype, load, scales(length)); };
+    const auto uses = [&](const AxisLoad& load, double length) { return find_axis_uses(design.prototype, load, scales(length)); };
     std::vector<LimitRanges> limits;
-    for (const records::LimitScales& limit : records::find_limit_scales(setting.loads, uses)) {
+    for (const LimitScales& limit : find_limit_scales(setting.loads, uses)) {
         limits.push_back({name_table_limit(limit.which, limit.axis), limit.ranges});
     }
     const scaling::Memoized<std::vector<Use>> own([&](double length) { return find_own_uses(design, models.material(), scales(length)); });
@@ -197,10 +197,9 @@ namespace {
 /// A limit of what the table carries finds no mass in a prototype that gives none.
 void require_mass(const Setting& setting) {
     if (setting.design.prototype.mass > scaling::Mass{}) return;
-    for (const records::AxisLoad& load : setting.loads) {
+    for (const AxisLoad& load : setting.loads) {
         if (!load.axis.payload && !load.axis.overturning_moment) continue;
-        throw records::ReadError(
-            fmt::format("prototype: mass is missing (axis {} of the table limits what it carries); add it", load.axis.name));
+        throw ReadError(fmt::format("prototype: mass is missing (axis {} of the table limits what it carries); add it", load.axis.name));
     }
 }
 

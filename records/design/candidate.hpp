@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,7 +14,7 @@
 namespace musim::records {
 
 /// The length scales that are looked at.
-inline constexpr scaling::LengthRange kSearch{records::kSmallestScale, 1.0};
+inline constexpr scaling::LengthRange kSearch{kSmallestScale, 1.0};
 
 /// Names of the groups that a ranking weighs unless a design says otherwise: one of each kind, see docs/theory/design.md.
 std::vector<std::string> default_groups();
@@ -98,3 +99,17 @@ Candidate find_candidate(const Setting& setting, const Material& material, const
 std::vector<Candidate> find_candidates(const Setting& setting);
 
 }  // namespace musim::records
+
+namespace musim::records::detail {
+
+/// Where a candidate's material and law stand in the design: the same places in the design read again, which may have other values there.
+struct Place {
+    std::size_t material = 0, law = 0;
+
+    Place(const Design& design, const Candidate& candidate) {
+        while (design.materials[material].name != candidate.material.name) ++material;
+        while (!(design.laws[law] == candidate.law)) ++law;
+    }
+};
+
+}  // namespace musim::records::detail

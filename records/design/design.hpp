@@ -82,10 +82,9 @@ struct Design {
 };
 
 /// What the axes have to make, from the record in its prototype form. Throws ReadError and ProcessingError as the steps do.
-std::vector<records::AxisLoad> make_loads(const records::GroundMotion& motion, const RecordFile& record, const records::ShakeTable& table);
+std::vector<AxisLoad> make_loads(const GroundMotion& motion, const RecordFile& record, const ShakeTable& table);
 
 /// The same from given peaks. Throws ReadError for an axis that there is not, and for a peak that is missing where its axis has a limit.
-std::vector<records::AxisLoad> make_loads(const std::vector<GivenPeaks>& peaks, const records::ShakeTable& table,
-                                          const std::string& source);
+std::vector<AxisLoad> make_loads(const std::vector<GivenPeaks>& peaks, const ShakeTable& table, const std::string& source);
 
 }  // namespace musim::records

@@ -4,6 +4,7 @@
 #include <utility>
 
 namespace musim::records {
+
 namespace {
 
 /// How laws write groups that scaling::group_factors() gives by name.
@@ -75,6 +76,18 @@ std::optional<std::string> DesignLaw::find_common_name(const std::string& produc
 bool DesignLaw::operator==(const DesignLaw& other) const {
     const auto same = [](const scaling::GivenFactor& a, const scaling::GivenFactor& b) { return a.name == b.name && a.factor == b.factor; };
     return name_ == other.name_ && std::equal(set_.begin(), set_.end(), other.set_.begin(), other.set_.end(), same);
+}
+
+std::vector<scaling::GivenFactor> give_factors(const DesignLaw& law, const KnownFactors& known) {
+    std::vector<scaling::GivenFactor> given = law.set();
+    given.push_back(known.length);
+    if (law.has("mu")) given.push_back({"mu", known.friction});
+    if (law.has("rho")) given.push_back({law.has("rho_s") ? "rho_s" : "rho", known.density});
+    if (known.gravity && law.has("g") && !law.sets("g")) given.push_back({"g", *known.gravity});
+    for (const KnownProperty& property : known.properties) {
+        if (property.factor && law.expects(property.name) && !law.sets(property.name)) given.push_back({property.name, *property.factor});
+    }
+    return given;
 }
 
 }  // namespace musim::records

@@ -2,7 +2,7 @@
 
 #include "records/design/design.hpp"
 #include "records/error.hpp"
-#include "records/shake_table/table_axes.hpp"
+#include "records/shake_table/shake_table.hpp"
 
 namespace musim::records {
 namespace {
@@ -12,37 +12,36 @@ template <class Quantity>
 Quantity take_peak(const std::optional<Quantity>& peak, bool is_limited, const char* key, const GivenPeaks& given,
                    const std::string& source) {
     if (is_limited && !peak) {
-        throw records::ReadError(
+        throw ReadError(
             fmt::format("{}: record: {} is missing (axis {} of the table limits it); add it to the peaks", source, key, given.axis));
     }
     return peak.value_or(Quantity{});
 }
 
 /// The axis of the table that peaks name; the error says where they stand.
-const records::TableAxis& find_axis(const records::ShakeTable& table, const GivenPeaks& given, const std::string& source) {
+const TableAxis& find_axis(const ShakeTable& table, const GivenPeaks& given, const std::string& source) {
     try {
         return table.find_axis(given.axis);
-    } catch (const records::ReadError& error) {
-        throw records::ReadError(fmt::format("{}: record: peaks: axis: {}", source, error.what()));
+    } catch (const ReadError& error) {
+        throw ReadError(fmt::format("{}: record: peaks: axis: {}", source, error.what()));
     }
 }
 
 }  // namespace
 
-std::vector<records::AxisLoad> make_loads(const records::GroundMotion& motion, const RecordFile& record, const records::ShakeTable& table) {
-    const records::AssignedAxes assigned = records::assign_axes(motion, table, record.axes);
-    const records::DriveSettings settings{.high_pass = record.high_pass};
-    const std::vector<records::TableDemand> demands = records::find_demands(assigned.motion, settings, table.energy_share);
-    std::vector<records::AxisLoad> loads;
+std::vector<AxisLoad> make_loads(const GroundMotion& motion, const RecordFile& record, const ShakeTable& table) {
+    const AssignedAxes assigned = assign_axes(motion, table, record.axes);
+    const DriveSettings settings{.high_pass = record.high_pass};
+    const std::vector<TableDemand> demands = find_demands(assigned.motion, settings, table.energy_share);
+    std::vector<AxisLoad> loads;
     for (std::size_t i = 0; i < demands.size(); ++i) loads.push_back({assigned.axes[i], demands[i]});
     return loads;
 }
 
-std::vector<records::AxisLoad> make_loads(const std::vector<GivenPeaks>& peaks, const records::ShakeTable& table,
-                                          const std::string& source) {
-    std::vector<records::AxisLoad> loads;
+std::vector<AxisLoad> make_loads(const std::vector<GivenPeaks>& peaks, const ShakeTable& table, const std::string& source) {
+    std::vector<AxisLoad> loads;
     for (const GivenPeaks& given : peaks) {
-        const records::TableAxis& axis = find_axis(table, given, source);
+        const TableAxis& axis = find_axis(table, given, source);
         const auto displacement = take_peak(given.displacement, axis.displacement.has_value(), "displacement", given, source);
         const auto velocity = take_peak(given.velocity, axis.velocity.has_value(), "velocity", given, source);
         const auto lowest = take_peak(given.lowest_frequency, axis.lowest_frequency.has_value(), "lowest_frequency", given, source);

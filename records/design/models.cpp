@@ -3,19 +3,10 @@
 #include <cmath>
 #include <utility>
 
+#include "scaling/structures/structure_properties.hpp"
+
 namespace musim::records {
 namespace {
-
-std::optional<double> find_ratio(const std::optional<double>& model, const std::optional<double>& prototype) {
-    if (!model || !prototype) return {};
-    return *model / *prototype;
-}
-
-template <class Quantity>
-std::optional<double> find_ratio(const std::optional<Quantity>& model, const std::optional<Quantity>& prototype) {
-    if (!model || !prototype) return {};
-    return (*model / *prototype).value();
-}
 
 std::optional<double> times(const std::optional<double>& ratio, double factor) {
     return ratio ? std::optional(*ratio * factor) : std::nullopt;
@@ -45,9 +36,9 @@ Models::Models(const Design& design, const Material& material, const DesignLaw& 
 }
 
 std::vector<KnownProperty> Models::properties(double length) const {
-    return {{"E", find_ratio(material_.modulus, prototype_.modulus)},
-            {"e", find_ratio(material_.restitution, prototype_.restitution)},
-            {"k_s", times(find_ratio(material_.shear_modulus, prototype_.shear_modulus), length)}};
+    return {{"E", scaling::find_ratio(material_.modulus, prototype_.modulus)},
+            {"e", scaling::find_ratio(material_.restitution, prototype_.restitution)},
+            {"k_s", times(scaling::find_ratio(material_.shear_modulus, prototype_.shear_modulus), length)}};
 }
 
 std::vector<scaling::GivenFactor> Models::give(double length) const {
@@ -93,12 +84,12 @@ scaling::ModelProperties Models::properties(const scaling::ModelScales& scales) 
     const auto& [thin, wide, height] = prototype_.block;
     // a face stiffness is E_eff A/H
     const double face = scales.width * (scales.width / scales.height);
-    const std::optional<double> deviation = find_ratio(material_.deviation, prototype_.deviation);
+    const std::optional<double> deviation = scaling::find_ratio(material_.deviation, prototype_.deviation);
     return {.friction_prototype = prototype_.friction,
             .slenderness = {(thin / height).value(), (wide / height).value()},
-            .normal_stiffness = times(find_ratio(material_.modulus, prototype_.modulus), face),
-            .shear_stiffness = times(find_ratio(material_.shear_modulus, prototype_.shear_modulus), face),
-            .restitution = find_ratio(material_.restitution, prototype_.restitution),
+            .normal_stiffness = times(scaling::find_ratio(material_.modulus, prototype_.modulus), face),
+            .shear_stiffness = times(scaling::find_ratio(material_.shear_modulus, prototype_.shear_modulus), face),
+            .restitution = scaling::find_ratio(material_.restitution, prototype_.restitution),
             .height_deviation = deviation};
 }
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "records/design/design.hpp"
-#include "records/design/known_factors.hpp"
+#include "records/design/design_law.hpp"
 #include "scaling/laws/law_formulas.hpp"
 #include "scaling/structures/distortion.hpp"
 

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+
 #include "records/design/candidate.hpp"
-#include "records/design/detail/law_fields.hpp"
 #include "records/design/detail/material_fields.hpp"
 #include "records/design/models.hpp"
 #include "records/error.hpp"
@@ -161,11 +161,11 @@ void check_laws(const JsonReader& fields, const Design& design) {
             try {
                 const Models models(design, material, law);
             } catch (const scaling::MissingFactor& error) {
-                throw records::ReadError(fmt::format(
+                throw ReadError(fmt::format(
                     R"({}: laws: {}: {}; in a design {{"law": "{}", "set": {{"NAME": NUMBER}}}} gives it, or "hold": [...] lets it follow)",
                     fields.place(), material.name, error.what(), law.name()));
             } catch (const scaling::PiError& error) {
-                throw records::ReadError(fmt::format("{}: laws: {}", fields.place(), error.what()));
+                throw ReadError(fmt::format("{}: laws: {}", fields.place(), error.what()));
             } catch (const scaling::SimilitudeError&) {
                 continue;
             }
@@ -196,8 +196,7 @@ std::vector<std::string> read_groups(const JsonReader& fields, const std::vector
 
 Design parse_design(std::string_view json, const std::string& source, const std::vector<Material>& presets,
                     scaling::UncertainReading* reading) {
-    const Json object =
-        records::detail::parse_object(json, source, "musim-design/1", "design", R"("prototype": {...}, "materials": [...])");
+    const Json object = detail::parse_object(json, source, "musim-design/1", "design", R"("prototype": {...}, "materials": [...])");
     const JsonRules rules(reading);
     const JsonReader fields(object, rules, source);
     Design design;

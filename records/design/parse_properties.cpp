@@ -1,6 +1,5 @@
 #include "records/design/parse_properties.hpp"
 
-#include "records/design/detail/law_fields.hpp"
 #include "records/design/detail/material_fields.hpp"
 
 namespace musim::records {
@@ -109,8 +108,8 @@ std::variant<std::monostate, scaling::Bandwidth, AxisOfTable> read_table(const J
 
 Properties parse_properties(std::string_view json, const std::string& source, const std::vector<Material>& presets, double length,
                             scaling::UncertainReading* reading) {
-    const detail::Json object = records::detail::parse_object(json, source, "musim-properties/1", "file of structure properties",
-                                                              R"("prototype": {...}, "model": {...})", "musim-facts/1");  // old name
+    const detail::Json object = detail::parse_object(json, source, "musim-properties/1", "file of structure properties",
+                                                     R"("prototype": {...}, "model": {...})", "musim-facts/1");  // old name
     const JsonRules rules(reading);
     const JsonReader fields(object, rules, source);
     Properties properties;

@@ -40,11 +40,11 @@ struct Properties {
 /// Peaks, significant duration D5-95, step, periods of the largest PSA and PSV (5 % damping, records::compute_own_spectrum), and the
 /// frequencies between which all but a hundredth of ∫a² dt lies at either end, of one component; and the vertical peak.
 /// Throws ReadError for a component that there is not, or that holds no acceleration.
-scaling::MotionProperties measure_motion(const records::GroundMotion& motion, const RecordOfMotion& record);
+scaling::MotionProperties measure_motion(const GroundMotion& motion, const RecordOfMotion& record);
 
 /// The frequencies that an axis follows with the model as payload: its own, those of the loaded oil column and of the controller
 /// (records::check_axis).
-scaling::Bandwidth find_bandwidth(const records::TableAxis& axis, scaling::Mass payload);
+scaling::Bandwidth find_bandwidth(const TableAxis& axis, scaling::Mass payload);
 
 /// Mass of all blocks of a structure; zero where it is not known how many there are in a layer.
 scaling::Mass find_mass(const scaling::StructureProperties& properties);

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "records/design/known_factors.hpp"
+#include "records/design/design_law.hpp"
 #include "scaling/laws/law_similitude.hpp"
 #include "scaling/laws/model_scales.hpp"
 #include "scaling/structures/distortion.hpp"
@@ -13,11 +13,6 @@
 namespace musim::records {
 namespace {
 
-template <class Quantity>
-std::optional<double> find_ratio(const std::optional<Quantity>& model, const std::optional<Quantity>& prototype) {
-    return model && prototype ? std::optional(static_cast<double>(*model / *prototype)) : std::nullopt;
-}
-
 KnownFactors find_known(const DesignLaw& law, const scaling::PairProperties& properties, double length) {
     const scaling::ScaleFactors given = make_scale_factors(properties, length);
     const scaling::StructureProperties &prototype = properties.prototype, &model = properties.model;
@@ -25,9 +20,9 @@ KnownFactors find_known(const DesignLaw& law, const scaling::PairProperties& pro
             .friction = given.friction,
             .density = given.density,
             .gravity = given.gravity,
-            .properties = {{"E", find_ratio(find_structural_speeds(model).modulus, find_structural_speeds(prototype).modulus)},
-                           {"e", find_ratio(model.restitution, prototype.restitution)},
-                           {"k_s", find_ratio(model.shear_stiffness, prototype.shear_stiffness)}}};
+            .properties = {{"E", scaling::find_ratio(find_structural_speeds(model).modulus, find_structural_speeds(prototype).modulus)},
+                           {"e", scaling::find_ratio(model.restitution, prototype.restitution)},
+                           {"k_s", scaling::find_ratio(model.shear_stiffness, prototype.shear_stiffness)}}};
 }
 
 void require_single_length(const DesignLaw& law) {

@@ -4,7 +4,7 @@
 #include <limits>
 #include <string>
 
-#include "records/design/detail/place.hpp"
+#include "records/design/candidate.hpp"
 
 namespace musim::records {
 namespace {

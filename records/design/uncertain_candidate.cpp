@@ -6,7 +6,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "records/design/detail/place.hpp"
+#include "records/design/candidate.hpp"
 
 namespace musim::records {
 namespace {

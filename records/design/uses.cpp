@@ -4,56 +4,23 @@
 
 #include <algorithm>
 
-#include "records/shake_table/table_axes.hpp"
+#include "records/shake_table/shake_table.hpp"
 #include "scaling/laws/groups.hpp"
-#include "scaling/quantity_text.hpp"
+#include "scaling/pi_quantity.hpp"
 
 namespace musim::records {
-namespace {
-
-std::string find_unit(records::TableLimit limit) {
-    switch (limit) {
-        case records::TableLimit::displacement:
-            return "m";
-        case records::TableLimit::velocity:
-            return "m/s";
-        case records::TableLimit::acceleration:
-            return "m/s^2";
-        case records::TableLimit::force:
-            return "N";
-        case records::TableLimit::overturning_moment:
-            return "N m";
-        case records::TableLimit::payload:
-            return "kg";
-        case records::TableLimit::lowest_frequency:
-        case records::TableLimit::highest_frequency:
-        case records::TableLimit::oil_column:
-        case records::TableLimit::controller_band:
-            break;
-    }
-    return "Hz";
-}
-
-}  // namespace
 
 std::string describe_amount(double value, const std::string& unit) {
     constexpr int kDigits = 4;
-    if (unit == "m") return scaling::format_quantity(scaling::Length::from_value(value), kDigits);
-    if (unit == "m/s") return scaling::format_quantity(scaling::Velocity::from_value(value), kDigits);
-    if (unit == "m/s^2") return scaling::format_quantity(scaling::Acceleration::from_value(value), kDigits);
-    if (unit == "N") return scaling::format_quantity(scaling::Force::from_value(value), kDigits);
-    if (unit == "kg") return scaling::format_quantity(scaling::Mass::from_value(value), kDigits);
     if (unit == "N m") return fmt::format("{:.{}g} kN m", value / 1e3, kDigits);
-    return fmt::format("{:.{}g}{}", value, kDigits, unit == "-" ? "" : " " + unit);
+    if (unit == "Hz") return fmt::format("{:.{}g} Hz", value, kDigits);
+    return scaling::format_value(value, scaling::make_pi_quantity("amount", unit), kDigits);
 }
 
-std::string name_table_limit(records::TableLimit limit, const std::string& axis) {
-    return fmt::format("{} of axis {}", records::to_string(limit), axis);
-}
+std::string name_table_limit(TableLimit limit, const std::string& axis) { return fmt::format("{} of axis {}", to_string(limit), axis); }
 
-std::vector<records::LimitUse> find_axis_uses(const Prototype& prototype, const records::AxisLoad& load,
-                                              const scaling::ModelScales& scales) {
-    const records::TableDemand demand = to_model(load.prototype, scales, find_shaking(load.axis));
+std::vector<LimitUse> find_axis_uses(const Prototype& prototype, const AxisLoad& load, const scaling::ModelScales& scales) {
+    const TableDemand demand = to_model(load.prototype, scales, find_shaking(load.axis));
     return check_axis(demand, load.axis, {scales.mass * prototype.mass, scales.height * prototype.mass_center, false});
 }
 
@@ -89,10 +56,10 @@ std::vector<Use> find_own_uses(const Design& design, const Material& material, c
 
 std::vector<Use> find_uses(const Setting& setting, const Material& material, const scaling::ModelScales& scales) {
     std::vector<Use> uses;
-    for (const records::AxisLoad& load : setting.loads) {
-        for (const records::LimitUse& use : find_axis_uses(setting.design.prototype, load, scales)) {
-            uses.push_back({name_table_limit(use.which, load.axis.name), find_unit(use.which), use.demand, use.limit,
-                            use.which == records::TableLimit::lowest_frequency});
+    for (const AxisLoad& load : setting.loads) {
+        for (const LimitUse& use : find_axis_uses(setting.design.prototype, load, scales)) {
+            uses.push_back({name_table_limit(use.which, load.axis.name), std::string(si_unit_name(use.which)), use.demand, use.limit,
+                            use.which == TableLimit::lowest_frequency});
         }
     }
     const std::vector<Use> own = find_own_uses(setting.design, material, scales);

@@ -23,7 +23,7 @@ struct Use {
 /// A design and what its motion asks of the table.
 struct Setting {
     Design design;
-    std::vector<records::AxisLoad> loads;  ///< of the prototype
+    std::vector<AxisLoad> loads;  ///< of the prototype
 };
 
 /// The limits besides the table's, in a fixed order; those for which something is not given are left out:
@@ -36,8 +36,7 @@ struct Setting {
 std::vector<Use> find_own_uses(const Design& design, const Material& material, const scaling::ModelScales& scales);
 
 /// A table's limits of one axis with the model of a prototype on it, by records::check_axis().
-std::vector<records::LimitUse> find_axis_uses(const Prototype& prototype, const records::AxisLoad& load,
-                                              const scaling::ModelScales& scales);
+std::vector<LimitUse> find_axis_uses(const Prototype& prototype, const AxisLoad& load, const scaling::ModelScales& scales);
 
 /// The table's limits of all axes, then find_own_uses().
 std::vector<Use> find_uses(const Setting& setting, const Material& material, const scaling::ModelScales& scales);
@@ -46,6 +45,6 @@ std::vector<Use> find_uses(const Setting& setting, const Material& material, con
 std::string describe_amount(double value, const std::string& unit);
 
 /// "displacement of axis x".
-std::string name_table_limit(records::TableLimit limit, const std::string& axis);
+std::string name_table_limit(TableLimit limit, const std::string& axis);
 
 }  // namespace musim::records

@@ -1,5 +1,7 @@
 #include "records/detail/text.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -83,6 +85,15 @@ std::string quoted(std::string_view text) {
     for (const char letter : text.substr(0, kLongest)) shown += letter >= ' ' && letter <= '~' ? letter : '?';
     shown += text.size() > kLongest ? "...'" : "'";
     return shown;
+}
+
+double to_short_decimal(double value) {
+    constexpr double kDust = 1e-8;  // relative; times are printed to six decimals or more over at most some 10⁴ s
+    for (int digits = 1; digits <= 6; ++digits) {
+        const std::optional<double> rounded = parse_real(fmt::format("{:.{}e}", value, digits - 1));
+        if (rounded && std::abs(*rounded - value) <= kDust * value) return *rounded;
+    }
+    return value;
 }
 
 }  // namespace musim::records::detail

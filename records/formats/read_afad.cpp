@@ -7,9 +7,9 @@
 #include "records/detail/text.hpp"
 #include "records/formats/detail/parsers.hpp"
 #include "records/formats/detail/table.hpp"
-#include "records/headers/bearing.hpp"
+#include "records/headers/direction.hpp"
+#include "records/headers/header_checks.hpp"
 #include "records/headers/header_fields.hpp"
-#include "records/headers/stated_peak.hpp"
 
 namespace musim::records::detail {
 namespace {

@@ -1,16 +1,13 @@
-#include "records/formats/read_at2.hpp"
-
 #include <fmt/format.h>
 
 #include <array>
 
 #include "records/detail/text.hpp"
 #include "records/formats/detail/parsers.hpp"
-#include "records/formats/detail/values.hpp"
+#include "records/formats/detail/table.hpp"
 #include "records/headers/own_titles.hpp"
 
-namespace musim::records {
-namespace detail {
+namespace musim::records::detail {
 namespace {
 
 struct At2Header {
@@ -48,16 +45,11 @@ void read_counts(const TextFile& file, At2Header& header) {
         dt = value_after(line, "DT");
     }
 
-    const std::optional<std::size_t> points = parse_count(count);
-    if (!points || *points == 0) {
-        file.fail(header.counts_line, fmt::format("number of points {} is unusable (must be a positive integer)", quoted(count)),
-                  "correct NPTS");
-    }
+    header.count = checked_count(file, header.counts_line, count, "correct NPTS");
     const std::optional<double> seconds = parse_real(dt);
     if (!seconds) {
         file.fail(header.counts_line, fmt::format("time step {} is no number (seconds needed)", quoted(dt)), "correct DT");
     }
-    header.count = *points;
     header.dt = checked_dt(file, header.counts_line, *seconds);
 }
 
@@ -138,10 +130,4 @@ GroundMotion parse_at2(const TextFile& file, const ReadOptions& options) {
     return motion;
 }
 
-}  // namespace detail
-
-GroundMotion read_at2(const std::filesystem::path& path, const ReadOptions& options) {
-    return detail::parse_at2(detail::TextFile(path, detail::read_bytes(path)), options);
-}
-
-}  // namespace musim::records
+}  // namespace musim::records::detail

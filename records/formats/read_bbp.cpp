@@ -5,7 +5,7 @@
 #include "records/detail/text.hpp"
 #include "records/formats/detail/parsers.hpp"
 #include "records/formats/detail/table.hpp"
-#include "records/headers/bearing.hpp"
+#include "records/headers/direction.hpp"
 
 namespace musim::records::detail {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "records/detail/text.hpp"
 #include "records/formats/detail/parsers.hpp"
-#include "records/formats/detail/volume1_pairs.hpp"
+#include "records/formats/detail/timed_samples.hpp"
 #include "records/headers/fixed_columns.hpp"
 #include "records/headers/header_checks.hpp"
 
@@ -40,20 +40,15 @@ Component read_channel(const TextFile& file, const ReadOptions& options, std::si
                   "fetch the record again");
     }
     const std::string_view counts = file.line(start + kCountsLine);
-    const std::string_view points = value_of(counts, "NO. OF POINTS");
-    const std::optional<std::size_t> count = parse_count(points);
-    if (!count || *count == 0) {
-        file.fail(start + kCountsLine, fmt::format("number of points {} is unusable (must be a positive integer)", quoted(points)),
-                  "correct the line");
-    }
+    const std::size_t count = checked_count(file, start + kCountsLine, value_of(counts, "NO. OF POINTS"));
     std::string_view rate_line = file.line(start + kRateLine);
     const double rate = parse_real(take_token(rate_line)).value_or(0.0);
     const scaling::Time dt = checked_dt(file, std::min(start + kRateLine, file.size() - 1), 1.0 / rate);
-    check_record_length(file, start + kCountsLine, *count, dt, parse_real(value_of(counts, "DURATION")).value_or(0.0), start + kCountsLine);
+    check_record_length(file, start + kCountsLine, count, dt, parse_real(value_of(counts, "DURATION")).value_or(0.0), start + kCountsLine);
     refuse_contradictions(file, options, kTenthOfG, dt);
 
-    std::vector<double> samples = read_block(file, {start + kVolume1HeaderLines, *count, kColumns}, kTenthOfG.si);
-    index = start + kVolume1HeaderLines + lines_of(*count, kColumns);
+    std::vector<double> samples = read_block(file, {start + kVolume1HeaderLines, count, kColumns}, kTenthOfG.si);
+    index = start + kVolume1HeaderLines + lines_of(count, kColumns);
     if (!file.line(index).starts_with("/&")) {
         file.fail(std::min(index, file.size() - 1), "end mark '/&' of the channel is missing (truncated, or more samples than announced)",
                   "fetch the record again");

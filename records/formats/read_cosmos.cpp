@@ -7,8 +7,8 @@
 #include "records/detail/text.hpp"
 #include "records/formats/detail/parsers.hpp"
 #include "records/headers/direction.hpp"
+#include "records/headers/fixed_columns.hpp"
 #include "records/headers/header_checks.hpp"
-#include "records/headers/numeric_header.hpp"
 #include "records/headers/own_titles.hpp"
 
 namespace musim::records::detail {
@@ -41,12 +41,7 @@ struct Channel {
 
 std::size_t leading_count(const TextFile& file, std::size_t index, std::string_view noun) {
     std::string_view rest = file.line(index);
-    const std::string_view text = take_token(rest);
-    const std::optional<std::size_t> count = parse_count(text);
-    if (!count || *count == 0) {
-        file.fail(index, fmt::format("number of {}s {} is unusable (must be a positive integer)", noun, quoted(text)), "correct the line");
-    }
-    return *count;
+    return checked_count(file, index, take_token(rest), "correct the line", noun);
 }
 
 FixedColumns stated_columns(const TextFile& file, std::size_t index) {
@@ -112,14 +107,9 @@ Direction read_title(std::string_view title) {
 }
 
 std::optional<UtcTime> find_start(const NumericHeader& integers, const NumericHeader& reals) {
-    const std::optional<int> year = integers.find_small(kStartYear);
-    const std::optional<int> month = integers.find_small(kStartMonth);
-    const std::optional<int> day = integers.find_small(kStartDay);
-    const std::optional<int> hour = integers.find_small(kStartHour);
-    const std::optional<int> minute = integers.find_small(kStartMinute);
-    const std::optional<double> second = reals.find(kStartSecond);
-    if (!year || !month || !day || !hour || !minute || !second) return std::nullopt;
-    return make_utc_time(*year, *month, *day, *hour, *minute, *second);
+    const auto part = [&](std::size_t number) { return integers.date_part(number); };
+    return make_utc_time(part(kStartYear), part(kStartMonth), part(kStartDay), part(kStartHour), part(kStartMinute),
+                         reals.find(kStartSecond).value_or(-1.0));
 }
 
 // what one count is worth: volts by the recorder, g by the sensor

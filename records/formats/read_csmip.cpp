@@ -1,5 +1,3 @@
-#include "records/formats/read_csmip.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,12 +6,11 @@
 #include "records/detail/text.hpp"
 #include "records/formats/detail/announced_block.hpp"
 #include "records/formats/detail/parsers.hpp"
-#include "records/formats/detail/volume1_pairs.hpp"
+#include "records/formats/detail/timed_samples.hpp"
 #include "records/headers/direction.hpp"
 #include "records/headers/header_checks.hpp"
 
-namespace musim::records {
-namespace detail {
+namespace musim::records::detail {
 namespace {
 
 /// Lines of text above the numbers of a volume 1 channel; volume 2 has more.
@@ -192,10 +189,4 @@ GroundMotion parse_csmip(const TextFile& file, const ReadOptions& options) {
     return motion;
 }
 
-}  // namespace detail
-
-GroundMotion read_csmip(const std::filesystem::path& path, const ReadOptions& options) {
-    return detail::parse_csmip(detail::TextFile(path, detail::read_bytes(path)), options);
-}
-
-}  // namespace musim::records
+}  // namespace musim::records::detail

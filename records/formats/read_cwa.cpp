@@ -7,8 +7,8 @@
 #include "records/detail/text.hpp"
 #include "records/formats/detail/parsers.hpp"
 #include "records/formats/detail/table.hpp"
+#include "records/headers/header_checks.hpp"
 #include "records/headers/header_fields.hpp"
-#include "records/headers/stated_peak.hpp"
 
 namespace musim::records::detail {
 namespace {
@@ -43,17 +43,6 @@ std::array<std::string_view, kComponents> read_names(const TextFile& file, const
                   "fetch the record again");
     }
     return names;
-}
-
-// "gal. DCoffset(corr)"
-SampleUnit read_unit(const TextFile& file, const HeaderFields& header) {
-    const HeaderField field = header.require("AmplitudeUnit");
-    std::string_view rest = field.text;
-    const std::optional<SampleUnit> unit = find_sample_unit(take_token(rest));
-    if (!unit || unit->quantity != SampleQuantity::acceleration) {
-        file.fail(field.line, fmt::format("AmplitudeUnit is {} (no unit of acceleration)", quoted(field.text)), "correct the header");
-    }
-    return *unit;
 }
 
 // "0.658~   -0.837": largest and smallest sample
@@ -91,7 +80,7 @@ GroundMotion parse_cwa(const TextFile& file, const ReadOptions& options) {
     const std::size_t header_lines = count_header_lines(file);
     const HeaderFields header(file, header_lines);
     const std::array<std::string_view, kComponents> names = read_names(file, header);
-    const SampleUnit unit = read_unit(file, header);
+    const SampleUnit unit = header.require_acceleration("AmplitudeUnit");
     NumberTable table = read_table(file, header_lines, std::array{1.0, unit.si, unit.si, unit.si});
     const scaling::Time dt = read_time_step(file, header, table);
     const scaling::Time start = table.columns.front().front() * scaling::si::seconds;

@@ -4,9 +4,9 @@
 
 #include "records/detail/text.hpp"
 #include "records/formats/detail/parsers.hpp"
-#include "records/formats/detail/values.hpp"
+#include "records/formats/detail/table.hpp"
+#include "records/headers/header_checks.hpp"
 #include "records/headers/header_fields.hpp"
-#include "records/headers/stated_peak.hpp"
 
 namespace musim::records::detail {
 namespace {

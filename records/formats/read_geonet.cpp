@@ -6,9 +6,9 @@
 
 #include "records/detail/text.hpp"
 #include "records/formats/detail/parsers.hpp"
-#include "records/headers/bearing.hpp"
+#include "records/headers/direction.hpp"
 #include "records/headers/fixed_columns.hpp"
-#include "records/headers/stated_peak.hpp"
+#include "records/headers/header_checks.hpp"
 
 namespace musim::records::detail {
 namespace {

@@ -4,9 +4,9 @@
 
 #include "records/detail/text.hpp"
 #include "records/formats/detail/parsers.hpp"
-#include "records/formats/detail/values.hpp"
+#include "records/formats/detail/table.hpp"
+#include "records/headers/header_checks.hpp"
 #include "records/headers/header_fields.hpp"
-#include "records/headers/stated_peak.hpp"
 
 namespace musim::records::detail {
 namespace {
@@ -19,21 +19,21 @@ constexpr double kJapanHoursAhead = 9.0;
 /// The recorders' delay line: the samples begin this long before the header's "Record Time".
 constexpr std::chrono::seconds kRecorderDelay{15};
 
-struct Direction {
+struct SensorAxis {
     std::string_view name;     ///< as the file writes it
     std::string_view meaning;  ///< positive north, east or up
     std::optional<double> azimuth_deg;
 };
 
-constexpr Direction kDirections[] = {
+constexpr SensorAxis kAxes[] = {
     {"N-S", "north", 0.0},         {"E-W", "east", 90.0},         {"U-D", "up", std::nullopt},
     {"1", "borehole, north", 0.0}, {"2", "borehole, east", 90.0}, {"3", "borehole, up", std::nullopt},
     {"4", "surface, north", 0.0},  {"5", "surface, east", 90.0},  {"6", "surface, up", std::nullopt},
 };
 
-const Direction& read_direction(const TextFile& file, const HeaderFields& header) {
+const SensorAxis& read_axis(const TextFile& file, const HeaderFields& header) {
     const HeaderField field = header.require("Dir.");
-    for (const Direction& direction : kDirections)
+    for (const SensorAxis& direction : kAxes)
         if (equal_ignoring_case(direction.name, field.text)) return direction;
     file.fail(field.line, fmt::format("Dir. is {} (known: N-S, E-W, U-D, 1 to 6)", quoted(field.text)), "correct the header");
 }
@@ -77,7 +77,7 @@ AnnouncedCount announced_count(const TextFile& file, const HeaderFields& header,
 
 GroundMotion parse_knet(const TextFile& file, const ReadOptions& options) {
     const HeaderFields header(file, kHeaderLines);
-    const Direction& direction = read_direction(file, header);
+    const SensorAxis& direction = read_axis(file, header);
     const scaling::Time dt = read_time_step(file, header);
     const SampleUnit gal = *find_sample_unit("gal");
     refuse_contradictions(file, options, gal, dt);
@@ -86,7 +86,7 @@ GroundMotion parse_knet(const TextFile& file, const ReadOptions& options) {
     const double gal_per_count = read_scale_factor(file, header);
     std::vector<double> samples = read_values(file, kHeaderLines, file.size(), announced_count(file, header, dt), gal_per_count * gal.si);
     const HeaderField peak = header.require("Max. Acc. (gal)");
-    check_stated_peak(file, peak.line, "Max. Acc. (gal)", peak.text, std::abs(signed_peak(samples, mean_of(samples))) / gal.si);
+    check_stated_peak(file, peak.line, "Max. Acc. (gal)", peak.text, std::abs(signed_peak(samples, find_mean(samples))) / gal.si);
 
     GroundMotion motion{.source = file.path().string(), .format = "K-NET/KiK-net"};
     motion.event = fmt::format("{} JST, magnitude {}", header.text("Origin Time"), header.text("Mag."));

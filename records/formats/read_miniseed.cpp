@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <span>
 
 #include "records/detail/text.hpp"
@@ -40,54 +41,18 @@ struct Stream {
 
 // bytes of a blockette; 0 for types without a fixed length
 std::size_t blockette_length(unsigned type) {
-    switch (type) {
-        case 100:
-            return 12;
-        case 200:
-            return 52;
-        case 201:
-            return 60;
-        case 300:
-            return 60;
-        case 310:
-            return 60;
-        case 320:
-            return 64;
-        case 390:
-            return 28;
-        case 395:
-            return 16;
-        case 400:
-            return 16;
-        case 500:
-            return 200;
-        case 1000:
-            return 8;
-        case 1001:
-            return 8;
-        default:
-            return 0;
-    }
+    static const std::map<unsigned, std::size_t> kLengths{{100, 12}, {200, 52}, {201, 60}, {300, 60},  {310, 60}, {320, 64},
+                                                          {390, 28}, {395, 16}, {400, 16}, {500, 200}, {1000, 8}, {1001, 8}};
+    const auto length = kLengths.find(type);
+    return length == kLengths.end() ? 0 : length->second;
 }
 
 // bytes of a sample; 1 bit and more for the Steim encodings, whose decoder counts frames itself; nothing for encodings not read
 std::optional<std::size_t> sample_bytes(unsigned encoding) {
-    switch (encoding) {
-        case DE_INT16:
-            return 2;
-        case DE_INT32:
-            return 4;
-        case DE_FLOAT32:
-            return 4;
-        case DE_FLOAT64:
-            return 8;
-        case DE_STEIM1:
-            return 0;
-        case DE_STEIM2:
-            return 0;
-        default:
-            return std::nullopt;
-    }
+    static const std::map<unsigned, std::size_t> kBytes{{DE_INT16, 2},   {DE_INT32, 4},  {DE_FLOAT32, 4},
+                                                        {DE_FLOAT64, 8}, {DE_STEIM1, 0}, {DE_STEIM2, 0}};
+    const auto bytes = kBytes.find(encoding);
+    return bytes == kBytes.end() ? std::nullopt : std::optional(bytes->second);
 }
 
 // the order in which year and day of the header make sense, as libmseed decides it

@@ -7,8 +7,8 @@
 #include "records/formats/detail/parsers.hpp"
 #include "records/formats/detail/timed_samples.hpp"
 #include "records/headers/direction.hpp"
+#include "records/headers/fixed_columns.hpp"
 #include "records/headers/header_checks.hpp"
-#include "records/headers/numeric_header.hpp"
 
 namespace musim::records::detail {
 namespace {
@@ -98,17 +98,13 @@ FixedColumns find_body_columns(const TextFile& file, const NumericHeader& intege
 
 // the year and the rest say when the record starts only where they give it to the millisecond; else it is the earthquake's minute
 std::optional<UtcTime> find_start(const NumericHeader& integers) {
-    const std::optional<int> year = integers.find_small(kStartYear);
-    const std::optional<int> day = integers.find_small(kStartDayOfYear);
-    const std::optional<int> hour = integers.find_small(kStartHour);
-    const std::optional<int> minute = integers.find_small(kStartMinute);
-    const std::optional<int> second = integers.find_small(kStartSecond);
-    const std::optional<int> millisecond = integers.find_small(kStartMillisecond);
-    if (!year || !day || !hour || !minute || !second || !millisecond) return std::nullopt;
-    if (*day < 1 || *day > 366 || *millisecond > 999) return std::nullopt;
-    const std::optional<UtcTime> first_of_january = make_utc_time(*year, 1, 1, *hour, *minute, *second + 1e-3 * *millisecond);
+    const auto part = [&](std::size_t number) { return integers.date_part(number); };
+    const int day = part(kStartDayOfYear), millisecond = part(kStartMillisecond);
+    if (day < 1 || day > 366 || millisecond < 0 || millisecond > 999) return std::nullopt;
+    const std::optional<UtcTime> first_of_january =
+        make_utc_time(part(kStartYear), 1, 1, part(kStartHour), part(kStartMinute), part(kStartSecond) + 1e-3 * millisecond);
     if (!first_of_january) return std::nullopt;
-    return *first_of_january + std::chrono::days(*day - 1);
+    return *first_of_january + std::chrono::days(day - 1);
 }
 
 // "station = APEEL Array #2 - Redwood City  component=    133": what follows `name`, up to `end`

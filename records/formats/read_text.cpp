@@ -1,18 +1,14 @@
-#include "records/formats/read_text.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "records/detail/text.hpp"
-#include "records/formats/detail/musim_csv.hpp"
 #include "records/formats/detail/parsers.hpp"
 #include "records/formats/detail/table.hpp"
 #include "records/formats/resample_uneven.hpp"
 
-namespace musim::records {
-namespace detail {
+namespace musim::records::detail {
 namespace {
 
 /// Two to three columns without time are components; more are one component written several values a line (docs/user/record_formats.md).
@@ -251,10 +247,4 @@ GroundMotion parse_text(const TextFile& file, const ReadOptions& options) {
     return file.line(0) == kMusimCsvTitle ? parse_musim_csv(file, options) : parse_columns(file, options);
 }
 
-}  // namespace detail
-
-GroundMotion read_text(const std::filesystem::path& path, const ReadOptions& options) {
-    return detail::parse_text(detail::TextFile(path, detail::read_bytes(path)), options);
-}
-
-}  // namespace musim::records
+}  // namespace musim::records::detail

@@ -5,10 +5,9 @@
 #include "records/detail/text.hpp"
 #include "records/formats/detail/parsers.hpp"
 #include "records/formats/detail/table.hpp"
-#include "records/headers/bearing.hpp"
-#include "records/headers/date_time.hpp"
+#include "records/headers/direction.hpp"
+#include "records/headers/header_checks.hpp"
 #include "records/headers/header_fields.hpp"
-#include "records/headers/stated_peak.hpp"
 
 namespace musim::records::detail {
 namespace {
@@ -95,18 +94,6 @@ scaling::Time read_time_step(const TextFile& file, const HeaderFields& header, s
     return checked_dt(file, field.line, *step);
 }
 
-// "Gal (cm/s/s)"
-SampleUnit read_unit(const TextFile& file, const HeaderFields& header) {
-    const HeaderField field = header.require("UNIDADES DE LOS DATOS");
-    std::string_view rest = field.text;
-    const std::optional<SampleUnit> unit = find_sample_unit(take_token(rest));
-    if (!unit || unit->quantity != SampleQuantity::acceleration) {
-        file.fail(field.line, fmt::format("UNIDADES DE LOS DATOS is {} (no unit of acceleration)", quoted(field.text)),
-                  "correct the header");
-    }
-    return *unit;
-}
-
 }  // namespace
 
 GroundMotion parse_unam(const TextFile& file, const ReadOptions& options) {
@@ -114,7 +101,7 @@ GroundMotion parse_unam(const TextFile& file, const ReadOptions& options) {
     const HeaderFields header(file, samples_line);
     const std::size_t channels = header.require_count("NUMERO DE CANALES");
     const std::vector<std::string_view> names = read_channels(file, header.require(kOrientation), kOrientation, channels);
-    const SampleUnit unit = read_unit(file, header);
+    const SampleUnit unit = header.require_acceleration("UNIDADES DE LOS DATOS");
     const scaling::Time dt = read_time_step(file, header, channels);
     refuse_contradictions(file, options, unit, dt);
 

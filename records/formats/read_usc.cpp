@@ -8,7 +8,7 @@
 #include "records/detail/text.hpp"
 #include "records/formats/detail/announced_block.hpp"
 #include "records/formats/detail/parsers.hpp"
-#include "records/formats/detail/volume1_pairs.hpp"
+#include "records/formats/detail/timed_samples.hpp"
 #include "records/headers/direction.hpp"
 #include "records/headers/header_checks.hpp"
 

@@ -4,8 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
-#include "records/headers/short_decimal.hpp"
+#include "records/detail/text.hpp"
 
 namespace musim::records {
 namespace {
@@ -33,13 +34,6 @@ bool are_even(std::span<const double> times, double dt) {
     return true;
 }
 
-std::vector<double> steps_between(std::span<const double> times) {
-    std::vector<double> steps;
-    steps.reserve(times.size() - 1);
-    for (std::size_t i = 1; i < times.size(); ++i) steps.push_back(times[i] - times[i - 1]);
-    return steps;
-}
-
 }  // namespace
 
 std::optional<std::size_t> find_time_out_of_order(std::span<const double> times) {
@@ -56,7 +50,9 @@ ResampledSeries resample_uneven(SampleQuantity quantity, std::span<const double>
     const double mean = detail::to_short_decimal(span / static_cast<double>(times.size() - 1));
     if (are_even(times, mean)) return {{quantity, start, mean * scaling::si::seconds, {samples.begin(), samples.end()}}};
 
-    std::vector<double> steps = steps_between(times);
+    std::vector<double> steps(times.size());
+    std::adjacent_difference(times.begin(), times.end(), steps.begin());
+    steps.erase(steps.begin());  // the first time itself
     std::sort(steps.begin(), steps.end());
     const double dt = detail::to_short_decimal(steps[steps.size() / 2]);
     constexpr double kMostPerSample = 4.0;  // met: 1.1; a gap beyond that is a hole in the record, not jitter of its clock

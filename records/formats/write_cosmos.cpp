@@ -10,7 +10,6 @@
 #include "records/detail/text.hpp"
 #include "records/formats/write_record.hpp"
 #include "records/headers/own_titles.hpp"
-#include "records/headers/station_codes.hpp"
 
 namespace musim::records {
 namespace {

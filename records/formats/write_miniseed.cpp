@@ -8,7 +8,7 @@
 #include "records/detail/text.hpp"
 #include "records/formats/detail/mseed_record.hpp"
 #include "records/formats/write_record.hpp"
-#include "records/headers/station_codes.hpp"
+#include "records/headers/own_titles.hpp"
 
 namespace musim::records {
 namespace {

@@ -7,7 +7,7 @@
 #include <iterator>
 
 #include "records/atomic_file.hpp"
-#include "records/formats/detail/musim_csv.hpp"
+#include "records/formats/detail/parsers.hpp"
 #include "records/headers/own_titles.hpp"
 
 namespace musim::records {

@@ -33,4 +33,31 @@ struct NumberBlock {
 /// Reads the numbers of a block, times `si`. Throws ReadError when one is missing, not finite or not in its column, or a line goes on.
 std::vector<double> read_block(const TextFile& file, const NumberBlock& block, double si = 1.0);
 
+/// A header of numbers in columns, counted from 1 as descriptions of formats do, with one number that stands for unknown.
+struct NumericHeader {
+    NumberBlock block = {};
+    std::vector<double> numbers = {};
+    double unknown = 0.0;
+
+    /// The line where a number stands.
+    std::size_t line_of(std::size_t number) const { return block.line + (number - 1) / block.columns.per_line; }
+    /// The first line behind the header.
+    std::size_t end() const { return block.line + lines_of(block.count, block.columns); }
+    /// The number; nothing when the header is shorter or says it is unknown.
+    std::optional<double> find(std::size_t number) const {
+        if (number > numbers.size() || numbers[number - 1] == unknown) return std::nullopt;
+        return numbers[number - 1];
+    }
+    /// The number as a part of a date, an integer from 0 and below 10000; −1, which no date holds, otherwise.
+    int date_part(std::size_t number) const {
+        const double found = find(number).value_or(-1.0);
+        return found >= 0.0 && found < 10000.0 ? static_cast<int>(found) : -1;
+    }
+};
+
+/// Reads the numbers of `block`; errors as read_block().
+inline NumericHeader read_numeric_header(const TextFile& file, const NumberBlock& block, double unknown) {
+    return {block, read_block(file, block), unknown};
+}
+
 }  // namespace musim::records::detail

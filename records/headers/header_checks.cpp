@@ -3,10 +3,22 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numeric>
 
-#include "records/headers/stated_peak.hpp"
+#include "records/detail/text.hpp"
 
 namespace musim::records::detail {
+
+namespace {
+
+// what one unit of the last digit of "-41.60" is worth: 0.01
+double last_digit_of(std::string_view number) {
+    const std::size_t point = number.find('.');
+    const std::size_t decimals = point == std::string_view::npos ? 0 : number.size() - point - 1;
+    return std::pow(10.0, -static_cast<double>(decimals));
+}
+
+}  // namespace
 
 void check_record_length(const TextFile& file, std::size_t index, std::size_t count, scaling::Time dt, double length,
                          std::size_t stated_on) {
@@ -32,6 +44,26 @@ void check_azimuth(const TextFile& file, std::size_t index, double stored, const
     if (std::fmod(stored, 360.0) != std::fmod(*direction.azimuth_deg, 360.0) || stored > 360.0) {
         file.fail(index, fmt::format("azimuth is {} (line {} says {} Deg; header is damaged)", stored, titled_on + 1, direction.name),
                   "fetch the record again or correct the header");
+    }
+}
+
+double signed_peak(std::span<const double> samples, double level) {
+    double peak = 0.0;
+    for (const double sample : samples) {
+        if (std::abs(sample - level) > std::abs(peak)) peak = sample - level;
+    }
+    return peak;
+}
+
+void check_stated_peak(const TextFile& file, std::size_t index, std::string_view name, std::string_view printed, double measured) {
+    const std::optional<double> stated = parse_real(printed);
+    if (!stated) file.fail(index, fmt::format("{} is {} (no number)", name, quoted(printed)), "correct the header");
+
+    // rounded or cut to the printed digits; the rest is rounding of the unit
+    const double tolerance = last_digit_of(printed) + 1e-9 * std::abs(*stated);
+    if (!(std::abs(measured - *stated) <= tolerance)) {
+        file.fail(index, fmt::format("{} is {} (the samples peak at {:.6g}; header or data are damaged)", name, quoted(printed), measured),
+                  "fetch the record again");
     }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <string_view>
 
 #include "records/headers/direction.hpp"
 #include "records/headers/text_file.hpp"
@@ -29,5 +30,11 @@ void check_peak(const TextFile& file, std::size_t index, std::span<const double>
 /// Throws ReadError on line `index`, where `stored` stands as azimuth [deg], when the title on line `titled_on` names another: a damaged
 /// header would shake the wrong axis. 0 and -999 stand for unknown.
 void check_azimuth(const TextFile& file, std::size_t index, double stored, const Direction& direction, std::size_t titled_on);
+
+/// The sample farthest from `level`, minus that level, with its sign; 0 when there is none.
+double signed_peak(std::span<const double> samples, double level = 0.0);
+
+/// Throws ReadError unless the `measured` peak, in the header's unit, is the one that line `index` prints, to one unit of its last digit.
+void check_stated_peak(const TextFile& file, std::size_t index, std::string_view name, std::string_view printed, double measured);
 
 }  // namespace musim::records::detail

@@ -4,9 +4,14 @@
 #include <string_view>
 
 #include "records/headers/text_file.hpp"
+#include "records/sample_unit.hpp"
 #include "records/utc_time.hpp"
 
 namespace musim::records::detail {
+
+/// Date and time as headers write them: "2018/01/24 19:51:43", "20/07/2017 22:30:58.000000 (GMT)", "2018/02/06-23:50:29.000",
+/// "20190728_160919.870". A clock `hours_ahead` of UTC shows it; text behind the time is not looked at. Nothing when it cannot be read.
+std::optional<UtcTime> parse_date_time(std::string_view text, double hours_ahead = 0.0);
 
 /// What a header says under one name, and on which line.
 struct HeaderField {
@@ -30,6 +35,8 @@ class HeaderFields {
     HeaderField require(std::string_view name) const;
     std::size_t require_count(std::string_view name) const;
     double require_positive(std::string_view name) const;
+    /// The unit of acceleration that is the first word, of "gal. DCoffset(corr)" or "Gal (cm/s/s)".
+    SampleUnit require_acceleration(std::string_view name) const;
 
     /// The date and time (see parse_date_time) of a clock `hours_ahead` of UTC; nothing when absent or empty, ReadError when unreadable.
     std::optional<UtcTime> find_time(std::string_view name, double hours_ahead = 0.0) const;

@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "records/detail/text.hpp"
 
 namespace musim::records::detail {
+
 namespace {
 
 /// The word behind a title and its "="; empty where the line has no such title.
@@ -16,6 +18,11 @@ std::string_view find_titled(std::string_view line, std::string_view title) {
     std::string_view rest = line.substr(found + title.size());
     const std::string_view word = take_token(rest, " \t=");
     return word.empty() ? std::string_view("=") : word;  // a title without a word is no number
+}
+
+bool is_code(std::string_view text, std::size_t longest) {
+    return !text.empty() && text.size() <= longest &&
+           std::all_of(text.begin(), text.end(), [](char letter) { return is_digit(letter) || (letter >= 'A' && letter <= 'Z'); });
 }
 
 }  // namespace
@@ -38,6 +45,18 @@ std::optional<scaling::Time> find_start_time(const TextFile& file, std::size_t i
         file.fail(index, fmt::format("start time {} is no number", quoted(number)), "write it in s, or remove it");
     }
     return *seconds * scaling::si::seconds;
+}
+
+StationCodes split_station(std::string_view text, std::string_view unknown) {
+    constexpr std::size_t kNetwork = 2;
+    constexpr std::size_t kStation = 5;
+    std::string_view rest = text;
+    const std::string_view codes = take_token(rest);
+    const std::size_t dot = codes.find('.');
+    if (dot != std::string_view::npos && is_code(codes.substr(0, dot), kNetwork) && is_code(codes.substr(dot + 1), kStation)) {
+        return {std::string(codes.substr(0, dot)), std::string(codes.substr(dot + 1)), printable(trim(rest))};
+    }
+    return {.station = std::string(unknown), .name = printable(trim(text))};
 }
 
 }  // namespace musim::records::detail

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "records/headers/text_file.hpp"
@@ -21,5 +22,15 @@ std::optional<scaling::Frequency> find_integration_corner(const TextFile& file, 
 
 /// The start that a header line gives behind kStartTitle; nothing where it gives none. Throws ReadError when it is no finite number.
 std::optional<scaling::Time> find_start_time(const TextFile& file, std::size_t index);
+
+/// Codes that a station's name begins with, and the rest of it.
+struct StationCodes {
+    std::string network = "XX";  ///< at most two letters; XX: none, by SEED's convention
+    std::string station = {};    ///< at most five letters
+    std::string name = {};
+};
+
+/// "CE.23837 Pomona" → CE, 23837, Pomona; a name without such codes is all name, at station `unknown`.
+StationCodes split_station(std::string_view text, std::string_view unknown);
 
 }  // namespace musim::records::detail

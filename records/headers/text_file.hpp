@@ -1,14 +1,36 @@
 #pragma once
 
+#include <array>
+#include <bit>
+#include <concepts>
+#include <cstring>
 #include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "records/error.hpp"
-#include "records/headers/input_file.hpp"
 
 namespace musim::records::detail {
+
+/// A file being read, text or binary, as far as messages name it.
+class InputFile {
+  public:
+    explicit InputFile(std::filesystem::path path) : path_(std::move(path)) {}
+    InputFile(const InputFile&) = delete;
+    InputFile& operator=(const InputFile&) = delete;
+
+    const std::filesystem::path& path() const { return path_; }
+
+    /// Throws ReadError `path: what_why; what_to_do`.
+    [[noreturn]] void fail(std::string_view what_why, std::string_view what_to_do) const;
+
+  protected:
+    ~InputFile() = default;
+
+  private:
+    std::filesystem::path path_;
+};
 
 /// Bytes of a regular file. Throws ReadError when it is missing, a folder or device, unreadable or empty.
 std::string read_bytes(const std::filesystem::path& path);
@@ -32,5 +54,24 @@ class TextFile : public InputFile {
     std::string bytes_;
     std::vector<std::string_view> lines_;
 };
+
+/// The bytes of a binary file.
+class BinaryFile : public InputFile {
+  public:
+    BinaryFile(std::filesystem::path path, std::string bytes) : InputFile(std::move(path)), bytes_(std::move(bytes)) {}
+
+    std::string_view bytes() const { return bytes_; }
+
+  private:
+    std::string bytes_;
+};
+
+/// The number whose bytes stand at `at` in the given order; the caller has checked that at + sizeof(Number) lies within `bytes`.
+template <class Number>
+requires std::integral<Number> || std::floating_point<Number> Number number_at(std::string_view bytes, std::size_t at, std::endian order) {
+    std::array<char, sizeof(Number)> raw{};
+    for (std::size_t i = 0; i < raw.size(); ++i) raw[order == std::endian::native ? i : raw.size() - 1 - i] = bytes[at + i];
+    return std::bit_cast<Number>(raw);
+}
 
 }  // namespace musim::records::detail

@@ -2,14 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "records/measures/motion_histories.hpp"
-#include "records/processing/energy.hpp"
+#include "records/processing/cumulative.hpp"
 #include "records/processing/processing.hpp"
 
 namespace musim::records {
+
 namespace {
 
 template <class Quantity>
@@ -45,10 +46,6 @@ scaling::Velocity compute_arias_intensity(const TimeSeries& acceleration, scalin
     return scaling::Velocity::from_value(0.5 * std::numbers::pi / gravity.value() * integral);
 }
 
-scaling::Time compute_significant_duration(const TimeSeries& acceleration) {
-    return compute_significant_duration(acceleration, 0.05, 0.95);
-}
-
 scaling::Time compute_significant_duration(const TimeSeries& acceleration, double from, double to) {
     require_quantity(acceleration, SampleQuantity::acceleration, "significant duration");
     if (!(0.0 <= from && from < to && to <= 1.0)) {
@@ -75,6 +72,42 @@ Intensity compute_intensity(const TimeSeries& series, std::optional<scaling::Fre
     if (histories.velocity) intensity.pgv = find_peak_velocity(*histories.velocity);
     intensity.pgd = find_peak_displacement(histories.displacement);
     return intensity;
+}
+
+MotionHistories compute_histories(const TimeSeries& series, std::optional<scaling::Frequency> integration_corner) {
+    switch (series.quantity()) {
+        case SampleQuantity::acceleration: {
+            const TimeSeries velocity =
+                integrate(integration_corner ? high_pass(remove_baseline(series, 0), *integration_corner, 2) : series);
+            // a high-passed motion has no mean velocity; what is left of the ends of the record would become a drift
+            const TimeSeries displacement = integrate(integration_corner ? remove_baseline(velocity, 0) : velocity);
+            return {level_uncorrected(series, integration_corner), velocity, displacement};
+        }
+        case SampleQuantity::velocity:
+            return {std::nullopt, series, integrate(series)};
+        default:
+            return {std::nullopt, std::nullopt, series};
+    }
+}
+
+std::vector<double> compute_arias_share(const TimeSeries& acceleration) {
+    require_quantity(acceleration, SampleQuantity::acceleration, "Arias build-up");
+    std::vector<double> share = detail::cumulative_square(acceleration);
+    const double whole = share.back();
+    if (!(whole > 0.0)) return std::vector<double>(share.size(), 0.0);
+    for (double& value : share) value /= whole;
+    return share;
+}
+
+const Component& find_strongest_horizontal(const GroundMotion& motion) {
+    const auto& all = motion.components;
+    const bool directions_known = std::any_of(all.begin(), all.end(), [](const auto& c) { return c.azimuth_deg.has_value(); });
+    const auto strength = [&](const Component& component) {
+        return directions_known && !component.azimuth_deg
+                   ? -1.0
+                   : std::abs(find_peak_acceleration(level_uncorrected(component.series, motion.integration_corner)).value.value());
+    };
+    return *std::max_element(all.begin(), all.end(), [&](const auto& a, const auto& b) { return strength(a) < strength(b); });
 }
 
 }  // namespace musim::records

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "records/ground_motion.hpp"
+#include "records/time_series.hpp"
 
 namespace musim::records {
 
@@ -21,12 +23,9 @@ Peak<scaling::Length> find_peak_displacement(const TimeSeries& displacement);
 /// Arias intensity π/(2g) ∫ a² dt, by the trapezoid rule. Throws ProcessingError for other quantities.
 scaling::Velocity compute_arias_intensity(const TimeSeries& acceleration, scaling::Acceleration gravity = scaling::kStandardGravity);
 
-/// Significant duration D5-95: between 5 % and 95 % of the Arias intensity, linear between samples; zero for a record without motion.
-/// Throws ProcessingError for other quantities.
-scaling::Time compute_significant_duration(const TimeSeries& acceleration);
-
-/// The same between any two shares of the Arias intensity, D5-75 with 0.05 and 0.75. Also throws unless 0 <= from < to <= 1.
-scaling::Time compute_significant_duration(const TimeSeries& acceleration, double from, double to);
+/// Significant duration between two shares of the Arias intensity, D5-95 unless others are given, linear between samples; zero for a record
+/// without motion. Throws ProcessingError for other quantities and unless 0 <= from < to <= 1.
+scaling::Time compute_significant_duration(const TimeSeries& acceleration, double from = 0.05, double to = 0.95);
 
 /// What measures of a record are taken from: with an integration corner (uncorrected records) the samples above their initial level
 /// (remove_initial_level), else the samples as they are.
@@ -47,5 +46,26 @@ struct Intensity {
 /// would ring, high-passed there, order 2, forward and backward (displacement without the velocity's mean); PGA, Arias intensity and
 /// duration from the unfiltered samples above their initial level (level_uncorrected).
 Intensity compute_intensity(const TimeSeries& series, std::optional<scaling::Frequency> integration_corner = std::nullopt);
+
+/// The acceleration, velocity and displacement of one component; what its quantity does not give is left out.
+struct MotionHistories {
+    std::optional<TimeSeries> acceleration;
+    std::optional<TimeSeries> velocity;
+    TimeSeries displacement;
+};
+
+/// Histories by trapezoid integrals from zero. With an integration corner (uncorrected records) the acceleration is that above its initial
+/// level (level_uncorrected), and the others come from the samples, their mean taken out, high-passed there, order 2, forward and backward;
+/// the displacement from that velocity without its mean, which would be a drift.
+/// Throws ProcessingError for a corner that the samples cannot have.
+MotionHistories compute_histories(const TimeSeries& series, std::optional<scaling::Frequency> integration_corner = std::nullopt);
+
+/// Build-up of the Arias intensity, ∫₀ᵗ a² dt / ∫₀^end a² dt at every sample, from 0 to 1 [Husid69]; all zero for a record without motion.
+/// Depends on the ratios of the samples only. Throws ProcessingError for another quantity.
+std::vector<double> compute_arias_share(const TimeSeries& acceleration);
+
+/// The component of largest peak acceleration, among those with a direction where any has one: a record whose file names no directions is
+/// taken as it is. Throws ProcessingError when a component holds no acceleration.
+const Component& find_strongest_horizontal(const GroundMotion& motion);
 
 }  // namespace musim::records

@@ -6,8 +6,7 @@
 #include <cmath>
 #include <complex>
 
-#include "records/processing/energy.hpp"
-#include "records/processing/rest_correction.hpp"
+#include "records/processing/cumulative.hpp"
 #include "records/processing/transform.hpp"
 
 namespace musim::records {

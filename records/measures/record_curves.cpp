@@ -2,9 +2,9 @@
 
 #include <span>
 
+#include "records/measures/intensity.hpp"
 #include "records/measures/measures.hpp"
-#include "records/measures/motion_histories.hpp"
-#include "records/measures/own_spectrum.hpp"
+#include "records/measures/response_spectrum.hpp"
 #include "records/processing/scale_record.hpp"
 
 namespace musim::records {

@@ -8,23 +8,19 @@
 #include <map>
 #include <numbers>
 
+#include "records/error.hpp"
 #include "records/measures/oscillator.hpp"
-#include "records/measures/oscillator_walk.hpp"
+#include "records/processing/processing.hpp"
 #include "scaling/interruption.hpp"
 
 namespace musim::records {
+
 namespace {
 
 /// So many oscillators go through the record side by side.
 constexpr std::size_t kBatch = 8;
 
 using Lane = std::array<double, kBatch>;
-
-double find_largest(std::span<const double> samples) {
-    double most = 0.0;
-    for (const double sample : samples) most = std::max(most, std::abs(sample));
-    return most;
-}
 
 /// One response of the oscillators of a batch: where it is, its slope per substep, and its largest size so far.
 struct ResponsePeak {
@@ -121,6 +117,18 @@ void compute_batch(const TimeSeries& acceleration, std::span<const std::size_t> 
     }
 }
 
+/// Samples in the shortest period, and how many periods there are.
+constexpr double kShortest = 4.0;
+constexpr std::size_t kPeriods = 200;
+
+scaling::Time find_longest_period(const TimeSeries& acceleration, const std::optional<scaling::Frequency>& corner) {
+    if (!corner) return acceleration.duration();
+    if (!(corner->value() > 0.0)) {
+        throw ProcessingError(fmt::format("the integration corner is {} Hz (must be above 0); change it", corner->value()));
+    }
+    return std::min(0.25 * acceleration.duration(), scaling::Time(1.0 / *corner));
+}
+
 }  // namespace
 
 void require_damping(double damping) {
@@ -212,6 +220,14 @@ std::vector<scaling::Time> make_periods(scaling::Time first, scaling::Time last,
     }
     periods.back() = last;
     return periods;
+}
+
+ResponseSpectrum compute_own_spectrum(const TimeSeries& acceleration, std::optional<scaling::Frequency> integration_corner,
+                                      double damping) {
+    const scaling::Time first = kShortest * acceleration.dt(), last = find_longest_period(acceleration, integration_corner);
+    const std::vector<scaling::Time> periods = first < last ? make_periods(first, last, kPeriods) : std::vector<scaling::Time>();
+    if (integration_corner) return compute_response_spectrum(acceleration, periods, damping);
+    return compute_response_spectrum(pad(acceleration, {}, acceleration.duration()), periods, damping);
 }
 
 }  // namespace musim::records

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "records/measures/oscillator_walk.hpp"
+#include "records/measures/oscillator.hpp"
 #include "records/measures/response_spectrum.hpp"
 #include "scaling/interruption.hpp"
 

@@ -2,30 +2,28 @@
 
 #include <fmt/format.h>
 
-#include "records/processing/rest_correction.hpp"
+#include "records/processing/cumulative.hpp"
 
 namespace musim::records {
 namespace {
 
-// window, baseline, taper and high-pass, each noted
+// window, mean, taper and high-pass, each noted
 TimeSeries prepare(TimeSeries series, const BaseMotionSettings& settings, std::vector<std::string>& steps) {
     if (settings.window) {
         series = cut(series, *settings.window);
         steps.push_back(fmt::format("cut to {:.6g} s ... {:.6g} s", series.start().value(), series.end().value()));
     }
-    if (settings.baseline_order) {
-        series = remove_baseline(series, *settings.baseline_order);
-        steps.push_back(fmt::format("baseline of order {} removed", *settings.baseline_order));
+    if (settings.take_out_mean) {
+        series = remove_baseline(series, 0);
+        steps.emplace_back("baseline of order 0 removed");
     }
-    const bool is_touched = settings.window || settings.high_pass;
-    if (const double fraction = settings.taper_fraction.value_or(is_touched ? kDefaultTaper : 0.0); fraction != 0.0) {
-        series = taper(series, fraction);
-        steps.push_back(fmt::format("cosine taper over {:.6g} of each end", fraction));
+    if (settings.window || settings.high_pass) {
+        series = taper(series, kDefaultTaper);
+        steps.push_back(fmt::format("cosine taper over {:.6g} of each end", kDefaultTaper));
     }
     if (settings.high_pass) {
-        series = high_pass(series, *settings.high_pass, settings.high_pass_order);
-        steps.push_back(
-            fmt::format("Butterworth high-pass at {:.6g} Hz, order {}, two passes", settings.high_pass->value(), settings.high_pass_order));
+        series = high_pass(series, *settings.high_pass, 2);
+        steps.push_back(fmt::format("Butterworth high-pass at {:.6g} Hz, order 2, two passes", settings.high_pass->value()));
     }
     return series;
 }
@@ -66,8 +64,8 @@ BaseMotion make_base_motion(const TimeSeries& series, const BaseMotionSettings& 
 
 BaseMotion make_base_motion(const GroundMotion& motion, std::string_view component, BaseMotionSettings settings) {
     if (!settings.high_pass) settings.high_pass = motion.integration_corner;
-    // an uncorrected record has its zero anywhere; high-passed, an offset would ring
-    if (motion.integration_corner && !settings.baseline_order) settings.baseline_order = 0;
+    // an uncorrected record has its zero anywhere
+    settings.take_out_mean = settings.take_out_mean || motion.integration_corner.has_value();
     return make_base_motion(motion.find_component(component).series, settings);
 }
 

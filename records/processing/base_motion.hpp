@@ -13,10 +13,8 @@ namespace musim::records {
 /// How a record becomes the motion of a simulation's base. Defaults change as little as possible.
 struct BaseMotionSettings {
     std::optional<TimeWindow> window = {};             ///< part of the record to use; all of it by default
-    std::optional<int> baseline_order = {};            ///< polynomial taken out first (remove_baseline); none by default
-    std::optional<double> taper_fraction = {};         ///< cosine taper of each end; default kDefaultTaper when cut or filtered, else none
-    std::optional<scaling::Frequency> high_pass = {};  ///< corner; none by default
-    int high_pass_order = 2;                           ///< of each of the two passes
+    bool take_out_mean = false;                        ///< first; high-passed, an offset would ring
+    std::optional<scaling::Frequency> high_pass = {};  ///< corner, of order 2 in each of two passes; none by default
 };
 
 /// Taper of a record that is cut or filtered [fraction of its length, each end]. Long enough to hide the cut's jump, short enough to leave
@@ -33,7 +31,7 @@ struct BaseMotion {
 
 /// Cuts, corrects, tapers, filters and integrates one series to a velocity and a displacement that both end at rest.
 ///
-/// The order is window, baseline, taper, high-pass, integration from zero, and a last correction: the acceleration
+/// The order is window, mean, taper, high-pass, integration from zero, and a last correction: the acceleration
 /// α τ(1 − τ) + β τ(1 − τ)(1 − 2τ), τ from 0 to 1 over the record, whose integrals carry the final velocity and displacement, is
 /// subtracted. It is zero at both ends and as slow as the record is long. A velocity series is not integrated first; a displacement is
 /// differentiated. Throws ProcessingError as the single steps do, and for fewer than four samples.

@@ -8,8 +8,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "records/processing/energy.hpp"
-#include "records/processing/rest_correction.hpp"
+#include "records/processing/cumulative.hpp"
 #include "records/processing/transform.hpp"
 
 namespace musim::records {
@@ -18,15 +17,7 @@ namespace {
 // one step up or down the chain acceleration, velocity, displacement
 SampleQuantity neighbor(SampleQuantity quantity, int step) { return static_cast<SampleQuantity>(static_cast<int>(quantity) + step); }
 
-double dot(const std::vector<double>& a, const std::vector<double>& b) {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
-    return sum;
-}
-
-double find_mean(std::span<const double> samples) {
-    return std::accumulate(samples.begin(), samples.end(), 0.0) / static_cast<double>(samples.size());
-}
+double dot(const std::vector<double>& a, const std::vector<double>& b) { return std::inner_product(a.begin(), a.end(), b.begin(), 0.0); }
 
 double find_rms_about_mean(std::span<const double> samples) {
     const double mean = find_mean(samples);

@@ -15,6 +15,9 @@ struct DriveSettings {
     std::optional<scaling::Frequency> low_pass = {};   ///< order 4, no phase
     double amplitude = 1.0;
     std::optional<scaling::Time> dt = {};  ///< step of the table's controller; none: the record's
+
+    /// The same at the record's step.
+    DriveSettings at_own_step() const { return {high_pass, low_pass, amplitude, {}}; }
 };
 
 /// Acceleration, velocity and displacement of a table, on one clock, each the trapezoid integral of the one before.

@@ -1,16 +1,17 @@
 #include "records/shake_table/shake_table.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "records/error.hpp"
 #include "records/json_rules.hpp"
 #include "scaling/shorten.hpp"
 
 namespace musim::records {
+
 namespace {
 
 using detail::Json;
@@ -152,6 +153,25 @@ ControllerFormat read_controller(const JsonReader& fields) {
     return format;
 }
 
+std::vector<std::pair<std::string, std::string>> make_pairs(const GroundMotion& motion, const ShakeTable& table) {
+    std::vector<std::pair<std::string, std::string>> pairs;
+    std::vector<const TableAxis*> free;
+    for (const TableAxis& axis : table.axes) free.push_back(&axis);
+    for (const Component& component : motion.components) {
+        const bool vertical = is_vertical(component);
+        const auto axis =
+            std::find_if(free.begin(), free.end(), [&](const TableAxis* each) { return is_vertical_axis(*each) == vertical; });
+        if (axis == free.end()) {
+            throw ReadError(fmt::format("{}: the table has no {} axis left for component {}; choose components with --axis {}=AXIS",
+                                        motion.source.empty() ? "record" : motion.source, vertical ? "vertical" : "horizontal",
+                                        component.name, motion.components.front().name));
+        }
+        pairs.emplace_back(component.name, (*axis)->name);
+        free.erase(axis);
+    }
+    return pairs;
+}
+
 }  // namespace
 
 const TableAxis& ShakeTable::find_axis(std::string_view wanted) const {
@@ -182,6 +202,27 @@ ShakeTable parse_shake_table(std::string_view json, const std::string& source, s
     }
     fields.refuse_unknown_keys();
     return table;
+}
+
+bool is_vertical_axis(const TableAxis& axis) { return axis.name == "z" || axis.name == "vertical"; }
+
+scaling::Shaking find_shaking(const TableAxis& axis) {
+    return is_vertical_axis(axis) ? scaling::Shaking::vertical : scaling::Shaking::horizontal;
+}
+
+AssignedAxes assign_axes(const GroundMotion& motion, const ShakeTable& table,
+                         const std::vector<std::pair<std::string, std::string>>& wanted) {
+    AssignedAxes assigned{motion, {}};
+    assigned.motion.components.clear();
+    for (const auto& [component, axis] : wanted.empty() ? make_pairs(motion, table) : wanted) {
+        const std::string& name = axis;
+        if (std::any_of(assigned.axes.begin(), assigned.axes.end(), [&](const TableAxis& other) { return other.name == name; })) {
+            throw ReadError(fmt::format("axis {} is to make two components; give each its own", name));
+        }
+        assigned.motion.components.push_back(motion.find_component(component));
+        assigned.axes.push_back(table.find_axis(name));
+    }
+    return assigned;
 }
 
 }  // namespace musim::records

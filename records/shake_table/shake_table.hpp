@@ -3,9 +3,12 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "records/ground_motion.hpp"
 #include "records/sample_unit.hpp"
+#include "scaling/laws/model_scales.hpp"
 #include "scaling/uncertainty/uncertain_reading.hpp"
 #include "scaling/units.hpp"
 
@@ -74,5 +77,23 @@ struct ShakeTable {
 /// positive and names that come twice included. `reading` takes limits and masses with standard uncertainties (scaling/uncertain.hpp),
 /// which are refused without it.
 ShakeTable parse_shake_table(std::string_view json, const std::string& source, scaling::UncertainReading* reading = nullptr);
+
+/// The components of a record that a table is to make, and the axis that makes each.
+struct AssignedAxes {
+    GroundMotion motion;
+    std::vector<TableAxis> axes;  ///< one for each component of `motion`
+};
+
+/// Picks components and axes as `wanted` says: (component, axis) pairs. Without any, all components: vertical ones (named Up, UD, Z, HNZ
+/// and the like) go to the axis called "z" or "vertical", the others to the other axes in turn. Throws ReadError for a name that there is
+/// not, an axis that is to make two components, and when the table has too few axes.
+AssignedAxes assign_axes(const GroundMotion& motion, const ShakeTable& table,
+                         const std::vector<std::pair<std::string, std::string>>& wanted);
+
+/// Whether an axis is called "z" or "vertical".
+bool is_vertical_axis(const TableAxis& axis);
+
+/// Which way an axis shakes, by is_vertical_axis().
+scaling::Shaking find_shaking(const TableAxis& axis);
 
 }  // namespace musim::records

@@ -6,17 +6,16 @@
 #include <tuple>
 
 #include "records/measures/measures.hpp"
-#include "records/shake_table/table_axes.hpp"
+#include "records/shake_table/shake_table.hpp"
 #include "scaling/memoized.hpp"
 
 namespace musim::records {
 namespace {
 
-double find_largest(std::span<const double> samples) {
-    double largest = 0.0;
-    for (const double sample : samples) largest = std::max(largest, std::abs(sample));
-    return largest;
-}
+/// Name and SI unit, in the order of TableLimit.
+constexpr std::pair<std::string_view, std::string_view> kLimits[] = {
+    {"displacement", "m"}, {"velocity", "m/s"},        {"acceleration", "m/s^2"},   {"force", "N"},       {"overturning moment", "N m"},
+    {"payload", "kg"},     {"lowest frequency", "Hz"}, {"highest frequency", "Hz"}, {"oil column", "Hz"}, {"controller band", "Hz"}};
 
 /// Frequencies with `share` of ∫a² dt above, and below.
 std::pair<scaling::Frequency, scaling::Frequency> find_band(const TimeSeries& acceleration, double energy_share) {
@@ -63,9 +62,7 @@ std::vector<TableDemand> find_demands(const GroundMotion& model, const DriveSett
     std::vector<TableDemand> demands;
     for (const DriveMotion& motion : make_drive_motions(model, settings)) demands.push_back(find_demand(motion, energy_share));
     if (!settings.dt) return demands;
-    DriveSettings at_own_step = settings;
-    at_own_step.dt.reset();
-    const std::vector<DriveMotion> motions = make_drive_motions(model, at_own_step);
+    const std::vector<DriveMotion> motions = make_drive_motions(model, settings.at_own_step());
     for (std::size_t c = 0; c < motions.size(); ++c) {
         std::tie(demands[c].lowest_frequency, demands[c].highest_frequency) = find_band(motions[c].acceleration, energy_share);
     }
@@ -91,11 +88,9 @@ Payload Payload::on_model(const scaling::ModelScales& scales) const {
     return {scales.mass * mass, scales.height * height, false};
 }
 
-std::string_view to_string(TableLimit limit) {
-    constexpr std::string_view kNames[] = {"displacement", "velocity",         "acceleration",      "force",      "overturning moment",
-                                           "payload",      "lowest frequency", "highest frequency", "oil column", "controller band"};
-    return kNames[static_cast<std::size_t>(limit)];
-}
+std::string_view to_string(TableLimit limit) { return kLimits[static_cast<std::size_t>(limit)].first; }
+
+std::string_view si_unit_name(TableLimit limit) { return kLimits[static_cast<std::size_t>(limit)].second; }
 
 std::vector<LimitUse> check_axis(const TableDemand& demand, const TableAxis& axis, const Payload& payload) {
     std::vector<LimitUse> uses;

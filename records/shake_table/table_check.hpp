@@ -65,6 +65,8 @@ enum class TableLimit {
 
 /// "displacement", "velocity", ..., "oil column".
 std::string_view to_string(TableLimit limit);
+/// "m", "m/s", ..., "Hz".
+std::string_view si_unit_name(TableLimit limit);
 
 /// How far a limit is used.
 struct LimitUse {

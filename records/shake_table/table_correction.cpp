@@ -80,11 +80,9 @@ void measure_change(Correction& correction) {
 class Search {
   public:
     Search(const TableTask& task, const std::vector<scaling::Time>& periods) : task_(task), periods_(periods) {
-        task_.settings.dt.reset();
+        task_.settings = task.settings.at_own_step();
         add_low_pass(task_, task_.settings);
-        DriveSettings plain = task.settings;
-        plain.dt.reset();
-        for (const DriveMotion& motion : make_drive_motions(task.model, plain)) {
+        for (const DriveMotion& motion : make_drive_motions(task.model, task.settings.at_own_step())) {
             before_.push_back(compute_response_spectrum(motion.acceleration, periods));
         }
     }
@@ -111,9 +109,7 @@ class Search {
   private:
     Correction describe(const DriveSettings& settings, std::vector<ComponentUse> uses) const {
         Correction correction{settings, std::move(uses), {}};
-        DriveSettings own_step = settings;
-        own_step.dt.reset();
-        const std::vector<DriveMotion> motions = make_drive_motions(task_.model, own_step);
+        const std::vector<DriveMotion> motions = make_drive_motions(task_.model, settings.at_own_step());
         for (std::size_t c = 0; c < motions.size(); ++c) {
             correction.spectra.push_back(
                 {task_.model.components[c].name, before_[c], compute_response_spectrum(motions[c].acceleration, periods_)});

@@ -2,14 +2,16 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <Eigen/Cholesky>
 
+#include <algorithm>
+#include <cmath>
+
 #include "records/measures/intensity.hpp"
-#include "records/measures/oscillator_walk.hpp"
+#include "records/measures/oscillator.hpp"
 #include "records/measures/response_spectrum.hpp"
-#include "records/processing/rest_correction.hpp"
+#include "records/processing/cumulative.hpp"
+#include "records/processing/processing.hpp"
 #include "records/synthesis/adjustment_wavelet.hpp"
 
 namespace musim::records {
@@ -156,12 +158,6 @@ TimeSeries add_wavelets(const TimeSeries& motion, const Linearization& linear, d
     return motion.with_samples(std::move(added));
 }
 
-TimeSeries multiply(const TimeSeries& motion, double factor) {
-    std::vector<double> samples(motion.samples().begin(), motion.samples().end());
-    for (double& sample : samples) sample *= factor;
-    return motion.with_samples(std::move(samples));
-}
-
 /// exp of the mean logarithm of target/PSA.
 double find_factor(const TargetSpectrum& target, const std::vector<Response>& responses) {
     double sum = 0.0;
@@ -215,7 +211,7 @@ SpectrumMatch match_spectrum(const TimeSeries& acceleration, const TargetSpectru
     SpectrumMatch match{acceleration, 1.0, find_misfit(target, responses), find_misfit(target, responses), 0};
     if (match.before.largest <= settings.tolerance) return match;
     match.factor = find_factor(target, responses);
-    match.acceleration = multiply(acceleration, match.factor);
+    match.acceleration = amplify(acceleration, match.factor);
     responses = find_responses(match.acceleration, target);
     match.after = find_misfit(target, responses);
 

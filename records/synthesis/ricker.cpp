@@ -28,9 +28,7 @@ scaling::Velocity RickerWavelet::velocity(scaling::Time tau) const { return ampl
 
 GroundMotion make_ricker_record(const RickerWavelet& wavelet, scaling::Time dt) {
     const double frequency = wavelet.frequency.value();
-    detail::require_positive(kKind, "PGA", wavelet.amplitude.value());
-    detail::require_positive(kKind, "peak frequency", frequency);
-    detail::require_positive(kKind, "time step", dt.value());
+    detail::require_positive(kKind, {{"PGA", wavelet.amplitude.value()}, {"peak frequency", frequency}, {"time step", dt.value()}});
     detail::require_sampled(kKind, frequency, dt.value());
 
     constexpr double kReach = 2.0;  // periods to each side

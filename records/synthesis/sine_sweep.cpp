@@ -21,11 +21,11 @@ double count_cycles(SweepKind kind, double ratio, double tau) {
 }
 
 void check(const SineSweepSettings& settings) {
-    detail::require_positive(kKind, "amplitude", settings.amplitude.value());
-    detail::require_positive(kKind, "first frequency", settings.first.value());
-    detail::require_positive(kKind, "last frequency", settings.last.value());
-    detail::require_positive(kKind, "time step", settings.dt.value());
-    detail::require_positive(kKind, "duration", settings.duration.value());
+    detail::require_positive(kKind, {{"amplitude", settings.amplitude.value()},
+                                     {"first frequency", settings.first.value()},
+                                     {"last frequency", settings.last.value()},
+                                     {"time step", settings.dt.value()},
+                                     {"duration", settings.duration.value()}});
     if (settings.first == settings.last) {
         throw ProcessingError(fmt::format("{}: both frequencies are {} Hz (must differ); change one", kKind, settings.first.value()));
     }

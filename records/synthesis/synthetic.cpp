@@ -10,7 +10,7 @@
 #include "records/formats/detail/made_record.hpp"
 #include "records/measures/intensity.hpp"
 #include "records/processing/biquad.hpp"
-#include "records/processing/rest_correction.hpp"
+#include "records/processing/cumulative.hpp"
 
 namespace musim::records {
 namespace {
@@ -79,12 +79,6 @@ std::vector<double> shape_noise(std::vector<double> samples, double ground, doub
     return detail::end_at_rest(std::move(samples), 1.0);
 }
 
-double largest_magnitude(const std::vector<double>& samples) {
-    double largest = 0.0;
-    for (const double sample : samples) largest = std::max(largest, std::abs(sample));
-    return largest;
-}
-
 /// A record that has both peaks.
 struct Found {
     double ground = 0.0;  ///< frequency of the ground filter, in PGA/PGV
@@ -98,7 +92,7 @@ std::optional<Found> find_peaks(const std::vector<double>& noise, const Syntheti
     const auto make = [&](double ground) { return shape_noise(noise, ground, unit, envelope); };
     // PGV/PGA over the wanted one: above 1 the ground is too soft
     const auto excess = [&](const std::vector<double>& acceleration) {
-        return largest_magnitude(detail::cumulative_trapezoid(acceleration, 1.0)) / largest_magnitude(acceleration) * unit;
+        return find_largest(detail::cumulative_trapezoid(acceleration, 1.0)) / find_largest(acceleration) * unit;
     };
 
     double soft = kSoftestGround;
@@ -109,7 +103,7 @@ std::optional<Found> find_peaks(const std::vector<double>& noise, const Syntheti
     }
 
     std::vector<double> samples = make(stiff);
-    const double largest = largest_magnitude(samples);
+    const double largest = find_largest(samples);
     for (double& sample : samples) sample = sample / largest * pga;
     return Found{stiff, {SampleQuantity::acceleration, {}, settings.dt, std::move(samples)}};
 }
@@ -158,11 +152,9 @@ Found find_peaks_and_duration(const std::vector<double>& noise, const SyntheticS
 GroundMotion make_synthetic_record(const SyntheticSettings& settings) {
     const double pga = settings.pga.value();
     const double pgv = settings.pgv.value();
-    detail::require_positive(kKind, "PGA", pga);
-    detail::require_positive(kKind, "PGV", pgv);
-    detail::require_positive(kKind, "time step", settings.dt.value());
-    detail::require_positive(kKind, "duration", settings.duration.value());
-    if (settings.d5_95) detail::require_positive(kKind, "D5-95", settings.d5_95->value());
+    detail::require_positive(kKind,
+                             {{"PGA", pga}, {"PGV", pgv}, {"time step", settings.dt.value()}, {"duration", settings.duration.value()}});
+    if (settings.d5_95) detail::require_positive(kKind, {{"D5-95", settings.d5_95->value()}});
     const double steps = std::round((settings.duration / settings.dt).value());
     constexpr double kFewestSteps = 64.0;
     detail::require_steps(kKind, steps, kFewestSteps);

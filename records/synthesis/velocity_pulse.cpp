@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "records/formats/detail/made_record.hpp"
-#include "records/processing/rest_correction.hpp"
+#include "records/processing/cumulative.hpp"
 
 namespace musim::records {
 namespace {
@@ -30,10 +30,10 @@ double displacement_shape(const VelocityPulse& pulse, double theta) {
 }
 
 void check(const VelocityPulse& pulse, scaling::Time dt) {
-    detail::require_positive(kKind, "amplitude", pulse.amplitude.value());
-    detail::require_positive(kKind, "frequency", pulse.frequency.value());
-    detail::require_positive(kKind, "number of cycles", pulse.cycles);
-    detail::require_positive(kKind, "time step", dt.value());
+    detail::require_positive(kKind, {{"amplitude", pulse.amplitude.value()},
+                                     {"frequency", pulse.frequency.value()},
+                                     {"number of cycles", pulse.cycles},
+                                     {"time step", dt.value()}});
     if (!(pulse.cycles > 1.0)) {
         throw ProcessingError(fmt::format("{}: number of cycles is {} (must be above 1); raise it", kKind, pulse.cycles));
     }

@@ -1,6 +1,6 @@
 #include <doctest/doctest.h>
 
-#include "records/headers/date_time.hpp"
+#include "records/headers/header_fields.hpp"
 #include "records/utc_time.hpp"
 
 namespace musim::records {

@@ -11,16 +11,12 @@
 #include <vector>
 
 #include "records/design/design.hpp"
+#include "records/design/design_law.hpp"
 #include "records/json_rules.hpp"
 
 /// Readers that files about prototypes, materials and models share. All throw ReadError `place: what (why); what to do`.
 namespace musim::records::detail {
 
-using records::detail::Json;
-using records::detail::JsonRules;
-using records::detail::read_positive;
-using records::detail::refuse_uncertainty;
-using records::detail::require_positive;
 using scaling::JsonReader;
 using Block = std::array<scaling::Length, 3>;
 
@@ -67,5 +63,9 @@ template <class Value>
 void replace(std::optional<Value>& old, const std::optional<Value>& given) {
     if (given) old = given;
 }
+
+/// A law: the name of one of the code or of one as data, a law file beside `source`, or an object such as
+/// {"law": "restoring_force", "set": {"F_R": "1/500"}, "hold": ["F_R/(mu*m*g)"]}; `value` is a text or an object. Throws ReadError.
+DesignLaw read_law(const JsonReader& value, const std::string& source);
 
 }  // namespace musim::records::detail

@@ -48,12 +48,7 @@ BlockHeader read_block_header(const TextFile& file, std::size_t index, const std
     BlockHeader header{.line = index, .unit = read_unit(file, index, usual)};
 
     std::string_view rest = line;
-    const std::string_view count = take_token(rest);
-    const std::optional<std::size_t> points = parse_count(count);
-    if (!points || *points == 0) {
-        file.fail(index, fmt::format("number of points {} is unusable (must be a positive integer)", quoted(count)), "correct the line");
-    }
-    header.count = *points;
+    header.count = checked_count(file, index, take_token(rest));
 
     rest = line.substr(find_ignoring_case(line, " AT ") + 4);
     const std::string_view number = take_token(rest);

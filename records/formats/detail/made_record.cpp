@@ -6,9 +6,11 @@
 
 namespace musim::records::detail {
 
-void require_positive(std::string_view kind, std::string_view setting, double value) {
-    if (value > 0.0 && std::isfinite(value)) return;
-    throw ProcessingError(fmt::format("{}: {} is {} (must be positive and finite); correct it", kind, setting, value));
+void require_positive(std::string_view kind, std::initializer_list<std::pair<std::string_view, double>> settings) {
+    for (const auto& [setting, value] : settings) {
+        if (value > 0.0 && std::isfinite(value)) continue;
+        throw ProcessingError(fmt::format("{}: {} is {} (must be positive and finite); correct it", kind, setting, value));
+    }
 }
 
 void require_steps(std::string_view kind, double steps, double fewest) {

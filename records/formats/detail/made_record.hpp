@@ -1,7 +1,9 @@
 #pragma once
 
+#include <initializer_list>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "records/ground_motion.hpp"
@@ -9,8 +11,8 @@
 /// What all records made of numbers have in common.
 namespace musim::records::detail {
 
-/// Throws ProcessingError, naming the kind of record and the setting, unless the value is positive and finite.
-void require_positive(std::string_view kind, std::string_view setting, double value);
+/// Throws ProcessingError, naming the kind of record and the setting, unless all values are positive and finite.
+void require_positive(std::string_view kind, std::initializer_list<std::pair<std::string_view, double>> settings);
 
 /// Throws ProcessingError unless there are `fewest` to 10^8 steps.
 void require_steps(std::string_view kind, double steps, double fewest);

@@ -1,12 +1,10 @@
-#include "records/formats/detail/musim_csv.hpp"
-
 #include <fmt/format.h>
 
 #include <cmath>
 
 #include "records/detail/text.hpp"
 #include "records/formats/detail/parsers.hpp"
-#include "records/headers/date_time.hpp"
+#include "records/headers/header_fields.hpp"
 
 namespace musim::records::detail {
 namespace {

@@ -38,6 +38,13 @@ scaling::Time checked_dt(const TextFile& file, std::size_t index, double seconds
     return seconds * scaling::si::seconds;
 }
 
+std::size_t checked_count(const TextFile& file, std::size_t index, std::string_view text, std::string_view what_to_do,
+                          std::string_view noun) {
+    const std::optional<std::size_t> count = parse_count(text);
+    if (count && *count > 0) return *count;
+    file.fail(index, fmt::format("number of {}s {} is unusable (must be a positive integer)", noun, quoted(text)), what_to_do);
+}
+
 double checked_sample(const TextFile& file, std::size_t index, std::string_view text, std::size_t ordinal, double si) {
     const std::optional<double> value = parse_real(text);
     if (!value || !std::isfinite(*value * si)) {

@@ -1,29 +1,45 @@
 #pragma once
 
-#include "records/formats/read_options.hpp"
-#include "records/ground_motion.hpp"
-#include "records/headers/binary_file.hpp"
+#include "records/formats/read_record.hpp"
 #include "records/headers/text_file.hpp"
 
-/// One parser per format, on a file already in memory; errors as in the public headers.
+/// One parser per format, on a file already in memory; errors as of read_record().
 namespace musim::records::detail {
 
 /// What read_record() makes of the bytes of a file called `path`, whatever their format.
 GroundMotion parse_record(const std::filesystem::path& path, std::string bytes, const ReadOptions& options);
 
 GroundMotion parse_afad(const TextFile& file, const ReadOptions& options);
+/// A file of PEER, PACIFIC ENGINEERING or their imitators: AT2 (acceleration), VT2 (velocity) or DT2 (displacement). Header lines
+/// "NPTS= 8000, DT= .0050 SEC" or "8000 0.0050 NPTS, DT", the unit in "... IN UNITS OF G"; values, any number a line, up to a trailer of
+/// "***" lines.
 GroundMotion parse_at2(const TextFile& file, const ReadOptions& options);
 GroundMotion parse_bbp(const TextFile& file, const ReadOptions& options);
 GroundMotion parse_bhrc(const TextFile& file, const ReadOptions& options);
 GroundMotion parse_cosmos(const TextFile& file, const ReadOptions& options);
+/// CSMIP/CGS volume 1 (uncorrected, g) or volume 2 (corrected, cm/s²) with all its channels, each with its own length: samples in Fortran
+/// columns, e.g. (8f9.6), or, in volume 1, (time, value) pairs, which are put on an even clock.
 GroundMotion parse_csmip(const TextFile& file, const ReadOptions& options);
 GroundMotion parse_cwa(const TextFile& file, const ReadOptions& options);
 GroundMotion parse_esm(const TextFile& file, const ReadOptions& options);
 GroundMotion parse_geonet(const TextFile& file, const ReadOptions& options);
 GroundMotion parse_knet(const TextFile& file, const ReadOptions& options);
 GroundMotion parse_miniseed(const BinaryFile& file, const ReadOptions& options);
+/// The CSV of write_csv(), whose first line is kMusimCsvTitle: `# key: value` lines, a title line `time_s,NAME,...`, rows of 17-digit
+/// numbers (docs/user/record_formats.md shows one); back to the last bit.
+GroundMotion parse_musim_csv(const TextFile& file, const ReadOptions& options);
+inline constexpr std::string_view kMusimCsvTitle = "# musim ground motion 1";
 GroundMotion parse_sac(const BinaryFile& file, const ReadOptions& options);
 GroundMotion parse_smc(const TextFile& file, const ReadOptions& options);
+/// Numbers in columns, and the CSV that write_csv() writes.
+///
+/// - Values are separated by blanks, tabs, commas or semicolons; lines starting with `#`, `%` or `//` are comments; one title line may
+///   stand before the numbers, or the pair of lines "name" and "npts dt".
+/// - With two columns or more, a first column that increases evenly is time in seconds, the others are components "1", "2", ...
+/// - Without it options.dt is needed; up to three columns are components, more are one component written several values a line.
+/// - The unit is options.unit, else the one in parentheses in the title or a comment, e.g. "(cm/s/s)", else SI.
+/// The history says how it was read, with kUnitNotGiven when the unit is a guess.
+/// Uneven times and lines of different length are refused.
 GroundMotion parse_text(const TextFile& file, const ReadOptions& options);
 GroundMotion parse_unam(const TextFile& file, const ReadOptions& options);
 GroundMotion parse_usc(const TextFile& file, const ReadOptions& options);
@@ -42,6 +58,10 @@ SampleUnit requested_unit(const InputFile& file, const ReadOptions& options);
 
 /// The time step the file states on line `index`; throws ReadError unless it is positive and finite.
 scaling::Time checked_dt(const TextFile& file, std::size_t index, double seconds);
+
+/// The number of points, or of another `noun`, that is `text` on line `index`; throws ReadError unless that is a positive integer.
+std::size_t checked_count(const TextFile& file, std::size_t index, std::string_view text, std::string_view what_to_do = "correct the line",
+                          std::string_view noun = "point");
 
 /// The sample `text` on line `index`, times `si`; throws ReadError, naming its ordinal number, unless that is a finite number.
 double checked_sample(const TextFile& file, std::size_t index, std::string_view text, std::size_t ordinal, double si);

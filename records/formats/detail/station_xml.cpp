@@ -2,35 +2,26 @@
 
 #include <fmt/format.h>
 
-#include <array>
-#include <cmath>
 #include <pugixml.hpp>
 
+#include <cmath>
+
 #include "records/detail/text.hpp"
-#include "records/headers/binary_file.hpp"
+#include "records/headers/header_fields.hpp"
 #include "records/headers/text_file.hpp"
 
 namespace musim::records::detail {
 namespace {
 
 // "2012-04-13T17:28:00.25Z", fraction and Z optional; nothing otherwise
-std::optional<UtcTime> parse_iso_time(std::string_view text) {
-    if (text.ends_with('Z')) text.remove_suffix(1);
-    constexpr std::size_t kWholeSeconds = 19;  // letters of yyyy-mm-ddThh:mm:ss
-    if (text.size() < kWholeSeconds || text[4] != '-' || text[7] != '-' || text[10] != 'T' || text[13] != ':' || text[16] != ':') {
-        return std::nullopt;
-    }
-    std::array<int, 5> fields{};
-    constexpr std::array<std::size_t, 5> kStarts{0, 5, 8, 11, 14};
-    for (std::size_t i = 0; i < fields.size(); ++i) {
-        const auto value = parse_count(text.substr(kStarts[i], i == 0 ? 4 : 2));
-        if (!value) return std::nullopt;
-        fields[i] = static_cast<int>(*value);
-    }
-    const auto second = parse_real(text.substr(17));
-    if (!second) return std::nullopt;
-    const auto [year, month, day, hour, minute] = fields;
-    return make_utc_time(year, month, day, hour, minute, *second);
+std::optional<UtcTime> parse_iso_time(std::string text) {
+    constexpr std::size_t kTime = 11;  // letters of "yyyy-mm-ddT" before it
+    const bool has_date = text.size() > kTime && text[4] == '-' && text[7] == '-' && text[10] == 'T';
+    if (!has_date || text.find_first_of(" _-", kTime) != std::string::npos) return std::nullopt;
+    text[4] = text[7] = '/';
+    text[10] = ' ';
+    if (text.ends_with('Z')) text.pop_back();
+    return parse_date_time(text);
 }
 
 // an epoch without an end, or without a readable one, is open

@@ -2,9 +2,42 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "records/detail/text.hpp"
+#include "records/headers/header_checks.hpp"
+
 namespace musim::records::detail {
+
+namespace {
+
+constexpr std::size_t kCountsLine = 10;
+constexpr std::size_t kUnitLine = 11;
+std::size_t read_count(const TextFile& file, std::size_t index) {
+    const std::string_view text = value_of(file.line(index), "NO. OF POINTS");
+    const std::optional<std::size_t> count = parse_count(text);
+    constexpr std::size_t kMost = 1'000'000'000;  // a day of samples at 10 kHz; twice as many numbers are far from overflow
+    if (!count || *count == 0 || *count > kMost) {
+        file.fail(index, fmt::format("number of points {} is unusable (must be a positive integer)", quoted(text)), "correct the line");
+    }
+    return *count;
+}
+
+// columns of seven letters; some files put a blank before the first
+FixedColumns find_pair_columns(const TextFile& file, std::size_t line, std::size_t count) {
+    FixedColumns columns{.per_line = 10, .width = 7};
+    const std::size_t length = file.line(line).size();
+    const std::size_t expected = columns.width * std::min(columns.per_line, 2 * count);
+    if (length == expected + 1) columns.indent = 1;
+    if (length != expected + columns.indent) {
+        file.fail(line, fmt::format("line has {} letters ({} expected: times and values of {} letters)", length, expected, columns.width),
+                  "fetch the record again");
+    }
+    return columns;
+}
+
+}  // namespace
 
 TimedSamples read_timed_samples(const TextFile& file, const NumberBlock& block, double si) {
     if (block.count % 2 != 0) {
@@ -38,6 +71,36 @@ ResampledSeries resample(const TextFile& file, SampleQuantity quantity, const Ti
         const std::size_t advice = message.rfind("; ");
         file.fail(timed.line, message.substr(0, advice), message.substr(advice + 2));
     }
+}
+
+bool announces_volume1_pairs(const TextFile& file, std::size_t start) {
+    const std::string_view line = file.line(start + kUnitLine);
+    return contains_ignoring_case(line, "UNITS") && contains_ignoring_case(line, "SEC AND G/10");
+}
+
+ResampledSeries read_volume1_pairs(const TextFile& file, std::size_t& index) {
+    const std::size_t start = index;
+    const std::size_t count = read_count(file, start + kCountsLine);
+    const std::size_t body = start + kVolume1HeaderLines;
+    if (body >= file.size())
+        file.fail(file.size() - 1, fmt::format("sample 1 of {} is missing (file is truncated)", count), "fetch the record again");
+    const NumberBlock block{body, 2 * count, find_pair_columns(file, body, count), "number"};
+    const TimedSamples timed = read_timed_samples(file, block, kTenthOfG.si);
+
+    // the header rounds to its last digit, and to milliseconds
+    const std::string_view counts_line = file.line(start + kCountsLine);
+    for (const std::string_view name : {std::string_view("RECORD LENGTH"), std::string_view("DURATION")}) {
+        const std::optional<double> length = parse_real(value_of(counts_line, name));
+        if (!length) continue;
+        const double mean_step = (timed.times.back() - timed.times.front()) / static_cast<double>(std::max<std::size_t>(count, 2) - 1);
+        check_record_length(file, start + kCountsLine, count, mean_step * scaling::si::seconds, *length, start + kCountsLine);
+    }
+    constexpr double kPrinted = 1e-3;  // g; the last digit printed
+    if (const std::optional<double> peak = parse_real(value_of(file.line(start + kUnitLine), "MAX"))) {
+        check_peak(file, start + kUnitLine, timed.samples, {*peak, kPrinted, 10.0 * kTenthOfG.si, "g"});
+    }
+    index = body + lines_of(block.count, block.columns);
+    return resample(file, SampleQuantity::acceleration, timed);
 }
 
 }  // namespace musim::records::detail

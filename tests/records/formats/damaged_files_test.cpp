@@ -8,7 +8,6 @@
 #include <string>
 
 #include "records/formats/detail/parsers.hpp"
-#include "records/formats/read_csmip.hpp"
 #include "records/formats/read_record.hpp"
 #include "records/formats/write_record.hpp"
 #include "records/processing/base_motion.hpp"
@@ -86,9 +85,6 @@ TEST_CASE("every reader of text refuses a file without a letter, though nobody a
         for (const std::string_view content : {"", "\n", " \n \n"})
             CHECK_THROWS_AS(parse(detail::TextFile("blank", std::string(content)), {}), ReadError);
     }
-    // one of them is public
-    const tests::TemporaryFolder folder;
-    CHECK_THROWS_AS(read_csmip(folder.write("blank", "\n\n")), ReadError);
 }
 
 TEST_CASE("a file too large to be a record is refused before it is read") {

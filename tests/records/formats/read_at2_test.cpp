@@ -2,7 +2,6 @@
 
 #include <string>
 
-#include "records/formats/read_at2.hpp"
 #include "records/formats/read_record.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -42,7 +41,7 @@ TEST_CASE("header variants of the PEER family read the same") {
         for (const std::string line_end : {"\n", "\r\n", "\r\r\n"}) {
             CAPTURE(counts);
             const auto path = folder.write("a.at2", kHeader + counts + line_end + "1.0" + line_end + "+2.0," + line_end);
-            const TimeSeries series = read_at2(path).components.front().series;
+            const TimeSeries series = read_record(path).components.front().series;
             CHECK(series.dt().value() == 0.02);
             REQUIRE(series.size() == 2);
             CHECK(series.samples()[1] == 2.0 * kG);

@@ -2,7 +2,6 @@
 
 #include <string>
 
-#include "records/formats/read_csmip.hpp"
 #include "records/formats/read_record.hpp"
 #include "tests/records/refusal.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -49,7 +48,7 @@ TEST_CASE("channels of one file keep their own names, and the vertical has no az
     const auto path = folder.write(
         "a", volume1_channel(" 90 Deg", "   90", kAnnounced, kSamples) + volume1_channel(" Up", "  500", kAnnounced, kSamples));
 
-    const GroundMotion motion = read_csmip(path);
+    const GroundMotion motion = read_record(path);
 
     CHECK(motion.component_names() == "90, Up");
     CHECK_FALSE(motion.find_component("up").azimuth_deg);

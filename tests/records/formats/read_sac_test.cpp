@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "records/formats/read_record.hpp"
-#include "records/headers/binary_file.hpp"
+#include "records/headers/text_file.hpp"
 #include "tests/records/refusal.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/shared_records.hpp"

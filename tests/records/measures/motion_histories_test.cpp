@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "records/measures/intensity.hpp"
-#include "records/measures/motion_histories.hpp"
 #include "records/processing/processing.hpp"
 
 namespace musim::records {

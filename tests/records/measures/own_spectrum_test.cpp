@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "records/error.hpp"
-#include "records/measures/own_spectrum.hpp"
+#include "records/measures/response_spectrum.hpp"
 #include "tests/support/relative.hpp"
 
 namespace musim::records {

@@ -1,6 +1,6 @@
 #include <doctest/doctest.h>
 
-#include "records/measures/strongest_component.hpp"
+#include "records/measures/intensity.hpp"
 
 namespace musim::records {
 namespace {

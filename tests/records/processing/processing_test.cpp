@@ -230,11 +230,10 @@ TEST_CASE("the base motion of a record scaled by powers of two is the scaled bas
     const TimeSeries prototype = make_series(samples, 0.005);
     const TimeSeries model = make_series(samples, 0.005 / 4.0);
 
-    const BaseMotion full = make_base_motion(
-        prototype,
-        {.window = TimeWindow{1.0 * seconds, 9.0 * seconds}, .baseline_order = 2, .high_pass = 0.3 * hertz, .high_pass_order = 3});
-    const BaseMotion small = make_base_motion(
-        model, {.window = TimeWindow{0.25 * seconds, 2.25 * seconds}, .baseline_order = 2, .high_pass = 1.2 * hertz, .high_pass_order = 3});
+    const BaseMotion full =
+        make_base_motion(prototype, {.window = TimeWindow{1.0 * seconds, 9.0 * seconds}, .take_out_mean = true, .high_pass = 0.3 * hertz});
+    const BaseMotion small =
+        make_base_motion(model, {.window = TimeWindow{0.25 * seconds, 2.25 * seconds}, .take_out_mean = true, .high_pass = 1.2 * hertz});
 
     REQUIRE(full.velocity.size() == small.velocity.size());
     std::size_t different = 0;

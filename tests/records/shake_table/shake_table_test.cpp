@@ -4,7 +4,6 @@
 
 #include "records/error.hpp"
 #include "records/shake_table/shake_table.hpp"
-#include "records/shake_table/table_axes.hpp"
 
 namespace musim::records {
 namespace {

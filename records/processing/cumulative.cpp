@@ -1,4 +1,6 @@
-#include "records/processing/rest_correction.hpp"
+#include "records/processing/cumulative.hpp"
+
+#include <algorithm>
 
 namespace musim::records::detail {
 
@@ -38,6 +40,21 @@ std::vector<double> end_at_rest(std::vector<double> acceleration, double dt, dou
     const std::vector<double> correction = rest_correction(acceleration.size(), dt, velocity.back(), drift);
     for (std::size_t i = 0; i < acceleration.size(); ++i) acceleration[i] -= correction[i];
     return acceleration;
+}
+
+std::vector<double> cumulative_square(const TimeSeries& series) {
+    std::vector<double> square(series.samples().begin(), series.samples().end());
+    for (double& value : square) value *= value;
+    return cumulative_trapezoid(square, series.dt().value());
+}
+
+scaling::Time time_of_share(const TimeSeries& series, const std::vector<double>& cumulative, double share) {
+    const double wanted = share * cumulative.back();
+    const auto reached = std::lower_bound(cumulative.begin(), cumulative.end(), wanted);
+    const auto i = static_cast<std::size_t>(reached - cumulative.begin());
+    if (i == 0) return series.start();
+    const double part = (wanted - cumulative[i - 1]) / (cumulative[i] - cumulative[i - 1]);
+    return series.start() + (static_cast<double>(i - 1) + part) * series.dt();
 }
 
 }  // namespace musim::records::detail
