@@ -17,6 +17,8 @@ struct BoxMeeting {
         const double* half;      ///< half extents [m]
     };
     Box a, b;
+    /// From the first centre to the origin of the pair, in parts of the way between the centres: 1/2; 0 where b is the ground.
+    double origin = 0.5;
 };
 
 /// Axes of a box, or of several side by side.

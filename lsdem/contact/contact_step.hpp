@@ -102,10 +102,10 @@ struct ContactStep {
                     (cross_square.y * v.x + cross_square.x * v.y) + square.z * v.z};
         }
     };
-    /// See PairMotion.
+    /// Where two bodies are and were, about the origin of the pair.
     struct Motion {
-        std::array<Vector, 2> center, previous_center;
-        Vector shift;
+        std::array<Vector, 2> center, previous_center;  ///< of mass now, and one step ago about the origin of that time [m]
+        Vector shift;                                   ///< of the second centre against the first over the step [m]
         /// Of each body: T v = v + 2w (u×v) + 2u×(u×v), w cosine of half the angle, u the axis times its sine.
         struct Turn {
             Vector half;    ///< u
@@ -135,13 +135,14 @@ struct ContactStep {
         Real sum{};
         Vector at{};
     };
-    /// See OverlapForces.
+    /// What a contact does in a step.
     struct Result {
-        Vector force{}, moment{};
-        Real elastic_normal{}, elastic_shear{}, friction_work{}, damping_work{};
-        Mask may_slide{};  ///< friction is beyond the limit with the least reach
-        Mask may_pull{};   ///< dashpots may pull somewhere, or act before a point touches
-        Mask may_both{};   ///< they may do both
+        Vector force{}, moment{};                ///< on the second body; about the origin of the pair [N, N·m]
+        Real elastic_normal{}, elastic_shear{};  ///< stored now, the first but for a part overlap/size of it [J]
+        Real friction_work{}, damping_work{};    ///< dissipated over the step [J]
+        Mask may_slide{};                        ///< friction is beyond the limit with the least reach
+        Mask may_pull{};                         ///< dashpots may pull somewhere, or act before a point touches
+        Mask may_both{};                         ///< they may do both
     };
 
     /// Friction of a contact: a force across the normal, and a couple about the normal.

@@ -36,7 +36,7 @@ struct Lane {
                                               MUSIM_WIDE_LAMBDA { return reinterpret_cast<const double*>(pairs[i].step[body]); });
         };
         const std::array<Real, 8> first = step_of(0), second = step_of(1);
-        const Real origin = gather_lanes<Real>([&](std::size_t i) MUSIM_WIDE_LAMBDA { return pairs[i].origin; });
+        const Real origin = gather_lanes<Real>([&](std::size_t i) MUSIM_WIDE_LAMBDA { return pairs[i].meeting.origin; });
         typename Step::Motion motion;
         motion.shift = {second[4] - first[4], second[5] - first[5], second[6] - first[6]};
         const Vector apart_before = apart - motion.shift;
@@ -76,7 +76,9 @@ struct Lane {
             gather_fields<Real, 5>([&](std::size_t i) MUSIM_WIDE_LAMBDA { return &pairs[i].law->normal_stiffness; });
         return {f[0], f[1], f[2], f[3], f[4]};
     }
-    MUSIM_WIDE static Vector3 pick(const Vector& v, std::size_t lane) { return {v.x[lane], v.y[lane], v.z[lane]}; }
+    MUSIM_WIDE static Vector3 pick(const Vector& v, std::size_t lane) {
+        return {lane_of(v.x, lane), lane_of(v.y, lane), lane_of(v.z, lane)};
+    }
 
     /// The geometry of the contact about the pair's origin, and its main cells.
     MUSIM_WIDE static typename Step::Geometry make_geometry(const LaneOverlap<W>& found, const Vector& shift, MainCells<W>& cells) {
@@ -105,20 +107,19 @@ struct Lane {
     /// broad faces, by 60 times as much on slivers, as the test of the lanes holds.
     static constexpr double kRoughly = 1e-6;
 
-    MUSIM_WIDE static void compute(LanePair* pairs, double dt, bool first_step, const LaneOverlap<W>& found, LaneOutput& nowhere) {
-        Vector shift;
-        const typename Step::Motion motion = gather_motion(pairs, found.apart, shift);
-        MainCells<W> cells{found.cells, {}, {}, {}, {}};
-        const typename Step::Geometry geometry = make_geometry(found, shift, cells);
+    /// What pairs do in a step, from what they remember, which is updated.
+    template <class Cells>
+    MUSIM_WIDE static typename Step::Result compute(const LanePair* pairs, const typename Step::Geometry& geometry,
+                                                    const typename Step::Motion& motion, double dt, bool first_step, Cells& cells,
+                                                    typename Step::Memory& memory) {
         const Real stored_shear = gather_lanes<Real>([&](std::size_t i) MUSIM_WIDE_LAMBDA { return pairs[i].tally->elastic_shear; });
-        typename Step::Memory memory = gather_memory(pairs);
-        const typename Step::Result result =
-            Step::compute(geometry, motion, gather_law(pairs), dt, first_step, stored_shear, cells, memory);
-        if (some(found.irregular)) {
-            for (std::size_t i = 0; i < kWidth<Real>; ++i) {
-                if (found.irregular[i] != 0) pairs[i].irregular = true, pairs[i].put_into(nowhere);
-            }
-        }
+        memory = gather_memory(pairs);
+        return Step::compute(geometry, motion, gather_law(pairs), dt, first_step, stored_shear, cells, memory);
+    }
+    /// Leaves it behind. `deepest`, `area`: of the overlap, where it touches; `rough`: see PairTally.
+    MUSIM_WIDE static void scatter(const typename Step::Result& result, const typename Step::Memory& memory,
+                                   const typename Step::Motion& motion, const Real& deepest, const Real& area, const Mask& rough,
+                                   LanePair* pairs) {
         scatter_fields<Real, kNumbers>(numbers_of(memory),
                                        [&](std::size_t i) MUSIM_WIDE_LAMBDA { return &pairs[i].contact->sliding.area; });
         const Vector force = -result.force, leader = cross(motion.center[0], result.force) - result.moment,
@@ -126,22 +127,35 @@ struct Lane {
         static_assert(sizeof(PairForce) == 9 * sizeof(double));
         scatter_fields<Real, 9>({force.x, force.y, force.z, leader.x, leader.y, leader.z, follower.x, follower.y, follower.z},
                                 [&](std::size_t i) MUSIM_WIDE_LAMBDA { return pairs[i].force->force.data(); });
-        const Real zero{}, deepest = choose(memory.touches, found.deepest, zero), area = choose(memory.touches, found.area, zero);
         static_assert(offsetof(PairTally, overlap) == 2 * sizeof(double));
         scatter_fields<Real, 3>({result.elastic_normal, result.elastic_shear, deepest},
                                 [&](std::size_t i) MUSIM_WIDE_LAMBDA { return &pairs[i].tally->elastic_normal; });
-        const Mask rough = deepest * deepest > kRoughly * area;
-        const auto company = find_company(result, found);
         for (std::size_t i = 0; i < kWidth<Real>; ++i) {
             LanePair& pair = pairs[i];
-            const bool touches = memory.touches[i] != 0;
+            const bool touches = lane_of(memory.touches, i) != 0;
             pair.contact->touches = touches;
-            pair.contact->company = static_cast<std::uint32_t>(company[i]);
             pair.tally->touching = touches ? 1 : 0;
-            pair.tally->rough = rough[i] != 0;
-            *pair.work += {result.friction_work[i], result.damping_work[i]};
-            pair.area = area[i];
+            pair.tally->rough = lane_of(rough, i) != 0;
+            *pair.work += {lane_of(result.friction_work, i), lane_of(result.damping_work, i)};
+            pair.area = lane_of(area, i);
         }
+    }
+
+    MUSIM_WIDE static void compute(LanePair* pairs, double dt, bool first_step, const LaneOverlap<W>& found, LaneOutput& nowhere) {
+        Vector shift;
+        const typename Step::Motion motion = gather_motion(pairs, found.apart, shift);
+        MainCells<W> cells{found.cells, {}, {}, {}, {}};
+        typename Step::Memory memory;
+        const typename Step::Result result = compute(pairs, make_geometry(found, shift, cells), motion, dt, first_step, cells, memory);
+        if (some(found.irregular)) {
+            for (std::size_t i = 0; i < kWidth<Real>; ++i) {
+                if (found.irregular[i] != 0) pairs[i].irregular = true, pairs[i].put_into(nowhere);
+            }
+        }
+        const Real zero{}, deepest = choose(memory.touches, found.deepest, zero), area = choose(memory.touches, found.area, zero);
+        scatter(result, memory, motion, deepest, area, deepest * deepest > kRoughly * area, pairs);
+        const auto company = find_company(result, found);
+        for (std::size_t i = 0; i < kWidth<Real>; ++i) pairs[i].contact->company = static_cast<std::uint32_t>(company[i]);
     }
     /// See OverlapContact::company; in the lowest bits.
     MUSIM_WIDE static std::array<std::uint64_t, kWidth<Real>> find_company(const typename Step::Result& result,

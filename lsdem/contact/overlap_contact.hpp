@@ -1,24 +1,13 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 
 #include "lsdem/contact/contact_area.hpp"
 #include "lsdem/contact/overlap.hpp"
-#include "lsdem/contact_law.hpp"
-#include "lsdem/losses.hpp"
 #include "lsdem/types.hpp"
 
 /// The contact of two convex bodies: springs of their overlap, dashpots and friction; see docs/theory/overlap_contact.md.
 namespace musim::lsdem {
-
-/// Where two bodies are and were, about the origin of the pair. World axes.
-struct PairMotion {
-    std::array<Vector3, 2> center{Vector3::Zero(), Vector3::Zero()};           ///< centres of mass now [m]
-    std::array<Vector3, 2> previous_center{Vector3::Zero(), Vector3::Zero()};  ///< and one step ago, about the origin of that time [m]
-    Vector3 shift = Vector3::Zero();                                           ///< of the second centre against the first over the step [m]
-    std::array<Quaternion, 2> turn{Quaternion::Identity(), Quaternion::Identity()};  ///< of each body over the step
-};
 
 /// A force on the second body at a point, with a couple.
 struct PlacedWrench {
@@ -55,17 +44,6 @@ struct OverlapContact {
     PlacedWrench dashpots;             ///< normal and tangential
 };
 
-/// What a contact does in a step.
-struct OverlapForces {
-    Vector3 force = Vector3::Zero();   ///< on the second body [N]
-    Vector3 moment = Vector3::Zero();  ///< on the second body about the origin of the pair [N·m]
-    double elastic_normal = 0.0;       ///< stored now, but for a part overlap/size of it [J]
-    double elastic_shear = 0.0;        ///< stored now [J]
-    double overlap = 0.0;              ///< largest depth [m]
-    double area = 0.0;                 ///< of faces inside the other body: stiffness over K is no larger [m²]
-    PairWork work;                     ///< dissipated over the step [J]
-};
-
 /// The springs of a pair and the area over which its faces face each other.
 struct OverlapGeometry {
     OverlapLoad load;
@@ -76,38 +54,5 @@ struct OverlapGeometry {
     Vector3 pressed() const { return load.force.cross(load.moment) / load.force.squaredNorm(); }
 };
 OverlapGeometry find_overlap_geometry(const OverlapPieces& pieces);
-
-/// Both bodies of a pair, cut into pieces when these are first asked for. Refers to what it is made from, and to room for the pieces.
-class OverlapBodies {
-  public:
-    struct Box {
-        const Vector3& half;      ///< extents [m]
-        const Matrix3& rotation;  ///< body to world
-        Vector3 center;           ///< about the origin of the pair [m]
-    };
-    OverlapBodies(const Box& a, const Box& b, OverlapPieces& room)
-        : half_{&a.half, &b.half}, rotation_{&a.rotation, &b.rotation}, center_{a.center, b.center}, pieces_(&room) {}
-    /// A box and the ground at a height about the origin of the pair [m].
-    OverlapBodies(const Box& a, double ground, OverlapPieces& room)
-        : half_{&a.half, nullptr}, rotation_{&a.rotation, nullptr}, center_{a.center}, ground_(ground), pieces_(&room) {}
-
-    const OverlapPieces& pieces();
-    double energy();  ///< see compute_overlap_energy [m⁴]
-
-  private:
-    void place(PlacedSolid& a, PlacedSolid& b) const;
-
-    std::array<const Vector3*, 2> half_;
-    std::array<const Matrix3*, 2> rotation_;
-    std::array<Vector3, 2> center_;
-    double ground_ = 0.0;
-    bool is_cut_ = false;
-    OverlapPieces* pieces_;
-};
-
-/// Contact of two bodies at step n from their overlap; updates what it remembers. `stored_shear`: energy of its springs of friction at step
-/// n − 1 [J]. `first_step`: the step before is none, so nothing has slipped.
-OverlapForces compute_overlap_contact(const OverlapGeometry& geometry, const PairMotion& motion, const Interface& law, double dt,
-                                      bool first_step, double stored_shear, OverlapBodies& bodies, OverlapContact& contact);
 
 }  // namespace musim::lsdem

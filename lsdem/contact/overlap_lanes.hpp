@@ -30,8 +30,6 @@ struct LaneOutput {
 struct LanePair {
     BoxMeeting meeting;
     std::array<const BodyStep*, 2> step;  ///< of both; of the ground that of the base
-    /// From the first centre to the origin of the pair, in parts of the way between the centres: 1/2; 0 where the ground follows.
-    double origin;
     const Interface* law;
     OverlapContact* contact;
     PairForce* force;
@@ -43,9 +41,12 @@ struct LanePair {
     void put_into(LaneOutput& output) { contact = &output.contact, force = &output.force, tally = &output.tally, work = &output.work; }
 };
 
-/// Forces of `count` pairs at step n, what they remember, tallies and work; of those that are irregular `nowhere`. `first_step`: see
-/// compute_overlap_contact.
+/// Forces of `count` pairs at step n, what they remember, tallies and work; of those that are irregular `nowhere`. `first_step`: the step
+/// before is none, so nothing has slipped.
 void compute_lane_pairs(LanePair* pairs, std::size_t count, double dt, bool first_step, LaneOutput& nowhere);
+
+/// The same for one pair, by the exact function; `room`: for the pieces of its faces.
+void compute_exact_pair(LanePair& pair, double dt, bool first_step, OverlapPieces& room);
 
 /// What the overlap alone is, for a stiffness per area of one; about the point half way between the middles of the boxes.
 struct LaneFinding {

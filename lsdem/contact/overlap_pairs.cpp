@@ -15,31 +15,6 @@ namespace {
 constexpr double kGroundReach = 4.0;
 constexpr double kUpright[9] = {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0};
 
-/// Both bodies of a pair about its origin: half way between two blocks, the centre of a block on the ground. The leader comes first.
-OverlapBodies find_bodies(const Bodies& bodies, const BasePose& base, const ContactPair& pair, OverlapPieces& room) {
-    const std::size_t l = pair.leader, f = pair.follower;
-    if (pair.follower == kGround)
-        return {{bodies.half[l], bodies.rotation[l], Vector3::Zero()}, base.displacement.z() - bodies.position[l].z(), room};
-    const Vector3 half_way = 0.5 * (bodies.position[f] - bodies.position[l]);
-    return {{bodies.half[l], bodies.rotation[l], -half_way}, {bodies.half[f], bodies.rotation[f], half_way}, room};
-}
-
-PairMotion find_motion(const Bodies& bodies, const BasePose& base, const ContactPair& pair) {
-    const std::size_t l = pair.leader, f = pair.follower;
-    PairMotion motion;
-    motion.turn[0] = bodies.step[l].turn;
-    if (pair.follower == kGround) {
-        motion.shift = (base.displacement - base.previous) - bodies.step[l].shift;
-        return motion;
-    }
-    motion.turn[1] = bodies.step[f].turn;
-    motion.shift = bodies.step[f].shift - bodies.step[l].shift;
-    const Vector3 apart = bodies.position[f] - bodies.position[l], previous = apart - motion.shift;
-    motion.center = {Vector3(-0.5 * apart), Vector3(0.5 * apart)};
-    motion.previous_center = {Vector3(-0.5 * previous), Vector3(0.5 * previous)};
-    return motion;
-}
-
 /// How far the bodies of a pair are apart at least; zero or less where they may overlap [m].
 double find_gap(const Bodies& bodies, const BasePose& base, const ContactPair& pair) {
     const std::size_t l = pair.leader, f = pair.follower;
@@ -60,7 +35,7 @@ detail::BoxMeeting make_meeting(const Bodies& bodies, const BasePose& base, cons
     const double reach = kGroundReach * bodies.half[l].norm();
     sheet.half = {reach, reach, 0.0};
     sheet.place = {bodies.position[l].x(), bodies.position[l].y(), base.displacement.z()};
-    return {leader, {kUpright, sheet.place.data(), sheet.half.data()}};
+    return {leader, {kUpright, sheet.place.data(), sheet.half.data()}, 0.0};
 }
 
 }  // namespace
@@ -93,7 +68,6 @@ void OverlapBatch::place(std::size_t index, std::size_t at) {
     lane.meeting = make_meeting(bodies_, base_, pair, sheets_[at]);
     const bool is_ground = pair.follower == kGround;
     lane.step = {&bodies_.step[l], is_ground ? &base_step_ : &bodies_.step[f]};
-    lane.origin = is_ground ? 0.0 : 0.5;
     lane.law = &pair.law;
     lane.contact = &list_.overlaps[pair.overlap];
     lane.force = &list_.forces[index];
@@ -150,34 +124,14 @@ void OverlapBatch::compute(const std::uint64_t* waiting, std::size_t count) {
     for (std::size_t i = count; i < lanes; ++i) (lanes_[i] = lanes_[0]).put_into(nowhere_);
     detail::compute_lane_pairs(lanes_.data(), lanes, dt_, list_.first_step, nowhere_);
     for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t index = index_of(i);
         if (lanes_[i].irregular) {
-            compute_exactly(index_of(i));
-        } else {
-            note(index_of(i), lanes_[i].area);
+            place(index, i);  // its results went nowhere
+            detail::compute_exact_pair(lanes_[i], dt_, list_.first_step, room_);
         }
+        if (list_.demand.wanted) list_.demand.ask(index, lanes_[i].area);
+        deepest_ = std::max(deepest_, list_.tallies[index].overlap / (2.0 * bodies_.half[list_.pairs[index].leader].z()));
     }
-}
-
-void OverlapBatch::compute_exactly(std::size_t index) {
-    const ContactPair& pair = list_.pairs[index];
-    OverlapContact& contact = list_.overlaps[pair.overlap];
-    PairForce& force = list_.forces[index];
-    PairTally& tally = list_.tallies[index];
-    const PairMotion motion = find_motion(bodies_, base_, pair);
-    OverlapBodies both = find_bodies(bodies_, base_, pair, room_);
-    const OverlapForces found = compute_overlap_contact(find_overlap_geometry(both.pieces()), motion, pair.law, dt_, list_.first_step,
-                                                        tally.elastic_shear, both, contact);
-    force.force = -found.force;
-    force.leader_torque = motion.center[0].cross(found.force) - found.moment;
-    force.follower_torque = found.moment - motion.center[1].cross(found.force);
-    tally = {found.elastic_normal, found.elastic_shear, found.overlap, contact.touches ? 1U : 0U, contact.touches};
-    list_.work[index] += found.work;
-    note(index, found.area);
-}
-
-void OverlapBatch::note(std::size_t index, double area) {
-    if (list_.demand.wanted) list_.demand.ask(index, area);
-    deepest_ = std::max(deepest_, list_.tallies[index].overlap / (2.0 * bodies_.half[list_.pairs[index].leader].z()));
 }
 
 void visit_meeting_areas(const Bodies& bodies, const BasePose& base, const ContactList& list,
@@ -189,10 +143,12 @@ void visit_meeting_areas(const Bodies& bodies, const BasePose& base, const Conta
     std::array<GroundSheet, kSize> sheets;
     std::array<detail::LaneFinding, kSize> found;
     std::size_t count = 0;
-    const auto visit_exactly = [&](std::size_t p) {
-        const ContactPair& pair = list.pairs[p];
-        const OverlapGeometry geometry = find_overlap_geometry(find_bodies(bodies, base, pair, room).pieces());
+    const auto visit_exactly = [&](std::size_t p, const detail::BoxMeeting& meeting) {
+        const PlacedPair placed(meeting);
+        room.cut(placed.a, placed.b);
+        const OverlapGeometry geometry = find_overlap_geometry(room);
         if (!geometry.touches()) return;
+        const ContactPair& pair = list.pairs[p];
         const Vector3& leader = bodies.position[pair.leader];
         const Vector3 origin = pair.follower == kGround ? leader : Vector3(0.5 * (leader + bodies.position[pair.follower]));
         visit(p, {geometry.area.area, geometry.load.force.normalized(), origin + geometry.pressed() + geometry.area.arm,
@@ -205,7 +161,7 @@ void visit_meeting_areas(const Bodies& bodies, const BasePose& base, const Conta
         for (std::size_t i = 0; i < count; ++i) {
             const detail::LaneFinding& f = found[i];
             if (f.irregular) {
-                visit_exactly(index[i]);
+                visit_exactly(index[i], meetings[i]);
             } else if (f.area > 0.0) {
                 const Eigen::Map<const Vector3> a(meetings[i].a.position), b(meetings[i].b.position);
                 MeetingArea area{f.area, f.force.normalized(), 0.5 * (a + b) + f.area_place / f.area, {}};
@@ -228,10 +184,13 @@ void visit_meeting_areas(const Bodies& bodies, const BasePose& base, const Conta
 
 void refine_overlap_energies(const Bodies& bodies, const BasePose& base, ContactList& list) {
     OverlapPieces room;
+    GroundSheet sheet;
     for (std::size_t p = 0; p < list.pairs.size(); ++p) {
         const ContactPair& pair = list.pairs[p];
         if (!list.tallies[p].rough) continue;
-        list.tallies[p].elastic_normal = pair.law.normal_stiffness * find_bodies(bodies, base, pair, room).energy();
+        const PlacedPair placed(make_meeting(bodies, base, pair, sheet));
+        room.cut(placed.a, placed.b);
+        list.tallies[p].elastic_normal = pair.law.normal_stiffness * compute_overlap_energy(placed.a, placed.b, room);
         list.tallies[p].rough = false;
     }
 }

@@ -44,8 +44,6 @@ class OverlapBatch {
     const std::uint64_t* sort();
     void place(std::size_t index, std::size_t lane);
     void compute(const std::uint64_t* waiting, std::size_t count);
-    void compute_exactly(std::size_t index);
-    void note(std::size_t index, double area);
 
     const Bodies& bodies_;
     const BasePose& base_;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "lsdem/contact/box_meeting.hpp"
+
 namespace musim::lsdem {
 namespace {
 
@@ -95,16 +97,26 @@ void place_box(const Vector3& half, const Matrix3& rotation, const Vector3& cent
     for (std::size_t f = 0; f < kBoxLoops.size(); ++f) placed.loop[f] = {kBoxLoops[f].data(), kBoxLoops[f].size()};
 }
 
-void place_half_space(double height, const Vector3& center, double reach, PlacedSolid& placed) {
+void place_half_space(double height, double reach, PlacedSolid& placed) {
     placed.face_count = 1;
     placed.corner_count = 4;
     placed.normal[0] = Vector3::UnitZ();
     placed.offset[0] = height;
     placed.loop[0] = {kSquareLoop.data(), kSquareLoop.size()};
     const double half = 2.0 * reach;
-    for (std::size_t c = 0; c < 4; ++c) {
-        const double x = c == 0 || c == 3 ? -half : half, y = c < 2 ? -half : half;
-        placed.corner[c] = {center.x() + x, center.y() + y, height};
+    for (std::size_t c = 0; c < 4; ++c) placed.corner[c] = {c == 0 || c == 3 ? -half : half, c < 2 ? -half : half, height};
+}
+
+PlacedPair::PlacedPair(const detail::BoxMeeting& boxes) {
+    using Place = Eigen::Map<const Vector3>;
+    using Axes = Eigen::Map<const Matrix3>;
+    apart = Place(boxes.b.position) - Place(boxes.a.position);
+    const Vector3 half = Place(boxes.a.half), to_origin = boxes.origin * apart;
+    place_box(half, Axes(boxes.a.rotation), -to_origin, a);
+    if (boxes.origin > 0.0) {
+        place_box(Place(boxes.b.half), Axes(boxes.b.rotation), to_origin, b);
+    } else {
+        place_half_space(apart.z(), half.norm(), b);
     }
 }
 

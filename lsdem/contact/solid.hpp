@@ -8,6 +8,9 @@
 #include "lsdem/types.hpp"
 
 namespace musim::lsdem {
+namespace detail {
+struct BoxMeeting;
+}
 
 /// A convex body bounded by planes, in its body frame: the points x with normal·x ≤ offset for every face.
 struct Solid {
@@ -51,8 +54,16 @@ void place(const Solid& solid, const Matrix3& rotation, const Vector3& center, P
 /// Places a box of half extents `half` [m].
 void place_box(const Vector3& half, const Matrix3& rotation, const Vector3& center, PlacedSolid& placed);
 
-/// The half space z ≤ `height`, seen by a body about `center` no point of which is farther away than `reach` [m]: of its face, the square
+/// The half space z ≤ `height`, seen by a body about the origin no point of which is farther away than `reach` [m]: of its face, the square
 /// that holds all that the body can cover.
-void place_half_space(double height, const Vector3& center, double reach, PlacedSolid& placed);
+void place_half_space(double height, double reach, PlacedSolid& placed);
+
+/// Two boxes, or a box and the ground, about the origin of the pair.
+struct PlacedPair {
+    PlacedSolid a, b;
+    Vector3 apart;  ///< from the first centre to the second [m]
+
+    explicit PlacedPair(const detail::BoxMeeting& boxes);
+};
 
 }  // namespace musim::lsdem

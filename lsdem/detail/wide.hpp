@@ -91,7 +91,18 @@ MUSIM_WIDE Real square_root(const Real& value) {
     }
 }
 
+/// The number, or the answer, in a lane.
+template <class Value>
+MUSIM_WIDE auto lane_of(const Value& value, std::size_t lane) {
+    if constexpr (std::is_arithmetic_v<Value>) {
+        return value;
+    } else {
+        return value[lane];
+    }
+}
+
 /// Rows for columns.
+MUSIM_WIDE void transpose(std::array<double, 1>& /*rows*/) {}
 MUSIM_WIDE void transpose(std::array<Wide<4>::Real, 4>& rows) {
     const auto &a = rows[0], &b = rows[1], &c = rows[2], &d = rows[3];
     const auto ab_even = __builtin_shufflevector(a, b, 0, 4, 2, 6), ab_odd = __builtin_shufflevector(a, b, 1, 5, 3, 7);
@@ -155,7 +166,7 @@ MUSIM_WIDE void scatter_fields(const std::array<Real, kFields>& fields, const To
 #pragma GCC unroll 8
             for (std::size_t i = first; i < kFields; ++i) {
 #pragma GCC unroll 8
-                for (std::size_t lane = 0; lane < kLaneCount; ++lane) to(lane)[i] = fields[i][lane];
+                for (std::size_t lane = 0; lane < kLaneCount; ++lane) to(lane)[i] = lane_of(fields[i], lane);
             }
         }
     }

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <random>
 
+#include "lsdem/contact/box_meeting.hpp"
 #include "lsdem/contact/contact_step.hpp"
 #include "lsdem/contact/overlap_contact.hpp"
 
@@ -24,7 +25,11 @@ struct Pair {
         const double x = normal(random), y = normal(random), z = normal(random);
         apart = 0.2 * Vector3(x, y, z).normalized();
     }
-    void cut(OverlapPieces& pieces) const { OverlapBodies({half_a, a, -0.5 * apart}, {half_b, b, 0.5 * apart}, pieces).pieces(); }
+    void cut(OverlapPieces& pieces) const {
+        const Vector3 origin = Vector3::Zero();
+        const PlacedPair placed({{a.data(), origin.data(), half_a.data()}, {b.data(), apart.data(), half_b.data()}});
+        pieces.cut(placed.a, placed.b);
+    }
 
   private:
     static Matrix3 any_rotation(std::mt19937_64& random) {

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "lsdem/contact/overlap_contact.hpp"
+#include "lsdem/contact/overlap_lanes.hpp"
 #include "lsdem/motion/settling_simulation.hpp"
 #include "lsdem/time_step.hpp"
 #include "tests/support/heaps.hpp"
@@ -23,6 +23,11 @@ using namespace musim::lsdem::tests;
 
 namespace {
 
+/// What acts on the upper box: about its centre.
+struct Push {
+    Vector3 force = Vector3::Zero(), moment = Vector3::Zero();  ///< [N], [N·m]
+};
+
 /// A box on another one that is larger, moved by prescribed steps. Lengths of its sides b, w, h.
 class MovedBox {
   public:
@@ -30,30 +35,30 @@ class MovedBox {
         : half_(0.5 * size), law_(law), depth_(depth), rotation_(Eigen::AngleAxisd(twist, Vector3::UnitZ())) {}
 
     /// Moves the upper box by a shift and a turn about its own centre, and finds what acts on it.
-    OverlapForces move(const Vector3& shift, const Vector3& turn = Vector3::Zero()) {
+    Push move(const Vector3& shift, const Vector3& turn = Vector3::Zero()) {
         const Vector3 before = position_;
-        const Quaternion turned = turn.isZero(0.0) ? Quaternion::Identity() : Quaternion(Eigen::AngleAxisd(turn.norm(), turn.normalized()));
+        BodyStep step;
+        if (!turn.isZero(0.0)) step.turn = Eigen::AngleAxisd(turn.norm(), turn.normalized());
         position_ += shift;
-        rotation_ = turned * rotation_;
-        const Vector3 apart = Vector3(0.0, 0.0, 0.5 * kTable + half_.z() - depth_) + position_;
-        const Vector3 table(2.0, 2.0, 0.5 * kTable);
+        rotation_ = step.turn * rotation_;
+        step.shift = position_ - before;
+        const Vector3 place = Vector3(0.0, 0.0, 0.5 * kTable + half_.z() - depth_) + position_;
+        const Vector3 table(2.0, 2.0, 0.5 * kTable), origin = Vector3::Zero();
         const Matrix3 upright = Matrix3::Identity();
+        const BodyStep rest;
+        PairForce force;
+        detail::LanePair pair{{{upright.data(), origin.data(), table.data()}, {rotation_.data(), place.data(), half_.data()}},
+                              {&rest, &step},
+                              &law_,
+                              &contact_,
+                              &force,
+                              &tally_,
+                              &work_};
         OverlapPieces room;
-        OverlapBodies bodies({table, upright, -0.5 * apart}, {half_, rotation_, 0.5 * apart}, room);
-        PairMotion motion;
-        motion.center = {Vector3(-0.5 * apart), Vector3(0.5 * apart)};
-        const Vector3 apart_before = apart - shift;
-        motion.previous_center = {Vector3(-0.5 * apart_before), Vector3(0.5 * apart_before)};
-        motion.shift = position_ - before;
-        motion.turn[1] = turned;
-        const OverlapForces forces =
-            compute_overlap_contact(find_overlap_geometry(bodies.pieces()), motion, law_, kStep, false, stored_, bodies, contact_);
-        stored_ = forces.elastic_shear;
-        lost_ += forces.work.friction;
-        return forces;
+        detail::compute_exact_pair(pair, kStep, false, room);
+        return {-force.force, force.follower_torque};
     }
-    const OverlapContact& contact() const { return contact_; }
-    double lost() const { return lost_; }
+    double lost() const { return work_.friction; }
     double area() const { return 4.0 * half_.x() * half_.y(); }
     double weight() const { return law_.normal_stiffness * area() * depth_; }
 
@@ -67,7 +72,8 @@ class MovedBox {
     Matrix3 rotation_;
     Vector3 position_ = Vector3::Zero();
     OverlapContact contact_;
-    double stored_ = 0.0, lost_ = 0.0;
+    PairTally tally_;
+    PairWork work_;
 };
 
 constexpr Interface kLaw{.normal_stiffness = 1e9, .shear_stiffness = 0.8e9, .friction = 0.6, .normal_damping = 0.0, .shear_damping = 0.0};
@@ -76,11 +82,11 @@ constexpr double kHeight = 1.0;
 
 /// Turns the box about its x axis until the part `open` of a joint of width w has opened, and back, under the load of `depth` all over it.
 /// What the contact does in the end.
-OverlapForces open_and_close(MovedBox& box, double w, double depth, double open) {
+Push open_and_close(MovedBox& box, double w, double depth, double open) {
     constexpr int kSteps = 800;
     constexpr double kAllClosed = 0.2;  // of the way to the end: all of the joint bears until then
     double tilt = 0.0, middle = depth;
-    OverlapForces now;
+    Push now;
     for (int i = 1; i <= kSteps; ++i) {
         const double way = 0.5 - 0.5 * std::cos(2.0 * kPi * i / kSteps);
         const double closed = 1.0 - open * std::max(0.0, (way - kAllClosed) / (1.0 - kAllClosed));
@@ -143,12 +149,12 @@ TEST_CASE("a joint that sticks is a spring of its area against sliding and of it
     MovedBox box({b, w, 1.0}, kLaw, depth);
     box.move(Vector3::Zero());
     const double slip = 1e-8, turn = 2e-8, stiffness = kLaw.shear_stiffness * b * w;
-    const OverlapForces moved = box.move({slip, 0.0, 0.0}, {0.0, 0.0, turn});
+    const Push moved = box.move({slip, 0.0, 0.0}, {0.0, 0.0, turn});
     // strips of the depth's width along the edges are nearest to the sides and have no part in friction
     CHECK(moved.force.x() == relative(-stiffness * slip, 5.0 * depth / b));
     CHECK(moved.moment.z() == relative(-stiffness * (b * b + w * w) / 12.0 * turn, 10.0 * depth / b));
     // D2: back at the origin the force is zero again, to the rounding of places over the slip, and nothing is lost
-    const OverlapForces back = box.move({-slip, 0.0, 0.0}, {0.0, 0.0, -turn});
+    const Push back = box.move({-slip, 0.0, 0.0}, {0.0, 0.0, -turn});
     CHECK(std::hypot(back.force.x(), back.force.y()) < 1e-7 * stiffness * slip);
     CHECK(std::abs(box.lost()) < 1e-7 * stiffness * slip * slip);
 }
@@ -176,7 +182,7 @@ TEST_CASE("a box that spins is held by mu N times the mean distance of its face,
         CAPTURE(twist);
         MovedBox box({b, w, 1.0}, kLaw, depth, twist);
         box.move(Vector3::Zero());
-        OverlapForces spun;
+        Push spun;
         for (int i = 0; i < 20; ++i) spun = box.move(Vector3::Zero(), {0.0, 0.0, 1e-6});
         CHECK(spun.moment.z() == relative(-kLaw.friction * box.weight() * mean_distance(b, w), 1e-4));
         CHECK(std::hypot(spun.force.x(), spun.force.y()) < 1e-6 * kLaw.friction * box.weight());
@@ -200,7 +206,7 @@ TEST_CASE("friction of a box that slides and spins lies within 14 % of the exact
         }
         MovedBox box({a, a, 1.0}, kLaw, depth);
         box.move(Vector3::Zero());
-        OverlapForces slid;
+        Push slid;
         for (int i = 0; i < 400; ++i) {
             const double turn = 2e-7;
             slid = box.move({0.0, pole * turn, 0.0}, {0.0, 0.0, turn});

@@ -30,25 +30,16 @@ struct Boxes {
         return {{rotation_a.data(), place_a.data(), half_a.data()}, {rotation_b.data(), place_b.data(), half_b.data()}};
     }
     OverlapPieces cut() const {
-        PlacedSolid a, b;
-        return place_and_cut(a, b);
-    }
-    double energy() const {
-        PlacedSolid a, b;
-        const OverlapPieces pieces = place_and_cut(a, b);
-        return compute_overlap_energy(a, b, pieces);
-    }
-    double size() const { return place_a.norm() + half_a.norm() + half_b.norm(); }
-
-  private:
-    OverlapPieces place_and_cut(PlacedSolid& a, PlacedSolid& b) const {
-        const Vector3 half_way = 0.5 * (place_b - place_a);
-        place_box(half_a, rotation_a, -half_way, a);
-        place_box(half_b, rotation_b, half_way, b);
+        const PlacedPair placed(meeting());
         OverlapPieces pieces;
-        pieces.cut(a, b);
+        pieces.cut(placed.a, placed.b);
         return pieces;
     }
+    double energy() const {
+        const PlacedPair placed(meeting());
+        return compute_overlap_energy(placed.a, placed.b, cut());
+    }
+    double size() const { return place_a.norm() + half_a.norm() + half_b.norm(); }
 };
 
 /// Poses of masonry: flush, turned by 90 degrees and half over each other, tilted, twisted and shifted a little, and any.
