@@ -19,12 +19,6 @@ struct Lane {
     using Vector = Triple<Real>;
     using Step = ContactStep<W>;
 
-    template <class Of>
-    MUSIM_WIDE static Vector gather_vector(const Of& of) {
-        return {gather_lanes<Real>([&](std::size_t lane) MUSIM_WIDE_LAMBDA { return of(lane)[0]; }),
-                gather_lanes<Real>([&](std::size_t lane) MUSIM_WIDE_LAMBDA { return of(lane)[1]; }),
-                gather_lanes<Real>([&](std::size_t lane) MUSIM_WIDE_LAMBDA { return of(lane)[2]; })};
-    }
     /// `apart`: from the middle of the first body to that of the second. Also the place of the pair's origin from the point half way
     /// between the middles of the boxes.
     MUSIM_WIDE static typename Step::Motion gather_motion(const LanePair* pairs, const Vector& apart, Vector& origin_shift) {
@@ -174,29 +168,6 @@ struct Lane {
                           found.area[i],          pick(found.area_place, i), pick(found.area_square, i), pick(found.area_cross, i),
                           found.irregular[i] != 0};
     }
-    MUSIM_WIDE static void ask(const LaneOverlap<W>& found, const MainCellQuestion* questions, MainCellAnswer* answers) {
-        MainCells<W> cells{found.cells, {}, {}, {}, {}};
-        const typename Step::Geometry geometry = make_geometry(found, Vector{}, cells);
-        const auto number = [&](const auto& of) MUSIM_WIDE_LAMBDA {
-            return gather_lanes<Real>([&](std::size_t i) MUSIM_WIDE_LAMBDA { return of(questions[i]); });
-        };
-        const auto vector = [&](const auto& of) MUSIM_WIDE_LAMBDA {
-            return gather_vector([&](std::size_t i) MUSIM_WIDE_LAMBDA { return of(questions[i]).data(); });
-        };
-        using Question = MainCellQuestion;
-        const typename Step::Pressure dashpot{
-            number([](const Question& q) MUSIM_WIDE_LAMBDA { return q.dashpot.at; }),
-            vector([](const Question& q) MUSIM_WIDE_LAMBDA -> const Vector3& { return q.dashpot.slope; }),
-            vector([](const Question& q) MUSIM_WIDE_LAMBDA -> const Vector3& { return q.dashpot.about; })};
-        const Real stiffness = number([](const Question& q) MUSIM_WIDE_LAMBDA { return q.stiffness; });
-        const typename Step::PressureSum pull = cells.find_pull(dashpot, stiffness);
-        const Vector normal = vector([](const Question& q) MUSIM_WIDE_LAMBDA -> const Vector3& { return q.normal; });
-        const Vector about = vector([](const Question& q) MUSIM_WIDE_LAMBDA -> const Vector3& { return q.about; });
-        const Real reach = cells.find_reach(normal, about), least = cells.least_reach(normal, about, geometry);
-        const Mask touches = found.area > Real{};
-        const Mask may_pull = cells.may_pull(touches, geometry, dashpot, stiffness);
-        for (std::size_t i = 0; i < kWidth<Real>; ++i) answers[i] = {{pull.sum[i], pick(pull.at, i)}, reach[i], least[i], may_pull[i] != 0};
-    }
 };
 
 /// Up to kLanePairs pairs, as many at once as one register holds.
@@ -214,9 +185,6 @@ struct LanePairs {
         for (std::size_t g = 0; g < groups; ++g) kernels[g].add_rims(found[g]);
         for (std::size_t g = 0; g < groups; ++g) kernels[g].sum_up(found[g]);
     }
-    MUSIM_WIDE static void find(const BoxMeeting* pairs, std::size_t groups, Overlaps& found) {
-        find([pairs](std::size_t i) MUSIM_WIDE_LAMBDA -> const BoxMeeting& { return pairs[i]; }, groups, found);
-    }
     MUSIM_WIDE static void compute(LanePair* pairs, std::size_t count, double dt, bool first_step, LaneOutput& nowhere) {
         const std::size_t groups = count / kStep;
         Overlaps found;
@@ -225,13 +193,8 @@ struct LanePairs {
     }
     MUSIM_WIDE static void find_overlaps(const BoxMeeting* pairs, std::size_t count, LaneFinding* findings) {
         Overlaps found;
-        find(pairs, count / kStep, found);
+        find([pairs](std::size_t i) MUSIM_WIDE_LAMBDA -> const BoxMeeting& { return pairs[i]; }, count / kStep, found);
         for (std::size_t g = 0; g < count / kStep; ++g) Lane<W>::store(found[g], findings + g * kStep);
-    }
-    MUSIM_WIDE static void ask(const BoxMeeting* pairs, const MainCellQuestion* questions, MainCellAnswer* answers) {
-        Overlaps found;
-        find(pairs, kGroups, found);
-        for (std::size_t g = 0; g < kGroups; ++g) Lane<W>::ask(found[g], questions + g * kStep, answers + g * kStep);
     }
 };
 

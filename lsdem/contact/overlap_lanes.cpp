@@ -1,8 +1,6 @@
 #include "lsdem/contact/overlap_lanes.hpp"
 
 #include "lsdem/contact/lane_pairs.hpp"
-#include "lsdem/contact/overlap_lanes_512.hpp"
-#include "lsdem/contact/overlap_lanes_plain.hpp"
 #include "lsdem/detail/instructions.hpp"
 
 namespace musim::lsdem::detail {

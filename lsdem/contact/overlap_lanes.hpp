@@ -62,17 +62,10 @@ struct LaneFinding {
 /// Of `count` pairs.
 void compute_overlaps(const BoxMeeting* pairs, std::size_t count, LaneFinding* found);
 
-/// find_pull and find_reach of main cells, for tests.
-struct MainCellQuestion {
-    AffinePressure dashpot;
-    double stiffness;
-    Vector3 normal, about;
-};
-struct MainCellAnswer {
-    PressureMoments pull;
-    double reach, least_reach;
-    bool may_pull;
-};
-void ask_main_cells(const BoxMeeting* pairs, const MainCellQuestion* questions, MainCellAnswer* answers);
+// the same for machines with AVX-512, where others have those of AVX2, which nobody calls; and for those without AVX2, and other processors
+void compute_pairs_512(LanePair* pairs, std::size_t count, double dt, bool first_step, LaneOutput& nowhere);
+void compute_pairs_plain(LanePair* pairs, std::size_t count, double dt, bool first_step, LaneOutput& nowhere);
+void find_overlaps_512(const BoxMeeting* pairs, std::size_t count, LaneFinding* found);
+void find_overlaps_plain(const BoxMeeting* pairs, std::size_t count, LaneFinding* found);
 
 }  // namespace musim::lsdem::detail

@@ -5,8 +5,6 @@
 #define MUSIM_WIDE_LAMBDA __attribute__((always_inline, target("avx512f,avx512dq,avx512vl")))
 #endif
 
-#include "lsdem/contact/overlap_lanes_512.hpp"
-
 #include "lsdem/contact/lane_pairs.hpp"
 #if defined(__x86_64__)
 #include "lsdem/contact/wide_512.hpp"

@@ -1,5 +1,3 @@
-#include "lsdem/contact/overlap_lanes_plain.hpp"
-
 #include "lsdem/contact/lane_pairs.hpp"
 
 namespace musim::lsdem::detail {
@@ -9,9 +7,6 @@ void compute_pairs_plain(LanePair* pairs, std::size_t count, double dt, bool fir
 }
 void find_overlaps_plain(const BoxMeeting* pairs, std::size_t count, LaneFinding* found) {
     LanePairs<Wide<4>>::find_overlaps(pairs, count, found);
-}
-void ask_main_cells(const BoxMeeting* pairs, const MainCellQuestion* questions, MainCellAnswer* answers) {
-    LanePairs<Wide<4>>::ask(pairs, questions, answers);
 }
 
 }  // namespace musim::lsdem::detail

@@ -13,10 +13,12 @@
 #include "lsdem/contact/overlap.hpp"
 #include "lsdem/contact/overlap_lanes.hpp"
 #include "lsdem/detail/instructions.hpp"
+#include "tests/lsdem/contact/main_cell_questions.hpp"
 #include "tests/support/trials.hpp"
 
 using namespace musim::lsdem;
 using namespace musim::lsdem::detail;
+using namespace musim::lsdem::tests;
 
 namespace {
 
