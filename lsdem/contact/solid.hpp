@@ -3,7 +3,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 #include "lsdem/types.hpp"
 
@@ -12,22 +11,8 @@ namespace detail {
 struct BoxMeeting;
 }
 
-/// A convex body bounded by planes, in its body frame: the points x with normal·x ≤ offset for every face.
-struct Solid {
-    struct Face {
-        Vector3 normal;                     ///< outward, of unit length
-        double offset = 0.0;                ///< of the plane from the origin along the normal [m]
-        std::vector<std::uint8_t> corners;  ///< into `corners`, counter-clockwise seen from outside
-    };
-    std::vector<Vector3> corners;  ///< [m]
-    std::vector<Face> faces;
-};
-
-/// The convex hull of the corners [m] of a body that encloses the origin; corners in one plane make one face. Throws
-/// std::invalid_argument for fewer than four corners, more than PlacedSolid holds, or an origin that is not inside.
-Solid make_solid(const std::vector<Vector3>& corners);
-
-/// A solid where it stands, in world axes about an origin of the pair it belongs to. Fixed room, so that none is allocated in a step.
+/// A convex body bounded by planes where it stands, in world axes about an origin of the pair it belongs to. Fixed room, so that none is
+/// allocated in a step.
 struct PlacedSolid {
     static constexpr std::size_t kMostFaces = 16, kMostCorners = 24;
 
@@ -47,12 +32,6 @@ struct PlacedSolid {
     /// Depth of a point below plane k; negative outside [m].
     double depth(std::size_t k, const Vector3& x) const { return offset[k] - normal[k].dot(x); }
 };
-
-/// Places a solid with its body frame at `center` [m]; refers to `solid`. `rotation`: body to world.
-void place(const Solid& solid, const Matrix3& rotation, const Vector3& center, PlacedSolid& placed);
-
-/// Places a box of half extents `half` [m].
-void place_box(const Vector3& half, const Matrix3& rotation, const Vector3& center, PlacedSolid& placed);
 
 /// The half space z ≤ `height`, seen by a body about the origin no point of which is farther away than `reach` [m]: of its face, the square
 /// that holds all that the body can cover.
