@@ -81,11 +81,10 @@ struct AreaMoments {
 ContactArea find_contact_area(const OverlapPieces& pieces, const Vector3& about) {
     // each body's by itself, so that they may change places without changing a bit
     std::array<AreaMoments, 2> half;
-    for (std::size_t p = 0; p < pieces.size(); ++p) {
-        const OverlapPieces::Piece& piece = pieces[p];
+    for (const OverlapPieces::Piece& piece : pieces) {
         const double share = 0.5 * share_of(piece);
         if (!(share > 0.0)) continue;
-        AreaMoments& sum = half[piece.of_first ? 0 : 1];
+        AreaMoments& sum = half[piece.body];
         for_each_triangle(pieces, piece, about, [&](const Triangle& triangle, const auto& /*index*/) { sum.add(triangle, share); });
     }
     const AreaMoments both = half[0] + half[1];
@@ -101,8 +100,7 @@ ContactArea find_contact_area(const OverlapPieces& pieces, const Vector3& about)
 
 PressureMoments find_pull(const OverlapPieces& pieces, const AffinePressure& dashpot, double stiffness) {
     std::array<Moments, 2> half;
-    for (std::size_t p = 0; p < pieces.size(); ++p) {
-        const OverlapPieces::Piece& piece = pieces[p];
+    for (const OverlapPieces::Piece& piece : pieces) {
         const double share = 0.5 * share_of(piece);
         if (!(share > 0.0)) continue;
         const OverlapPieces::Vertex* const v = pieces.vertices(piece);
@@ -113,7 +111,7 @@ PressureMoments find_pull(const OverlapPieces& pieces, const AffinePressure& das
             pulls = pulls || pull[i] > 0.0;
         }
         if (!pulls) continue;
-        Moments& sum = half[piece.of_first ? 0 : 1];
+        Moments& sum = half[piece.body];
         for_each_triangle(pieces, piece, dashpot.about, [&](const Triangle& triangle, const std::array<std::size_t, 3>& index) {
             sum.add_positive(triangle, {pull[index[0]], pull[index[1]], pull[index[2]]}, share);
         });
@@ -150,9 +148,18 @@ double integrate_distance(std::size_t count, const Vector3* place, const double*
 struct Sight {
     double sign, cosine, share;  ///< share: in the reach [-]
     Sight(const OverlapPieces::Piece& piece, const Vector3& normal)
-        : sign(piece.of_first ? 1.0 : -1.0),
+        : sign(piece.body == 0 ? 1.0 : -1.0),
           cosine(sign * piece.normal.dot(normal)),
           share(share_of(piece) * detail::share_of_facing(cosine)) {}
+    /// ∫ d over the piece as it is seen [m³].
+    double load(const OverlapPieces& pieces, const OverlapPieces::Piece& piece) const {
+        const OverlapPieces::Vertex* const v = pieces.vertices(piece);
+        double sum = 0.0;
+        for_each_triangle(pieces, piece, v[0].place, [&](const Triangle& triangle, const std::array<std::size_t, 3>& i) {
+            sum += share * cosine * triangle.area / 3.0 * ((v[i[0]].depth + v[i[1]].depth) + v[i[2]].depth);
+        });
+        return sum;
+    }
 };
 
 }  // namespace
@@ -160,16 +167,9 @@ struct Sight {
 double find_least_reach(const OverlapPieces& pieces, const Vector3& normal, double deepest) {
     constexpr double kRounding = 1.0 - 1e-9;
     std::array<double, 2> load{};
-    for (std::size_t p = 0; p < pieces.size(); ++p) {
-        const OverlapPieces::Piece& piece = pieces[p];
+    for (const OverlapPieces::Piece& piece : pieces) {
         const Sight sight(piece, normal);
-        if (!(sight.share > 0.0)) continue;
-        const OverlapPieces::Vertex* const v = pieces.vertices(piece);
-        double sum = 0.0;
-        for_each_triangle(pieces, piece, v[0].place, [&](const Triangle& triangle, const std::array<std::size_t, 3>& index) {
-            sum += triangle.area / 3.0 * ((v[index[0]].depth + v[index[1]].depth) + v[index[2]].depth);
-        });
-        load[piece.of_first ? 0 : 1] += sight.share * sight.cosine * sum;
+        if (sight.share > 0.0) load[piece.body] += sight.load(pieces, piece);
     }
     // a body without a load has no part in it
     const double least = std::min(load[0] > 0.0 ? load[0] : load[1], load[1] > 0.0 ? load[1] : load[0]);
@@ -178,11 +178,9 @@ double find_least_reach(const OverlapPieces& pieces, const Vector3& normal, doub
 
 double find_reach(const OverlapPieces& pieces, const Vector3& normal, const Vector3& about) {
     std::array<double, 2> distance{}, load{};
-    for (std::size_t p = 0; p < pieces.size(); ++p) {
-        const OverlapPieces::Piece& piece = pieces[p];
+    for (const OverlapPieces::Piece& piece : pieces) {
         const Sight sight(piece, normal);
-        const double sign = sight.sign, cosine = sight.cosine, share = sight.share;
-        if (!(share > 0.0)) continue;
+        if (!(sight.share > 0.0)) continue;
         const OverlapPieces::Vertex* const v = pieces.vertices(piece);
         std::array<Vector3, OverlapPieces::kMostCorners> place;
         std::array<double, OverlapPieces::kMostCorners> depth;
@@ -195,13 +193,9 @@ double find_reach(const OverlapPieces& pieces, const Vector3& normal, const Vect
         const Vector3 to_first = v[0].place - about;
         const Vector3 over = piece.normal.dot(to_first) / piece.normal.dot(normal) * normal;
         const double at_origin = v[0].depth - piece.nearest_normal.dot(over - to_first);
-        const std::size_t body = piece.of_first ? 0 : 1;
-        distance[body] += share * sign * integrate_distance(piece.count, place.data(), depth.data(), at_origin, normal);
-        Moments sum;
-        for_each_triangle(pieces, piece, about, [&](const Triangle& triangle, const std::array<std::size_t, 3>& index) {
-            sum.add(triangle, {v[index[0]].depth, v[index[1]].depth, v[index[2]].depth}, share * cosine);
-        });
-        load[body] += sum.sum;
+        const double of_piece = integrate_distance(piece.count, place.data(), depth.data(), at_origin, normal);
+        distance[piece.body] += sight.share * sight.sign * of_piece;
+        load[piece.body] += sight.load(pieces, piece);
     }
     const double total = load[0] + load[1];
     return total > 0.0 ? std::max(0.0, (distance[0] + distance[1]) / total) : 0.0;

@@ -67,10 +67,10 @@ void OverlapPieces::add(const Piece& piece, const Vertex* vertices, std::size_t 
     added.count = static_cast<std::uint16_t>(count);
     std::copy_n(vertices, count, vertices_.begin() + static_cast<std::ptrdiff_t>(vertex_count_));
     vertex_count_ += count;
-    with_cells_[piece.of_first ? 1 : 0] |= 1U << piece.nearest;
+    with_cells_[1 - piece.body] |= 1U << piece.nearest;
 }
 
-void OverlapPieces::cut_faces(const PlacedSolid& x, const PlacedSolid& y, bool of_first) {
+void OverlapPieces::cut_faces(const PlacedSolid& x, const PlacedSolid& y, std::size_t body) {
     std::array<std::uint32_t, PlacedSolid::kMostFaces> outside{};  // corners, a bit each
     for (std::size_t c = 0; c < x.corner_count; ++c) {
         for (std::size_t k = 0; k < y.face_count; ++k) outside[k] |= (y.depth(k, x.corner[c]) > 0.0 ? 0U : 1U) << c;
@@ -122,11 +122,11 @@ void OverlapPieces::cut_faces(const PlacedSolid& x, const PlacedSolid& y, bool o
             Piece piece;
             piece.normal = x.normal[f];
             piece.facing = -x.normal[f].dot(y.normal[k]);
-            piece.of_first = of_first;
+            piece.body = body;
             piece.nearest = static_cast<std::uint8_t>(k);
             piece.nearest_normal = y.normal[k];
             add(piece, vertices.data(), cell.count);
-            with_cells_[of_first ? 0 : 1] |= 1U << f;
+            with_cells_[body] |= 1U << f;
         }
     }
 }
@@ -134,30 +134,21 @@ void OverlapPieces::cut_faces(const PlacedSolid& x, const PlacedSolid& y, bool o
 void OverlapPieces::cut(const PlacedSolid& a, const PlacedSolid& b) {
     piece_count_ = vertex_count_ = 0;
     with_cells_ = {};
-    cut_faces(a, b, true);
-    cut_faces(b, a, false);
+    cut_faces(a, b, 0);
+    cut_faces(b, a, 1);
 }
 
 namespace {
 
 /// ∫ d² over a polygon in a plane of normal n [m⁴].
-template <class Place, class Depth>
-double integrate_square(std::size_t count, const Vector3& normal, const Place& place, const Depth& depth) {
+double integrate_square(std::size_t count, const Vector3& normal, const OverlapPieces::Vertex* v) {
     double sum = 0.0;
     for (std::size_t i = 1; i + 1 < count; ++i) {
-        const double twice = normal.dot((place(i) - place(0)).cross(place(i + 1) - place(0)));
-        const double a = depth(0), b = depth(i), c = depth(i + 1);
+        const double twice = normal.dot((v[i].place - v[0].place).cross(v[i + 1].place - v[0].place));
+        const double a = v[0].depth, b = v[i].depth, c = v[i + 1].depth;
         sum += twice / 12.0 * ((a * a + b * b) + (c * c + (a * b + (b * c + a * c))));
     }
     return sum;
-}
-
-/// ∫ d² over a piece, times the cosine by which it faces what it is nearest to [m⁴].
-double integrate_square(const OverlapPieces& pieces, const OverlapPieces::Piece& piece) {
-    const OverlapPieces::Vertex* const v = pieces.vertices(piece);
-    return piece.facing *
-           integrate_square(
-               piece.count, piece.normal, [&](std::size_t i) { return v[i].place; }, [&](std::size_t i) { return v[i].depth; });
 }
 
 }  // namespace
@@ -167,25 +158,23 @@ OverlapLoad sum_load(const OverlapPieces& pieces) {
     std::array<Vector3, 2> force{Vector3::Zero(), Vector3::Zero()}, moment = force;
     std::array<double, 2> area{}, squares{};
     OverlapLoad load;
-    for (std::size_t p = 0; p < pieces.size(); ++p) {
-        const OverlapPieces::Piece& piece = pieces[p];
+    for (const OverlapPieces::Piece& piece : pieces) {
         const OverlapPieces::Vertex* const v = pieces.vertices(piece);
-        const std::size_t body = piece.of_first ? 0 : 1;
         double sum = 0.0;
         Vector3 at = Vector3::Zero();
         load.deepest = std::max(load.deepest, v[0].depth);
         for (std::size_t i = 1; i + 1 < piece.count; ++i) {
             const Vector3 one = v[i].place - v[0].place, two = v[i + 1].place - v[0].place;
             const double twice = piece.normal.dot(one.cross(two)), depth = (v[0].depth + v[i].depth) + v[i + 1].depth;
-            area[body] += 0.5 * twice;
+            area[piece.body] += 0.5 * twice;
             sum += twice / 6.0 * depth;
             at += twice / 24.0 * ((depth + v[i].depth) * one + (depth + v[i + 1].depth) * two);
             load.deepest = std::max(load.deepest, v[i].depth);
         }
         load.deepest = std::max(load.deepest, v[piece.count - 1].depth);
-        squares[body] += integrate_square(pieces, piece);
-        force[body] += sum * piece.normal;
-        moment[body] += (at + sum * v[0].place).cross(piece.normal);
+        squares[piece.body] += piece.facing * integrate_square(piece.count, piece.normal, v);
+        force[piece.body] += sum * piece.normal;
+        moment[piece.body] += (at + sum * v[0].place).cross(piece.normal);
     }
     load.force = 0.5 * (force[0] - force[1]);
     load.moment = 0.5 * (moment[0] - moment[1]);
@@ -221,9 +210,9 @@ double integrate_sheet(const PlacedSolid& x, const PlacedSolid& y, std::size_t i
     for (std::size_t j = 0; j < y.face_count && sheet.count > 0; ++j) {
         if (j != i && j != k) clip(difference(depth_below(y, j), own), j > i, sheet);
     }
-    return slope *
-           integrate_square(
-               sheet.count, normal, [&](std::size_t v) { return sheet.place[v]; }, [&](std::size_t v) { return own(sheet.place[v]); });
+    std::array<OverlapPieces::Vertex, Polygon::kMost> vertices;
+    for (std::size_t v = 0; v < sheet.count; ++v) vertices[v] = {sheet.place[v], own(sheet.place[v])};
+    return slope * integrate_square(sheet.count, normal, vertices.data());
 }
 
 /// Sum over all sheets of `y` inside `x`; `with_cells`: planes of y that are nearest to some of the overlap, the only ones with sheets
@@ -242,10 +231,8 @@ double integrate_sheets(const PlacedSolid& x, const PlacedSolid& y, std::uint32_
 
 double compute_overlap_energy(const PlacedSolid& a, const PlacedSolid& b, const OverlapPieces& pieces) {
     // d = ∇·(−n d²/2) in every cell, so its integral is one over the cell's border: pieces of faces, and the sheets between cells
-    std::array<double, 2> faces{};
-    for (std::size_t p = 0; p < pieces.size(); ++p) faces[pieces[p].of_first ? 0 : 1] += integrate_square(pieces, pieces[p]);
-    const double sheets = integrate_sheets(b, a, pieces.with_cells_of_first()) + integrate_sheets(a, b, pieces.with_cells_of_second());
-    return 0.25 * ((faces[0] + faces[1]) + sheets);
+    const double sheets = integrate_sheets(b, a, pieces.with_cells_of(0)) + integrate_sheets(a, b, pieces.with_cells_of(1));
+    return sum_load(pieces).energy + 0.25 * sheets;
 }
 
 }  // namespace musim::lsdem

@@ -18,7 +18,7 @@ class OverlapPieces {
         double facing;           ///< cosine by which it faces the nearest face of the other body: 1 where they meet flat [-]
         std::uint16_t first;     ///< into the vertices
         std::uint16_t count;     ///< of its vertices, counter-clockwise about the normal
-        bool of_first;           ///< a face of the first body
+        std::size_t body;        ///< whose face it is: 0 the first's, 1 the second's
         std::uint8_t nearest;    ///< that face of the other body
         Vector3 nearest_normal;  ///< its outward normal
     };
@@ -36,18 +36,18 @@ class OverlapPieces {
     void cut(const PlacedSolid& a, const PlacedSolid& b);
 
     std::size_t size() const { return piece_count_; }
-    const Piece& operator[](std::size_t i) const { return pieces_[i]; }
+    const Piece* begin() const { return pieces_.data(); }
+    const Piece* end() const { return pieces_.data() + piece_count_; }
     const Vertex* vertices(const Piece& piece) const { return &vertices_[piece.first]; }
-    /// The faces of the first and second body that may be nearest to some of the overlap, one bit each: those nearest to some piece, and
-    /// those that have one, since a cell that reaches no face of the other body reaches its own.
-    std::uint32_t with_cells_of_first() const { return with_cells_[0]; }
-    std::uint32_t with_cells_of_second() const { return with_cells_[1]; }
+    /// The faces of a body that may be nearest to some of the overlap, one bit each: those nearest to some piece, and those that have one,
+    /// since a cell that reaches no face of the other body reaches its own.
+    std::uint32_t with_cells_of(std::size_t body) const { return with_cells_[body]; }
 
   private:
     /// Enough for two boxes: twelve faces, each with a cell for every face of the other box and 14 corners at most. Shapes with more faces
     /// will need more.
     static constexpr std::size_t kMostPieces = 128, kMostVertices = 1024;
-    void cut_faces(const PlacedSolid& x, const PlacedSolid& y, bool of_first);
+    void cut_faces(const PlacedSolid& x, const PlacedSolid& y, std::size_t body);
     void add(const Piece& piece, const Vertex* vertices, std::size_t count);
 
     std::size_t piece_count_ = 0, vertex_count_ = 0;

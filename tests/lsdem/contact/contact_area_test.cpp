@@ -70,8 +70,7 @@ TEST_CASE("the reach of friction does not jump when a face comes to lie along th
         Pair(random).cut(pieces);
         const OverlapGeometry geometry = find_overlap_geometry(pieces);
         if (!geometry.touches()) continue;
-        for (std::size_t p = 0; p < pieces.size(); ++p) {
-            const OverlapPieces::Piece& piece = pieces[p];
+        for (const OverlapPieces::Piece& piece : pieces) {
             if (!(detail::share_of_facing(piece.facing) > 0.0)) continue;
             ++faces;
             const Vector3 along = (geometry.load.force - geometry.load.force.dot(piece.normal) * piece.normal).normalized();
