@@ -51,11 +51,6 @@ constexpr double kLeaderPrecedence = 0.05;
 
 /// Component of largest size in row `r` or column `c` of a rotation.
 std::size_t largest_in_row(const RelativePose& pose, std::size_t r) { return detail::largest_axis(pose.rotation[r]); }
-/// Axis of the leader's face that looks at a face across axis `r`. A smooth leader has one face only: were it named by an axis, a contact
-/// that rolls would begin anew every quarter turn.
-std::size_t find_leader_axis(const Shape& leader, const RelativePose& pose, std::size_t r) {
-    return leader.faceted ? largest_in_row(pose, r) : 0;
-}
 std::size_t largest_in_column(const RelativePose& pose, std::size_t c) {
     return detail::largest_axis({pose.rotation[0][c], pose.rotation[1][c], pose.rotation[2][c]});
 }
@@ -145,53 +140,51 @@ void start_new_faces(const Bodies& bodies, const BasePose& base, const FlatFollo
     for (std::size_t entry = pair.first_node; entry < pair.first_node + pair.node_count; ++entry) list.history.end(entry);
 }
 
-void compute_block_contact(const Model& model, const Bodies& bodies, const BasePose& base, double dt, std::size_t index,
-                           ContactList& list) {
-    const ContactPair& pair = list.pairs[index];
+/// Pose of the leader in the frame of the follower, or of the base.
+RelativePose find_pose(const Bodies& bodies, const BasePose& base, const ContactPair& pair) {
     const std::size_t l = pair.leader, f = pair.follower;
+    if (pair.follower == kGround) {
+        return {bodies.rotation[l], bodies.position[l] - base.displacement, bodies.previous_rotation(l),
+                bodies.previous_position(l) - base.previous};
+    }
     const Matrix3 to_follower = bodies.rotation[f].transpose(), to_old_follower = bodies.previous_rotation(f).transpose();
-    const Vector3 position = to_follower * (bodies.position[l] - bodies.position[f]);
-    const RelativePose pose(to_follower * bodies.rotation[l], position, to_old_follower * bodies.previous_rotation(l),
-                            to_old_follower * (bodies.previous_position(l) - bodies.previous_position(f)));
-    const Shape& leader = model.shapes[model.blocks[l].shape];
-    const Shape& follower = model.shapes[model.blocks[f].shape];
-    FlatFollower face;
-    face.half = row_of(bodies.half[f]);
-    const bool apart = !find_contact_faces(pose, bodies.half[l], face);
-    face.leader_axis = leader.faceted ? face.leader_axis : 0;
-    if (apart && list.tallies[index].touching == 0) {
-        list.forces[index] = PairForce{};
-        list.tallies[index] = PairTally{};
-        return;
-    }
-    const BlockNodes nodes = nodes_of(model, model.blocks[l]);
-    const double equal_area = find_equal_area(model, leader, list.tallies[index]);
-    const StepLaw law(pair.law, dt);
-    PairSums sums;
-    if (const auto* grid = std::get_if<GridLevelSet>(&follower.level_set)) {
-        detail::sum_grid_nodes(nodes, pose, *grid, bodies.height_offset[f], law, equal_area, pair, list, sums);
-    } else {
-        start_new_faces(bodies, base, face, index, list);
-        detail::sum_flat_nodes(nodes, pose, face, law, equal_area, pair, list, sums);
-    }
-    store(sums, bodies.rotation[f], position, list.forces[index], list.tallies[index], list.work[index]);
+    return {to_follower * bodies.rotation[l], to_follower * (bodies.position[l] - bodies.position[f]),
+            to_old_follower * bodies.previous_rotation(l), to_old_follower * (bodies.previous_position(l) - bodies.previous_position(f))};
 }
 
-void compute_ground_contact(const Model& model, const Bodies& bodies, const BasePose& base, double dt, std::size_t index,
-                            ContactList& list) {
+/// A pair that meets by nodes.
+void compute_node_contact(const Model& model, const Bodies& bodies, const BasePose& base, double dt, std::size_t index, ContactList& list) {
     const ContactPair& pair = list.pairs[index];
-    const std::size_t l = pair.leader;
+    const std::size_t l = pair.leader, f = pair.follower;
+    const bool on_ground = pair.follower == kGround;
     const Shape& leader = model.shapes[model.blocks[l].shape];
-    const Vector3 position = bodies.position[l] - base.displacement;
-    const RelativePose pose(bodies.rotation[l], position, bodies.previous_rotation(l), bodies.previous_position(l) - base.previous);
-    PairSums sums;
-    FlatFollower plane;
-    plane.bounded = false;
-    plane.leader_axis = find_leader_axis(leader, pose, plane.axis);
-    start_new_faces(bodies, base, plane, index, list);
-    detail::sum_flat_nodes(nodes_of(model, model.blocks[l]), pose, plane, StepLaw(pair.law, dt),
-                           find_equal_area(model, leader, list.tallies[index]), pair, list, sums);
-    store(sums, Matrix3::Identity(), position, list.forces[index], list.tallies[index], list.work[index]);
+    const RelativePose pose = find_pose(bodies, base, pair);
+    FlatFollower face;
+    face.bounded = !on_ground;
+    if (on_ground) {
+        face.leader_axis = largest_in_row(pose, face.axis);
+    } else {
+        face.half = row_of(bodies.half[f]);
+        if (!find_contact_faces(pose, bodies.half[l], face) && list.tallies[index].touching == 0) {
+            list.forces[index] = PairForce{};
+            list.tallies[index] = PairTally{};
+            return;
+        }
+    }
+    // a smooth leader has one face only: were it named by an axis, a contact that rolls would begin anew every quarter turn
+    if (!leader.faceted) face.leader_axis = 0;
+    const detail::NodeContact contact{.leader = nodes_of(model, model.blocks[l]),
+                                      .pose = pose,
+                                      .law = StepLaw(pair.law, dt),
+                                      .equal_area = find_equal_area(model, leader, list.tallies[index]),
+                                      .pair = pair,
+                                      .list = list};
+    const auto* const grid = on_ground ? nullptr : std::get_if<GridLevelSet>(&model.shapes[model.blocks[f].shape].level_set);
+    if (grid == nullptr) start_new_faces(bodies, base, face, index, list);
+    const PairSums sums =
+        grid == nullptr ? detail::sum_flat_nodes(contact, face) : detail::sum_grid_nodes(contact, *grid, bodies.height_offset[f]);
+    const Matrix3 frame = on_ground ? Matrix3(Matrix3::Identity()) : bodies.rotation[f];
+    store(sums, frame, {pose.position[0], pose.position[1], pose.position[2]}, list.forces[index], list.tallies[index], list.work[index]);
 }
 
 /// So many pairs before its turn a pair is asked for. Affects speed only.
@@ -226,11 +219,7 @@ double compute_pairs(const Model& model, const Bodies& bodies, const BasePose& b
             overlaps.add(index);
             continue;
         }
-        if (pair.follower == kGround) {
-            compute_ground_contact(model, bodies, base, dt, index, list);
-        } else {
-            compute_block_contact(model, bodies, base, dt, index, list);
-        }
+        compute_node_contact(model, bodies, base, dt, index, list);
         if (list.demand.wanted) list.demand.ask(index, find_touching_area(model, list, index));
         const double overlap = list.tallies[index].overlap;
         if (!(overlap > 0.0)) continue;

@@ -178,9 +178,8 @@ struct ViscousAxis {
 /// by overlap/spacing, without which the contact is not conservative and slender stacks flutter. Losses are booked so that the sum of work
 /// closes in discrete time: a force works over a step with the mean of its values at both ends.
 template <bool Faceted, bool Bounded>
-[[gnu::always_inline]] inline void sum_flat(const BlockNodes& leader, const RelativePose& pose, const FlatFollower& face,
-                                            const StepLaw& law, double equal_area, const ContactPair& pair, ContactList& list,
-                                            PairSums& sums) {
+[[gnu::always_inline]] inline PairSums sum_flat(const NodeContact& contact, const FlatFollower& face) {
+    const auto& [leader, pose, law, equal_area, pair, list] = contact;
     const std::size_t k = face.axis, u = (k + 1) % 3, v = (k + 2) % 3;
     const AxisMatch match(pose, face);
     const NodePointers nodes(leader.shape.nodes, match);
@@ -350,6 +349,7 @@ template <bool Faceted, bool Bounded>
         viscous_v.set(choose(active, drag_v, zero));
     }
 
+    PairSums sums;
     sums.force[k] = sum(total.force_k), sums.force[u] = sum(total.force_u), sums.force[v] = sum(total.force_v);
     sums.moment[k] = sum(total.moment_k), sums.moment[u] = sum(total.moment_u), sums.moment[v] = sum(total.moment_v);
     sums.elastic_normal = sum(total.elastic_normal);
@@ -358,37 +358,23 @@ template <bool Faceted, bool Bounded>
     sums.damping = sum(total.damping) + ended.damping;
     sums.overlap = std::max(std::max(total.overlap[0], total.overlap[1]), std::max(total.overlap[2], total.overlap[3]));
     sums.touching = static_cast<std::uint32_t>(sum(total.touching));
+    return sums;
 }
 
 /// The kernel for the kind of leader and follower.
-[[gnu::always_inline]] inline void sum_any(const BlockNodes& leader, const RelativePose& pose, const FlatFollower& face, const StepLaw& law,
-                                           double equal_area, const ContactPair& pair, ContactList& list, PairSums& sums) {
-    if (!leader.shape.faceted) {
-        face.bounded ? sum_flat<false, true>(leader, pose, face, law, equal_area, pair, list, sums)
-                     : sum_flat<false, false>(leader, pose, face, law, equal_area, pair, list, sums);
-    } else if (face.bounded) {
-        sum_flat<true, true>(leader, pose, face, law, equal_area, pair, list, sums);
-    } else {
-        sum_flat<true, false>(leader, pose, face, law, equal_area, pair, list, sums);
-    }
+[[gnu::always_inline]] inline PairSums sum_any(const NodeContact& contact, const FlatFollower& face) {
+    if (contact.leader.shape.faceted) return face.bounded ? sum_flat<true, true>(contact, face) : sum_flat<true, false>(contact, face);
+    return face.bounded ? sum_flat<false, true>(contact, face) : sum_flat<false, false>(contact, face);
 }
 
-MUSIM_AVX2 void sum_wide(const BlockNodes& leader, const RelativePose& pose, const FlatFollower& face, const StepLaw& law,
-                         double equal_area, const ContactPair& pair, ContactList& list, PairSums& sums) {
-    sum_any(leader, pose, face, law, equal_area, pair, list, sums);
-}
+MUSIM_AVX2 PairSums sum_wide(const NodeContact& contact, const FlatFollower& face) { return sum_any(contact, face); }
 
-void sum_plain(const BlockNodes& leader, const RelativePose& pose, const FlatFollower& face, const StepLaw& law, double equal_area,
-               const ContactPair& pair, ContactList& list, PairSums& sums) {
-    sum_any(leader, pose, face, law, equal_area, pair, list, sums);
-}
+PairSums sum_plain(const NodeContact& contact, const FlatFollower& face) { return sum_any(contact, face); }
 
 }  // namespace
 
-void sum_flat_nodes(const BlockNodes& leader, const RelativePose& pose, const FlatFollower& face, const StepLaw& law, double equal_area,
-                    const ContactPair& pair, ContactList& list, PairSums& sums) {
-    const auto sum_nodes = active_instructions() >= Instructions::avx2 ? sum_wide : sum_plain;
-    sum_nodes(leader, pose, face, law, equal_area, pair, list, sums);
+PairSums sum_flat_nodes(const NodeContact& contact, const FlatFollower& face) {
+    return (active_instructions() >= Instructions::avx2 ? sum_wide : sum_plain)(contact, face);
 }
 
 }  // namespace musim::lsdem::detail

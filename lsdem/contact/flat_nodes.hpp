@@ -17,7 +17,6 @@ using Row = std::array<double, 3>;
 inline double dot(const Row& a, const Row& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 inline Row row_of(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
-inline std::array<Row, 3> rows_of(const Matrix3& m) { return {row_of(m.row(0)), row_of(m.row(1)), row_of(m.row(2))}; }
 
 /// Axis along which a vector is largest.
 std::size_t largest_axis(const Row& v);
@@ -78,9 +77,18 @@ struct FlatFollower {
 void end_contact(const StepLaw& law, const Row& normal, const Row& change, double share, std::size_t entry, ContactHistory& history,
                  PairSums& sums);
 
+/// A pair that meets by the nodes of its leader; `list` holds their histories.
+struct NodeContact {
+    BlockNodes leader;
+    const RelativePose& pose;
+    StepLaw law;
+    /// Area every node in contact acts on, whatever its cell [m²] (StiffnessSharing::per_contact), or zero for its own.
+    double equal_area;
+    const ContactPair& pair;
+    ContactList& list;
+};
+
 /// Nodes against a flat face, four at a time; compiled for AVX2 and for plain x86-64, same bits. See docs/theory/surface_nodes.md.
-/// `equal_area`: the area every node in contact acts on, whatever its cell [m²] (StiffnessSharing::per_contact), or zero for its own.
-void sum_flat_nodes(const BlockNodes& leader, const RelativePose& pose, const FlatFollower& face, const StepLaw& law, double equal_area,
-                    const ContactPair& pair, ContactList& list, PairSums& sums);
+PairSums sum_flat_nodes(const NodeContact& contact, const FlatFollower& face);
 
 }  // namespace musim::lsdem::detail

@@ -8,8 +8,7 @@ namespace {
 
 /// Share of a node's faces that looks along −normal, `normal` in the leader's frame: of a faceted shape the face that looks most that way.
 double acting_area(const BlockNodes& nodes, std::size_t i, const Row& normal) {
-    const Vector3 shares = nodes.area(i);
-    const Row area{shares.x(), shares.y(), shares.z()};
+    const Row area = row_of(nodes.area(i));
     if (!nodes.shape.faceted) return -dot(normal, area);
     const std::size_t axis = largest_axis(normal);
     return normal[axis] < 0.0 ? area[axis] : -area[axis];
@@ -111,13 +110,13 @@ class BlockGrid {
 };
 }  // namespace
 
-void sum_grid_nodes(const BlockNodes& leader, const RelativePose& pose, const GridLevelSet& shape, double height_offset, const StepLaw& law,
-                    double equal_area, const ContactPair& pair, ContactList& list, PairSums& sums) {
+PairSums sum_grid_nodes(const NodeContact& contact, const GridLevelSet& shape, double height_offset) {
+    const auto& [leader, pose, law, equal_area, pair, list] = contact;
     const BlockGrid grid(shape, height_offset);
+    PairSums sums;
     for (std::size_t entry = pair.first_node; entry < pair.first_node + pair.node_count; ++entry) {
         const std::size_t i = list.nodes[entry];
-        const Vector3 place = leader.position(i);
-        const Row p{place.x(), place.y(), place.z()};
+        const Row p = row_of(leader.position(i));
         const Row y = point_of(pose, p);
         const Vector3 point{y[0], y[1], y[2]};
         const double overlap = -grid.value(point);
@@ -140,6 +139,7 @@ void sum_grid_nodes(const BlockNodes& leader, const RelativePose& pose, const Gr
             end_contact(law, normal, change, std::abs(area), entry, list.history, sums);
         }
     }
+    return sums;
 }
 
 }  // namespace musim::lsdem::detail
