@@ -42,18 +42,21 @@ struct LaneOverlap {
 template <class W>
 struct Kernel : OverlapRims<W> {
     using Base = OverlapRims<W>;
-    using Base::add_bisectors, Base::add_flush_rim, Base::add_main_cell, Base::add_rim_ends, Base::combine, Base::find_side_planes,
-        Base::finish_main_cell, Base::scaled;
+    using Base::add_bisectors, Base::add_flush_rim, Base::add_main_cell, Base::add_rim_ends, Base::find_side_planes, Base::finish_main_cell;
     using Base::all, Base::guarded, Base::invert, Base::kFar, Base::larger, Base::sign_of, Base::smaller;
     using typename Base::Across, typename Base::Cell, typename Base::Interval, typename Base::LaneMask, typename Base::Lanes,
         typename Base::Lanes3, typename Base::Powers, typename Base::Role;
     using typename Base::Flush, typename Base::Strips;
     using LaneOverlap = detail::LaneOverlap<W>;
 
-    /// A box with its axes named: two in the plane of the face, and the face's outward normal.
+    /// A box with its axes named.
     struct FaceAxes {
-        Lanes3 p, q, n;
-        Lanes half_p, half_q, half_n;
+        std::array<Lanes3, 2> axis;  ///< in the plane of the face
+        Lanes3 n;                    ///< outward normal of it
+        std::array<Lanes, 2> half;
+        Lanes half_n;
+
+        MUSIM_WIDE Lanes3 to_world(const Lanes& x, const Lanes& y, const Lanes& z) const { return (x * axis[0] + y * axis[1]) + z * n; }
     };
     /// A box as it lies in memory.
     struct Box : BoxAxes<W> {
@@ -65,8 +68,10 @@ struct Kernel : OverlapRims<W> {
             return choose(along[0], of[from], choose(along[1], of[(from + 1) % 3], of[(from + 2) % 3]));
         }
         MUSIM_WIDE FaceAxes seen_from(const std::array<LaneMask, 3>& along, const Lanes& sign) const {
-            return {pick(along, this->axis, 1), pick(along, this->axis, 2), scaled(pick(along, this->axis, 0), sign),
-                    pick(along, this->half, 1), pick(along, this->half, 2), pick(along, this->half, 0)};
+            return {{pick(along, this->axis, 1), pick(along, this->axis, 2)},
+                    sign * pick(along, this->axis, 0),
+                    {pick(along, this->half, 1), pick(along, this->half, 2)},
+                    pick(along, this->half, 0)};
         }
     };
     template <class Pairs>
@@ -81,8 +86,18 @@ struct Kernel : OverlapRims<W> {
                 {place[0], place[1], place[2]}};
     }
 
-    MUSIM_WIDE static Lanes3 combine_middle(const FaceAxes& x, const Lanes3& c, double half) {
-        return broadcast<Lanes>(half) * c + x.half_n * x.n;
+    /// What role X in Y is made from; `apart`: from the middle of X to that of Y.
+    MUSIM_WIDE static void set_up(Role& role, const FaceAxes& x, const FaceAxes& y, const Lanes3& apart, const Lanes& cosine) {
+        role.cosine = cosine, role.half_normal = x.half_n;
+        role.depth_at = (y.half_n + dot(apart, y.n)) + x.half_n * cosine;
+#pragma GCC unroll 2
+        for (std::size_t k = 0; k < 2; ++k) {
+            Across& u = role.across[k];
+            u.half = x.half[k], u.side = y.half[k];
+            u.by_x = dot(x.axis[k], y.axis[k]), u.by_y = dot(x.axis[1 - k], y.axis[k]), u.by_s = dot(x.n, y.axis[k]);
+            u.at = u.by_s * x.half_n - dot(apart, y.axis[k]);
+            u.depth_by_x = -dot(x.axis[k], y.n);
+        }
     }
     /// World axes: force on and moment about the middle of X by what pushes X's faces, and the main cell.
     struct RoleLoad {
@@ -90,10 +105,9 @@ struct Kernel : OverlapRims<W> {
     };
     MUSIM_WIDE static RoleLoad turn_to_world(const Role& role, const FaceAxes& x, const Lanes& handed) {
         RoleLoad load;
-        load.force = combine(x.p, x.q, x.n, role.side[0], role.side[1], role.load);
+        load.force = x.to_world(role.side[0], role.side[1], role.load);
         const Lanes z0 = role.half_normal * role.side[0] - role.side_below[0], z1 = role.half_normal * role.side[1] - role.side_below[1];
-        load.moment = scaled(
-            combine(x.p, x.q, x.n, role.load_place[1] - z1, z0 - role.load_place[0], role.side_along[1] - role.side_along[0]), handed);
+        load.moment = handed * x.to_world(role.load_place[1] - z1, z0 - role.load_place[0], role.side_along[1] - role.side_along[0]);
         return load;
     }
 
@@ -105,64 +119,47 @@ struct Kernel : OverlapRims<W> {
         const Box first = gather_box(pairs, &BoxMeeting::a), second = gather_box(pairs, &BoxMeeting::b);
         c = second.position - first.position;
         faces = choose_faces<W>(first, second, c);
-        a = first.seen_from(faces.along[0], faces.sign[0]);
-        b = second.seen_from(faces.along[1], faces.sign[1]);
+        boxes = {first.seen_from(faces.along[0], faces.sign[0]), second.seen_from(faces.along[1], faces.sign[1])};
+        const FaceAxes& a = boxes[0];
+        FaceAxes& b = boxes[1];
         // b's axes in its face take names and signs from those of a that they are closest to
         {
-            const Lanes pp = dot(b.p, a.p), pq = dot(b.p, a.q), qp = dot(b.q, a.p), qq = dot(b.q, a.q);
+            const Lanes pp = dot(b.axis[0], a.axis[0]), pq = dot(b.axis[0], a.axis[1]), qp = dot(b.axis[1], a.axis[0]),
+                        qq = dot(b.axis[1], a.axis[1]);
             const LaneMask swap = magnitude(pp) + magnitude(qq) < magnitude(pq) + magnitude(qp);
             const Lanes sign_p = choose(choose(swap, qp, pp) < zero, all(-1.0), all(1.0)),
                         sign_q = choose(choose(swap, pq, qq) < zero, all(-1.0), all(1.0));
-            const Lanes3 p = b.p;
-            const Lanes half_p = b.half_p;
-            b.p = scaled(choose(swap, b.q, p), sign_p);
-            b.q = scaled(choose(swap, p, b.q), sign_q);
-            b.half_p = choose(swap, b.half_q, half_p);
-            b.half_q = choose(swap, half_p, b.half_q);
+            const std::array<Lanes3, 2> axis = b.axis;
+            const std::array<Lanes, 2> half = b.half;
+            b.axis = {sign_p * choose(swap, axis[1], axis[0]), sign_q * choose(swap, axis[0], axis[1])};
+            b.half = {choose(swap, half[1], half[0]), choose(swap, half[0], half[1])};
         }
-        // a's p, q, n are right-handed for sign 1, b's then left-handed
-        const Lanes pp = dot(a.p, b.p), pq = dot(a.p, b.q), pn = dot(a.p, b.n), qp = dot(a.q, b.p), qq = dot(a.q, b.q), qn = dot(a.q, b.n),
-                    np = dot(a.n, b.p), nq = dot(a.n, b.q);
+        // a's axes and normal are right-handed for sign 1, b's then left-handed
         cosine = -dot(a.n, b.n);
-        {
-            Role& x = roles[0];
-            x.cosine = cosine, x.half_normal = a.half_n;
-            x.depth_at = (b.half_n + dot(c, b.n)) + a.half_n * cosine;
-            Across &u = x.across[0], &v = x.across[1];
-            u.half = a.half_p, u.side = b.half_p, u.by_x = pp, u.by_y = qp, u.by_s = np, u.at = np * a.half_n - dot(c, b.p),
-            u.depth_by_x = -pn;
-            v.half = a.half_q, v.side = b.half_q, v.by_x = qq, v.by_y = pq, v.by_s = nq, v.at = nq * a.half_n - dot(c, b.q),
-            v.depth_by_x = -qn;
-        }
-        {
-            Role& x = roles[1];
-            x.cosine = cosine, x.half_normal = b.half_n;
-            x.depth_at = (a.half_n - dot(c, a.n)) + b.half_n * cosine;
-            Across &u = x.across[0], &v = x.across[1];
-            u.half = b.half_p, u.side = a.half_p, u.by_x = pp, u.by_y = pq, u.by_s = pn, u.at = pn * b.half_n + dot(c, a.p),
-            u.depth_by_x = -np;
-            v.half = b.half_q, v.side = a.half_q, v.by_x = qq, v.by_y = qp, v.by_s = qn, v.at = qn * b.half_n + dot(c, a.q),
-            v.depth_by_x = -nq;
-        }
+        set_up(roles[0], a, b, c, cosine);
+        set_up(roles[1], b, a, -c, cosine);
     }
     MUSIM_WIDE void find_main_cells(LaneOverlap& result) {
         for (std::size_t i = 0; i < 2; ++i) {
             Strips strips;
-            add_main_cell(roles[i], result.cells[i], strips);
+            MainCell<W>& cell = result.cells[i];
+            add_main_cell(roles[i], cell, strips);
             finish_main_cell(roles[i], strips);
-            result.cells[i].load = roles[i].area_depth, result.cells[i].spread = roles[i].spread;
+            cell.load = roles[i].area_depth, cell.spread = roles[i].spread;
+            cell.along = boxes[i].axis, cell.normal = boxes[i].n;
+            cell.middle = all(i == 0 ? -0.5 : 0.5) * c + boxes[i].half_n * boxes[i].n;
         }
-        result.cells[0].along = {a.p, a.q}, result.cells[0].normal = a.n, result.cells[0].middle = combine_middle(a, c, -0.5);
-        result.cells[1].along = {b.p, b.q}, result.cells[1].normal = b.n, result.cells[1].middle = combine_middle(b, c, 0.5);
     }
     /// What lies beside the main cells.
     MUSIM_WIDE void add_rims(LaneOverlap& result) {
         const Lanes zero{};
-        // a sheet of no thickness, as the ground is given, has no far face
-        const Lanes thick_a = choose(a.half_n > zero, a.half_n, a.half_p), thick_b = choose(b.half_n > zero, b.half_n, b.half_p);
         deepest = larger(roles[0].deepest, roles[1].deepest), area = all(0.5) * (roles[0].area + roles[1].area);
-        least = smaller(smaller(smaller(a.half_p, a.half_q), thick_a), smaller(smaller(b.half_p, b.half_q), thick_b));
-        const Lanes size = smaller(larger(a.half_p, a.half_q), larger(b.half_p, b.half_q));
+        const auto least_of = [&](const FaceAxes& x) MUSIM_WIDE_LAMBDA {
+            // a sheet of no thickness, as the ground is given, has no far face
+            return smaller(smaller(x.half[0], x.half[1]), choose(x.half_n > zero, x.half_n, x.half[0]));
+        };
+        least = smaller(least_of(boxes[0]), least_of(boxes[1]));
+        const Lanes size = smaller(larger(boxes[0].half[0], boxes[0].half[1]), larger(boxes[1].half[0], boxes[1].half[1]));
         const Lanes negligible = all(kNegligible) * (size * area);
         const LaneMask corner = (deepest * deepest) * deepest > negligible;
         result.corner = corner;
@@ -233,30 +230,26 @@ struct Kernel : OverlapRims<W> {
                               (roles[0].area > zero) & (roles[1].area > zero);
         result.irregular = ~(faces.found & (fits | (apart & (cosine > all(kLeastCosine)))));
 
+        const FaceAxes &a = boxes[0], &b = boxes[1];
         const RoleLoad of_a = turn_to_world(roles[0], a, faces.sign[0]), of_b = turn_to_world(roles[1], b, -faces.sign[0]);
         // pairs that are apart give nothing, whatever was summed up
         const Lanes half = choose(fits, all(0.5), zero);
         result.apart = c;
-        const Lanes3 fa = of_a.force, fb = of_b.force;
-        result.force = {half * (fa.x - fb.x), half * (fa.y - fb.y), half * (fa.z - fb.z)};
-        const Lanes3 f{half * (fa.x + fb.x), half * (fa.y + fb.y), half * (fa.z + fb.z)};
-        result.moment = {half * ((of_a.moment.x - of_b.moment.x) - (c.y * f.z - c.z * f.y)),
-                         half * ((of_a.moment.y - of_b.moment.y) - (c.z * f.x - c.x * f.z)),
-                         half * ((of_a.moment.z - of_b.moment.z) - (c.x * f.y - c.y * f.x))};
+        result.force = half * (of_a.force - of_b.force);
+        result.moment = half * ((of_a.moment - of_b.moment) - cross(c, half * (of_a.force + of_b.force)));
         result.deepest = choose(fits, deepest, zero);
         result.energy = half * (roles[0].energy + roles[1].energy);
         result.area = choose(fits, area, zero);
         result.area_depth = half * (roles[0].area_depth + roles[1].area_depth);
         const auto place = [&](const Role& role, const FaceAxes& x) MUSIM_WIDE_LAMBDA {
-            return combine(x.p, x.q, x.n, role.area_place[0], role.area_place[1], role.half_normal * role.area);
+            return x.to_world(role.area_place[0], role.area_place[1], role.half_normal * role.area);
         };
-        const Lanes3 place_a = place(roles[0], a), place_b = place(roles[1], b);
         const Lanes shift = all(0.25) * (roles[1].area - roles[0].area);
-        result.area_place = {half * (place_a.x + place_b.x) + shift * c.x, half * (place_a.y + place_b.y) + shift * c.y,
-                             half * (place_a.z + place_b.z) + shift * c.z};
+        result.area_place = half * (place(roles[0], a) + place(roles[1], b)) + shift * c;
         const auto square = [&](const Role& role, const FaceAxes& x, const Lanes Lanes3::*i, const Lanes Lanes3::*j) MUSIM_WIDE_LAMBDA {
-            return half * ((role.area_square[0] * (x.p.*i * x.p.*j) + role.area_square[1] * (x.q.*i * x.q.*j)) +
-                           role.area_mixed * (x.p.*i * x.q.*j + x.q.*i * x.p.*j));
+            const Lanes3 &p = x.axis[0], &q = x.axis[1];
+            return half * ((role.area_square[0] * (p.*i * p.*j) + role.area_square[1] * (q.*i * q.*j)) +
+                           role.area_mixed * (p.*i * q.*j + q.*i * p.*j));
         };
         constexpr auto X = &Lanes3::x, Y = &Lanes3::y, Z = &Lanes3::z;
         const auto sum = [&](const Lanes Lanes3::*i, const Lanes Lanes3::*j)
@@ -266,8 +259,8 @@ struct Kernel : OverlapRims<W> {
     }
 
     // what the stages hand on
-    FaceAxes a, b;
-    Lanes3 c;  ///< from the middle of a to that of b [m]
+    std::array<FaceAxes, 2> boxes;
+    Lanes3 c;  ///< from the middle of the first to that of the second [m]
     Lanes cosine;
     Lanes deepest, area, least;  ///< of both roles; half of their main cells'; the least half extent [m, m², m]
     MeetingFaces<W> faces;

@@ -21,15 +21,15 @@ struct OverlapRims : OverlapRole<W> {
         Lanes inverse, wedge;  ///< 1/by, 1/(2(ζ + by_s)), once find_side_planes was asked
         MUSIM_WIDE Lanes operator()(const Lanes& y) const { return at + by * y; }
     };
+    MUSIM_WIDE static SidePlane side_plane(const Across& u, std::size_t side, const Lanes& at, const Lanes& by, const Lanes& inverse) {
+        return side == 0 ? SidePlane{u.side + at, by, -u.by_s, inverse, u.wedge[0]}
+                         : SidePlane{u.side - at, -by, u.by_s, -inverse, u.wedge[1]};
+    }
     MUSIM_WIDE static SidePlane own_plane(const Across& u, const Lanes& x, std::size_t side) {
-        const Lanes at = u.at + u.by_x * x;
-        return side == 0 ? SidePlane{u.side + at, u.by_y, -u.by_s, u.inverse_y, u.wedge[0]}
-                         : SidePlane{u.side - at, -u.by_y, u.by_s, -u.inverse_y, u.wedge[1]};
+        return side_plane(u, side, u.at + u.by_x * x, u.by_y, u.inverse_y);
     }
     MUSIM_WIDE static SidePlane end_plane(const Across& v, const Lanes& x, std::size_t side) {
-        const Lanes at = v.at + v.by_y * x;
-        return side == 0 ? SidePlane{v.side + at, v.by_x, -v.by_s, v.inverse_x, v.wedge[0]}
-                         : SidePlane{v.side - at, -v.by_x, v.by_s, -v.inverse_x, v.wedge[1]};
+        return side_plane(v, side, v.at + v.by_y * x, v.by_x, v.inverse_x);
     }
 
     /// The part of rim `r` of direction k on which plane m is the nearest, `part`: its share in the side's load (D²/(2ζ) − (D − d)²/(2(ζ +

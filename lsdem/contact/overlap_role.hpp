@@ -31,10 +31,6 @@ struct OverlapRole {
     MUSIM_WIDE static Lanes larger(const Lanes& a, const Lanes& b) { return larger_of<Lanes>(a, b); }
     MUSIM_WIDE static Lanes smaller(const Lanes& a, const Lanes& b) { return smaller_of<Lanes>(a, b); }
 
-    MUSIM_WIDE static Lanes3 scaled(const Lanes3& a, const Lanes& by) { return {a.x * by, a.y * by, a.z * by}; }
-    MUSIM_WIDE static Lanes3 combine(const Lanes3& p, const Lanes3& q, const Lanes3& n, const Lanes& x, const Lanes& y, const Lanes& z) {
-        return {(p.x * x + q.x * y) + n.x * z, (p.y * x + q.y * y) + n.y * z, (p.z * x + q.z * y) + n.z * z};
-    }
     MUSIM_WIDE static Lanes guarded(const Lanes& a) { return Interval::guarded(a); }
     /// Two reciprocals for one division.
     MUSIM_WIDE static void invert(const Lanes& a, const Lanes& b, Lanes& inverse_a, Lanes& inverse_b) {
