@@ -64,9 +64,9 @@ using Four = std::array<std::size_t, kLanes>;
     return Lanes{from[i[0]].travel, from[i[1]].travel, from[i[2]].travel, from[i[3]].travel};
 }
 
-/// What a change of momentum from `before` to `after` holds besides `kick`.
-[[gnu::always_inline]] inline Triple<Lanes> beside(const Triple<Lanes>& kick, const Triple<Lanes>& before, const Triple<Lanes>& after) {
-    return {(after.x - before.x) - kick.x, (after.y - before.y) - kick.y, (after.z - before.z) - kick.z};
+/// The same vector in all lanes.
+[[gnu::always_inline]] inline Triple<Lanes> spread(const Vector3& v) {
+    return {broadcast<Lanes>(v.x()), broadcast<Lanes>(v.y()), broadcast<Lanes>(v.z())};
 }
 
 /// |a − b|²
@@ -82,22 +82,21 @@ constexpr double kUpward = 1.0 + 2.0 * std::numeric_limits<double>::epsilon();
 constexpr std::size_t kAhead = 2 * kLanes;
 
 template <bool prepares>
-[[gnu::always_inline]] inline double move_range(const TouchList& touches, const std::vector<PairForce>& forces,
-                                                const NeighborSearch::Reference& reference, const Leap& leap, std::size_t first,
-                                                std::size_t last, Bodies& bodies) {
-    const Vector3 &base = leap.base_displacement, &gravity = leap.gravity;
-    const double h = leap.h, keep = leap.decay.keep, push = leap.decay.push;
-    const Lanes zero = broadcast<Lanes>(0.0);
+[[gnu::always_inline]] inline double move_range(const Leap& leap, const Share& share, Bodies& bodies) {
+    const NeighborSearch::Reference& reference = leap.reference;
+    const Triple<Lanes> base = spread(leap.base_displacement), base_step = spread(leap.base_step), gravity = spread(leap.gravity);
+    const double push = leap.decay.push;
+    const Lanes zero = broadcast<Lanes>(0.0), h = broadcast<Lanes>(leap.h), keep = broadcast<Lanes>(leap.decay.keep);
     Lanes farthest = zero;
     LaneMask lost{};
-    for (std::size_t begin = first; begin < last; begin += kLanes) {
+    for (std::size_t begin = share.first, last = share.last; begin < last; begin += kLanes) {
         Four i{};
         std::array<TouchList::Load, kLanes> load;
         std::array<const double*, kLanes> force_at{}, torque_at{};
         for (std::size_t lane = 0; lane < kLanes; ++lane) {
             i[lane] = std::min(begin + lane, last - 1);
-            if (begin + lane + kAhead < last) touches.prefetch(begin + lane + kAhead, forces);
-            load[lane] = touches.sum(i[lane], forces);
+            if (begin + lane + kAhead < last) leap.touches.prefetch(begin + lane + kAhead, leap.forces);
+            load[lane] = leap.touches.sum(i[lane], leap.forces);
             force_at[lane] = load[lane].force.data();
             torque_at[lane] = load[lane].torque.data();
         }
@@ -105,35 +104,27 @@ template <bool prepares>
         const Lanes free = pick(bodies.free, i), kick = push * free, per_mass = pick(bodies.inverse_mass, i);
         Triple<Lanes> v = pick(bodies.velocity, i), x = pick(bodies.position, i), l = pick(bodies.momentum, i);
         const Triple<Lanes> v_before = v, x_before = x, l_before = l;
-        const Triple<Lanes> acceleration{force.x * per_mass + gravity.x(), force.y * per_mass + gravity.y(),
-                                         force.z * per_mass + gravity.z()};
-        if (prepares) v = {keep * v.x, keep * v.y, keep * v.z};
-        v.x += kick * acceleration.x;
-        v.y += kick * acceleration.y;
-        v.z += kick * acceleration.z;
-        x.x += h * v.x;
-        x.y += h * v.y;
-        x.z += h * v.z;
+        const Triple<Lanes> acceleration = per_mass * force + gravity;
+        if (prepares) v = keep * v;
+        v = v + kick * acceleration;
+        x = x + h * v;
 
         const Triple<Lanes> inverse_inertia = pick(bodies.inverse_inertia, i);
         const LaneMask turns = inverse_inertia.x > zero;
         const Lanes twist = choose(turns, kick, zero);
-        if (prepares) l = {keep * l.x, keep * l.y, keep * l.z};
-        l.x += twist * torque.x;
-        l.y += twist * torque.y;
-        l.z += twist * torque.z;
+        if (prepares) l = keep * l;
+        l = l + twist * torque;
         const Orientation<Lanes> before = pick(bodies.orientation, i);
         const RotationRows<Lanes> rows_before(before);
         const Triple<Lanes> l_body = rows_before.to_body(l);
         const auto root_of = [](const Lanes& value) MUSIM_INLINE_LAMBDA { return square_root(value); };
-        const Orientation<Lanes> free_q = turn_freely(before, l_body, inverse_inertia, h, root_of);
+        const Orientation<Lanes> free_q = turn_freely(before, l_body, inverse_inertia, leap.h, root_of);
         Lanes loss = zero;
         if (prepares) {
             // the impulse of the damping, and of mass scaling, times the mean of the velocities before and after it
-            const Lanes whole = choose(free > zero, broadcast<Lanes>(h), zero), whole_turn = choose(turns, whole, zero);
-            const Triple<Lanes> impulse = beside({whole * acceleration.x, whole * acceleration.y, whole * acceleration.z}, v_before, v);
-            const Triple<Lanes> twist_impulse =
-                rows_before.to_body(beside({whole_turn * torque.x, whole_turn * torque.y, whole_turn * torque.z}, l_before, l));
+            const Lanes whole = choose(free > zero, h, zero), whole_turn = choose(turns, whole, zero);
+            const Triple<Lanes> impulse = (v - v_before) - whole * acceleration;
+            const Triple<Lanes> twist_impulse = rows_before.to_body((l - l_before) - whole_turn * torque);
             const Triple<Lanes> l_sum = rows_before.to_body(l_before) + l_body;
             const Triple<Lanes> spin_sum{inverse_inertia.x * l_sum.x, inverse_inertia.y * l_sum.y, inverse_inertia.z * l_sum.z};
             loss =
@@ -143,17 +134,16 @@ template <bool prepares>
                                    choose(turns, free_q.z, before.z)};
         const RotationRows<Lanes> rows(q);
 
-        const Triple<Lanes> moved{h * v.x - leap.base_step.x(), h * v.y - leap.base_step.y(), h * v.z - leap.base_step.z()};
+        const Triple<Lanes> moved = h * v - base_step;
         const Lanes diameter = pick(reference.diameter, i);
         const Lanes way = square_root(dot(moved, moved)) + diameter * square_root(square_of_difference(q, before));
         const Lanes travel = kUpward * (pick_travel(bodies.step, i) + way);
         const Triple<Lanes> shift = x - x_before;
         const Orientation<Lanes> turn = q.after(before);
 
-        const Triple<Lanes> at = pick(reference.position, i);
-        const Lanes dx = (x.x - base.x()) - at.x, dy = (x.y - base.y()) - at.y, dz = (x.z - base.z()) - at.z;
+        const Triple<Lanes> away = (x - base) - pick(reference.position, i);
         const Lanes turned_away = square_of_difference(q, pick(reference.orientation, i));
-        const Lanes drift = square_root((dx * dx + dy * dy) + dz * dz) + diameter * square_root(turned_away);
+        const Lanes drift = square_root(dot(away, away)) + diameter * square_root(turned_away);
         farthest = larger_of<Lanes>(farthest, drift);
         lost |= drift != drift;
 
@@ -179,29 +169,18 @@ template <bool prepares>
 }
 
 /// With or without what prepares, so that a run without pays nothing for it.
-[[gnu::always_inline]] inline double move_either(const TouchList& touches, const std::vector<PairForce>& forces,
-                                                 const NeighborSearch::Reference& reference, const Leap& leap, std::size_t first,
-                                                 std::size_t last, Bodies& bodies) {
-    return leap.prepares ? move_range<true>(touches, forces, reference, leap, first, last, bodies)
-                         : move_range<false>(touches, forces, reference, leap, first, last, bodies);
+[[gnu::always_inline]] inline double move_either(const Leap& leap, const Share& share, Bodies& bodies) {
+    return leap.prepares ? move_range<true>(leap, share, bodies) : move_range<false>(leap, share, bodies);
 }
 
-MUSIM_AVX2 double move_wide(const TouchList& touches, const std::vector<PairForce>& forces, const NeighborSearch::Reference& reference,
-                            const Leap& leap, std::size_t first, std::size_t last, Bodies& bodies) {
-    return move_either(touches, forces, reference, leap, first, last, bodies);
-}
+MUSIM_AVX2 double move_wide(const Leap& leap, const Share& share, Bodies& bodies) { return move_either(leap, share, bodies); }
 
-double move_plain(const TouchList& touches, const std::vector<PairForce>& forces, const NeighborSearch::Reference& reference,
-                  const Leap& leap, std::size_t first, std::size_t last, Bodies& bodies) {
-    return move_either(touches, forces, reference, leap, first, last, bodies);
-}
+double move_plain(const Leap& leap, const Share& share, Bodies& bodies) { return move_either(leap, share, bodies); }
 
 }  // namespace
 
-double move_blocks(const TouchList& touches, const std::vector<PairForce>& forces, const NeighborSearch::Reference& reference,
-                   const Leap& leap, std::size_t first, std::size_t last, Bodies& bodies) {
-    const auto move = active_instructions() >= Instructions::avx2 ? move_wide : move_plain;
-    return move(touches, forces, reference, leap, first, last, bodies);
+double move_blocks(const Leap& leap, const Share& share, Bodies& bodies) {
+    return (active_instructions() >= Instructions::avx2 ? move_wide : move_plain)(leap, share, bodies);
 }
 
 }  // namespace musim::lsdem::detail

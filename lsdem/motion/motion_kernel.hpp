@@ -7,6 +7,7 @@
 #include "lsdem/bodies.hpp"
 #include "lsdem/contact/contacts.hpp"
 #include "lsdem/detail/prefetch.hpp"
+#include "lsdem/detail/shared_work.hpp"
 #include "lsdem/detail/velocity_decay.hpp"
 #include "lsdem/motion/neighbors.hpp"
 
@@ -60,6 +61,9 @@ class TouchList {
 
 /// How blocks move in one step.
 struct Leap {
+    const TouchList& touches;
+    const std::vector<PairForce>& forces;
+    const NeighborSearch::Reference& reference;
     Vector3 base_displacement = Vector3::Zero();  ///< after the step [m]
     Vector3 base_step = Vector3::Zero();          ///< what it moves in the step [m]
     Vector3 gravity = Vector3::Zero();            ///< [m/s²]
@@ -68,10 +72,9 @@ struct Leap {
     bool prepares = false;                        ///< there is damping or mass scaling, whose work is booked
 };
 
-/// One leapfrog step of blocks [first, last), four side by side; compiled for AVX2 and for plain x86-64, same bits. Bodies hold the poses
+/// One leapfrog step of the blocks of a share, four side by side; compiled for AVX2 and for plain x86-64, same bits. Bodies hold the poses
 /// of step n as the previous ones; the new ones are written. Returns the largest distance that any point of them may have
 /// moved relative to the base since the neighbor list was made [m]; infinite when a position is not a number.
-double move_blocks(const TouchList& touches, const std::vector<PairForce>& forces, const NeighborSearch::Reference& reference,
-                   const Leap& leap, std::size_t first, std::size_t last, Bodies& bodies);
+double move_blocks(const Leap& leap, const Share& share, Bodies& bodies);
 
 }  // namespace musim::lsdem::detail

@@ -55,7 +55,10 @@ void Simulation::Implementation::move(double h) {
     ++steps.done;
     base.pose.previous = base.pose.displacement;
     if (!preparation.active) base.pose.displacement = base.origin + base.motion.displacement(static_cast<double>(steps.done) * dt);
-    const detail::Leap leap{.base_displacement = base.pose.displacement,
+    const detail::Leap leap{.touches = work.touches,
+                            .forces = list.forces,
+                            .reference = search.reference(),
+                            .base_displacement = base.pose.displacement,
                             .base_step = base.pose.displacement - base.pose.previous,
                             .gravity = model.gravity,
                             .h = h,
@@ -66,8 +69,7 @@ void Simulation::Implementation::move(double h) {
     const auto task = [&](int thread) {
         const detail::Share share = share_of(movers, thread, work.team.size());
         if (preparation.mass_scaling.is_active()) preparation.mass_scaling.give(work.touches, list, share.first, share.last, bodies);
-        work.drift[static_cast<std::size_t>(thread)] =
-            detail::move_blocks(work.touches, list.forces, search.reference(), leap, share.first, share.last, bodies);
+        work.drift[static_cast<std::size_t>(thread)] = detail::move_blocks(leap, share, bodies);
     };
     work.team.run(task);
 }

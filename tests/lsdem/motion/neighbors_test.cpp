@@ -67,8 +67,10 @@ Model make_random_heap(std::uint32_t seed) {
 double find_drift(const NeighborSearch& search, Bodies bodies, const BasePose& base) {
     musim::lsdem::detail::TouchList touches;
     touches.rebuild(bodies.size(), {});
-    return musim::lsdem::detail::move_blocks(touches, {}, search.reference(), {.base_displacement = base.displacement}, 0, bodies.size(),
-                                             bodies);
+    const std::vector<PairForce> forces;
+    return musim::lsdem::detail::move_blocks(
+        {.touches = touches, .forces = forces, .reference = search.reference(), .base_displacement = base.displacement}, {0, bodies.size()},
+        bodies);
 }
 
 }  // namespace
