@@ -31,6 +31,17 @@ double slope(const BaseComponent& c, const Place& place) {
 
 bool at_rest(const BaseComponent& c, double time) { return c.velocity.empty() || time < c.start; }
 
+/// of(axis, where the time falls among its samples) for every axis that has begun to move; zero for the others.
+template <class Axes, class Of>
+Vector3 find_by_axis(const Axes& axes, double time, const Of& of) {
+    Vector3 result = Vector3::Zero();
+    for (std::size_t a = 0; a < 3; ++a) {
+        const BaseComponent& samples = axes[a].samples;
+        if (!at_rest(samples, time)) result[static_cast<Eigen::Index>(a)] = of(axes[a], find_place(samples, time));
+    }
+    return result;
+}
+
 }  // namespace
 
 BaseMotion::BaseMotion(const std::array<BaseComponent, 3>& components) {
@@ -47,35 +58,19 @@ BaseMotion::BaseMotion(const std::array<BaseComponent, 3>& components) {
 }
 
 Vector3 BaseMotion::displacement(double time) const {
-    Vector3 result = Vector3::Zero();
-    for (int a = 0; a < 3; ++a) {
-        const Axis& axis = axes_[static_cast<std::size_t>(a)];
-        if (at_rest(axis.samples, time)) continue;
-        const Place at = find_place(axis.samples, time);
-        result[a] =
-            axis.displacement[at.index] + (axis.samples.velocity[at.index] + 0.5 * slope(axis.samples, at) * at.elapsed) * at.elapsed;
-    }
-    return result;
+    return find_by_axis(axes_, time, [](const auto& axis, const Place& at) {
+        return axis.displacement[at.index] + (axis.samples.velocity[at.index] + 0.5 * slope(axis.samples, at) * at.elapsed) * at.elapsed;
+    });
 }
 
 Vector3 BaseMotion::velocity(double time) const {
-    Vector3 result = Vector3::Zero();
-    for (int a = 0; a < 3; ++a) {
-        const BaseComponent& c = axes_[static_cast<std::size_t>(a)].samples;
-        if (at_rest(c, time)) continue;
-        const Place at = find_place(c, time);
-        result[a] = c.velocity[at.index] + slope(c, at) * at.elapsed;
-    }
-    return result;
+    return find_by_axis(axes_, time, [](const auto& axis, const Place& at) {
+        return axis.samples.velocity[at.index] + slope(axis.samples, at) * at.elapsed;
+    });
 }
 
 Vector3 BaseMotion::acceleration(double time) const {
-    Vector3 result = Vector3::Zero();
-    for (int a = 0; a < 3; ++a) {
-        const BaseComponent& c = axes_[static_cast<std::size_t>(a)].samples;
-        if (!at_rest(c, time)) result[a] = slope(c, find_place(c, time));
-    }
-    return result;
+    return find_by_axis(axes_, time, [](const auto& axis, const Place& at) { return slope(axis.samples, at); });
 }
 
 Vector3 BaseMotion::peak_acceleration(double end) const {
