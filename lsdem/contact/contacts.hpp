@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "lsdem/bodies.hpp"
@@ -59,6 +60,8 @@ struct ContactPair {
     Interface law;
 
     bool is_overlap() const { return overlap != kNone; }
+    /// Nothing: the ground.
+    std::optional<std::size_t> follower_block() const { return follower == kGround ? std::nullopt : std::optional<std::size_t>(follower); }
 };
 
 /// What one pair did in the current step, world frame.

@@ -68,13 +68,12 @@ void name_axes(const Bodies& bodies, ContactPair& pair) {
 bool same_pair(const ContactPair& a, const ContactPair& b) { return a.leader == b.leader && a.follower == b.follower; }
 
 /// The order of pairs in the list: by their blocks, whichever leads.
-auto place_in_list(std::uint32_t leader, std::uint32_t follower) {
-    return std::tuple{std::min(leader, follower), std::max(leader, follower), leader};
-}
-
-bool before(const ContactPair& a, const ContactPair& b) {
-    return place_in_list(a.leader, a.follower) < place_in_list(b.leader, b.follower);
-}
+constexpr auto before = [](const auto& a, const auto& b) {
+    const auto place_of = [](const auto& p) {
+        return std::tuple{std::min(p.leader, p.follower), std::max(p.leader, p.follower), p.leader};
+    };
+    return place_of(a) < place_of(b);
+};
 
 /// Copies the history of nodes that stay, both lists ascending; ends nothing: a node that leaves the list is at least a skin away.
 void carry_history(const ContactPair& from, const ContactList& old_list, const ContactPair& to, ContactList& list) {
@@ -194,27 +193,23 @@ void NeighborSearch::add_pair(BlockPair blocks, const Bodies& bodies, const Base
     const auto count = static_cast<std::uint32_t>(list.nodes.size()) - first;
     if (count == 0) return;
     while (list.nodes.size() % 4 != 0) list.nodes.push_back(list.nodes.back());
-    ContactPair pair;
-    pair.leader = blocks.leader;
-    pair.follower = blocks.follower;
-    pair.first_node = first;
-    pair.node_count = count;
-    pair.law = make_pair_interface(blocks);
-    list.pairs.push_back(pair);
+    list.pairs.push_back({.leader = blocks.leader,
+                          .follower = blocks.follower,
+                          .first_node = first,
+                          .node_count = count,
+                          .law = make_pair_interface(blocks)});
 }
 
 bool NeighborSearch::add_overlap(BlockPair blocks, const Bodies& bodies, ContactList& list) const {
     const auto can = [&](std::uint32_t block) { return block == kGround || meets_by_overlap(*model_, model_->blocks[block]); };
     if (!can(blocks.leader) || !can(blocks.follower)) return false;
-    ContactPair pair;
-    pair.leader = blocks.leader;
-    pair.follower = blocks.follower;
-    pair.first_node = static_cast<std::uint32_t>(list.nodes.size());
-    pair.overlap = static_cast<std::uint32_t>(list.overlaps.size());
-    name_axes(bodies, pair);
-    pair.law = make_pair_interface(blocks);
+    list.pairs.push_back({.leader = blocks.leader,
+                          .follower = blocks.follower,
+                          .first_node = static_cast<std::uint32_t>(list.nodes.size()),
+                          .overlap = static_cast<std::uint32_t>(list.overlaps.size()),
+                          .law = make_pair_interface(blocks)});
+    name_axes(bodies, list.pairs.back());
     list.overlaps.emplace_back();
-    list.pairs.push_back(pair);
     return true;
 }
 
@@ -228,10 +223,7 @@ void NeighborSearch::rebuild(const Bodies& bodies, const BasePose& base, Contact
     list.nodes.clear();
     list.overlaps.clear();
     const auto had = [&](std::uint32_t leader, std::uint32_t follower) {
-        ContactPair wanted;
-        wanted.leader = leader;
-        wanted.follower = follower;
-        return std::binary_search(previous_.pairs.begin(), previous_.pairs.end(), wanted, before);
+        return std::binary_search(previous_.pairs.begin(), previous_.pairs.end(), BlockPair{leader, follower}, before);
     };
 
     // directed pairs, sorted; a pair that persists keeps its leader
@@ -250,9 +242,7 @@ void NeighborSearch::rebuild(const Bodies& bodies, const BasePose& base, Contact
             if (near && bodies.fixed[i] == 0) directed.push_back({i, kGround});
         }
     }
-    std::sort(directed.begin(), directed.end(), [](const BlockPair& a, const BlockPair& b) {
-        return place_in_list(a.leader, a.follower) < place_in_list(b.leader, b.follower);
-    });
+    std::sort(directed.begin(), directed.end(), before);
     for (const BlockPair& p : directed) {
         if (!add_overlap(p, bodies, list)) add_pair(p, bodies, base, list);
     }

@@ -11,12 +11,10 @@ std::vector<Preload> find_preloads(const ContactList& list) {
     for (const ContactPair& pair : list.pairs) {
         if (!pair.is_overlap() || !list.overlaps[pair.overlap].touches) continue;
         const OverlapContact& contact = list.overlaps[pair.overlap];
-        Preload preload;
-        preload.leader = pair.leader;
-        if (pair.follower != kGround) preload.follower = pair.follower;
-        preload.friction = -contact.sliding.total();
-        preload.couple = contact.turning.total();
-        preloads.push_back(preload);
+        preloads.push_back({.leader = pair.leader,
+                            .follower = pair.follower_block(),
+                            .friction = -contact.sliding.total(),
+                            .couple = contact.turning.total()});
     }
     return preloads;
 }

@@ -50,17 +50,12 @@ int Simulation::threads() const { return implementation_->work.team.size(); }
 Vector3 Simulation::position(std::size_t block) const { return implementation_->bodies.position.at(block); }
 Quaternion Simulation::orientation(std::size_t block) const { return implementation_->bodies.orientation.at(block); }
 
-Vector3 Simulation::contact_force(std::size_t block) const {
-    const Implementation& s = *implementation_;
-    if (block >= s.bodies.size()) throw std::out_of_range("Simulation: there is no such block");
-    return s.work.touches.sum(block, s.list.forces).force;
+detail::TouchList::Load Simulation::Implementation::load_on(std::size_t block) const {
+    if (block >= bodies.size()) throw std::out_of_range("Simulation: there is no such block");
+    return work.touches.sum(block, list.forces);
 }
-
-Vector3 Simulation::contact_torque(std::size_t block) const {
-    const Implementation& s = *implementation_;
-    if (block >= s.bodies.size()) throw std::out_of_range("Simulation: there is no such block");
-    return s.work.touches.sum(block, s.list.forces).torque;
-}
+Vector3 Simulation::contact_force(std::size_t block) const { return implementation_->load_on(block).force; }
+Vector3 Simulation::contact_torque(std::size_t block) const { return implementation_->load_on(block).torque; }
 
 Vector3 Simulation::velocity(std::size_t block) const {
     const Implementation& s = *implementation_;
@@ -70,8 +65,7 @@ Vector3 Simulation::velocity(std::size_t block) const {
 
 Vector3 Simulation::angular_velocity(std::size_t block) const {
     const Implementation& s = *implementation_;
-    const Vector3 torque = s.work.touches.sum(block, s.list.forces).torque;
-    return s.bodies.spin(block, s.momentum_after(s.decay_over(0.5 * s.dt), block, torque));
+    return s.bodies.spin(block, s.momentum_after(s.decay_over(0.5 * s.dt), block, contact_torque(block)));
 }
 
 std::vector<ContactForce> Simulation::contact_forces() const {
@@ -81,8 +75,7 @@ std::vector<ContactForce> Simulation::contact_forces() const {
     for (std::size_t p = 0; p < list.pairs.size(); ++p) {
         if (list.forces[p].force.isZero(0.0)) continue;
         const ContactPair& pair = list.pairs[p];
-        const auto follower = pair.follower == kGround ? std::nullopt : std::optional<std::size_t>(pair.follower);
-        forces.push_back({pair.leader, follower, list.forces[p].force, list.tallies[p].elastic_normal});
+        forces.push_back({pair.leader, pair.follower_block(), list.forces[p].force, list.tallies[p].elastic_normal});
     }
     return forces;
 }
@@ -92,9 +85,8 @@ std::vector<JointStiffness> Simulation::joint_stiffness() const {
     std::vector<JointStiffness> joints;
     visit_meeting_areas(s.bodies, s.base.pose, s.list, [&](std::size_t index, const MeetingArea& at) {
         const ContactPair& pair = s.list.pairs[index];
-        const auto follower = pair.follower == kGround ? std::nullopt : std::optional<std::size_t>(pair.follower);
-        joints.push_back(
-            {pair.leader, follower, pair.law.normal_stiffness, pair.law.shear_stiffness, at.area, at.normal, at.middle, at.second});
+        joints.push_back({pair.leader, pair.follower_block(), pair.law.normal_stiffness, pair.law.shear_stiffness, at.area, at.normal,
+                          at.middle, at.second});
     });
     return joints;
 }

@@ -110,6 +110,8 @@ struct Simulation::Implementation {
     void restart();
     void restart_balance();
     void share_work();
+    /// What all contacts do to a block. Throws std::out_of_range where there is none.
+    detail::TouchList::Load load_on(std::size_t block) const;
     detail::VelocityDecay decay_over(double h) const { return {preparation.damping_rate, h}; }
     /// Velocity after a time of decay [m/s].
     Vector3 velocity_after(const detail::VelocityDecay& decay, std::size_t i, const Vector3& force) const {
