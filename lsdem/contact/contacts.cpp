@@ -36,8 +36,6 @@ void ContactHistory::copy(const ContactHistory& from, std::size_t from_entry, st
 
 namespace {
 
-using detail::dot;
-using detail::end_contact;
 using detail::FlatFollower;
 using detail::PairSums;
 using detail::RelativePose;
