@@ -1,4 +1,4 @@
-#include "lsdem/report/document_sections.hpp"
+#include "lsdem/report/report.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,6 @@
 #include <array>
 #include <vector>
 
-#include "lsdem/report/html.hpp"
 #include "lsdem/report/json_parts.hpp"
 
 namespace musim::lsdem {

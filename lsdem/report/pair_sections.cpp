@@ -1,4 +1,4 @@
-#include "lsdem/report/pair_sections.hpp"
+#include "lsdem/report/report.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "lsdem/report/record_sections.hpp"
+#include "lsdem/report/report.hpp"
 
 #include <fmt/format.h>
 

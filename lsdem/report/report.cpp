@@ -2,14 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "lsdem/report/document_sections.hpp"
-#include "lsdem/report/pair_sections.hpp"
-#include "lsdem/report/record_sections.hpp"
-#include "lsdem/report/run_sections.hpp"
-#include "lsdem/report/several_sections.hpp"
-#include "lsdem/report/specimen_sections.hpp"
-#include "lsdem/report/tower_section.hpp"
-#include "lsdem/report/verdict_section.hpp"
 #include "lsdem/report/web_assets.hpp"
 
 namespace musim::lsdem {

@@ -28,6 +28,12 @@ std::optional<ReportFigure> make_lag_figure(const ReportedRun& run);
 /// rotation, tilts at the start [Harmon23, Figs. 6 and 10].
 std::vector<ReportFigure> make_profile_figures(const std::vector<ReportedRun>& runs);
 
+/// How the tilts of blocks are distributed over the levels of a structure at its start [Harmon23, Fig. 6]: of each level the median, what
+/// nine of ten blocks stay below, and the largest [degrees]. `layer` and `tilt` [rad] have an entry per block; blocks in layer 0 are in
+/// none. `whose` stands below the title.
+ReportFigure make_tilt_figure(const std::string& name, const std::string& whose, const std::vector<int>& layer,
+                              const std::vector<double>& tilt);
+
 /// Energies of one run over time, gravitational energy from its start.
 ReportFigure make_energy_figure(const ReportedRun& run);
 

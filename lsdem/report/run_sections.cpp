@@ -1,4 +1,4 @@
-#include "lsdem/report/run_sections.hpp"
+#include "lsdem/report/report.hpp"
 
 #include <fmt/format.h>
 

@@ -1,11 +1,10 @@
-#include "lsdem/report/several_sections.hpp"
+#include "lsdem/report/report.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "lsdem/report/document_sections.hpp"
 #include "lsdem/report/json_parts.hpp"
 
 namespace musim::lsdem {

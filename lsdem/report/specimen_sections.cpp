@@ -1,11 +1,11 @@
-#include "lsdem/report/specimen_sections.hpp"
+#include "lsdem/report/report.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "lsdem/report/level_tilts.hpp"
+#include "lsdem/report/run_plots.hpp"
 #include "scaling/angle.hpp"
 
 namespace musim::lsdem {

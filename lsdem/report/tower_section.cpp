@@ -1,10 +1,9 @@
-#include "lsdem/report/tower_section.hpp"
+#include "lsdem/report/report.hpp"
 
 #include <fmt/format.h>
 
 #include <filesystem>
 
-#include "lsdem/report/specimen_sections.hpp"
 #include "lsdem/report/tower_data.hpp"
 #include "lsdem/report/web_assets.hpp"
 #include "scaling/angle.hpp"

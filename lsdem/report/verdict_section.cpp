@@ -1,12 +1,10 @@
-#include "lsdem/report/verdict_section.hpp"
+#include "lsdem/report/report.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "lsdem/report/document_sections.hpp"
-#include "lsdem/report/headline.hpp"
 #include "lsdem/report/json_parts.hpp"
 #include "lsdem/results/fallen_blocks.hpp"
 #include "scaling/angle.hpp"

@@ -1,4 +1,4 @@
-#include "lsdem/report/headline.hpp"
+#include "lsdem/report/report.hpp"
 
 #include <doctest/doctest.h>
 

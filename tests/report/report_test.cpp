@@ -13,7 +13,6 @@
 #include <string>
 #include <vector>
 
-#include "lsdem/report/record_sections.hpp"
 #include "lsdem/results/checked_json.hpp"
 #include "lsdem/results/file_checksum.hpp"
 #include "lsdem/results/write_results.hpp"

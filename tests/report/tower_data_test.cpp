@@ -1,5 +1,5 @@
 #include "lsdem/report/tower_data.hpp"
-#include "lsdem/report/tower_section.hpp"
+#include "lsdem/report/report.hpp"
 
 #include <doctest/doctest.h>
 #include <zlib.h>
