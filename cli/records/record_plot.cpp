@@ -83,10 +83,8 @@ int run_record_plot(const RecordPlotOptions& options) {
     refuse_overwriting(options.source.find_files(options.files), {options.out, options.csv});
     options.scales.note_values_used();
     const records::CurveRequest request = make_request(options);
-    lsdem::RecordFigure figure{.components = {},
-                               .damping = request.damping,
+    lsdem::RecordFigure figure{.damping = request.damping,
                                .windowed = request.window.has_value(),
-                               .title = {},
                                .model_of = options.scaled ? std::optional(options.scales.model_scales()) : std::nullopt};
     std::vector<records::GroundMotion> motions;
     for (const std::string& file : options.files) motions.push_back(load_wanted(options, file));

@@ -86,7 +86,6 @@ std::string make_svg(const std::vector<SpectrumTable>& tables) {
                          .subtitle = many_dampings ? "" : "damping " + percent(tables.front().damping),
                          .x_label = "period [s]",
                          .y_label = "PSA [g]",
-                         .series = {},
                          .x_logarithmic = true,
                          .y_logarithmic = true};
     for (const SpectrumTable& table : tables) {
@@ -96,7 +95,7 @@ std::string make_svg(const std::vector<SpectrumTable>& tables) {
             if (many_dampings) label += ", " + percent(table.damping);
             // last, because it may be long
             if (many_files && !table.rotated) label += " " + std::filesystem::path(table.file).stem().string();
-            plot.series.push_back({.label = label, .x = table.period, .y = column.values, .y_error = {}});
+            plot.series.push_back({.label = label, .x = table.period, .y = column.values});
         }
     }
     return lsdem::make_svg(plot);

@@ -42,11 +42,10 @@ std::string make_wave_svg(const WaveHistory& history, const BlockSample& sample,
                                           history.base_velocity),
                   .x_label = "time [ms]",
                   .y_label = "displacement [1e-6 block heights]",
-                  .series = {},
                   .y_from_zero = true};
     const std::size_t stride = find_stride(history.time.size(), kMostPoints);
     const auto add = [&](const std::string& label, const auto& value) {
-        PlotSeries series{.label = label, .x = {}, .y = {}, .y_error = {}};
+        PlotSeries series{.label = label};
         for (std::size_t k = 0; k < history.time.size(); k += stride) {
             series.x.push_back(1e3 * history.time[k]);
             series.y.push_back(1e6 * value(k) / sample.size.z());
@@ -94,23 +93,20 @@ std::string make_rocking_svg(const BlockSample& sample, const std::vector<Rockin
         .subtitle = "mean over up to five impacts; horizontal lines: Housner, no bounce; and Harmon et al. 2023 on wood",
         .x_label = "coefficient of restitution C_res",
         .y_label = "energy after over before",
-        .series = {},
         .y_from_zero = true};
     double low = 1.0, high = 0.0;
     for (const RockingCurve& curve : curves) {
         if (curve.support != support) continue;
         PlotSeries series{.label = fmt::format("{} side, {:.4g} degrees", to_string(curve.side), curve.start / kDegree),
                           .x = curve.restitution,
-                          .y = {},
-                          .marks = true,
-                          .y_error = {}};
+                          .marks = true};
         for (const RockingResult& r : curve.result) series.y.push_back(r.mean);
         low = std::min(low, curve.restitution.front());
         high = std::max(high, curve.restitution.back());
         plot.series.push_back(std::move(series));
     }
     const auto add_level = [&](const std::string& label, double level, int style) {
-        plot.series.push_back({.label = label, .x = {low, high}, .y = {level, level}, .style = style, .y_error = {}});
+        plot.series.push_back({.label = label, .x = {low, high}, .y = {level, level}, .style = style});
     };
     // the dashed styles of the plot begin at 6
     for (const RockingSide side : {RockingSide::thin, RockingSide::wide}) {

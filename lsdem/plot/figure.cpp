@@ -85,8 +85,7 @@ double draw_key(std::string& svg, const Figure& figure, double right, detail::Fi
     }
     for (const KeyRow& row : figure.key) {
         y += kKeyLine;
-        detail::draw_sample(svg, kLeft + 0.5 * kSampleWidth, y - 4.0, {.label = "", .x = {}, .y = {}, .y_error = {}},
-                            find_style(static_cast<std::size_t>(row.style)));
+        detail::draw_sample(svg, kLeft + 0.5 * kSampleWidth, y - 4.0, {}, find_style(static_cast<std::size_t>(row.style)));
         for (std::size_t cell = 0; cell < cells; ++cell) {
             const std::string text = cell == 0 ? detail::shorten(row.cells[cell], kSmallFont, widths.front()) : row.cells[cell];
             draw_text(svg, places[cell], y, "start", "class=\"small\"", text);

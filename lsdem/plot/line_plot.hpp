@@ -13,23 +13,23 @@ struct PlotBand {
 
 /// One series of a line plot.
 struct PlotSeries {
-    std::string label;                 ///< in the legend; empty: not named there
-    std::vector<double> x, y;          ///< equally long; points that are not finite are left out
-    bool marks = false;                ///< a dot at every point
-    bool line = true;                  ///< the points joined
-    int style = -1;                    ///< colour and dash; series of the same number look alike; -1: the next one
-    std::vector<double> y_error;       ///< half lengths of bars at the points; empty: none
-    std::vector<double> y_low = {};    ///< as many as points: the stretch from here to y is shaded in place of a line; empty: none
-    std::vector<PlotBand> bands = {};  ///< shaded in the colour of the series
+    std::string label = {};              ///< in the legend; empty: not named there
+    std::vector<double> x = {}, y = {};  ///< equally long; points that are not finite are left out
+    bool marks = false;                  ///< a dot at every point
+    bool line = true;                    ///< the points joined
+    int style = -1;                      ///< colour and dash; series of the same number look alike; -1: the next one
+    std::vector<double> y_error = {};    ///< half lengths of bars at the points; empty: none
+    std::vector<double> y_low = {};      ///< as many as points: the stretch from here to y is shaded in place of a line; empty: none
+    std::vector<PlotBand> bands = {};    ///< shaded in the colour of the series
 };
 
 /// Curves over one pair of axes.
 struct LinePlot {
-    std::string title;
-    std::string subtitle;  ///< smaller, below
+    std::string title = {};
+    std::string subtitle = {};  ///< smaller, below
     std::string x_label;
     std::string y_label;
-    std::vector<PlotSeries> series;
+    std::vector<PlotSeries> series = {};
     bool y_from_zero = false;     ///< the vertical axis includes 0, when it is not logarithmic
     bool x_logarithmic = false;   ///< points, and bars that reach, to zero or below are left out
     bool y_logarithmic = false;   ///< likewise

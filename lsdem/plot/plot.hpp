@@ -8,9 +8,9 @@ namespace musim::lsdem {
 
 /// One run in a stacked plot.
 struct PlotCurves {
-    std::string label;                   ///< in the legend
-    std::vector<double> x;               ///< abscissa of all its curves, increasing
-    std::vector<std::vector<double>> y;  ///< one curve per row of the plot, each as long as `x`
+    std::string label;                        ///< in the legend
+    std::vector<double> x = {};               ///< abscissa of all its curves, increasing
+    std::vector<std::vector<double>> y = {};  ///< one curve per row of the plot, each as long as `x`
     /// Half width of a band about each curve, shaded; none where it is not finite. Empty: no bands.
     std::vector<std::vector<double>> spread = {};
 };
@@ -27,8 +27,8 @@ struct StackedPlot {
     std::string subtitle;  ///< smaller, below; cut where the picture ends
     std::string x_label;
     std::string y_label;
-    std::vector<std::string> row_labels;  ///< from bottom to top
-    std::vector<PlotCurves> runs;         ///< drawn in order; the first one widest, so that the others show on top of it
+    std::vector<std::string> row_labels = {};  ///< from bottom to top
+    std::vector<PlotCurves> runs = {};         ///< drawn in order; the first one widest, so that the others show on top of it
     std::optional<PlotMark> mark = {};
 };
 

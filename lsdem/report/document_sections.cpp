@@ -60,7 +60,7 @@ std::vector<std::string> list_plain_keys(const json& list) {
 
 /// Lists of objects: a row each, a column per key whose values are plain.
 HtmlTable make_rows(const json& list, const std::string& caption) {
-    HtmlTable table{.caption = caption, .heads = list_plain_keys(list), .rows = {}};
+    HtmlTable table{.caption = caption, .heads = list_plain_keys(list)};
     for (const json& object : list) {
         std::vector<HtmlCell>& row = table.rows.emplace_back();
         for (const std::string& key : table.heads) {
@@ -96,7 +96,7 @@ std::string to_html(const json& value, const std::string& caption) {
         return html;
     }
     if (!value.is_object()) return to_html(HtmlTable{.caption = caption, .heads = {"value"}, .rows = {{make_cell("", value)}}});
-    HtmlTable table{.caption = caption, .heads = {"name", "value"}, .rows = {}};
+    HtmlTable table{.caption = caption, .heads = {"name", "value"}};
     for (const auto& [key, inner] : value.items()) {
         if (is_plain(inner)) table.rows.push_back({{.text = key}, make_cell(key, inner)});
     }

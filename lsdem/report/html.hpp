@@ -34,7 +34,7 @@ HtmlCell number_cell(double value, int digits = 4);
 struct HtmlTable {
     std::string caption;
     std::vector<std::string> heads;
-    std::vector<std::vector<HtmlCell>> rows;
+    std::vector<std::vector<HtmlCell>> rows = {};
 };
 
 /// A table with its caption, heads as column headers and the first cell of each row as its header, in a box that scrolls where it is too

@@ -16,7 +16,7 @@ Tone find_tone(const std::string& severity) {
 }
 
 HtmlTable make_factor_table(const std::vector<ReportedRun>& runs) {
-    HtmlTable table{.caption = "Factors of the models to their prototype", .heads = {"quantity"}, .rows = {}};
+    HtmlTable table{.caption = "Factors of the models to their prototype", .heads = {"quantity"}};
     std::set<std::string> names;
     std::vector<nlohmann::json> factors;
     for (const ReportedRun& run : runs) {
@@ -37,8 +37,7 @@ HtmlTable make_factor_table(const std::vector<ReportedRun>& runs) {
 
 HtmlTable make_distortion_table(const nlohmann::json& pair) {
     HtmlTable table{.caption = "Groups that differ from the prototype's",
-                    .heads = {"model", "group", "model over prototype", "how much it matters", "effect"},
-                    .rows = {}};
+                    .heads = {"model", "group", "model over prototype", "how much it matters", "effect"}};
     for (const nlohmann::json& model : find_list(pair, "pairs")) {
         for (const nlohmann::json& distortion : find_list(model, "distortions")) {
             const std::string severity = find_text(distortion, "severity");
@@ -54,8 +53,7 @@ HtmlTable make_distortion_table(const nlohmann::json& pair) {
 
 HtmlTable make_alone_table(const nlohmann::json& pair) {
     HtmlTable table{.caption = "What each property of a model's own material does alone",
-                    .heads = {"model", "property", "model over what is asked", "difference (rms)"},
-                    .rows = {}};
+                    .heads = {"model", "property", "model over what is asked", "difference (rms)"}};
     for (const nlohmann::json& model : find_list(pair, "pairs")) {
         for (const nlohmann::json& lone : find_list(model, "alone")) {
             table.rows.push_back({{.text = find_text(model, "label")},
@@ -70,7 +68,7 @@ HtmlTable make_alone_table(const nlohmann::json& pair) {
 }  // namespace
 
 ReportSection make_scale_section(const ReportContent& content) {
-    ReportSection section{.id = "scales", .title = "Scales and groups", .html = {}};
+    ReportSection section{.id = "scales", .title = "Scales and groups"};
     const HtmlTable distortions = make_distortion_table(content.summary), alone = make_alone_table(content.summary);
     section.html = distortions.rows.empty() ? make_statement(Tone::good, "No group is distorted: every model is similar to the prototype")
                                             : to_html(distortions);

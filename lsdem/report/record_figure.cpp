@@ -61,7 +61,7 @@ const Curve* find_curve(const ComponentCurves& component, CurveKind kind) {
     return found == component.curves.end() ? nullptr : &*found;
 }
 
-PlotSeries make_marks(int style) { return {.label = "", .x = {}, .y = {}, .marks = true, .line = false, .style = style, .y_error = {}}; }
+PlotSeries make_marks(int style) { return {.marks = true, .line = false, .style = style}; }
 
 /// The peak, when it is among the samples that are drawn.
 PlotSeries mark_peak(const ComponentCurves& component, const Curve& curve, int style) {
@@ -82,7 +82,6 @@ LinePlot make_panel(const RecordFigure& figure, CurveKind kind) {
                    .subtitle = "",
                    .x_label = fmt::format(fmt::runtime(texts.x_label), divided ? texts.x_factor : ""),
                    .y_label = fmt::format(fmt::runtime(texts.y_label), divided ? texts.y_factor : ""),
-                   .series = {},
                    .x_logarithmic = kind == CurveKind::fourier || kind == CurveKind::psa,
                    .y_logarithmic = kind == CurveKind::fourier || kind == CurveKind::psa,
                    .y_most_decades = kFourierDecades};
@@ -93,7 +92,7 @@ LinePlot make_panel(const RecordFigure& figure, CurveKind kind) {
         const Curve* curve = find_curve(component, kind);
         if (curve == nullptr) continue;
         const int style = static_cast<int>(i);
-        PlotSeries series{.label = "", .x = curve->x, .y = curve->y, .style = style, .y_error = {}};
+        PlotSeries series{.x = curve->x, .y = curve->y, .style = style};
         if (kind == CurveKind::arias && component.d5_95) {
             series.bands.push_back({component.d5_95->start.value(), component.d5_95->end.value()});
         }
@@ -242,7 +241,7 @@ std::string make_csv(const std::vector<ComponentCurves>& components) {
 }
 
 HtmlTable make_twin(const RecordFigure& figure, const std::vector<KeyRow>& key) {
-    HtmlTable table{.caption = fmt::format("{}: largest values of each component", figure.title), .heads = kKeyHeadings, .rows = {}};
+    HtmlTable table{.caption = fmt::format("{}: largest values of each component", figure.title), .heads = kKeyHeadings};
     for (const KeyRow& row : key) {
         std::vector<HtmlCell>& cells = table.rows.emplace_back();
         for (const std::string& text : row.cells) cells.push_back({.text = text, .is_number = !cells.empty()});

@@ -14,11 +14,11 @@ namespace musim::lsdem {
 
 /// Components as a figure.
 struct RecordFigure {
-    std::vector<records::ComponentCurves> components;  ///< with a similitude: each prototype is followed by its model
-    double damping = 0.05;                             ///< of PSA
-    bool windowed = false;                             ///< the histories are parts of the records
-    std::string title;                                 ///< event, station
-    std::optional<scaling::ModelScales> model_of;      ///< of the models
+    std::vector<records::ComponentCurves> components = {};  ///< with a similitude: each prototype is followed by its model
+    double damping = 0.05;                                  ///< of PSA
+    bool windowed = false;                                  ///< the histories are parts of the records
+    std::string title = {};                                 ///< event, station
+    std::optional<scaling::ModelScales> model_of = {};      ///< of the models
 };
 
 /// How curves of components, or of prototypes and their models, are distinguished.

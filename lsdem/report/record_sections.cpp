@@ -92,8 +92,7 @@ std::string make_pga_notes(const ReportedRun& reported) {
 }
 
 ReportFigure make_base_figure(const ReportedRun& reported, const std::optional<ModelScales>& scales, std::size_t number) {
-    RecordFigure figure{.components = {},
-                        .damping = records::CurveRequest{}.damping,
+    RecordFigure figure{.damping = records::CurveRequest{}.damping,
                         .windowed = false,
                         .title = scales ? fmt::format("Base motion of {}, before and after it was rescaled", reported.label)
                                         : fmt::format("Base motion of {}", reported.label),
@@ -113,10 +112,9 @@ ReportFigure make_base_figure(const ReportedRun& reported, const std::optional<M
 }  // namespace
 
 ReportSection make_record_section(const ReportContent& content) {
-    ReportSection section{.id = "records", .title = "Records", .html = {}};
+    ReportSection section{.id = "records", .title = "Records"};
     HtmlTable table{.caption = "Components; peaks and spectra below",
-                    .heads = {"file", "format", "station", "component", "samples", "step [s]", "duration [s]", "integrated"},
-                    .rows = {}};
+                    .heads = {"file", "format", "station", "component", "samples", "step [s]", "duration [s]", "integrated"}};
     // more components than looks are drawn in figures of their own
     const std::size_t most = count_styles(find_styles(false));
     for (const ReportedRecord& record : content.records) {
@@ -134,11 +132,9 @@ ReportSection make_record_section(const ReportContent& content) {
                                                : "no filter"}});
         }
         for (std::size_t first = 0; first < motion.components.size(); first += most) {
-            RecordFigure figure{.components = {},
-                                .damping = records::CurveRequest{}.damping,
+            RecordFigure figure{.damping = records::CurveRequest{}.damping,
                                 .windowed = false,
-                                .title = fmt::format("{}: {}", record.label, make_title(motion)),
-                                .model_of = {}};
+                                .title = fmt::format("{}: {}", record.label, make_title(motion))};
             const std::size_t last = std::min(first + most, motion.components.size());
             for (std::size_t i = first; i < last; ++i) {
                 figure.components.push_back(records::compute_curves(motion, motion.components[i], {}));
@@ -151,7 +147,7 @@ ReportSection make_record_section(const ReportContent& content) {
 }
 
 std::optional<ReportSection> make_base_motion_section(const ReportContent& content) {
-    ReportSection section{.id = "base", .title = "Base motion", .html = {}};
+    ReportSection section{.id = "base", .title = "Base motion"};
     for (const ReportedRun& run : content.runs) {
         if (make_motion(run, ModelScales{}).components.empty()) continue;
         section.html += make_pga_notes(run);

@@ -67,7 +67,7 @@ class Reader {
     }
 
     void add_run(const fs::path& folder, const std::string& label) {
-        ReportedRun reported{.label = label, .folder = folder, .run = {}, .response = {}, .summary = {}, .scene_name = {}, .material = {}};
+        ReportedRun reported{.label = label, .folder = folder};
         try {
             reported.run = read_run(folder, Reading::what_there_is);
         } catch (const std::runtime_error& error) {
@@ -124,7 +124,7 @@ class Reader {
 
     void add_ensemble(const fs::path& folder, const std::string& label) {
         content.kind = ReportKind::ensemble;
-        ReportedEnsemble ensemble{.label = label, .folder = folder, .summary = read_object(folder / "ensemble.json"), .bands = {}};
+        ReportedEnsemble ensemble{.label = label, .folder = folder, .summary = read_object(folder / "ensemble.json")};
         try {
             ensemble.bands = read_bands(folder);
         } catch (const ResultError& error) {

@@ -18,11 +18,11 @@ namespace musim::lsdem {
 struct ReportedRun {
     std::string label;  ///< its folder
     std::filesystem::path folder;
-    StoredRun run;
-    std::optional<Response> response;  ///< nothing when it cannot be measured
-    nlohmann::json summary;            ///< summary.json
-    std::string scene_name, material;  ///< as its scene says; empty when it says nothing
-    bool stands = false;               ///< a specimen, whose blocks are shown as those of a run
+    StoredRun run = {};
+    std::optional<Response> response = {};       ///< nothing when it cannot be measured
+    nlohmann::json summary = {};                 ///< summary.json
+    std::string scene_name = {}, material = {};  ///< as its scene says; empty when it says nothing
+    bool stands = false;                         ///< a specimen, whose blocks are shown as those of a run
 };
 
 /// A record of a motion.
@@ -47,8 +47,8 @@ struct ReportedSpecimen {
 struct ReportedEnsemble {
     std::string label;  ///< its folder
     std::filesystem::path folder;
-    nlohmann::json summary;                   ///< ensemble.json
-    std::optional<DimensionlessBands> bands;  ///< nothing when no member is a result, or nothing makes them dimensionless
+    nlohmann::json summary;                        ///< ensemble.json
+    std::optional<DimensionlessBands> bands = {};  ///< nothing when no member is a result, or nothing makes them dimensionless
 };
 
 /// What the runs of a report have to do with each other.

@@ -62,7 +62,7 @@ std::string name_row(const StackedPlot& plot, std::size_t row) { return row < pl
 }  // namespace
 
 ReportFigure make_figure(const std::string& name, const LinePlot& plot) {
-    ReportFigure figure{.name = name, .title = plot.title, .svg = make_svg(plot), .csv = "series,x,y\n", .twin = {}};
+    ReportFigure figure{.name = name, .title = plot.title, .svg = make_svg(plot), .csv = "series,x,y\n"};
     figure.twin.caption = fmt::format("{}: {} over {}", plot.title, plot.y_label, plot.x_label);
     figure.twin.heads = {"series", "points", "first x", "last x", "smallest", "at x", "largest", "at x"};
     for (const PlotSeries& series : plot.series) {
@@ -79,7 +79,7 @@ ReportFigure make_figure(const std::string& name, const LinePlot& plot) {
 }
 
 ReportFigure make_figure(const std::string& name, const StackedPlot& plot) {
-    ReportFigure figure{.name = name, .title = plot.title, .svg = make_svg(plot), .csv = "run,row,x,y,spread\n", .twin = {}};
+    ReportFigure figure{.name = name, .title = plot.title, .svg = make_svg(plot), .csv = "run,row,x,y,spread\n"};
     figure.twin.caption = fmt::format("{}: {} over {}", plot.title, plot.y_label, plot.x_label);
     figure.twin.heads = {"run", "row", "largest magnitude", "at", "last value"};
     const bool has_bands = std::any_of(plot.runs.begin(), plot.runs.end(), [](const PlotCurves& run) { return !run.spread.empty(); });

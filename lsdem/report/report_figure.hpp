@@ -14,7 +14,7 @@ struct ReportFigure {
     std::string title;  ///< in words, for who does not see it, too
     std::string svg;
     std::string csv;             ///< all that it draws
-    HtmlTable twin;              ///< what it shows, in numbers
+    HtmlTable twin = {};         ///< what it shows, in numbers
     double seconds_per_x = 0.0;  ///< where x is the time of the first run: [s] in one of its units, for the view of the blocks; else 0
 };
 

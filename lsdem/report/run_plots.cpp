@@ -42,11 +42,10 @@ std::string name_figure(const std::string& what, const std::string& label) {
 ReportFigure make_level_figure(const std::string& name, const std::string& title, const std::string& x_label,
                                const std::vector<ReportedRun>& runs,
                                const std::function<double(const LevelDamage&, const ReportedRun&)>& value) {
-    LinePlot plot{
-        .title = title, .subtitle = describe_runs(runs), .x_label = x_label, .y_label = "level", .series = {}, .y_from_zero = true};
+    LinePlot plot{.title = title, .subtitle = describe_runs(runs), .x_label = x_label, .y_label = "level", .y_from_zero = true};
     for (const ReportedRun& run : runs) {
         if (!run.response) continue;
-        PlotSeries series{.label = run.label, .x = {}, .y = {}, .marks = true, .y_error = {}};
+        PlotSeries series{.label = run.label, .marks = true};
         for (const LevelDamage& level : run.response->damage.levels) {
             series.x.push_back(value(level, run));
             series.y.push_back(level.level);
@@ -61,13 +60,12 @@ ReportFigure make_residual_figure(const std::vector<ReportedRun>& runs) {
                   .subtitle = describe_runs(runs),
                   .x_label = "displacement [mm]",
                   .y_label = "level",
-                  .series = {},
                   .y_from_zero = true};
     for (const ReportedRun& run : runs) {
         if (!run.response) continue;
         for (const int axis : {0, 1, 2}) {
             const std::string along = "along " + axis_name(axis);
-            PlotSeries series{.label = runs.size() == 1 ? along : run.label + ", " + along, .x = {}, .y = {}, .marks = true, .y_error = {}};
+            PlotSeries series{.label = runs.size() == 1 ? along : run.label + ", " + along, .marks = true};
             for (const SpineLevel& level : run.response->spine) {
                 series.x.push_back(1e3 * level.residual_displacement[axis] / run.run.similitude.length());
                 series.y.push_back(level.level);
@@ -143,9 +141,7 @@ std::optional<ReportFigure> make_spine_figure(const std::vector<ReportedRun>& ru
     StackedPlot plot{.title = fmt::format("Velocity of the spine along {}", axis_name(axis)),
                      .subtitle = describe_runs(runs),
                      .x_label = "t [s]",
-                     .y_label = "v [cm/s], one row per level",
-                     .row_labels = {},
-                     .runs = {}};
+                     .y_label = "v [cm/s], one row per level"};
     double time = 1.0, velocity = 1e2;
     const double sliding = first.response ? first.response->scales.sliding_speed() : 0.0;
     if (are_of_several_scales(runs) && sliding > 0.0) {
@@ -159,7 +155,7 @@ std::optional<ReportFigure> make_spine_figure(const std::vector<ReportedRun>& ru
     for (const ReportedRun& run : runs) {
         const std::size_t spine = run.run.spine.size();
         if (spine != first.run.spine.size()) continue;
-        PlotCurves curves{.label = run.label, .x = {}, .y = std::vector<std::vector<double>>(rows.size())};
+        PlotCurves curves{.label = run.label, .y = std::vector<std::vector<double>>(rows.size())};
         for (std::size_t k = 0; k < run.run.history.samples(); ++k) {
             curves.x.push_back(time * run.run.history.time[k] / run.run.similitude.time());
             for (std::size_t r = 0; r < rows.size(); ++r) {
@@ -175,7 +171,6 @@ std::optional<ReportFigure> make_spine_figure(const std::vector<ReportedRun>& ru
 std::optional<ReportFigure> make_departure_figure(const nlohmann::json& pair, const std::string& name) {
     const nlohmann::json kept = find_object(pair, "departure");
     Departure departure{.time = find_numbers(kept, "time_s"),
-                        .models = {},
                         .twins = static_cast<std::size_t>(std::max(0.0, find_number(kept, "twins", 0.0))),
                         .twins_low = find_numbers(kept, "twins_low"),
                         .twins_high = find_numbers(kept, "twins_high")};
@@ -201,13 +196,12 @@ std::optional<ReportFigure> make_difference_figure(const std::vector<ReportedRun
                   .subtitle = fmt::format("root of the sum over the spine, over the largest of {}", first.label),
                   .x_label = fmt::format("t of {} [s]", first.label),
                   .y_label = "difference",
-                  .series = {},
                   .y_logarithmic = true,
                   .y_most_decades = 16.0};
     for (std::size_t r = 1; r < runs.size(); ++r) {
         const ReportedRun& model = runs[r];
         if (!(largest > 0.0) || !samples_alike(first, model)) continue;
-        PlotSeries series{.label = model.label, .x = {}, .y = {}, .y_error = {}};
+        PlotSeries series{.label = model.label};
         const std::size_t samples = std::min(first.run.history.samples(), model.run.history.samples());
         for (std::size_t k = 0; k < samples; ++k) {
             double sum = 0.0;
@@ -236,12 +230,10 @@ std::optional<ReportFigure> make_lag_figure(const ReportedRun& run) {
                   .subtitle = run.label,
                   .x_label = "height above the lowest level of the spine [m]",
                   .y_label = "lag [ms]",
-                  .series = {},
                   .y_from_zero = true};
     for (const SpeedEstimate& estimate : run.response->speeds) {
         const std::string speed = estimate.speed ? fmt::format(" {:.4g} m/s", *estimate.speed) : "";
-        PlotSeries series{
-            .label = estimate.method + speed, .x = estimate.height, .y = estimate.lag, .marks = true, .line = false, .y_error = {}};
+        PlotSeries series{.label = estimate.method + speed, .x = estimate.height, .y = estimate.lag, .marks = true, .line = false};
         for (double& lag : series.y) lag *= 1e3;
         plot.series.push_back(std::move(series));
     }
@@ -271,14 +263,13 @@ ReportFigure make_tilt_figure(const std::string& name, const std::string& whose,
                   .subtitle = whose,
                   .x_label = "tilt [degrees]",
                   .y_label = "level",
-                  .series = {},
                   .y_from_zero = true};
     const struct {
         const char* label;
         double share;
     } kinds[] = {{"median", 0.5}, {"nine of ten below", 0.9}, {"largest", 1.0}};
     for (const auto& kind : kinds) {
-        PlotSeries series{.label = kind.label, .x = {}, .y = {}, .marks = true, .y_error = {}};
+        PlotSeries series{.label = kind.label, .marks = true};
         for (auto& [level, tilts] : levels) {
             std::sort(tilts.begin(), tilts.end());
             series.x.push_back(find_quantile(tilts, kind.share));
@@ -290,10 +281,10 @@ ReportFigure make_tilt_figure(const std::string& name, const std::string& whose,
 }
 
 ReportFigure make_energy_figure(const ReportedRun& run) {
-    LinePlot plot{.title = "Energy over time", .subtitle = run.label, .x_label = "t [s]", .y_label = "energy [J]", .series = {}};
+    LinePlot plot{.title = "Energy over time", .subtitle = run.label, .x_label = "t [s]", .y_label = "energy [J]"};
     const History& history = run.run.history;
     const auto add = [&](const std::string& label, const std::function<double(const Energy&)>& value) {
-        PlotSeries series{.label = label, .x = history.time, .y = {}, .y_error = {}};
+        PlotSeries series{.label = label, .x = history.time};
         for (const Energy& energy : history.energy) series.y.push_back(value(energy));
         plot.series.push_back(std::move(series));
     };

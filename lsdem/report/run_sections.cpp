@@ -13,10 +13,9 @@ namespace musim::lsdem {
 namespace {
 
 ReportSection make_speed_section(const std::vector<ReportedRun>& runs) {
-    ReportSection section{.id = "speed", .title = "Structural speed", .html = {}};
+    ReportSection section{.id = "speed", .title = "Structural speed"};
     HtmlTable table{.caption = "Speed of travel up the structure; S^N = speed over √(μ g l)",
-                    .heads = {"run", "method", "speed [m/s]", "± [m/s]", "S^N", "levels"},
-                    .rows = {}};
+                    .heads = {"run", "method", "speed [m/s]", "± [m/s]", "S^N", "levels"}};
     for (const ReportedRun& run : runs) {
         if (!run.response) continue;
         const double sliding = run.response->scales.sliding_speed();
@@ -39,10 +38,9 @@ ReportSection make_speed_section(const std::vector<ReportedRun>& runs) {
 }
 
 ReportSection make_energy_section(const std::vector<ReportedRun>& runs) {
-    ReportSection section{.id = "energy", .title = "Energy", .html = {}};
+    ReportSection section{.id = "energy", .title = "Energy"};
     HtmlTable table{.caption = "Energy at the end; gravitational energy from the start [J]",
-                    .heads = {"run", "kinetic", "gravitational", "elastic", "friction", "dashpots", "work of the base", "closes to"},
-                    .rows = {}};
+                    .heads = {"run", "kinetic", "gravitational", "elastic", "friction", "dashpots", "work of the base", "closes to"}};
     for (const ReportedRun& run : runs) {
         const std::vector<Energy>& energy = run.run.history.energy;
         if (energy.empty()) continue;
@@ -70,8 +68,7 @@ ReportSection make_energy_section(const std::vector<ReportedRun>& runs) {
 ReportSection make_overview_section(const ReportContent& content) {
     HtmlTable table{.caption = "Runs",
                     .heads = {"run", "scene", "material", "scale λ_l", "blocks", "simulated [s]", "steps", "step [s]", "wall time [s]",
-                              "musim", "state hash"},
-                    .rows = {}};
+                              "musim", "state hash"}};
     for (const ReportedRun& run : content.runs) {
         const auto number = [&](const char* key, int digits) { return number_cell(find_number(run.summary, key), digits); };
         table.rows.push_back(
@@ -102,7 +99,7 @@ std::vector<ReportFigure> make_spine_figures(const ReportContent& content) {
 }
 
 std::vector<ReportSection> make_run_sections(const std::vector<ReportedRun>& runs) {
-    ReportSection profiles{.id = "profiles", .title = "What it left, level by level", .html = {}, .figures = make_profile_figures(runs)};
+    ReportSection profiles{.id = "profiles", .title = "What it left, level by level", .figures = make_profile_figures(runs)};
     return {std::move(profiles), make_speed_section(runs), make_energy_section(runs)};
 }
 

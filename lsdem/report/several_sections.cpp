@@ -18,8 +18,7 @@ Tone find_status_tone(const std::string& status) {
 HtmlTable make_member_table(const ReportedEnsemble& ensemble) {
     HtmlTable table{
         .caption = "Members of " + ensemble.label,
-        .heads = {"member", "seed", "status", "damage index", "blocks fallen", "peak velocity of the top [m/s]", "why it is no result"},
-        .rows = {}};
+        .heads = {"member", "seed", "status", "damage index", "blocks fallen", "peak velocity of the top [m/s]", "why it is no result"}};
     for (const nlohmann::json& member : find_list(ensemble.summary, "members")) {
         const std::string status = find_text(member, "status");
         table.rows.push_back({{.text = find_text(member, "name")},
@@ -40,8 +39,7 @@ HtmlTable make_member_table(const ReportedEnsemble& ensemble) {
 /// How far the others' means lie in the first one's band.
 HtmlTable make_overlap_table(const std::vector<DimensionlessBands>& bands) {
     HtmlTable table{.caption = fmt::format("Agreement with {}, dimensionless", bands.front().name),
-                    .heads = {"ensemble", "levels and times", "means within mean ± sd [%]", "within two standard errors [%]", "why not"},
-                    .rows = {}};
+                    .heads = {"ensemble", "levels and times", "means within mean ± sd [%]", "within two standard errors [%]", "why not"}};
     for (std::size_t i = 1; i < bands.size(); ++i) {
         try {
             const BandOverlap overlap = compare_bands(bands.front(), bands[i]);
@@ -73,8 +71,7 @@ std::vector<DimensionlessBands> name_bands(const std::vector<ReportedEnsemble>& 
 ReportSection make_sequence_section(const ReportContent& content) {
     HtmlTable table{.caption = "Stages",
                     .heads = {"stage", "status", "base v [m/s]", "base a [m/s²]", "damage of the stage", "since the first start",
-                              "blocks fallen", "collapsed at [s]"},
-                    .rows = {}};
+                              "blocks fallen", "collapsed at [s]"}};
     for (const nlohmann::json& stage : find_list(content.summary, "stages")) {
         const std::string status = find_text(stage, "status");
         table.rows.push_back({{.text = find_text(stage, "name")},
@@ -95,7 +92,7 @@ ReportSection make_sequence_section(const ReportContent& content) {
 }
 
 ReportSection make_ensemble_section(const ReportContent& content) {
-    ReportSection section{.id = "members", .title = "Members", .html = {}};
+    ReportSection section{.id = "members", .title = "Members"};
     for (const ReportedEnsemble& ensemble : content.ensembles) section.html += to_html(make_member_table(ensemble));
     const std::vector<DimensionlessBands> bands = name_bands(content.ensembles);
     if (bands.size() > 1) section.html += to_html(make_overlap_table(bands));

@@ -19,13 +19,12 @@ ReportFigure make_force_figure(const std::vector<ReportedSpecimen>& specimens) {
                   .subtitle = "share of the contacts that bear more",
                   .x_label = "vertical force over the weight of a block",
                   .y_label = "contacts [%]",
-                  .series = {},
                   .y_from_zero = true};
     for (const ReportedSpecimen& reported : specimens) {
         std::vector<double> force = reported.specimen.force;
         if (force.empty()) continue;
         std::sort(force.begin(), force.end());
-        PlotSeries series{.label = reported.label, .x = {}, .y = {}, .y_error = {}};
+        PlotSeries series{.label = reported.label};
         for (int k = 0; k <= kBins; ++k) {
             const double level = force.back() * k / kBins;
             const auto above = force.end() - std::upper_bound(force.begin(), force.end(), level);
@@ -40,11 +39,10 @@ ReportFigure make_force_figure(const std::vector<ReportedSpecimen>& specimens) {
 }  // namespace
 
 ReportSection make_specimen_section(const ReportContent& content) {
-    ReportSection section{.id = "specimens", .title = "Specimens", .html = {}};
+    ReportSection section{.id = "specimens", .title = "Specimens"};
     HtmlTable table{.caption = "Prepared structures",
                     .heads = {"file", "blocks", "layers", "mean tilt [°]", "largest tilt [°]", "contacts", "mean force over weight",
-                              "largest", "musim"},
-                    .rows = {}};
+                              "largest", "musim"}};
     for (const ReportedSpecimen& reported : content.specimens) {
         const StoredSpecimen& specimen = reported.specimen;
         const auto mean = [](const std::vector<double>& values) {

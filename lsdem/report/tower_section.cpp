@@ -93,11 +93,7 @@ std::string make_tower_scripts() {
 }
 
 ReportSection make_tower_section(const ReportContent& content) {
-    ReportSection section{.id = "blocks",
-                          .title = content.runs.empty() ? "The blocks" : "Motion of the blocks",
-                          .html = {},
-                          .figures = {},
-                          .figures_beside = true};
+    ReportSection section{.id = "blocks", .title = content.runs.empty() ? "The blocks" : "Motion of the blocks", .figures_beside = true};
     if (!has_three()) {
         section.html = make_statement(
             Tone::note, fmt::format("there is no three.js on the machine that made this report ({}); install it there (apt-get "

@@ -102,7 +102,7 @@ ReportSection make_verdict_section(const ReportContent& content) {
                                                       record.motion.components.size(), record.motion.component_names())});
     }
 
-    ReportSection section{.id = "verdict", .title = "Verdict", .html = {}};
+    ReportSection section{.id = "verdict", .title = "Verdict"};
     for (const Statement& headline : make_headlines(content)) section.html += make_headline(headline.tone, headline.text);
     const auto calm = std::stable_partition(statements.begin(), statements.end(), [](const Statement& statement) {
         return statement.tone == Tone::warning || statement.tone == Tone::bad;

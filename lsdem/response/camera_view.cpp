@@ -82,8 +82,7 @@ CameraImage take_picture(const StoredRun& run, std::size_t frame, const CameraSe
                       .bottom = low.y() - margin,
                       .pixel = (high.x() - low.x() + 2.0 * margin) / static_cast<double>(settings.columns),
                       .columns = settings.columns,
-                      .rows = 0,
-                      .block = {}};
+                      .rows = 0};
     image.rows = static_cast<std::size_t>(std::ceil((high.y() - low.y() + 2.0 * margin) / image.pixel));
     image.block.assign(image.columns * image.rows, -1);
     std::vector<double> depth(image.block.size(), -std::numeric_limits<double>::infinity());

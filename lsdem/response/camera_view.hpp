@@ -24,7 +24,7 @@ struct CameraImage {
     double left = 0.0, bottom = 0.0;  ///< of the lower left corner, in the image plane: along the camera's right, and z [m]
     double pixel = 0.0;               ///< edge length of a pixel [m]
     std::size_t columns = 0, rows = 0;
-    std::vector<int> block;  ///< seen there; -1: none
+    std::vector<int> block = {};  ///< seen there; -1: none
 };
 
 struct CameraSettings {

@@ -117,7 +117,7 @@ nlohmann::json to_json(const LevelDamage& l, const Damage& damage) {
 /// One value per spine level over the level's number.
 template <class Value>
 PlotSeries make_profile(const std::string& label, const Response& response, const Value& value) {
-    PlotSeries series{.label = label, .x = {}, .y = {}, .marks = true, .y_error = {}};
+    PlotSeries series{.label = label, .marks = true};
     for (const SpineLevel& level : response.spine) {
         series.x.push_back(value(level));
         series.y.push_back(level.level);
@@ -221,7 +221,6 @@ std::string make_residual_svg(const Response& response, const std::string& name)
                   .subtitle = name,
                   .x_label = "displacement [mm]",
                   .y_label = "level",
-                  .series = {},
                   .y_from_zero = true};
     for (int axis = 0; axis < 3; ++axis) {
         plot.series.push_back(
@@ -235,7 +234,6 @@ std::string make_rotation_svg(const Response& response, const std::string& name)
                   .subtitle = name,
                   .x_label = "rotation [degrees]",
                   .y_label = "level",
-                  .series = {},
                   .y_from_zero = true};
     plot.series = {make_profile("in plane, peak", response, [](const SpineLevel& l) { return l.in_plane_peak / kDegree; }),
                    make_profile("in plane, residual", response, [](const SpineLevel& l) { return l.in_plane_residual / kDegree; }),
@@ -249,12 +247,11 @@ std::string make_lag_svg(const Response& response, const std::string& name) {
                   .subtitle = name,
                   .x_label = "height above the lowest level of the spine [m]",
                   .y_label = "lag [ms]",
-                  .series = {},
                   .y_from_zero = true};
     for (const SpeedEstimate& estimate : response.speeds) {
         std::string label = estimate.method;
         if (estimate.speed) label += fmt::format(" {:.4g} m/s", *estimate.speed);
-        PlotSeries series{.label = label, .x = estimate.height, .y = estimate.lag, .marks = true, .line = false, .y_error = {}};
+        PlotSeries series{.label = label, .x = estimate.height, .y = estimate.lag, .marks = true, .line = false};
         for (double& lag : series.y) lag *= 1e3;
         plot.series.push_back(std::move(series));
     }

@@ -126,14 +126,12 @@ StackedPlot make_bands_plot(const std::vector<DimensionlessBands>& ensembles) {
     StackedPlot plot{.title = "Spine velocities: mean and mean ± standard deviation",
                      .subtitle = ensembles.size() == 1 ? first.name : fmt::format("{} ensembles", ensembles.size()),
                      .x_label = "t √(μ g / l)",
-                     .y_label = fmt::format("v / √(μ g l) along {}, one row per level", axis_name(first.axis)),
-                     .row_labels = {},
-                     .runs = {}};
+                     .y_label = fmt::format("v / √(μ g l) along {}, one row per level", axis_name(first.axis))};
     for (const std::size_t row : rows) plot.row_labels.push_back(fmt::format("level {}", first.bands.level[row]));
     for (const DimensionlessBands& ensemble : ensembles) {
         const Bands& bands = ensemble.bands;
         if (bands.level != first.bands.level) continue;
-        PlotCurves& curves = plot.runs.emplace_back(PlotCurves{.label = ensemble.name, .x = bands.time, .y = {}, .spread = {}});
+        PlotCurves& curves = plot.runs.emplace_back(PlotCurves{.label = ensemble.name, .x = bands.time});
         for (const std::size_t row : rows) {
             std::vector<double>&mean = curves.y.emplace_back(), &sd = curves.spread.emplace_back();
             for (std::size_t k = 0; k < bands.samples(); ++k) {

@@ -101,7 +101,7 @@ double SpecimenSet::block_steps() const {
 }
 
 SpecimenSet read_specimen_set(const std::filesystem::path& file) {
-    SpecimenSet set{.name = file.string(), .specimens = {}};
+    SpecimenSet set{.name = file.string()};
     std::ifstream in = scaling::open_regular_file(file);
     if (!in) refuse(file, "cannot be opened; name what `musim specimen --json` printed");
     try {

@@ -22,7 +22,7 @@ struct ToldSpecimen {
 /// Specimens that were prepared in one way.
 struct SpecimenSet {
     std::string name;  ///< of the file
-    std::vector<ToldSpecimen> specimens;
+    std::vector<ToldSpecimen> specimens = {};
 
     std::size_t fallen() const;  ///< blocks, of all specimens
     double block_steps() const;  ///< mean over the specimens; NaN without any

@@ -45,8 +45,7 @@ std::optional<double> find_horizon(const PairStudy& study) {
 std::string name_horizon(double horizon) { return fmt::format("horizon, {:.3g} s", horizon); }
 
 Departure find_departure(const PairStudy& study) {
-    Departure departure{
-        .time = study.prototype.history.time, .models = {}, .twins = study.twin_traces.size(), .twins_low = {}, .twins_high = {}};
+    Departure departure{.time = study.prototype.history.time, .twins = study.twin_traces.size()};
     for (const PairedRun& model : study.models) departure.models.push_back({model.label, model.trace.running});
     if (study.half_step) departure.models.push_back({"half the step", study.half_step->trace.running});
     if (study.twin_traces.empty()) return departure;
@@ -68,8 +67,7 @@ LinePlot make_departure_plot(const Departure& departure, const std::string& name
     LinePlot plot{.title = "Departure from the prototype",
                   .subtitle = name,
                   .x_label = "time of the prototype [s]",
-                  .y_label = "largest difference so far / peak velocity",
-                  .series = {}};
+                  .y_label = "largest difference so far / peak velocity"};
     plot.y_logarithmic = true;
     if (departure.twins > 0) {
         PlotSeries twins = make_series(fmt::format("{} twins", departure.twins), departure.twins_high, departure.time);
@@ -93,7 +91,7 @@ LinePlot make_departure_plot(const Departure& departure, const std::string& name
 std::optional<TwinBand> find_twin_band(const PairStudy& study) {
     if (study.twin_spread.empty()) return std::nullopt;
     const std::size_t spine = study.prototype.spine.size();
-    TwinBand band{.axis = find_strongest_axis(study.prototype.history), .rows = choose_rows(spine), .half_width = {}};
+    TwinBand band{.axis = find_strongest_axis(study.prototype.history), .rows = choose_rows(spine)};
     for (const std::size_t row : band.rows) {
         std::vector<double>& widths = band.half_width.emplace_back();
         for (std::size_t k = row; k < study.twin_spread.size(); k += spine) widths.push_back(study.twin_spread[k][band.axis]);

@@ -138,9 +138,7 @@ StackedPlot make_ensemble_plot(const EnsembleSummary& summary) {
     StackedPlot plot{.title = "Spine velocities: mean and mean ± standard deviation",
                      .subtitle = summary.name,
                      .x_label = "t √(μ g / l)",
-                     .y_label = fmt::format("v / √(μ g l) along {}, one row per level", axis),
-                     .row_labels = {},
-                     .runs = {}};
+                     .y_label = fmt::format("v / √(μ g l) along {}, one row per level", axis)};
     double velocity = 1.0, time = 1.0;
     if (summary.scales && summary.scales->sliding_speed() > 0.0) {
         velocity = 1.0 / summary.scales->sliding_speed();
@@ -152,7 +150,7 @@ StackedPlot make_ensemble_plot(const EnsembleSummary& summary) {
     const int collapsed = summary.count(MemberStatus::collapsed), members = summary.count(MemberStatus::completed) + collapsed;
     std::string label = fmt::format("{} members", members);
     if (collapsed > 0) label += fmt::format(", {} of them until they collapse", collapsed);
-    PlotCurves curves{.label = label, .x = {}, .y = {}, .spread = {}};
+    PlotCurves curves{.label = label};
     for (const double t : bands.time) curves.x.push_back(t * time);
     for (const std::size_t s : choose_rows(bands.levels())) {
         plot.row_labels.push_back(fmt::format("level {}", bands.level[s]));

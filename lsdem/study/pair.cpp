@@ -230,8 +230,7 @@ std::size_t count_runs(std::size_t models, const PairSettings& judging) {
 
 PairStudy run_pair(const PairMember& prototype, const std::vector<PairMember>& models, Materials materials, const RunSettings& settings,
                    const PairSettings& judging) {
-    PairStudy study{
-        .materials = materials, .prototype = {}, .twins = {}, .twin_traces = {}, .same_bits = {}, .half_step = {}, .models = {}};
+    PairStudy study{.materials = materials};
     PairRunner work(prototype, models, settings, judging, study);
     // exact models that agree within rounding need none
     const std::size_t fewest = materials == Materials::exact && !models.empty() ? 0 : kFewestTwins;

@@ -66,14 +66,14 @@ std::size_t count_runs(std::size_t models, const PairSettings& judging);
 /// A prototype, its twins and its models.
 struct PairStudy {
     Materials materials = Materials::exact;
-    RunResult prototype;
-    std::vector<PairedTwin> twins;
-    std::vector<RunTrace> twin_traces;  ///< in the order of the twins
+    RunResult prototype = {};
+    std::vector<PairedTwin> twins = {};
+    std::vector<RunTrace> twin_traces = {};  ///< in the order of the twins
     /// Of every sample and spine block, as History has them: the largest |v_twin/λ_v − v_P| of each component [m/s].
     std::vector<Vector3> twin_spread = {};
-    std::optional<bool> same_bits;       ///< does the image at a quarter of the length agree in every bit? nothing: not run
-    std::optional<PairedRun> half_step;  ///< the prototype at half its step
-    std::vector<PairedRun> models;
+    std::optional<bool> same_bits = {};       ///< does the image at a quarter of the length agree in every bit? nothing: not run
+    std::optional<PairedRun> half_step = {};  ///< the prototype at half its step
+    std::vector<PairedRun> models = {};
     std::vector<RunTrace> specimen_traces = {};  ///< of other specimens of the prototype, for own models (run_other_specimens)
     std::optional<double> tolerance = {};        ///< by which an own model may differ to be accepted [-]
 

@@ -303,12 +303,8 @@ ScenePair pair_scene(const Scene& prototype, const std::vector<ModelChoice>& mod
     const PairMember original =
         lay_member("prototype", prototype, Similitude(), layings.next(kept.settings_of("prototype", settings)), Sampling::every_step);
 
-    ScenePair pair{.prototype = prototype,
-                   .models = {},
-                   .scales = find_motion_scales(original.specimen),
-                   .study = {},
-                   .unfinished = kept.folder(),
-                   .resumed = kept.resumed()};
+    ScenePair pair{
+        .prototype = prototype, .scales = find_motion_scales(original.specimen), .unfinished = kept.folder(), .resumed = kept.resumed()};
     std::vector<PairMember> members, lone_members;
     for (std::size_t m = 0; m < models.size(); ++m) {
         const ModelChoice& choice = models[m];

@@ -173,7 +173,7 @@ class Preview {
     }
 
     void draw_motion() {
-        LinePlot plot{.title = {}, .subtitle = {}, .x_label = "time [s]", .y_label = "base [g]", .series = {}};
+        LinePlot plot{.x_label = "time [s]", .y_label = "base [g]"};
         std::map<char, PlotSeries> series;
         double start = 0.0;
         for (const MotionSummary& motion : summary_.motions) {

@@ -30,7 +30,7 @@ struct PlotUnits {
 
 PlotCurves make_curves(const std::string& label, const RunResult& run, const scaling::Similitude& similitude, const PlotUnits& units,
                        const std::vector<std::size_t>& rows) {
-    PlotCurves curves{.label = label, .x = {}, .y = std::vector<std::vector<double>>(rows.size())};
+    PlotCurves curves{.label = label, .y = std::vector<std::vector<double>>(rows.size())};
     const std::size_t spine = run.spine.size();
     const double time = units.time / similitude.time();
     const double velocity = units.velocity / similitude.velocity();
@@ -70,12 +70,8 @@ MotionScales find_motion_scales(const Specimen& specimen) {
 }
 
 StackedPlot make_spine_plot(const PairStudy& study, const MotionScales& scales, const std::string& name) {
-    StackedPlot plot{.title = "Spine velocities, scaled back to the prototype",
-                     .subtitle = name,
-                     .x_label = "t √(μ g / l)",
-                     .y_label = "v / PGV",
-                     .row_labels = {},
-                     .runs = {}};
+    StackedPlot plot{
+        .title = "Spine velocities, scaled back to the prototype", .subtitle = name, .x_label = "t √(μ g / l)", .y_label = "v / PGV"};
     PlotUnits units;
 
     // what velocities are measured in
