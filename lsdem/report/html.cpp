@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 
 namespace musim::lsdem {
@@ -47,19 +48,8 @@ std::string escape_html(const std::string& text) {
 }
 
 std::string to_string(Tone tone) {
-    switch (tone) {
-        case Tone::good:
-            return "good";
-        case Tone::note:
-            return "note";
-        case Tone::warning:
-            return "warning";
-        case Tone::bad:
-            return "bad";
-        case Tone::plain:
-            break;
-    }
-    return {};
+    constexpr std::array kNames{"", "good", "note", "warning", "bad"};
+    return kNames.at(static_cast<std::size_t>(tone));
 }
 
 HtmlCell number_cell(double value, int digits) {

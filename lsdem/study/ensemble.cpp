@@ -1,6 +1,7 @@
 #include "lsdem/study/ensemble.hpp"
 
 #include <algorithm>
+#include <array>
 #include <exception>
 
 #include "lsdem/results/read_results.hpp"
@@ -68,19 +69,8 @@ void add_member(EnsembleSummary& summary, BandSum& bands, const EnsembleMember& 
 }  // namespace
 
 std::string to_string(MemberStatus status) {
-    switch (status) {
-        case MemberStatus::completed:
-            return "completed";
-        case MemberStatus::collapsed:
-            return "collapsed";
-        case MemberStatus::diverged:
-            return "diverged";
-        case MemberStatus::unsettled:
-            return "unsettled";
-        case MemberStatus::failed:
-            break;
-    }
-    return "failed";
+    constexpr std::array kNames{"completed", "collapsed", "diverged", "unsettled", "failed"};
+    return kNames.at(static_cast<std::size_t>(status));
 }
 
 int EnsembleSummary::count(MemberStatus status) const {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <nlohmann/json.hpp>
 #include <utility>
 #include <variant>
@@ -76,15 +77,8 @@ std::vector<EnsembleMember> plan_ensemble(const Scene& scene, int members, const
 fs::path member_folder(const fs::path& directory, const EnsembleMember& member) { return directory / "members" / member.name; }
 
 std::string to_string(MemberState state) {
-    switch (state) {
-        case MemberState::waiting:
-            return "waiting";
-        case MemberState::unfinished:
-            return "unfinished";
-        case MemberState::finished:
-            break;
-    }
-    return "finished";
+    constexpr std::array kNames{"waiting", "unfinished", "finished"};
+    return kNames.at(static_cast<std::size_t>(state));
 }
 
 MemberState find_state(const fs::path& directory, const EnsembleMember& member) {

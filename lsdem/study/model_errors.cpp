@@ -1,5 +1,6 @@
 #include "lsdem/study/model_errors.hpp"
 
+#include <array>
 #include <cmath>
 
 namespace musim::lsdem {
@@ -17,27 +18,9 @@ void multiply_in_materials(Model& model, Property Material::*property, double fa
 }  // namespace
 
 std::string to_string(ModelError error) {
-    switch (error) {
-        case ModelError::normal_stiffness:
-            return "normal_stiffness";
-        case ModelError::shear_stiffness:
-            return "shear_stiffness";
-        case ModelError::friction:
-            return "friction";
-        case ModelError::restitution:
-            return "restitution";
-        case ModelError::mass:
-            return "mass";
-        case ModelError::gravity:
-            return "gravity";
-        case ModelError::record_step:
-            return "record_step";
-        case ModelError::absolute_tolerance:
-            return "absolute_tolerance";
-        case ModelError::lost_friction:
-            break;
-    }
-    return "lost_friction";
+    constexpr std::array kNames{"normal_stiffness", "shear_stiffness", "friction",           "restitution",  "mass",
+                                "gravity",          "record_step",     "absolute_tolerance", "lost_friction"};
+    return kNames.at(static_cast<std::size_t>(error));
 }
 
 std::vector<ModelError> all_model_errors() {

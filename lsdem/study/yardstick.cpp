@@ -1,6 +1,7 @@
 #include "lsdem/study/yardstick.hpp"
 
 #include <algorithm>
+#include <array>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <initializer_list>
@@ -81,17 +82,8 @@ Agreement worst(std::initializer_list<Agreement> all) {
 }
 
 std::string to_string(Agreement agreement) {
-    switch (agreement) {
-        case Agreement::agree:
-            return "agree";
-        case Agreement::differ:
-            return "differ";
-        case Agreement::undecided:
-            return "undecided";
-        case Agreement::not_judged:
-            break;
-    }
-    return "not_judged";
+    constexpr std::array kNames{"agree", "differ", "undecided", "not_judged"};
+    return kNames.at(static_cast<std::size_t>(agreement));
 }
 
 const QuantityCheck* find_top(const std::vector<QuantityCheck>& checks, const std::string& key) {
