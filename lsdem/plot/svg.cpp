@@ -6,29 +6,24 @@
 
 namespace musim::lsdem::detail {
 
-std::string escape(const std::string& text) {
+std::string escape_markup(const std::string& text, std::string_view reserved) {
+    constexpr std::array kNames{"&amp;", "&lt;", "&gt;", "&quot;", "&#39;"};
     std::string safe;
-    for (const char c : text) {
-        // control letters are no XML
-        if (static_cast<unsigned char>(c) < 0x20) continue;
-        switch (c) {
-            case '&':
-                safe += "&amp;";
-                break;
-            case '<':
-                safe += "&lt;";
-                break;
-            case '>':
-                safe += "&gt;";
-                break;
-            case '"':
-                safe += "&quot;";
-                break;
-            default:
-                safe += c;
+    safe.reserve(text.size());
+    for (const char letter : text) {
+        const std::size_t place = reserved.find(letter);
+        if (place < reserved.size()) {
+            safe += kNames.at(place);
+        } else {
+            safe += letter;
         }
     }
     return safe;
+}
+
+std::string escape(std::string text) {
+    std::erase_if(text, [](unsigned char letter) { return letter < 0x20; });
+    return escape_markup(text, "&<>\"");
 }
 
 double round_down(double value) {

@@ -3,6 +3,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 
 /// What all pictures of musim share: text, lines, colours, round numbers.
 namespace musim::lsdem::detail {
@@ -32,8 +33,10 @@ inline constexpr std::array<LineStyle, 6> kLineStyles{{{"#56B4E9", 3.4, ""},
                                                        {"#CC79A7", 1.3, "4 4"},
                                                        {"#0072B2", 1.3, "12 5"}}};
 
-/// Text with the characters that XML reserves replaced.
-std::string escape(const std::string& text);
+/// Text with the characters of `reserved` replaced, which are the first of &<>"'.
+std::string escape_markup(const std::string& text, std::string_view reserved);
+/// Text with the characters that XML reserves replaced, and without control letters, which are no XML.
+std::string escape(std::string text);
 
 /// 1, 2 or 5 times a power of ten, nearest below `value` > 0.
 double round_down(double value);

@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "lsdem/plot/svg.hpp"
+
 namespace musim::lsdem {
 namespace {
 
@@ -20,32 +22,7 @@ std::string to_html(const HtmlCell& cell, const char* tag, const char* attribute
 
 }  // namespace
 
-std::string escape_html(const std::string& text) {
-    std::string escaped;
-    escaped.reserve(text.size());
-    for (const char c : text) {
-        switch (c) {
-            case '&':
-                escaped += "&amp;";
-                break;
-            case '<':
-                escaped += "&lt;";
-                break;
-            case '>':
-                escaped += "&gt;";
-                break;
-            case '"':
-                escaped += "&quot;";
-                break;
-            case '\'':
-                escaped += "&#39;";
-                break;
-            default:
-                escaped += c;
-        }
-    }
-    return escaped;
-}
+std::string escape_html(const std::string& text) { return detail::escape_markup(text, "&<>\"'"); }
 
 std::string to_string(Tone tone) {
     constexpr std::array kNames{"", "good", "note", "warning", "bad"};
