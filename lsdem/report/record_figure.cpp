@@ -29,29 +29,31 @@ constexpr double kFourierDecades = 5.0;
 /// Over the rows of measures.
 const std::vector<std::string> kKeyHeadings{"component", "PGA [g]", "PGV [cm/s]", "PGD [cm]", "Arias [m/s]", "D5-95 [s]"};
 
-/// How a kind of curve is drawn.
-struct PanelTexts {
+/// How a kind of curve is drawn, and named in files.
+struct CurveTexts {
     const char* title;
     const char* y_label;
     const char* x_label;
     const char* y_factor;  ///< what a model's values are divided by; empty: nothing
     const char* x_factor;
+    const char* value_key;
+    const char* over_key;  ///< of what the value is over
 };
 
-PanelTexts texts_of(CurveKind kind) {
+CurveTexts texts_of(CurveKind kind) {
     switch (kind) {
         case CurveKind::acceleration:
-            return {"acceleration", "a{} [g]", "time{} [s]", "/λₐ", "/λₜ"};
+            return {"acceleration", "a{} [g]", "time{} [s]", "/λₐ", "/λₜ", "acceleration_g", "time_s"};
         case CurveKind::velocity:
-            return {"velocity", "v{} [cm/s]", "time{} [s]", "/λᵥ", "/λₜ"};
+            return {"velocity", "v{} [cm/s]", "time{} [s]", "/λᵥ", "/λₜ", "velocity_cm_s", "time_s"};
         case CurveKind::displacement:
-            return {"displacement", "d{} [cm]", "time{} [s]", "/λₗ", "/λₜ"};
+            return {"displacement", "d{} [cm]", "time{} [s]", "/λₗ", "/λₜ", "displacement_cm", "time_s"};
         case CurveKind::arias:
-            return {"build-up of the Arias intensity, D5-95", "share{} [%]", "time{} [s]", "", "/λₜ"};
+            return {"build-up of the Arias intensity, D5-95", "share{} [%]", "time{} [s]", "", "/λₜ", "arias_percent", "time_s"};
         case CurveKind::fourier:
-            return {"Fourier amplitude", "|A|{} [g·s]", "frequency{} [Hz]", "/(λₐλₜ)", "·λₜ"};
+            return {"Fourier amplitude", "|A|{} [g·s]", "frequency{} [Hz]", "/(λₐλₜ)", "·λₜ", "fourier_g_s", "frequency_hz"};
         default:
-            return {"PSA", "PSA{} [g]", "period{} [s]", "/λₐ", "/λₜ"};
+            return {"PSA", "PSA{} [g]", "period{} [s]", "/λₐ", "/λₜ", "psa_g", "period_s"};
     }
 }
 
@@ -76,7 +78,7 @@ PlotSeries mark_peak(const ComponentCurves& component, const Curve& curve, int s
 
 /// All components in one panel; one without curves when they have none of this kind.
 LinePlot make_panel(const RecordFigure& figure, CurveKind kind) {
-    const PanelTexts texts = texts_of(kind);
+    const CurveTexts texts = texts_of(kind);
     const bool divided = figure.model_of.has_value();
     LinePlot panel{.title = texts.title,
                    .subtitle = "",
@@ -200,38 +202,16 @@ std::vector<std::string> make_caption(const RecordFigure& figure) {
     return lines;
 }
 
-/// Names in files: of the value, and of what it is over.
-struct CurveKeys {
-    const char* value;
-    const char* over;
-};
-
-CurveKeys keys_of(CurveKind kind) {
-    switch (kind) {
-        case CurveKind::acceleration:
-            return {"acceleration_g", "time_s"};
-        case CurveKind::velocity:
-            return {"velocity_cm_s", "time_s"};
-        case CurveKind::displacement:
-            return {"displacement_cm", "time_s"};
-        case CurveKind::arias:
-            return {"arias_percent", "time_s"};
-        case CurveKind::fourier:
-            return {"fourier_g_s", "frequency_hz"};
-        default:
-            return {"psa_g", "period_s"};
-    }
-}
-
 const char* scale_of(const ComponentCurves& component) { return component.model ? "model" : "prototype"; }
 
 std::string make_csv(const std::vector<ComponentCurves>& components) {
     std::string text = "file,component,scale,quantity,over,x,value\n";
     for (const ComponentCurves& component : components) {
         for (const Curve& curve : component.curves) {
-            const CurveKeys keys = keys_of(curve.kind);
-            const std::string start = fmt::format("{},{},{},{},{}", records::csv_cell(component.file),
-                                                  records::csv_cell(component.component), scale_of(component), keys.value, keys.over);
+            const CurveTexts texts = texts_of(curve.kind);
+            const std::string start =
+                fmt::format("{},{},{},{},{}", records::csv_cell(component.file), records::csv_cell(component.component),
+                            scale_of(component), texts.value_key, texts.over_key);
             for (std::size_t i = 0; i < curve.x.size(); ++i) {
                 fmt::format_to(std::back_inserter(text), "{},{},{}\n", start, curve.x[i], curve.y[i]);
             }
