@@ -13,12 +13,6 @@ namespace {
 
 using nlohmann::json;
 
-Tone find_severity_tone(const std::string& severity) {
-    if (severity == "error") return Tone::bad;
-    if (severity == "warning") return Tone::warning;
-    return severity == "note" ? Tone::note : Tone::plain;
-}
-
 bool is_plain(const json& value) {
     return value.is_primitive() ||
            (value.is_array() && std::all_of(value.begin(), value.end(), [](const json& one) { return one.is_primitive(); }));
@@ -31,7 +25,7 @@ HtmlCell make_cell(const std::string& key, const json& value) {
     if (value.is_boolean()) return {.text = value.get<bool>() ? "yes" : "no"};
     if (value.is_string()) {
         const auto text = value.get<std::string>();
-        return {.text = text, .tone = key == "severity" ? find_severity_tone(text) : Tone::plain};
+        return {.text = text, .tone = key == "severity" ? find_tone(text, Tone::plain) : Tone::plain};
     }
     if (!value.is_array()) return {.text = value.dump()};
     std::string list;
@@ -110,7 +104,7 @@ std::string make_document_verdict(const ReportedDocument& document) {
     Tone worst = Tone::plain;
     std::string names;
     for (const json& distortion : *found) {
-        worst = std::max(worst, find_severity_tone(find_text(distortion, "severity")));
+        worst = std::max(worst, find_tone(find_text(distortion, "severity"), Tone::plain));
         names += (names.empty() ? "" : ", ") + find_text(distortion, "group");
     }
     return make_statement(worst, fmt::format("{}: {} {} distorted: {}", document.label, found->size(),

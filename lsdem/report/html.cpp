@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <map>
 
 #include "lsdem/plot/svg.hpp"
 
@@ -29,6 +30,13 @@ std::string to_string(Tone tone) {
     return kNames.at(static_cast<std::size_t>(tone));
 }
 
+Tone find_tone(const std::string& word, Tone otherwise) {
+    static const std::map<std::string, Tone> kTones{
+        {"completed", Tone::good}, {"collapsed", Tone::warning}, {"note", Tone::note}, {"warning", Tone::warning}, {"error", Tone::bad}};
+    const auto found = kTones.find(word);
+    return found == kTones.end() ? otherwise : found->second;
+}
+
 HtmlCell number_cell(double value, int digits) {
     return {.text = std::isfinite(value) ? fmt::format("{:.{}g}", value, digits) : "-", .is_number = true};
 }
@@ -45,13 +53,10 @@ std::string to_html(const HtmlTable& table) {
     return html + "</tbody></table></div>\n";
 }
 
-std::string make_statement(Tone tone, const std::string& text) {
-    if (tone == Tone::plain) return "<p>" + escape_html(text) + "</p>\n";
-    return fmt::format("<p class=\"statement {0}\"><strong>{0}</strong> {1}</p>\n", to_string(tone), escape_html(text));
-}
-
-std::string make_headline(Tone tone, const std::string& text) {
-    return fmt::format("<p class=\"headline statement {0}\"><strong>{0}</strong> {1}</p>\n", to_string(tone), escape_html(text));
+std::string make_statement(Tone tone, const std::string& text, bool is_headline) {
+    if (tone == Tone::plain && !is_headline) return "<p>" + escape_html(text) + "</p>\n";
+    return fmt::format("<p class=\"{0}statement {1}\"><strong>{1}</strong> {2}</p>\n", is_headline ? "headline " : "", to_string(tone),
+                       escape_html(text));
 }
 
 }  // namespace musim::lsdem

@@ -15,6 +15,9 @@ enum class Tone { plain, good, note, warning, bad };
 /// "good", "note", "warning", "bad"; empty for plain. Also the class of the style sheet.
 std::string to_string(Tone tone);
 
+/// Of the severity of a distortion or of how a run ended, in words; `otherwise` for other words.
+Tone find_tone(const std::string& word, Tone otherwise);
+
 /// A sentence of a verdict and how good the news is.
 struct Statement {
     Tone tone = Tone::plain;
@@ -41,10 +44,7 @@ struct HtmlTable {
 /// wide.
 std::string to_html(const HtmlTable& table);
 
-/// A paragraph of a tone, its word before the text.
-std::string make_statement(Tone tone, const std::string& text);
-
-/// The main result: larger than a statement, its word before the text.
-std::string make_headline(Tone tone, const std::string& text);
+/// A paragraph of a tone, its word before the text; a headline, the main result, is larger.
+std::string make_statement(Tone tone, const std::string& text, bool is_headline = false);
 
 }  // namespace musim::lsdem

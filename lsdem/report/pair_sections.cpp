@@ -10,11 +10,6 @@
 namespace musim::lsdem {
 namespace {
 
-Tone find_tone(const std::string& severity) {
-    if (severity == "error") return Tone::bad;
-    return severity == "warning" ? Tone::warning : Tone::note;
-}
-
 HtmlTable make_factor_table(const std::vector<ReportedRun>& runs) {
     HtmlTable table{.caption = "Factors of the models to their prototype", .heads = {"quantity"}};
     std::set<std::string> names;
@@ -44,7 +39,7 @@ HtmlTable make_distortion_table(const nlohmann::json& pair) {
             table.rows.push_back({{.text = find_text(model, "label")},
                                   {.text = find_text(distortion, "group")},
                                   number_cell(find_number(distortion, "factor")),
-                                  {.text = severity, .tone = find_tone(severity)},
+                                  {.text = severity, .tone = find_tone(severity, Tone::note)},
                                   {.text = find_text(distortion, "effect")}});
         }
     }

@@ -10,11 +10,6 @@
 namespace musim::lsdem {
 namespace {
 
-Tone find_status_tone(const std::string& status) {
-    if (status == "completed") return Tone::good;
-    return status == "collapsed" ? Tone::warning : Tone::bad;
-}
-
 HtmlTable make_member_table(const ReportedEnsemble& ensemble) {
     HtmlTable table{
         .caption = "Members of " + ensemble.label,
@@ -23,7 +18,7 @@ HtmlTable make_member_table(const ReportedEnsemble& ensemble) {
         const std::string status = find_text(member, "status");
         table.rows.push_back({{.text = find_text(member, "name")},
                               number_cell(find_number(member, "seed"), 9),
-                              {.text = status, .tone = find_status_tone(status)},
+                              {.text = status, .tone = find_tone(status, Tone::bad)},
                               number_cell(find_number(member, "damage_index")),
                               number_cell(find_number(member, "fallen_blocks"), 9),
                               number_cell(find_number(member, "top_peak_velocity_m_s")),
@@ -75,7 +70,7 @@ ReportSection make_sequence_section(const ReportContent& content) {
     for (const nlohmann::json& stage : find_list(content.summary, "stages")) {
         const std::string status = find_text(stage, "status");
         table.rows.push_back({{.text = find_text(stage, "name")},
-                              {.text = status, .tone = find_status_tone(status)},
+                              {.text = status, .tone = find_tone(status, Tone::bad)},
                               number_cell(find_number(stage, "peak_base_velocity_m_s")),
                               number_cell(find_number(stage, "peak_base_acceleration_m_s2")),
                               number_cell(find_number(find_object(stage, "since_stage_start"), "damage_index")),

@@ -25,18 +25,6 @@ std::string describe_status(const ReportedRun& run) {
     return "ran to its end";
 }
 
-Tone find_tone(RunStatus status) {
-    switch (status) {
-        case RunStatus::completed:
-            return Tone::good;
-        case RunStatus::collapsed:
-            return Tone::warning;
-        case RunStatus::diverged:
-            return Tone::bad;
-    }
-    return Tone::plain;
-}
-
 void add_run(std::vector<Statement>& statements, const ReportedRun& run) {
     std::string text = run.label + ": " + describe_status(run);
     if (run.response) {
@@ -47,7 +35,7 @@ void add_run(std::vector<Statement>& statements, const ReportedRun& run) {
     const double closure = find_number(run.summary, "energy_closure");
     const std::string balance = fmt::format("energy balance closes to {:.2g} of the energy in play", closure);
     if (closure < kGoodClosure) text += "; " + balance;
-    statements.push_back({run.run.is_status_known ? find_tone(run.run.status) : Tone::note, text});
+    statements.push_back({run.run.is_status_known ? find_tone(to_string(run.run.status), Tone::bad) : Tone::note, text});
     if (closure >= kGoodClosure) statements.push_back({Tone::warning, run.label + ": " + balance});
     for (const std::string& warning : run.run.warnings) statements.push_back({Tone::warning, run.label + ": " + warning});
 }
@@ -103,7 +91,7 @@ ReportSection make_verdict_section(const ReportContent& content) {
     }
 
     ReportSection section{.id = "verdict", .title = "Verdict"};
-    for (const Statement& headline : make_headlines(content)) section.html += make_headline(headline.tone, headline.text);
+    for (const Statement& headline : make_headlines(content)) section.html += make_statement(headline.tone, headline.text, true);
     const auto calm = std::stable_partition(statements.begin(), statements.end(), [](const Statement& statement) {
         return statement.tone == Tone::warning || statement.tone == Tone::bad;
     });
