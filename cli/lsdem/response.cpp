@@ -113,9 +113,9 @@ int run_response(const ResponseOptions& options) {
         folder.add_text("response.json", object.dump(2) + "\n");
         folder.add_text("response_spine.csv", lsdem::make_spine_levels_csv(response));
         folder.add_text("response_levels.csv", lsdem::make_damage_csv(response.damage));
-        folder.add_text("residual.svg", lsdem::make_residual_svg(response, options.directory));
-        folder.add_text("rotation.svg", lsdem::make_rotation_svg(response, options.directory));
-        folder.add_text("lag.svg", lsdem::make_lag_svg(response, options.directory));
+        folder.add_text("residual.svg", make_svg(lsdem::make_residual_plot(response, options.directory)));
+        folder.add_text("rotation.svg", make_svg(lsdem::make_rotation_plot(response, options.directory)));
+        folder.add_text("lag.svg", make_svg(lsdem::make_lag_plot(response, options.directory)));
         folder.commit();
     }
     if (options.json) {

@@ -23,6 +23,10 @@ detail::LineStyle find_style(std::size_t index) {
 
 }  // namespace
 
+LinePlot make_level_plot(const std::string& title, const std::string& subtitle, const std::string& x_label) {
+    return {.title = title, .subtitle = subtitle, .x_label = x_label, .y_label = "level", .y_from_zero = true};
+}
+
 std::string make_svg(const LinePlot& plot) {
     detail::PanelPlace place{.frame = kFrame, .x_range = {.logarithmic = plot.x_logarithmic}};
     detail::add_abscissas(place.x_range, plot);

@@ -36,6 +36,20 @@ struct LinePlot {
     double y_most_decades = 0.0;  ///< what a logarithmic vertical axis shows below the greatest value; 0: all
 };
 
+/// For values of the levels of a structure, written upward.
+LinePlot make_level_plot(const std::string& title, const std::string& subtitle, const std::string& x_label);
+
+/// A dot per level: of each of `levels`, which have a number `level`, what `value` makes of it.
+template <class Levels, class Value>
+PlotSeries make_level_series(const std::string& label, const Levels& levels, const Value& value) {
+    PlotSeries series{.label = label, .marks = true};
+    for (const auto& level : levels) {
+        series.x.push_back(value(level));
+        series.y.push_back(level.level);
+    }
+    return series;
+}
+
 /// The plot as an SVG document, axes with round ticks, legend on the right. Throws std::invalid_argument when x and y of a series differ
 /// in length.
 std::string make_svg(const LinePlot& plot);

@@ -42,36 +42,25 @@ std::string name_figure(const std::string& what, const std::string& label) {
 ReportFigure make_level_figure(const std::string& name, const std::string& title, const std::string& x_label,
                                const std::vector<ReportedRun>& runs,
                                const std::function<double(const LevelDamage&, const ReportedRun&)>& value) {
-    LinePlot plot{.title = title, .subtitle = describe_runs(runs), .x_label = x_label, .y_label = "level", .y_from_zero = true};
+    LinePlot plot = make_level_plot(title, describe_runs(runs), x_label);
     for (const ReportedRun& run : runs) {
         if (!run.response) continue;
-        PlotSeries series{.label = run.label, .marks = true};
-        for (const LevelDamage& level : run.response->damage.levels) {
-            series.x.push_back(value(level, run));
-            series.y.push_back(level.level);
-        }
-        plot.series.push_back(std::move(series));
+        plot.series.push_back(
+            make_level_series(run.label, run.response->damage.levels, [&](const LevelDamage& level) { return value(level, run); }));
     }
     return make_figure(name, plot);
 }
 
 ReportFigure make_residual_figure(const std::vector<ReportedRun>& runs) {
-    LinePlot plot{.title = "Residual displacement of the spine, relative to the base",
-                  .subtitle = describe_runs(runs),
-                  .x_label = "displacement [mm]",
-                  .y_label = "level",
-                  .y_from_zero = true};
+    LinePlot plot;
     for (const ReportedRun& run : runs) {
         if (!run.response) continue;
-        for (const int axis : {0, 1, 2}) {
-            const std::string along = "along " + axis_name(axis);
-            PlotSeries series{.label = runs.size() == 1 ? along : run.label + ", " + along, .marks = true};
-            for (const SpineLevel& level : run.response->spine) {
-                series.x.push_back(1e3 * level.residual_displacement[axis] / run.run.similitude.length());
-                series.y.push_back(level.level);
-            }
-            plot.series.push_back(std::move(series));
+        LinePlot own = make_residual_plot(*run.response, describe_runs(runs), run.run.similitude.length());
+        for (PlotSeries& series : own.series) {
+            if (runs.size() > 1) series.label = run.label + ", " + series.label;
         }
+        own.series.insert(own.series.begin(), plot.series.begin(), plot.series.end());
+        plot = std::move(own);
     }
     return make_figure("residual_displacement", plot);
 }
@@ -226,18 +215,7 @@ std::optional<ReportFigure> make_difference_figure(const std::vector<ReportedRun
 
 std::optional<ReportFigure> make_lag_figure(const ReportedRun& run) {
     if (!run.response || run.response->speeds.empty()) return std::nullopt;
-    LinePlot plot{.title = fmt::format("Arrival along {} over height", axis_name(run.response->axis)),
-                  .subtitle = run.label,
-                  .x_label = "height above the lowest level of the spine [m]",
-                  .y_label = "lag [ms]",
-                  .y_from_zero = true};
-    for (const SpeedEstimate& estimate : run.response->speeds) {
-        const std::string speed = estimate.speed ? fmt::format(" {:.4g} m/s", *estimate.speed) : "";
-        PlotSeries series{.label = estimate.method + speed, .x = estimate.height, .y = estimate.lag, .marks = true, .line = false};
-        for (double& lag : series.y) lag *= 1e3;
-        plot.series.push_back(std::move(series));
-    }
-    return make_figure(name_figure("lag", run.label), plot);
+    return make_figure(name_figure("lag", run.label), make_lag_plot(*run.response, run.label));
 }
 
 std::vector<ReportFigure> make_profile_figures(const std::vector<ReportedRun>& runs) {
@@ -259,11 +237,7 @@ ReportFigure make_tilt_figure(const std::string& name, const std::string& whose,
     for (std::size_t b = 0; b < tilt.size(); ++b) {
         if (layer[b] > 0) levels[layer[b]].push_back(tilt[b] / kDegree);
     }
-    LinePlot plot{.title = "Tilt of the blocks at the start",
-                  .subtitle = whose,
-                  .x_label = "tilt [degrees]",
-                  .y_label = "level",
-                  .y_from_zero = true};
+    LinePlot plot = make_level_plot("Tilt of the blocks at the start", whose, "tilt [degrees]");
     const struct {
         const char* label;
         double share;

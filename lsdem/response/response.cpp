@@ -9,7 +9,6 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "lsdem/plot/line_plot.hpp"
 #include "lsdem/results/summary.hpp"
 #include "lsdem/scene/scene_json.hpp"
 #include "scaling/angle.hpp"
@@ -114,17 +113,6 @@ nlohmann::json to_json(const LevelDamage& l, const Damage& damage) {
             {"loss", to_json(l.loss, l.loss ? find_loss_share(l, damage) : 0.0)}};
 }
 
-/// One value per spine level over the level's number.
-template <class Value>
-PlotSeries make_profile(const std::string& label, const Response& response, const Value& value) {
-    PlotSeries series{.label = label, .marks = true};
-    for (const SpineLevel& level : response.spine) {
-        series.x.push_back(value(level));
-        series.y.push_back(level.level);
-    }
-    return series;
-}
-
 /// A tenth more than the elastic speed: arrivals by a threshold come a few percent early [-].
 constexpr double kFastest = 1.1;
 
@@ -216,46 +204,40 @@ std::string make_spine_levels_csv(const Response& response) {
     return csv;
 }
 
-std::string make_residual_svg(const Response& response, const std::string& name) {
-    LinePlot plot{.title = "Residual displacement of the spine, relative to the base",
-                  .subtitle = name,
-                  .x_label = "displacement [mm]",
-                  .y_label = "level",
-                  .y_from_zero = true};
+LinePlot make_residual_plot(const Response& response, const std::string& name, double length) {
+    LinePlot plot = make_level_plot("Residual displacement of the spine, relative to the base", name, "displacement [mm]");
     for (int axis = 0; axis < 3; ++axis) {
-        plot.series.push_back(
-            make_profile("along " + axis_name(axis), response, [&](const SpineLevel& l) { return 1e3 * l.residual_displacement[axis]; }));
+        plot.series.push_back(make_level_series("along " + axis_name(axis), response.spine,
+                                                [&](const SpineLevel& l) { return 1e3 * l.residual_displacement[axis] / length; }));
     }
-    return make_svg(plot);
+    return plot;
 }
 
-std::string make_rotation_svg(const Response& response, const std::string& name) {
-    LinePlot plot{.title = "Rotation of the spine's blocks, relative to the start",
-                  .subtitle = name,
-                  .x_label = "rotation [degrees]",
-                  .y_label = "level",
-                  .y_from_zero = true};
-    plot.series = {make_profile("in plane, peak", response, [](const SpineLevel& l) { return l.in_plane_peak / kDegree; }),
-                   make_profile("in plane, residual", response, [](const SpineLevel& l) { return l.in_plane_residual / kDegree; }),
-                   make_profile("vertical axis, peak", response, [](const SpineLevel& l) { return l.vertical_peak / kDegree; }),
-                   make_profile("vertical axis, residual", response, [](const SpineLevel& l) { return l.vertical_residual / kDegree; })};
-    return make_svg(plot);
+LinePlot make_rotation_plot(const Response& response, const std::string& name) {
+    LinePlot plot = make_level_plot("Rotation of the spine's blocks, relative to the start", name, "rotation [degrees]");
+    const auto add = [&](const char* label, double SpineLevel::*angle) {
+        plot.series.push_back(make_level_series(label, response.spine, [&](const SpineLevel& l) { return l.*angle / kDegree; }));
+    };
+    add("in plane, peak", &SpineLevel::in_plane_peak);
+    add("in plane, residual", &SpineLevel::in_plane_residual);
+    add("vertical axis, peak", &SpineLevel::vertical_peak);
+    add("vertical axis, residual", &SpineLevel::vertical_residual);
+    return plot;
 }
 
-std::string make_lag_svg(const Response& response, const std::string& name) {
+LinePlot make_lag_plot(const Response& response, const std::string& name) {
     LinePlot plot{.title = fmt::format("Arrival along {} over height", axis_name(response.axis)),
                   .subtitle = name,
                   .x_label = "height above the lowest level of the spine [m]",
                   .y_label = "lag [ms]",
                   .y_from_zero = true};
     for (const SpeedEstimate& estimate : response.speeds) {
-        std::string label = estimate.method;
-        if (estimate.speed) label += fmt::format(" {:.4g} m/s", *estimate.speed);
-        PlotSeries series{.label = label, .x = estimate.height, .y = estimate.lag, .marks = true, .line = false};
+        const std::string speed = estimate.speed ? fmt::format(" {:.4g} m/s", *estimate.speed) : "";
+        PlotSeries series{.label = estimate.method + speed, .x = estimate.height, .y = estimate.lag, .marks = true, .line = false};
         for (double& lag : series.y) lag *= 1e3;
         plot.series.push_back(std::move(series));
     }
-    return make_svg(plot);
+    return plot;
 }
 
 }  // namespace musim::lsdem

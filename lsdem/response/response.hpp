@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "lsdem/plot/line_plot.hpp"
 #include "lsdem/response/structural_speed.hpp"
 #include "lsdem/results/damage.hpp"
 #include "lsdem/results/failure.hpp"
@@ -55,11 +56,11 @@ nlohmann::json to_json(const Response& response);
 /// level,height_m,residual_x_m,...: one line per level of the spine.
 std::string make_spine_levels_csv(const Response& response);
 
-/// Residual displacement over level, as Fig. 10 of [Harmon23].
-std::string make_residual_svg(const Response& response, const std::string& name);
+/// Residual displacement, divided by `length`, over level, as Fig. 10 of [Harmon23].
+LinePlot make_residual_plot(const Response& response, const std::string& name, double length = 1.0);
 /// Peak and residual rotations over level.
-std::string make_rotation_svg(const Response& response, const std::string& name);
+LinePlot make_rotation_plot(const Response& response, const std::string& name);
 /// Lag over height for every estimate of the speed.
-std::string make_lag_svg(const Response& response, const std::string& name);
+LinePlot make_lag_plot(const Response& response, const std::string& name);
 
 }  // namespace musim::lsdem
