@@ -22,12 +22,11 @@
 #include "lsdem/run/progress_file.hpp"
 #include "lsdem/scene/scene_error.hpp"
 #include "lsdem/scene/scene_json.hpp"
-#include "lsdem/study/departure_plot.hpp"
 #include "lsdem/study/own_models.hpp"
+#include "lsdem/study/pair_plots.hpp"
 #include "lsdem/study/pair_scene.hpp"
 #include "lsdem/study/pair_summary.hpp"
 #include "lsdem/study/pair_text.hpp"
-#include "lsdem/study/spine_plot.hpp"
 
 namespace musim::cli {
 namespace {

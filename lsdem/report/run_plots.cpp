@@ -10,8 +10,7 @@
 #include <optional>
 
 #include "lsdem/report/json_parts.hpp"
-#include "lsdem/study/departure_plot.hpp"
-#include "lsdem/study/spine_plot.hpp"
+#include "lsdem/study/pair_plots.hpp"
 #include "scaling/angle.hpp"
 
 namespace musim::lsdem {
@@ -108,17 +107,12 @@ bool samples_alike(const ReportedRun& a, const ReportedRun& b) {
            1e-3 * interval / a.run.similitude.time();
 }
 
-/// About the first run, when the band is of the same curves.
-void add_twin_band(StackedPlot& plot, const nlohmann::json& band, int axis, double velocity) {
-    std::vector<std::vector<double>> spread;
-    for (const nlohmann::json& row : find_list(band, "half_width_m_s")) {
-        std::vector<double>& widths = spread.emplace_back(to_numbers(row));
-        if (widths.size() != plot.runs.front().x.size()) return;
-        for (double& width : widths) width *= velocity;
-    }
-    if (find_number(band, "axis") != axis || spread.size() != plot.row_labels.size()) return;
-    plot.runs.front().spread = std::move(spread);
-    plot.runs.front().label += ", band of its twins";
+/// The band of the twins that pair.json has; without rows when it has none.
+TwinBand read_twin_band(const nlohmann::json& pair) {
+    const nlohmann::json kept = find_object(pair, "twins_band");
+    TwinBand band{.axis = static_cast<int>(find_number(kept, "axis", -1.0)), .rows = {}};
+    for (const nlohmann::json& row : find_list(kept, "half_width_m_s")) band.half_width.push_back(to_numbers(row));
+    return band;
 }
 
 }  // namespace
@@ -131,30 +125,21 @@ std::optional<ReportFigure> make_spine_figure(const std::vector<ReportedRun>& ru
                      .subtitle = describe_runs(runs),
                      .x_label = "t [s]",
                      .y_label = "v [cm/s], one row per level"};
-    double time = 1.0, velocity = 1e2;
+    SpineUnits units{.axis = axis, .velocity = 1e2};
     const double sliding = first.response ? first.response->scales.sliding_speed() : 0.0;
     if (are_of_several_scales(runs) && sliding > 0.0) {
         plot.x_label = "t √(μ g / l)";
         plot.y_label = "v / √(μ g l), one row per level";
-        time = sliding / first.response->scales.height;
-        velocity = 1.0 / sliding;
+        units.time = sliding / first.response->scales.height;
+        units.velocity = 1.0 / sliding;
     }
     const std::vector<std::size_t> rows = choose_rows(first.run.spine.size());
     for (const std::size_t row : rows) plot.row_labels.push_back(fmt::format("level {}", first.run.spine.level[row]));
     for (const ReportedRun& run : runs) {
-        const std::size_t spine = run.run.spine.size();
-        if (spine != first.run.spine.size()) continue;
-        PlotCurves curves{.label = run.label, .y = std::vector<std::vector<double>>(rows.size())};
-        for (std::size_t k = 0; k < run.run.history.samples(); ++k) {
-            curves.x.push_back(time * run.run.history.time[k] / run.run.similitude.time());
-            for (std::size_t r = 0; r < rows.size(); ++r) {
-                curves.y[r].push_back(velocity * run.run.history.spine_velocity[k * spine + rows[r]][axis] / run.run.similitude.velocity());
-            }
-        }
-        plot.runs.push_back(std::move(curves));
+        if (run.run.spine.size() == first.run.spine.size()) plot.runs.push_back(make_spine_curves(run.label, run.run, units, rows));
     }
-    add_twin_band(plot, find_object(pair, "twins_band"), axis, velocity);
-    return over_time(make_figure("spine_velocity", plot), 1.0 / time);
+    add_twin_band(plot, read_twin_band(pair), units);
+    return over_time(make_figure("spine_velocity", plot), 1.0 / units.time);
 }
 
 std::optional<ReportFigure> make_departure_figure(const nlohmann::json& pair, const std::string& name) {

@@ -11,7 +11,7 @@
 #include "lsdem/results/folder_contents.hpp"
 #include "lsdem/results/hdf5_reader.hpp"
 #include "lsdem/results/result_error.hpp"
-#include "lsdem/study/spine_plot.hpp"
+#include "lsdem/study/pair_plots.hpp"
 #include "scaling/error.hpp"
 #include "scaling/json_text.hpp"
 

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lsdem/results/hdf5_file.hpp"
-#include "lsdem/study/spine_plot.hpp"
+#include "lsdem/study/compare_ensembles.hpp"
 #include "scaling/angle.hpp"
 #include "scaling/json_optional.hpp"
 
@@ -133,34 +133,23 @@ nlohmann::json to_json(const EnsembleSummary& summary, const std::string& versio
 }
 
 StackedPlot make_ensemble_plot(const EnsembleSummary& summary) {
-    const Bands& bands = summary.bands;
-    const std::string axis = axis_name(summary.axis);
-    StackedPlot plot{.title = "Spine velocities: mean and mean ± standard deviation",
-                     .subtitle = summary.name,
-                     .x_label = "t √(μ g / l)",
-                     .y_label = fmt::format("v / √(μ g l) along {}, one row per level", axis)};
-    double velocity = 1.0, time = 1.0;
-    if (summary.scales && summary.scales->sliding_speed() > 0.0) {
-        velocity = 1.0 / summary.scales->sliding_speed();
-        time = summary.scales->sliding_speed() / summary.scales->height;
-    } else {
-        plot.x_label = "t [s]";
-        plot.y_label = fmt::format("v [m/s] along {}, one row per level", axis);
-    }
     const int collapsed = summary.count(MemberStatus::collapsed), members = summary.count(MemberStatus::completed) + collapsed;
-    std::string label = fmt::format("{} members", members);
-    if (collapsed > 0) label += fmt::format(", {} of them until they collapse", collapsed);
-    PlotCurves curves{.label = label};
-    for (const double t : bands.time) curves.x.push_back(t * time);
-    for (const std::size_t s : choose_rows(bands.levels())) {
-        plot.row_labels.push_back(fmt::format("level {}", bands.level[s]));
-        std::vector<double>&mean = curves.y.emplace_back(), &sd = curves.spread.emplace_back();
-        for (std::size_t k = 0; k < bands.samples(); ++k) {
-            mean.push_back(bands.mean[k * bands.levels() + s][summary.axis] * velocity);
-            sd.push_back(bands.sd[k * bands.levels() + s][summary.axis] * velocity);
+    DimensionlessBands drawn{.name = fmt::format("{} members", members), .axis = summary.axis, .bands = summary.bands};
+    if (collapsed > 0) drawn.name += fmt::format(", {} of them until they collapse", collapsed);
+    const bool has_scales = summary.scales && summary.scales->sliding_speed() > 0.0;
+    if (has_scales) {
+        const double velocity = 1.0 / summary.scales->sliding_speed(), time = summary.scales->sliding_speed() / summary.scales->height;
+        for (double& t : drawn.bands.time) t *= time;
+        for (std::vector<Vector3>* values : {&drawn.bands.mean, &drawn.bands.sd}) {
+            for (Vector3& value : *values) value *= velocity;
         }
     }
-    plot.runs.push_back(std::move(curves));
+    StackedPlot plot = make_bands_plot({drawn});
+    plot.subtitle = summary.name;
+    if (!has_scales) {
+        plot.x_label = "t [s]";
+        plot.y_label = fmt::format("v [m/s] along {}, one row per level", axis_name(summary.axis));
+    }
     return plot;
 }
 

@@ -7,7 +7,7 @@
 
 #include "lsdem/scene/scene.hpp"
 #include "lsdem/study/pair.hpp"
-#include "lsdem/study/spine_plot.hpp"
+#include "lsdem/study/pair_plots.hpp"
 
 namespace musim::lsdem {
 

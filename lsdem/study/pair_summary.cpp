@@ -8,8 +8,8 @@
 #include <string>
 
 #include "lsdem/results/summary.hpp"
-#include "lsdem/study/departure_plot.hpp"
 #include "lsdem/study/own_models.hpp"
+#include "lsdem/study/pair_plots.hpp"
 #include "lsdem/study/pair_text.hpp"
 #include "scaling/json_optional.hpp"
 
