@@ -119,16 +119,14 @@ RunDifference compare_runs(const RunResult& prototype, const RunResult& model, c
     const std::size_t samples = std::min(prototype.history.samples(), model.history.samples());
     const double velocity_factor = similitude.velocity();
 
-    const auto velocity_difference = [&](std::size_t i) -> Vector3 {
-        return model.history.spine_velocity[i] / velocity_factor - prototype.history.spine_velocity[i];
-    };
     std::vector<VelocityMeasure> reference(line);
     std::vector<VelocityMeasure> difference(line);
     VelocityMeasure liveliest;
     for (std::size_t s = 0; s < line; ++s) {
         for (std::size_t k = 0; k < samples; ++k) {
-            reference[s].add(prototype.history.spine_velocity[k * spine + s]);
-            difference[s].add(velocity_difference(k * spine + s));
+            const Vector3& of_prototype = prototype.history.spine_velocity[k * spine + s];
+            reference[s].add(of_prototype);
+            difference[s].add(model.history.spine_velocity[k * spine + s] / velocity_factor - of_prototype);
         }
         liveliest.cover(reference[s]);
     }
@@ -138,12 +136,6 @@ RunDifference compare_runs(const RunResult& prototype, const RunResult& model, c
         const VelocityMeasure& scale = reference[s].sum_of_squares > 0.0 ? reference[s] : liveliest;
         worst.rms_velocity = std::max(worst.rms_velocity, std::sqrt(ratio(difference[s].sum_of_squares, scale.sum_of_squares)));
         worst.max_velocity = std::max(worst.max_velocity, ratio(difference[s].peak, scale.peak));
-    }
-    for (std::size_t k = 0; k < samples && !worst.parting_time; ++k) {
-        for (std::size_t s = 0; s < line; ++s) {
-            const bool parts = velocity_difference(k * spine + s).norm() > kPartingLevel * reference[s].peak;
-            if (parts) worst.parting_time = prototype.history.time[k];
-        }
     }
     worst.losses = compare_losses(prototype, model, similitude.energy());
     worst.bitwise_identical = are_bitwise_identical(prototype, model, similitude);

@@ -17,8 +17,6 @@ struct RunDifference {
     double rms_velocity = 0.0;
     /// max_t |v_M/λ_v − v_P| / max_t |v_P| of the spine block where it is largest [-].
     double max_velocity = 0.0;
-    /// When a spine velocity first differs by more than kPartingLevel of that block's peak, in the prototype's time [s]; nothing if never.
-    std::optional<double> parting_time = {};
     /// max over levels of |W_M/λ_E − W_P| over all that the prototype dissipated, W: of friction and dashpots in the interfaces that the
     /// blocks of a level lead, and at the ground [-]. Nothing when the prototype dissipated nothing.
     std::optional<double> losses = {};

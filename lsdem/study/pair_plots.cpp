@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "lsdem/block_height.hpp"
-#include "lsdem/response/response.hpp"
 
 namespace musim::lsdem {
 namespace {
@@ -74,9 +73,9 @@ PlotCurves make_spine_curves(const std::string& label, const RunData& run, const
     return curves;
 }
 
-MotionScales find_motion_scales(const Specimen& specimen) {
+SpeedScales find_motion_scales(const Specimen& specimen) {
     const Model& model = specimen.model;
-    MotionScales scales{.friction = 0.0, .gravity = model.gravity.norm(), .height = 0.0};
+    SpeedScales scales{.gravity = model.gravity.norm()};
     double bottom = std::numeric_limits<double>::infinity();
     double top = -bottom;
     for (const Block& block : model.blocks) {
@@ -91,7 +90,7 @@ MotionScales find_motion_scales(const Specimen& specimen) {
     return scales;
 }
 
-StackedPlot make_spine_plot(const PairStudy& study, const MotionScales& scales, const std::string& name) {
+StackedPlot make_spine_plot(const PairStudy& study, const SpeedScales& scales, const std::string& name) {
     StackedPlot plot{
         .title = "Spine velocities, scaled back to the prototype", .subtitle = name, .x_label = "t √(μ g / l)", .y_label = "v / PGV"};
     SpineUnits units;
@@ -99,7 +98,7 @@ StackedPlot make_spine_plot(const PairStudy& study, const MotionScales& scales, 
     // what velocities are measured in
     units.axis = find_strongest_axis(study.prototype.history);
     const double pgv = find_base_peaks(study.prototype.history)[units.axis];
-    const double sliding_velocity = std::sqrt(scales.friction * scales.gravity * scales.height);
+    const double sliding_velocity = scales.sliding_speed();
     if (pgv > 0.0) {
         units.velocity = 1.0 / pgv;
     } else {
