@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <fstream>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -15,6 +17,28 @@
 
 namespace musim::lsdem {
 namespace {
+
+/// Probability, on both sides, of Welch's t = (mean₁ − mean₂)/√(s₁²/n₁ + s₂²/n₂), with as many degrees of freedom as Welch and
+/// Satterthwaite give it.
+double find_probability(const SampleMoments& first, const SampleMoments& second) {
+    if (first.count() < 2 || second.count() < 2) return std::numeric_limits<double>::quiet_NaN();
+    const auto squared_error = [](const SampleMoments& moments) { return moments.sd()[0] * moments.sd()[0] / moments.count(); };
+    const double one = squared_error(first), two = squared_error(second), both = one + two;
+    const double difference = std::abs(first.mean()[0] - second.mean()[0]);
+    if (!(both > 0.0)) return difference > 0.0 ? 0.0 : 1.0;
+    const double freedom = both * both / (one * one / (first.count() - 1) + two * two / (second.count() - 1));
+    const boost::math::students_t_distribution<double> distribution(freedom);
+    return 2.0 * boost::math::cdf(boost::math::complement(distribution, difference / std::sqrt(both)));
+}
+
+std::vector<double> distances_from_median(std::vector<double> sample) {
+    if (sample.empty()) return sample;
+    std::sort(sample.begin(), sample.end());
+    const std::size_t middle = sample.size() / 2;
+    const double median = sample.size() % 2 == 1 ? sample[middle] : 0.5 * (sample[middle - 1] + sample[middle]);
+    for (double& value : sample) value = std::abs(value - median);
+    return sample;
+}
 
 [[noreturn]] void refuse(const std::filesystem::path& file, const std::string& what) {
     throw ResultError(fmt::format("{}: {}", file.string(), what));
@@ -61,12 +85,13 @@ class GroupMeans {
 };
 
 QuantityComparison compare(const GroupMeans& means, const SpecimenSet& first, const SpecimenSet& second) {
-    SampleMoments differences(1);
+    std::vector<double> apart;
     for (const ToldSpecimen& one : first.specimens) {
         for (const ToldSpecimen& other : second.specimens) {
-            if (one.seed == other.seed) differences.add(Eigen::ArrayXd::Constant(1, means.of(other) - means.of(one)));
+            if (one.seed == other.seed) apart.push_back(means.of(other) - means.of(one));
         }
     }
+    const SampleMoments differences = moments_of(apart);
     return {.samples = compare_samples(means.of(first), means.of(second)),
             .pairs = static_cast<std::size_t>(differences.count()),
             .pair_difference = differences.mean()[0],
@@ -88,6 +113,16 @@ nlohmann::json describe_quantity(const QuantityComparison& quantity, double unit
 
 }  // namespace
 
+TwoSamples compare_samples(const std::vector<double>& first, const std::vector<double>& second) {
+    const SampleMoments one = moments_of(first), two = moments_of(second);
+    return {.first_mean = one.mean()[0],
+            .first_sd = one.sd()[0],
+            .second_mean = two.mean()[0],
+            .second_sd = two.sd()[0],
+            .mean_probability = find_probability(one, two),
+            .scatter_probability = find_probability(moments_of(distances_from_median(first)), moments_of(distances_from_median(second)))};
+}
+
 std::size_t SpecimenSet::fallen() const {
     std::size_t sum = 0;
     for (const ToldSpecimen& specimen : specimens) sum += specimen.fallen;
@@ -95,9 +130,9 @@ std::size_t SpecimenSet::fallen() const {
 }
 
 double SpecimenSet::block_steps() const {
-    SampleMoments moments(1);
-    for (const ToldSpecimen& specimen : specimens) moments.add(Eigen::ArrayXd::Constant(1, specimen.block_steps));
-    return moments.mean()[0];
+    std::vector<double> steps;
+    for (const ToldSpecimen& specimen : specimens) steps.push_back(specimen.block_steps);
+    return moments_of(steps).mean()[0];
 }
 
 SpecimenSet read_specimen_set(const std::filesystem::path& file) {
