@@ -24,7 +24,7 @@
 #include "lsdem/scene/scene_json.hpp"
 #include "lsdem/study/compare_ensembles.hpp"
 #include "lsdem/study/ensemble_files.hpp"
-#include "lsdem/study/ensemble_specimens.hpp"
+#include "lsdem/study/ensemble_members.hpp"
 
 namespace musim::cli {
 namespace {

@@ -7,7 +7,6 @@
 #include "lsdem/response/response.hpp"
 #include "lsdem/study/ensemble_bands.hpp"
 #include "lsdem/study/ensemble_members.hpp"
-#include "lsdem/study/run_members.hpp"
 #include "lsdem/study/sample_moments.hpp"
 
 namespace musim::lsdem {

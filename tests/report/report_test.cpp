@@ -21,7 +21,7 @@
 #include "lsdem/scene/scale_scene.hpp"
 #include "lsdem/scene/scene_json.hpp"
 #include "lsdem/study/ensemble_files.hpp"
-#include "lsdem/study/run_members.hpp"
+#include "lsdem/study/ensemble_members.hpp"
 #include "records/formats/read_record.hpp"
 #include "scaling/laws/law_similitude.hpp"
 #include "tests/support/temporary_folder.hpp"
