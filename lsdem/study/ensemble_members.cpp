@@ -8,7 +8,6 @@
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <utility>
-#include <variant>
 
 #include "lsdem/results/checkpoint.hpp"
 #include "lsdem/results/content_name.hpp"
@@ -20,6 +19,7 @@
 #include "lsdem/run/progress_file.hpp"
 #include "lsdem/run/run.hpp"
 #include "lsdem/run/shared_progress.hpp"
+#include "lsdem/scene/block_heights.hpp"
 #include "lsdem/scene/motions.hpp"
 #include "lsdem/scene/scene_error.hpp"
 #include "lsdem/scene/scene_json.hpp"
@@ -31,19 +31,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Standard deviation of the block heights [m]; 0 for an explicit list of blocks.
-double height_deviation_of(const Scene& scene) {
-    return std::visit(
-        [](const auto& structure) {
-            if constexpr (requires { structure.height_deviation; }) return structure.height_deviation.value();
-            return 0.0;
-        },
-        scene.structure);
-}
-
 void require_ensemble(const Scene& scene) {
     require_single_motion(scene, "an ensemble");
-    if (!(height_deviation_of(scene) > 0.0)) {
+    if (!find_height_variation(scene)) {
         throw SceneError(
             fmt::format("{}: all members would be the same (its blocks are of one height); give a column, tower or wall a "
                         "\"height_deviation\"",
