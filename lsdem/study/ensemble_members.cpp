@@ -82,7 +82,7 @@ void run_member(const EnsembleMember& member, const MemberSettings& settings, co
                              .observer = {.on_progress = [&](double fraction) { on_progress(joined.after_running(fraction)); },
                                           .on_preparation = [&](double fraction) { on_progress(joined.after_preparing(fraction)); }},
                              .checkpoint = CheckpointSettings{.file = checkpoint,
-                                                              .scene = member.scene_text,
+                                                              .scene = write_scene(member.scene),
                                                               .program_version = settings.version,
                                                               .interval = settings.checkpoint_interval,
                                                               .on_failure = settings.on_no_checkpoint}};
@@ -91,7 +91,7 @@ void run_member(const EnsembleMember& member, const MemberSettings& settings, co
     const RunResult run = report.resumed ? resume_scene(member.scene, read_checkpoint(checkpoint, settings.version), run_settings)
                                          : run_scene(member.scene, run_settings);
     const std::lock_guard lock(result_file_mutex());
-    folder.add_run("", run, {.scene = member.scene_text, .program_version = settings.version});
+    folder.add_run("", run, {.scene = write_scene(member.scene), .program_version = settings.version});
     folder.commit();
     remove_checkpoint(checkpoint);
 }
@@ -102,7 +102,6 @@ EnsembleMember make_member(Scene scene, const std::string& version) {
     EnsembleMember member;
     member.seed = seed_of(scene);
     member.scene = std::move(scene);
-    member.scene_text = write_scene(member.scene);
     const std::string content = write_scene(with_file_contents(member.scene));
     member.name = "member-" + detail::name_content(nlohmann::json{content, version}.dump());
     return member;

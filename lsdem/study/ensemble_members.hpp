@@ -17,7 +17,6 @@ struct EnsembleMember {
     std::string name;  ///< "member-" and 16 hexadecimal digits
     std::uint64_t seed = 0;
     Scene scene;
-    std::string scene_text;  ///< the scene as JSON
 };
 
 /// The members of a scene with the seeds s, s + 1, ... from the scene's own on.

@@ -34,9 +34,6 @@ void exchange_prototype(Archive& archive, TwinPrototype& p) {
     archive(p.moving_blocks, p.height, p.gravity, p.interval, p.samples, p.peak, p.rounding, p.diverged);
 }
 
-/// What is not a number is null.
-nlohmann::json to_number(double value) { return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json(); }
-
 nlohmann::json to_json(const TwinChoice& choice) {
     return {{"length", choice.length}, {"shift", choice.shift}, {"directions", choice.directions}};
 }
@@ -46,7 +43,7 @@ nlohmann::json to_json(const Growth& growth) { return {{"factor", growth.factor}
 nlohmann::json to_json(const Proportionality& set) {
     return {{"directions", set.directions},
             {"shifts", set.shift},
-            {"departure", set.departure ? to_number(*set.departure) : nlohmann::json()},
+            {"departure", scaling::or_null(set.departure)},
             {"time_s", set.time},
             {"level", set.level}};
 }
@@ -143,8 +140,8 @@ nlohmann::json to_json(const TwinStudy& study, const TwinSummary& summary) {
             {"log10_difference",
              {{"time_s", summary.at_horizon.time},
               {"count", summary.at_horizon.count},
-              {"mean", to_number(summary.at_horizon.mean)},
-              {"sd", to_number(summary.at_horizon.sd)}}},
+              {"mean", summary.at_horizon.mean},
+              {"sd", summary.at_horizon.sd}}},
             {"largest_growth", fastest},
             {"twins", twins},
             {"proportionality", sets}};
