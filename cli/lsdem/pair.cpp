@@ -25,7 +25,6 @@
 #include "lsdem/study/own_models.hpp"
 #include "lsdem/study/pair_plots.hpp"
 #include "lsdem/study/pair_scene.hpp"
-#include "lsdem/study/pair_summary.hpp"
 #include "lsdem/study/pair_text.hpp"
 
 namespace musim::cli {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,12 @@ namespace musim::lsdem {
 /// What a pair shows, in sentences for people who run shake tables, the verdict first: whether models agree with the prototype, up to when
 /// in detail, by how much peaks, residual displacements and losses are apart beside those of the twins, and what was not checked.
 std::vector<std::string> describe_verdict(const PairStudy& study);
+
+/// A paired study in one JSON object: runs (prototype, models; summaries with label), pairs (one per model: length, materials, differences,
+/// agreement and what it rests on, quantities beside those of the twins, distortions), consistent, agreement and verdict (sentences) of
+/// all, twins, horizon_s, end_s, half_step. shadow_rms and shadow_loss_difference are old names of the largest difference of a twin. Layout
+/// in docs/user/file_formats.md.
+nlohmann::json to_json(const PairStudy& study);
 
 /// A part of one in percent, two digits: "3.4 %"; "below 1e-07 %" for what is rounding.
 std::string format_percent(double part);
