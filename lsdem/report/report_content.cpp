@@ -56,31 +56,32 @@ class Reader {
 
     explicit Reader(const RecordReader& read_record) : read_record_(read_record) {}
 
+    /// Does what may fail, and remarks why it does; did it succeed?
+    template <class Error = ResultError, class Attempt>
+    bool attempt(const Attempt& job, const std::string& about = "") {
+        try {
+            job();
+            return true;
+        } catch (const Error& error) {
+            content.remarks.push_back(about + error.what());
+            return false;
+        }
+    }
+
     /// What a command has written to be read back; empty, with a remark, when it is damaged.
     nlohmann::json read_object(const fs::path& file) {
-        try {
-            return read_checked_json(file);
-        } catch (const ResultError& error) {
-            content.remarks.emplace_back(error.what());
-            return nlohmann::json::object();
-        }
+        nlohmann::json object = nlohmann::json::object();
+        attempt([&] { object = read_checked_json(file); });
+        return object;
     }
 
     void add_run(const fs::path& folder, const std::string& label) {
         ReportedRun reported{.label = label, .folder = folder};
-        try {
-            reported.run = read_run(folder, Reading::what_there_is);
-        } catch (const std::runtime_error& error) {
-            content.remarks.emplace_back(error.what());
-            return;
-        }
+        if (!attempt<std::runtime_error>([&] { reported.run = read_run(folder, Reading::what_there_is); })) return;
         content.remarks.insert(content.remarks.end(), reported.run.gaps.begin(), reported.run.gaps.end());
         if (reported.run.is_status_known) reported.summary = read_object(folder / "summary.json");
-        try {
-            reported.response = measure_response(reported.run);
-        } catch (const std::runtime_error& error) {
-            content.remarks.push_back(fmt::format("{}: no speeds, rotations and damage: {}", label, error.what()));
-        }
+        attempt<std::runtime_error>([&] { reported.response = measure_response(reported.run); },
+                                    label + ": no speeds, rotations and damage: ");
         take_scene(reported);
         if (reported.run.frames.time.empty()) {
             content.remarks.push_back(
@@ -125,11 +126,7 @@ class Reader {
     void add_ensemble(const fs::path& folder, const std::string& label) {
         content.kind = ReportKind::ensemble;
         ReportedEnsemble ensemble{.label = label, .folder = folder, .summary = read_object(folder / "ensemble.json")};
-        try {
-            ensemble.bands = read_bands(folder);
-        } catch (const ResultError& error) {
-            content.remarks.push_back(fmt::format("{}: no bands: {}", label, error.what()));
-        }
+        attempt([&] { ensemble.bands = read_bands(folder); }, label + ": no bands: ");
         for (const nlohmann::json& member : find_list(ensemble.summary, "members")) {
             const fs::path results = folder / "members" / find_text(member, "name");
             if (find_text(member, "status", "failed") == "failed") continue;
@@ -155,11 +152,7 @@ class Reader {
     }
 
     void add_specimen(const fs::path& file) {
-        try {
-            content.specimens.push_back({.label = file.stem().string(), .specimen = read_specimen(file)});
-        } catch (const ResultError& error) {
-            content.remarks.emplace_back(error.what());
-        }
+        attempt([&] { content.specimens.push_back({.label = file.stem().string(), .specimen = read_specimen(file)}); });
     }
 
     void add_document(const fs::path& file) {
@@ -176,14 +169,11 @@ class Reader {
     }
 
     void add_record(const fs::path& file) {
-        try {
+        attempt<records::ReadError>([&] {
             records::GroundMotion motion = read_record_(file);
-            const std::string label = file.filename().string();
-            motion.source = label;
-            content.records.push_back({.label = label, .motion = std::move(motion)});
-        } catch (const records::ReadError& error) {
-            content.remarks.emplace_back(error.what());
-        }
+            motion.source = file.filename().string();
+            content.records.push_back({.label = motion.source, .motion = std::move(motion)});
+        });
     }
 
     /// A file of a folder of results stands for the folder.
@@ -206,12 +196,7 @@ class Reader {
     void add_folder(const fs::path& folder) {
         const std::string label = folder.filename().empty() ? folder.parent_path().filename().string() : folder.filename().string();
         const bool unfinished = note_unfinished(folder);
-        try {
-            require_complete(folder);
-        } catch (const ResultError& error) {
-            content.remarks.emplace_back(error.what());
-            return;
-        }
+        if (!attempt([&] { require_complete(folder); })) return;
         if (fs::exists(folder / "pair.json")) return has_room(folder, ReportKind::pair) ? add_pair(folder) : void();
         if (fs::exists(folder / "sequence.json")) return has_room(folder, ReportKind::sequence) ? add_sequence(folder) : void();
         if (fs::exists(folder / "ensemble.json")) return has_room(folder, ReportKind::ensemble) ? add_ensemble(folder, label) : void();

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "lsdem/scene/scene.hpp"
@@ -21,7 +22,11 @@ std::vector<RunTrace> run_other_specimens(const Scene& scene, const RunResult& p
 /// six standard deviations.
 inline constexpr double kBeyondChance = 0.05;
 
-/// One of the quantities an own model is judged by: peak velocity of the top, its residual displacement, and all losses.
+/// By what own models are judged, and what is said of exact ones: keys of quantities (QuantityCheck), and their names in sentences.
+inline constexpr std::pair<const char*, const char*> kToldQuantities[] = {
+    {"peak_velocity", "peak velocity of the top"}, {"residual_displacement", "its residual displacement"}, {"total_loss", "losses"}};
+
+/// One of the quantities an own model is judged by.
 struct OwnQuantity {
     std::string name;  ///< "peak velocity of the top"
     QuantityCheck check;

@@ -127,16 +127,13 @@ const QuantityCheck* find_farthest_top(const PairStudy& study, const std::string
 
 std::string describe_quantities(const PairStudy& study) {
     std::vector<std::string> parts;
-    const auto add = [&](const char* key, const char* name) {
+    for (const auto& [key, name] : kToldQuantities) {
         const QuantityCheck* const check = find_farthest_top(study, key);
-        if (check == nullptr) return;
+        if (check == nullptr) continue;
         std::string part = fmt::format("{} {}", name, format_percent(check->difference));
         if (!study.twins.empty()) part += fmt::format(" (twins: {})", format_up_to(check->twins.largest()));
         parts.push_back(std::move(part));
-    };
-    add("peak_velocity", "peak velocity of the top");
-    add("residual_displacement", "its residual displacement");
-    add("total_loss", "losses");
+    }
     if (parts.empty()) return "";
     return "Farthest from the prototype: " + join_words(parts) + ".";
 }
