@@ -3,22 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>
 
-#include "lsdem/response/camera.hpp"
-
 namespace musim::lsdem {
 namespace {
-
-using detail::CameraAxes;
-using detail::Seen;
 
 constexpr double kViewMargin = 0.05;  ///< around the structure, of its larger side
 
 /// Depth at which a ray along the third axis through (u, z) leaves a block toward the camera; nothing (−∞) when it misses.
-double find_depth(const Seen& seen, double u, double z) {
+double find_depth(const SeenBlock& seen, double u, double z) {
     const Vector3 origin = seen.turn.transpose() * Vector3(u - seen.center.x(), z - seen.center.y(), -seen.center.z());
     const Vector3 direction = seen.turn.transpose() * Vector3::UnitZ();
     double enter = -std::numeric_limits<double>::infinity(), leave = -enter;
@@ -36,9 +32,50 @@ double find_depth(const Seen& seen, double u, double z) {
 }
 
 /// Half extents in the image plane.
-Vector3 find_extent(const Seen& seen) { return seen.turn.cwiseAbs() * seen.half; }
+Vector3 find_extent(const SeenBlock& seen) { return seen.turn.cwiseAbs() * seen.half; }
 
 }  // namespace
+
+CameraAxes find_camera_axes(CameraSide side) {
+    Vector3 toward = Vector3::Zero();
+    toward[side == CameraSide::plus_x || side == CameraSide::minus_x ? 0 : 1] =
+        side == CameraSide::plus_x || side == CameraSide::plus_y ? 1.0 : -1.0;
+    return {Vector3::UnitZ().cross(toward), toward};
+}
+
+SeenBlock look_at_block(const StoredRun& run, std::size_t frame, std::size_t block, const CameraAxes& axes) {
+    const std::size_t at = frame * run.blocks.size.size() + block;
+    const Eigen::Vector4d q = run.frames.quaternion[at].cast<double>();
+    Matrix3 image;
+    image << axes.right.transpose(), Vector3::UnitZ().transpose(), axes.toward.transpose();
+    return {image * run.frames.position[at].cast<double>(), 0.5 * run.blocks.size[block],
+            image * Quaternion(q[0], q[1], q[2], q[3]).normalized().toRotationMatrix()};
+}
+
+std::vector<Eigen::Vector2d> find_outline(const SeenBlock& seen) {
+    std::vector<std::array<double, 2>> corners;
+    for (int corner = 0; corner < 8; ++corner) {
+        const Vector3 sign((corner & 1) != 0 ? 1.0 : -1.0, (corner & 2) != 0 ? 1.0 : -1.0, (corner & 4) != 0 ? 1.0 : -1.0);
+        const Vector3 place = seen.center + seen.turn * seen.half.cwiseProduct(sign);
+        corners.push_back({place.x(), place.y()});
+    }
+    std::sort(corners.begin(), corners.end());
+    std::vector<Eigen::Vector2d> hull;
+    const auto add = [&](const std::array<double, 2>& corner, std::size_t least) {
+        const Eigen::Vector2d next(corner[0], corner[1]);
+        while (hull.size() > least) {
+            const Eigen::Vector2d a = hull.back() - hull[hull.size() - 2], b = next - hull.back();
+            if (a.x() * b.y() - a.y() * b.x() > 0.0) break;
+            hull.pop_back();
+        }
+        hull.push_back(next);
+    };
+    for (const auto& corner : corners) add(corner, 1);
+    const std::size_t lower = hull.size();
+    for (auto corner = std::next(corners.rbegin()); corner != corners.rend(); ++corner) add(*corner, lower);
+    hull.pop_back();
+    return hull;
+}
 
 CameraSide find_side_facing(int axis) { return axis == 1 ? CameraSide::plus_x : CameraSide::minus_y; }
 
@@ -65,13 +102,13 @@ std::size_t find_frame(const StoredRun& run, double time) {
 }
 
 CameraImage take_picture(const StoredRun& run, std::size_t frame, const CameraSettings& settings) {
-    const CameraAxes axes = detail::find_axes(settings.side);
+    const CameraAxes axes = find_camera_axes(settings.side);
     const std::size_t blocks = run.blocks.size.size();
 
     // the image holds the structure as it was in the first frame
     Eigen::Vector2d low = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity()), high = -low;
     for (std::size_t b = 0; b < blocks; ++b) {
-        const Seen seen = detail::look_at(run, 0, b, axes);
+        const SeenBlock seen = look_at_block(run, 0, b, axes);
         const Vector3 extent = find_extent(seen);
         low = low.cwiseMin((seen.center - extent).head<2>());
         high = high.cwiseMax((seen.center + extent).head<2>());
@@ -92,7 +129,7 @@ CameraImage take_picture(const StoredRun& run, std::size_t frame, const CameraSe
         return static_cast<std::size_t>(std::clamp(place, 0.0, static_cast<double>(count)));
     };
     for (std::size_t b = 0; b < blocks; ++b) {
-        const Seen seen = detail::look_at(run, frame, b, axes);
+        const SeenBlock seen = look_at_block(run, frame, b, axes);
         const Vector3 extent = find_extent(seen);
         const std::size_t left = clamp_to((seen.center.x() - extent.x() - image.left) / image.pixel, image.columns);
         const std::size_t right = clamp_to((seen.center.x() + extent.x() - image.left) / image.pixel + 1.0, image.columns);
@@ -114,7 +151,7 @@ CameraImage take_picture(const StoredRun& run, std::size_t frame, const CameraSe
 
 double find_velocity(const StoredRun& run, std::size_t frame, std::size_t block, CameraSide side, FieldComponent component) {
     const Vector3 v = run.frames.velocity[frame * run.blocks.size.size() + block].cast<double>();
-    const double right = v.dot(detail::find_axes(side).right);
+    const double right = v.dot(find_camera_axes(side).right);
     switch (component) {
         case FieldComponent::right:
             return right;

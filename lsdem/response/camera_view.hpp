@@ -32,6 +32,24 @@ struct CameraSettings {
     std::size_t columns = 240;  ///< pixels across the image, which holds the structure at its start with a margin of 5 %
 };
 
+/// Directions of an image: to the right, and from the structure to the camera.
+struct CameraAxes {
+    Vector3 right, toward;
+};
+
+CameraAxes find_camera_axes(CameraSide side);
+
+/// A block as the camera sees it: places in the image plane and depth toward the camera.
+struct SeenBlock {
+    Vector3 center, half;
+    Matrix3 turn;  ///< body to image axes (right, z, toward)
+};
+
+SeenBlock look_at_block(const StoredRun& run, std::size_t frame, std::size_t block, const CameraAxes& axes);
+
+/// Outline of a block in the image plane: the convex hull of its corners, counterclockwise [monotone chain].
+std::vector<Eigen::Vector2d> find_outline(const SeenBlock& seen);
+
 /// Throws ResultError when the run has kept no frames.
 void require_frames(const StoredRun& run);
 

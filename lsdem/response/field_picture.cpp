@@ -7,7 +7,6 @@
 #include <iterator>
 
 #include "lsdem/plot/svg.hpp"
-#include "lsdem/response/camera.hpp"
 #include "lsdem/response/color_map.hpp"
 #include "scaling/interruption.hpp"
 
@@ -104,11 +103,11 @@ class FieldPanel {
             fmt::format("<clipPath id=\"panel{4}\"><rect x=\"{0:.1f}\" y=\"{1:.1f}\" width=\"{2:.1f}\" height=\"{3:.1f}\"/></clipPath>\n",
                         left_, top_, grid_.width, grid_.height, panel);
         svg += fmt::format("<g clip-path=\"url(#panel{})\" stroke=\"#444\" stroke-width=\"0.35\" stroke-linejoin=\"round\">\n", panel);
-        const detail::CameraAxes axes = detail::find_axes(picture_.side);
+        const CameraAxes axes = find_camera_axes(picture_.side);
         const ColorRange colors = find_colors(picture_);
         for (const auto& [depth, block] : sort_seen(axes)) {
             std::string points;
-            for (const Eigen::Vector2d& corner : detail::find_outline(detail::look_at(run_, view_.frame, block, axes))) {
+            for (const Eigen::Vector2d& corner : find_outline(look_at_block(run_, view_.frame, block, axes))) {
                 fmt::format_to(std::back_inserter(points), "{:.2f},{:.2f} ", to_x(corner.x()), to_y(corner.y()));
             }
             const double value = find_velocity(run_, view_.frame, block, picture_.side, picture_.component);
@@ -148,13 +147,13 @@ class FieldPanel {
     double to_y(double z) const { return top_ + grid_.height - (z - view_.image.bottom) * grid_.scale; }
 
     /// The blocks that some pixel sees with their depth, the farthest first.
-    std::vector<std::pair<double, std::size_t>> sort_seen(const detail::CameraAxes& axes) const {
+    std::vector<std::pair<double, std::size_t>> sort_seen(const CameraAxes& axes) const {
         std::vector<int> visible(view_.image.block);
         std::sort(visible.begin(), visible.end());
         visible.erase(std::unique(visible.begin(), visible.end()), visible.end());
         std::vector<std::pair<double, std::size_t>> order;
         for (const int block : visible) {
-            if (block >= 0) order.emplace_back(detail::look_at(run_, view_.frame, static_cast<std::size_t>(block), axes).center.z(), block);
+            if (block >= 0) order.emplace_back(look_at_block(run_, view_.frame, static_cast<std::size_t>(block), axes).center.z(), block);
         }
         std::sort(order.begin(), order.end());
         return order;
