@@ -9,7 +9,6 @@
 
 #include "lsdem/plot/plot_panel.hpp"
 #include "lsdem/plot/svg.hpp"
-#include "lsdem/plot/text_room.hpp"
 
 namespace musim::lsdem {
 namespace {

@@ -10,7 +10,6 @@
 #include <stdexcept>
 
 #include "lsdem/plot/svg.hpp"
-#include "lsdem/plot/text_room.hpp"
 
 namespace musim::lsdem {
 namespace {

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 /// What all pictures of musim share: text, lines, colours, round numbers.
 namespace musim::lsdem::detail {
@@ -43,6 +44,17 @@ double round_down(double value);
 
 /// Sizes of text of the classes `title` and `small` [px].
 inline constexpr double kTitleFont = 15.0, kSmallFont = 11.5;
+
+/// Width [px] of `text` (UTF-8), which no renderer reports when the SVG is made: in DejaVu Sans, the first of the fonts in open_svg() and
+/// the widest of them; letters beyond ASCII count as the widest, so that it is never too small.
+double find_text_width(const std::string& text, double font_size);
+
+/// `text` as it is when it fits into `room` [px], or else with "…" for as much of its middle as it takes: beginnings and ends are what
+/// distinguishes names.
+std::string shorten(const std::string& text, double font_size, double room);
+
+/// `text` in lines no wider than `room` [px], parted at spaces; a single word may be wider.
+std::vector<std::string> wrap(const std::string& text, double font_size, double room);
 
 /// Opens a document of `width` x `height` [px] on white ground, with the classes `title` and `small` for text.
 std::string open_svg(double width, double height);

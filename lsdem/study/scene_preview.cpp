@@ -11,7 +11,6 @@
 #include "lsdem/plot/box_view.hpp"
 #include "lsdem/plot/plot_panel.hpp"
 #include "lsdem/plot/svg.hpp"
-#include "lsdem/plot/text_room.hpp"
 #include "scaling/quantity_text.hpp"
 #include "scaling/units.hpp"
 

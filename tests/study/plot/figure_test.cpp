@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "lsdem/plot/picture_file.hpp"
-#include "lsdem/plot/text_room.hpp"
-#include "lsdem/plot/thin_path.hpp"
+#include "lsdem/plot/plot_panel.hpp"
+#include "lsdem/plot/svg.hpp"
 #include "records/error.hpp"
 #include "tests/support/temporary_folder.hpp"
 
