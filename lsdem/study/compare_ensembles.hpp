@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "lsdem/plot/plot.hpp"
-#include "lsdem/study/ensemble_bands.hpp"
+#include "lsdem/study/ensemble.hpp"
 
 namespace musim::lsdem {
 

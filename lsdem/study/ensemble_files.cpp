@@ -43,32 +43,24 @@ nlohmann::json scales_to_json(const SpeedScales& scales) {
             {"elastic_speed_m_s", scales.elastic_speed}};
 }
 
-std::vector<double> flatten(const std::vector<Vector3>& vectors) {
-    std::vector<double> flat;
-    flat.reserve(3 * vectors.size());
-    for (const Vector3& v : vectors) flat.insert(flat.end(), {v.x(), v.y(), v.z()});
-    return flat;
-}
-
 std::vector<char> make_ensemble_hdf5(const EnsembleSummary& summary, const std::string& version) {
     const Bands& bands = summary.bands;
     const hsize_t nt = bands.samples(), ns = bands.levels();
-    std::vector<Vector3> displacement, velocity, acceleration;
-    for (const BaseState& base : bands.base) {
-        displacement.push_back(base.displacement);
-        velocity.push_back(base.velocity);
-        acceleration.push_back(base.acceleration);
-    }
     const std::vector<long long> level(bands.level.begin(), bands.level.end()), count(bands.count.begin(), bands.count.end());
     detail::Hdf5File file;
     file.write("/time", {nt}, bands.time.data(), "s");
-    file.write("/base/displacement", {nt, 3}, flatten(displacement).data(), "m");
-    file.write("/base/velocity", {nt, 3}, flatten(velocity).data(), "m/s");
-    file.write("/base/acceleration", {nt, 3}, flatten(acceleration).data(), "m/s^2");
+    const auto write_base = [&](const std::string& path, Vector3 BaseState::*part, const char* unit) {
+        std::vector<Vector3> values;
+        for (const BaseState& base : bands.base) values.push_back(base.*part);
+        file.write(path, {nt, 3}, values.front().data(), unit);
+    };
+    write_base("/base/displacement", &BaseState::displacement, "m");
+    write_base("/base/velocity", &BaseState::velocity, "m/s");
+    write_base("/base/acceleration", &BaseState::acceleration, "m/s^2");
     file.write("/count", {nt}, count.data(), "1");
     file.write("/spine/level", {ns}, level.data(), "1");
-    file.write("/spine/velocity_mean", {nt, ns, 3}, flatten(bands.mean).data(), "m/s");
-    file.write("/spine/velocity_sd", {nt, ns, 3}, flatten(bands.sd).data(), "m/s");
+    file.write("/spine/velocity_mean", {nt, ns, 3}, bands.mean.empty() ? nullptr : bands.mean.front().data(), "m/s");
+    file.write("/spine/velocity_sd", {nt, ns, 3}, bands.sd.empty() ? nullptr : bands.sd.front().data(), "m/s");
     file.write_attribute("format", "musim-ensemble/1");
     file.write_attribute("summary", to_json(summary, version).dump());
     return file.image();
