@@ -44,7 +44,7 @@ inline constexpr std::size_t kOtherSpecimens = 4;
 struct ScenePair {
     Scene prototype;
     std::vector<Scene> models = {};  ///< in the order of PairStudy::models
-    SpeedScales scales = {};        ///< of the prototype
+    SpeedScales scales = {};         ///< of the prototype
     PairStudy study = {};
     /// With settings.checkpoint: the folder in which specimens and runs were kept, for whoever stores the results to remove then.
     std::filesystem::path unfinished = {};
