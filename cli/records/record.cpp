@@ -1,9 +1,11 @@
 #include <fmt/format.h>
+
 #include <algorithm>
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <optional>
 #include <span>
 #include <string>
@@ -14,15 +16,56 @@
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/record_source.hpp"
-#include "cli/records/record_groups.hpp"
-#include "cli/records/record_measures.hpp"
 #include "cli/records/record_peaks.hpp"
 #include "cli/usage.hpp"
 #include "records/measures/intensity.hpp"
+#include "records/measures/measures.hpp"
+#include "records/measures/own_spectrum.hpp"
+#include "records/measures/sliding_block.hpp"
 #include "records/processing/processing.hpp"
 
 namespace musim::cli {
 namespace {
+
+/// What measures of a record depend on, as options --bracket, --mean-period-band, --intensity-band.
+struct MeasureSettings {
+    Number bracket{0.05};                                ///< threshold of the bracketed duration [g]
+    std::vector<Number> mean_period_band{{0.25}, {20}};  ///< lowest and highest frequency of the mean period [Hz]
+    std::vector<Number> intensity_band{{0.1}, {2.5}};    ///< first and last period of the spectrum intensity [s]
+
+    void add_to(CLI::App& command) {
+        command.add_option("--bracket", bracket, "Threshold [g] of the bracketed duration (default 0.05)")
+            ->type_name("NUMBER")
+            ->check(above_zero());
+        command.add_option("--mean-period-band", mean_period_band, "Frequencies [Hz] of the mean period (default 0.25 20)")
+            ->type_name("LOW HIGH")
+            ->expected(2)
+            ->check(above_zero());
+        command.add_option("--intensity-band", intensity_band, "Periods [s] of Housner's spectrum intensity (default 0.1 2.5)")
+            ->type_name("FIRST LAST")
+            ->expected(2)
+            ->check(above_zero());
+    }
+};
+
+/// The structure that a record is put in proportion to, as options --friction, --length, --slenderness.
+struct StructureOptions {
+    std::optional<Number> friction;     ///< friction coefficient μ
+    std::optional<Number> length;       ///< l [m]
+    std::optional<Number> slenderness;  ///< angle α between diagonal and height of a block [deg]
+
+    void add_to(CLI::App& command) {
+        command.add_option("--friction", friction, "Friction coefficient of a structure, for groups and sliding")
+            ->type_name("MU")
+            ->check(above_zero());
+        command.add_option("--length", length, "Length [m] of a structure, for groups")->type_name("L")->check(above_zero());
+        command.add_option("--slenderness", slenderness, "Angle [deg] between a block's diagonal and its height, for groups")
+            ->type_name("ALPHA")
+            ->check(above_zero())
+            ->check(check_number([](double degrees) { return degrees < 90.0; }, " is not below 90"));
+    }
+    bool any() const { return friction || length || slenderness; }
+};
 
 struct RecordInfoOptions {
     std::vector<std::string> files;
@@ -108,6 +151,69 @@ void print_tables(std::span<const ComponentInfo> infos) {
     if (infos.front().groups.empty()) return;
     print_titles("component", infos.front().groups);
     for (const ComponentInfo& info : infos) print_row(info.component.name, info.groups);
+}
+
+/// Duration, energy and periods of an acceleration; those that another quantity does not give are missing. `intensity` is that of the same
+/// series, leveled like it (records::level_uncorrected), both with `corner` for uncorrected records. Throws records::ProcessingError for
+/// settings that make no sense.
+NamedValues measure_record(const records::TimeSeries& leveled, const records::Intensity& intensity,
+                           const std::optional<scaling::Frequency>& corner, const MeasureSettings& settings) {
+    std::optional<double> d5_75, cav, rms, bracketed, housner, vmax_over_amax, mean_period, predominant_period, pulse_period;
+    if (leveled.quantity() == records::SampleQuantity::acceleration) {
+        d5_75 = records::compute_significant_duration(leveled, 0.05, 0.75).value();
+        cav = records::compute_cumulative_absolute_velocity(leveled).value();
+        rms = records::compute_rms_acceleration(leveled) / scaling::kStandardGravity;
+        bracketed = in_si(records::compute_bracketed_duration(leveled, settings.bracket.value * scaling::kStandardGravity));
+        housner = records::compute_spectrum_intensity(leveled, settings.intensity_band.at(0).value * scaling::si::seconds,
+                                                      settings.intensity_band.at(1).value * scaling::si::seconds)
+                      .value() /
+                  0.01;
+        mean_period = in_si(records::compute_mean_period(records::compute_fourier_amplitudes(leveled),
+                                                         settings.mean_period_band.at(0).value / scaling::si::seconds,
+                                                         settings.mean_period_band.at(1).value / scaling::si::seconds));
+        const auto spectrum = records::compute_own_spectrum(leveled, corner);
+        predominant_period = in_si(records::find_predominant_period(spectrum));
+        pulse_period = in_si(records::find_pulse_period(spectrum));
+    }
+    if (intensity.pga && intensity.pgv && intensity.pga->value.value() != 0.0) {
+        vmax_over_amax = std::abs(intensity.pgv->value.value() / intensity.pga->value.value());
+    }
+    return {{"d5_75_s", "D5-75 [s]", or_null(d5_75)},
+            {"cav_m_s", "CAV [m/s]", or_null(cav)},
+            {"rms_g", "RMS [g]", or_null(rms)},
+            {"bracketed_s", "bracketed [s]", or_null(bracketed)},
+            {"housner_cm", "SI [cm]", or_null(housner)},
+            {"vmax_over_amax_s", "PGV/PGA [s]", or_null(vmax_over_amax)},
+            {"mean_period_s", "T mean [s]", or_null(mean_period)},
+            {"predominant_period_s", "T PSA [s]", or_null(predominant_period)},
+            {"pulse_period_s", "T PSV [s]", or_null(pulse_period)}};
+}
+
+/// How strong a record is for a structure in standard gravity, in dimensionless groups, and how far a Newmark block slides (its largest
+/// distance); missing where the structure or the record does not give it. `leveled` and `intensity` as above.
+NamedValues compute_record_groups(const records::TimeSeries& leveled, const records::Intensity& intensity,
+                                  const StructureOptions& structure) {
+    const double g = scaling::kStandardGravity.value();
+    std::optional<double> pga_friction, pgv_friction, pga_slenderness, sliding, sliding_length;
+    if (structure.friction) {
+        const double yield = structure.friction->value * g;  // [m/s²]
+        if (intensity.pga) pga_friction = std::abs(intensity.pga->value.value()) / yield;
+        if (intensity.pgv && structure.length) {
+            pgv_friction = std::abs(intensity.pgv->value.value()) / std::sqrt(yield * structure.length->value);
+        }
+        if (leveled.quantity() == records::SampleQuantity::acceleration) {
+            sliding = records::compute_sliding(leveled, scaling::Acceleration::from_value(yield)).largest.value();
+            if (structure.length) sliding_length = *sliding / structure.length->value;
+        }
+    }
+    if (structure.slenderness && intensity.pga) {
+        pga_slenderness = std::abs(intensity.pga->value.value()) / (g * std::tan(structure.slenderness->value * std::numbers::pi / 180.0));
+    }
+    return {{"pga_over_mu_g", "PGA/(mu g)", or_null(pga_friction)},
+            {"pgv_over_sqrt_mu_g_l", "PGV/sqrt(mu g l)", or_null(pgv_friction)},
+            {"pga_over_g_tan_alpha", "PGA/(g tan alpha)", or_null(pga_slenderness)},
+            {"newmark_sliding_m", "sliding [m]", or_null(sliding)},
+            {"newmark_sliding_over_length", "sliding/l", or_null(sliding_length)}};
 }
 
 ComponentInfo make_info(const RecordInfoOptions& options, const std::string& file, const records::GroundMotion& motion,
