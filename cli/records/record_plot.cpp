@@ -7,11 +7,11 @@
 
 #include "cli/commands.hpp"
 #include "cli/damping_ratio.hpp"
+#include "cli/named_values.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/output_files.hpp"
 #include "cli/record_source.hpp"
-#include "cli/records/record_curves_output.hpp"
 #include "cli/report.hpp"
 #include "lsdem/plot/picture_file.hpp"
 #include "lsdem/report/record_figure.hpp"
@@ -77,6 +77,28 @@ void require_looks(const std::vector<records::GroundMotion>& motions, bool with_
     }
 }
 
+template <class Peak>
+void add_peak(nlohmann::json& object, const char* value_key, const char* time_key, const std::optional<Peak>& peak, double unit) {
+    object[value_key] = peak ? nlohmann::json(peak->value.value() / unit) : nlohmann::json();
+    object[time_key] = peak ? nlohmann::json(peak->time.value()) : nlohmann::json();
+}
+
+/// What the components' peaks are, their own: a list of objects.
+nlohmann::json peaks_to_json(const std::vector<records::ComponentCurves>& components) {
+    nlohmann::json list = nlohmann::json::array();
+    for (const records::ComponentCurves& component : components) {
+        nlohmann::json object{{"file", component.file},
+                              {"component", component.component},
+                              {"scale", component.model ? "model" : "prototype"},
+                              {"highpass_hz", or_null(in_si(component.corner))}};
+        add_peak(object, "pga_g", "pga_time_s", component.intensity.pga, scaling::kStandardGravity.value());
+        add_peak(object, "pgv_cm_s", "pgv_time_s", component.intensity.pgv, 0.01);
+        add_peak(object, "pgd_cm", "pgd_time_s", component.intensity.pgd, 0.01);
+        list.push_back(std::move(object));
+    }
+    return list;
+}
+
 int run_record_plot(const RecordPlotOptions& options) {
     // what is asked for is looked at before anything is computed
     read_option("--out", [&] { lsdem::require_picture_name(options.out); });
@@ -96,7 +118,7 @@ int run_record_plot(const RecordPlotOptions& options) {
     lsdem::write_picture(options.out, drawn.svg);
     if (!options.csv.empty()) records::write_file_atomically(options.csv, drawn.csv);
     if (options.json) {
-        nlohmann::json object{{"out", options.out}, {"components", to_json(figure.components)}};
+        nlohmann::json object{{"out", options.out}, {"components", peaks_to_json(figure.components)}};
         if (!options.csv.empty()) object["csv"] = options.csv;
         if (figure.model_of) object["similitude"] = to_json(*figure.model_of);
         print_json(object);
