@@ -12,7 +12,7 @@
 #include "cli/report.hpp"
 #include "cli/scaling/scale_law.hpp"
 #include "cli/scaling/scale_properties.hpp"
-#include "cli/scaling/scale_uncertainty.hpp"
+#include "cli/scaling/uncertainty_output.hpp"
 #include "cli/uncertain_options.hpp"
 #include "scaling/laws/model_scales.hpp"
 #include "scaling/structures/distortion.hpp"
@@ -50,6 +50,36 @@ void note_rejected_draws(const scaling::Draws& draws) {
                     draws.rejected, draws.settings.samples, scaling::to_string(draws.settings.distribution)));
 }
 
+/// Adds "structure" and "measures" with the values at both scales, if there are any, and "uncertainty" if there is one.
+void add_uncertainty(nlohmann::json& object, const scaling::UncertainReport& report) {
+    if (!report.structure.empty()) object["structure"] = values_to_json(report.structure);
+    if (!report.measures.empty()) object["measures"] = values_to_json(report.measures);
+    if (report.is_certain()) return;
+    nlohmann::json uncertainty = to_json(report);
+    uncertainty["structure"] = to_json(report.structure);
+    uncertainty["measures"] = to_json(report.measures);
+    object["uncertainty"] = uncertainty;
+}
+
+/// Tables of inputs, factors and groups with their uncertainties.
+std::string make_uncertain_factors(const scaling::UncertainReport& report, scaling::ReportStyle style) {
+    std::string text = make_table(make_inputs_table(report.inputs), style) + "\n";
+    if (report.draws) text += make_paragraph(describe_draws(*report.draws), style) + "\n";
+    for (const auto& table : {make_results_table("factor", report.factors), make_results_table("group (1 = kept)", report.groups),
+                              make_results_table("group as shaken", report.shaken)}) {
+        text += make_table(table, style) + "\n";
+    }
+    return text;
+}
+
+/// Tables of groups and measures at both scales, if there are any.
+std::string make_structure_and_measures(const scaling::UncertainReport& report, scaling::ReportStyle style) {
+    std::string text;
+    if (!report.structure.empty()) text += make_table(make_pairs_table("group", report.structure), style) + "\n";
+    if (!report.measures.empty()) text += make_table(make_pairs_table("measure", report.measures), style) + "\n";
+    return text;
+}
+
 /// Laws that are reported by the factors of a similitude and the groups of a block structure, unless --set or a product asks for more; all
 /// others by the quantities that they name.
 constexpr std::string_view kLawsOfStructures[] = {"mu", "froude", "exact", "cauchy"};
@@ -66,8 +96,11 @@ int run_similitude(const ScaleOptions& options) {
     const scaling::ModelProperties properties = options.structure.properties();
     const auto groups = scaling::group_factors(similitude, properties);
     const auto distortions = scaling::find_distortions(similitude, properties);
+    scaling::UncertainScales scales = options.scales.scales();
+    options.structure.put_into(scales);
+    scales.motion = options.motion;
     const scaling::UncertainReport uncertain =
-        find_uncertain_scale(options.scales, options.structure, options.motion, properties, options.monte_carlo.make());
+        scaling::propagate(scales, options.scales.make_scales(), properties, options.monte_carlo.make());
     note_unknown_regime(options, uncertain);
     if (uncertain.draws) note_rejected_draws(*uncertain.draws);
     options.scales.note_doubtful_factors(options.structure.friction.has_value());
@@ -77,7 +110,7 @@ int run_similitude(const ScaleOptions& options) {
         object["groups"] = to_json(groups);
         object["distortions"] = lsdem::to_json(distortions);
         object["solid_elasticity"] = scaling::find_solid_elasticity(similitude);
-        add_to_json(object, uncertain);
+        add_uncertainty(object, uncertain);
         print_json(object);
         return kDone;
     }
