@@ -25,12 +25,13 @@ namespace musim::cli {
 namespace {
 
 /// What the options of scaling::kChosenScales give, in their order.
-constexpr scaling::UncertainRatio SimilitudeOptions::*kRatios[] = {&SimilitudeOptions::length, &SimilitudeOptions::friction,
-                                                                   &SimilitudeOptions::gravity, &SimilitudeOptions::density};
+constexpr scaling::UncertainRatio scaling::UncertainScales::*kRatios[] = {
+    &scaling::UncertainScales::length, &scaling::UncertainScales::friction, &scaling::UncertainScales::gravity,
+    &scaling::UncertainScales::density};
 
 /// One of them that is given, with the quantity of the law at hand.
 struct GivenOption {
-    scaling::UncertainRatio SimilitudeOptions::*ratio;
+    scaling::UncertainRatio scaling::UncertainScales::*ratio;
     double scaling::ScaleFactors::*value;
     std::string quantity;
 };
@@ -76,13 +77,13 @@ bool lexical_cast(const std::string& text, Share& share) {
 
 void SimilitudeOptions::add_to(CLI::App& app, LengthOption length_option) {
     command = &app;
-    add_uncertain_option(app, "--length", length,
+    add_uncertain_option(app, "--length", chosen.length,
                          "Length factor, model/prototype, e.g. 1/107 or 1/107+/-1%; by mu_vertical_distortion that of heights")
         ->required(length_option == LengthOption::required);
-    add_uncertain_option(app, "--friction", friction,
+    add_uncertain_option(app, "--friction", chosen.friction,
                          "Ratio of the friction coefficients, e.g. 0.63/0.59 or \"(0.63+/-5%)/(0.59+/-5%)\" (default 1)");
-    add_uncertain_option(app, "--gravity", gravity, "Ratio of gravity, above 1 in a centrifuge (default 1)");
-    add_uncertain_option(app, "--density", density, "Ratio of densities (default 1)");
+    add_uncertain_option(app, "--gravity", chosen.gravity, "Ratio of gravity, above 1 in a centrifuge (default 1)");
+    add_uncertain_option(app, "--density", chosen.density, "Ratio of densities (default 1)");
     app.add_option(
            "--law", law,
            "Which force governs: mu, froude, exact, cauchy, another of `musim scale --laws` with one length to be chosen, or a law file")
@@ -97,7 +98,7 @@ void SimilitudeOptions::add_to(CLI::App& app, LengthOption length_option) {
 std::vector<scaling::UncertainFactor> SimilitudeOptions::given() const {
     const std::vector<scaling::UncertainFactor> set = parse_factors(factors);
     std::vector<scaling::UncertainFactor> list;
-    for (const GivenOption& option : find_given(*this, set)) list.push_back({option.quantity, this->*option.ratio});
+    for (const GivenOption& option : find_given(*this, set)) list.push_back({option.quantity, chosen.*option.ratio});
     list.insert(list.end(), set.begin(), set.end());
     return list;
 }
@@ -119,11 +120,7 @@ scaling::MakeModelScales SimilitudeOptions::make_scales() const {
 }
 
 scaling::UncertainScales SimilitudeOptions::scales() const {
-    scaling::UncertainScales scales;
-    scales.length = length;
-    scales.friction = friction;
-    scales.gravity = gravity;
-    scales.density = density;
+    scaling::UncertainScales scales = chosen;
     scales.others = parse_factors(factors);
     return scales;
 }
@@ -134,15 +131,15 @@ void note_larger_model(double length) {
         "musim: note: --length {0:.7g} makes the model larger than the prototype; a model at 1:{0:.7g} is --length 1/{0:.7g}", length));
 }
 
-void SimilitudeOptions::note_doubtful_factors(bool knows_coefficient) const {
-    note_larger_model(length.value());
-    if (knows_coefficient || command->count("--friction") == 0 || friction.value() >= 1.0) return;
+void SimilitudeOptions::note_doubtful_factors() const {
+    note_larger_model(chosen.length.value());
+    if (chosen.friction_prototype || command->count("--friction") == 0 || chosen.friction.value() >= 1.0) return;
     std::string text = command->get_option("--friction")->results().back();
     if (const std::size_t mark = text.find("+/-"); mark != std::string::npos) text.erase(mark, 3);
     if (text.find('/') != std::string::npos) return;
     note_at_end(
         fmt::format("musim: note: --friction {0:.7g} is taken as the ratio model/prototype; of two coefficients write {0:.7g}/PROTOTYPE",
-                    friction.value()));
+                    chosen.friction.value()));
 }
 
 void SimilitudeOptions::note_values_used() const { cli::note_values_used(given()); }

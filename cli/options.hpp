@@ -38,7 +38,7 @@ enum class LengthOption { required, optional };
 /// The scale factors and the law of one similitude, as options --length, --friction, --gravity, --density, --law, --set. All factors may
 /// carry standard uncertainties.
 struct SimilitudeOptions {
-    scaling::UncertainRatio length, friction, gravity, density;
+    scaling::UncertainScales chosen;  ///< without `others`
     std::string law = "mu";
     std::vector<std::string> factors;   ///< of other quantities of the law, "NAME=NUMBER", perhaps with an uncertainty
     const CLI::App* command = nullptr;  ///< that has the options
@@ -62,12 +62,12 @@ struct SimilitudeOptions {
     /// scaling::SimilitudeError, now and when called.
     scaling::MakeModelScales make_scales() const;
 
-    /// The factors with their uncertainties.
+    /// All that is chosen with its uncertainties.
     scaling::UncertainScales scales() const;
 
     /// Remarks at the end about factors that may have been meant otherwise: a model larger than its prototype, and one number below 1 for
     /// the ratio of friction coefficients where the prototype's is not known.
-    void note_doubtful_factors(bool knows_coefficient) const;
+    void note_doubtful_factors() const;
 
     /// A remark at the end when factors are uncertain: for commands that use their values alone.
     void note_values_used() const;

@@ -83,25 +83,19 @@ CLI::Option* add_uncertain_option(CLI::App& command, const std::string& name, st
         ->allow_extra_args();
 }
 
-void UncertainStructureOptions::add_to(CLI::App& command) {
+void add_structure_options(CLI::App& command, scaling::UncertainScales& scales) {
     add_uncertain_option(
-        command, "--friction-prototype", friction,
+        command, "--friction-prototype", scales.friction_prototype,
         "Friction coefficient of the prototype, to distinguish sliding from rocking (default: below the / of --friction, if in "
         "brackets)");
-    add_uncertain_option(command, "--slenderness", slenderness, "Width/height of the blocks; repeat for several directions");
-    add_quantity_option(command, "--height", height, "Height of the prototype, for its mu number", "LENGTH");
+    add_uncertain_option(command, "--slenderness", scales.slenderness, "Width/height of the blocks; repeat for several directions");
+    add_quantity_option(command, "--height", scales.height, "Height of the prototype, for its mu number", "LENGTH");
 }
 
-void UncertainStructureOptions::put_into(scaling::UncertainScales& scales) const {
-    scales.friction_prototype = friction;
-    scales.slenderness = slenderness;
-    scales.height = height;
-}
-
-scaling::ModelProperties UncertainStructureOptions::properties() const {
+scaling::ModelProperties structure_of(const scaling::UncertainScales& scales) {
     scaling::ModelProperties properties;
-    if (friction) properties.friction_prototype = friction->value;
-    for (const scaling::Uncertain& each : slenderness) properties.slenderness.push_back(each.value);
+    if (scales.friction_prototype) properties.friction_prototype = scales.friction_prototype->value;
+    for (const scaling::Uncertain& each : scales.slenderness) properties.slenderness.push_back(each.value);
     return properties;
 }
 

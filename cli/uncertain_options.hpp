@@ -23,18 +23,9 @@ CLI::Option* add_uncertain_option(CLI::App& command, const std::string& name, st
 CLI::Option* add_uncertain_option(CLI::App& command, const std::string& name, std::vector<scaling::Uncertain>& numbers,
                                   const std::string& help);
 
-/// What is known of the prototype's blocks, as options --friction-prototype, --slenderness, --height.
-struct UncertainStructureOptions {
-    std::optional<scaling::Uncertain> friction;
-    std::vector<scaling::Uncertain> slenderness;
-    std::optional<scaling::UncertainQuantity<scaling::Length>> height;
-
-    void add_to(CLI::App& command);
-    bool any() const { return friction || !slenderness.empty() || height; }
-    void put_into(scaling::UncertainScales& scales) const;
-    /// Their values.
-    scaling::ModelProperties properties() const;
-};
+/// What is known of the prototype's blocks, as options --friction-prototype, --slenderness, --height; and its values.
+void add_structure_options(CLI::App& command, scaling::UncertainScales& scales);
+scaling::ModelProperties structure_of(const scaling::UncertainScales& scales);
 
 /// Measures of the prototype's motion, as options --pga, --pgv, --pgd, --arias, --duration, --time-step.
 void add_motion_options(CLI::App& command, scaling::UncertainMotion& motion);

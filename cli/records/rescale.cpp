@@ -30,7 +30,6 @@ struct RescaleOptions {
     RecordSourceOptions source;
     SimilitudeOptions scales;
     RecordOutputOptions output;
-    UncertainStructureOptions structure;
     MonteCarloOptions monte_carlo;
     bool json = false;
 };
@@ -81,16 +80,15 @@ void print_pairs(const UncertainRescale& rescale, const std::string& title,
 }
 
 /// Propagates the factors' uncertainties to PGA, PGV, PGD, Arias intensity, duration and time step of every component, and to the groups of
-/// the structure that `structure` gives; a vertical component has a_vertical/g alone. Empty when nothing is uncertain and no structure is
+/// the structure that the options give; a vertical component has a_vertical/g alone. Empty when nothing is uncertain and no structure is
 /// given. Throws scaling::SimilitudeError.
-UncertainRescale find_uncertain_rescale(const records::GroundMotion& prototype, const SimilitudeOptions& factors,
-                                        const UncertainStructureOptions& structure,
+UncertainRescale find_uncertain_rescale(const records::GroundMotion& prototype, const SimilitudeOptions& options,
                                         const std::optional<scaling::MonteCarloSettings>& monte_carlo) {
     UncertainRescale rescale;
-    scaling::UncertainScales scales = factors.scales();
-    structure.put_into(scales);
-    if (!scales.is_uncertain() && !structure.any() && !monte_carlo) return rescale;
-    const scaling::MakeModelScales make_scales = factors.make_scales();
+    scaling::UncertainScales scales = options.scales();
+    const bool has_structure = scales.friction_prototype || !scales.slenderness.empty() || scales.height;
+    if (!scales.is_uncertain() && !has_structure && !monte_carlo) return rescale;
+    const scaling::MakeModelScales make_scales = options.make_scales();
     for (const records::Component& component : prototype.components) {
         scales.motion = measure_component(prototype, component);
         rescale.components.push_back(component.name);
@@ -128,10 +126,10 @@ int run_rescale(const RescaleOptions& options) {
     refuse_overwriting(options.source.find_files({options.record}), {options.output.out});
     const records::GroundMotion prototype = options.output.select(options.source.load(options.record));
     const records::GroundMotion model = records::rescale(prototype, scales);
-    const UncertainRescale uncertain = find_uncertain_rescale(prototype, options.scales, options.structure, options.monte_carlo.make());
-    const auto distortions = scaling::find_distortions(scales, options.structure.properties());
+    const UncertainRescale uncertain = find_uncertain_rescale(prototype, options.scales, options.monte_carlo.make());
+    const auto distortions = scaling::find_distortions(scales, structure_of(options.scales.chosen));
     options.output.write(model);
-    options.scales.note_doubtful_factors(options.structure.friction.has_value());
+    options.scales.note_doubtful_factors();
 
     nlohmann::json components = nlohmann::json::array();
     if (!options.json) {
@@ -178,7 +176,7 @@ void add_rescale_command(CLI::App& app, Action& action) {
     options->scales.add_to(*command);
     options->output.add_to(*command);
     options->source.add_to(*command);
-    options->structure.add_to(*command);
+    add_structure_options(*command, options->scales.chosen);
     options->monte_carlo.add_to(*command);
     add_json_option(*command, options->json);
     command->footer(

@@ -24,8 +24,6 @@ namespace {
 struct ScaleOptions {
     SimilitudeOptions scales;
     ScaleLawOptions data;
-    UncertainStructureOptions structure;
-    scaling::UncertainMotion motion;
     MonteCarloOptions monte_carlo;
     PropertiesOptions properties;
     bool json = false;
@@ -35,7 +33,7 @@ struct ScaleOptions {
 void note_unknown_regime(const ScaleOptions& options, const scaling::UncertainReport& report) {
     const std::vector<scaling::UncertainPair>& given = report.structure;
     const auto is_regime = [](const scaling::UncertainPair& pair) { return pair.name.starts_with("mu/tan(alpha)"); };
-    if (options.structure.slenderness.empty() || std::any_of(given.begin(), given.end(), is_regime)) return;
+    if (options.scales.chosen.slenderness.empty() || std::any_of(given.begin(), given.end(), is_regime)) return;
     note_at_end(
         "musim: warning: whether blocks slide or rock first (mu/tan(alpha)) is not known: --slenderness needs --friction-prototype");
 }
@@ -93,17 +91,14 @@ bool wants_similitude(const ScaleOptions& options) {
 /// One of kLawsOfStructures, with all its options.
 int run_similitude(const ScaleOptions& options) {
     const scaling::Similitude similitude = options.scales.similitude();
-    const scaling::ModelProperties properties = options.structure.properties();
+    const scaling::ModelProperties properties = structure_of(options.scales.chosen);
     const auto groups = scaling::group_factors(similitude, properties);
     const auto distortions = scaling::find_distortions(similitude, properties);
-    scaling::UncertainScales scales = options.scales.scales();
-    options.structure.put_into(scales);
-    scales.motion = options.motion;
     const scaling::UncertainReport uncertain =
-        scaling::propagate(scales, options.scales.make_scales(), properties, options.monte_carlo.make());
+        propagate(options.scales.scales(), options.scales.make_scales(), properties, options.monte_carlo.make());
     note_unknown_regime(options, uncertain);
     if (uncertain.draws) note_rejected_draws(*uncertain.draws);
-    options.scales.note_doubtful_factors(options.structure.friction.has_value());
+    options.scales.note_doubtful_factors();
 
     if (options.json) {
         nlohmann::json object = lsdem::to_json(similitude);
@@ -169,8 +164,8 @@ void add_scale_command(CLI::App& app, Action& action) {
     CLI::App* command = app.add_subcommand("scale", "Scale factors of every mechanical quantity, and what the model distorts");
     options->scales.add_to(*command, LengthOption::optional);
     options->data.add_to(*command);
-    options->structure.add_to(*command);
-    add_motion_options(*command, options->motion);
+    add_structure_options(*command, options->scales.chosen);
+    add_motion_options(*command, options->scales.chosen.motion);
     options->monte_carlo.add_to(*command);
     options->properties.add_to(*command);
     add_json_option(*command, options->json);

@@ -17,7 +17,7 @@ struct PropertiesOptions {
     std::string file;
     RecordSourceOptions source;
 
-    /// Adds the options to a command that has those of SimilitudeOptions, UncertainStructureOptions and motions.
+    /// Adds the options to a command that has those of SimilitudeOptions, of structures and of motions.
     void add_to(CLI::App& command);
 
     bool is_given() const { return !file.empty(); }
