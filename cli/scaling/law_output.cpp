@@ -6,12 +6,12 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "cli/named_values.hpp"
+#include "cli/scaling/uncertainty_output.hpp"
 #include "scaling/laws/named_groups.hpp"
 #include "scaling/laws/scale_law_json.hpp"
 #include "scaling/laws/scale_text.hpp"
+#include "scaling/quantity_text.hpp"
 #include "scaling/structures/distortion.hpp"
-#include "scaling/text_table.hpp"
 
 namespace musim::cli {
 namespace {
@@ -23,6 +23,9 @@ using scaling::ReportStyle;
 using scaling::ScaleFactor;
 using scaling::ScaleState;
 using scaling::SolvedLaw;
+using scaling::UncertainDifference;
+using scaling::UncertainLawReport;
+using scaling::UncertainResult;
 
 /// Digits of factors, as in the other tables of `scale`.
 constexpr int kFactorDigits = 7;
@@ -202,6 +205,57 @@ std::string make_latex_report(const SolvedLaw& solved) {
     return text;
 }
 
+/// Results that are settled.
+std::vector<UncertainResult> drop_open(const std::vector<std::optional<UncertainResult>>& results) {
+    std::vector<UncertainResult> settled;
+    for (const auto& result : results) {
+        if (result) settled.push_back(*result);
+    }
+    return settled;
+}
+
+/// Held products but for definitions, then watched ones.
+std::vector<UncertainResult> list_settled_groups(const SolvedLaw& solved, const UncertainLawReport& report) {
+    std::vector<std::optional<UncertainResult>> groups;
+    for (std::size_t i = 0; i < report.held.size(); ++i) {
+        if (!solved.problem.held[i].is_definition) groups.push_back(report.held[i]);
+    }
+    groups.insert(groups.end(), report.watched.begin(), report.watched.end());
+    return drop_open(groups);
+}
+
+/// "0.001536, u 2.1e-06, 95 % from 0.00153 to 0.00154".
+std::string describe_difference(const UncertainDifference& difference, const scaling::RationalDimension& dimension) {
+    const auto in_its_unit = [&](double value, int digits) { return scaling::format_si_like(value, difference.value, dimension, digits); };
+    std::string text =
+        fmt::format("{}, u {}", in_its_unit(difference.value, 7), format_uncertainty(difference.uncertainty, difference.value, dimension));
+    if (difference.samples) {
+        text += fmt::format(", {:g} % from {} to {}", 100.0 * scaling::kCoverage, in_its_unit(difference.samples->lower, 4),
+                            in_its_unit(difference.samples->upper, 4));
+    }
+    return text;
+}
+
+std::vector<std::string> list_additions(const SolvedLaw& solved, const UncertainLawReport& report) {
+    std::vector<std::string> lines;
+    for (std::size_t i = 0; i < report.additions.size(); ++i) {
+        const auto& addition = report.additions[i];
+        if (!addition) continue;
+        const scaling::LawAddition& named = solved.law.additions[i];
+        lines.push_back(fmt::format("{}, share of the prototype's: {}", named.name, describe_difference(addition->factor, {})));
+        if (!addition->model) continue;
+        const auto& quantity = solved.problem.quantities[*solved.find_base(named)];
+        lines.push_back(fmt::format("{}: {}", named.name, describe_difference(*addition->model, quantity.dimension)));
+    }
+    return lines;
+}
+
+json to_json(const UncertainDifference& difference) {
+    json object{{"value", difference.value}, {"standard_uncertainty", difference.uncertainty}};
+    if (difference.samples) object["monte_carlo"] = cli::to_json(*difference.samples, 1.0);
+    return object;
+}
+
 }  // namespace
 
 json to_json(const SolvedLaw& solved) {
@@ -247,6 +301,43 @@ std::string make_law_report(const SolvedLaw& solved, ReportStyle style) {
     text += make_table(to_table(quantities), style) + "\n";
     if (!groups.empty()) text += make_table(to_table(groups), style) + "\n";
     return text + make_lines(list_remarks(solved), style);
+}
+
+std::string make_uncertainty_report(const SolvedLaw& solved, const UncertainLawReport& report, ReportStyle style) {
+    std::string text = make_heading("Uncertainty", style) + make_table(make_inputs_table(report.inputs), style);
+    const auto add = [&](const scaling::TextTable& table) {
+        if (!table.rows.empty()) text += "\n" + make_table(table, style);
+    };
+    if (report.draws) text += "\n" + make_lines({describe_draws(*report.draws)}, style);
+    add(make_results_table("factor", drop_open(report.factors)));
+    add(make_results_table("group (1 = kept)", list_settled_groups(solved, report)));
+    add(make_results_table("group as shaken", report.shaken));
+    add(make_pairs_table("value", report.values));
+    const std::vector<std::string> additions = list_additions(solved, report);
+    if (!additions.empty()) text += "\n" + make_lines(additions, style);
+    return text;
+}
+
+json to_json(const SolvedLaw& solved, const UncertainLawReport& report) {
+    json values = json::object(), additions = json::object();
+    for (const scaling::UncertainPair& pair : report.values) {
+        values[pair.name] = {{"prototype", to_json(pair.prototype, 1.0)}, {"model", to_json(pair.model, 1.0)}};
+    }
+    for (std::size_t i = 0; i < report.additions.size(); ++i) {
+        const auto& addition = report.additions[i];
+        if (!addition) continue;
+        json entry{{"factor", to_json(addition->factor)}};
+        if (addition->model) entry["model"] = to_json(*addition->model);
+        additions[solved.law.additions[i].name] = entry;
+    }
+    json object{{"inputs", to_json(report.inputs)},
+                {"factors", to_json(drop_open(report.factors), report.inputs)},
+                {"groups", to_json(list_settled_groups(solved, report), report.inputs)},
+                {"groups_as_shaken", to_json(report.shaken, report.inputs)},
+                {"values", values},
+                {"additions", additions}};
+    if (report.draws) object["monte_carlo"] = to_json(*report.draws);
+    return object;
 }
 
 }  // namespace musim::cli

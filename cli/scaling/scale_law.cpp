@@ -11,7 +11,6 @@
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/scaling/law_output.hpp"
-#include "cli/scaling/law_uncertainty_output.hpp"
 #include "scaling/laws/scale_law_catalogue.hpp"
 #include "scaling/text_table.hpp"
 
