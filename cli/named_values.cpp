@@ -12,6 +12,7 @@ namespace {
 constexpr int kLeastWidth = 9;
 
 std::string to_cell(const NamedValue& value) {
+    if (value.text) return *value.text;
     if (value.value.is_null()) return "-";
     if (value.value.is_string()) return value.value.get<std::string>();
     if (value.value.is_boolean()) return value.value.get<bool>() ? "yes" : "no";

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "scaling/json_optional.hpp"
@@ -14,12 +15,18 @@ using scaling::or_null;
 
 /// A value of a result with its names: JSON and tables are written from the same values.
 struct NamedValue {
-    std::string key;                   ///< in JSON, with the unit: "cav_m_s"; empty: in tables alone
-    std::optional<std::string> title;  ///< over its column: "CAV [m/s]"; none: in JSON alone
-    nlohmann::json value;              ///< null: "-" in tables
-    std::string format = ".4g";        ///< in tables, of a number that is not whole
-    std::optional<int> width = {};     ///< of its column on stdout, below zero with cells on the left; else as wide as needed
+    std::string key;                       ///< in JSON, with the unit: "cav_m_s"; empty: in tables alone
+    std::optional<std::string> title;      ///< over its column: "CAV [m/s]"; none: in JSON alone
+    nlohmann::json value;                  ///< null: "-" in tables
+    std::string format = ".4g";            ///< in tables, of a number that is not whole
+    std::optional<int> width = {};         ///< of its column on stdout, below zero with cells on the left; else as wide as needed
+    std::optional<std::string> text = {};  ///< in tables, where that is not the value itself
 };
+
+/// A value that tables have in words.
+inline NamedValue in_words(std::string key, std::string title, nlohmann::json value, std::string text, std::optional<int> width = {}) {
+    return {std::move(key), std::move(title), std::move(value), "", width, std::move(text)};
+}
 
 /// What one line of a table says.
 using NamedValues = std::vector<NamedValue>;

@@ -25,9 +25,10 @@ using scaling::Severity;
 using scaling::StructuralSpeeds;
 using scaling::StructureProperties;
 
-std::string name_direction(const std::optional<Direction>& direction) { return direction ? std::string(to_string(*direction)) : ""; }
-
-std::string name_severity(const std::optional<Severity>& severity) { return severity ? std::string(to_string(*severity)) : "kept"; }
+template <class Named>
+std::string name_or(const std::optional<Named>& named, const char* none) {
+    return named ? std::string(to_string(*named)) : none;
+}
 
 std::string join_keys(const std::vector<std::string>& keys) { return fmt::format("{}", fmt::join(keys, ", ")); }
 
@@ -48,19 +49,16 @@ std::string count_severities(const Entries& entries, const std::string& what) {
 NamedValues list_regime(const PropertiesReport& report, std::size_t i) {
     const RegimeStatement& regime = report.report.regimes[i];
     const scaling::UncertainRegimes& uncertain = report.uncertain;
-    NamedValues values{{{}, "verdict", regime.severity ? name_severity(regime.severity) : "same"},
-                       {"severity", {}, name_or_null(regime.severity)},
+    NamedValues values{in_words("severity", "verdict", name_or_null(regime.severity), name_or(regime.severity, "same")),
                        {"topic", "regime", regime.topic},
-                       {{}, "direction", name_direction(regime.direction)},
-                       {"direction", {}, name_or_null(regime.direction)}};
+                       in_words("direction", "direction", name_or_null(regime.direction), name_or(regime.direction, ""))};
     if (uncertain.samples) {
-        values.push_back({{}, "another in", format_share(uncertain.samples->shares_elsewhere[i])});
-        values.push_back({"share_elsewhere", {}, uncertain.samples->shares_elsewhere[i]});
+        const double share = uncertain.samples->shares_elsewhere[i];
+        values.push_back(in_words("share_elsewhere", "another in", share, format_share(share)));
     }
     if (!uncertain.is_certain()) values.push_back({"limit_within_uncertainty", {}, regime.is_open});
-    values.insert(values.end(), {{{}, "sources", join_keys(regime.sources)},
-                                 {"sources", {}, regime.sources},
-                                 {"statement", "prototype and model", regime.statement}});
+    values.push_back(in_words("sources", "sources", regime.sources, join_keys(regime.sources)));
+    values.push_back({"statement", "prototype and model", regime.statement});
     return values;
 }
 
@@ -69,8 +67,7 @@ NamedValues list_group(const PropertiesReport& report, std::size_t i) {
     const GroupComparison& group = report.report.groups[i];
     NamedValues values{{"group", "group", group.name},
                        {"class", {}, to_string(group.kind)},
-                       {{}, "direction", name_direction(group.direction)},
-                       {"direction", {}, name_or_null(group.direction)}};
+                       in_words("direction", "direction", name_or_null(group.direction), name_or(group.direction, ""))};
     nlohmann::json uncertainty;
     const auto add = [&](const char* key, const char* title, double value, scaling::FirstOrder scaling::UncertainComparison::*side,
                          scaling::SampleSummary scaling::ComparisonSamples::*sampled) {
@@ -86,10 +83,8 @@ NamedValues list_group(const PropertiesReport& report, std::size_t i) {
     add("factor", "model/prototype", group.factor(), &scaling::UncertainComparison::factor, &scaling::ComparisonSamples::factor);
     if (!uncertainty.is_null()) values.push_back({"uncertainty", {}, uncertainty});
     values.insert(values.end(), {{"required", "required", group.is_required},
-                                 {{}, "verdict", name_severity(group.severity)},
-                                 {"severity", {}, name_or_null(group.severity)},
-                                 {{}, "sources", group.severity ? join_keys(group.sources) : ""},
-                                 {"sources", {}, group.sources},
+                                 in_words("severity", "verdict", name_or_null(group.severity), name_or(group.severity, "kept")),
+                                 in_words("sources", "sources", group.sources, group.severity ? join_keys(group.sources) : ""),
                                  {"effect", "what changes", group.effect}});
     return values;
 }
@@ -111,27 +106,29 @@ std::vector<NamedValues> list_groups(const PropertiesReport& report, const Accep
     return rows;
 }
 
-/// A quantity of prototype and model, and the factor that similarity asks of it.
+/// A quantity of prototype and model, with what the model would need, and the factor that similarity asks of it.
 struct PairRow {
-    std::string key;    ///< in JSON: "shear_wave_speed"
-    std::string title;  ///< in tables: "c_e, shear wave (stick)"
-    scaling::Dimension dimension;
-    std::optional<double> prototype, model;  ///< [SI]
-    double required_factor = 1.0;
-
-    /// What the model would need.
-    std::optional<double> required() const { return prototype ? std::optional(*prototype * required_factor) : std::nullopt; }
-    std::optional<double> factor() const { return prototype && model ? std::optional(*model / *prototype) : std::nullopt; }
+    std::string key;  ///< in JSON: "shear_wave_speed_m_s"
+    NamedValues values;
 };
 
+/// Values in SI units in JSON, and in units of their size in tables.
 template <class Quantity>
 PairRow make_row(const std::string& key, const std::string& title, const std::optional<Quantity>& prototype,
                  const std::optional<Quantity>& model, double required_factor) {
-    PairRow row{.key = key, .title = title, .dimension = scaling::dimension_of<Quantity>(), .prototype = {}, .model = {}};
-    if (prototype) row.prototype = prototype->value();
-    if (model) row.model = model->value();
-    row.required_factor = required_factor;
-    return row;
+    const auto add_unit = [](const char* name, const char* column, const std::optional<double>& value) {
+        return in_words(name, column, or_null(value), value ? scaling::format_si(*value, scaling::dimension_of<Quantity>(), 5) : "-");
+    };
+    std::optional<double> required, factor;
+    if (prototype) required = prototype->value() * required_factor;
+    if (prototype && model) factor = model->value() / prototype->value();
+    return {key,
+            {{{}, "", title},
+             add_unit("prototype", "prototype", in_si(prototype)),
+             add_unit("model", "model", in_si(model)),
+             add_unit("required", "similar model", required),
+             {"factor", "model/prototype", or_null(factor), ".5g"},
+             {"required_factor", "by the law", required_factor, ".5g"}}};
 }
 
 std::optional<scaling::Ratio> to_ratio(const std::optional<double>& number) {
@@ -181,11 +178,12 @@ std::vector<PairRow> make_rocking_rows(const scaling::PairProperties& properties
     const auto find_p = [](const scaling::RockingBlock& block, const StructureProperties& structure) {
         return scaling::Ratio::from_value(block.frequency_parameter(structure.gravity).value());
     };
-    const auto make = [](const std::string& key, const std::string& title, auto of_prototype, auto of_model, double required_factor) {
-        return make_row(key, title, std::optional(of_prototype), std::optional(of_model), required_factor);
+    const std::string side = fmt::format(", {}", to_string(direction));
+    const auto make = [&](const std::string& key, const std::string& title, auto of_prototype, auto of_model, double required_factor) {
+        return make_row(key, title + side, std::optional(of_prototype), std::optional(of_model), required_factor);
     };
     const auto make_plain = [&](const std::string& key, const std::string& title, double of_prototype, double of_model) {
-        return make_row(key, title, to_ratio(of_prototype), to_ratio(of_model), 1.0);
+        return make(key, title, *to_ratio(of_prototype), *to_ratio(of_model), 1.0);
     };
     return {make("half_diagonal_m", "R", prototype.half_diagonal(), model.half_diagonal(), similitude.length()),
             make_plain("angle_deg", "alpha [deg]", prototype.angle() / scaling::kDegree, model.angle() / scaling::kDegree),
@@ -218,22 +216,12 @@ std::vector<PairRow> make_motion_rows(const scaling::MotionProperties& prototype
     return rows;
 }
 
-std::string format_or_dash(const std::optional<double>& value, scaling::Dimension dimension) {
-    return value ? scaling::format_si(*value, dimension, 5) : "-";
-}
-
-void add_rows(scaling::TextTable& table, const std::vector<PairRow>& rows, const std::string& suffix = "") {
-    for (const PairRow& row : rows) {
-        const auto factor = row.factor();
-        table.rows.push_back({row.title + suffix, format_or_dash(row.prototype, row.dimension), format_or_dash(row.model, row.dimension),
-                              format_or_dash(row.required(), row.dimension), factor ? fmt::format("{:.5g}", *factor) : "-",
-                              fmt::format("{:.5g}", row.required_factor)});
-    }
-}
-
-/// Titles of a table of PairRows.
-scaling::TextTable start_pairs(const std::string& first) {
-    return {{first, "prototype", "model", "similar model", "model/prototype", "by the law"}};
+scaling::TextTable to_table(const std::string& first, const std::vector<PairRow>& rows) {
+    std::vector<NamedValues> lines;
+    for (const PairRow& row : rows) lines.push_back(row.values);
+    scaling::TextTable table = cli::to_table(lines);
+    table.header.front() = first;
+    return table;
 }
 
 std::string describe_untold(const std::vector<scaling::UntoldGroup>& untold) {
@@ -246,13 +234,7 @@ std::string describe_untold(const std::vector<scaling::UntoldGroup>& untold) {
 
 nlohmann::json to_json(const std::vector<PairRow>& rows) {
     nlohmann::json object = nlohmann::json::object();
-    for (const PairRow& row : rows) {
-        object[row.key] = {{"prototype", or_null(row.prototype)},
-                           {"model", or_null(row.model)},
-                           {"required", or_null(row.required())},
-                           {"factor", or_null(row.factor())},
-                           {"required_factor", row.required_factor}};
-    }
+    for (const PairRow& row : rows) object[row.key] = cli::to_json(row.values);
     return object;
 }
 
@@ -278,24 +260,25 @@ std::string make_properties_report(const PropertiesReport& report, scaling::Repo
         text += make_heading("Factors asked for, model/prototype", style) +
                 make_table(make_results_table("factor", report.uncertain.factors), style);
     }
-    text += make_heading("Regimes", style) + make_table(to_table(list_regimes(report)), style);
+    text += make_heading("Regimes", style) + make_table(cli::to_table(list_regimes(report)), style);
     for (const GroupClass kind :
          {GroupClass::geometry, GroupClass::friction, GroupClass::contact, GroupClass::rocking, GroupClass::loading}) {
         const auto groups = list_groups(report, [&](const GroupComparison& group) { return group.kind == kind; });
-        if (!groups.empty()) text += make_heading("Groups of " + std::string(to_string(kind)), style) + make_table(to_table(groups), style);
+        if (!groups.empty())
+            text += make_heading("Groups of " + std::string(to_string(kind)), style) + make_table(cli::to_table(groups), style);
     }
     if (properties.motion && properties.model_motion) {
-        scaling::TextTable motion = start_pairs("motion");
-        add_rows(motion, make_motion_rows(*properties.motion, *properties.model_motion, similitude));
-        text += make_heading("Motion", style) + make_table(motion, style);
+        text += make_heading("Motion", style) +
+                make_table(to_table("motion", make_motion_rows(*properties.motion, *properties.model_motion, similitude)), style);
     }
-    scaling::TextTable speeds = start_pairs("structural speed"), rocking = start_pairs("rocking block");
-    add_rows(speeds, make_speed_rows(properties, similitude));
+    std::vector<PairRow> rocking;
     for (const Direction direction : {Direction::thin, Direction::wide}) {
-        add_rows(rocking, make_rocking_rows(properties, similitude, direction), fmt::format(", {}", to_string(direction)));
+        const std::vector<PairRow> rows = make_rocking_rows(properties, similitude, direction);
+        rocking.insert(rocking.end(), rows.begin(), rows.end());
     }
-    text += make_heading("Structural speed: derived, Rosakis21 for the number", style) + make_table(speeds, style);
-    text += make_heading("Rocking blocks: Housner63", style) + make_table(rocking, style);
+    text += make_heading("Structural speed: derived, Rosakis21 for the number", style) +
+            make_table(to_table("structural speed", make_speed_rows(properties, similitude)), style);
+    text += make_heading("Rocking blocks: Housner63", style) + make_table(to_table("rocking block", rocking), style);
     if (!report.report.untold.empty()) {
         text += "\n" + make_paragraph("Not given by prototype or model: " + describe_untold(report.report.untold), style);
     }

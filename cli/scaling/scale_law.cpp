@@ -135,8 +135,7 @@ int list_scale_laws(scaling::ReportStyle style, bool json) {
         rows.push_back({{"name", "law", name},
                         {"title", "", law.title},
                         {"description", {}, law.description},
-                        {"needs", {}, needs},
-                        {{}, "needs", fmt::format("{}", fmt::join(needs, ", "))}});
+                        in_words("needs", "needs", needs, fmt::format("{}", fmt::join(needs, ", ")))});
     }
     if (json) {
         print_json({{"laws", to_json(rows)}});
