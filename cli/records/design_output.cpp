@@ -77,31 +77,78 @@ std::vector<ReportedState> find_states(const Candidate& candidate, const records
     return states;
 }
 
-scaling::TextTable make_limits(const Candidate& candidate, const records::UncertainCandidate* uncertain_candidate) {
+using End = std::optional<scaling::FirstOrder>;
+
+std::string describe_end_interval(const End& end) {
+    if (!end || end->relative == 0.0) return "-";
+    const scaling::CoverageInterval interval = scaling::find_interval(*end);
+    return fmt::format("{} to {}", scaling::describe_scale(interval.lower), scaling::describe_scale(interval.upper));
+}
+
+nlohmann::json end_to_json(const End& end, const std::vector<scaling::UncertainInput>& inputs) {
+    return end ? cli::to_json(*end, inputs) : nlohmann::json();
+}
+
+/// Median and coverage interval of a length scale.
+std::vector<std::string> describe_scales(const scaling::SampleSummary& scales) {
+    if (scales.given == 0) return {"-", "-"};
+    return {scaling::describe_scale(scales.median),
+            fmt::format("{} to {}", scaling::describe_scale(scales.lower), scaling::describe_scale(scales.upper))};
+}
+
+nlohmann::json scales_to_json(const scaling::SampleSummary& scales) {
+    return scales.given == 0 ? nlohmann::json() : cli::to_json(scales, 1.0);
+}
+
+/// A column behind the last one, `cell(i)` in row i.
+template <class Cell>
+void add_column(scaling::TextTable& table, const std::string& title, const Cell& cell) {
+    table.header.push_back(title);
+    for (std::size_t i = 0; i < table.rows.size(); ++i) table.rows[i].push_back(cell(i));
+}
+
+/// A column for each state, `cell(state, i)` in row i, and one of coverage intervals behind it where something is uncertain.
+template <class Cell>
+void add_states(scaling::TextTable& table, const std::vector<ReportedState>& states, const std::string& at, const Cell& cell,
+                std::vector<scaling::FirstOrder> records::UncertainState::*intervals) {
+    for (const ReportedState& each : states) {
+        add_column(table, at + describe_scale(each.state->length), [&](std::size_t i) { return cell(*each.state, i); });
+        if (each.uncertain == nullptr) continue;
+        add_column(table, coverage_title(), [&](std::size_t i) { return describe_interval((each.uncertain->*intervals)[i]); });
+    }
+}
+
+/// Coverage intervals of the ends of a limit's ranges: "1/149.8 to 1/143.1 ... -"; "-" where all are certain.
+std::string describe_ends(const std::vector<records::UncertainRange>& ranges) {
+    std::string text;
+    const auto is_certain = [](const records::UncertainRange& range) {
+        return describe_end_interval(range.smallest) == "-" && describe_end_interval(range.largest) == "-";
+    };
+    if (std::all_of(ranges.begin(), ranges.end(), is_certain)) return "-";
+    for (const records::UncertainRange& range : ranges) {
+        text += fmt::format("{}{} ... {}", text.empty() ? "" : ", ", describe_end_interval(range.smallest),
+                            describe_end_interval(range.largest));
+    }
+    return text;
+}
+
+scaling::TextTable make_limits(const Candidate& candidate, const records::UncertainCandidate* uncertain) {
     scaling::TextTable table{{"limit", "length scales"}};
     for (const records::LimitRanges& limit : candidate.limits) table.rows.push_back({limit.limit, describe_ranges(limit.ranges)});
-    if (uncertain_candidate != nullptr) {
-        table.header.push_back(coverage_title());
-        for (std::size_t i = 0; i < table.rows.size(); ++i) table.rows[i].push_back(describe_ends(uncertain_candidate->limits[i]));
-    }
-    const std::vector<ReportedState> states = find_states(candidate, uncertain_candidate);
-    for (const auto& [state, uncertain] : states) {
-        table.header.push_back("used at " + describe_scale(state->length));
-        for (std::size_t i = 0; i < state->uses.size(); ++i) {
-            const double used = state->uses[i].used();
-            table.rows[i].push_back(fmt::format("{:.4f}{}", used, used > 1.0 ? " too much" : ""));
-        }
-        if (uncertain != nullptr) add_intervals(table, uncertain->used);
-    }
+    if (uncertain != nullptr) add_column(table, coverage_title(), [&](std::size_t i) { return describe_ends(uncertain->limits[i]); });
+    const std::vector<ReportedState> states = find_states(candidate, uncertain);
+    const auto describe_use = [](const ModelState& state, std::size_t i) {
+        const double used = state.uses[i].used();
+        return fmt::format("{:.4f}{}", used, used > 1.0 ? " too much" : "");
+    };
+    add_states(table, states, "used at ", describe_use, &records::UncertainState::used);
     if (states.empty()) return table;
     const ModelState& last = *states.back().state;
-    table.header.push_back("asked at " + describe_scale(last.length));
-    table.header.emplace_back("limit is");
-    for (std::size_t i = 0; i < table.rows.size(); ++i) {
-        const records::Use& use = last.uses[i];
-        table.rows[i].push_back(records::describe_amount(use.demand, use.unit));
-        table.rows[i].push_back(records::describe_amount(use.bound, use.unit));
-    }
+    const auto add_amount = [&](const std::string& title, double records::Use::*amount) {
+        add_column(table, title, [&](std::size_t i) { return records::describe_amount(last.uses[i].*amount, last.uses[i].unit); });
+    };
+    add_amount("asked at " + describe_scale(last.length), &records::Use::demand);
+    add_amount("limit is", &records::Use::bound);
     return table;
 }
 
@@ -115,13 +162,10 @@ std::string find_remark(const std::vector<scaling::Distortion>& distortions, std
 scaling::TextTable make_factors(const std::vector<ReportedState>& states) {
     scaling::TextTable table{{"factor"}};
     for (const scaling::ModelScale& scale : scaling::kModelScales) table.rows.push_back({std::string(scale.name)});
-    for (const auto& [state, uncertain] : states) {
-        table.header.push_back("at " + describe_scale(state->length));
-        for (std::size_t i = 0; i < table.rows.size(); ++i) {
-            table.rows[i].push_back(fmt::format("{:.5g}", state->scales.*scaling::kModelScales[i].factor));
-        }
-        if (uncertain != nullptr) add_intervals(table, uncertain->scales);
-    }
+    const auto describe_factor = [](const ModelState& state, std::size_t i) {
+        return fmt::format("{:.5g}", state.scales.*scaling::kModelScales[i].factor);
+    };
+    add_states(table, states, "at ", describe_factor, &records::UncertainState::scales);
     return table;
 }
 
@@ -131,14 +175,58 @@ scaling::TextTable make_groups(const records::Design& design, const Candidate& c
         const bool is_weighed = std::find(design.groups.begin(), design.groups.end(), group.name) != design.groups.end();
         table.rows.push_back({group.name, is_weighed ? "yes" : ""});
     }
-    for (const auto& [state, uncertain] : states) {
-        table.header.push_back("d at " + describe_scale(state->length));
-        for (std::size_t i = 0; i < state->groups.size(); ++i) table.rows[i].push_back(fmt::format("{:.4f}", state->groups[i].value));
-        if (uncertain != nullptr) add_intervals(table, uncertain->groups);
-    }
-    table.header.emplace_back("remark");
+    const auto describe_group = [](const ModelState& state, std::size_t i) { return fmt::format("{:.4f}", state.groups[i].value); };
+    add_states(table, states, "d at ", describe_group, &records::UncertainState::groups);
     const ModelState& remarked = candidate.ranked ? *candidate.ranked : *states.front().state;
-    for (std::size_t i = 0; i < table.rows.size(); ++i) table.rows[i].push_back(find_remark(remarked.distortions, remarked.groups[i].name));
+    add_column(table, "remark", [&](std::size_t i) { return find_remark(remarked.distortions, remarked.groups[i].name); });
+    return table;
+}
+
+/// The ends of all feasible ranges that a limit sets: what binds, u, the coverage interval, and the input that matters most.
+scaling::TextTable make_ends_table(const std::vector<records::Candidate>& candidates, const DesignUncertainty& uncertainty) {
+    scaling::TextTable table{{"material", "law", "end", "governing limit", "length scale", "u/value", coverage_title(), "mostly by"}};
+    for (std::size_t c = 0; c < candidates.size(); ++c) {
+        const records::Candidate& candidate = candidates[c];
+        const auto add = [&](const char* name, const End& end, const std::string& limit) {
+            if (!end) return;
+            table.rows.push_back({candidate.material.name, candidate.law.name(), name, limit, scaling::describe_scale(end->value),
+                                  format_share(end->relative), describe_end_interval(end), describe_main_input(*end, uncertainty.inputs)});
+        };
+        for (std::size_t i = 0; i < candidate.ranges.size(); ++i) {
+            add("smallest", uncertainty.candidates[c].ranges[i].smallest, candidate.ranges[i].binds_below);
+            add("largest", uncertainty.candidates[c].ranges[i].largest, candidate.ranges[i].binds_above);
+        }
+    }
+    return table;
+}
+
+/// By samples: in how many each candidate is feasible, and the ends of its length scales then.
+scaling::TextTable make_sampled_ends_table(const std::vector<records::Candidate>& candidates, const records::SampledDesign& samples) {
+    scaling::TextTable table{{"material", "law", "feasible in", "smallest: median", coverage_title(), "largest: median", coverage_title()}};
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+        const records::SampledCandidate& sampled = samples.candidates[i];
+        std::vector<std::string> row{candidates[i].material.name, candidates[i].law.name(), format_share(sampled.feasible)};
+        for (const std::string& cell : describe_scales(sampled.smallest)) row.push_back(cell);
+        for (const std::string& cell : describe_scales(sampled.largest)) row.push_back(cell);
+        table.rows.push_back(row);
+    }
+    return table;
+}
+
+/// By samples: which limits are governing, or broken at the given length. Limits that never are have no row.
+scaling::TextTable make_sampled_limits_table(const std::vector<records::Candidate>& candidates, const records::SampledDesign& samples) {
+    scaling::TextTable table{{"material", "law", "limit", "smaller: governs in", "larger: governs in", "too much in", "at"}};
+    for (std::size_t c = 0; c < candidates.size(); ++c) {
+        const records::SampledCandidate& sampled = samples.candidates[c];
+        for (std::size_t i = 0; i < sampled.limits.size(); ++i) {
+            const records::SampledLimit& limit = sampled.limits[i];
+            if (limit.sets_smallest == 0.0 && limit.sets_largest == 0.0 && limit.broken.value_or(0.0) == 0.0) continue;
+            table.rows.push_back({candidates[c].material.name, candidates[c].law.name(), candidates[c].limits[i].limit,
+                                  format_share(limit.sets_smallest), format_share(limit.sets_largest),
+                                  format_share(limit.broken.value_or(0.0)),
+                                  sampled.length ? scaling::describe_scale(*sampled.length) : "-"});
+        }
+    }
     return table;
 }
 
@@ -150,6 +238,27 @@ nlohmann::json to_json(const std::vector<records::GroupFactor>& groups) {
     nlohmann::json object = nlohmann::json::object();
     for (const records::GroupFactor& group : groups) object[group.name] = group.value;
     return object;
+}
+
+/// {"groups" and "factors" by name, "used" in the order of the limits, "mass_kg", "cost"}.
+nlohmann::json to_json(const records::ModelState& state, const records::UncertainState& uncertain,
+                       const std::vector<scaling::UncertainInput>& inputs) {
+    nlohmann::json groups = nlohmann::json::object(), factors = nlohmann::json::object(), used = nlohmann::json::array();
+    for (std::size_t i = 0; i < state.groups.size(); ++i) groups[state.groups[i].name] = cli::to_json(uncertain.groups[i], inputs);
+    for (std::size_t i = 0; i < std::size(scaling::kModelScales); ++i) {
+        factors[std::string(scaling::kModelScales[i].name)] = cli::to_json(uncertain.scales[i], inputs);
+    }
+    for (const scaling::FirstOrder& share : uncertain.used) used.push_back(cli::to_json(share, inputs));
+    return {{"groups", groups},
+            {"factors", factors},
+            {"used", used},
+            {"mass_kg", cli::to_json(uncertain.mass, inputs)},
+            {"cost", end_to_json(uncertain.cost, inputs)}};
+}
+
+/// {"smallest", "largest"}; null for an end that no limit sets.
+nlohmann::json to_json(const records::UncertainRange& range, const std::vector<scaling::UncertainInput>& inputs) {
+    return {{"smallest", end_to_json(range.smallest, inputs)}, {"largest", end_to_json(range.largest, inputs)}};
 }
 
 nlohmann::json to_json(const ReportedState& given, const std::vector<scaling::UncertainInput>& inputs) {
@@ -174,7 +283,7 @@ nlohmann::json to_json(const ReportedState& given, const std::vector<scaling::Un
                              {"mass_kg", state.mass.value()},
                              {"added_mass_kg", state.added_mass.value()},
                              {"cost", or_null(state.cost)}};
-    if (given.uncertain != nullptr) object["uncertainty"] = cli::to_json(state, *given.uncertain, inputs);
+    if (given.uncertain != nullptr) object["uncertainty"] = to_json(state, *given.uncertain, inputs);
     return object;
 }
 
@@ -191,7 +300,7 @@ nlohmann::json to_json(const Candidate& candidate, const records::UncertainCandi
                           {"binds_above", text_or_null(range.binds_above)},
                           {"at_smallest", to_json(states[2 * i], inputs)},
                           {"at_largest", to_json(states[2 * i + 1], inputs)}});
-        if (uncertain != nullptr) ranges.back()["uncertainty"] = cli::to_json(uncertain->ranges[i], inputs);
+        if (uncertain != nullptr) ranges.back()["uncertainty"] = to_json(uncertain->ranges[i], inputs);
     }
     for (std::size_t i = 0; i < candidate.limits.size(); ++i) {
         const records::LimitRanges& limit = candidate.limits[i];
@@ -200,7 +309,7 @@ nlohmann::json to_json(const Candidate& candidate, const records::UncertainCandi
         if (uncertain == nullptr) continue;
         limits.back()["uncertainty"] = nlohmann::json::array();
         for (const records::UncertainRange& range : uncertain->limits[i]) {
-            limits.back()["uncertainty"].push_back(cli::to_json(range, inputs));
+            limits.back()["uncertainty"].push_back(to_json(range, inputs));
         }
     }
     if (candidate.conflict) {
@@ -219,6 +328,24 @@ nlohmann::json to_json(const Candidate& candidate, const records::UncertainCandi
             {"problem", text_or_null(candidate.problem)},
             {"ranked_at", ranked},
             {"at_length", candidate.chosen ? to_json(states.back(), inputs) : nlohmann::json()}};
+}
+
+/// {"feasible_share", "smallest" and "largest" of the samples that are (null when none is), "length" at which limits are reported broken,
+/// "limits": [{"limit", "sets_smallest_share", "sets_largest_share", "broken_share"}]}.
+nlohmann::json to_json(const records::Candidate& candidate, const records::SampledCandidate& sampled) {
+    nlohmann::json limits = nlohmann::json::array();
+    for (std::size_t i = 0; i < sampled.limits.size(); ++i) {
+        const records::SampledLimit& limit = sampled.limits[i];
+        limits.push_back({{"limit", candidate.limits[i].limit},
+                          {"sets_smallest_share", limit.sets_smallest},
+                          {"sets_largest_share", limit.sets_largest},
+                          {"broken_share", scaling::or_null(limit.broken)}});
+    }
+    return {{"feasible_share", sampled.feasible},
+            {"smallest", scales_to_json(sampled.smallest)},
+            {"largest", scales_to_json(sampled.largest)},
+            {"length", scaling::or_null(sampled.length)},
+            {"limits", limits}};
 }
 
 }  // namespace
@@ -260,7 +387,7 @@ nlohmann::json to_json(const records::Design& design, const std::vector<Candidat
     nlohmann::json list = nlohmann::json::array();
     for (std::size_t i = 0; i < candidates.size(); ++i) {
         list.push_back(to_json(candidates[i], uncertainty.find(i), uncertainty.inputs));
-        if (uncertainty.samples) list.back()["monte_carlo"] = cli::to_json(candidates[i], uncertainty.samples->candidates[i]);
+        if (uncertainty.samples) list.back()["monte_carlo"] = to_json(candidates[i], uncertainty.samples->candidates[i]);
     }
     nlohmann::json object = {
         {"name", design.name}, {"gravity", design.gravity.value_or(1.0)}, {"groups", design.groups}, {"candidates", list}};

@@ -1,14 +1,27 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "cli/records/design_uncertainty_output.hpp"
-#include "records/design/candidate.hpp"
+#include "records/design/sampled_candidate.hpp"
+#include "records/design/uncertain_candidate.hpp"
 #include "scaling/text_table.hpp"
 
 namespace musim::cli {
+
+/// What the uncertain values of a design do to its candidates, in their order; no inputs, no candidates where all is certain.
+struct DesignUncertainty {
+    std::vector<scaling::UncertainInput> inputs;
+    std::vector<records::UncertainCandidate> candidates;
+    std::optional<records::SampledDesign> samples = {};
+
+    bool is_certain() const { return inputs.empty(); }
+
+    /// Of one candidate; null where all is certain.
+    const records::UncertainCandidate* find(std::size_t candidate) const { return is_certain() ? nullptr : &candidates[candidate]; }
+};
 
 /// The ranking, what conflicts where nothing is feasible, and for each candidate the limits used and the groups distorted at the ends and
 /// at the length in mind; with uncertain inputs, these and coverage intervals, too, and what samples say of
