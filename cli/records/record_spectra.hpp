@@ -1,5 +1,6 @@
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <utility>
 #include <vector>
@@ -47,5 +48,17 @@ struct FileSpectra {
 /// long as both components last. Files that cannot be read or used have an error, the others go on.
 std::vector<FileSpectra> compute_record_spectra(const std::vector<std::string>& files, const RecordSourceOptions& source,
                                                 const SpectrumRequest& request, int threads);
+
+/// {"spectra": [...], "rotd": [...]}: file, component, damping, and a list of numbers for the period and every column.
+nlohmann::json to_json(const std::vector<SpectrumTable>& tables);
+
+/// A table on stdout.
+void print_table(const SpectrumTable& table);
+
+/// One row per table and period; a column that a table has not is empty in its rows.
+std::string make_csv(const std::vector<SpectrumTable>& tables);
+
+/// PSA over period on logarithmic axes, one curve per component, RotD and damping ratio.
+std::string make_svg(const std::vector<SpectrumTable>& tables);
 
 }  // namespace musim::cli

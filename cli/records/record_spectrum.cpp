@@ -15,7 +15,6 @@
 #include "cli/output_files.hpp"
 #include "cli/record_source.hpp"
 #include "cli/records/record_spectra.hpp"
-#include "cli/records/spectrum_output.hpp"
 #include "records/atomic_file.hpp"
 #include "records/measures/response_spectrum.hpp"
 
