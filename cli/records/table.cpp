@@ -15,7 +15,6 @@
 #include "cli/output.hpp"
 #include "cli/output_files.hpp"
 #include "cli/record_source.hpp"
-#include "cli/records/drive_effect.hpp"
 #include "cli/records/table_output.hpp"
 #include "cli/report.hpp"
 #include "records/atomic_file.hpp"

@@ -8,6 +8,8 @@
 #include "cli/length_ranges.hpp"
 #include "cli/named_values.hpp"
 #include "cli/output.hpp"
+#include "cli/records/record_peaks.hpp"
+#include "records/measures/response_spectrum.hpp"
 #include "scaling/laws/length_range.hpp"
 
 namespace musim::cli {
@@ -15,49 +17,35 @@ namespace {
 
 using records::TableLimit;
 
-/// The unit in which engineers quote a limit, and its name in JSON keys.
+/// The unit in which engineers quote a limit.
 struct DisplayUnit {
-    std::string name, key;
+    const char* name;
     double si;
 };
 
-DisplayUnit find_unit(TableLimit limit) {
-    switch (limit) {
-        case TableLimit::displacement:
-            return {"mm", "mm", 1e-3};
-        case TableLimit::velocity:
-            return {"cm/s", "cm_s", 1e-2};
-        case TableLimit::acceleration:
-            return {"g", "g", scaling::kStandardGravity.value()};
-        case TableLimit::force:
-            return {"kN", "kn", 1e3};
-        case TableLimit::overturning_moment:
-            return {"kN m", "kn_m", 1e3};
-        case TableLimit::payload:
-            return {"kg", "kg", 1.0};
-        case TableLimit::lowest_frequency:
-        case TableLimit::highest_frequency:
-        case TableLimit::oil_column:
-        case TableLimit::controller_band:
-            break;
-    }
-    return {"Hz", "hz", 1.0};
+/// Those of a limit: the usual one, which JSON has, and that for limits from ten thousand of it.
+struct LimitUnits {
+    TableLimit limit;
+    DisplayUnit usual, large;
+};
+
+LimitUnits find_units(TableLimit limit) {
+    const DisplayUnit kGravity{"g", scaling::kStandardGravity.value()}, kHertz{"Hz", 1.0};
+    const LimitUnits kUnits[] = {{TableLimit::displacement, {"mm", 1e-3}, {"mm", 1e-3}},
+                                 {TableLimit::velocity, {"cm/s", 1e-2}, {"cm/s", 1e-2}},
+                                 {TableLimit::acceleration, kGravity, kGravity},
+                                 {TableLimit::force, {"kN", 1e3}, {"MN", 1e6}},
+                                 {TableLimit::overturning_moment, {"kN m", 1e3}, {"MN m", 1e6}},
+                                 {TableLimit::payload, {"kg", 1.0}, {"t", 1e3}}};
+    const auto* const found =
+        std::find_if(std::begin(kUnits), std::end(kUnits), [&](const LimitUnits& each) { return each.limit == limit; });
+    return found == std::end(kUnits) ? LimitUnits{limit, kHertz, kHertz} : *found;
 }
 
-/// The unit of find_unit(), or one a thousand times as large for a limit from ten thousand of it.
+/// The unit in which a use is printed.
 DisplayUnit find_printed_unit(const records::LimitUse& use) {
-    const DisplayUnit unit = find_unit(use.which);
-    if (use.limit < 1e4 * unit.si) return unit;
-    switch (use.which) {
-        case TableLimit::force:
-            return {"MN", unit.key, 1e6};
-        case TableLimit::overturning_moment:
-            return {"MN m", unit.key, 1e6};
-        case TableLimit::payload:
-            return {"t", unit.key, 1e3};
-        default:
-            return unit;
-    }
+    const LimitUnits units = find_units(use.which);
+    return use.limit < 1e4 * units.usual.si ? units.usual : units.large;
 }
 
 std::string describe_end(const std::optional<TableLimit>& limit, const std::string& axis) {
@@ -72,6 +60,34 @@ const std::vector<scaling::LengthRange>* find_ranges(const std::vector<records::
     return nullptr;
 }
 
+/// A peak of the record and of the table's motion, with its name and unit, and its key in JSON.
+struct PeakChange {
+    const char *name, *unit, *key;
+    std::optional<double> before, after;
+};
+
+std::vector<PeakChange> list_peak_changes(const DriveEffect& effect) {
+    const auto change = [&](const char* name, const char* unit, const char* key, auto records::Intensity::*peak, double si) {
+        return PeakChange{name, unit, key, size_of(effect.before.*peak, si), size_of(effect.after.*peak, si)};
+    };
+    return {change("PGA", "g", "pga_g", &records::Intensity::pga, scaling::kStandardGravity.value()),
+            change("PGV", "cm/s", "pgv_cm_s", &records::Intensity::pgv, 0.01),
+            change("PGD", "cm", "pgd_cm", &records::Intensity::pgd, 0.01)};
+}
+
+std::optional<double> find_mean_psa_factor(const records::TimeSeries& before, const records::TimeSeries& after,
+                                           std::span<const scaling::Time> periods) {
+    if (before.quantity() != records::SampleQuantity::acceleration || periods.empty()) return std::nullopt;
+    const auto psa = [&](const records::TimeSeries& series) {
+        return records::compute_response_spectrum(series, periods).pseudo_acceleration();
+    };
+    const std::vector<double> one = psa(before), two = psa(after);
+    double sum = 0.0;
+    for (std::size_t i = 0; i < periods.size(); ++i) sum += std::abs(std::log(two[i] / one[i]));
+    const double factor = std::exp(sum / static_cast<double>(periods.size()));
+    return std::isfinite(factor) ? std::optional(factor) : std::nullopt;
+}
+
 }  // namespace
 
 nlohmann::json to_json(const std::vector<records::ComponentUse>& uses, const std::vector<records::LimitScales>& scales) {
@@ -79,7 +95,7 @@ nlohmann::json to_json(const std::vector<records::ComponentUse>& uses, const std
     for (const records::ComponentUse& component : uses) {
         nlohmann::json limits = nlohmann::json::array();
         for (const records::LimitUse& use : component.uses) {
-            const DisplayUnit unit = find_unit(use.which);
+            const DisplayUnit unit = find_units(use.which).usual;
             limits.push_back({{"limit", std::string(to_string(use.which))},
                               {"unit", unit.name},
                               {"record", use.demand / unit.si},
@@ -190,6 +206,52 @@ void print_spectra(const records::Correction& correction, const scaling::ModelSc
                   before[i] / g, after[i] / g, after[i] / before[i]);
         }
     }
+}
+
+std::vector<DriveEffect> find_drive_effects(const records::GroundMotion& model, const records::DriveSettings& settings,
+                                            std::span<const scaling::Time> periods) {
+    const std::vector<records::DriveMotion> motions = records::make_drive_motions(model, settings);
+    std::vector<DriveEffect> effects;
+    for (std::size_t c = 0; c < motions.size(); ++c) {
+        const records::TimeSeries& series = model.components[c].series;
+        const auto& corner = model.integration_corner;
+        records::Intensity after;
+        after.pga = records::find_peak_acceleration(motions[c].acceleration);
+        after.pgv = records::find_peak_velocity(motions[c].velocity);
+        after.pgd = records::find_peak_displacement(motions[c].displacement);
+        effects.push_back({model.components[c].name, records::compute_intensity(series, corner), after,
+                           find_mean_psa_factor(records::level_uncorrected(series, corner), motions[c].acceleration, periods)});
+    }
+    return effects;
+}
+
+void print_drive_effects(const std::vector<DriveEffect>& effects) {
+    print(
+        "The table's motion is the model's record tapered over {:g} % of its length at each end, filtered and scaled as said, and "
+        "corrected\n"
+        "to end at rest. From the record to the table:\n",
+        100.0 * records::kDefaultTaper);
+    for (const DriveEffect& effect : effects) {
+        std::string line;
+        for (const PeakChange& peak : list_peak_changes(effect)) {
+            line += fmt::format("{} {} {} -> {} {}", line.empty() ? ":" : ",", peak.name, or_dash(peak.before, 4), or_dash(peak.after, 4),
+                                peak.unit);
+        }
+        if (effect.mean_psa_factor) line += fmt::format("; PSA by a factor {:.4g} on average", *effect.mean_psa_factor);
+        print("  {}{}\n", effect.component, line);
+    }
+}
+
+nlohmann::json to_json(const std::vector<DriveEffect>& effects) {
+    nlohmann::json list = nlohmann::json::array();
+    for (const DriveEffect& effect : effects) {
+        nlohmann::json object{{"component", effect.component}, {"mean_psa_factor", or_null(effect.mean_psa_factor)}};
+        for (const PeakChange& peak : list_peak_changes(effect)) {
+            object[peak.key] = nlohmann::json::array({or_null(peak.before), or_null(peak.after)});
+        }
+        list.push_back(std::move(object));
+    }
+    return list;
 }
 
 }  // namespace musim::cli
