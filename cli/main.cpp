@@ -9,7 +9,6 @@
 #include "cli/app.hpp"
 #include "cli/commands.hpp"
 #include "cli/output.hpp"
-#include "cli/overview.hpp"
 #include "cli/usage.hpp"
 #include "scaling/shorten.hpp"
 

@@ -15,6 +15,8 @@
 
 #include "cli/output.hpp"
 #include "cli/uncertain_options.hpp"
+#include "records/error.hpp"
+#include "records/measures/response_spectrum.hpp"
 #include "scaling/laws/law_similitude.hpp"
 #include "scaling/laws/scale_law_catalogue.hpp"
 #include "scaling/nearest_name.hpp"
@@ -55,6 +57,9 @@ scaling::SolvedLaw solve_noting(const std::string& law, const std::vector<scalin
     note_overruled(solved);
     return solved;
 }
+
+/// The library takes any; a spectrum of more than twice the critical damping is a slip.
+constexpr double kMostDamping = 2.0;
 
 }  // namespace
 
@@ -216,6 +221,22 @@ CLI::Validator not_negative() {
 CLI::Validator between(double low, double high) {
     return check_number([low, high](double number) { return number >= low && number <= high; },
                         fmt::format(" is not from {:g} to {:g}", low, high));
+}
+
+CLI::Validator damping_ratio() {
+    return {[](const std::string& text) -> std::string {
+                Number damping;
+                lexical_cast(text, damping);
+                try {
+                    records::require_damping(damping);
+                } catch (const records::ProcessingError& error) {
+                    return error.what();
+                }
+                if (damping <= kMostDamping) return "";
+                return fmt::format("{} is {:g} % of critical (at most {:g} %); write 0.05 for 5 %", text, 100.0 * damping,
+                                   100.0 * kMostDamping);
+            },
+            ""};
 }
 
 CLI::Validator whole_between(long long low, long long high) {

@@ -133,6 +133,9 @@ CLI::Validator above_zero();
 CLI::Validator not_negative();
 CLI::Validator between(double low, double high);
 
+/// A check of a --damping: one of an oscillator, and not above 2, where percent were meant.
+CLI::Validator damping_ratio();
+
 /// A check of a whole number from `low` to `high`.
 CLI::Validator whole_between(long long low, long long high);
 

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "cli/commands.hpp"
-#include "cli/damping_ratio.hpp"
 #include "cli/input_file.hpp"
 #include "cli/named_values.hpp"
 #include "cli/options.hpp"

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "cli/commands.hpp"
-#include "cli/damping_ratio.hpp"
 #include "cli/named_values.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
