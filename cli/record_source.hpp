@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cli/options.hpp"
+#include "lsdem/scene/scene.hpp"
 #include "records/ground_motion.hpp"
 
 namespace musim::cli {
@@ -31,6 +32,21 @@ struct RecordSourceOptions {
 
     /// The same for a record that a file names, from the folder of that file.
     records::GroundMotion load_beside(const std::string& naming_file, const std::string& source) const;
+};
+
+/// A record that shakes a scene, as options --record, --component, --unit and --dt.
+struct RecordMotionOptions {
+    std::string record;                   ///< file; empty: the scene's own motion stays
+    std::vector<std::string> components;  ///< "x=360"
+    std::optional<std::string> unit;      ///< of a plain text file
+    std::optional<Number> dt;             ///< likewise [s]
+
+    /// Adds the options; `help` says what becomes of the record.
+    void add_to(CLI::App& command, const std::string& help);
+
+    /// Lets the record's strong motion shake the scene (lsdem::use_record), and says on stderr what was done. Throws CLI::ValidationError
+    /// for a component that is not AXIS=NAME, and as lsdem::use_record.
+    void apply(lsdem::Scene& scene) const;
 };
 
 /// How a positional record argument describes itself in help texts.

@@ -5,9 +5,9 @@
 #include <string>
 
 #include "cli/commands.hpp"
+#include "cli/files.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
-#include "cli/output_files.hpp"
 #include "cli/report.hpp"
 #include "lsdem/plot/picture_file.hpp"
 #include "lsdem/run/scene_summary.hpp"

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "cli/commands.hpp"
+#include "cli/files.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
-#include "cli/output_files.hpp"
-#include "cli/record_motion.hpp"
+#include "cli/record_source.hpp"
 #include "lsdem/run/use_record.hpp"
 #include "lsdem/scene/new_scene.hpp"
 #include "records/atomic_file.hpp"

@@ -14,7 +14,7 @@
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/progress_line.hpp"
-#include "cli/record_motion.hpp"
+#include "cli/record_source.hpp"
 #include "cli/report.hpp"
 #include "cli/result_options.hpp"
 #include "cli/version.hpp"

@@ -10,11 +10,10 @@
 #include <vector>
 
 #include "cli/commands.hpp"
-#include "cli/input_file.hpp"
+#include "cli/files.hpp"
 #include "cli/interruption.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
-#include "cli/preset_materials.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/record_source.hpp"
 #include "cli/records/design_output.hpp"

@@ -111,7 +111,7 @@ NamedValues list_peaks(const ComponentInfo& info) {
             {{}, "integrated", describe_integration(info.corner), "", -1}};
 }
 
-nlohmann::json to_json(const ComponentInfo& info) {
+nlohmann::json component_json(const ComponentInfo& info) {
     const records::TimeSeries& series = info.component.series;
     const auto first = find_first_sample(info);
     nlohmann::json object{{"file", info.file},
@@ -269,7 +269,7 @@ int run_record_info(const RecordInfoOptions& options) {
     if (options.json && any) {
         nlohmann::json list = nlohmann::json::array();
         for (const FileInfo& of_file : infos) {
-            for (const ComponentInfo& info : of_file.components) list.push_back(to_json(info));
+            for (const ComponentInfo& info : of_file.components) list.push_back(component_json(info));
         }
         print_json({{"components", list}});
     } else {

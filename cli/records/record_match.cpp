@@ -9,11 +9,10 @@
 #include <vector>
 
 #include "cli/commands.hpp"
-#include "cli/input_file.hpp"
+#include "cli/files.hpp"
 #include "cli/named_values.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
-#include "cli/output_files.hpp"
 #include "cli/record_source.hpp"
 #include "cli/records/record_output.hpp"
 #include "records/error.hpp"

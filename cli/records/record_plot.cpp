@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "cli/commands.hpp"
+#include "cli/files.hpp"
 #include "cli/named_values.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
-#include "cli/output_files.hpp"
 #include "cli/record_source.hpp"
 #include "cli/report.hpp"
 #include "lsdem/plot/picture_file.hpp"

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "cli/commands.hpp"
+#include "cli/files.hpp"
 #include "cli/interruption.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
-#include "cli/output_files.hpp"
 #include "cli/record_source.hpp"
 #include "cli/records/record_spectra.hpp"
 #include "records/atomic_file.hpp"

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "cli/commands.hpp"
+#include "cli/files.hpp"
 #include "cli/interruption.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
-#include "cli/output_files.hpp"
 #include "cli/record_source.hpp"
 #include "cli/records/record_output.hpp"
 #include "cli/records/record_peaks.hpp"

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "cli/commands.hpp"
-#include "cli/input_file.hpp"
+#include "cli/files.hpp"
 #include "cli/interruption.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
@@ -264,7 +264,7 @@ std::string make_latex(const PiReport& report) {
 /// "product", "latex", "known" (the names one by one) and, where its quantities have values, "value", and "uncertainty" of it where some
 /// are uncertain, with "monte_carlo" if samples were drawn; "uncertainty" of the whole has the inputs. Powers of an expressed product are
 /// texts such as "-1/2".
-json to_json(const PiReport& report) {
+json report_json(const PiReport& report) {
     json object = basis_json(report.basis, report);
     object["problem"] = report.problem;
     if (is_uncertain(report)) {
@@ -326,7 +326,7 @@ int run_pi(const PiOptions& options) {
         report.samples = draw_groups(groups, report.quantities, *monte_carlo, [&](double fraction) { progress.update(fraction); });
     }
     if (options.json) {
-        print_json(to_json(report));
+        print_json(report_json(report));
     } else {
         print("{}", make_pi_report(report, options.style));
     }

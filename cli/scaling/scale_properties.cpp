@@ -7,9 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.hpp"
-#include "cli/input_file.hpp"
+#include "cli/files.hpp"
 #include "cli/output.hpp"
-#include "cli/preset_materials.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/scaling/properties_output.hpp"
 #include "records/design/parse_properties.hpp"

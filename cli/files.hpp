@@ -1,7 +1,9 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "records/design/design.hpp"
 #include "records/shake_table/shake_table.hpp"
 
 namespace musim::cli {
@@ -15,5 +17,13 @@ std::string find_beside(const std::string& naming_file, const std::string& named
 /// The shake table of a file of schema musim-table/1; uncertain limits are for a reading, and refused without it. Throws
 /// records::ReadError.
 records::ShakeTable read_shake_table(const std::string& file, scaling::UncertainReading* reading = nullptr);
+
+/// The measured materials of scenes by their names, face stiffnesses as moduli of the solid; for files of designs and properties.
+std::vector<records::Material> make_preset_materials();
+
+/// Refuses an output that is one of the inputs or another output: the same path once links and relative parts are resolved. Asked before
+/// anything is computed. Empty names are options that were not given; devices and pipes may occur twice, nothing in them is lost. Throws
+/// records::WriteError `OUTPUT: cannot be written (...); name another file`.
+void refuse_overwriting(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs);
 
 }  // namespace musim::cli
