@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "cli/manual/command_text.hpp"
 
@@ -9,33 +10,12 @@ namespace {
 
 /// Text as roff prints it letter by letter; `-`, quotes and their like would become typographic signs, which nobody can paste into a shell.
 std::string escape(const std::string& text) {
+    static const std::map<char, const char*> kSigns{{'\\', "\\(rs"}, {'-', "\\-"},   {'\'', "\\(aq"}, {'`', "\\(ga"},
+                                                    {'^', "\\(ha"},  {'~', "\\(ti"}, {'"', "\\(dq"}};
     std::string escaped;
     for (const char c : text) {
-        switch (c) {
-            case '\\':
-                escaped += "\\(rs";
-                break;
-            case '-':
-                escaped += "\\-";
-                break;
-            case '\'':
-                escaped += "\\(aq";
-                break;
-            case '`':
-                escaped += "\\(ga";
-                break;
-            case '^':
-                escaped += "\\(ha";
-                break;
-            case '~':
-                escaped += "\\(ti";
-                break;
-            case '"':
-                escaped += "\\(dq";
-                break;
-            default:
-                escaped += c;
-        }
+        const auto sign = kSigns.find(c);
+        escaped += sign == kSigns.end() ? std::string(1, c) : sign->second;
     }
     if (escaped.starts_with('.')) escaped = "\\&" + escaped;
     return escaped;
