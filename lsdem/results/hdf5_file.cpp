@@ -49,18 +49,6 @@ Hdf5Handle::~Hdf5Handle() { close_(id_); }
 
 Hdf5File::Hdf5File() : file_(create_file_in_memory(), H5Fclose, "create a file in memory") {}
 
-void Hdf5File::write(const std::string& path, const std::vector<hsize_t>& shape, const double* values, const std::string& units) {
-    write_dataset(path, shape, H5T_NATIVE_DOUBLE, H5T_IEEE_F64LE, values, units);
-}
-
-void Hdf5File::write(const std::string& path, const std::vector<hsize_t>& shape, const float* values, const std::string& units) {
-    write_dataset(path, shape, H5T_NATIVE_FLOAT, H5T_IEEE_F32LE, values, units);
-}
-
-void Hdf5File::write(const std::string& path, const std::vector<hsize_t>& shape, const long long* values, const std::string& units) {
-    write_dataset(path, shape, H5T_NATIVE_LLONG, H5T_STD_I64LE, values, units);
-}
-
 void Hdf5File::write_attribute(const std::string& name, const std::string& text) {
     const Hdf5Handle root(H5Gopen2(file_, "/", H5P_DEFAULT), H5Gclose, "open the root group");
     write_text_attribute(root, name, text);
@@ -76,15 +64,15 @@ std::vector<char> Hdf5File::image() const {
     return bytes;
 }
 
-void Hdf5File::write_dataset(const std::string& path, const std::vector<hsize_t>& shape, hid_t memory_type, hid_t file_type,
-                             const void* values, const std::string& units) {
+void Hdf5File::write_dataset(const std::string& path, const std::vector<hsize_t>& shape, const Hdf5Types& types, const void* values,
+                             const std::string& units) {
     const Hdf5Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose, "create link properties");
     require(H5Pset_create_intermediate_group(links, 1), "create groups");
     const Hdf5Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose, "create a data space");
     const Hdf5Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "create data properties");
     leave_out_times(creation);
-    const Hdf5Handle set(H5Dcreate2(file_, path.c_str(), file_type, space, links, creation, H5P_DEFAULT), H5Dclose, "create " + path);
-    require(H5Dwrite(set, memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), "write " + path);
+    const Hdf5Handle set(H5Dcreate2(file_, path.c_str(), types.file, space, links, creation, H5P_DEFAULT), H5Dclose, "create " + path);
+    require(H5Dwrite(set, types.memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), "write " + path);
     write_text_attribute(set, "units", units);
 }
 

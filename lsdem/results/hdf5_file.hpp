@@ -2,9 +2,12 @@
 
 #include <hdf5.h>
 
-#include <cstddef>
+#include <array>
 #include <string>
+#include <type_traits>
 #include <vector>
+
+#include "lsdem/types.hpp"
 
 namespace musim::lsdem::detail {
 
@@ -25,16 +28,68 @@ class Hdf5Handle {
     Close close_;
 };
 
+/// How numbers of a type stand in memory and in a file.
+struct Hdf5Types {
+    hid_t memory, file;
+};
+inline Hdf5Types types_of(double /*number*/) { return {H5T_NATIVE_DOUBLE, H5T_IEEE_F64LE}; }
+inline Hdf5Types types_of(float /*number*/) { return {H5T_NATIVE_FLOAT, H5T_IEEE_F32LE}; }
+inline Hdf5Types types_of(long long /*number*/) { return {H5T_NATIVE_LLONG, H5T_STD_I64LE}; }
+
+/// The numbers of a value in a file: one, or those of a vector or quaternion, which are a dimension of their own.
+template <class Value>
+struct Hdf5Numbers {
+    using Number = std::conditional_t<std::is_floating_point_v<Value>, Value, long long>;
+    static constexpr hsize_t kCount = 1;
+    static std::array<Number, kCount> of(const Value& value) { return {static_cast<Number>(value)}; }
+    static Value make(const Number* number) { return static_cast<Value>(*number); }
+};
+template <class Scalar, int Rows>
+struct Hdf5Numbers<Eigen::Matrix<Scalar, Rows, 1>> {
+    using Number = Scalar;
+    static constexpr hsize_t kCount = Rows;
+    static Eigen::Matrix<Scalar, Rows, 1> of(const Eigen::Matrix<Scalar, Rows, 1>& vector) { return vector; }
+    static Eigen::Matrix<Scalar, Rows, 1> make(const Number* numbers) { return Eigen::Map<const Eigen::Matrix<Scalar, Rows, 1>>(numbers); }
+};
+/// (w, x, y, z), the order of files; Eigen keeps w last.
+template <>
+struct Hdf5Numbers<Quaternion> {
+    using Number = double;
+    static constexpr hsize_t kCount = 4;
+    static std::array<Number, kCount> of(const Quaternion& q) { return {q.w(), q.x(), q.y(), q.z()}; }
+    static Quaternion make(const Number* q) { return {q[0], q[1], q[2], q[3]}; }
+};
+
+/// The shape of a dataset of so many values.
+template <class Value>
+std::vector<hsize_t> shape_of(std::vector<hsize_t> values) {
+    if (Hdf5Numbers<Value>::kCount > 1) values.push_back(Hdf5Numbers<Value>::kCount);
+    return values;
+}
+
 /// An HDF5 file built in memory. Its bytes are written by whoever wants them: a full disk is then an ordinary failed write, which the
 /// HDF5 library itself does not survive when it meets it in H5Fclose.
 class Hdf5File {
   public:
     Hdf5File();
 
-    /// Row-major dataset `path` ("/group/name", groups are made) with the attribute `units`.
-    void write(const std::string& path, const std::vector<hsize_t>& shape, const double* values, const std::string& units);
-    void write(const std::string& path, const std::vector<hsize_t>& shape, const float* values, const std::string& units);
-    void write(const std::string& path, const std::vector<hsize_t>& shape, const long long* values, const std::string& units);
+    /// Writes numbers, vectors or quaternions, as many as `shape` says, as the row-major dataset `path` ("/group/name", groups are made)
+    /// with the attribute `units`. Hdf5Reader::exchange reads them, so that one list of datasets serves both ways.
+    template <class Value>
+    void exchange(const std::string& path, const std::vector<hsize_t>& shape, const std::vector<Value>& values, const std::string& units) {
+        using Numbers = Hdf5Numbers<Value>;
+        std::vector<typename Numbers::Number> numbers;
+        numbers.reserve(values.size() * Numbers::kCount);
+        for (const Value& value : values) {
+            for (const auto number : Numbers::of(value)) numbers.push_back(number);
+        }
+        write_dataset(path, shape_of<Value>(shape), types_of(typename Numbers::Number{}), numbers.data(), units);
+    }
+    /// How many values there are in a list that says so itself.
+    template <class Value>
+    static hsize_t count(const std::string& /*path*/, const std::vector<Value>& values) {
+        return values.size();
+    }
 
     /// Text attribute of the file itself.
     void write_attribute(const std::string& name, const std::string& text);
@@ -43,7 +98,7 @@ class Hdf5File {
     std::vector<char> image() const;
 
   private:
-    void write_dataset(const std::string& path, const std::vector<hsize_t>& shape, hid_t memory_type, hid_t file_type, const void* values,
+    void write_dataset(const std::string& path, const std::vector<hsize_t>& shape, const Hdf5Types& types, const void* values,
                        const std::string& units);
 
     Hdf5Handle file_;

@@ -66,7 +66,7 @@ bool Hdf5Reader::has(const std::string& path) const {
 }
 
 template <class Number>
-Hdf5Data<Number> Hdf5Reader::read(const std::string& path, std::size_t rank, hid_t type) const {
+Hdf5Data<Number> Hdf5Reader::read(const std::string& path, std::size_t rank) const {
     if (!has(path)) fail(fmt::format("has no {}", path));
     const Hdf5Handle set(H5Dopen2(file_, path.c_str(), H5P_DEFAULT), H5Dclose, "open " + path);
     const Hdf5Handle space(H5Dget_space(set), H5Sclose, "describe " + path);
@@ -77,23 +77,19 @@ Hdf5Data<Number> Hdf5Reader::read(const std::string& path, std::size_t rank, hid
     const std::optional<std::size_t> count = count_values(set, data.shape);
     if (!count) fail(fmt::format("{} says that it holds more than there is", path));
     data.values.resize(*count);
-    if (*count > 0 && H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data.values.data()) < 0) {
+    if (*count > 0 && H5Dread(set, types_of(Number{}).memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, data.values.data()) < 0) {
         fail(fmt::format("{} cannot be read", path));
     }
     return data;
 }
 
-Hdf5Data<double> Hdf5Reader::doubles(const std::string& path, std::size_t rank) const {
-    return read<double>(path, rank, H5T_NATIVE_DOUBLE);
-}
-Hdf5Data<float> Hdf5Reader::floats(const std::string& path, std::size_t rank) const { return read<float>(path, rank, H5T_NATIVE_FLOAT); }
-Hdf5Data<long long> Hdf5Reader::integers(const std::string& path, std::size_t rank) const {
-    return read<long long>(path, rank, H5T_NATIVE_LLONG);
-}
+template Hdf5Data<double> Hdf5Reader::read(const std::string& path, std::size_t rank) const;
+template Hdf5Data<float> Hdf5Reader::read(const std::string& path, std::size_t rank) const;
+template Hdf5Data<long long> Hdf5Reader::read(const std::string& path, std::size_t rank) const;
 
 std::vector<int> Hdf5Reader::layers(const std::string& path, std::size_t blocks) const {
     std::vector<int> layers;
-    for (const long long layer : integers(path, 1).values) {
+    for (const long long layer : read<long long>(path, 1).values) {
         if (layer < 0 || static_cast<unsigned long long>(layer) > blocks) {
             fail(fmt::format("{} has a layer {} in a structure of {} blocks", path, layer, blocks));
         }

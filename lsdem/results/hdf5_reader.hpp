@@ -27,14 +27,28 @@ class Hdf5Reader {
 
     bool has(const std::string& path) const;
 
-    /// Dataset of a given rank. Numbers are converted to the type asked for.
-    Hdf5Data<double> doubles(const std::string& path, std::size_t rank) const;
-    Hdf5Data<float> floats(const std::string& path, std::size_t rank) const;
-    Hdf5Data<long long> integers(const std::string& path, std::size_t rank) const;
-
+    /// Dataset of a given rank. Numbers (double, float, long long) are converted to the type asked for.
+    template <class Number>
+    Hdf5Data<Number> read(const std::string& path, std::size_t rank) const;
+    /// Reads what Hdf5File::exchange wrote. Throws ResultError, too, where `shape` is not that of the values.
+    template <class Value>
+    void exchange(const std::string& path, const std::vector<hsize_t>& shape, std::vector<Value>& values,
+                  const std::string& /*units*/) const {
+        using Numbers = Hdf5Numbers<Value>;
+        const std::vector<hsize_t> wanted = shape_of<Value>(shape);
+        const auto data = read<typename Numbers::Number>(path, wanted.size());
+        if (data.shape != wanted) fail(path + " has another size than the rest");
+        values.clear();
+        values.reserve(data.values.size() / Numbers::kCount);
+        for (std::size_t i = 0; i < data.values.size(); i += Numbers::kCount) values.push_back(Numbers::make(&data.values[i]));
+    }
+    /// How many numbers the list `path` holds.
+    template <class Value>
+    hsize_t count(const std::string& path, const std::vector<Value>& /*values*/) const {
+        return read<typename Hdf5Numbers<Value>::Number>(path, 1).shape[0];
+    }
     /// Layers or levels of a structure of so many blocks, from 1; 0 for what is in none. Throws ResultError for any other.
     std::vector<int> layers(const std::string& path, std::size_t blocks) const;
-
     /// Text attribute of the file itself.
     std::string attribute(const std::string& name) const;
 
@@ -44,9 +58,6 @@ class Hdf5Reader {
   private:
     /// Text attribute of the file itself, if it has one.
     std::optional<std::string> find_text(const std::string& name) const;
-
-    template <class Number>
-    Hdf5Data<Number> read(const std::string& path, std::size_t rank, hid_t type) const;
 
     std::filesystem::path path_;
     std::string checksum_;

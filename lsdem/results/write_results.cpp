@@ -11,8 +11,8 @@
 
 #include "lsdem/results/checked_json.hpp"
 #include "lsdem/results/file_checksum.hpp"
-#include "lsdem/results/hdf5_file.hpp"
 #include "lsdem/results/leftovers.hpp"
+#include "lsdem/results/result_layout.hpp"
 #include "lsdem/results/summary.hpp"
 
 namespace musim::lsdem {
@@ -20,133 +20,24 @@ namespace {
 
 using detail::Hdf5File;
 
-/// One value per sample or block, picked from a list of structures.
-template <class Item, class Pick>
-std::vector<double> column(const std::vector<Item>& items, Pick pick) {
-    std::vector<double> values;
-    values.reserve(items.size());
-    for (const Item& item : items) values.push_back(pick(item));
-    return values;
-}
-
-/// Three values per sample, picked from a list of structures.
-template <class Item, class Pick>
-std::vector<Vector3> vector_column(const std::vector<Item>& items, Pick pick) {
-    std::vector<Vector3> values;
-    values.reserve(items.size());
-    for (const Item& item : items) values.push_back(pick(item));
-    return values;
-}
-
-void write_scalars(Hdf5File& file, const std::string& path, const std::vector<double>& values, const std::string& units) {
-    file.write(path, {values.size()}, values.data(), units);
-}
-
-void write_vectors(Hdf5File& file, const std::string& path, std::vector<hsize_t> shape, const std::vector<Vector3>& values,
-                   const std::string& units) {
-    shape.push_back(3);
-    file.write(path, shape, values.empty() ? nullptr : values.front().data(), units);
-}
-
-template <class Integer>
-void write_integers(Hdf5File& file, const std::string& path, const std::vector<Integer>& values) {
-    const std::vector<long long> wide(values.begin(), values.end());
-    file.write(path, {wide.size()}, wide.data(), "1");
-}
-
-/// (w, x, y, z), the order of files; Eigen keeps w last.
-void write_quaternions(Hdf5File& file, const std::string& path, const std::vector<Quaternion>& orientation) {
-    std::vector<double> values;
-    values.reserve(4 * orientation.size());
-    for (const Quaternion& q : orientation) values.insert(values.end(), {q.w(), q.x(), q.y(), q.z()});
-    file.write(path, {orientation.size(), 4}, values.data(), "1");
-}
-
-void write_history(Hdf5File& file, const RunResult& run) {
-    const History& history = run.history;
-    const hsize_t nt = history.samples();
-    const hsize_t ns = run.spine.size();
-    write_scalars(file, "/time", history.time, "s");
-
-    const auto displacement = vector_column(history.base, [](const BaseState& base) { return base.displacement; });
-    const auto velocity = vector_column(history.base, [](const BaseState& base) { return base.velocity; });
-    const auto acceleration = vector_column(history.base, [](const BaseState& base) { return base.acceleration; });
-    write_vectors(file, "/base/displacement", {nt}, displacement, "m");
-    write_vectors(file, "/base/velocity", {nt}, velocity, "m/s");
-    write_vectors(file, "/base/acceleration", {nt}, acceleration, "m/s^2");
-
-    write_integers(file, "/spine/level", run.spine.level);
-    write_integers(file, "/spine/block", run.spine.block);
-    write_vectors(file, "/spine/position", {nt, ns}, history.spine_position, "m");
-    write_vectors(file, "/spine/velocity", {nt, ns}, history.spine_velocity, "m/s");
-    write_vectors(file, "/spine/rotation_vector", {nt, ns}, history.spine_rotation, "rad");
-
-    const std::vector<Energy>& energy = history.energy;
-    write_scalars(file, "/energy/kinetic", column(energy, [](const Energy& e) { return e.kinetic; }), "J");
-    write_scalars(file, "/energy/potential", column(energy, [](const Energy& e) { return e.gravitational; }), "J");
-    write_scalars(file, "/energy/elastic", column(energy, [](const Energy& e) { return e.elastic_normal + e.elastic_shear; }), "J");
-    write_scalars(file, "/energy/friction", column(energy, [](const Energy& e) { return e.friction_loss; }), "J");
-    write_scalars(file, "/energy/damping", column(energy, [](const Energy& e) { return e.damping_loss; }), "J");
-    write_scalars(file, "/energy/preparation", column(energy, [](const Energy& e) { return e.preparation_loss; }), "J");
-    write_scalars(file, "/energy/base_work", column(energy, [](const Energy& e) { return e.base_work; }), "J");
-}
-
-void write_blocks(Hdf5File& file, const RunResult& run) {
-    const hsize_t n = run.blocks.mass.size();
-    write_vectors(file, "/blocks/size", {n}, run.blocks.size, "m");
-    write_scalars(file, "/blocks/mass", run.blocks.mass, "kg");
-    write_integers(file, "/blocks/layer", run.blocks.layer);
-    write_vectors(file, "/blocks/initial_position", {n}, run.initial.position, "m");
-    write_quaternions(file, "/blocks/initial_quaternion", run.initial.orientation);
-    write_vectors(file, "/blocks/final_position", {n}, run.final.position, "m");
-    write_quaternions(file, "/blocks/final_quaternion", run.final.orientation);
-}
-
-void write_falls(Hdf5File& file, const Falls& falls) {
-    if (falls.time.empty()) return;
-    const hsize_t n = falls.time.size();
-    write_scalars(file, "/blocks/fall_time", falls.time, "s");
-    write_vectors(file, "/blocks/fall_displacement", {n}, falls.displacement, "m");
-    if (!falls.at_collapse.empty()) write_vectors(file, "/blocks/collapse_displacement", {n}, falls.at_collapse, "m");
-}
-
-/// What a later stage of a sequence takes over; the stage is counted from 1 as in the names of folders.
-void write_origin(Hdf5File& file, const StageOrigin& origin) {
-    write_integers(file, "/origin/stage", std::vector{origin.stage + 1});
-    write_scalars(file, "/origin/time", {origin.time}, "s");
-    write_vectors(file, "/origin/base_displacement", {1}, {origin.base}, "m");
-    write_vectors(file, "/origin/position", {origin.position.size()}, origin.position, "m");
-    write_quaternions(file, "/origin/quaternion", origin.orientation);
-}
-
-/// By the block that leads the interface, see lsdem::Losses.
-void write_losses(Hdf5File& file, const Losses& losses) {
-    write_scalars(file, "/losses/friction", column(losses.block, [](const PairWork& work) { return work.friction; }), "J");
-    write_scalars(file, "/losses/damping", column(losses.block, [](const PairWork& work) { return work.damping; }), "J");
-    write_scalars(file, "/losses/ground", {losses.ground.friction, losses.ground.damping}, "J");
-}
-
-void write_frames(Hdf5File& file, const RunResult& run) {
-    const Frames& frames = run.frames;
-    if (frames.time.empty()) return;
-    const hsize_t nf = frames.time.size();
-    const hsize_t n = run.blocks.mass.size();
-    const std::vector<float> time(frames.time.begin(), frames.time.end());
-    file.write("/frames/time", {nf}, time.data(), "s");
-    file.write("/frames/position", {nf, n, 3}, frames.position.front().data(), "m");
-    file.write("/frames/quaternion", {nf, n, 4}, frames.quaternion.front().data(), "1");
-    file.write("/frames/velocity", {nf, n, 3}, frames.velocity.front().data(), "m/s");
-    if (!frames.contact_force.empty()) file.write("/frames/contact_force", {nf, n}, frames.contact_force.data(), "N");
-}
-
 std::vector<char> make_hdf5(const RunResult& run, const ResultHeader& header) {
+    const hsize_t n = run.blocks.mass.size();
     Hdf5File file;
-    write_history(file, run);
-    write_blocks(file, run);
-    write_falls(file, run.falls);
-    if (run.origin) write_origin(file, *run.origin);
-    if (run.losses) write_losses(file, *run.losses);
-    write_frames(file, run);
+    file.exchange("/time", {run.history.samples()}, run.history.time, "s");
+    detail::exchange_base(file, run.history.base);
+    detail::exchange_spine(file, run);
+    detail::exchange_spine_motion(file, run);
+    std::vector<Energy> energies = run.history.energy;
+    for (Energy& energy : energies) energy.elastic_normal += energy.elastic_shear;
+    detail::exchange_energies(file, energies);
+    detail::exchange_blocks(file, run);
+    if (!run.falls.time.empty()) detail::exchange_falls(file, n, run.falls, !run.falls.at_collapse.empty());
+    if (std::optional<StageOrigin> origin = run.origin) detail::exchange_origin(file, n, *origin);
+    if (std::optional<Losses> losses = run.losses) detail::exchange_losses(file, *losses);
+    if (const Frames& frames = run.frames; !frames.time.empty()) {
+        file.exchange("/frames/time", {frames.time.size()}, std::vector<float>(frames.time.begin(), frames.time.end()), "s");
+        detail::exchange_frames(file, n, frames, !frames.contact_force.empty());
+    }
     file.write_attribute("scene", header.scene);
     file.write_attribute("similitude", run.similitude.is_identity() ? "null" : to_json(run.similitude).dump());
     file.write_attribute("program_version", header.program_version);

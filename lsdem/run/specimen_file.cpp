@@ -5,10 +5,11 @@
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
 
 #include "lsdem/block_height.hpp"
 #include "lsdem/results/content_name.hpp"
-#include "lsdem/results/hdf5_file.hpp"
 #include "lsdem/results/hdf5_reader.hpp"
 #include "lsdem/results/result_error.hpp"
 #include "lsdem/scene/scene_json.hpp"
@@ -38,12 +39,6 @@ double couple_of_weight(const Model& model, std::size_t index) {
     return weight_of(model, index) * 2.0 * half_extents(model, model.blocks[index]).z();
 }
 
-std::vector<double> flatten(const std::vector<Vector3>& vectors) {
-    std::vector<double> values;
-    for (const Vector3& v : vectors) values.insert(values.end(), {v.x(), v.y(), v.z()});
-    return values;
-}
-
 [[noreturn]] void refuse(const std::filesystem::path& file, const std::string& what) {
     throw ResultError(fmt::format("{}: {}", file.string(), what));
 }
@@ -60,9 +55,9 @@ void require_specimen(const detail::Hdf5Reader& reader, const std::filesystem::p
 
 /// What friction of the contacts of a specimen holds, at the weights of `model`.
 std::vector<Preload> read_preloads(const detail::Hdf5Reader& reader, const std::filesystem::path& file, const Model& model) {
-    const auto leader = reader.integers("/contacts/leader", 1), follower = reader.integers("/contacts/follower", 1);
-    const auto friction = reader.doubles("/contacts/friction_over_block_weight", 2);
-    const auto couple = reader.doubles("/contacts/couple_over_block_weight_and_height", 1);
+    const auto leader = reader.read<long long>("/contacts/leader", 1), follower = reader.read<long long>("/contacts/follower", 1);
+    const auto friction = reader.read<double>("/contacts/friction_over_block_weight", 2);
+    const auto couple = reader.read<double>("/contacts/couple_over_block_weight_and_height", 1);
     const auto known = [&](long long block) { return block >= 0 && block < static_cast<long long>(model.blocks.size()); };
     const std::size_t contacts = leader.values.size();
     if (follower.values.size() != contacts || friction.values.size() != 3 * contacts || couple.values.size() != contacts) {
@@ -84,6 +79,23 @@ std::vector<Preload> read_preloads(const detail::Hdf5Reader& reader, const std::
         }
     }
     return preloads;
+}
+
+/// What a file says of n blocks; nothing where it is of another number, or its lists differ in length.
+std::optional<StoredSpecimen> read_blocks(const detail::Hdf5Reader& reader, std::size_t n) {
+    const auto size = reader.read<double>("/blocks/size", 2), position = reader.read<double>("/blocks/position", 2);
+    const auto quaternion = reader.read<double>("/blocks/quaternion", 2);
+    StoredSpecimen stored;
+    stored.layer = reader.layers("/blocks/layer", size.values.size() / 3);
+    if (size.values.size() != 3 * n || position.values.size() != 3 * n || quaternion.values.size() != 4 * n || stored.layer.size() != n) {
+        return std::nullopt;
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+        stored.size.push_back(detail::Hdf5Numbers<Vector3>::make(&size.values[3 * i]));
+        stored.places.position.push_back(detail::Hdf5Numbers<Vector3>::make(&position.values[3 * i]));
+        stored.places.orientation.push_back(detail::Hdf5Numbers<Quaternion>::make(&quaternion.values[4 * i]));
+    }
+    return stored;
 }
 
 /// A way of placing as it has always stood in the inputs of specimens, so that these keep their names.
@@ -118,38 +130,35 @@ std::string specimen_file_name(const std::string& inputs) { return "specimen-" +
 void write_specimen(const std::filesystem::path& file, const PreparedSpecimen& prepared, const std::string& inputs,
                     const std::string& version) {
     const Model& model = prepared.specimen.model;
-    std::vector<Vector3> size, position;
-    std::vector<double> offset, quaternion;
+    std::vector<Vector3> size, position, friction;
+    std::vector<Quaternion> orientation;
+    std::vector<double> offset, couple;
     for (const Block& block : model.blocks) {
         size.emplace_back(2.0 * half_extents(model, block));
         position.push_back(block.position);
         offset.push_back(block.height_offset);
-        const Quaternion& q = block.orientation;
-        quaternion.insert(quaternion.end(), {q.w(), q.x(), q.y(), q.z()});
+        orientation.push_back(block.orientation);
     }
-    const hsize_t n = model.blocks.size();
-    const std::vector<long long> layer(prepared.specimen.layer.begin(), prepared.specimen.layer.end());
     std::vector<long long> leader, follower;
-    std::vector<Vector3> friction;
-    std::vector<double> couple;
     for (const Preload& contact : model.preload) {
         leader.push_back(static_cast<long long>(contact.leader));
         follower.push_back(contact.follower ? static_cast<long long>(*contact.follower) : kGround);
         friction.emplace_back(contact.friction / weight_of(model, contact.leader));
         couple.push_back(contact.couple / couple_of_weight(model, contact.leader));
     }
+    const hsize_t blocks = model.blocks.size(), contacts = model.preload.size();
     detail::Hdf5File out;
-    out.write("/blocks/size", {n, 3}, flatten(size).data(), "m");
-    out.write("/blocks/height_offset", {n}, offset.data(), "m");
-    out.write("/blocks/layer", {n}, layer.data(), "1");
-    out.write("/blocks/position", {n, 3}, flatten(position).data(), "m");
-    out.write("/blocks/quaternion", {n, 4}, quaternion.data(), "1");
-    out.write("/blocks/tilt", {n}, prepared.tilt.data(), "rad");
-    out.write("/contacts/normal_force_over_block_weight", {prepared.force.size()}, prepared.force.data(), "1");
-    out.write("/contacts/leader", {leader.size()}, leader.data(), "1");
-    out.write("/contacts/follower", {follower.size()}, follower.data(), "1");
-    out.write("/contacts/friction_over_block_weight", {friction.size(), 3}, flatten(friction).data(), "1");
-    out.write("/contacts/couple_over_block_weight_and_height", {couple.size()}, couple.data(), "1");
+    out.exchange("/blocks/size", {blocks}, size, "m");
+    out.exchange("/blocks/height_offset", {blocks}, offset, "m");
+    out.exchange("/blocks/layer", {blocks}, prepared.specimen.layer, "1");
+    out.exchange("/blocks/position", {blocks}, position, "m");
+    out.exchange("/blocks/quaternion", {blocks}, orientation, "1");
+    out.exchange("/blocks/tilt", {blocks}, prepared.tilt, "rad");
+    out.exchange("/contacts/normal_force_over_block_weight", {prepared.force.size()}, prepared.force, "1");
+    out.exchange("/contacts/leader", {contacts}, leader, "1");
+    out.exchange("/contacts/follower", {contacts}, follower, "1");
+    out.exchange("/contacts/friction_over_block_weight", {contacts}, friction, "1");
+    out.exchange("/contacts/couple_over_block_weight_and_height", {contacts}, couple, "1");
     out.write_attribute("format", std::string(kFormat));
     out.write_attribute("inputs", inputs);
     out.write_attribute("program_version", version);
@@ -166,54 +175,38 @@ std::string read_specimen_inputs(const std::filesystem::path& file) {
 StoredSpecimen read_specimen(const std::filesystem::path& file) {
     const detail::Hdf5Reader reader(file);
     require_specimen(reader, file);
-    const auto size = reader.doubles("/blocks/size", 2), position = reader.doubles("/blocks/position", 2);
-    const auto quaternion = reader.doubles("/blocks/quaternion", 2), tilt = reader.doubles("/blocks/tilt", 1);
-    const std::size_t n = tilt.values.size();
-    std::vector<int> layer = reader.layers("/blocks/layer", n);
-    if (size.values.size() != 3 * n || position.values.size() != 3 * n || quaternion.values.size() != 4 * n || layer.size() != n) {
-        refuse(file, "the lists of its blocks differ in length (a damaged file); prepare it again");
-    }
-    StoredSpecimen specimen{.inputs = reader.attribute("inputs"),
-                            .program_version = reader.attribute("program_version"),
-                            .size = {},
-                            .layer = std::move(layer),
-                            .places = {},
-                            .tilt = tilt.values,
-                            .force = reader.doubles("/contacts/normal_force_over_block_weight", 1).values};
-    for (std::size_t i = 0; i < n; ++i) {
-        const double* q = &quaternion.values[4 * i];
-        specimen.size.emplace_back(Eigen::Map<const Vector3>(&size.values[3 * i]));
-        specimen.places.position.emplace_back(Eigen::Map<const Vector3>(&position.values[3 * i]));
-        specimen.places.orientation.emplace_back(q[0], q[1], q[2], q[3]);
-    }
-    return specimen;
+    std::vector<double> tilt = reader.read<double>("/blocks/tilt", 1).values;
+    std::optional<StoredSpecimen> specimen = read_blocks(reader, tilt.size());
+    if (!specimen) refuse(file, "the lists of its blocks differ in length (a damaged file); prepare it again");
+    specimen->inputs = reader.attribute("inputs");
+    specimen->program_version = reader.attribute("program_version");
+    specimen->tilt = std::move(tilt);
+    specimen->force = reader.read<double>("/contacts/normal_force_over_block_weight", 1).values;
+    return *std::move(specimen);
 }
 
 void take_places(const std::filesystem::path& file, Specimen& specimen) {
     const detail::Hdf5Reader reader(file);
     require_specimen(reader, file);
-    const auto size = reader.doubles("/blocks/size", 2), position = reader.doubles("/blocks/position", 2);
-    const auto quaternion = reader.doubles("/blocks/quaternion", 2);
     std::vector<Block>& blocks = specimen.model.blocks;
     const std::size_t n = blocks.size();
-    const std::vector<int> layer = reader.layers("/blocks/layer", size.values.size() / 3);
-    if (size.values.size() != 3 * n || position.values.size() != 3 * n || quaternion.values.size() != 4 * n || layer.size() != n) {
-        refuse(file,
-               fmt::format("{} blocks where the scene has {} (a specimen of another structure); prepare one of this", layer.size(), n));
+    const std::optional<StoredSpecimen> stored = read_blocks(reader, n);
+    if (!stored) {
+        refuse(file, fmt::format("{} blocks where the scene has {} (a specimen of another structure); prepare one of this",
+                                 reader.count("/blocks/layer", specimen.layer), n));
     }
-    const double scale = 2.0 * half_extents(specimen.model, blocks[0]).z() / size.values[2];
+    const double scale = 2.0 * half_extents(specimen.model, blocks[0]).z() / stored->size[0].z();
     for (std::size_t i = 0; i < n; ++i) {
-        const Vector3 here = 2.0 * half_extents(specimen.model, blocks[i]), there = Eigen::Map<const Vector3>(&size.values[3 * i]);
+        const Vector3 here = 2.0 * half_extents(specimen.model, blocks[i]), there = stored->size[i];
         const bool same = ((here - scale * there).cwiseAbs() - kSameLength * here).maxCoeff() <= 0.0;
-        if (!same || layer[i] != specimen.layer[i]) {
+        if (!same || stored->layer[i] != specimen.layer[i]) {
             refuse(file, fmt::format("block {} is {:.6g} x {:.6g} x {:.6g} m in layer {} where the scene has {:.6g} x {:.6g} x {:.6g} m in "
                                      "layer {} (other heights, seed or tiling); prepare a specimen of this scene",
-                                     i, scale * there.x(), scale * there.y(), scale * there.z(), layer[i], here.x(), here.y(), here.z(),
-                                     specimen.layer[i]));
+                                     i, scale * there.x(), scale * there.y(), scale * there.z(), stored->layer[i], here.x(), here.y(),
+                                     here.z(), specimen.layer[i]));
         }
-        const double* q = &quaternion.values[4 * i];
-        blocks[i].position = scale * Eigen::Map<const Vector3>(&position.values[3 * i]);
-        blocks[i].orientation = Quaternion(q[0], q[1], q[2], q[3]);
+        blocks[i].position = scale * stored->places.position[i];
+        blocks[i].orientation = stored->places.orientation[i];
         if (!blocks[i].position.allFinite() || !(std::abs(blocks[i].orientation.norm() - 1.0) < kSameRotation)) {
             refuse(file, fmt::format("the place of block {} is damaged (a number is not finite, or its quaternion is no rotation); prepare "
                                      "it again",

@@ -82,11 +82,11 @@ DimensionlessBands read_bands(const std::filesystem::path& directory) {
         file.fail("has no friction or gravity (velocities are compared over sqrt(mu g l)); name another one");
     }
     Bands& bands = ensemble.bands;
-    for (const double t : file.doubles("/time", 1).values) bands.time.push_back(t * speed / height);
-    for (const long long level : file.integers("/spine/level", 1).values) bands.level.push_back(static_cast<int>(level));
-    for (const long long count : file.integers("/count", 1).values) bands.count.push_back(static_cast<int>(count));
-    bands.mean = to_vectors(file.doubles("/spine/velocity_mean", 3).values, speed);
-    bands.sd = to_vectors(file.doubles("/spine/velocity_sd", 3).values, speed);
+    for (const double t : file.read<double>("/time", 1).values) bands.time.push_back(t * speed / height);
+    for (const long long level : file.read<long long>("/spine/level", 1).values) bands.level.push_back(static_cast<int>(level));
+    for (const long long count : file.read<long long>("/count", 1).values) bands.count.push_back(static_cast<int>(count));
+    bands.mean = to_vectors(file.read<double>("/spine/velocity_mean", 3).values, speed);
+    bands.sd = to_vectors(file.read<double>("/spine/velocity_sd", 3).values, speed);
     const std::size_t values = bands.samples() * bands.levels();
     if (bands.count.size() != bands.samples() || bands.mean.size() != values || bands.sd.size() != values) {
         file.fail("its datasets differ in size (it is damaged); run the ensemble again");

@@ -6,8 +6,8 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "lsdem/results/hdf5_file.hpp"
 #include "lsdem/study/compare_ensembles.hpp"
+#include "lsdem/results/result_layout.hpp"
 #include "scaling/angle.hpp"
 #include "scaling/json_optional.hpp"
 
@@ -46,21 +46,13 @@ nlohmann::json scales_to_json(const SpeedScales& scales) {
 std::vector<char> make_ensemble_hdf5(const EnsembleSummary& summary, const std::string& version) {
     const Bands& bands = summary.bands;
     const hsize_t nt = bands.samples(), ns = bands.levels();
-    const std::vector<long long> level(bands.level.begin(), bands.level.end()), count(bands.count.begin(), bands.count.end());
     detail::Hdf5File file;
-    file.write("/time", {nt}, bands.time.data(), "s");
-    const auto write_base = [&](const std::string& path, Vector3 BaseState::*part, const char* unit) {
-        std::vector<Vector3> values;
-        for (const BaseState& base : bands.base) values.push_back(base.*part);
-        file.write(path, {nt, 3}, values.front().data(), unit);
-    };
-    write_base("/base/displacement", &BaseState::displacement, "m");
-    write_base("/base/velocity", &BaseState::velocity, "m/s");
-    write_base("/base/acceleration", &BaseState::acceleration, "m/s^2");
-    file.write("/count", {nt}, count.data(), "1");
-    file.write("/spine/level", {ns}, level.data(), "1");
-    file.write("/spine/velocity_mean", {nt, ns, 3}, bands.mean.empty() ? nullptr : bands.mean.front().data(), "m/s");
-    file.write("/spine/velocity_sd", {nt, ns, 3}, bands.sd.empty() ? nullptr : bands.sd.front().data(), "m/s");
+    file.exchange("/time", {nt}, bands.time, "s");
+    detail::exchange_base(file, bands.base);
+    file.exchange("/count", {nt}, bands.count, "1");
+    file.exchange("/spine/level", {ns}, bands.level, "1");
+    file.exchange("/spine/velocity_mean", {nt, ns}, bands.mean, "m/s");
+    file.exchange("/spine/velocity_sd", {nt, ns}, bands.sd, "m/s");
     file.write_attribute("format", "musim-ensemble/1");
     file.write_attribute("summary", to_json(summary, version).dump());
     return file.image();

@@ -438,7 +438,7 @@ TEST_CASE("a file that is no specimen, or one of another wall, is refused with w
         CHECK(message(with_file(scene, damaged_file)).find("contact 0") != std::string::npos);
     }
     detail::Hdf5File old;
-    old.write("/blocks/tilt", {damaged.tilt.size()}, damaged.tilt.data(), "rad");
+    old.exchange("/blocks/tilt", {damaged.tilt.size()}, damaged.tilt, "rad");
     old.write_attribute("format", "musim-specimen/4");
     const std::vector<char> bytes = old.image();
     std::ofstream(folder.path() / "old.h5", std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));

@@ -1,0 +1,121 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lsdem/results/hdf5_reader.hpp"
+#include "lsdem/results/history.hpp"
+
+/// The datasets of result.h5, group by group, which one list writes (File: Hdf5File) and reads back (const Hdf5Reader). Each list that is
+/// read back is as long as what was read before says. Layout in docs/user/file_formats.md.
+namespace musim::lsdem::detail {
+
+/// One member of every item of a list that has its length.
+template <class File, class Items, class Item, class Value>
+void exchange_member(File& file, const std::string& path, Items& items, Value Item::*member, const std::string& units) {
+    std::vector<Value> column;
+    for (const Item& item : items) column.push_back(item.*member);
+    file.exchange(path, {items.size()}, column, units);
+    if constexpr (!std::is_const_v<Items>) {
+        for (std::size_t k = 0; k < items.size(); ++k) items[k].*member = column[k];
+    }
+}
+
+inline void exchange_layers(Hdf5File& file, const std::string& path, hsize_t count, std::size_t /*blocks*/,
+                            const std::vector<int>& layers) {
+    file.exchange(path, {count}, layers, "1");
+}
+inline void exchange_layers(const Hdf5Reader& file, const std::string& path, hsize_t count, std::size_t blocks, std::vector<int>& layers) {
+    layers = file.layers(path, blocks);
+    if (layers.size() != count) file.fail(path + " has another size than the rest");
+}
+
+template <class File, class Base>
+void exchange_base(File& file, Base& base) {
+    exchange_member(file, "/base/displacement", base, &BaseState::displacement, "m");
+    exchange_member(file, "/base/velocity", base, &BaseState::velocity, "m/s");
+    exchange_member(file, "/base/acceleration", base, &BaseState::acceleration, "m/s^2");
+}
+
+template <class File, class Run>
+void exchange_spine(File& file, Run& run) {
+    const hsize_t ns = file.count("/spine/block", run.spine.block);
+    exchange_layers(file, "/spine/level", ns, run.blocks.mass.size(), run.spine.level);
+    file.exchange("/spine/block", {ns}, run.spine.block, "1");
+}
+
+template <class File, class Run>
+void exchange_spine_motion(File& file, Run& run) {
+    const std::vector<hsize_t> shape{run.history.samples(), run.spine.size()};
+    file.exchange("/spine/position", shape, run.history.spine_position, "m");
+    file.exchange("/spine/velocity", shape, run.history.spine_velocity, "m/s");
+    file.exchange("/spine/rotation_vector", shape, run.history.spine_rotation, "rad");
+}
+
+/// The energy of all springs is one number: that of normal ones.
+template <class File>
+void exchange_energies(File& file, std::vector<Energy>& energies) {
+    exchange_member(file, "/energy/kinetic", energies, &Energy::kinetic, "J");
+    exchange_member(file, "/energy/potential", energies, &Energy::gravitational, "J");
+    exchange_member(file, "/energy/elastic", energies, &Energy::elastic_normal, "J");
+    exchange_member(file, "/energy/friction", energies, &Energy::friction_loss, "J");
+    exchange_member(file, "/energy/damping", energies, &Energy::damping_loss, "J");
+    exchange_member(file, "/energy/preparation", energies, &Energy::preparation_loss, "J");
+    exchange_member(file, "/energy/base_work", energies, &Energy::base_work, "J");
+}
+
+template <class File, class Run>
+void exchange_blocks(File& file, Run& run) {
+    const hsize_t n = file.count("/blocks/mass", run.blocks.mass);
+    file.exchange("/blocks/size", {n}, run.blocks.size, "m");
+    file.exchange("/blocks/mass", {n}, run.blocks.mass, "kg");
+    exchange_layers(file, "/blocks/layer", n, n, run.blocks.layer);
+    file.exchange("/blocks/initial_position", {n}, run.initial.position, "m");
+    file.exchange("/blocks/initial_quaternion", {n}, run.initial.orientation, "1");
+    file.exchange("/blocks/final_position", {n}, run.final.position, "m");
+    file.exchange("/blocks/final_quaternion", {n}, run.final.orientation, "1");
+}
+
+template <class File, class RunFalls>
+void exchange_falls(File& file, hsize_t blocks, RunFalls& falls, bool has_collapsed) {
+    file.exchange("/blocks/fall_time", {blocks}, falls.time, "s");
+    file.exchange("/blocks/fall_displacement", {blocks}, falls.displacement, "m");
+    if (has_collapsed) file.exchange("/blocks/collapse_displacement", {blocks}, falls.at_collapse, "m");
+}
+
+/// What a later stage of a sequence takes over; the stage is counted from 1 as in the names of folders.
+template <class File>
+void exchange_origin(File& file, hsize_t blocks, StageOrigin& origin) {
+    std::vector<std::size_t> stage{origin.stage + 1};
+    std::vector<double> time{origin.time};
+    std::vector<Vector3> base{origin.base};
+    file.exchange("/origin/stage", {1}, stage, "1");
+    file.exchange("/origin/time", {1}, time, "s");
+    file.exchange("/origin/base_displacement", {1}, base, "m");
+    file.exchange("/origin/position", {blocks}, origin.position, "m");
+    file.exchange("/origin/quaternion", {blocks}, origin.orientation, "1");
+    origin.stage = stage[0] - 1;
+    origin.time = time[0];
+    origin.base = base[0];
+}
+
+/// By the block that leads the interface, see lsdem::Losses.
+template <class File>
+void exchange_losses(File& file, Losses& losses) {
+    std::vector<double> ground{losses.ground.friction, losses.ground.damping};
+    exchange_member(file, "/losses/friction", losses.block, &PairWork::friction, "J");
+    exchange_member(file, "/losses/damping", losses.block, &PairWork::damping, "J");
+    file.exchange("/losses/ground", {2}, ground, "J");
+    losses.ground = {ground[0], ground[1]};
+}
+
+template <class File, class RunFrames>
+void exchange_frames(File& file, hsize_t blocks, RunFrames& frames, bool has_forces) {
+    const std::vector<hsize_t> shape{frames.time.size(), blocks};
+    file.exchange("/frames/position", shape, frames.position, "m");
+    file.exchange("/frames/quaternion", shape, frames.quaternion, "1");
+    file.exchange("/frames/velocity", shape, frames.velocity, "m/s");
+    if (has_forces) file.exchange("/frames/contact_force", shape, frames.contact_force, "N");
+}
+
+}  // namespace musim::lsdem::detail
