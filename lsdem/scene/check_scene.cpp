@@ -5,7 +5,7 @@
 
 #include "lsdem/scene/block_heights.hpp"
 #include "lsdem/scene/detail/json_text.hpp"
-#include "lsdem/scene/scene.hpp"
+#include "lsdem/scene/detail/scene_fields.hpp"
 #include "lsdem/scene/scene_error.hpp"
 #include "scaling/laws/law_similitude.hpp"
 #include "scaling/laws/scale_law_catalogue.hpp"
@@ -17,9 +17,17 @@ namespace {
 
 using detail::fail;
 using detail::JsonPlace;
+using detail::Range;
 
 /// Largest number of layers, nodes, ...: keeps mistaken input from exhausting the memory.
 constexpr int kLargestCount = 1'000'000;
+
+double to_si(double value) { return value; }
+
+template <class Quantity>
+double to_si(Quantity quantity) {
+    return quantity.value();
+}
 
 std::string describe(double value) { return fmt::format("{:.6g}", value); }
 
@@ -28,83 +36,56 @@ std::string describe(Quantity value) {
     return std::isfinite(value.value()) ? scaling::format_quantity(value) : describe(value.value());
 }
 
-double si(double value) { return value; }
-
-template <class Quantity>
-double si(Quantity value) {
-    return value.value();
-}
-
-template <class Quantity>
-void require_finite(Quantity value, const JsonPlace& place) {
-    if (!std::isfinite(si(value))) fail(place, fmt::format("{} (must be finite); correct the value", describe(value)));
-}
-
-template <class Quantity>
-void require_positive(Quantity value, const JsonPlace& place) {
-    if (!(si(value) > 0.0) || !std::isfinite(si(value))) {
-        fail(place, fmt::format("{} (must be positive); correct the value", describe(value)));
+/// What the numbers and quantities of a scene must be.
+template <class Value>
+void require(const Value& value, Range range, const JsonPlace& place) {
+    if constexpr (std::is_same_v<Value, int>) {
+        const int least = range == Range::four_or_more ? 4 : 1;
+        if (range != Range::any && (value < least || value > kLargestCount)) {
+            fail(place, fmt::format("{} (must be from {} to {}); correct the number", value, least, kLargestCount));
+        }
+    } else if constexpr (std::is_same_v<Value, double> || scaling::QuantityWithUnit<Value>) {
+        const double number = to_si(value);
+        const bool fits =
+            std::isfinite(number) && (range == Range::finite || number > 0.0 || (range == Range::not_negative && number == 0.0));
+        if (range == Range::any || fits) return;
+        const char* wanted = range == Range::finite ? "be finite" : range == Range::positive ? "be positive" : "not be negative";
+        fail(place, fmt::format("{} (must {}); correct the value", describe(value), wanted));
     }
 }
 
 template <class Quantity>
-void require_not_negative(Quantity value, const JsonPlace& place) {
-    if (!(si(value) >= 0.0) || !std::isfinite(si(value))) {
-        fail(place, fmt::format("{} (must not be negative); correct the value", describe(value)));
-    }
+void require(const Triple<Quantity>& triple, Range range, const JsonPlace& place) {
+    for (std::size_t k = 0; k < 3; ++k) require(triple[k], range, place.at(k));
 }
 
-template <class Quantity>
-void require_positive(const Triple<Quantity>& triple, const JsonPlace& place) {
-    for (std::size_t k = 0; k < 3; ++k) require_positive(triple[k], place.at(k));
+template <class Value>
+void require(const std::optional<Value>& value, Range range, const JsonPlace& place) {
+    if (value) require(*value, range, place);
 }
 
-template <class Quantity>
-void require_finite(const Triple<Quantity>& triple, const JsonPlace& place) {
-    for (std::size_t k = 0; k < 3; ++k) require_finite(triple[k], place.at(k));
-}
-
-void require_count(int count, int least, const JsonPlace& place) {
-    if (count < least || count > kLargestCount) {
-        fail(place, fmt::format("{} (must be from {} to {}); correct the number", count, least, kLargestCount));
-    }
+/// Each field of a part for itself.
+template <class Part>
+void require_fields(const Part& part, const JsonPlace& place) {
+    detail::for_each_field(part, [&](const auto& field, const auto& value) { require(value, field.range, place.at(field.key)); });
 }
 
 void check(const BlockMaterial& material, const JsonPlace& place) {
-    require_positive(material.density, place.at("density"));
-    require_positive(material.normal_stiffness, place.at("normal_stiffness"));
-    require_positive(material.shear_stiffness, place.at("shear_stiffness"));
-    require_not_negative(material.friction, place.at("friction"));
+    require_fields(material, place);
     if (!(material.restitution > 0.0) || material.restitution > 1.0) {
         fail(place.at("restitution"), fmt::format("{} (a coefficient of restitution lies above 0 and is at most 1); correct the number",
                                                   describe(material.restitution)));
     }
-    require_not_negative(material.shear_damping_ratio, place.at("shear_damping_ratio"));
-}
-
-void check(const BoxShape& shape, const JsonPlace& place) { require_count(shape.nodes_per_face, 4, place.at("nodes_per_face")); }
-
-void check(const GridShape& shape, const JsonPlace& place) {
-    require_count(shape.nodes_per_face, 4, place.at("nodes_per_face"));
-    require_positive(shape.voxel, place.at("voxel"));
-}
-
-void check(const SphereShape& shape, const JsonPlace& place) {
-    require_positive(shape.radius, place.at("radius"));
-    require_count(shape.nodes, 1, place.at("nodes"));
-    require_positive(shape.voxel, place.at("voxel"));
 }
 
 void check(const BlockEntry& block, const JsonPlace& place, const Scene& scene) {
-    if (!std::holds_alternative<SphereShape>(scene.shape)) require_positive(block.size, place.at("size"));
-    require_finite(block.position, place.at("position"));
+    if (!std::holds_alternative<SphereShape>(scene.shape)) require(block.size, Range::positive, place.at("size"));
+    require_fields(block, place);
     const auto& [w, x, y, z] = block.quaternion;
     const double norm_squared = w * w + x * x + y * y + z * z;
     if (!(norm_squared > 0.0) || !std::isfinite(norm_squared)) {
         fail(place.at("quaternion"), "no rotation (all four numbers are zero, or one is not finite); write [1, 0, 0, 0] for none");
     }
-    require_finite(block.velocity, place.at("velocity"));
-    require_finite(block.angular_velocity, place.at("angular_velocity"));
     if (!block.material.empty() && !scene.materials.contains(block.material)) {
         fail(place.at("material"), fmt::format("\"{}\" is not among the scene's materials; add it under /materials", block.material));
     }
@@ -126,7 +107,6 @@ void check_pitch(const std::optional<scaling::Length>& pitch, const Triple<scali
 }
 
 void check_heights(scaling::Length deviation, scaling::Length height, const JsonPlace& place) {
-    require_not_negative(deviation, place);
     // a similar twin of the limit is at the limit too, up to rounding
     constexpr double kRounding = 1e-12;
     if (deviation > (1.0 + kRounding) * kMostHeightDeviation * height) {
@@ -137,25 +117,19 @@ void check_heights(scaling::Length deviation, scaling::Length height, const Json
 }
 
 void check(const Column& column, const JsonPlace& place, const Scene& /*scene*/) {
-    require_count(column.layers, 1, place.at("layers"));
-    require_positive(column.block, place.at("block"));
+    require_fields(column, place);
     check_heights(column.height_deviation, column.block[2], place.at("height_deviation"));
 }
 
 void check(const Tower& tower, const JsonPlace& place, const Scene& /*scene*/) {
-    require_count(tower.layers, 1, place.at("layers"));
-    require_positive(tower.block, place.at("block"));
-    if (tower.pitch) require_positive(*tower.pitch, place.at("pitch"));
+    require_fields(tower, place);
     check_pitch(tower.pitch, tower.block, place);
     check_heights(tower.height_deviation, tower.block[2], place.at("height_deviation"));
 }
 
 void check(const Wall& wall, const JsonPlace& place, const Scene& /*scene*/) {
-    require_count(wall.layers, 1, place.at("layers"));
-    require_count(wall.blocks_per_layer, 1, place.at("blocks_per_layer"));
-    require_positive(wall.block, place.at("block"));
+    require_fields(wall, place);
     check_heights(wall.height_deviation, wall.block[2], place.at("height_deviation"));
-    if (wall.pitch) require_positive(*wall.pitch, place.at("pitch"));
     const scaling::Length p = wall.pitch.value_or(default_pitch(wall.block));
     if (!(wall.block[1] <= 2.0 * p && wall.block[1] > p)) {
         fail(place.at("pitch"), fmt::format("{} does not suit blocks of width {} (needs p < w <= 2p); choose a pitch a little above w/2",
@@ -167,14 +141,13 @@ void check(const RecordMotion& motion, const JsonPlace& place) {
     if (!motion.components[0] && !motion.components[1] && !motion.components[2]) {
         fail(place.at("components"), "no component is used (the base would not move); name one for x, y or z");
     }
-    if (motion.dt) require_positive(*motion.dt, place.at("dt"));
+    require_fields(motion, place);
     if (motion.window) {
         const auto& [from, to] = *motion.window;
         if (!(from < to)) {
             fail(place.at("window"), fmt::format("{} to {} is empty; write the earlier time first", describe(from), describe(to)));
         }
     }
-    if (motion.highpass_corner) require_positive(*motion.highpass_corner, place.at("highpass"));
     if (motion.scale) {
         try {
             make_similitude(*motion.scale);
@@ -184,39 +157,13 @@ void check(const RecordMotion& motion, const JsonPlace& place) {
     }
 }
 
-void check_signal(const StepSignal& signal, const JsonPlace& place) { require_finite(signal.velocity, place.at("velocity")); }
-
-void check_signal(const SineSignal& signal, const JsonPlace& place) {
-    require_finite(signal.amplitude, place.at("amplitude"));
-    require_positive(signal.frequency, place.at("frequency"));
-    require_positive(signal.cycles, place.at("cycles"));
-}
-
-void check_signal(const HalfSineSignal& signal, const JsonPlace& place) {
-    require_finite(signal.amplitude, place.at("amplitude"));
-    require_positive(signal.duration, place.at("duration"));
-}
-
-void check_signal(const RickerSignal& signal, const JsonPlace& place) {
-    require_finite(signal.amplitude, place.at("amplitude"));
-    require_positive(signal.frequency, place.at("frequency"));
-}
-
-void check_signal(const SyntheticSignal& signal, const JsonPlace& place) {
-    require_positive(signal.pga, place.at("pga"));
-    require_positive(signal.pgv, place.at("pgv"));
-    require_positive(signal.duration, place.at("duration"));
-    require_positive(signal.dt, place.at("dt"));
-}
-
 void check(const SignalMotion& motion, const JsonPlace& place) {
-    std::visit([&](const auto& signal) { check_signal(signal, place); }, motion.signal);
-    require_not_negative(motion.start, place.at("start"));
-    if (motion.dt) require_positive(*motion.dt, place.at("dt"));
+    std::visit([&](const auto& signal) { require_fields(signal, place); }, motion.signal);
+    require_fields(motion, place);
 }
 
 void check(const Preparation& preparation, const JsonPlace& place, const Scene& scene) {
-    if (preparation.damping_rate) require_positive(*preparation.damping_rate, place.at("damping_rate"));
+    require(preparation.damping_rate, Range::positive, place.at("damping_rate"));
     const bool listed = std::holds_alternative<BlockList>(scene.structure);
     if (listed && preparation.placing.value_or(Placing::as_drawn) != Placing::as_drawn)
         fail(place.at("placing"), "only columns, towers and walls have layers to be placed (these are single blocks); use \"as_drawn\"");
@@ -229,9 +176,7 @@ void check(std::monostate /*still*/, const JsonPlace& /*place*/) {}
 
 void check(const SceneMotion& motion, const JsonPlace& place, const Scene& scene) {
     std::visit([&](const auto& source) { check(source, place); }, motion.source);
-    require_positive(motion.factors.time, place.at("factors").at("time"));
-    require_positive(motion.factors.velocity, place.at("factors").at("velocity"));
-    require_positive(motion.factors.velocity_vertical, place.at("factors").at("velocity_vertical"));
+    require_fields(motion.factors, place.at("factors"));
     if (!scene.ground.present && !std::holds_alternative<std::monostate>(motion.source)) {
         fail(place, "there is no ground to move (/ground/present is false); leave one of the two out");
     }
@@ -249,7 +194,7 @@ void check_motions(const Scene& scene, const JsonPlace& place) {
         if (std::holds_alternative<std::monostate>(entry.base_motion.source))
             fail(place.at(k).at("base_motion"), "no motion (a \"record\" or a \"signal\" is wanted); add one");
         check(entry.base_motion, place.at(k).at("base_motion"), scene);
-        if (entry.duration) require_positive(*entry.duration, place.at(k).at("duration"));
+        require_fields(entry, place.at(k));
         if (entry.repeat < 1 || entry.repeat > kMostRepetitions) {
             fail(place.at(k).at("repeat"), fmt::format("{} (must be from 1 to {}); correct the number", entry.repeat, kMostRepetitions));
         }
@@ -279,10 +224,10 @@ scaling::Similitude make_similitude(const RecordScale& scale) {
 
 void check_scene(const Scene& scene, const std::string& origin) {
     const JsonPlace root{origin + ": /"};
-    require_finite(scene.gravity, root.at("gravity"));
+    require(scene.gravity, Range::finite, root.at("gravity"));
     check(scene.material, root.at("material"));
     for (const auto& [name, material] : scene.materials) check(material, root.at("materials").at(name));
-    std::visit([&](const auto& shape) { check(shape, root.at("shape")); }, scene.shape);
+    std::visit([&](const auto& shape) { require_fields(shape, root.at("shape")); }, scene.shape);
     if (std::holds_alternative<SphereShape>(scene.shape) && !std::holds_alternative<BlockList>(scene.structure)) {
         fail(root.at("shape").at("kind"),
              "spheres cannot be stacked as a column, tower or wall; use \"box\", or a structure of kind \"blocks\"");
@@ -291,19 +236,20 @@ void check_scene(const Scene& scene, const std::string& origin) {
 
     check(scene.base_motion, root.at("base_motion"), scene);
     if (!scene.motions.empty()) check_motions(scene, root.at("motions"));
-    if (scene.ground.friction) require_not_negative(*scene.ground.friction, root.at("ground").at("friction"));
+    require_fields(scene.ground, root.at("ground"));
 
     if (scene.preparation) check(*scene.preparation, root.at("preparation"), scene);
 
-    if (scene.motions.empty() || scene.time.duration.value() != 0.0) require_positive(scene.time.duration, root.at("time").at("duration"));
-    if (scene.time.step) require_positive(*scene.time.step, root.at("time").at("step"));
-    require_positive(scene.time.safety, root.at("time").at("safety"));
+    if (scene.motions.empty() || scene.time.duration.value() != 0.0) {
+        require(scene.time.duration, Range::positive, root.at("time").at("duration"));
+    }
+    require(scene.time.step, Range::positive, root.at("time").at("step"));
+    require(scene.time.safety, Range::positive, root.at("time").at("safety"));
     if (scene.time.safety > 1.0) {
         fail(root.at("time").at("safety"),
              fmt::format("{} (steps above the critical one are unstable); use at most 1", describe(scene.time.safety)));
     }
-    require_not_negative(scene.output.spine_rate, root.at("output").at("spine_rate"));
-    if (scene.output.frame_rate) require_positive(*scene.output.frame_rate, root.at("output").at("frame_rate"));
+    require_fields(scene.output, root.at("output"));
 }
 
 }  // namespace musim::lsdem

@@ -8,8 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "lsdem/scene/detail/json_text.hpp"
-#include "lsdem/scene/detail/parse_material.hpp"
+#include "lsdem/scene/detail/scene_parts.hpp"
 #include "lsdem/scene/scale_scene.hpp"
 #include "lsdem/scene/scene_error.hpp"
 #include "lsdem/scene/scene_json.hpp"

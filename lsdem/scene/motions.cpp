@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "lsdem/scene/base_components.hpp"
+#include "lsdem/scene/detail/scene_fields.hpp"
 #include "lsdem/scene/scene_error.hpp"
 #include "scaling/detail/overloaded.hpp"
 
@@ -15,18 +16,11 @@ namespace {
 
 using scaling::detail::Overloaded;
 
-std::string name_of(const SignalMotion& motion) {
-    return std::visit(Overloaded{[](const StepSignal&) { return "step"; }, [](const SineSignal&) { return "sine"; },
-                                 [](const HalfSineSignal&) { return "half_sine"; }, [](const RickerSignal&) { return "ricker"; },
-                                 [](const SyntheticSignal&) { return "synthetic"; }},
-                      motion.signal);
-}
-
 std::string name_of(const MotionEntry& entry) {
     if (!entry.name.empty()) return entry.name;
     return std::visit(Overloaded{[](std::monostate) { return std::string("still"); },
                                  [](const RecordMotion& motion) { return motion.file.stem().string(); },
-                                 [](const SignalMotion& motion) { return name_of(motion); }},
+                                 [](const SignalMotion& motion) { return std::string(detail::kSignalKinds.at(motion.signal.index())); }},
                       entry.base_motion.source);
 }
 

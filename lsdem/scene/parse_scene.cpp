@@ -1,9 +1,6 @@
 #include <fmt/format.h>
 
-#include "lsdem/scene/detail/json_text.hpp"
-#include "lsdem/scene/detail/parse_material.hpp"
-#include "lsdem/scene/detail/parse_motion.hpp"
-#include "lsdem/scene/detail/parse_structure.hpp"
+#include "lsdem/scene/detail/scene_parts.hpp"
 #include "lsdem/scene/scene_json.hpp"
 
 namespace musim::lsdem {
@@ -177,11 +174,7 @@ Scene parse_scene(std::string_view json_text, const std::filesystem::path& origi
     collect_materials(object, scene);
     if (object.has("base_motion")) scene.base_motion = detail::parse_base_motion(object["base_motion"], origin);
     if (object.has("motions")) scene.motions = detail::parse_motions(object["motions"], origin);
-    if (object.has("ground")) {
-        const JsonReader ground = to_object(object["ground"], "ground");
-        ground.read("present", scene.ground.present);
-        scene.ground.friction = ground.find<double>("friction");
-    }
+    if (object.has("ground")) detail::read_fields(to_object(object["ground"], "ground"), scene.ground);
     read_contact(object, scene);
     remark_settings(object, scene);
     if (object.has("preparation")) scene.preparation = parse_preparation(object["preparation"], origin);
@@ -189,11 +182,7 @@ Scene parse_scene(std::string_view json_text, const std::filesystem::path& origi
     if (!has_motions || object.has("time")) {
         scene.time = parse_time(object["time"], scene.time.safety, find_preset_name(object["material"]), has_motions);
     }
-    if (object.has("output")) {
-        const JsonReader output = to_object(object["output"], "output");
-        output.read("spine_rate", scene.output.spine_rate);
-        scene.output.frame_rate = output.find<scaling::Frequency>("frame_rate");
-    }
+    if (object.has("output")) detail::read_fields(to_object(object["output"], "output"), scene.output);
     check_scene(scene, origin.string());
     drop_idle_settings(scene);
     return scene;

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "lsdem/scene/detail/scene_to_json.hpp"
+#include "lsdem/scene/detail/scene_parts.hpp"
 #include "lsdem/scene/scene_error.hpp"
 #include "lsdem/scene/scene_json.hpp"
 #include "lsdem/scene/tower_tiling.hpp"

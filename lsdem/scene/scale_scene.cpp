@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "lsdem/scene/detail/scene_fields.hpp"
+
 namespace musim::lsdem {
 
 namespace {
@@ -11,56 +13,33 @@ class Scaler {
   public:
     explicit Scaler(const scaling::Similitude& similitude) : similitude_(similitude) {}
 
-    template <class Quantity>
-    void scale(Quantity& quantity) const {
-        quantity = similitude_.to_model(quantity);
+    template <class Value>
+    void scale(Value& value) const {
+        if constexpr (scaling::QuantityWithUnit<Value>) value = similitude_.to_model(value);
     }
     template <class Quantity>
     void scale(Triple<Quantity>& triple) const {
         for (Quantity& quantity : triple) scale(quantity);
     }
-    template <class Quantity>
-    void scale(std::optional<Quantity>& quantity) const {
-        if (quantity) scale(*quantity);
+    template <class Value>
+    void scale(std::optional<Value>& value) const {
+        if (value) scale(*value);
     }
-
-    void scale(BlockMaterial& material) const {
-        scale(material.density);
-        scale(material.normal_stiffness);
-        scale(material.shear_stiffness);
+    /// Every quantity of a part; numbers stay.
+    template <class Part>
+    void scale_part(Part& part) const {
+        detail::for_each_field(part, [&](const auto& /*field*/, auto& value) { scale(value); });
+    }
+    void scale_part(BlockMaterial& material) const {
+        scale_part<BlockMaterial>(material);
         material.friction *= similitude_.friction();
     }
-
-    void scale(BoxShape& /*shape*/) const {}
-    void scale(GridShape& shape) const { scale(shape.voxel); }
-    void scale(SphereShape& shape) const {
-        scale(shape.radius);
-        scale(shape.voxel);
-    }
-
-    void scale(BlockList& list) const {
+    void scale_part(BlockList& list) const {
         for (BlockEntry& block : list.blocks) {
             scale(block.size);
-            scale(block.position);
-            scale(block.velocity);
-            scale(block.angular_velocity);
+            scale_part(block);
         }
     }
-    void scale(Column& column) const {
-        scale(column.block);
-        scale(column.height_deviation);
-    }
-    void scale(Tower& tower) const {
-        scale(tower.block);
-        scale(tower.pitch);
-        scale(tower.height_deviation);
-    }
-    void scale(Wall& wall) const {
-        scale(wall.block);
-        scale(wall.pitch);
-        scale(wall.height_deviation);
-    }
-
     void scale(SceneMotion& motion) const {
         if (std::holds_alternative<std::monostate>(motion.source)) return;
         motion.factors.time *= similitude_.time();
@@ -78,21 +57,20 @@ Scene scale_scene(const Scene& scene, const scaling::Similitude& similitude) {
     const Scaler scaler(similitude);
     Scene scaled = scene;
     for (scaling::Acceleration& component : scaled.gravity) component *= similitude.gravity();
-    scaler.scale(scaled.material);
-    for (auto& [name, material] : scaled.materials) scaler.scale(material);
-    std::visit([&](auto& shape) { scaler.scale(shape); }, scaled.shape);
-    std::visit([&](auto& structure) { scaler.scale(structure); }, scaled.structure);
+    scaler.scale_part(scaled.material);
+    for (auto& [name, material] : scaled.materials) scaler.scale_part(material);
+    std::visit([&](auto& shape) { scaler.scale_part(shape); }, scaled.shape);
+    std::visit([&](auto& structure) { scaler.scale_part(structure); }, scaled.structure);
     scaler.scale(scaled.base_motion);
     for (MotionEntry& entry : scaled.motions) {
         scaler.scale(entry.base_motion);
-        scaler.scale(entry.duration);
+        scaler.scale_part(entry);
     }
     if (scaled.ground.friction) *scaled.ground.friction *= similitude.friction();
     if (scaled.preparation) scaler.scale(scaled.preparation->damping_rate);
     scaler.scale(scaled.time.duration);
     scaler.scale(scaled.time.step);
-    scaler.scale(scaled.output.spine_rate);
-    scaler.scale(scaled.output.frame_rate);
+    scaler.scale_part(scaled.output);
     check_scene(scaled, fmt::format("{} at 1:{:.6g}", scene.place(), 1.0 / similitude.length()));
     return scaled;
 }

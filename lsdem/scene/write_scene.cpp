@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "lsdem/scene/detail/scene_to_json.hpp"
+#include "lsdem/scene/detail/scene_parts.hpp"
 #include "lsdem/scene/scene_json.hpp"
 #include "scaling/detail/overloaded.hpp"
 #include "scaling/quantity_text.hpp"
@@ -33,29 +33,25 @@ class SceneWriter {
     ordered_json to_json(const Scene& scene) const {
         const bool with_size = !std::holds_alternative<SphereShape>(scene.shape);
         ordered_json materials = ordered_json::object();
-        for (const auto& [name, material] : scene.materials) materials[name] = to_json(material);
-        ordered_json ground{{"present", scene.ground.present}};
-        if (scene.ground.friction) ground["friction"] = *scene.ground.friction;
+        for (const auto& [name, material] : scene.materials) materials[name] = write_part(material);
         ordered_json motions = ordered_json::array();
         for (const MotionEntry& entry : scene.motions) motions.push_back(to_json(entry));
-        ordered_json output{{"spine_rate", write(scene.output.spine_rate)}};
-        put(output, "frame_rate", scene.output.frame_rate);
 
         ordered_json root{{"schema", "musim-scene/1"},
                           {"name", scene.name},
-                          {"gravity", to_json(scene.gravity)},
-                          {"material", to_json(scene.material)},
+                          {"gravity", write(scene.gravity)},
+                          {"material", write_part(scene.material)},
                           {"materials", materials},
                           {"shape", to_json(scene.shape, scene.has_contact_nodes())},
                           {"structure", to_json(scene.structure, with_size)},
                           {scene.motions.empty() ? "base_motion" : "motions", scene.motions.empty() ? to_json(scene.base_motion) : motions},
-                          {"ground", ground},
+                          {"ground", write_part(scene.ground)},
                           {"contact",
                            {{"nodes", scene.contact_nodes == ContactNodes::leader ? "leader" : "both"},
                             {"stiffness", scene.stiffness_sharing == StiffnessSharing::per_area ? "per_area" : "per_contact"},
                             {"faces", face_contact_names().at(static_cast<std::size_t>(scene.face_contact))}}},
                           {"time", to_json(scene.time, !scene.motions.empty())},
-                          {"output", output}};
+                          {"output", write_part(scene.output)}};
         if (scene.preparation && scene.preparation->none) {
             root["preparation"] = "none";
         } else if (scene.preparation) {
@@ -70,109 +66,68 @@ class SceneWriter {
     }
 
   private:
-    template <class Quantity>
-    ordered_json write(Quantity quantity) const {
-        if (style_ == QuantityStyle::text) return scaling::format_quantity(quantity, kDigits);
-        return quantity.value();
+    template <class Value>
+    ordered_json write(const Value& value) const {
+        if constexpr (scaling::QuantityWithUnit<Value>) {
+            if (style_ == QuantityStyle::text) return scaling::format_quantity(value, kDigits);
+            return value.value();
+        } else {
+            return value;
+        }
     }
-
-    /// Times of a record, which are read beside each other.
-    ordered_json write_seconds(scaling::Time time) const {
-        if (style_ == QuantityStyle::text) return fmt::format("{:.{}g} s", time.value(), kDigits);
-        return time.value();
-    }
-
     template <class Quantity>
-    ordered_json to_json(const Triple<Quantity>& triple) const {
+    ordered_json write(const Triple<Quantity>& triple) const {
         return {write(triple[0]), write(triple[1]), write(triple[2])};
     }
-
-    template <class Quantity>
-    void put(ordered_json& object, const char* key, const std::optional<Quantity>& value) const {
+    ordered_json write(const TilingSettings& tiling) const { return write_part(tiling); }
+    ordered_json write(records::SampleQuantity quantity) const { return records::to_string(quantity); }
+    /// Times of a record, which are read beside each other.
+    ordered_json write(const std::array<scaling::Time, 2>& window) const {
+        if (style_ == QuantityStyle::si_number) return {window[0].value(), window[1].value()};
+        return {fmt::format("{:.{}g} s", window[0].value(), kDigits), fmt::format("{:.{}g} s", window[1].value(), kDigits)};
+    }
+    template <class Value>
+    void put(ordered_json& object, const char* key, const Value& value) const {
+        object[key] = write(value);
+    }
+    template <class Value>
+    void put(ordered_json& object, const char* key, const std::optional<Value>& value) const {
         if (value) object[key] = write(*value);
     }
-
-    ordered_json to_json(const BlockMaterial& material) const {
-        return {{"density", write(material.density)},
-                {"normal_stiffness", write(material.normal_stiffness)},
-                {"shear_stiffness", write(material.shear_stiffness)},
-                {"friction", material.friction},
-                {"restitution", material.restitution},
-                {"shear_damping_ratio", material.shear_damping_ratio}};
+    /// Adds the fields of a part.
+    template <class Part>
+    ordered_json write_part(const Part& part, ordered_json object = ordered_json::object()) const {
+        detail::for_each_field(part, [&](const auto& field, const auto& value) { put(object, field.key, value); });
+        return object;
     }
 
     ordered_json to_json(const ShapeSettings& shape, bool has_contact_nodes) const {
-        return std::visit(
-            Overloaded{[&](const BoxShape& s) -> ordered_json {
-                           ordered_json box{{"kind", "box"}, {"level_set", "box"}};
-                           if (has_contact_nodes) box["nodes_per_face"] = s.nodes_per_face;
-                           return box;
-                       },
-                       [&](const GridShape& s) -> ordered_json {
-                           return {{"kind", "box"}, {"level_set", "grid"}, {"nodes_per_face", s.nodes_per_face}, {"voxel", write(s.voxel)}};
-                       },
-                       [&](const SphereShape& s) -> ordered_json {
-                           return {{"kind", "sphere"}, {"radius", write(s.radius)}, {"nodes", s.nodes}, {"voxel", write(s.voxel)}};
-                       }},
-            shape);
+        const bool sphere = std::holds_alternative<SphereShape>(shape);
+        ordered_json object{{"kind", sphere ? "sphere" : "box"}};
+        if (!sphere) object["level_set"] = std::holds_alternative<GridShape>(shape) ? "grid" : "box";
+        if (std::holds_alternative<BoxShape>(shape) && !has_contact_nodes) return object;
+        return std::visit([&](const auto& settings) { return write_part(settings, object); }, shape);
     }
 
     ordered_json to_json(const BlockEntry& block, bool with_size) const {
-        ordered_json object;
-        if (with_size) object["size"] = to_json(block.size);
-        object["position"] = to_json(block.position);
-        object["quaternion"] = block.quaternion;
-        object["velocity"] = to_json(block.velocity);
-        object["angular_velocity"] = to_json(block.angular_velocity);
-        object["fixed"] = block.fixed;
-        object["rotation_locked"] = block.rotation_locked;
+        ordered_json object = ordered_json::object();
+        if (with_size) object["size"] = write(block.size);
+        object = write_part(block, object);
         if (!block.material.empty()) object["material"] = block.material;
         return object;
     }
 
-    template <class Layered>
-    void put_heights(ordered_json& object, const Layered& structure) const {
-        object["height_deviation"] = write(structure.height_deviation);
-        object["seed"] = structure.seed;
-    }
-
-    ordered_json to_json(const Tower& tower) const {
-        ordered_json tiling{{"cells_across", tower.tiling.cells_across},
-                            {"inner_radius", tower.tiling.inner_radius},
-                            {"outer_radius", tower.tiling.outer_radius}};
-        if (tower.tiling_file) tiling["file"] = tower.tiling_file->string();
-        ordered_json object{{"kind", "tower"}, {"layers", tower.layers}, {"block", to_json(tower.block)}};
-        put(object, "pitch", tower.pitch);
-        object["tiling"] = tiling;
-        put_heights(object, tower);
-        return object;
-    }
-
     ordered_json to_json(const Structure& structure, bool with_size) const {
-        return std::visit(Overloaded{[&](const BlockList& list) -> ordered_json {
-                                         ordered_json blocks = ordered_json::array();
-                                         for (const BlockEntry& block : list.blocks) blocks.push_back(to_json(block, with_size));
-                                         return {{"kind", "blocks"}, {"blocks", blocks}};
-                                     },
-                                     [&](const Column& column) -> ordered_json {
-                                         ordered_json object{{"kind", "column"},
-                                                             {"layers", column.layers},
-                                                             {"block", to_json(column.block)},
-                                                             {"rotation_locked", column.rotation_locked}};
-                                         put_heights(object, column);
-                                         return object;
-                                     },
-                                     [&](const Tower& tower) { return to_json(tower); },
-                                     [&](const Wall& wall) -> ordered_json {
-                                         ordered_json object{{"kind", "wall"},
-                                                             {"layers", wall.layers},
-                                                             {"blocks_per_layer", wall.blocks_per_layer},
-                                                             {"block", to_json(wall.block)}};
-                                         put(object, "pitch", wall.pitch);
-                                         put_heights(object, wall);
-                                         return object;
-                                     }},
-                          structure);
+        const ordered_json kind{{"kind", detail::kStructureKinds.at(structure.index())}};
+        ordered_json object = std::visit([&](const auto& settings) { return write_part(settings, kind); }, structure);
+        if (const auto* list = std::get_if<BlockList>(&structure)) {
+            object["blocks"] = ordered_json::array();
+            for (const BlockEntry& block : list->blocks) object["blocks"].push_back(to_json(block, with_size));
+        }
+        if (const auto* tower = std::get_if<Tower>(&structure); tower != nullptr && tower->tiling_file) {
+            object["tiling"]["file"] = tower->tiling_file->string();
+        }
+        return object;
     }
 
     ordered_json to_json(const RecordMotion& motion) const {
@@ -180,11 +135,7 @@ class SceneWriter {
         for (std::size_t axis = 0; axis < 3; ++axis) {
             if (motion.components[axis]) object["components"][kAxes[axis]] = *motion.components[axis];
         }
-        if (motion.unit) object["unit"] = *motion.unit;
-        if (motion.quantity) object["quantity"] = records::to_string(*motion.quantity);
-        put(object, "dt", motion.dt);
-        if (motion.window) object["window"] = {write_seconds((*motion.window)[0]), write_seconds((*motion.window)[1])};
-        put(object, "highpass", motion.highpass_corner);
+        object = write_part(motion, object);
         if (motion.scale) {
             auto [law, set] = *motion.scale;
             ordered_json& scale = object["scale"] = {{"law", law}};
@@ -197,29 +148,10 @@ class SceneWriter {
     }
 
     ordered_json to_json(const SignalMotion& motion) const {
-        ordered_json object = std::visit(
-            Overloaded{
-                [&](const StepSignal& s) -> ordered_json {
-                    return {{"signal", "step"}, {"velocity", write(s.velocity)}};
-                },
-                [&](const SineSignal& s) -> ordered_json {
-                    return {{"signal", "sine"}, {"amplitude", write(s.amplitude)}, {"frequency", write(s.frequency)}, {"cycles", s.cycles}};
-                },
-                [&](const HalfSineSignal& s) -> ordered_json {
-                    return {{"signal", "half_sine"}, {"amplitude", write(s.amplitude)}, {"duration", write(s.duration)}};
-                },
-                [&](const RickerSignal& s) -> ordered_json {
-                    return {{"signal", "ricker"}, {"amplitude", write(s.amplitude)}, {"frequency", write(s.frequency)}};
-                },
-                [&](const SyntheticSignal& s) -> ordered_json {
-                    return {{"signal", "synthetic"},         {"pga", write(s.pga)}, {"pgv", write(s.pgv)},
-                            {"duration", write(s.duration)}, {"dt", write(s.dt)},   {"seed", s.seed}};
-                }},
-            motion.signal);
+        const ordered_json kind{{"signal", detail::kSignalKinds.at(motion.signal.index())}};
+        ordered_json object = std::visit([&](const auto& signal) { return write_part(signal, kind); }, motion.signal);
         object["direction"] = kAxes[static_cast<std::size_t>(motion.axis)];
-        object["start"] = write(motion.start);
-        put(object, "dt", motion.dt);
-        return object;
+        return write_part(motion, object);
     }
 
     ordered_json to_json(const SceneMotion& motion) const {
@@ -227,18 +159,13 @@ class SceneWriter {
             Overloaded{[](std::monostate) -> ordered_json { return nullptr; }, [&](const auto& source) { return to_json(source); }},
             motion.source);
         if (object.is_null()) return object;
-        const MotionFactors& factors = motion.factors;
-        object["factors"] = {{"time", factors.time}, {"velocity", factors.velocity}};
-        if (factors.velocity_vertical != factors.velocity) object["factors"]["velocity_vertical"] = factors.velocity_vertical;
+        object["factors"] = write_part(motion.factors);
+        if (motion.factors.velocity_vertical == motion.factors.velocity) object["factors"].erase("velocity_vertical");
         return object;
     }
 
     ordered_json to_json(const MotionEntry& entry) const {
-        ordered_json object{{"name", entry.name}, {"base_motion", to_json(entry.base_motion)}};
-        put(object, "duration", entry.duration);
-        object["settle"] = entry.settle;
-        object["repeat"] = entry.repeat;
-        return object;
+        return write_part(entry, {{"name", entry.name}, {"base_motion", to_json(entry.base_motion)}});
     }
 
     /// With a list of motions, a duration that is not given stays so.

@@ -113,15 +113,14 @@ std::size_t to_choice(const scaling::JsonReader& value, const std::vector<std::s
     return static_cast<std::size_t>(found - names.begin());
 }
 
-std::string read_kind(const scaling::JsonReader& value, const std::string& key, const std::vector<std::string>& kinds) {
+std::size_t read_kind(const scaling::JsonReader& value, const std::string& key, const std::vector<std::string>& kinds) {
     if (!value.json().is_object() || !value.json().contains(key)) {
         value.fail(fmt::format("an object with a \"{}\" is wanted ({}); add it", key, fmt::join(kinds, ", ")));
     }
-    std::string kind = value.at(key).text();
-    if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) {
-        value.at(key).fail(fmt::format("\"{}\" is not known; {}", kind, scaling::suggest_name(kind, kinds)));
-    }
-    return kind;
+    const std::string kind = value.at(key).text();
+    const auto found = std::find(kinds.begin(), kinds.end(), kind);
+    if (found == kinds.end()) value.at(key).fail(fmt::format("\"{}\" is not known; {}", kind, scaling::suggest_name(kind, kinds)));
+    return static_cast<std::size_t>(found - kinds.begin());
 }
 
 std::filesystem::path resolve(const std::string& file, const std::filesystem::path& origin) {

@@ -42,8 +42,9 @@ scaling::JsonReader to_object(const scaling::JsonReader& value, const std::strin
 /// Position in `names` of a text. Throws SceneError, which lists them.
 std::size_t to_choice(const scaling::JsonReader& value, const std::vector<std::string>& names);
 
-/// The text at `key`, which says the kind of an object and so which other keys it may have. Throws SceneError where it is none of `kinds`.
-std::string read_kind(const scaling::JsonReader& value, const std::string& key, const std::vector<std::string>& kinds);
+/// Position in `kinds` of the text at `key`, which says what an object is and so which other keys it may have. Throws SceneError where it
+/// is none of them.
+std::size_t read_kind(const scaling::JsonReader& value, const std::string& key, const std::vector<std::string>& kinds);
 
 /// A file named in a scene, beside the scene's own.
 std::filesystem::path resolve(const std::string& file, const std::filesystem::path& origin);

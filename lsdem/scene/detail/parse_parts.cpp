@@ -1,0 +1,179 @@
+#include <fmt/format.h>
+
+#include "lsdem/scene/detail/scene_parts.hpp"
+#include "scaling/laws/scale_law_catalogue.hpp"
+
+namespace musim::lsdem::detail {
+namespace {
+
+using scaling::JsonReader;
+
+/// find_material_preset, with the place in front of its message.
+const BlockMaterial& find_preset(const JsonReader& value) {
+    const std::string name = value.text();
+    try {
+        return find_material_preset(name).material;
+    } catch (const SceneError& error) {
+        value.fail(error.what());
+    }
+}
+
+BlockEntry parse_block(const JsonReader& value, bool needs_size) {
+    const JsonReader object = to_object(value, "block");
+    BlockEntry block;
+    if (needs_size || object.has("size")) block.size = object.get<Triple<scaling::Length>>("size");
+    read_fields(object, block);
+    object.read("material", block.material);
+    return block;
+}
+
+BlockList parse_block_list(const JsonReader& object, bool needs_size) {
+    const JsonReader entries = object["blocks"];
+    if (!entries.json().is_array()) entries.fail("a list [ ... ] of blocks is wanted; correct the value");
+    BlockList list;
+    for (const JsonReader& entry : entries.entries()) list.blocks.push_back(parse_block(entry, needs_size));
+    return list;
+}
+
+const std::vector<std::string>& axis_names() {
+    static const std::vector<std::string> kNames{"x", "y", "z"};
+    return kNames;
+}
+
+RecordScale parse_record_scale(const JsonReader& value, const std::filesystem::path& origin) {
+    const JsonReader object = to_object(value, "scale");
+    RecordScale scale;
+    object.read("law", scale.law);
+    for (const scaling::ChosenScale& chosen : scaling::kChosenScales) {
+        if (object.has(chosen.name)) object.read(chosen.name, scale.set[chosen.quantity]);
+    }
+    if (object.has("set")) {
+        const JsonReader set = object["set"];
+        if (!set.json().is_object()) set.fail(R"(an object of factors is wanted; write {"F_R": "1/500"})");
+        for (const auto& [name, unused] : set.json().items()) {
+            const JsonReader factor = set.at(name);
+            if (!scale.set.emplace(name, factor.number()).second) factor.fail("the factor is given twice; give it once");
+        }
+    }
+    if (scaling::find_scale_law(scale.law)) return scale;
+    if (scale.law.find_first_of("./") == std::string::npos) object.at("law").fail(scaling::no_such_law(scale.law) + ", or a law file");
+    scale.law = resolve(scale.law, origin).string();
+    return scale;
+}
+
+RecordMotion parse_record(const JsonReader& object, const std::filesystem::path& origin) {
+    RecordMotion motion;
+    motion.file = resolve(object.get<std::string>("record"), origin);
+    const JsonReader components = to_object(object["components"], "components");
+    for (std::size_t axis = 0; axis < 3; ++axis) motion.components[axis] = components.find<std::string>(axis_names()[axis]);
+    read_fields(object, motion);
+    if (object.has("scale")) motion.scale = parse_record_scale(object["scale"], origin);
+    return motion;
+}
+
+SignalMotion parse_signal(const JsonReader& value) {
+    const std::size_t kind = read_kind(value, "signal", {kSignalKinds.begin(), kSignalKinds.end()});
+    const JsonReader object = to_object(value, kSignalKinds[kind]);
+    SignalMotion motion{.signal = make_alternative<Signal>(kind), .dt = {}};
+    std::visit([&](auto& signal) { read_fields(object, signal); }, motion.signal);
+    if (object.has("direction")) motion.axis = static_cast<int>(to_choice(object["direction"], axis_names()));
+    read_fields(object, motion);
+    // the time step of a synthetic record is its own
+    if (std::holds_alternative<SyntheticSignal>(motion.signal)) motion.dt.reset();
+    return motion;
+}
+
+}  // namespace
+
+void read_value(const JsonReader& json, std::array<double, 4>& quaternion) {
+    if (!json.json().is_array() || json.json().size() != 4) json.fail("four numbers (w, x, y, z) are wanted; correct the list");
+    for (std::size_t k = 0; k < 4; ++k) quaternion[k] = json.entries()[k].number();
+}
+
+void read_value(const JsonReader& json, TilingSettings& tiling) {
+    if (!json.json().is_string()) return read_fields(to_object(json, "tiling"), tiling);
+    try {
+        tiling = find_tiling_preset(json.text());
+    } catch (const SceneError& error) {
+        json.fail(error.what());
+    }
+}
+
+void read_value(const JsonReader& json, records::SampleQuantity& quantity) {
+    const std::vector<std::string> names{"acceleration", "velocity", "displacement"};
+    quantity = *records::find_sample_quantity(names[to_choice(json, names)]);
+}
+
+void read_value(const JsonReader& json, std::array<scaling::Time, 2>& window) {
+    if (!json.json().is_array() || json.json().size() != 2) json.fail("a list of two times is wanted; write [\"225 s\", \"265 s\"]");
+    const std::vector<JsonReader> times = json.entries();
+    window = {times[0].quantity<scaling::Time>(), times[1].quantity<scaling::Time>()};
+}
+
+BlockMaterial parse_material(const JsonReader& value) {
+    if (value.json().is_string()) return find_preset(value);
+    const JsonReader object = to_object(value, "material");
+    const bool has_preset = object.has("preset");
+    BlockMaterial material = has_preset ? find_preset(object["preset"]) : BlockMaterial{};
+    read_fields(object, material, !has_preset);
+    return material;
+}
+
+ShapeSettings parse_shape(const JsonReader& value) {
+    const JsonReader object = to_object(value, "shape");
+    const bool sphere = to_choice(object["kind"], {"box", "sphere"}) == 1;
+    const bool grid = !sphere && object.has("level_set") && to_choice(object["level_set"], {"box", "grid"}) == 1;
+    ShapeSettings shape = BoxShape{};
+    if (grid) shape = GridShape{};
+    if (sphere) shape = SphereShape{};
+    std::visit([&](auto& settings) { read_fields(object, settings); }, shape);
+    return shape;
+}
+
+Structure parse_structure(const JsonReader& value, const std::filesystem::path& origin, bool needs_size) {
+    const std::size_t kind = read_kind(value, "kind", {kStructureKinds.begin(), kStructureKinds.end()});
+    const JsonReader object = to_object(value, kStructureKinds[kind]);
+    auto structure = make_alternative<Structure>(kind);
+    if (auto* list = std::get_if<BlockList>(&structure)) *list = parse_block_list(object, needs_size);
+    std::visit([&](auto& settings) { read_fields(object, settings); }, structure);
+    if (auto* tower = std::get_if<Tower>(&structure); tower != nullptr && object.has("tiling") && object["tiling"].json().is_object()) {
+        if (object["tiling"].has("file")) tower->tiling_file = resolve(object["tiling"].get<std::string>("file"), origin);
+    }
+    return structure;
+}
+
+SceneMotion parse_base_motion(const JsonReader& value, const std::filesystem::path& origin) {
+    const Json& json = value.json();
+    SceneMotion motion;
+    if (!json.is_object() || json.contains("record") == json.contains("signal")) {
+        value.fail("an object with either a \"record\" or a \"signal\" is wanted; add one of them, or leave base_motion out");
+    }
+    if (json.contains("record")) {
+        motion.source = parse_record(to_object(value, "record"), origin);
+    } else {
+        motion.source = parse_signal(value);
+    }
+    if (json.contains("factors")) {
+        const JsonReader factors = to_object(value.at("factors"), "factors");
+        read_fields(factors, motion.factors);
+        if (!factors.has("velocity_vertical")) motion.factors.velocity_vertical = motion.factors.velocity;
+    }
+    return motion;
+}
+
+std::vector<MotionEntry> parse_motions(const JsonReader& list, const std::filesystem::path& origin) {
+    if (!list.json().is_array() || list.json().empty()) {
+        list.fail("a list [ ... ] of motions is wanted; write at least one, or \"base_motion\" instead");
+    }
+    std::vector<MotionEntry> motions;
+    for (const JsonReader& value : list.entries()) {
+        const JsonReader object = to_object(value, "motion");
+        MotionEntry& entry = motions.emplace_back();
+        object.read("name", entry.name);
+        entry.base_motion = parse_base_motion(object["base_motion"], origin);
+        read_fields(object, entry);
+    }
+    return motions;
+}
+
+}  // namespace musim::lsdem::detail

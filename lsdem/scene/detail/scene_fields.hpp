@@ -1,0 +1,189 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+#include "lsdem/scene/scene.hpp"
+#include "scaling/json_reader.hpp"
+
+/// What the parts of a scene consist of. One list of fields serves reading, writing, checking and scaling; what is unlike others stands in
+/// the functions that do these.
+namespace musim::lsdem::detail {
+
+/// What a value has to be; the last two are of whole numbers.
+enum class Range { any, finite, positive, not_negative, one_or_more, four_or_more };
+
+/// A member, its key in JSON, and what its value has to be. One that is not required keeps its default where the key is missing; an
+/// optional without a value is not written.
+template <class Part, class Value>
+struct Field {
+    const char* key;
+    Value Part::*member;
+    Range range = Range::any;
+    bool required = false;
+};
+template <class Part, class Value>
+Field(const char*, Value Part::*, Range = Range::any, bool = false) -> Field<Part, Value>;
+
+inline constexpr bool kRequired = true;
+
+/// The fields of a part, in the order in which they are written.
+template <class Part>
+inline constexpr auto kFields = std::tuple{};
+
+template <>
+inline constexpr auto kFields<BlockMaterial> = std::tuple{
+    Field{"density", &BlockMaterial::density, Range::positive, kRequired},
+    Field{"normal_stiffness", &BlockMaterial::normal_stiffness, Range::positive, kRequired},
+    Field{"shear_stiffness", &BlockMaterial::shear_stiffness, Range::positive, kRequired},
+    Field{"friction", &BlockMaterial::friction, Range::not_negative, kRequired},
+    Field{"restitution", &BlockMaterial::restitution, Range::any, kRequired},
+    Field{"shear_damping_ratio", &BlockMaterial::shear_damping_ratio, Range::not_negative},
+};
+template <>
+inline constexpr auto kFields<BoxShape> = std::tuple{Field{"nodes_per_face", &BoxShape::nodes_per_face, Range::four_or_more}};
+template <>
+inline constexpr auto kFields<GridShape> = std::tuple{
+    Field{"nodes_per_face", &GridShape::nodes_per_face, Range::four_or_more},
+    Field{"voxel", &GridShape::voxel, Range::positive, kRequired},
+};
+template <>
+inline constexpr auto kFields<SphereShape> = std::tuple{
+    Field{"radius", &SphereShape::radius, Range::positive, kRequired},
+    Field{"nodes", &SphereShape::nodes, Range::one_or_more},
+    Field{"voxel", &SphereShape::voxel, Range::positive, kRequired},
+};
+/// Between the size, which spheres do not have, and the material.
+template <>
+inline constexpr auto kFields<BlockEntry> = std::tuple{
+    Field{"position", &BlockEntry::position, Range::finite, kRequired},
+    Field{"quaternion", &BlockEntry::quaternion},
+    Field{"velocity", &BlockEntry::velocity, Range::finite},
+    Field{"angular_velocity", &BlockEntry::angular_velocity, Range::finite},
+    Field{"fixed", &BlockEntry::fixed},
+    Field{"rotation_locked", &BlockEntry::rotation_locked},
+};
+template <>
+inline constexpr auto kFields<Column> = std::tuple{
+    Field{"layers", &Column::layers, Range::one_or_more},
+    Field{"block", &Column::block, Range::positive, kRequired},
+    Field{"rotation_locked", &Column::rotation_locked},
+    Field{"height_deviation", &Column::height_deviation, Range::not_negative},
+    Field{"seed", &Column::seed},
+};
+template <>
+inline constexpr auto kFields<TilingSettings> = std::tuple{
+    Field{"cells_across", &TilingSettings::cells_across},
+    Field{"inner_radius", &TilingSettings::inner_radius},
+    Field{"outer_radius", &TilingSettings::outer_radius},
+};
+template <>
+inline constexpr auto kFields<Tower> = std::tuple{
+    Field{"layers", &Tower::layers, Range::one_or_more},
+    Field{"block", &Tower::block, Range::positive, kRequired},
+    Field{"pitch", &Tower::pitch, Range::positive},
+    Field{"tiling", &Tower::tiling},
+    Field{"height_deviation", &Tower::height_deviation, Range::not_negative},
+    Field{"seed", &Tower::seed},
+};
+template <>
+inline constexpr auto kFields<Wall> = std::tuple{
+    Field{"layers", &Wall::layers, Range::one_or_more},
+    Field{"blocks_per_layer", &Wall::blocks_per_layer, Range::one_or_more},
+    Field{"block", &Wall::block, Range::positive, kRequired},
+    Field{"pitch", &Wall::pitch, Range::positive},
+    Field{"height_deviation", &Wall::height_deviation, Range::not_negative},
+    Field{"seed", &Wall::seed},
+};
+/// Between the record with its components and its scale.
+template <>
+inline constexpr auto kFields<RecordMotion> = std::tuple{
+    Field{"unit", &RecordMotion::unit},
+    Field{"quantity", &RecordMotion::quantity},
+    Field{"dt", &RecordMotion::dt, Range::positive},
+    Field{"window", &RecordMotion::window},
+    Field{"highpass", &RecordMotion::highpass_corner, Range::positive},
+};
+template <>
+inline constexpr auto kFields<StepSignal> = std::tuple{Field{"velocity", &StepSignal::velocity, Range::finite, kRequired}};
+template <>
+inline constexpr auto kFields<SineSignal> = std::tuple{
+    Field{"amplitude", &SineSignal::amplitude, Range::finite, kRequired},
+    Field{"frequency", &SineSignal::frequency, Range::positive, kRequired},
+    Field{"cycles", &SineSignal::cycles, Range::positive, kRequired},
+};
+template <>
+inline constexpr auto kFields<HalfSineSignal> = std::tuple{
+    Field{"amplitude", &HalfSineSignal::amplitude, Range::finite, kRequired},
+    Field{"duration", &HalfSineSignal::duration, Range::positive, kRequired},
+};
+template <>
+inline constexpr auto kFields<RickerSignal> = std::tuple{
+    Field{"amplitude", &RickerSignal::amplitude, Range::finite, kRequired},
+    Field{"frequency", &RickerSignal::frequency, Range::positive, kRequired},
+};
+template <>
+inline constexpr auto kFields<SyntheticSignal> = std::tuple{
+    Field{"pga", &SyntheticSignal::pga, Range::positive, kRequired},
+    Field{"pgv", &SyntheticSignal::pgv, Range::positive, kRequired},
+    Field{"duration", &SyntheticSignal::duration, Range::positive, kRequired},
+    Field{"dt", &SyntheticSignal::dt, Range::positive, kRequired},
+    Field{"seed", &SyntheticSignal::seed},
+};
+/// Behind those of the signal and its direction.
+template <>
+inline constexpr auto kFields<SignalMotion> = std::tuple{
+    Field{"start", &SignalMotion::start, Range::not_negative},
+    Field{"dt", &SignalMotion::dt, Range::positive},
+};
+template <>
+inline constexpr auto kFields<MotionFactors> = std::tuple{
+    Field{"time", &MotionFactors::time, Range::positive},
+    Field{"velocity", &MotionFactors::velocity, Range::positive},
+    Field{"velocity_vertical", &MotionFactors::velocity_vertical, Range::positive},
+};
+/// Behind its name and motion.
+template <>
+inline constexpr auto kFields<MotionEntry> = std::tuple{
+    Field{"duration", &MotionEntry::duration, Range::positive},
+    Field{"settle", &MotionEntry::settle},
+    Field{"repeat", &MotionEntry::repeat},
+};
+template <>
+inline constexpr auto kFields<GroundSettings> = std::tuple{
+    Field{"present", &GroundSettings::present},
+    Field{"friction", &GroundSettings::friction, Range::not_negative},
+};
+template <>
+inline constexpr auto kFields<OutputSettings> = std::tuple{
+    Field{"spine_rate", &OutputSettings::spine_rate, Range::not_negative},
+    Field{"frame_rate", &OutputSettings::frame_rate, Range::positive},
+};
+
+/// Calls `visit(field, value)` for every field of a part.
+template <class Part, class Visit>
+void for_each_field(Part& part, const Visit& visit) {
+    std::apply([&](const auto&... field) { (visit(field, part.*field.member), ...); }, kFields<std::remove_const_t<Part>>);
+}
+
+/// What variants are called in JSON, in their order.
+inline constexpr std::array kStructureKinds{"blocks", "column", "tower", "wall"};
+inline constexpr std::array kSignalKinds{"step", "sine", "half_sine", "ricker", "synthetic"};
+
+/// The alternative of a variant at a position, with its defaults.
+template <class Variant, std::size_t... I>
+Variant make_alternative(std::size_t index, std::index_sequence<I...> /*all*/) {
+    Variant variant;
+    ((I == index ? void(variant.template emplace<I>()) : void()), ...);
+    return variant;
+}
+template <class Variant>
+Variant make_alternative(std::size_t index) {
+    return make_alternative<Variant>(index, std::make_index_sequence<std::variant_size_v<Variant>>());
+}
+
+}  // namespace musim::lsdem::detail

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "lsdem/scene/detail/json_text.hpp"
+#include "lsdem/scene/detail/scene_fields.hpp"
+
+/// Parts of a scene from and to JSON. Those that read throw SceneError; files that a part names stand beside `origin`.
+namespace musim::lsdem::detail {
+
+/// "material": the name of a preset, or its properties.
+BlockMaterial parse_material(const scaling::JsonReader& value);
+/// "shape".
+ShapeSettings parse_shape(const scaling::JsonReader& value);
+/// "structure". `needs_size`: blocks say their size, as all but spheres do.
+Structure parse_structure(const scaling::JsonReader& value, const std::filesystem::path& origin, bool needs_size);
+/// "base_motion".
+SceneMotion parse_base_motion(const scaling::JsonReader& value, const std::filesystem::path& origin);
+/// "motions", one after another.
+std::vector<MotionEntry> parse_motions(const scaling::JsonReader& list, const std::filesystem::path& origin);
+
+template <class Value>
+void read_value(const scaling::JsonReader& json, Value& value) {
+    value = json.as<Value>();
+}
+void read_value(const scaling::JsonReader& json, TilingSettings& tiling);
+void read_value(const scaling::JsonReader& json, std::array<double, 4>& quaternion);
+void read_value(const scaling::JsonReader& json, records::SampleQuantity& quantity);
+void read_value(const scaling::JsonReader& json, std::array<scaling::Time, 2>& window);
+template <class Value>
+void read_value(const scaling::JsonReader& json, std::optional<Value>& value) {
+    read_value(json, value.emplace());
+}
+
+/// Reads the fields of a part; of one that is not `complete`, because a preset gives the rest, none is required.
+template <class Part>
+void read_fields(const scaling::JsonReader& object, Part& part, bool complete = true) {
+    for_each_field(part, [&](const auto& field, auto& value) {
+        if (object.has(field.key) || (field.required && complete)) read_value(object[field.key], value);
+    });
+}
+
+/// How quantities stand in JSON: as SI numbers, which come back bit for bit, or as texts with units for people, to seven digits.
+enum class QuantityStyle { si_number, text };
+
+/// A scene as JSON, all settings written out.
+nlohmann::ordered_json to_json(const Scene& scene, QuantityStyle style);
+
+}  // namespace musim::lsdem::detail
