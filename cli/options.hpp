@@ -2,6 +2,7 @@
 
 #include <CLI/App.hpp>
 #include <CLI/Error.hpp>
+#include <CLI/Option.hpp>
 #include <CLI/Validators.hpp>
 #include <stdexcept>
 #include <string>
@@ -141,6 +142,16 @@ CLI::Validator whole_between(long long low, long long high);
 
 /// A check of a word that is one of `names`; another gets the nearest.
 CLI::Validator one_of(const std::vector<std::string>& names);
+
+/// Adds an option that takes a number, or several; one whose numbers must be above zero.
+template <class Numbers>
+CLI::Option* add_number_option(CLI::App& command, const std::string& name, Numbers& value, const std::string& help) {
+    return command.add_option(name, value, help)->type_name("NUMBER");
+}
+template <class Numbers>
+CLI::Option* add_positive_option(CLI::App& command, const std::string& name, Numbers& value, const std::string& help) {
+    return add_number_option(command, name, value, help)->check(above_zero());
+}
 
 /// Adds --threads; 0 means all cores.
 void add_threads_option(CLI::App& command, int& threads);

@@ -160,9 +160,7 @@ void add_bench_twins_command(CLI::App& bench, Action& action) {
     command->add_option("--seed", options->seed, "Of the lengths, 4^u with u in (-2, 2); with --perturb: of the first set of directions")
         ->type_name("N")
         ->capture_default_str();
-    command->add_option("--duration", options->duration, "Simulated time [s] of the prototypes, instead of the scenes'")
-        ->type_name("NUMBER")
-        ->check(above_zero());
+    add_positive_option(*command, "--duration", options->duration, "Simulated time [s] of the prototypes, instead of the scenes'");
     command
         ->add_option("--perturb", options->shifts,
                      "Instead of models, copies whose blocks are moved by these parts of their height, e.g. 1e-13,1e-12,1e-11")

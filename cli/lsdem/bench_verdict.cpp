@@ -249,9 +249,7 @@ void add_bench_verdict_command(CLI::App& bench, Action& action) {
         ->delimiter(',')
         ->check(above_zero());
     add_count("--images", plan.images, "Wrong models of each error and size", 1);
-    command->add_option("--duration", options->duration, "Simulated time [s] of the prototypes, instead of the scenes'")
-        ->type_name("NUMBER")
-        ->check(above_zero());
+    add_positive_option(*command, "--duration", options->duration, "Simulated time [s] of the prototypes, instead of the scenes'");
     add_format_option(*command, options->style, "Form of the tables");
     options->add_to(*command);
     command->footer(

@@ -14,24 +14,17 @@ void SampleOptions::add_to(CLI::App& command) {
         ->required()
         ->type_name("PRESET")
         ->check(one_of(lsdem::material_preset_names()));
-    command.add_option("--block", block, "Edge lengths b w H [m], instead of the preset's; its stiffnesses are fitted to them")
-        ->expected(3)
-        ->type_name("NUMBER")
-        ->check(above_zero());
-    command.add_option("--density", density, "Density [kg/m^3], instead of the preset's")->type_name("NUMBER")->check(above_zero());
-    command.add_option("--normal-stiffness", normal_stiffness, "k_n of a whole face [N/m], instead of the preset's")
-        ->type_name("NUMBER")
-        ->check(above_zero());
-    command.add_option("--shear-stiffness", shear_stiffness, "k_s of a whole face [N/m], instead of the preset's")
-        ->type_name("NUMBER")
+    add_positive_option(command, "--block", block, "Edge lengths b w H [m], instead of the preset's; its stiffnesses are fitted to them")
+        ->expected(3);
+    add_positive_option(command, "--density", density, "Density [kg/m^3], instead of the preset's");
+    add_positive_option(command, "--normal-stiffness", normal_stiffness, "k_n of a whole face [N/m], instead of the preset's");
+    add_number_option(command, "--shear-stiffness", shear_stiffness, "k_s of a whole face [N/m], instead of the preset's")
         ->check(not_negative());
-    command.add_option("--friction", friction, "Friction coefficient, instead of the preset's")->type_name("NUMBER")->check(not_negative());
-    command.add_option("--ground-friction", ground_friction, "Friction coefficient of block on ground (default: that of block on block)")
-        ->type_name("NUMBER")
+    add_number_option(command, "--friction", friction, "Friction coefficient, instead of the preset's")->check(not_negative());
+    add_number_option(command, "--ground-friction", ground_friction,
+                      "Friction coefficient of block on ground (default: that of block on block)")
         ->check(not_negative());
-    command.add_option("--restitution", restitution, "Coefficient of restitution, instead of the preset's")
-        ->type_name("NUMBER")
-        ->check(above_zero())
+    add_positive_option(command, "--restitution", restitution, "Coefficient of restitution, instead of the preset's")
         ->check(between(0.0, 1.0));
 }
 

@@ -91,10 +91,8 @@ void add_friction_command(CLI::App& calibrate, Action& action) {
     auto options = std::make_shared<FrictionOptions>();
     CLI::App* command = calibrate.add_subcommand("friction", "Angle at which a block slips or topples");
     options->test.add_to(*command, "friction.csv");
-    command->add_option("--resolution", options->resolution, "Interval in which the angle is enclosed [degrees]")
-        ->default_str("0.001")
-        ->type_name("NUMBER")
-        ->check(above_zero());
+    add_positive_option(*command, "--resolution", options->resolution, "Interval in which the angle is enclosed [degrees]")
+        ->default_str("0.001");
     command->footer(
         "Examples:\n"
         "  musim calibrate friction --material wood\n"

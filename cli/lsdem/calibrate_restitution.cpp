@@ -154,24 +154,15 @@ void add_restitution_command(CLI::App& calibrate, Action& action) {
     auto options = std::make_shared<RestitutionOptions>();
     CLI::App* command = calibrate.add_subcommand("restitution", "Energy a rocking block keeps at an impact, against C_res");
     options->test.add_to(*command, "restitution.csv and a picture per support");
-    command->add_option("--restitutions", options->restitutions, "C_res to test (default: 0.1, 0.2, ... 0.9)")
-        ->type_name("NUMBER")
-        ->check(above_zero())
+    add_positive_option(*command, "--restitutions", options->restitutions, "C_res to test (default: 0.1, 0.2, ... 0.9)")
         ->check(between(0.0, 1.0));
-    command->add_option("--angles", options->angles, "Tilts at which the block is let go [degrees] (default: 6 11 22)")
-        ->type_name("NUMBER")
-        ->check(above_zero());
+    add_positive_option(*command, "--angles", options->angles, "Tilts at which the block is let go [degrees] (default: 6 11 22)");
     command->add_option("--support", options->support, "What it rocks on")
         ->capture_default_str()
         ->check(one_of({"ground", "two_blocks", "both"}));
-    command->add_option("--target", options->target, "Wanted mean energy ratio: C_res is searched on every curve")
-        ->type_name("NUMBER")
-        ->check(above_zero())
+    add_positive_option(*command, "--target", options->target, "Wanted mean energy ratio: C_res is searched on every curve")
         ->check(between(0.0, 1.0));
-    command->add_option("--safety", options->safety, "Time step over the critical one")
-        ->default_str("0.2")
-        ->type_name("NUMBER")
-        ->check(above_zero());
+    add_positive_option(*command, "--safety", options->safety, "Time step over the critical one")->default_str("0.2");
     command->footer(
         "Examples:\n"
         "  musim calibrate restitution --material wood -o out/rocking\n"

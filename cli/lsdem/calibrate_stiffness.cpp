@@ -166,19 +166,11 @@ void add_stiffness_command(CLI::App& calibrate, Action& action) {
         ->check(one_of({"half_velocity", "displacement"}));
     command->add_flag("--raw", options->raw, "The target is the speed by the criterion, not the effective one without its bias");
     command->add_flag("--damped", options->damped, "Contacts with the material's restitution (default: springs only)");
-    command->add_option("--speed-normal", options->speed_normal, "Wanted speed of the normal wave [m/s]: k_n is searched")
-        ->type_name("NUMBER")
-        ->check(above_zero());
-    command->add_option("--speed-shear", options->speed_shear, "Wanted speed of the shear wave [m/s]: k_s is searched")
-        ->type_name("NUMBER")
-        ->check(above_zero());
-    CLI::Option* youngs =
-        command
-            ->add_option("--youngs-modulus", options->youngs_modulus, "E [Pa]: the wanted normal speed is that of a bar, sqrt(E/density)")
-            ->type_name("NUMBER")
-            ->check(above_zero());
-    command->add_option("--poisson", options->poisson, "nu, with E: the wanted shear speed is sqrt(G/density), G = E/(2(1 + nu))")
-        ->type_name("NUMBER")
+    add_positive_option(*command, "--speed-normal", options->speed_normal, "Wanted speed of the normal wave [m/s]: k_n is searched");
+    add_positive_option(*command, "--speed-shear", options->speed_shear, "Wanted speed of the shear wave [m/s]: k_s is searched");
+    CLI::Option* youngs = add_positive_option(*command, "--youngs-modulus", options->youngs_modulus,
+                                              "E [Pa]: the wanted normal speed is that of a bar, sqrt(E/density)");
+    add_number_option(*command, "--poisson", options->poisson, "nu, with E: the wanted shear speed is sqrt(G/density), G = E/(2(1 + nu))")
         ->needs(youngs)
         ->check(between(-0.999, 0.5));
     command->footer(

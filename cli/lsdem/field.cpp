@@ -168,11 +168,7 @@ void add_field_command(CLI::App& app, Action& action) {
     CLI::Option* film = command->add_option("--film", options->film, "All frames, one picture each; mp4 and gif need ffmpeg");
     film->check(one_of({"png", "mp4", "gif"}))->excludes(at)->excludes(format);
     command->add_option("--window", options->window, "Part of the run that is filmed [s]")->expected(2)->type_name("FROM TO")->needs(film);
-    command->add_option("--rate", options->rate, "Pictures of the film a second")
-        ->default_str("25")
-        ->type_name("NUMBER")
-        ->check(above_zero())
-        ->needs(film);
+    add_positive_option(*command, "--rate", options->rate, "Pictures of the film a second")->default_str("25")->needs(film);
     add_threads_option(*command, options->threads);
     add_json_option(*command, options->json);
     command->footer(

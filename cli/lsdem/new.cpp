@@ -81,13 +81,10 @@ void add_new_command(CLI::App& app, Action& action) {
     command->add_option("--material", options->wanted.material, "Of the blocks: a measured one, see `musim calibrate presets`")
         ->capture_default_str()
         ->check(one_of(lsdem::material_preset_names()));
-    command
-        ->add_option(
-            "--length", options->length,
-            "Length of the model over that of the prototype, whose blocks are 1.36 x 2.82 x 4.25 m (default: of the material's block, "
-            "wood 1/107; with --block H over 4.25 m)")
-        ->type_name("NUMBER")
-        ->check(above_zero());
+    add_positive_option(
+        *command, "--length", options->length,
+        "Length of the model over that of the prototype, whose blocks are 1.36 x 2.82 x 4.25 m (default: of the material's block, "
+        "wood 1/107; with --block H over 4.25 m)");
     command
         ->add_option("--block", options->block,
                      "Edges of your blocks: thin b, wide w, height H, such as \"30 mm\" \"60 mm\" \"90 mm\" (default: the prototype's "

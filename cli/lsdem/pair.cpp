@@ -279,9 +279,7 @@ void add_model_options(CLI::App& command, PairOptions& options) {
     CLI::Option* models =
         command.add_option("models", options.models, "Scene files of models of the same blocks, instead of scaling the prototype")
             ->type_name("MODEL.json...");
-    command.add_option("--length", options.lengths, "Length factor of a model; repeat for several (default 1/25 and 1/107)")
-        ->type_name("NUMBER")
-        ->check(above_zero())
+    add_positive_option(command, "--length", options.lengths, "Length factor of a model; repeat for several (default 1/25 and 1/107)")
         ->excludes(models);
     command
         .add_option("--materials", options.materials,
@@ -307,11 +305,9 @@ void add_model_options(CLI::App& command, PairOptions& options) {
                     "Other specimens of the prototype to hold own models against (default: 4 when block heights are drawn)")
         ->type_name("N")
         ->check(whole_between(0, 1000));
-    command
-        .add_option("--accept", options.accept,
-                    "Accept own models whose peak velocity and residual displacement of the top and losses differ by no more, e.g. 5%; "
-                    "else exit code 6")
-        ->type_name("NUMBER");
+    add_number_option(command, "--accept", options.accept,
+                      "Accept own models whose peak velocity and residual displacement of the top and losses differ by no more, e.g. 5%; "
+                      "else exit code 6");
     constexpr const char* kOneAtATime = "--one-at-a-time,--each-alone";  // the second is the old name
     command.add_flag(kOneAtATime, options.one_at_a_time,
                      "With own materials: also run a model for each property that differs, exact otherwise, and say what it does alone");
@@ -340,9 +336,7 @@ void add_pair_command(CLI::App& app, Action& action) {
     add_judging_options(*command, *options);
     options->record.add_to(*command, "Shake with the strong motion of this record instead of the scene's");
     options->add_out(*command, "Directory: a folder per run, spine.svg, departure.svg, pair.json");
-    command->add_option("--duration", options->duration, "Simulated time of the prototype [s], instead of the scene's")
-        ->type_name("NUMBER")
-        ->check(above_zero());
+    add_positive_option(*command, "--duration", options->duration, "Simulated time of the prototype [s], instead of the scene's");
     options->add_with_checkpoints_to(*command);
     command->footer(
         "Examples:\n"

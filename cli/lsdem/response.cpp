@@ -137,10 +137,8 @@ void add_response_command(CLI::App& app, Action& action) {
     CLI::Option* out = command->add_option("-o,--out", options->out, "Directory for tables and pictures")->type_name("OUT");
     command->add_option("--axis", options->axis, "Axis of the speeds (default: along which the base moves most)")
         ->check(one_of({"x", "y", "z"}));
-    command->add_option("--threshold", options->threshold, "Velocity that counts as arrival, over the base's peak")
-        ->default_str("0.1")
-        ->type_name("NUMBER")
-        ->check(above_zero());
+    add_positive_option(*command, "--threshold", options->threshold, "Velocity that counts as arrival, over the base's peak")
+        ->default_str("0.1");
     command->add_option("--window", options->window, "Part of the histories for the speeds [s]")->expected(2)->type_name("FROM TO");
     command->add_option("--field", options->fields, "Times at which the velocity field is drawn [s]; needs frames")
         ->type_name("TIME")

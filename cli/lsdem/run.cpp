@@ -183,8 +183,7 @@ void add_run_command(CLI::App& app, Action& action) {
     CLI::Option* scene_file = command->add_option("scene", options->scene, "Scene file (JSON, schema musim-scene/1)");
     scene_file->type_name("SCENE.json");
     CLI::Option* out = options->add_out(*command, "Directory for result.h5, result.xdmf, spine.csv and summary.json");
-    CLI::Option* duration = command->add_option("--duration", options->duration, "Simulated time [s], instead of the scene's");
-    duration->type_name("NUMBER")->check(above_zero());
+    CLI::Option* duration = add_positive_option(*command, "--duration", options->duration, "Simulated time [s], instead of the scene's");
     command->add_option("--resume", options->resume, "Continue the run that was killed while it worked on DIR")
         ->type_name("DIR")
         ->excludes(scene_file)
