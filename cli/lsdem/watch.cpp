@@ -1,3 +1,4 @@
+#include <array>
 #include <chrono>
 #include <CLI/CLI.hpp>
 #include <memory>
@@ -60,17 +61,8 @@ void show(const std::vector<std::string>& lines, std::size_t before) {
 }
 
 std::string to_text(lsdem::FolderState state) {
-    switch (state) {
-        case lsdem::FolderState::empty:
-            return "empty";
-        case lsdem::FolderState::working:
-            return "working";
-        case lsdem::FolderState::killed:
-            return "killed";
-        case lsdem::FolderState::finished:
-            return "finished";
-    }
-    return {};
+    constexpr std::array kNames{"empty", "working", "killed", "finished"};
+    return kNames.at(static_cast<std::size_t>(state));
 }
 
 int report_json(const lsdem::WatchedFolder& watched, const std::string& directory) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -108,15 +109,8 @@ FailureMeasures measure(const FailureData& data, const std::vector<Vector3>& out
 }  // namespace
 
 std::string to_string(FailureMode mode) {
-    switch (mode) {
-        case FailureMode::peeling:
-            return "peeling";
-        case FailureMode::buckling:
-            return "buckling";
-        case FailureMode::undecided:
-            break;
-    }
-    return "undecided";
+    constexpr std::array kNames{"peeling", "buckling", "undecided"};
+    return kNames.at(static_cast<std::size_t>(mode));
 }
 
 std::string describe(const Failure& failure) {

@@ -7,15 +7,8 @@
 namespace musim::lsdem {
 
 std::string to_string(RunStatus status) {
-    switch (status) {
-        case RunStatus::completed:
-            return "completed";
-        case RunStatus::collapsed:
-            return "collapsed";
-        case RunStatus::diverged:
-            break;
-    }
-    return "diverged";
+    constexpr std::array kNames{"completed", "collapsed", "diverged"};
+    return kNames.at(static_cast<std::size_t>(status));
 }
 
 std::vector<std::size_t> sort_spine_by_height(const RunData& run) {

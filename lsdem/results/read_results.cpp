@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -93,15 +95,12 @@ void read_summary(const fs::path& path, const std::string& result, StoredRun& ru
         throw ResultError(fmt::format("{}: is of another run than result.h5 beside it; run the scene again", path.string()));
     }
     const nlohmann::json status = summary.value("status", nlohmann::json());
-    if (status == "completed") {
-        run.status = RunStatus::completed;
-    } else if (status == "collapsed") {
-        run.status = RunStatus::collapsed;
-    } else if (status == "diverged") {
-        run.status = RunStatus::diverged;
-    } else {
+    constexpr std::array kStatuses{RunStatus::completed, RunStatus::collapsed, RunStatus::diverged};
+    const auto* found = std::find_if(kStatuses.begin(), kStatuses.end(), [&](RunStatus known) { return status == to_string(known); });
+    if (found == kStatuses.end()) {
         throw ResultError(fmt::format("{}: has no status of a run (it is of another version); run the scene again", path.string()));
     }
+    run.status = *found;
     if (summary.contains("collapse_time_s") && summary["collapse_time_s"].is_number()) run.collapse_time = summary["collapse_time_s"];
     try {
         const auto divergence = summary.value("divergence", nlohmann::json::object());

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "lsdem/scene/scene.hpp"
@@ -49,16 +50,13 @@ struct KindText {
     std::string_view name, meaning;
 };
 
-KindText text_of(Divergence::Kind kind) {
-    switch (kind) {
-        case Divergence::Kind::non_finite:
-            return {"non_finite", "its state is not finite"};
-        case Divergence::Kind::too_fast:
-            return {"too_fast", "it crosses more than half of the smallest edge in one step and could pass through another"};
-        case Divergence::Kind::energy_out_of_bounds:
-            break;
-    }
-    return {"energy_out_of_bounds", "more energy than was put in, or an energy balance that does not close"};
+const KindText& text_of(Divergence::Kind kind) {
+    static constexpr std::array<KindText, 3> kTexts{{
+        {"non_finite", "its state is not finite"},
+        {"energy_out_of_bounds", "more energy than was put in, or an energy balance that does not close"},
+        {"too_fast", "it crosses more than half of the smallest edge in one step and could pass through another"},
+    }};
+    return kTexts.at(static_cast<std::size_t>(kind));
 }
 
 }  // namespace
