@@ -23,17 +23,12 @@ constexpr double kEarlyReaction = 1e-3;
 /// layers 6 to 12, in all ways of placing. For the progress alone [-].
 constexpr double kLeastWhole = 4.0, kMostWhole = 12.0;
 
-/// What a preparation still takes [block steps].
-struct WorkLeft {
-    double least = 0.0, most = 0.0;
-};
-
 /// The work of a preparation and what follows it, reported as the part that is done, which never falls.
 class WorkDone {
   public:
     WorkDone(const RunSettings& settings, const WorkToFollow& to_follow) : settings_(settings), to_follow_(to_follow) {}
     /// Work that is done [block steps], and that is left of the preparation.
-    void report(double done, const WorkLeft& left) {
+    void report(double done, const PreparationWork& left) {
         const double alike = 1.0 + to_follow_.preparations;
         const double all = alike * (done + left.most) + to_follow_.block_steps;
         part_ = std::max(part_, done / all);
@@ -192,7 +187,7 @@ class PreparationRun {
 
     /// What is left, from the steps that the present round has taken and the part of it that the decay of its energy suggests: layers to
     /// come take as long as the last one, at first their patience; the whole takes as long as others did, or longer.
-    WorkLeft find_left(double part, std::uint64_t steps) const {
+    PreparationWork find_left(double part, std::uint64_t steps) const {
         const auto taken = static_cast<double>(steps), blocks = static_cast<double>(simulation().model().blocks.size());
         const double by_decay = part > 0.0 ? taken * (1.0 - part) / part : std::numeric_limits<double>::infinity();
         if (!by_layers()) return {blocks * by_decay, blocks * by_decay};

@@ -44,23 +44,25 @@ BaseComponent make_component(const StepSignal& signal, const SignalMotion& /*mot
 }
 
 double peak_of(const StepSignal& /*signal*/) { return 0.0; }
-double peak_of(const SineSignal& signal) { return std::abs(signal.amplitude.value()); }
-double peak_of(const HalfSineSignal& signal) { return std::abs(signal.amplitude.value()); }
-double peak_of(const RickerSignal& signal) { return std::abs(signal.amplitude.value()); }
 double peak_of(const SyntheticSignal& signal) { return signal.pga.value(); }
+template <class Wave>
+double peak_of(const Wave& signal) {
+    return std::abs(signal.amplitude.value());
+}
+
+/// The velocity of an acceleration of amplitude `amplitude` that follows a sine of circular frequency `omega` from rest.
+BaseComponent make_sine(scaling::Acceleration amplitude, double omega, double length, double dt) {
+    return sample(length, dt, [peak = amplitude.value() / omega, omega](double t) { return peak * (1.0 - std::cos(omega * t)); });
+}
 
 BaseComponent make_component(const SineSignal& signal, const SignalMotion& motion) {
     const double period = 1.0 / signal.frequency.value();
-    const double omega = 2.0 * pi * signal.frequency.value();
-    const double amplitude = signal.amplitude.value() / omega;
-    return sample(signal.cycles * period, sample_step(motion, period), [&](double t) { return amplitude * (1.0 - std::cos(omega * t)); });
+    return make_sine(signal.amplitude, 2.0 * pi * signal.frequency.value(), signal.cycles * period, sample_step(motion, period));
 }
 
 BaseComponent make_component(const HalfSineSignal& signal, const SignalMotion& motion) {
     const double duration = signal.duration.value();
-    const double omega = pi / duration;
-    const double amplitude = signal.amplitude.value() / omega;
-    return sample(duration, sample_step(motion, 2.0 * duration), [&](double t) { return amplitude * (1.0 - std::cos(omega * t)); });
+    return make_sine(signal.amplitude, pi / duration, duration, sample_step(motion, 2.0 * duration));
 }
 
 BaseComponent make_component(const RickerSignal& signal, const SignalMotion& motion) {

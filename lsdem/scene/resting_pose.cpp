@@ -124,12 +124,6 @@ std::optional<RestingPlane> find_upper_face(std::span<const Vector3> points, dou
     return best->plane;
 }
 
-double highest(std::span<const Vector3> points) {
-    double height = points.front().z();
-    for (const Vector3& point : points) height = std::max(height, point.z());
-    return height;
-}
-
 /// Height of a plane of given slopes that no point looks through.
 double clear(std::span<const Vector3> points, double slope_u, double slope_v) {
     double height = points.front().z() - slope_u * points.front().x() - slope_v * points.front().y();
@@ -244,7 +238,7 @@ std::vector<Vector3> find_support_points(const BoxPose& box, std::span<const Box
 }
 
 RestingPlane find_resting_plane(std::span<const Vector3> points, double height, double extent) {
-    RestingPlane plane{highest(points), 0.0, 0.0};
+    RestingPlane plane{clear(points, 0.0, 0.0), 0.0, 0.0};
     for (int look = 0; look < kMostPasses; ++look) {
         const RestingPlane before = plane;
         const double lean = -0.5 * height / std::sqrt(1.0 + before.slope_u * before.slope_u + before.slope_v * before.slope_v);
