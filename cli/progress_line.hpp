@@ -7,7 +7,7 @@
 #include <string>
 
 #include "lsdem/run/joined_progress.hpp"
-#include "lsdem/run/run_progress.hpp"
+#include "lsdem/run/progress_file.hpp"
 #include "lsdem/run/simulate.hpp"
 
 namespace musim::cli {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "lsdem/run/run_progress.hpp"
+#include "lsdem/run/progress_file.hpp"
 
 namespace musim::cli {
 

@@ -9,7 +9,7 @@
 
 #include "lsdem/archive.hpp"
 #include "lsdem/motion/state_fields.hpp"
-#include "lsdem/results/leftovers.hpp"
+#include "lsdem/results/staged_files.hpp"
 #include "records/atomic_file.hpp"
 #include "scaling/interruption.hpp"
 #include "scaling/regular_file.hpp"

@@ -11,7 +11,7 @@
 #include "lsdem/build.hpp"
 #include "lsdem/motion/simulation.hpp"
 #include "lsdem/results/history.hpp"
-#include "lsdem/results/preparation_state.hpp"
+#include "lsdem/results/rest.hpp"
 #include "lsdem/results/time_plan.hpp"
 
 namespace musim::lsdem {

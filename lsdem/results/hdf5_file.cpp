@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "lsdem/results/file_checksum.hpp"
+#include "lsdem/results/content_name.hpp"
 
 namespace musim::lsdem::detail {
 namespace {

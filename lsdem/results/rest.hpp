@@ -2,6 +2,12 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lsdem/motion/settling_simulation.hpp"
+#include "lsdem/types.hpp"
 
 namespace musim::lsdem {
 
@@ -29,6 +35,24 @@ struct SettlingState {
     std::uint64_t steps = 0;  ///< taken
     int checks_at_rest = 0;   ///< in a row, up to now
     double liveliest = 0.0;   ///< largest kinetic energy of a block so far, over its weight times its height [-]
+};
+
+/// Where the blocks of a prepared specimen are, and what their contacts hold.
+struct PreparedPlaces {
+    std::vector<Vector3> position;        ///< centres of mass [m]
+    std::vector<Quaternion> orientation;  ///< body to world
+    std::vector<Preload> preload;         ///< see Model::preload
+};
+
+/// How far a preparation has come, and all it needs to go on to the same bits.
+struct PreparationState {
+    std::size_t round = 0;                     ///< which settling it is in: one per layer, then those of the whole
+    std::uint64_t steps = 0, block_steps = 0;  ///< of the rounds before, see PreparedSpecimen
+    SettlingState settling;                    ///< of this round
+    std::vector<Release> releases;             ///< blocks put in their places so far
+    std::string simulation;                    ///< Simulation::save
+    double max_overlap = 0.0;                  ///< before `start`, over the height of a block [-]
+    std::optional<PreparedPlaces> start;       ///< where the blocks were when their own inertia was given back to them, if it was
 };
 
 }  // namespace musim::lsdem

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <string>
 #include <system_error>
 #include <utility>
 
@@ -77,6 +78,23 @@ void StagedFiles::remove_all() noexcept {
     if (lock_) fs::remove_all(staging_, ignored);
     // one that is not empty stays
     for (const fs::path& made : created_) fs::remove(made, ignored);
+}
+
+void remove_leftovers(const fs::path& file) noexcept {
+    std::error_code ignored;
+    const std::string begin = fmt::format(".{}.", file.filename().string());
+    std::vector<fs::path> leftovers;
+    for (fs::directory_iterator entry(file.parent_path(), ignored), last; !ignored && entry != last; entry.increment(ignored)) {
+        const std::string name = entry->path().filename().string();
+        if (name.starts_with(begin) && name.ends_with(".tmp")) leftovers.push_back(entry->path());
+    }
+    for (const fs::path& leftover : leftovers) fs::remove(leftover, ignored);
+}
+
+void remove_with_leftovers(const fs::path& file) noexcept {
+    std::error_code ignored;
+    fs::remove(file, ignored);
+    remove_leftovers(file);
 }
 
 }  // namespace musim::lsdem::detail

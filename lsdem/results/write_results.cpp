@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "lsdem/results/checked_json.hpp"
-#include "lsdem/results/file_checksum.hpp"
-#include "lsdem/results/leftovers.hpp"
+#include "lsdem/results/content_name.hpp"
 #include "lsdem/results/result_layout.hpp"
+#include "lsdem/results/staged_files.hpp"
 #include "lsdem/results/summary.hpp"
 
 namespace musim::lsdem {

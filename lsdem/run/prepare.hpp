@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "lsdem/results/preparation_state.hpp"
+#include "lsdem/results/rest.hpp"
 #include "lsdem/run/settle.hpp"
 #include "lsdem/run/simulate.hpp"
 #include "lsdem/scene/preparation.hpp"
@@ -69,7 +69,7 @@ PreparedSpecimen prepare(const Specimen& upright, double time_step, const Prepar
                          const RunSettings& settings = {}, const std::optional<PreparationState>& from = {},
                          const WorkToFollow& to_follow = {});
 
-/// What a preparation will take, before it begins [block steps].
+/// What a preparation takes, before it begins, or still takes on its way [block steps].
 struct PreparationWork {
     double least = 0.0, most = 0.0;
 };

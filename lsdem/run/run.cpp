@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <utility>
 
 #include "lsdem/run/equilibrium.hpp"
@@ -123,6 +124,26 @@ Specimen make_specimen(const Scene& scene, const RunSettings& settings, const Ch
 RunSettings keep_places(RunSettings settings, const Specimen& specimen) {
     if (settings.checkpoint && specimen.settling) settings.checkpoint->places = places_of(specimen);
     return settings;
+}
+
+LaidSpecimen lay_specimen(const Scene& scene, RunSettings settings) {
+    std::optional<Checkpoint> from;
+    if (settings.checkpoint && std::filesystem::exists(settings.checkpoint->file)) {
+        from = read_checkpoint(settings.checkpoint->file, settings.checkpoint->program_version);
+    }
+    LaidSpecimen laid{make_specimen(scene, settings, from ? &*from : nullptr)};
+    Specimen& specimen = laid.specimen;
+    if (!specimen.settling) return laid;
+    const TimePlan plan = make_time_plan(scene, specimen.model);
+    Simulation simulation(specimen.model, plan.time_step, settings.threads);
+    if (settings.checkpoint && !(from && from->places)) {
+        RunResult none;
+        write_checkpoint(*keep_places(settings, specimen).checkpoint, 0, plan, none, simulation);
+    }
+    laid.rest = settle_specimen(simulation, specimen);
+    put_in_place(find_places(simulation), specimen);
+    specimen.settling.reset();
+    return laid;
 }
 
 TimePlan make_time_plan(const Scene& scene, const Model& model, Sampling sampling) {

@@ -29,6 +29,17 @@ Specimen make_specimen(const Scene& scene, const RunSettings& settings = {}, con
 /// The settings of a run whose checkpoints hold where the blocks of its specimen are, when it was prepared.
 RunSettings keep_places(RunSettings settings, const Specimen& specimen);
 
+/// A specimen before it runs.
+struct LaidSpecimen {
+    Specimen specimen;              ///< without settling: its runs start as it is
+    std::optional<Rest> rest = {};  ///< how it came to rest; nothing when it was not to
+};
+
+/// Lays the specimen of a scene and lets it come to rest, when the scene asks for that. To let every image of it come to rest again would
+/// be a choice on rounding: they start from it unchanged. With settings.checkpoint it is kept in that file once it is laid, and found there
+/// again, or laid on from where it was. Throws as make_specimen and read_checkpoint do.
+LaidSpecimen lay_specimen(const Scene& scene, RunSettings settings = {});
+
 /// What an automatic step does when the spine's rate asks for more than one sample a step: every step is a sample; or steps are shortened,
 /// so that runs with steps of their own are sampled at the same times.
 enum class Sampling { every_step, at_rate };

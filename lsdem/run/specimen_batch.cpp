@@ -9,8 +9,8 @@
 
 #include "lsdem/results/fallen_blocks.hpp"
 #include "lsdem/results/folder_lock.hpp"
-#include "lsdem/results/leftovers.hpp"
 #include "lsdem/results/result_error.hpp"
+#include "lsdem/results/staged_files.hpp"
 #include "lsdem/run/run.hpp"
 #include "lsdem/run/shared_progress.hpp"
 #include "lsdem/run/specimen_file.hpp"

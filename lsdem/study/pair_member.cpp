@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "lsdem/run/lay_specimen.hpp"
+#include "lsdem/run/run.hpp"
 #include "lsdem/run/scale_specimen.hpp"
 
 namespace musim::lsdem {

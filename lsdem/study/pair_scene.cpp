@@ -12,7 +12,6 @@
 
 #include "lsdem/build.hpp"
 #include "lsdem/results/content_name.hpp"
-#include "lsdem/run/lay_specimen.hpp"
 #include "lsdem/run/run.hpp"
 #include "lsdem/run/scale_specimen.hpp"
 #include "lsdem/scene/block_heights.hpp"

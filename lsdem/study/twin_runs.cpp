@@ -13,7 +13,6 @@
 #include "lsdem/build.hpp"
 #include "lsdem/results/content_name.hpp"
 #include "lsdem/run/advance_in_pieces.hpp"
-#include "lsdem/run/lay_specimen.hpp"
 #include "lsdem/run/run.hpp"
 #include "lsdem/run/shared_progress.hpp"
 #include "lsdem/scene/motions.hpp"

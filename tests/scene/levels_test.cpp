@@ -1,4 +1,4 @@
-#include "lsdem/scene/levels.hpp"
+#include "lsdem/scene/detail/placement.hpp"
 
 #include <doctest/doctest.h>
 
@@ -12,7 +12,7 @@ TEST_CASE("blocks of one course share a level whatever their order and size and 
         std::vector<Vector3> extent{{1, 1, 1}, {1, 1, 1}, {1, 1, 1.02}, {1, 1, 1.02}, {4, 1, 0.5}, {0.2, 0.2, 0.2}};
         for (Vector3& each : position) each *= scale;
         for (Vector3& each : extent) each *= scale;
-        CHECK(find_levels(position, extent) == std::vector<int>{2, 1, 1, 2, 3, 4});
+        CHECK(detail::find_levels(position, extent) == std::vector<int>{2, 1, 1, 2, 3, 4});
     }
-    CHECK(find_levels({}, {}).empty());
+    CHECK(detail::find_levels({}, {}).empty());
 }

@@ -4,16 +4,19 @@
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
+#include <numeric>
 #include <tuple>
 #include <utility>
 
 #include "lsdem/scene/block_heights.hpp"
-#include "lsdem/scene/levels.hpp"
 #include "lsdem/scene/tower_tiling.hpp"
 
 namespace musim::lsdem::detail {
 
 namespace {
+
+/// Part of the height of the lower of two blocks by which centres of two levels differ at least [-].
+constexpr double kLevelGap = 0.5;
 
 /// Most blocks of an explicit list whose motion is kept: what a plot can show.
 constexpr std::size_t kLargestSpine = 64;
@@ -190,6 +193,21 @@ void vary_heights(const HeightVariation& variation, std::vector<Placement>& bloc
 }
 
 }  // namespace
+
+std::vector<int> find_levels(const std::vector<Vector3>& position, const std::vector<Vector3>& extent) {
+    std::vector<std::size_t> order(position.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return position[a].z() < position[b].z(); });
+    std::vector<int> levels(position.size(), 0);
+    int level = 0;
+    std::size_t first = 0;
+    for (const std::size_t b : order) {
+        const double lower = std::min(extent[first].z(), extent[b].z());
+        if (level == 0 || position[b].z() - position[first].z() >= kLevelGap * lower) ++level, first = b;
+        levels[b] = level;
+    }
+    return levels;
+}
 
 Arrangement arrange(const Scene& scene) {
     Arrangement arrangement = std::visit([&](const auto& structure) { return arrange(structure, scene.shape); }, scene.structure);
