@@ -20,7 +20,7 @@
 #include "cli/usage.hpp"
 #include "records/measures/intensity.hpp"
 #include "records/measures/measures.hpp"
-#include "records/measures/own_spectrum.hpp"
+#include "records/measures/response_spectrum.hpp"
 #include "records/measures/sliding_block.hpp"
 #include "records/processing/processing.hpp"
 

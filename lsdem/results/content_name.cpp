@@ -15,7 +15,7 @@ constexpr std::size_t kHashSize = 16;
 constexpr std::size_t kLineSize = kLineStart.size() + kHashSize + 1;
 
 /// Bytes read at once.
-constexpr std::size_t kPiece = std::size_t{1} << 20U;
+constexpr std::size_t kReadSize = std::size_t{1} << 20U;
 
 std::string make_line(const std::string& hash) { return fmt::format("{}{}\n", kLineStart, hash); }
 
@@ -52,7 +52,7 @@ std::string require_checksum(const std::filesystem::path& file) {
     ContentHash hash;
     std::string piece;
     for (auto left = static_cast<std::size_t>(size) - kLineSize; in && left > 0; left -= piece.size()) {
-        piece.resize(std::min(left, kPiece));
+        piece.resize(std::min(left, kReadSize));
         in.read(piece.data(), static_cast<std::streamsize>(piece.size()));
         hash.add(piece);
     }

@@ -6,8 +6,8 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "lsdem/study/compare_ensembles.hpp"
 #include "lsdem/results/result_layout.hpp"
+#include "lsdem/study/compare_ensembles.hpp"
 #include "scaling/angle.hpp"
 #include "scaling/json_optional.hpp"
 
