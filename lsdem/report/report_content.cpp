@@ -156,11 +156,11 @@ class Reader {
     }
 
     void add_document(const fs::path& file) {
-        nlohmann::json json = read_json(file);
-        if (json.is_object() && json.contains("checksum") && !agrees_with_checksum(json)) {
+        nlohmann::json document = read_json(file);
+        if (document.is_object() && document.contains("checksum") && !agrees_with_checksum(document)) {
             content.remarks.push_back(fmt::format("{}: is damaged (its checksum does not match); make it again", file.string()));
-        } else if (json.is_object()) {
-            content.documents.push_back({.label = file.filename().string(), .json = std::move(json)});
+        } else if (document.is_object()) {
+            content.documents.push_back({.label = file.filename().string(), .json = std::move(document)});
         } else {
             content.remarks.push_back(fmt::format(
                 "{}: holds no JSON object (it is damaged, or of another program); give what a musim command has printed with --json",

@@ -34,8 +34,8 @@ SOFTWARE OR THE USE OR OTHER DEALINGS IN THE SOFTWARE.
 
 /// A script as the contents of an element, where "</script" would end it.
 /// JSON that no text in it can end the element, whatever a run or its folder is called.
-std::string dump_for_script(const nlohmann::json& json) {
-    const std::string text = json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+std::string dump_for_script(const nlohmann::json& document) {
+    const std::string text = document.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
     std::string safe;
     safe.reserve(text.size());
     for (const char letter : text) {

@@ -124,8 +124,8 @@ TEST_CASE("names follow from the scene, the seed and the version, and from nothi
     CHECK(plan_ensemble(make_wall(kRate), 5, "1.0")[2].name == members[2].name);
     CHECK(plan_ensemble(make_wall(kRate), 1, "1.1")[0].name != members[0].name);
     CHECK(plan_ensemble(make_wall(R"(, "output": {"spine_rate": "501 Hz"})"), 1, "1.0")[0].name != members[0].name);
-    CHECK(is_scene_of(members[1].scene_text, members[1]));
-    CHECK_FALSE(is_scene_of(members[1].scene_text, members[2]));
+    CHECK(is_scene_of(write_scene(members[1].scene), members[1]));
+    CHECK_FALSE(is_scene_of(write_scene(members[1].scene), members[2]));
 }
 
 TEST_CASE("what changes nothing in a scene changes no name, and texts of older versions have others") {
@@ -134,10 +134,10 @@ TEST_CASE("what changes nothing in a scene changes no name, and texts of older v
         "contact": {"faces": "patch", "nodes": "both", "spacing": "lobatto"})";
     const auto members = plan_ensemble(make_wall(kRate + idle), 1, "1.0");
     CHECK(members[0].name == name);
-    CHECK(is_scene_of(members[0].scene_text, members[0]));
+    CHECK(is_scene_of(write_scene(members[0].scene), members[0]));
     CHECK(plan_ensemble(make_wall(kRate + std::string(R"(, "contact": {"faces": "nodes"})")), 1, "1.0")[0].name != name);
     // a text of an older version names a spacing, so the member of its run has another name, and is laid anew
-    auto older = nlohmann::ordered_json::parse(members[0].scene_text);
+    auto older = nlohmann::ordered_json::parse(write_scene(members[0].scene));
     CHECK_FALSE(older["contact"].contains("spacing"));
     older["contact"]["spacing"] = "even";
     for (const char* faces : {"patch", "overlap"}) {
@@ -176,7 +176,7 @@ TEST_CASE("a summary keeps every member, and takes means over those that are res
         if (i == 4) run.rest = Rest{};
         ResultFolder results(member_folder(directory, members[i]), {.command = "ensemble", .program_version = "1.0", .parts = {}},
                              Overwriting::force);
-        results.add_run("", run, {.scene = members[i].scene_text, .program_version = "1.0"});
+        results.add_run("", run, {.scene = write_scene(members[i].scene), .program_version = "1.0"});
         results.commit();
         CHECK(find_state(directory, members[i]) == MemberState::finished);
     }
