@@ -41,11 +41,13 @@ class Workplace {
         return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, musim::tests::bytes_of(out), without_progress(musim::tests::bytes_of(err))};
     }
 
-    /// Starts `musim ARGUMENTS` and sends it a signal once the shell's condition `halfway` is met.
+    /// Starts `musim ARGUMENTS` and sends it a signal once it listens for SIGTERM (bit 14 of what it catches) and the shell's condition
+    /// `halfway` is met.
     Outcome interrupt(const std::string& arguments, const std::string& signal, const std::string& halfway) const {
         // what a shell puts in the background ignores SIGINT, unless it is set otherwise
-        write("interrupt.sh", "env --default-signal=INT " MUSIM_PROGRAM " " + arguments + " >.stdout 2>.stderr &\n" + "until " + halfway +
-                                  " >/dev/null 2>&1 || ! kill -0 $!; do sleep 0.01; done\nkill -" + signal + " $!\nwait $!\n");
+        write("interrupt.sh", "env --default-signal=INT " MUSIM_PROGRAM " " + arguments + " >.stdout 2>.stderr &\n" +
+                                  "until { grep '^SigCgt:.*[4-7c-f]...$' /proc/$!/status && " + halfway +
+                                  "; } >/dev/null 2>&1 || ! kill -0 $!; do sleep 0.01; done\nkill -" + signal + " $!\nwait $!\n");
         const int status = std::system(("cd '" + folder_.path().string() + "' && sh interrupt.sh 2>/dev/null").c_str());
         std::filesystem::remove(folder_.path() / "interrupt.sh");
         return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read(".stdout"), without_progress(read(".stderr"))};
