@@ -51,6 +51,21 @@ function(musim_unite target)
   endif()
 endfunction()
 
+# Likewise, folder by folder: all files of a folder at a time, but for those of the folders that are named, whose files share names.
+function(musim_unite_folders target)
+  cmake_parse_arguments(arg "" "" "EXCEPT" ${ARGN})
+  if(MUSIM_UNITY)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+    get_target_property(sources ${target} SOURCES)
+    foreach(source ${sources})
+      cmake_path(GET source PARENT_PATH folder)
+      if(NOT IS_ABSOLUTE ${source} AND NOT folder IN_LIST arg_EXCEPT)
+        set_source_files_properties(${source} PROPERTIES UNITY_GROUP "in_${folder}")
+      endif()
+    endforeach()
+  endif()
+endfunction()
+
 # For results, runs, studies and pages: JSON in most files; at -O2 they compile a fifth faster than at -O3, and the kernel is where time goes.
 function(musim_study_rules target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O2>)

@@ -70,7 +70,7 @@ std::vector<Material> read_materials(const JsonReader& fields, const std::vector
     return materials;
 }
 
-std::vector<GivenPeaks> read_peaks(const JsonReader& fields) {
+std::vector<GivenPeaks> read_given_peaks(const JsonReader& fields) {
     std::vector<GivenPeaks> list;
     for (const JsonReader& entry : require_list(fields, "peaks", R"([{"axis": "x", "acceleration": "0.5 g", ...}])")) {
         const JsonReader row = entry.object();
@@ -103,7 +103,7 @@ RecordFile read_record_file(const JsonReader& fields) {
 std::variant<RecordFile, std::vector<GivenPeaks>> read_motion(const JsonReader& fields) {
     std::variant<RecordFile, std::vector<GivenPeaks>> motion;
     if (fields.has("peaks")) {
-        motion = read_peaks(fields);
+        motion = read_given_peaks(fields);
     } else {
         motion = read_record_file(fields);
     }

@@ -17,7 +17,7 @@
 namespace musim::records {
 namespace {
 
-constexpr const char* kKind = "spectrum match";
+constexpr const char* kSpectrumMatch = "spectrum match";
 
 // damping λ of the least squares, in units of the largest diagonal element: from bold to so cautious that nothing would change any more
 constexpr double kFirstCaution = 1e-2;
@@ -170,27 +170,27 @@ void check_target(const TimeSeries& motion, const TargetSpectrum& target) {
     constexpr double kFewestSteps = 4.0;        // in a period: a wavelet needs samples
     if (target.period.empty() || target.period.size() > kMostPeriods || target.psa.size() != target.period.size()) {
         throw ProcessingError(fmt::format("{}: the target has {} periods and {} values (must be as many, 1 to {}); correct it or the band",
-                                          kKind, target.period.size(), target.psa.size(), kMostPeriods));
+                                          kSpectrumMatch, target.period.size(), target.psa.size(), kMostPeriods));
     }
     require_damping(target.damping);
     if (!(target.damping < 1.0)) {
-        throw ProcessingError(fmt::format("{}: damping ratio is {} (must be below 1); lower it", kKind, target.damping));
+        throw ProcessingError(fmt::format("{}: damping ratio is {} (must be below 1); lower it", kSpectrumMatch, target.damping));
     }
     for (std::size_t i = 0; i < target.period.size(); ++i) {
         const double period = target.period[i].value(), psa = target.psa[i].value();
         if (!(psa > 0.0 && std::isfinite(psa))) {
-            throw ProcessingError(
-                fmt::format("{}: the target at {:.6g} s is {} m/s^2 (must be positive and finite); correct it", kKind, period, psa));
+            throw ProcessingError(fmt::format("{}: the target at {:.6g} s is {} m/s^2 (must be positive and finite); correct it",
+                                              kSpectrumMatch, period, psa));
         }
         if (i > 0 && !(period > target.period[i - 1].value())) {
-            throw ProcessingError(fmt::format("{}: period {:.6g} s follows {:.6g} s (must rise); sort the target", kKind, period,
+            throw ProcessingError(fmt::format("{}: period {:.6g} s follows {:.6g} s (must rise); sort the target", kSpectrumMatch, period,
                                               target.period[i - 1].value()));
         }
         if (!(period >= kFewestSteps * motion.dt().value() && period <= motion.duration().value())) {
             throw ProcessingError(
                 fmt::format("{}: period {:.6g} s cannot be matched (must be {} time steps, {:.6g} s, to the record's length, {:.6g} s); "
                             "narrow the band or resample the record",
-                            kKind, period, kFewestSteps, kFewestSteps * motion.dt().value(), motion.duration().value()));
+                            kSpectrumMatch, period, kFewestSteps, kFewestSteps * motion.dt().value(), motion.duration().value()));
         }
     }
 }
@@ -198,14 +198,14 @@ void check_target(const TimeSeries& motion, const TargetSpectrum& target) {
 }  // namespace
 
 SpectrumMatch match_spectrum(const TimeSeries& acceleration, const TargetSpectrum& target, const SpectrumMatchSettings& settings) {
-    require_quantity(acceleration, SampleQuantity::acceleration, kKind);
+    require_quantity(acceleration, SampleQuantity::acceleration, kSpectrumMatch);
     if (!(settings.tolerance > 0.0 && std::isfinite(settings.tolerance))) {
-        throw ProcessingError(fmt::format("{}: tolerance is {} (must be positive); give 0.05 for 5 %", kKind, settings.tolerance));
+        throw ProcessingError(fmt::format("{}: tolerance is {} (must be positive); give 0.05 for 5 %", kSpectrumMatch, settings.tolerance));
     }
     check_target(acceleration, target);
     std::vector<Response> responses = find_responses(acceleration, target);
     if (std::any_of(responses.begin(), responses.end(), [](const Response& response) { return !(response.psa > 0.0); })) {
-        throw ProcessingError(fmt::format("{}: the record has no motion (nothing to match); choose another component", kKind));
+        throw ProcessingError(fmt::format("{}: the record has no motion (nothing to match); choose another component", kSpectrumMatch));
     }
 
     SpectrumMatch match{acceleration, 1.0, find_misfit(target, responses), find_misfit(target, responses), 0};
@@ -228,7 +228,7 @@ SpectrumMatch match_spectrum(const TimeSeries& acceleration, const TargetSpectru
                 throw ProcessingError(
                     fmt::format("{}: not reached after {} iterations (largest |ln(PSA/target)| {:.4g} at {:.4g} s, wanted {:.4g}); narrow "
                                 "the band, raise the tolerance, smooth the target or take another record",
-                                kKind, match.iterations, match.after.largest, match.after.largest_at.value(), settings.tolerance));
+                                kSpectrumMatch, match.iterations, match.after.largest, match.after.largest_at.value(), settings.tolerance));
             }
             TimeSeries tried = add_wavelets(match.acceleration, linear, caution);
             std::vector<Response> there = find_responses(tried, target);

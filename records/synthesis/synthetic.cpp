@@ -15,7 +15,7 @@
 namespace musim::records {
 namespace {
 
-constexpr const char* kKind = "synthetic record";
+constexpr const char* kSyntheticRecord = "synthetic record";
 
 // frequencies are multiples of PGA/PGV [rad/s], 11.8 rad/s for the default peaks
 constexpr double kLowestFrequency = 1.0 / 16.0;  ///< high-pass; 0.12 Hz by default, below it lies drift
@@ -113,8 +113,8 @@ Found require_peaks(const std::vector<double>& noise, const SyntheticSettings& s
     std::optional<Found> found = find_peaks(noise, settings, {});
     if (found) return *std::move(found);
     throw ProcessingError(
-        fmt::format("{}: PGV/PGA = {:.6g} s cannot be met with dt {:.6g} s and duration {:.6g} s; lengthen the record or refine dt", kKind,
-                    (settings.pgv / settings.pga).value(), settings.dt.value(), settings.duration.value()));
+        fmt::format("{}: PGV/PGA = {:.6g} s cannot be met with dt {:.6g} s and duration {:.6g} s; lengthen the record or refine dt",
+                    kSyntheticRecord, (settings.pgv / settings.pga).value(), settings.dt.value(), settings.duration.value()));
 }
 
 /// Where the search for a width begins: that of the envelope whose square has such a D5-95 [share of the duration].
@@ -141,10 +141,10 @@ Found find_peaks_and_duration(const std::vector<double>& noise, const SyntheticS
         (too_narrow ? narrow : wide) = width;
     }
     // too long for the record, too short for PGV/PGA, or at a jump where another ground frequency takes over
-    throw ProcessingError(
-        fmt::format("{}: D5-95 of {:.6g} s cannot be met within {:.6g} s of record and PGV/PGA = {:.6g} s (nearest {:.6g} "
-                    "s); change them or the seed",
-                    kKind, wanted.value(), settings.duration.value(), (settings.pgv / settings.pga).value(), nearest * wanted.value()));
+    throw ProcessingError(fmt::format(
+        "{}: D5-95 of {:.6g} s cannot be met within {:.6g} s of record and PGV/PGA = {:.6g} s (nearest {:.6g} "
+        "s); change them or the seed",
+        kSyntheticRecord, wanted.value(), settings.duration.value(), (settings.pgv / settings.pga).value(), nearest * wanted.value()));
 }
 
 }  // namespace
@@ -152,12 +152,12 @@ Found find_peaks_and_duration(const std::vector<double>& noise, const SyntheticS
 GroundMotion make_synthetic_record(const SyntheticSettings& settings) {
     const double pga = settings.pga.value();
     const double pgv = settings.pgv.value();
-    detail::require_positive(kKind,
+    detail::require_positive(kSyntheticRecord,
                              {{"PGA", pga}, {"PGV", pgv}, {"time step", settings.dt.value()}, {"duration", settings.duration.value()}});
-    if (settings.d5_95) detail::require_positive(kKind, {{"D5-95", settings.d5_95->value()}});
+    if (settings.d5_95) detail::require_positive(kSyntheticRecord, {{"D5-95", settings.d5_95->value()}});
     const double steps = std::round((settings.duration / settings.dt).value());
     constexpr double kFewestSteps = 64.0;
-    detail::require_steps(kKind, steps, kFewestSteps);
+    detail::require_steps(kSyntheticRecord, steps, kFewestSteps);
 
     const std::vector<double> noise = make_noise(static_cast<std::size_t>(steps) + 1, settings.seed);
     const Found found = settings.d5_95 ? find_peaks_and_duration(noise, settings, *settings.d5_95) : require_peaks(noise, settings);

@@ -13,7 +13,7 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr const char* kKind = "velocity pulse";
+constexpr const char* kVelocityPulse = "velocity pulse";
 
 double find_theta(const VelocityPulse& pulse, scaling::Time tau) { return 2.0 * pi * pulse.frequency.value() * tau.value(); }
 
@@ -30,17 +30,17 @@ double displacement_shape(const VelocityPulse& pulse, double theta) {
 }
 
 void check(const VelocityPulse& pulse, scaling::Time dt) {
-    detail::require_positive(kKind, {{"amplitude", pulse.amplitude.value()},
-                                     {"frequency", pulse.frequency.value()},
-                                     {"number of cycles", pulse.cycles},
-                                     {"time step", dt.value()}});
+    detail::require_positive(kVelocityPulse, {{"amplitude", pulse.amplitude.value()},
+                                              {"frequency", pulse.frequency.value()},
+                                              {"number of cycles", pulse.cycles},
+                                              {"time step", dt.value()}});
     if (!(pulse.cycles > 1.0)) {
-        throw ProcessingError(fmt::format("{}: number of cycles is {} (must be above 1); raise it", kKind, pulse.cycles));
+        throw ProcessingError(fmt::format("{}: number of cycles is {} (must be above 1); raise it", kVelocityPulse, pulse.cycles));
     }
     if (!std::isfinite(pulse.phase_deg)) {
-        throw ProcessingError(fmt::format("{}: phase is {} degrees (must be finite); correct it", kKind, pulse.phase_deg));
+        throw ProcessingError(fmt::format("{}: phase is {} degrees (must be finite); correct it", kVelocityPulse, pulse.phase_deg));
     }
-    detail::require_sampled(kKind, pulse.frequency.value(), dt.value());
+    detail::require_sampled(kVelocityPulse, pulse.frequency.value(), dt.value());
 }
 
 }  // namespace
@@ -71,17 +71,17 @@ scaling::Length VelocityPulse::residual_displacement() const {
 GroundMotion make_velocity_pulse_record(const VelocityPulse& pulse, scaling::Time dt, bool return_home) {
     check(pulse, dt);
     const double half = std::ceil(0.5 * pulse.cycles / (pulse.frequency.value() * dt.value()));
-    detail::require_steps(kKind, 2.0 * half, 4.0);
+    detail::require_steps(kVelocityPulse, 2.0 * half, 4.0);
     std::vector<double> samples(2 * static_cast<std::size_t>(half) + 1);
     for (std::size_t i = 0; i < samples.size(); ++i) samples[i] = pulse.acceleration((static_cast<double>(i) - half) * dt).value();
 
     const scaling::Length residual = return_home ? scaling::Length() : pulse.residual_displacement();
     samples = detail::end_at_rest(std::move(samples), dt.value(), residual.value());
     return detail::make_record(
-        fmt::format("{}, {:.6g} Hz", kKind, pulse.frequency.value()),
+        fmt::format("{}, {:.6g} Hz", kVelocityPulse, pulse.frequency.value()),
         fmt::format("{} [MavroeidisPapageorgiou03], A {:.9g} m/s, f_p {:.9g} Hz, gamma {:.9g}, nu {:.9g} deg, middle at {:.9g} s; brought "
                     "to rest {:.9g} m from its start{}",
-                    kKind, pulse.amplitude.value(), pulse.frequency.value(), pulse.cycles, pulse.phase_deg, half * dt.value(),
+                    kVelocityPulse, pulse.amplitude.value(), pulse.frequency.value(), pulse.cycles, pulse.phase_deg, half * dt.value(),
                     residual.value(),
                     return_home ? fmt::format(" instead of {:.9g} m", pulse.residual_displacement().value()) : std::string()),
         dt, std::move(samples));

@@ -9,7 +9,6 @@
 #include <cstdlib>
 #include <numbers>
 #include <string>
-#include <utility>
 
 #include "scaling/detail/text_cursor.hpp"
 #include "scaling/error.hpp"
@@ -27,7 +26,7 @@ constexpr std::size_t kLongestUnit = 64;
 /// Largest power, and largest exponent, numerator and denominator, that powers of brackets may build; mechanics needs 5 (inertia in kg
 /// m^5).
 constexpr int kLargestPower = 9;
-constexpr int kLargestExponent = 100;
+constexpr int kLargestUnitExponent = 100;
 
 struct Symbol {
     std::string_view name;
@@ -218,10 +217,10 @@ class UnitReader : private TextCursor {
         } else if (marked && rest_.size() > 1 && rest_[0] == '.' && std::isdigit(static_cast<unsigned char>(rest_[1])) != 0) {
             rest_.remove_prefix(1);
             const std::size_t before = rest_.size();
-            const int decimals = read_digits(kLargestExponent - 1);
+            const int decimals = read_digits(kLargestUnitExponent - 1);
             int size = 1;
-            for (std::size_t i = rest_.size(); i < before && size <= kLargestExponent; ++i) size *= 10;
-            if (size > kLargestExponent) fail("a power has too many digits; use a fraction such as ^(1/3)");
+            for (std::size_t i = rest_.size(); i < before && size <= kLargestUnitExponent; ++i) size *= 10;
+            if (size > kLargestUnitExponent) fail("a power has too many digits; use a fraction such as ^(1/3)");
             power = power + Rational(decimals, size);
         }
         return negative ? -power : power;
@@ -234,11 +233,11 @@ class UnitReader : private TextCursor {
         if (!power.is_whole()) result = take_root(result, power.denominator());
         for (const BaseDimension of : kBaseDimensions) {
             const Rational& exponent = result.dimension[of];
-            if (std::abs(exponent.numerator()) > kLargestExponent || exponent.denominator() > kLargestExponent) {
+            if (std::abs(exponent.numerator()) > kLargestUnitExponent || exponent.denominator() > kLargestUnitExponent) {
                 fail("the powers are too large");
             }
         }
-        if (std::abs(result.decimal_exponent) > kLargestExponent) fail("the powers are too large");
+        if (std::abs(result.decimal_exponent) > kLargestUnitExponent) fail("the powers are too large");
         return result;
     }
 

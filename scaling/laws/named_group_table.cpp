@@ -28,7 +28,7 @@ GroupRole velocity(Rational exponent) { return {"v", kVelocity, exponent, dimens
 GroupRole length(Rational exponent) { return {"l", kLength, exponent, dimension, {}}; }
 GroupRole density(Rational exponent) { return {"rho", kDensity, exponent, dimension, {}}; }
 GroupRole gravity(Rational exponent) { return {"g", kAcceleration, exponent, hinted, {"g", "gravity", "g0", "gn"}}; }
-GroupRole friction(Rational exponent) { return {"mu", kRatio, exponent, named, {"mu", "μ", "friction"}}; }
+GroupRole friction_coefficient(Rational exponent) { return {"mu", kRatio, exponent, named, {"mu", "μ", "friction"}}; }
 GroupRole strength(Rational exponent) {
     return {"mu g", kAcceleration, exponent, named, {"mu g", "mug", "mu_g", "μg", "μ g", "strength", "a_y", "ay"}};
 }
@@ -53,15 +53,15 @@ const Rational kHalf(1, 2);
 std::vector<NamedGroup> make_named_groups() {
     return {
         // sliding
-        {"mu number", "v/sqrt(mu*g*l)", {velocity(1), friction(-kHalf), gravity(-kHalf), length(-kHalf)}},
+        {"mu number", "v/sqrt(mu*g*l)", {velocity(1), friction_coefficient(-kHalf), gravity(-kHalf), length(-kHalf)}},
         {"mu number", "v/sqrt((mu g)*l)", {velocity(1), strength(-kHalf), length(-kHalf)}},
-        {"sliding demand", "a/(mu*g)", {{"a", kAcceleration, 1, dimension, {}}, friction(-1), gravity(-1)}},
+        {"sliding demand", "a/(mu*g)", {{"a", kAcceleration, 1, dimension, {}}, friction_coefficient(-1), gravity(-1)}},
         {"sliding demand", "a/(mu g)", {{"a", kAcceleration, 1, dimension, {}}, strength(-1)}},
-        {"Newmark slip", "u*mu*g/v^2", {slip(1), friction(1), gravity(1), velocity(-2)}},
+        {"Newmark slip", "u*mu*g/v^2", {slip(1), friction_coefficient(1), gravity(1), velocity(-2)}},
         {"Newmark slip", "u*(mu g)/v^2", {slip(1), strength(1), velocity(-2)}},
-        {"sliding time", "t*sqrt(mu*g/l)", {{"t", kTime, 1, dimension, {}}, friction(kHalf), gravity(kHalf), length(-kHalf)}},
+        {"sliding time", "t*sqrt(mu*g/l)", {{"t", kTime, 1, dimension, {}}, friction_coefficient(kHalf), gravity(kHalf), length(-kHalf)}},
         {"sliding time", "t*sqrt((mu g)/l)", {{"t", kTime, 1, dimension, {}}, strength(kHalf), length(-kHalf)}},
-        {"regime", "mu/tan(alpha)", {friction(1), slenderness(-1)}},
+        {"regime", "mu/tan(alpha)", {friction_coefficient(1), slenderness(-1)}},
         // weight
         {"Froude", "v/sqrt(g*l)", {velocity(1), gravity(-kHalf), length(-kHalf)}},
         {"gravity time", "t*sqrt(g/l)", {{"t", kTime, 1, dimension, {}}, gravity(kHalf), length(-kHalf)}},
