@@ -116,19 +116,27 @@ scaling::Time find_time_origin(const RecordMotion& motion, const records::Ground
     return earliest.value_or(scaling::Time{});
 }
 
+/// What is wrong with a record, its remedy in the keys of a scene where commands have options; counts have no key.
+std::string name_remedy_by_keys(const std::string& error, const std::string& file) {
+    const std::size_t end_of_name = error.starts_with(file) ? file.size() : 0;
+    const std::string place = error.substr(0, end_of_name);
+    std::string text = error.substr(end_of_name);
+    if (text.find("--sensitivity") != std::string::npos) {
+        return place + text.substr(0, text.rfind(';')) + "; make a file in SI units of it by `musim record process` and name that";
+    }
+    for (const auto& [option, key] : {std::pair{"--dt SECONDS", R"("dt": "0.01 s")"}, std::pair{"--dt", R"("dt")"},
+                                      std::pair{"--unit", R"("unit")"}, std::pair{"--quantity", R"("quantity")"}}) {
+        if (const std::size_t at = text.find(option); at != std::string::npos) text.replace(at, std::string(option).size(), key);
+    }
+    return place + text;
+}
+
 /// Reads the record of a scene, which gives by keys what commands give by options.
 records::GroundMotion read_scene_record(const RecordMotion& motion) {
     try {
         return records::read_record(motion.file, {.dt = motion.dt, .unit = motion.unit, .quantity = motion.quantity});
     } catch (const records::ReadError& error) {
-        std::string text = error.what();
-        for (const std::string key : {"dt", "unit", "quantity"}) {
-            const std::string option = "--" + key;
-            for (std::size_t at = text.find(option); at != std::string::npos; at = text.find(option, at)) {
-                text.replace(at, option.size(), "\"" + key + "\"");
-            }
-        }
-        throw records::ReadError(text);
+        throw records::ReadError(name_remedy_by_keys(error.what(), motion.file.string()));
     }
 }
 

@@ -58,9 +58,10 @@ TEST_CASE("without a base motion no axis moves") {
 
 TEST_CASE("what a record lacks is asked for by the scene's keys, not by options of commands") {
     const tests::TemporaryFolder folder;
-    std::ofstream(folder.path() / "column.txt") << "1\n2\n3\n2\n1\n";
-    const auto refuse = [&](const std::string& more) -> std::string {
-        const std::string text = R"({"record": "column.txt", "components": {"x": "1"})" + more + "}";
+    std::ofstream(folder.path() / "a--dt.txt") << "1\n2\n3\n2\n1\n";
+    const std::string file = (folder.path() / "a--dt.txt").string();
+    const auto refuse = [&](const std::string& record, const std::string& more) -> std::string {
+        const std::string text = R"({"record": ")" + record + R"(", "components": {"x": "1"})" + more + "}";
         try {
             make_base_components(parse_motion(text, folder.path() / "scene.json"));
         } catch (const records::ReadError& error) {
@@ -68,9 +69,12 @@ TEST_CASE("what a record lacks is asked for by the scene's keys, not by options 
         }
         return "";
     };
-    CHECK(refuse(R"(, "unit": "furlong")").ends_with("name one of these with \"unit\""));
-    CHECK(refuse(R"(, "unit": "g")").find("give it with \"dt\"") != std::string::npos);
-    CHECK(refuse(R"(, "unit": "g")").find("--") == std::string::npos);
+    CHECK(refuse(file, R"(, "unit": "furlong")").ends_with("name one of these with \"unit\""));
+    CHECK(refuse(file, R"(, "unit": "g")").starts_with(file));
+    CHECK(refuse(file, R"(, "unit": "g")").ends_with("give it with \"dt\": \"0.01 s\""));
+    if (!tests::have_shared_records()) return;
+    CHECK(refuse((tests::shared_records() / "mseed" / "CI.CLC..HNE.mseed").string(), "")
+              .ends_with("(miniSEED holds counts); make a file in SI units of it by `musim record process` and name that"));
 }
 
 TEST_CASE("a step is one sample that holds from its start") {

@@ -13,6 +13,7 @@ inline std::filesystem::path shared_records() { return std::filesystem::path(MUS
 /// True when the shared records are there; otherwise says so, once per call, in the test's output.
 inline bool have_shared_records() {
     if (std::filesystem::is_directory(shared_records())) return true;
+    MESSAGE("skipped: there are no real records in ../shared/records");
     return false;
 }
 
