@@ -15,9 +15,11 @@ namespace {
 
 // "2012-04-13T17:28:00.25Z", fraction and Z optional; nothing otherwise
 std::optional<UtcTime> parse_iso_time(std::string text) {
-    constexpr std::size_t kTime = 11;  // letters of "yyyy-mm-ddT" before it
-    const bool has_date = text.size() > kTime && text[4] == '-' && text[7] == '-' && text[10] == 'T';
-    if (!has_date || text.find_first_of(" _-", kTime) != std::string::npos) return std::nullopt;
+    constexpr std::size_t kTime = 11, kLetters = 19;  // of "yyyy-mm-ddT", of "yyyy-mm-ddThh:mm:ss"
+    if (text.size() < kLetters || text[4] != '-' || text[7] != '-' || text[10] != 'T' || text[13] != ':' || text[16] != ':' ||
+        text.find_first_of(" _-", kTime) != std::string::npos) {
+        return std::nullopt;
+    }
     text[4] = text[7] = '/';
     text[10] = ' ';
     if (text.ends_with('Z')) text.pop_back();

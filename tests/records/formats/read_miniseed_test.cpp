@@ -183,6 +183,10 @@ TEST_CASE("StationXML that does not give the sensitivity is refused by its name"
              Case{station_xml(good).substr(0, 300), "a.xml: is no XML (byte "},
              Case{"<a/>", "a.xml: is no StationXML"},
              Case{station_xml(""), "a.xml: no response of XX.ABC..HNE (channel is not in the file)"},
+             // times without colons or without two digits each are none
+             Case{station_xml(epoch(R"(startDate="2000-01-01T000000")", "2", "m/s**2") +
+                              epoch(R"(startDate="2000-01-01T0:00:00.0")", "2", "m/s**2")),
+                  "a.xml: no response of XX.ABC..HNE (its epochs do not cover the record's time)"},
              Case{station_xml(epoch(R"(startDate="2021-01-01T00:00:00")", "2", "m/s**2")),
                   "a.xml: no response of XX.ABC..HNE (its epochs do not cover the record's time)"},
              Case{station_xml(good + good), "a.xml: two epochs of XX.ABC..HNE cover the record"},
