@@ -3,6 +3,7 @@
 #include <hdf5.h>
 
 #include <array>
+#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -41,6 +42,7 @@ template <class Value>
 struct Hdf5Numbers {
     using Number = std::conditional_t<std::is_floating_point_v<Value>, Value, long long>;
     static constexpr hsize_t kCount = 1;
+    static constexpr bool kAsInMemory = std::is_same_v<Number, Value>;  ///< numbers stand in the file as they do in memory
     static std::array<Number, kCount> of(const Value& value) { return {static_cast<Number>(value)}; }
     static Value make(const Number* number) { return static_cast<Value>(*number); }
 };
@@ -48,7 +50,8 @@ template <class Scalar, int Rows>
 struct Hdf5Numbers<Eigen::Matrix<Scalar, Rows, 1>> {
     using Number = Scalar;
     static constexpr hsize_t kCount = Rows;
-    static Eigen::Matrix<Scalar, Rows, 1> of(const Eigen::Matrix<Scalar, Rows, 1>& vector) { return vector; }
+    static constexpr bool kAsInMemory = true;
+    static_assert(sizeof(Eigen::Matrix<Scalar, Rows, 1>) == Rows * sizeof(Scalar));
     static Eigen::Matrix<Scalar, Rows, 1> make(const Number* numbers) { return Eigen::Map<const Eigen::Matrix<Scalar, Rows, 1>>(numbers); }
 };
 /// (w, x, y, z), the order of files; Eigen keeps w last.
@@ -56,6 +59,7 @@ template <>
 struct Hdf5Numbers<Quaternion> {
     using Number = double;
     static constexpr hsize_t kCount = 4;
+    static constexpr bool kAsInMemory = false;
     static std::array<Number, kCount> of(const Quaternion& q) { return {q.w(), q.x(), q.y(), q.z()}; }
     static Quaternion make(const Number* q) { return {q[0], q[1], q[2], q[3]}; }
 };
@@ -78,12 +82,20 @@ class Hdf5File {
     template <class Value>
     void exchange(const std::string& path, const std::vector<hsize_t>& shape, const std::vector<Value>& values, const std::string& units) {
         using Numbers = Hdf5Numbers<Value>;
-        std::vector<typename Numbers::Number> numbers;
-        numbers.reserve(values.size() * Numbers::kCount);
-        for (const Value& value : values) {
-            for (const auto number : Numbers::of(value)) numbers.push_back(number);
+        using Number = typename Numbers::Number;
+        hsize_t count = 1;
+        for (const hsize_t extent : shape) count *= extent;
+        if (count != values.size()) throw std::logic_error(path + " has as many values as its shape says");
+        if constexpr (Numbers::kAsInMemory) {
+            write_dataset(path, shape_of<Value>(shape), types_of(Number{}), values.data(), units);
+        } else {
+            std::vector<Number> numbers;
+            numbers.reserve(values.size() * Numbers::kCount);
+            for (const Value& value : values) {
+                for (const Number number : Numbers::of(value)) numbers.push_back(number);
+            }
+            write_dataset(path, shape_of<Value>(shape), types_of(Number{}), numbers.data(), units);
         }
-        write_dataset(path, shape_of<Value>(shape), types_of(typename Numbers::Number{}), numbers.data(), units);
     }
     /// How many values there are in a list that says so itself.
     template <class Value>

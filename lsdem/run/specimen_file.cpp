@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "lsdem/block_height.hpp"
-#include "lsdem/results/content_name.hpp"
+#include "lsdem/results/checksum.hpp"
 #include "lsdem/results/hdf5_reader.hpp"
 #include "lsdem/results/result_error.hpp"
 #include "lsdem/scene/scene_json.hpp"
@@ -85,11 +85,10 @@ std::vector<Preload> read_preloads(const detail::Hdf5Reader& reader, const std::
 std::optional<StoredSpecimen> read_blocks(const detail::Hdf5Reader& reader, std::size_t n) {
     const auto size = reader.read<double>("/blocks/size", 2), position = reader.read<double>("/blocks/position", 2);
     const auto quaternion = reader.read<double>("/blocks/quaternion", 2);
+    if (size.values.size() != 3 * n || position.values.size() != 3 * n || quaternion.values.size() != 4 * n) return std::nullopt;
     StoredSpecimen stored;
-    stored.layer = reader.layers("/blocks/layer", size.values.size() / 3);
-    if (size.values.size() != 3 * n || position.values.size() != 3 * n || quaternion.values.size() != 4 * n || stored.layer.size() != n) {
-        return std::nullopt;
-    }
+    stored.layer = reader.layers("/blocks/layer", n);
+    if (stored.layer.size() != n) return std::nullopt;
     for (std::size_t i = 0; i < n; ++i) {
         stored.size.push_back(detail::Hdf5Numbers<Vector3>::make(&size.values[3 * i]));
         stored.places.position.push_back(detail::Hdf5Numbers<Vector3>::make(&position.values[3 * i]));
