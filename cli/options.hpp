@@ -39,7 +39,8 @@ enum class LengthOption { required, optional };
 /// The scale factors and the law of one similitude, as options --length, --friction, --gravity, --density, --law, --set. All factors may
 /// carry standard uncertainties.
 struct SimilitudeOptions {
-    scaling::UncertainScales chosen;  ///< without `others`
+    /// Without `others`; with structure and motion where the command has add_structure_options() and add_motion_options().
+    scaling::UncertainScales chosen;
     std::string law = "mu";
     std::vector<std::string> factors;   ///< of other quantities of the law, "NAME=NUMBER", perhaps with an uncertainty
     const CLI::App* command = nullptr;  ///< that has the options
@@ -143,11 +144,12 @@ CLI::Validator whole_between(long long low, long long high);
 /// A check of a word that is one of `names`; another gets the nearest.
 CLI::Validator one_of(const std::vector<std::string>& names);
 
-/// Adds an option that takes a number, or several; one whose numbers must be above zero.
+/// Adds an option that takes a number, or several.
 template <class Numbers>
 CLI::Option* add_number_option(CLI::App& command, const std::string& name, Numbers& value, const std::string& help) {
     return command.add_option(name, value, help)->type_name("NUMBER");
 }
+/// Likewise; the numbers must be above zero.
 template <class Numbers>
 CLI::Option* add_positive_option(CLI::App& command, const std::string& name, Numbers& value, const std::string& help) {
     return add_number_option(command, name, value, help)->check(above_zero());

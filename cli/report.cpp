@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/output.hpp"
-#include "lsdem/results/verdict.hpp"
+#include "lsdem/results/run_warnings.hpp"
 #include "lsdem/scene/motions.hpp"
 #include "lsdem/scene/scene_json.hpp"
 #include "scaling/laws/model_scales.hpp"

@@ -23,8 +23,9 @@ CLI::Option* add_uncertain_option(CLI::App& command, const std::string& name, st
 CLI::Option* add_uncertain_option(CLI::App& command, const std::string& name, std::vector<scaling::Uncertain>& numbers,
                                   const std::string& help);
 
-/// What is known of the prototype's blocks, as options --friction-prototype, --slenderness, --height; and its values.
+/// What is known of the prototype's blocks, as options --friction-prototype, --slenderness, --height.
 void add_structure_options(CLI::App& command, scaling::UncertainScales& scales);
+/// The values of these.
 scaling::ModelProperties structure_of(const scaling::UncertainScales& scales);
 
 /// Measures of the prototype's motion, as options --pga, --pgv, --pgd, --arias, --duration, --time-step.

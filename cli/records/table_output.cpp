@@ -30,13 +30,13 @@ struct LimitUnits {
 };
 
 LimitUnits find_units(TableLimit limit) {
-    const DisplayUnit kGravity{"g", scaling::kStandardGravity.value()}, kHertz{"Hz", 1.0};
-    const LimitUnits kUnits[] = {{TableLimit::displacement, {"mm", 1e-3}, {"mm", 1e-3}},
-                                 {TableLimit::velocity, {"cm/s", 1e-2}, {"cm/s", 1e-2}},
-                                 {TableLimit::acceleration, kGravity, kGravity},
-                                 {TableLimit::force, {"kN", 1e3}, {"MN", 1e6}},
-                                 {TableLimit::overturning_moment, {"kN m", 1e3}, {"MN m", 1e6}},
-                                 {TableLimit::payload, {"kg", 1.0}, {"t", 1e3}}};
+    static const DisplayUnit kGravity{"g", scaling::kStandardGravity.value()}, kHertz{"Hz", 1.0};
+    static const LimitUnits kUnits[] = {{TableLimit::displacement, {"mm", 1e-3}, {"mm", 1e-3}},
+                                        {TableLimit::velocity, {"cm/s", 1e-2}, {"cm/s", 1e-2}},
+                                        {TableLimit::acceleration, kGravity, kGravity},
+                                        {TableLimit::force, {"kN", 1e3}, {"MN", 1e6}},
+                                        {TableLimit::overturning_moment, {"kN m", 1e3}, {"MN m", 1e6}},
+                                        {TableLimit::payload, {"kg", 1.0}, {"t", 1e3}}};
     const auto* const found =
         std::find_if(std::begin(kUnits), std::end(kUnits), [&](const LimitUnits& each) { return each.limit == limit; });
     return found == std::end(kUnits) ? LimitUnits{limit, kHertz, kHertz} : *found;

@@ -116,7 +116,7 @@ struct PairRow {
 template <class Quantity>
 PairRow make_row(const std::string& key, const std::string& title, const std::optional<Quantity>& prototype,
                  const std::optional<Quantity>& model, double required_factor) {
-    const auto add_unit = [](const char* name, const char* column, const std::optional<double>& value) {
+    const auto in_its_unit = [](const char* name, const char* column, const std::optional<double>& value) {
         return in_words(name, column, or_null(value), value ? scaling::format_si(*value, scaling::dimension_of<Quantity>(), 5) : "-");
     };
     std::optional<double> required, factor;
@@ -124,9 +124,9 @@ PairRow make_row(const std::string& key, const std::string& title, const std::op
     if (prototype && model) factor = model->value() / prototype->value();
     return {key,
             {{{}, "", title},
-             add_unit("prototype", "prototype", in_si(prototype)),
-             add_unit("model", "model", in_si(model)),
-             add_unit("required", "similar model", required),
+             in_its_unit("prototype", "prototype", in_si(prototype)),
+             in_its_unit("model", "model", in_si(model)),
+             in_its_unit("required", "similar model", required),
              {"factor", "model/prototype", or_null(factor), ".5g"},
              {"required_factor", "by the law", required_factor, ".5g"}}};
 }

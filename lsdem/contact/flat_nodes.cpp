@@ -177,6 +177,8 @@ struct ViscousAxis {
 /// energy ½(K_n d² + K_s ξ²)·A depends on the pose through A too: its gradient is the edge force at the end, smaller than the normal force
 /// by overlap/spacing, without which the contact is not conservative and slender stacks flutter. Losses are booked so that the sum of work
 /// closes in discrete time: a force works over a step with the mean of its values at both ends.
+///
+/// Long, since it is one loop over nodes whose steps share some forty values in registers.
 template <bool Faceted, bool Bounded>
 [[gnu::always_inline]] inline PairSums sum_flat(const NodeContact& contact, const FlatFollower& face) {
     const auto& [leader, pose, law, equal_area, pair, list] = contact;
@@ -356,7 +358,7 @@ template <bool Faceted, bool Bounded>
     sums.elastic_shear = sum(total.elastic_shear);
     sums.friction = sum(total.friction) + ended.friction;
     sums.damping = sum(total.damping) + ended.damping;
-    sums.overlap = std::max(std::max(total.overlap[0], total.overlap[1]), std::max(total.overlap[2], total.overlap[3]));
+    sums.overlap = largest(total.overlap);
     sums.touching = static_cast<std::uint32_t>(sum(total.touching));
     return sums;
 }

@@ -35,7 +35,6 @@ class OverlapPieces {
     /// Cuts the faces of `a` and `b` anew.
     void cut(const PlacedSolid& a, const PlacedSolid& b);
 
-    std::size_t size() const { return piece_count_; }
     const Piece* begin() const { return pieces_.data(); }
     const Piece* end() const { return pieces_.data() + piece_count_; }
     const Vertex* vertices(const Piece& piece) const { return &vertices_[piece.first]; }

@@ -25,7 +25,8 @@ struct FrictionSprings {
     Value total() const { return in_core + in_rest; }
 };
 
-/// What a contact remembers from one step to the next. World axes; friction acts on the second body.
+/// What a contact remembers from one step to the next: its slip, as the force of the springs of friction. World axes; friction acts on the
+/// second body.
 struct OverlapContact {
     bool touches = false;
     static constexpr std::size_t kCompanyBits = 24;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -24,5 +25,8 @@ using LaneMask = Wide<kLanes>::Mask;
 }
 
 [[gnu::always_inline]] inline double sum(const Lanes& value) { return (value[0] + value[1]) + (value[2] + value[3]); }
+[[gnu::always_inline]] inline double largest(const Lanes& value) {
+    return std::max(std::max(value[0], value[1]), std::max(value[2], value[3]));
+}
 
 }  // namespace musim::lsdem::detail

@@ -81,6 +81,15 @@ constexpr double kUpward = 1.0 + 2.0 * std::numeric_limits<double>::epsilon();
 /// So many blocks before its turn the forces on a block are asked for. Affects speed only.
 constexpr std::size_t kAhead = 2 * kLanes;
 
+/// The rotation matrix of a lane, column by column.
+[[gnu::always_inline]] inline void put(const RotationRows<Lanes>& rows, std::size_t lane, double* r) {
+    r[0] = rows.x.x[lane], r[1] = rows.y.x[lane], r[2] = rows.z.x[lane];
+    r[3] = rows.x.y[lane], r[4] = rows.y.y[lane], r[5] = rows.z.y[lane];
+    r[6] = rows.x.z[lane], r[7] = rows.y.z[lane], r[8] = rows.z.z[lane];
+}
+
+/// One step of the blocks of a share; how far the farthest drifted from where its neighbors were searched [m], infinite for one that is
+/// lost.
 template <bool prepares>
 [[gnu::always_inline]] inline double move_range(const Leap& leap, const Share& share, Bodies& bodies) {
     const NeighborSearch::Reference& reference = leap.reference;
@@ -158,14 +167,10 @@ template <bool prepares>
             step.travel = travel[lane];
             if (prepares) bodies.preparation_loss[block] = loss[lane];
             put(q, lane, bodies.orientation[block]);
-            double* const r = bodies.rotation[block].data();
-            r[0] = rows.x.x[lane], r[1] = rows.y.x[lane], r[2] = rows.z.x[lane];
-            r[3] = rows.x.y[lane], r[4] = rows.y.y[lane], r[5] = rows.z.y[lane];
-            r[6] = rows.x.z[lane], r[7] = rows.y.z[lane], r[8] = rows.z.z[lane];
+            put(rows, lane, bodies.rotation[block].data());
         }
     }
-    if (some(lost)) return std::numeric_limits<double>::infinity();
-    return std::max(std::max(farthest[0], farthest[1]), std::max(farthest[2], farthest[3]));
+    return some(lost) ? std::numeric_limits<double>::infinity() : largest(farthest);
 }
 
 /// With or without what prepares, so that a run without pays nothing for it.

@@ -59,11 +59,11 @@ class TouchList {
     std::vector<Touch> touches_;
 };
 
-/// How blocks move in one step.
+/// What moves blocks in one step, and how far they may go before neighbors are searched anew. What it refers to must outlive it.
 struct Leap {
-    const TouchList& touches;
-    const std::vector<PairForce>& forces;
-    const NeighborSearch::Reference& reference;
+    const TouchList& touches;                     ///< the pairs of every block
+    const std::vector<PairForce>& forces;         ///< of these pairs
+    const NeighborSearch::Reference& reference;   ///< where blocks stood when neighbors were searched
     Vector3 base_displacement = Vector3::Zero();  ///< after the step [m]
     Vector3 base_step = Vector3::Zero();          ///< what it moves in the step [m]
     Vector3 gravity = Vector3::Zero();            ///< [m/s²]

@@ -6,6 +6,7 @@
 #include <cctype>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <map>
 #include <optional>
 
@@ -58,8 +59,11 @@ ReportFigure make_residual_figure(const std::vector<ReportedRun>& runs) {
         for (PlotSeries& series : own.series) {
             if (runs.size() > 1) series.label = run.label + ", " + series.label;
         }
-        own.series.insert(own.series.begin(), plot.series.begin(), plot.series.end());
-        plot = std::move(own);
+        if (plot.title.empty()) {
+            plot = std::move(own);
+        } else {
+            std::move(own.series.begin(), own.series.end(), std::back_inserter(plot.series));
+        }
     }
     return make_figure("residual_displacement", plot);
 }
@@ -110,7 +114,10 @@ bool samples_alike(const ReportedRun& a, const ReportedRun& b) {
 /// The band of the twins that pair.json has; without rows when it has none.
 TwinBand read_twin_band(const nlohmann::json& pair) {
     const nlohmann::json kept = find_object(pair, "twins_band");
-    TwinBand band{.axis = static_cast<int>(find_number(kept, "axis", -1.0)), .rows = {}};
+    TwinBand band{.axis = -1, .rows = {}};
+    for (const int axis : {0, 1, 2}) {
+        if (find_number(kept, "axis", -1.0) == axis) band.axis = axis;
+    }
     for (const nlohmann::json& row : find_list(kept, "half_width_m_s")) band.half_width.push_back(to_numbers(row));
     return band;
 }

@@ -32,7 +32,6 @@ SOFTWARE OR THE USE OR OTHER DEALINGS IN THE SOFTWARE.
 -->
 )";
 
-/// A script as the contents of an element, where "</script" would end it.
 /// JSON that no text in it can end the element, whatever a run or its folder is called.
 std::string dump_for_script(const nlohmann::json& document) {
     const std::string text = document.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
@@ -48,6 +47,7 @@ std::string dump_for_script(const nlohmann::json& document) {
     return safe;
 }
 
+/// A script as the contents of an element, where "</script" would end it.
 std::string as_element(std::string script) {
     for (std::size_t at = script.find("</script"); at != std::string::npos; at = script.find("</script", at + 1)) {
         script.replace(at, 2, "<\\/");

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "lsdem/results/content_name.hpp"
+#include "lsdem/results/checksum.hpp"
 #include "lsdem/results/result_error.hpp"
 #include "scaling/error.hpp"
 #include "scaling/json_text.hpp"

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "lsdem/results/checked_json.hpp"
-#include "lsdem/results/content_name.hpp"
+#include "lsdem/results/checksum.hpp"
 #include "lsdem/results/result_error.hpp"
 #include "lsdem/results/scene_files.hpp"
 #include "lsdem/scene/scene_json.hpp"

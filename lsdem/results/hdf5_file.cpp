@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "lsdem/results/content_name.hpp"
+#include "lsdem/results/checksum.hpp"
 
 namespace musim::lsdem::detail {
 namespace {

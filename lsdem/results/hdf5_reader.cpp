@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "lsdem/results/content_name.hpp"
+#include "lsdem/results/checksum.hpp"
 #include "lsdem/results/result_error.hpp"
 #include "scaling/regular_file.hpp"
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <variant>
 
-#include "lsdem/results/content_name.hpp"
+#include "lsdem/results/checksum.hpp"
 #include "records/error.hpp"
 #include "scaling/regular_file.hpp"
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "lsdem/results/outcome.hpp"
-#include "lsdem/results/verdict.hpp"
+#include "lsdem/results/run_warnings.hpp"
 #include "scaling/json_optional.hpp"
 
 namespace musim::lsdem {

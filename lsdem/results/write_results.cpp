@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "lsdem/results/checked_json.hpp"
-#include "lsdem/results/content_name.hpp"
+#include "lsdem/results/checksum.hpp"
 #include "lsdem/results/result_layout.hpp"
 #include "lsdem/results/staged_files.hpp"
 #include "lsdem/results/summary.hpp"

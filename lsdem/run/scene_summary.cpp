@@ -6,7 +6,7 @@
 #include <chrono>
 
 #include "lsdem/block_height.hpp"
-#include "lsdem/results/verdict.hpp"
+#include "lsdem/results/run_warnings.hpp"
 #include "lsdem/run/run.hpp"
 #include "lsdem/run/sequence_plan.hpp"
 #include "lsdem/run/specimen_file.hpp"

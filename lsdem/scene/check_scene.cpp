@@ -2,6 +2,8 @@
 
 #include <cmath>
 #include <string>
+#include <type_traits>
+#include <variant>
 
 #include "lsdem/scene/block_heights.hpp"
 #include "lsdem/scene/detail/json_text.hpp"

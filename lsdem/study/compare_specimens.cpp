@@ -44,8 +44,8 @@ std::vector<double> distances_from_median(std::vector<double> sample) {
     throw ResultError(fmt::format("{}: {}", file.string(), what));
 }
 
-ToldSpecimen read_specimen_entry(const nlohmann::json& entry, const std::filesystem::path& file) {
-    ToldSpecimen specimen;
+ListedSpecimen read_specimen_entry(const nlohmann::json& entry, const std::filesystem::path& file) {
+    ListedSpecimen specimen;
     specimen.seed = entry.at("seed").get<std::uint64_t>();
     if (entry.at("reused").get<bool>()) {
         refuse(file, fmt::format(
@@ -68,14 +68,14 @@ class GroupMeans {
   public:
     GroupMeans(int first, int last, double LayerState::*quantity) : first_(first), last_(last), quantity_(quantity) {}
 
-    double of(const ToldSpecimen& specimen) const {
+    double of(const ListedSpecimen& specimen) const {
         double sum = 0.0;
         for (int layer = first_; layer <= last_; ++layer) sum += specimen.layers[static_cast<std::size_t>(layer - 1)].*quantity_;
         return sum / (last_ - first_ + 1);
     }
     std::vector<double> of(const SpecimenSet& set) const {
         std::vector<double> means;
-        for (const ToldSpecimen& specimen : set.specimens) means.push_back(of(specimen));
+        for (const ListedSpecimen& specimen : set.specimens) means.push_back(of(specimen));
         return means;
     }
 
@@ -86,8 +86,8 @@ class GroupMeans {
 
 QuantityComparison compare(const GroupMeans& means, const SpecimenSet& first, const SpecimenSet& second) {
     std::vector<double> apart;
-    for (const ToldSpecimen& one : first.specimens) {
-        for (const ToldSpecimen& other : second.specimens) {
+    for (const ListedSpecimen& one : first.specimens) {
+        for (const ListedSpecimen& other : second.specimens) {
             if (one.seed == other.seed) apart.push_back(means.of(other) - means.of(one));
         }
     }
@@ -125,13 +125,13 @@ TwoSamples compare_samples(const std::vector<double>& first, const std::vector<d
 
 std::size_t SpecimenSet::fallen() const {
     std::size_t sum = 0;
-    for (const ToldSpecimen& specimen : specimens) sum += specimen.fallen;
+    for (const ListedSpecimen& specimen : specimens) sum += specimen.fallen;
     return sum;
 }
 
 double SpecimenSet::block_steps() const {
     std::vector<double> steps;
-    for (const ToldSpecimen& specimen : specimens) steps.push_back(specimen.block_steps);
+    for (const ListedSpecimen& specimen : specimens) steps.push_back(specimen.block_steps);
     return moments_of(steps).mean()[0];
 }
 
@@ -147,7 +147,7 @@ SpecimenSet read_specimen_set(const std::filesystem::path& file) {
     }
     if (set.specimens.empty()) refuse(file, "has no specimen; prepare some");
     std::set<std::uint64_t> seeds;
-    for (const ToldSpecimen& specimen : set.specimens) {
+    for (const ListedSpecimen& specimen : set.specimens) {
         if (specimen.layers.size() != set.specimens.front().layers.size() || specimen.layers.empty()) {
             refuse(file,
                    fmt::format("the specimen of seed {} has {} layers, that of seed {} {} (of different structures, or without layers); "

@@ -27,7 +27,7 @@ struct TwoSamples {
 TwoSamples compare_samples(const std::vector<double>& first, const std::vector<double>& second);
 
 /// A specimen as `musim specimen --json` reported it.
-struct ToldSpecimen {
+struct ListedSpecimen {
     std::uint64_t seed = 0;
     std::size_t fallen = 0;          ///< blocks that fell while it was prepared
     double block_steps = 0.0;        ///< what it cost, see PreparedSpecimen
@@ -37,7 +37,7 @@ struct ToldSpecimen {
 /// Specimens that were prepared in one way.
 struct SpecimenSet {
     std::string name;  ///< of the file
-    std::vector<ToldSpecimen> specimens = {};
+    std::vector<ListedSpecimen> specimens = {};
 
     std::size_t fallen() const;  ///< blocks, of all specimens
     double block_steps() const;  ///< mean over the specimens; NaN without any

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "lsdem/results/checkpoint.hpp"
-#include "lsdem/results/content_name.hpp"
+#include "lsdem/results/checksum.hpp"
 #include "lsdem/results/folder_contents.hpp"
 #include "lsdem/results/result_error.hpp"
 #include "lsdem/results/scene_files.hpp"

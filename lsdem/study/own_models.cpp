@@ -14,7 +14,7 @@
 namespace musim::lsdem {
 namespace {
 
-constexpr double kBeyondChanceEach = kBeyondChance / static_cast<double>(std::size(kToldQuantities));
+constexpr double kBeyondChanceEach = kBeyondChance / static_cast<double>(std::size(kReportedQuantities));
 
 const QuantityCheck* find_same(const std::vector<QuantityCheck>& checks, const QuantityCheck& wanted) {
     const auto found = std::find_if(checks.begin(), checks.end(),
@@ -84,7 +84,7 @@ OwnJudgement judge_own(const PairStudy& study, const PairedRun& model) {
     const bool twins_part = study.yardstick().is_within_run();
     const std::vector<QuantityCheck> of_specimens = Yardstick(study.prototype, study.specimen_traces).check_quantities(model.trace);
     bool accepted = model.run.status != RunStatus::diverged;
-    for (const auto& [key, name] : kToldQuantities) {
+    for (const auto& [key, name] : kReportedQuantities) {
         const QuantityCheck* const check = find_top(model.judgement.quantities, key);
         if (check == nullptr) continue;
         OwnQuantity quantity{name, *check, {}, check->difference > kPartingLevel};

@@ -23,7 +23,7 @@ std::vector<RunTrace> run_other_specimens(const Scene& scene, const RunResult& p
 inline constexpr double kBeyondChance = 0.05;
 
 /// By what own models are judged, and what is said of exact ones: keys of quantities (QuantityCheck), and their names in sentences.
-inline constexpr std::pair<const char*, const char*> kToldQuantities[] = {
+inline constexpr std::pair<const char*, const char*> kReportedQuantities[] = {
     {"peak_velocity", "peak velocity of the top"}, {"residual_displacement", "its residual displacement"}, {"total_loss", "losses"}};
 
 /// One of the quantities an own model is judged by.

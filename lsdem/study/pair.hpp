@@ -11,7 +11,7 @@
 #include "lsdem/study/compare_runs.hpp"
 #include "lsdem/study/pair_member.hpp"
 #include "lsdem/study/twin_growth.hpp"
-#include "lsdem/study/yardstick.hpp"
+#include "lsdem/study/verdict.hpp"
 #include "scaling/laws/similitude.hpp"
 #include "scaling/structures/distortion.hpp"
 

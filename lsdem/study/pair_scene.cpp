@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "lsdem/build.hpp"
-#include "lsdem/results/content_name.hpp"
+#include "lsdem/results/checksum.hpp"
 #include "lsdem/run/run.hpp"
 #include "lsdem/run/scale_specimen.hpp"
 #include "lsdem/scene/block_heights.hpp"

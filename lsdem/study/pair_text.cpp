@@ -127,7 +127,7 @@ const QuantityCheck* find_farthest_top(const PairStudy& study, const std::string
 
 std::string describe_quantities(const PairStudy& study) {
     std::vector<std::string> parts;
-    for (const auto& [key, name] : kToldQuantities) {
+    for (const auto& [key, name] : kReportedQuantities) {
         const QuantityCheck* const check = find_farthest_top(study, key);
         if (check == nullptr) continue;
         std::string part = fmt::format("{} {}", name, format_percent(check->difference));

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "lsdem/study/yardstick.hpp"
+#include "lsdem/study/verdict.hpp"
 
 namespace musim::lsdem {
 

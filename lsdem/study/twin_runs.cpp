@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "lsdem/build.hpp"
-#include "lsdem/results/content_name.hpp"
+#include "lsdem/results/checksum.hpp"
 #include "lsdem/run/advance_in_pieces.hpp"
 #include "lsdem/run/run.hpp"
 #include "lsdem/run/shared_progress.hpp"

@@ -12,6 +12,7 @@ namespace musim::records {
 
 std::string describe_amount(double value, const std::string& unit) {
     constexpr int kDigits = 4;
+    // moments not in joules, frequencies not in kilohertz
     if (unit == "N m") return fmt::format("{:.{}g} kN m", value / 1e3, kDigits);
     if (unit == "Hz") return fmt::format("{:.{}g} Hz", value, kDigits);
     return scaling::format_value(value, scaling::make_pi_quantity("amount", unit), kDigits);

@@ -3,7 +3,6 @@
 #include <array>
 #include <bit>
 #include <concepts>
-#include <cstring>
 #include <filesystem>
 #include <string>
 #include <string_view>

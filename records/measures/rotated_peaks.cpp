@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <utility>
 #include <vector>
 
 #include "records/measures/oscillator.hpp"
 #include "records/measures/response_spectrum.hpp"
+#include "scaling/angle.hpp"
 #include "scaling/interruption.hpp"
 
 namespace musim::records {
@@ -124,7 +124,7 @@ RotatedPeaks rotate(std::vector<Point> outer) {
     const std::vector<Point> hull = find_hull(std::move(outer));
     std::array<double, kDirections> peaks{};
     for (std::size_t degree = 0; degree < kDirections; ++degree) {
-        const double angle = static_cast<double>(degree) * (std::numbers::pi / 180.0), c = std::cos(angle), s = std::sin(angle);
+        const double angle = static_cast<double>(degree) * scaling::kDegree, c = std::cos(angle), s = std::sin(angle);
         for (const auto& [px, py] : hull) peaks[degree] = std::max(peaks[degree], std::abs(px * c + py * s));
     }
     RotatedPeaks result;

@@ -10,7 +10,7 @@
 #include "lsdem/study/model_errors.hpp"
 #include "lsdem/study/pair.hpp"
 #include "lsdem/study/twin_runs.hpp"
-#include "lsdem/study/yardstick.hpp"
+#include "lsdem/study/verdict.hpp"
 
 /// How often models are judged wrongly (run_pair): exact ones that are called different, and wrong ones that are not.
 namespace musim::lsdem {

@@ -7,7 +7,7 @@
 #include <cstring>
 #include <string>
 
-#include "lsdem/results/content_name.hpp"
+#include "lsdem/results/checksum.hpp"
 #include "lsdem/results/hdf5_file.hpp"
 #include "tests/support/temporary_folder.hpp"
 

@@ -17,7 +17,7 @@ namespace {
 SpecimenSet make_set(const std::string& name, std::uint64_t first_seed, const std::vector<double>& tilts, double step, int layers = 7) {
     SpecimenSet set{.name = name, .specimens = {}};
     for (const double tilt : tilts) {
-        ToldSpecimen specimen{.seed = first_seed++, .fallen = 1, .block_steps = 1e3, .layers = {}};
+        ListedSpecimen specimen{.seed = first_seed++, .fallen = 1, .block_steps = 1e3, .layers = {}};
         for (int k = 0; k < layers; ++k) {
             specimen.layers.push_back({.mean_tilt = tilt + k * step, .max_tilt = 2.0 * tilt, .sd_force = tilt});
         }

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "lsdem/results/content_name.hpp"
+#include "lsdem/results/checksum.hpp"
 #include "lsdem/results/hdf5_file.hpp"
 #include "lsdem/results/read_results.hpp"
 #include "lsdem/scene/scene_error.hpp"

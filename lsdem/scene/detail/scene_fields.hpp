@@ -1,11 +1,10 @@
 #pragma once
 
 #include <array>
-#include <optional>
-#include <string>
 #include <tuple>
 #include <type_traits>
 #include <utility>
+#include <variant>
 
 #include "lsdem/scene/scene.hpp"
 #include "scaling/json_reader.hpp"

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "lsdem/scene/detail/json_text.hpp"

@@ -199,7 +199,8 @@ TEST_CASE("boxes that lie beside each other at one height give nothing or say th
         std::array<LaneFinding, kLanePairs> found;
         compute_overlaps(meetings.data(), kLanePairs, found.data());
         for (std::size_t i = 0; i < kLanePairs; ++i) {
-            if (boxes[i].cut().size() > 0 || found[i].irregular) continue;
+            const OverlapPieces pieces = boxes[i].cut();
+            if (pieces.begin() != pieces.end() || found[i].irregular) continue;
             CHECK(found[i].force.isZero(0.0));
             CHECK(found[i].moment.isZero(0.0));
             CHECK(found[i].area == 0.0);
@@ -259,7 +260,7 @@ TEST_CASE("main cells give the reach of friction and what dashpots would pull as
         std::array<MainCellQuestion, kLanePairs> questions{};
         for (std::size_t i = 0; i < kLanePairs; ++i) {
             const OverlapPieces pieces = pairs.boxes[i].cut();
-            if (pairs.holds[i] && pieces.size() > 0) questions[i] = make_question(pieces, random);
+            if (pairs.holds[i] && pieces.begin() != pieces.end()) questions[i] = make_question(pieces, random);
         }
         std::array<MainCellAnswer, kLanePairs> answers;
         ask_main_cells(pairs.meetings.data(), questions.data(), answers.data());

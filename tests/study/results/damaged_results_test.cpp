@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "lsdem/results/checked_json.hpp"
-#include "lsdem/results/content_name.hpp"
+#include "lsdem/results/checksum.hpp"
 #include "lsdem/results/read_results.hpp"
 #include "lsdem/results/write_results.hpp"
 #include "lsdem/run/specimen_file.hpp"

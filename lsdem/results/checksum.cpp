@@ -1,4 +1,4 @@
-#include "lsdem/results/content_name.hpp"
+#include "lsdem/results/checksum.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "lsdem/study/yardstick.hpp"
+#include "lsdem/study/verdict.hpp"
 
 #include <algorithm>
 #include <array>

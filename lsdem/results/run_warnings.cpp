@@ -1,4 +1,4 @@
-#include "lsdem/results/verdict.hpp"
+#include "lsdem/results/run_warnings.hpp"
 
 #include <fmt/format.h>
 
