@@ -8,15 +8,15 @@
 #include <tuple>
 #include <vector>
 
-#include <Eigen/Eigenvalues>
-
 #include "lsdem/block_height.hpp"
 #include "lsdem/contact_law.hpp"
+#include "lsdem/detail/matrix6.hpp"
 
 namespace musim::lsdem {
 namespace {
 
-using Matrix6 = Eigen::Matrix<double, 6, 6>;
+using detail::largest_eigenvalue;
+using detail::Matrix6;
 
 /// Stiffness and damping of one side, mass-normalised: the matrices of M^(-1/2) K M^(-1/2) and M^(-1/2) C M^(-1/2).
 struct ModeMatrices {
@@ -97,10 +97,6 @@ ModeMatrices face_matrices(const Model& model, const Block& block, const Interfa
         sum.damping += b.transpose() * c.asDiagonal() * b;
     }
     return sum;
-}
-
-double largest_eigenvalue(const Matrix6& m) {
-    return Eigen::SelfAdjointEigenSolver<Matrix6>(m, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff();
 }
 
 /// dt for which the largest eigenvalue of K·dt²/4 + C·dt/2 is one.

@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 
 #include "lsdem/contact/area_stiffness.hpp"
 #include "lsdem/contact/overlap_pairs.hpp"
@@ -10,7 +9,7 @@
 namespace musim::lsdem {
 namespace {
 
-using Matrix6 = Eigen::Matrix<double, 6, 6>;
+using detail::Matrix6;
 
 /// What a contact opposes to a motion of one of its blocks. `arm`: of the middle of the area from the block's centre [m].
 Matrix6 find_opposition(const MeetingArea& area, const Vector3& arm, double along, double across) {
@@ -59,7 +58,7 @@ StiffestBlock StiffnessWatch::find_stiffest(const Bodies& bodies, const BasePose
         m = (root.asDiagonal() * m * root.asDiagonal()).eval();
         // most blocks use less than the largest so far, which costs little to see
         if (Eigen::LLT<Matrix6>(stiffest.used * Matrix6::Identity() - m).info() == Eigen::Success) continue;
-        const double used = Eigen::SelfAdjointEigenSolver<Matrix6>(m, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff();
+        const double used = detail::largest_eigenvalue(m);
         if (used > stiffest.used) stiffest = {used, i};
     }
     return stiffest.used > least ? stiffest : StiffestBlock{};

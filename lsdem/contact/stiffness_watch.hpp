@@ -3,11 +3,11 @@
 #include <cstddef>
 #include <vector>
 
-#include <Eigen/Core>
 #include <Eigen/StdVector>
 
 #include "lsdem/bodies.hpp"
 #include "lsdem/contact/contacts.hpp"
+#include "lsdem/detail/matrix6.hpp"
 
 namespace musim::lsdem {
 
@@ -26,8 +26,7 @@ class StiffnessWatch {
     StiffestBlock find_stiffest(const Bodies& bodies, const BasePose& base, double dt, const ContactList& list, double least);
 
   private:
-    using Matrix6 = Eigen::Matrix<double, 6, 6>;
-    std::vector<Matrix6, Eigen::aligned_allocator<Matrix6>> opposition_;  ///< one per block
+    std::vector<detail::Matrix6, Eigen::aligned_allocator<detail::Matrix6>> opposition_;  ///< one per block
 };
 
 }  // namespace musim::lsdem
