@@ -21,6 +21,7 @@
 #include "lsdem/scene/scale_scene.hpp"
 #include "lsdem/scene/scene_json.hpp"
 #include "scaling/laws/law_similitude.hpp"
+#include "tests/study/stage_files.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 using namespace musim::lsdem;
@@ -61,33 +62,6 @@ std::vector<StoredRun> read_stages(const fs::path& directory, const SequenceSumm
     std::vector<StoredRun> runs;
     for (const StageSummary& stage : summary.stages) runs.push_back(read_run(directory / stage.where.folder));
     return runs;
-}
-
-/// All files below a directory but for the wall times in them.
-std::map<std::string, std::string> read_stage_files(const fs::path& directory) {
-    std::map<std::string, std::string> files;
-    for (const auto& entry : fs::recursive_directory_iterator(directory)) {
-        if (!entry.is_regular_file()) continue;
-        std::string bytes = bytes_of(entry.path());
-        if (entry.path().filename() == "summary.json") {
-            auto summary = nlohmann::json::parse(bytes);
-            summary.erase("wall_s");
-            summary.erase("checksum");  // of the wall time, too
-            bytes = summary.dump();
-        }
-        files[fs::relative(entry.path(), directory).string()] = bytes;
-    }
-    return files;
-}
-
-void check_same_files(const fs::path& a, const fs::path& b) {
-    const auto left = read_stage_files(a), right = read_stage_files(b);
-    REQUIRE(left.size() == right.size());
-    for (const auto& file : left) {
-        const std::string& name = file.first;
-        REQUIRE_MESSAGE(right.contains(name), name);
-        CHECK_MESSAGE(file.second == right.at(name), name);
-    }
 }
 
 struct Killed {};

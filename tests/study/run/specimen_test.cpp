@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <limits>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -14,7 +13,6 @@
 
 #include "lsdem/block_height.hpp"
 #include "lsdem/results/fallen_blocks.hpp"
-#include "lsdem/results/hdf5_file.hpp"
 #include "lsdem/results/read_results.hpp"
 #include "lsdem/run/prepare.hpp"
 #include "lsdem/run/run.hpp"
@@ -24,7 +22,7 @@
 #include "lsdem/scene/scale_scene.hpp"
 #include "lsdem/scene/scene_json.hpp"
 #include "scaling/laws/law_similitude.hpp"
-#include "tests/study/made_specimen.hpp"
+#include "tests/study/uneven_wall.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 using namespace musim;
@@ -34,25 +32,10 @@ using musim::tests::TemporaryFolder;
 
 namespace {
 
-lsdem::Scene make_wall_scene(int layers = 4, const std::string& more = "") {
-    return lsdem::parse_scene(
-        R"({"schema": "musim-scene/1", "name": "uneven wall", "material": "wood", "structure": {"kind": "wall", "layers": )" +
-        std::to_string(layers) +
-        R"(, "blocks_per_layer": 2, "block": ["12.710 mm", "26.355 mm", "39.780 mm"], "height_deviation": "0.155 mm",
-        "seed": 3}, "time": {"duration": "10 ms"}, "output": {"spine_rate": "4800 Hz"})" +
-        more + "}");
-}
-
 double total_mass(const Model& model) {
     double mass = 0.0;
     for (const Block& block : model.blocks) mass += block.mass;
     return mass;
-}
-
-double prepared_rate(const lsdem::Scene& scene, const Specimen& upright) { return find_preparation(scene, upright).settling.damping_rate; }
-
-SpecimenBatch make_batch(const std::filesystem::path& folder, const lsdem::Scene& scene) {
-    return {.scene = scene, .seeds = {3}, .folder = folder, .version = "test", .threads = 1};
 }
 
 }  // namespace
@@ -319,48 +302,6 @@ TEST_CASE("a specimen serves other materials and scales" * doctest::test_suite("
     CHECK(little.friction * std::pow(16.0, 3) == large.friction);
 }
 
-TEST_CASE("a specimen from its file is that in memory: places to the bit, friction to its rounding, and at rest") {
-    const TemporaryFolder folder;
-    const lsdem::Scene scene = make_wall_scene(3);
-    const Specimen upright = make_upright_specimen(scene);
-    const double step = lsdem::compute_time_step(scene, upright.model).value();
-    const PreparedSpecimen prepared = prepare(upright, step, find_preparation(scene, upright));
-    const std::filesystem::path file = folder.path() / "wall.h5";
-    write_specimen(file, prepared, "{}", "test");
-    Specimen read = upright;
-    take_places(file, read);
-    const Model &memory = prepared.specimen.model, &stored = read.model;
-    for (std::size_t i = 0; i < memory.blocks.size(); ++i) {
-        CHECK(stored.blocks[i].position == memory.blocks[i].position);
-        CHECK(stored.blocks[i].orientation.coeffs() == memory.blocks[i].orientation.coeffs());
-    }
-    // divided by a weight and multiplied by it again: two roundings
-    constexpr double kTwoRoundings = 0x1p-52;
-    REQUIRE(stored.preload.size() == memory.preload.size());
-    REQUIRE(memory.preload.size() > 6);
-    double held = 0.0;
-    for (std::size_t i = 0; i < memory.preload.size(); ++i) {
-        const Preload &a = stored.preload[i], &b = memory.preload[i];
-        CHECK(a.leader == b.leader);
-        CHECK(a.follower == b.follower);
-        for (int axis = 0; axis < 3; ++axis)
-            CHECK(std::abs(a.friction[axis] - b.friction[axis]) <= kTwoRoundings * std::abs(b.friction[axis]));
-        CHECK(std::abs(a.couple - b.couple) <= kTwoRoundings * std::abs(b.couple));
-        held = std::max(held, b.friction.norm());
-    }
-    // friction holds something
-    CHECK(held > 1e-3 * memory.blocks[0].mass * memory.gravity.norm());
-    // what differs by rounding stays so while nothing moves: both stand
-    SettlingSimulation from_memory(Simulation(memory, step), prepared_rate(scene, upright));
-    SettlingSimulation from_file(Simulation(stored, step), prepared_rate(scene, upright));
-    const double height = 2.0 * half_extents(memory, memory.blocks[0]).z();
-    from_memory.advance(500);
-    from_file.advance(500);
-    for (std::size_t i = 0; i < memory.blocks.size(); ++i) {
-        CHECK((from_memory.state().position(i) - from_file.state().position(i)).norm() < 1e-12 * height);
-    }
-}
-
 TEST_CASE("what friction holds may be said of either block of a contact") {
     const lsdem::Scene scene = make_wall_scene(3);
     const Specimen upright = make_upright_specimen(scene);
@@ -399,59 +340,6 @@ TEST_CASE("a scene with blocks of unequal height and its twin at 1:16 settle and
         CHECK(small.final.position[i] * 16.0 == large.final.position[i]);
         CHECK(small.final.velocity[i] * 4.0 == large.final.velocity[i]);
     }
-}
-
-TEST_CASE("a file that is no specimen, or one of another wall, is refused with what to do") {
-    const TemporaryFolder folder;
-    lsdem::Scene scene = make_wall_scene(3);
-    const std::filesystem::path file = make_specimens(make_batch(folder.path(), scene))[0].file;
-    const auto message = [&](const lsdem::Scene& given) -> std::string {
-        try {
-            make_specimen(given);
-        } catch (const ResultError& error) {
-            return error.what();
-        }
-        return "";
-    };
-    const auto with_file = [](lsdem::Scene given, const std::filesystem::path& path) {
-        given.preparation.emplace().specimen = path;
-        return given;
-    };
-    CHECK(message(with_file(make_wall_scene(4), file)).find("prepare one of this") != std::string::npos);
-    lsdem::Scene other = scene;
-    std::get<lsdem::Wall>(other.structure).seed = 9;
-    CHECK(message(with_file(other, file)).find("prepare a specimen of this scene") != std::string::npos);
-    CHECK(message(with_file(scene, folder.path() / "nothing.h5")).find("nothing.h5") != std::string::npos);
-
-    const Specimen upright = make_upright_specimen(scene);
-    PreparedSpecimen damaged;
-    damaged.specimen = upright;
-    damaged.tilt.assign(upright.model.blocks.size(), 0.0);
-    damaged.force = {1.0};
-    const std::filesystem::path damaged_file = folder.path() / "damaged.h5";
-    Preload stranger{.leader = 0, .follower = upright.model.blocks.size()}, friction{.leader = 0, .follower = 1}, couple = friction;
-    friction.friction.x() = std::numeric_limits<double>::infinity();
-    couple.couple = std::numeric_limits<double>::quiet_NaN();
-    for (const Preload& bad : {stranger, friction, couple}) {
-        damaged.specimen.model.preload = {bad};
-        write_specimen(damaged_file, damaged, "{}", "test");
-        CHECK(message(with_file(scene, damaged_file)).find("contact 0") != std::string::npos);
-    }
-    detail::Hdf5File old;
-    old.exchange("/blocks/tilt", {damaged.tilt.size()}, damaged.tilt, "rad");
-    old.write_attribute("format", "musim-specimen/4");
-    const std::vector<char> bytes = old.image();
-    std::ofstream(folder.path() / "old.h5", std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    const std::string why = message(with_file(scene, folder.path() / "old.h5"));
-    CHECK(why == (folder.path() / "old.h5").string() +
-                     ": it has format musim-specimen/4, this program reads musim-specimen/5 (another version wrote it); move it and "
-                     "prepare it again");
-    // nor is it taken where a file of its name is asked for
-    std::filesystem::copy_file(folder.path() / "old.h5", file, std::filesystem::copy_options::overwrite_existing);
-    CHECK_THROWS_WITH_AS(make_specimens(make_batch(folder.path(), scene)), doctest::Contains((file.string() + ": it has format").c_str()),
-                         ResultError);
-    std::ofstream(folder.path() / "text.h5") << "no HDF5";
-    CHECK(message(with_file(scene, folder.path() / "text.h5")).find("text.h5") != std::string::npos);
 }
 
 TEST_CASE("a preparation that a scene asks for is read, written, scaled and checked") {
