@@ -78,9 +78,9 @@ TimeSeries remove_initial_level(const TimeSeries& series) {
 }
 
 TimeSeries remove_baseline(const TimeSeries& series, int order) {
-    constexpr int kHighestOrder = 3;
-    if (order < 0 || order > kHighestOrder) {
-        throw ProcessingError(fmt::format("baseline order is {} (must be 0 to {}); choose one of these", order, kHighestOrder));
+    constexpr int kHighestBaseline = 3;
+    if (order < 0 || order > kHighestBaseline) {
+        throw ProcessingError(fmt::format("baseline order is {} (must be 0 to {}); choose one of these", order, kHighestBaseline));
     }
     if (series.size() <= static_cast<std::size_t>(order)) {
         throw ProcessingError(fmt::format("{} samples do not fix a baseline of order {}; lower the order", series.size(), order));
