@@ -122,7 +122,8 @@ std::string name_remedy_by_keys(const std::string& error, const std::string& fil
     const std::string place = error.substr(0, end_of_name);
     std::string text = error.substr(end_of_name);
     if (text.find("--sensitivity") != std::string::npos) {
-        return place + text.substr(0, text.rfind(';')) + "; make a file in SI units of it by `musim record process` and name that";
+        return place + text.substr(0, text.rfind(';')) +
+               R"(; level it by `musim record process FILE --step '{"step": "level"}' -o FILE.csv` and name that file)";
     }
     for (const auto& [option, key] : {std::pair{"--dt SECONDS", R"("dt": "0.01 s")"}, std::pair{"--dt", R"("dt")"},
                                       std::pair{"--unit", R"("unit")"}, std::pair{"--quantity", R"("quantity")"}}) {
