@@ -85,7 +85,7 @@ class Hdf5File {
         using Number = typename Numbers::Number;
         hsize_t count = 1;
         for (const hsize_t extent : shape) count *= extent;
-        if (count != values.size()) throw std::logic_error(path + " has as many values as its shape says");
+        if (count != values.size()) throw std::logic_error(path + " has another number of values than its shape says");
         if constexpr (Numbers::kAsInMemory) {
             write_dataset(path, shape_of<Value>(shape), types_of(Number{}), values.data(), units);
         } else {

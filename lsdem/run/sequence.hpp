@@ -24,8 +24,7 @@ struct SequenceSettings {
 };
 
 /// Shakes the structure of a scene with its motions, one after another, and stores every stage as a run of its own in DIR/stage-01-NAME,
-/// then sequence.json. Positions, velocities, contacts and their histories go from stage to stage; time and energies begin
-/// anew.
+/// then sequence.json. Positions, velocities, contacts and their histories go from stage to stage; time and energies begin anew.
 ///
 /// Between two motions the base comes to rest (make_stop), then the structure (settle), unless the later one says "settle": false. The
 /// sequence ends with the stage in which the structure collapses or the run diverges. Falls count from the start of the first stage
