@@ -5,8 +5,8 @@ Called by ctest with the program's path; `commands_test.py MUSIM PAGE...` takes 
 
 A page is run as a reader would: in one folder, with the repository's `examples` and `scripts` in it and the records that it names. Only
 scenes, those of `examples` and those that commands write, are made shorter (shorten), so that minutes become seconds; commands are run as
-they are printed. A command may be interrupted after LIMIT seconds: it must then end by its own message. What a page takes for granted
-(RESULTS) is made first.
+they are printed. A command may be interrupted after LIMIT seconds, unless a later one reads in the folder that it leaves: it must then end by
+its own message. What a page takes for granted (RESULTS) is made first.
 
 A ```json block becomes the file that the next command names and that is not there yet. Exit code: 0, or what the comment says
 ("exit code 5", "exit code 6 if not"). Skips itself (77) where ../shared/records is absent.
@@ -25,6 +25,7 @@ import time
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 RECORDS = ROOT.parent / "shared" / "records"
 LIMIT = 10.0  # s for one command
+SHELLS = ("", "sh", "bash", "console")
 SKIPPED = 77
 INTERRUPTED = 130
 NO_FFMPEG = "there is no ffmpeg"
@@ -141,14 +142,20 @@ def provide(command, place, own_json):
             target.symlink_to(record)
 
 
-def run(command, place, musim):
-    """Exit code, standard output and error, seconds; interrupted after LIMIT."""
+def find_limit(command, later):
+    """The seconds after which a command is interrupted; none where later ones read what is in the folder that it leaves."""
+    out = re.search(r"(?:-o|--out) ([\w./-]+)", command)
+    return None if out and any(f"{out[1]}/" in each for each in later) else LIMIT
+
+
+def run(command, place, musim, limit=LIMIT):
+    """Exit code, standard output and error, seconds; interrupted after the limit."""
     environment = os.environ | {"PATH": f"{musim.parent}:{os.environ['PATH']}"}
     start = time.time()
     process = subprocess.Popen(["bash", "-c", command], cwd=place, env=environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                                text=True, start_new_session=True)
     try:
-        out, err = process.communicate(timeout=LIMIT)
+        out, err = process.communicate(timeout=limit)
     except subprocess.TimeoutExpired:
         os.killpg(process.pid, signal.SIGINT)
         out, err = process.communicate(timeout=60)
@@ -158,6 +165,8 @@ def run(command, place, musim):
 def run_page(page, musim):
     """How many commands of a page were run; those that did not do what it says."""
     failures, count, own_json = [], 0, []
+    blocks = read_blocks(page)
+    later = [command for language, lines in blocks if language in SHELLS for command, _ in find_commands(lines)]
     with tempfile.TemporaryDirectory() as folder:
         place = pathlib.Path(folder)
         lay_out(place)
@@ -165,16 +174,17 @@ def run_page(page, musim):
             code, _, err, _ = run(command, place, musim)
             if code not in (0, INTERRUPTED):
                 failures.append(f"{page.name}: to prepare it, `{command}` returned {code}: {err.strip()}")
-        for language, lines in read_blocks(page):
+        for language, lines in blocks:
             if language == "json":
                 own_json = [lines]
                 continue
-            if language not in ("", "sh", "bash", "console"):
+            if language not in SHELLS:
                 continue
             for command, comment in find_commands(lines):
                 provide(command, place, own_json)
                 before = set(place.glob("*.json"))
-                code, _, err, seconds = run(command, place, musim)
+                later = later[1:]
+                code, _, err, seconds = run(command, place, musim, find_limit(command, later))
                 shorten_scenes(set(place.glob("*.json")) - before)
                 count += 1
                 ended = code in allowed_codes(comment) or (code == INTERRUPTED and "musim: " in err)
