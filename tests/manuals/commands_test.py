@@ -3,10 +3,11 @@
 
 Called by ctest with the program's path; `commands_test.py MUSIM PAGE...` takes some pages alone.
 
-A page is run as a reader would: in one folder, with the repository's `examples` and `scripts` in it and the records that it names. Only
-scenes, those of `examples` and those that commands write, are made shorter (shorten), so that minutes become seconds; commands are run as
-they are printed. A command may be interrupted after LIMIT seconds, unless a later one reads in the folder that it leaves: it must then end by
-its own message. What a page takes for granted (RESULTS) is made first.
+A page is run as a reader would: in one folder, with the repository's `examples` and `scripts` in it and the records
+that it names. Only scenes, those of `examples` and those that commands write, are made shorter (shorten), so that
+minutes become seconds; commands are run as they are printed. A command may be interrupted after LIMIT seconds, unless a
+later one reads in the folder that it leaves: it must then end by its own message. What a page takes for granted
+(RESULTS) is made first.
 
 A ```json block becomes the file that the next command names and that is not there yet. Exit code: 0, or what the comment says
 ("exit code 5", "exit code 6 if not"). Skips itself (77) where ../shared/records is absent.
