@@ -33,14 +33,16 @@ std::map<std::string, std::string> find_common_names(const scaling::ScaleLaw& la
     const auto has = [&](const std::string& name) {
         return std::any_of(quantities.begin(), quantities.end(), [&](const scaling::PiQuantity& each) { return each.name == name; });
     };
+    std::vector<std::pair<std::string, std::vector<scaling::Rational>>> products;
+    for (const std::vector<std::string>* list : {&law.held, &law.watched}) {
+        for (const std::string& text : *list) products.emplace_back(text, parse_scale_product(text, quantities).exponents);
+    }
     std::map<std::string, std::string> names;
     for (const CommonGroup& group : common_groups()) {
         if (!std::all_of(group.quantities.begin(), group.quantities.end(), has)) continue;
         const auto exponents = parse_scale_product(group.product, quantities).exponents;
-        for (const std::vector<std::string>* list : {&law.held, &law.watched}) {
-            for (const std::string& text : *list) {
-                if (parse_scale_product(text, quantities).exponents == exponents) names.emplace(text, group.name);
-            }
+        for (const auto& [text, own_exponents] : products) {
+            if (own_exponents == exponents) names.emplace(text, group.name);
         }
     }
     return names;

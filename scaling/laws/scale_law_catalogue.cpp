@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <map>
+#include <mutex>
 
 #include "scaling/laws/law_texts.hpp"
 #include "scaling/laws/scale_law_json.hpp"
@@ -10,6 +12,29 @@
 #include "scaling/regular_file.hpp"
 
 namespace musim::scaling {
+
+namespace {
+
+/// A law that comes with musim, read when it is asked for first: reading takes a hundred times as long as a copy. Another law may extend
+/// it, so each has a flag of its own.
+struct ShippedLaw {
+    std::string_view json;
+    std::once_flag is_read;
+    ScaleLaw law;
+
+    explicit ShippedLaw(std::string_view text) : json(text) {}
+};
+
+std::map<std::string_view, ShippedLaw>& shipped_laws() {
+    static std::map<std::string_view, ShippedLaw> laws = [] {
+        std::map<std::string_view, ShippedLaw> all;
+        for (const detail::LawText& law : detail::law_texts()) all.try_emplace(law.name, law.json);
+        return all;
+    }();
+    return laws;
+}
+
+}  // namespace
 
 const std::vector<std::string>& scale_law_names() {
     static const std::vector<std::string> kNames = [] {
@@ -21,10 +46,11 @@ const std::vector<std::string>& scale_law_names() {
 }
 
 std::optional<ScaleLaw> find_scale_law(std::string_view name) {
-    for (const detail::LawText& law : detail::law_texts()) {
-        if (law.name == name) return parse_scale_law(law.json, fmt::format("law {}", name));
-    }
-    return std::nullopt;
+    const auto place = shipped_laws().find(name);
+    if (place == shipped_laws().end()) return std::nullopt;
+    ShippedLaw& shipped = place->second;
+    std::call_once(shipped.is_read, [&] { shipped.law = parse_scale_law(shipped.json, fmt::format("law {}", name)); });
+    return shipped.law;
 }
 
 ScaleLaw load_scale_law(const std::string& name_or_file) {
