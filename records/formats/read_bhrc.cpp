@@ -15,7 +15,7 @@ namespace {
 enum HeaderLine : std::size_t { kOriginLine = 2, kNameLine = 4, kStationLine = 7, kCountsLine = 10, kUnitLine = 11, kRateLine = 21 };
 
 /// Ten values of 13 letters a line, 0.1E-01.
-constexpr FixedColumns kColumns{.per_line = 10, .width = 13};
+constexpr FixedColumns kBhrcColumns{.per_line = 10, .width = 13};
 
 // "...  Azimuth L 50    T 140": the number behind the channel's letter
 std::optional<double> find_azimuth(std::string_view line, std::string_view name) {
@@ -47,8 +47,8 @@ Component read_channel(const TextFile& file, const ReadOptions& options, std::si
     check_record_length(file, start + kCountsLine, count, dt, parse_real(value_of(counts, "DURATION")).value_or(0.0), start + kCountsLine);
     refuse_contradictions(file, options, kTenthOfG, dt);
 
-    std::vector<double> samples = read_block(file, {start + kVolume1HeaderLines, count, kColumns}, kTenthOfG.si);
-    index = start + kVolume1HeaderLines + lines_of(count, kColumns);
+    std::vector<double> samples = read_block(file, {start + kVolume1HeaderLines, count, kBhrcColumns}, kTenthOfG.si);
+    index = start + kVolume1HeaderLines + lines_of(count, kBhrcColumns);
     if (!file.line(index).starts_with("/&")) {
         file.fail(std::min(index, file.size() - 1), "end mark '/&' of the channel is missing (truncated, or more samples than announced)",
                   "fetch the record again");

@@ -16,7 +16,7 @@ namespace {
 /// Lines of text above the numbers of a volume 1 channel; volume 2 has more.
 constexpr std::size_t kFewestTextLines = 13;
 
-struct Channel {
+struct CsmipChannel {
     Direction direction;
     std::optional<TimeSeries> series;  ///< of the wanted quantity
     SampleUnit unit;
@@ -27,7 +27,7 @@ struct Channel {
 bool starts_with_ignoring_case(std::string_view line, std::string_view start) { return find_ignoring_case(line, start) == 0; }
 
 // "Chan  2: 360 Deg   Location: Abutment 1"
-Direction read_title(std::string_view title) {
+Direction read_csmip_title(std::string_view title) {
     const std::string_view rest = title.substr(title.find(':') + 1);
     return read_direction(first_field(trim(rest.substr(0, find_ignoring_case(rest, "Location")))));
 }
@@ -69,7 +69,7 @@ void check_header(const TextFile& file, std::size_t start, std::size_t text_line
 
 // even samples below the lines that announce them, from line `index`, which is left behind them
 void read_blocks(const TextFile& file, std::size_t start, std::size_t text_lines, std::size_t& index, SampleQuantity wanted,
-                 Channel& channel) {
+                 CsmipChannel& channel) {
     const std::size_t headers_end = std::min(file.size(), start + 60);  // longest header known: 46 lines
     while (index < headers_end && !announces_samples(file.line(index))) ++index;
     if (index == headers_end) {
@@ -90,7 +90,7 @@ void read_blocks(const TextFile& file, std::size_t start, std::size_t text_lines
 }
 
 // (time, value) pairs of the channel that starts on line `index`, which is left behind them
-void read_pairs(const TextFile& file, std::size_t& index, SampleQuantity wanted, Channel& channel) {
+void read_pairs(const TextFile& file, std::size_t& index, SampleQuantity wanted, CsmipChannel& channel) {
     if (wanted != SampleQuantity::acceleration) {
         file.fail(index, fmt::format("channel has no {}", to_string(wanted)), "ask for another --quantity");
     }
@@ -101,9 +101,9 @@ void read_pairs(const TextFile& file, std::size_t& index, SampleQuantity wanted,
 }
 
 // one channel from line `index`; leaves `index` behind its end mark
-Channel read_channel(const TextFile& file, std::size_t& index, SampleQuantity wanted) {
+CsmipChannel read_channel(const TextFile& file, std::size_t& index, SampleQuantity wanted) {
     const std::size_t start = index;
-    Channel channel;
+    CsmipChannel channel;
     channel.is_corrected = starts_with_ignoring_case(file.line(start), "CORRECTED ACCELEROGRAM");
     if (!channel.is_corrected && !starts_with_ignoring_case(file.line(start), "UNCORRECTED ACCELEROGRAM DATA")) {
         file.fail(start, "channel header is missing (no 'Corrected accelerogram' or 'Uncorrected Accelerogram Data')",
@@ -115,7 +115,7 @@ Channel read_channel(const TextFile& file, std::size_t& index, SampleQuantity wa
     std::size_t title = start;
     while (title < start + text_lines && !starts_with_ignoring_case(trim(file.line(title)), "CHAN")) ++title;
     if (title == start + text_lines) file.fail(start, "channel title is missing (no 'Chan n: direction')", "fetch the record again");
-    channel.direction = read_title(file.line(title));
+    channel.direction = read_csmip_title(file.line(title));
     check_stored_azimuth(file, title, start + text_lines + 1, channel.direction);
 
     if (!channel.is_corrected && announces_volume1_pairs(file, start)) {
@@ -170,7 +170,7 @@ GroundMotion parse_csmip(const TextFile& file, const ReadOptions& options) {
             continue;
         }
         const std::size_t start = index;
-        Channel channel = read_channel(file, index, wanted);
+        CsmipChannel channel = read_channel(file, index, wanted);
         refuse_contradictions(file, options, channel.unit, channel.series->dt());
         if (motion.components.empty()) {
             is_corrected = channel.is_corrected;

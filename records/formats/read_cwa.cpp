@@ -19,7 +19,7 @@ constexpr double kTaiwanHoursAhead = 8.0;
 constexpr std::size_t kComponents = 3;
 
 // header lines begin with '#' or are empty
-std::size_t count_header_lines(const TextFile& file) {
+std::size_t count_cwa_header_lines(const TextFile& file) {
     std::size_t lines = 0;
     while (lines < file.size() && (file.line(lines).empty() || file.line(lines).starts_with('#'))) ++lines;
     return lines;
@@ -29,16 +29,16 @@ std::size_t count_header_lines(const TextFile& file) {
 std::array<std::string_view, kComponents> read_names(const TextFile& file, const HeaderFields& header) {
     const HeaderField field = header.require("DataSequence");
     std::string_view rest = field.text;
-    constexpr std::string_view kSeparators = " \t;";
-    const bool has_time = equal_ignoring_case(take_token(rest, kSeparators), "Time");
+    constexpr std::string_view kNameSeparators = " \t;";
+    const bool has_time = equal_ignoring_case(take_token(rest, kNameSeparators), "Time");
     std::array<std::string_view, kComponents> names;
     bool is_usable = has_time;
     for (std::string_view& name : names) {
-        name = take_token(rest, kSeparators);
+        name = take_token(rest, kNameSeparators);
         is_usable = is_usable && name.size() > 3 && name.ends_with("(+)");
         name = name.substr(0, name.find('('));
     }
-    if (!is_usable || !take_token(rest, kSeparators).empty()) {
+    if (!is_usable || !take_token(rest, kNameSeparators).empty()) {
         file.fail(field.line, fmt::format("DataSequence is {} (must be 'Time' and three names with '(+)')", quoted(field.text)),
                   "fetch the record again");
     }
@@ -77,7 +77,7 @@ scaling::Time read_time_step(const TextFile& file, const HeaderFields& header, c
 }  // namespace
 
 GroundMotion parse_cwa(const TextFile& file, const ReadOptions& options) {
-    const std::size_t header_lines = count_header_lines(file);
+    const std::size_t header_lines = count_cwa_header_lines(file);
     const HeaderFields header(file, header_lines);
     const std::array<std::string_view, kComponents> names = read_names(file, header);
     const SampleUnit unit = header.require_acceleration("AmplitudeUnit");

@@ -12,7 +12,7 @@ namespace musim::records::detail {
 namespace {
 
 // header lines hold a colon ("NDATA: 5600"), samples do not
-std::size_t count_header_lines(const TextFile& file) {
+std::size_t count_esm_header_lines(const TextFile& file) {
     std::size_t lines = 0;
     while (file.line(lines).find(':') != std::string_view::npos) ++lines;
     return lines;
@@ -54,7 +54,7 @@ std::string joined(std::string_view first, std::string_view gap, std::string_vie
 }  // namespace
 
 GroundMotion parse_esm(const TextFile& file, const ReadOptions& options) {
-    const std::size_t header_lines = count_header_lines(file);
+    const std::size_t header_lines = count_esm_header_lines(file);
     const HeaderFields header(file, header_lines);
     const SampleUnit unit = read_unit(file, header);
     const scaling::Time dt = checked_dt(file, header.require("SAMPLING_INTERVAL_S").line, header.require_positive("SAMPLING_INTERVAL_S"));

@@ -15,7 +15,7 @@ namespace {
 
 // a component is 16 lines of text, 4 of integers, 6 of reals, and its blocks of samples, numbers ten a line in eight letters each
 constexpr std::size_t kPlaceLine = 6;
-constexpr std::size_t kOriginLine = 7;
+constexpr std::size_t kGeonetOriginLine = 7;
 constexpr std::size_t kPointsLine = 9;
 constexpr std::size_t kIntervalLine = 10;
 constexpr std::size_t kComponentLine = 12;
@@ -23,7 +23,7 @@ constexpr std::size_t kPeakLine = 13;  ///< acceleration; velocity and displacem
 constexpr std::size_t kIntegerLine = 16;
 constexpr std::size_t kRealLine = 20;
 constexpr std::size_t kHeaderLines = 26;
-constexpr FixedColumns kColumns{.per_line = 10, .width = 8};
+constexpr FixedColumns kGeonetColumns{.per_line = 10, .width = 8};
 
 /// One component's header, at its place in the file.
 struct Section {
@@ -35,8 +35,8 @@ struct Section {
     /// The number in `column` of header line `line`.
     double number(std::size_t line, std::size_t column) const {
         const std::string_view whole = text(line);
-        const std::size_t at = std::min(column * kColumns.width, whole.size());
-        const std::string_view digits = trim(whole.substr(at, kColumns.width));
+        const std::size_t at = std::min(column * kGeonetColumns.width, whole.size());
+        const std::string_view digits = trim(whole.substr(at, kGeonetColumns.width));
         const std::optional<double> value = parse_real(digits);
         if (!value) {
             file.fail(start + line, fmt::format("number {} of the header line is {} (no number)", column + 1, quoted(digits)),
@@ -179,8 +179,8 @@ std::optional<TimeSeries> read_blocks(const Section& section, const ReadOptions&
         const std::optional<Block> block = read_block_header(section, which);
         if (!block) continue;
         check_duration(section, block->count, dt);
-        std::vector<double> samples = read_block(file, {.line = index, .count = block->count, .columns = kColumns}, block->unit.si);
-        index += lines_of(block->count, kColumns);
+        std::vector<double> samples = read_block(file, {.line = index, .count = block->count, .columns = kGeonetColumns}, block->unit.si);
+        index += lines_of(block->count, kGeonetColumns);
         check_stated_peak(file, section.start + kPeakLine + which, "peak", block->peak, signed_peak(samples) / block->unit.si);
         if (block->unit.quantity != wanted) continue;
         refuse_contradictions(file, options, block->unit, dt);
@@ -196,7 +196,7 @@ GroundMotion parse_geonet(const TextFile& file, const ReadOptions& options) {
     GroundMotion motion{.source = file.path().string()};
     const Section first{file, 0};
     motion.format = is_corrected(first) ? "GeoNet V2A" : "GeoNet V1A";
-    motion.event = fmt::format("{}, {}", trim(first.text(kPlaceLine)), trim(first.text(kOriginLine)));
+    motion.event = fmt::format("{}, {}", trim(first.text(kPlaceLine)), trim(first.text(kGeonetOriginLine)));
     std::string_view site = first.text(1);
     take_token(site);
     motion.station = fmt::format("{}, {}", take_token(site), trim(first.text(2)));

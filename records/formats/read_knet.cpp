@@ -11,7 +11,7 @@
 namespace musim::records::detail {
 namespace {
 
-constexpr std::size_t kHeaderLines = 17;
+constexpr std::size_t kKnetHeaderLines = 17;
 
 /// Japan's standard time [h ahead of UTC].
 constexpr double kJapanHoursAhead = 9.0;
@@ -76,7 +76,7 @@ AnnouncedCount announced_count(const TextFile& file, const HeaderFields& header,
 }  // namespace
 
 GroundMotion parse_knet(const TextFile& file, const ReadOptions& options) {
-    const HeaderFields header(file, kHeaderLines);
+    const HeaderFields header(file, kKnetHeaderLines);
     const SensorAxis& direction = read_axis(file, header);
     const scaling::Time dt = read_time_step(file, header);
     const SampleUnit gal = *find_sample_unit("gal");
@@ -84,7 +84,8 @@ GroundMotion parse_knet(const TextFile& file, const ReadOptions& options) {
 
     // the header's peak is that about the mean of the record
     const double gal_per_count = read_scale_factor(file, header);
-    std::vector<double> samples = read_values(file, kHeaderLines, file.size(), announced_count(file, header, dt), gal_per_count * gal.si);
+    std::vector<double> samples =
+        read_values(file, kKnetHeaderLines, file.size(), announced_count(file, header, dt), gal_per_count * gal.si);
     const HeaderField peak = header.require("Max. Acc. (gal)");
     check_stated_peak(file, peak.line, "Max. Acc. (gal)", peak.text, std::abs(signed_peak(samples, find_mean(samples))) / gal.si);
 

@@ -19,7 +19,7 @@ enum Place : std::size_t {
     kBegin = 20,
     kEnd = 24,
     kMagnitude = 156,
-    kAzimuth = 228,
+    kSacAzimuth = 228,
     kInclination = 232,
     kYear = 280,  // then day of the year, hour, minute, second, millisecond
     kVersion = 304,
@@ -175,8 +175,8 @@ std::vector<double> read_samples(const SacFile& sac, std::size_t count, double s
 // horizontal components only: CMPINC is 90° from the vertical
 std::optional<double> read_azimuth(const SacFile& sac) {
     constexpr float kHorizontal = 90.0F;
-    if (!sac.has_real(kAzimuth) || sac.real(kInclination) != kHorizontal) return std::nullopt;
-    return decimal_of(sac.real(kAzimuth));
+    if (!sac.has_real(kSacAzimuth) || sac.real(kInclination) != kHorizontal) return std::nullopt;
+    return decimal_of(sac.real(kSacAzimuth));
 }
 
 std::string read_event(const SacFile& sac) {

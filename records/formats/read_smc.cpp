@@ -20,22 +20,22 @@ constexpr double kUnknownInteger = -32768.0;
 constexpr double kUnknownReal = 1.7e38;
 
 /// Lines of the text header.
-enum TextLine : std::size_t { kTitleLine = 0, kEventLine = 3, kStationLine = 5 };
+enum SmcTextLine : std::size_t { kSmcTitleLine = 0, kSmcEventLine = 3, kSmcStationLine = 5 };
 /// Numbers of the numeric headers, counted from 1.
-enum IntegerNumber : std::size_t {
-    kStartYear = 2,
-    kStartDayOfYear,
-    kStartHour,
-    kStartMinute,
-    kStartSecond,
-    kStartMillisecond,
-    kAzimuth = 14,
-    kComments = 16,
-    kCount = 17,
-    kStationNumber = 30,
-    kDigits = 47
+enum SmcInteger : std::size_t {
+    kSmcStartYear = 2,
+    kSmcStartDayOfYear,
+    kSmcStartHour,
+    kSmcStartMinute,
+    kSmcStartSecond,
+    kSmcStartMillisecond,
+    kSmcAzimuth = 14,
+    kSmcComments = 16,
+    kSmcCount = 17,
+    kSmcStationNumber = 30,
+    kSmcDigits = 47
 };
-enum RealNumber : std::size_t { kRate = 2, kLargest = 30, kSmallest = 32 };
+enum SmcReal : std::size_t { kSmcRate = 2, kSmcLargest = 30, kSmcSmallest = 32 };
 
 /// What the first letter of the file says of its samples.
 struct Content {
@@ -45,8 +45,8 @@ struct Content {
 
 Content read_content(const TextFile& file, const ReadOptions& options) {
     const auto in_centimeters = [](SampleQuantity quantity) { return *find_sample_unit(fmt::format("c{}", si_unit_name(quantity))); };
-    const std::string_view title = file.line(kTitleLine);
-    if (title.empty()) file.fail(kTitleLine, "title is missing (no '2 CORRECTED ACCELEROGRAM' or the like)", "fetch the record again");
+    const std::string_view title = file.line(kSmcTitleLine);
+    if (title.empty()) file.fail(kSmcTitleLine, "title is missing (no '2 CORRECTED ACCELEROGRAM' or the like)", "fetch the record again");
     switch (title.front()) {
         case '0':
             return {in_centimeters(options.quantity.value_or(SampleQuantity::acceleration))};
@@ -59,7 +59,7 @@ Content read_content(const TextFile& file, const ReadOptions& options) {
         case '4':
             return {in_centimeters(SampleQuantity::displacement)};
         default:
-            file.fail(kTitleLine, "file holds spectra (no time series)", "use the file of the accelerogram");
+            file.fail(kSmcTitleLine, "file holds spectra (no time series)", "use the file of the accelerogram");
     }
 }
 
@@ -67,9 +67,9 @@ Content read_content(const TextFile& file, const ReadOptions& options) {
 std::size_t skip_comments(const TextFile& file, const NumericHeader& integers, std::size_t first) {
     std::size_t end = first;
     while (file.line(end).starts_with('|')) ++end;
-    const std::optional<double> stated = integers.find(kComments);
+    const std::optional<double> stated = integers.find(kSmcComments);
     if (stated && *stated != static_cast<double>(end - first)) {
-        file.fail(integers.line_of(kComments),
+        file.fail(integers.line_of(kSmcComments),
                   fmt::format("{} comments announced (found: {}; header or comments are damaged)", *stated, end - first),
                   "fetch the record again");
     }
@@ -77,10 +77,10 @@ std::size_t skip_comments(const TextFile& file, const NumericHeader& integers, s
 }
 
 std::size_t count_numbers(const TextFile& file, const NumericHeader& integers) {
-    const double count = integers.find(kCount).value_or(0.0);
+    const double count = integers.find(kSmcCount).value_or(0.0);
     if (count < 1.0) {
-        file.fail(integers.line_of(kCount),
-                  fmt::format("number of values is {} (must be a positive integer)", integers.numbers[kCount - 1]),
+        file.fail(integers.line_of(kSmcCount),
+                  fmt::format("number of values is {} (must be a positive integer)", integers.numbers[kSmcCount - 1]),
                   "correct integer-header value 17");
     }
     return static_cast<std::size_t>(count);
@@ -90,19 +90,19 @@ std::size_t count_numbers(const TextFile& file, const NumericHeader& integers) {
 FixedColumns find_body_columns(const TextFile& file, const NumericHeader& integers) {
     constexpr double kUsualDigits = 5.0;
     constexpr double kManyDigits = 8.0;
-    const double digits = integers.find(kDigits).value_or(kUsualDigits);
+    const double digits = integers.find(kSmcDigits).value_or(kUsualDigits);
     if (digits == kUsualDigits) return {.per_line = 8, .width = 10};
     if (digits == kManyDigits) return {.per_line = 5, .width = 14};
-    file.fail(integers.line_of(kDigits), fmt::format("{} digits a value (known: 5 and 8)", digits), "fetch the record again");
+    file.fail(integers.line_of(kSmcDigits), fmt::format("{} digits a value (known: 5 and 8)", digits), "fetch the record again");
 }
 
 // the year and the rest say when the record starts only where they give it to the millisecond; else it is the earthquake's minute
 std::optional<UtcTime> find_start(const NumericHeader& integers) {
     const auto part = [&](std::size_t number) { return integers.date_part(number); };
-    const int day = part(kStartDayOfYear), millisecond = part(kStartMillisecond);
+    const int day = part(kSmcStartDayOfYear), millisecond = part(kSmcStartMillisecond);
     if (day < 1 || day > 366 || millisecond < 0 || millisecond > 999) return std::nullopt;
     const std::optional<UtcTime> first_of_january =
-        make_utc_time(part(kStartYear), 1, 1, part(kStartHour), part(kStartMinute), part(kStartSecond) + 1e-3 * millisecond);
+        make_utc_time(part(kSmcStartYear), 1, 1, part(kSmcStartHour), part(kSmcStartMinute), part(kSmcStartSecond) + 1e-3 * millisecond);
     if (!first_of_january) return std::nullopt;
     return *first_of_january + std::chrono::days(day - 1);
 }
@@ -117,26 +117,26 @@ std::string_view field_after(std::string_view line, std::string_view name, std::
 }
 
 std::string read_station(const TextFile& file, const NumericHeader& integers) {
-    const std::string name(field_after(file.line(kStationLine), "station", "component"));
-    const std::optional<double> number = integers.find(kStationNumber);
+    const std::string name(field_after(file.line(kSmcStationLine), "station", "component"));
+    const std::optional<double> number = integers.find(kSmcStationNumber);
     return number && *number > 0.0 ? std::string(trim(fmt::format("{} {}", *number, name))) : name;
 }
 
 Direction read_component(const TextFile& file, const NumericHeader& integers) {
-    const std::string_view name = field_after(file.line(kStationLine), "component", "");
-    const std::optional<double> stored = integers.find(kAzimuth);
+    const std::string_view name = field_after(file.line(kSmcStationLine), "component", "");
+    const std::optional<double> stored = integers.find(kSmcAzimuth);
     Direction direction = read_direction(name.empty() && stored ? fmt::format("{} Deg", *stored) : std::string(name));
-    check_azimuth(file, integers.line_of(kAzimuth), stored.value_or(0.0), direction, kStationLine);
+    check_azimuth(file, integers.line_of(kSmcAzimuth), stored.value_or(0.0), direction, kSmcStationLine);
     if (direction.name.empty()) direction.name.push_back('1');
     return direction;
 }
 
 void check_extremes(const TextFile& file, const NumericHeader& reals, std::span<const double> samples, const SampleUnit& unit) {
-    const std::optional<double> largest = reals.find(kLargest);
-    const std::optional<double> smallest = reals.find(kSmallest);
+    const std::optional<double> largest = reals.find(kSmcLargest);
+    const std::optional<double> smallest = reals.find(kSmcSmallest);
     if (!largest || !smallest) return;
     const double peak = std::max(std::abs(*largest), std::abs(*smallest));
-    check_peak(file, reals.line_of(kLargest), samples, {peak, 1e-4 * peak, unit.si, unit.name});  // samples have five digits
+    check_peak(file, reals.line_of(kSmcLargest), samples, {peak, 1e-4 * peak, unit.si, unit.name});  // samples have five digits
 }
 
 // some files are filled up with blanks or zero bytes
@@ -160,8 +160,8 @@ GroundMotion parse_smc(const TextFile& file, const ReadOptions& options) {
 
     // without a sampling rate the numbers are pairs of time and value
     std::optional<TimeSeries> series;
-    if (const std::optional<double> rate = reals.find(kRate)) {
-        const scaling::Time dt = checked_dt(file, reals.line_of(kRate), 1.0 / *rate);
+    if (const std::optional<double> rate = reals.find(kSmcRate)) {
+        const scaling::Time dt = checked_dt(file, reals.line_of(kSmcRate), 1.0 / *rate);
         std::vector<double> samples = read_block(file, body, content.unit.si);
         check_extremes(file, reals, samples, content.unit);
         series.emplace(content.unit.quantity, 0.0 * scaling::si::seconds, dt, std::move(samples));
@@ -175,7 +175,7 @@ GroundMotion parse_smc(const TextFile& file, const ReadOptions& options) {
     check_end(file, body.line + lines_of(body.count, body.columns));
     refuse_contradictions(file, options, content.unit, series->dt());
 
-    const std::string_view event = trim(file.line(kEventLine));
+    const std::string_view event = trim(file.line(kSmcEventLine));
     motion.event = event == "*" ? std::string_view{} : event;
     motion.station = read_station(file, integers);
     motion.time_zero = find_start(integers);

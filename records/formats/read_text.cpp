@@ -32,10 +32,10 @@ struct Table {
 
 bool is_comment(std::string_view line) { return line.starts_with('#') || line.starts_with('%') || line.starts_with("//"); }
 
-constexpr std::string_view kSeparators = " \t,;";
+constexpr std::string_view kCellSeparators = " \t,;";
 
 bool is_numeric_row(std::string_view line) {
-    for (std::string_view token = take_token(line, kSeparators); !token.empty(); token = take_token(line, kSeparators)) {
+    for (std::string_view token = take_token(line, kCellSeparators); !token.empty(); token = take_token(line, kCellSeparators)) {
         if (!parse_real(token)) return false;
     }
     return true;
@@ -104,7 +104,7 @@ Table read_table(const TextFile& file) {
                                 std::count(line.begin(), line.end(), ',') == 1;
         Row row{.line = index, .first = table.values.size()};
         std::string_view rest = line;
-        for (std::string_view token = take_token(rest, kSeparators); !token.empty(); token = take_token(rest, kSeparators)) {
+        for (std::string_view token = take_token(rest, kCellSeparators); !token.empty(); token = take_token(rest, kCellSeparators)) {
             table.values.push_back(checked_sample(file, index, token, table.rows.size() + 1, 1.0));
         }
         row.size = table.values.size() - row.first;

@@ -14,8 +14,8 @@ namespace {
 
 constexpr std::string_view kOrientation = "ORIENTACION C1-C6 (rumbo;orientacion)";
 constexpr std::string_view kInterval = "INTERVALO DE MUESTREO, C1-C6 (s)";
-constexpr std::string_view kCount = "NUM. TOTAL DE MUESTRAS, C1-C6";
-constexpr std::string_view kPeaks = "ACEL. MAX.(Gal), C1-C6";
+constexpr std::string_view kUnamCount = "NUM. TOTAL DE MUESTRAS, C1-C6";
+constexpr std::string_view kUnamPeaks = "ACEL. MAX.(Gal), C1-C6";
 constexpr std::string_view kFirstSample = "HORA DE LA PRIMERA MUESTRA (GMT)";
 
 // the samples stand below the second rule after "DATOS DE ACELERACION:"
@@ -77,11 +77,11 @@ bool drop_repeated_rows(NumberTable& table, std::size_t count) {
 }
 
 std::size_t read_number_of_samples(const TextFile& file, const HeaderFields& header, std::size_t channels) {
-    const HeaderField field = header.require(kCount);
-    const std::string_view text = read_common(file, field, kCount, channels);
+    const HeaderField field = header.require(kUnamCount);
+    const std::string_view text = read_common(file, field, kUnamCount, channels);
     const std::optional<std::size_t> count = parse_count(text);
     if (!count || *count == 0) {
-        file.fail(field.line, fmt::format("{} is {} (must be a positive integer)", kCount, quoted(text)), "correct the header");
+        file.fail(field.line, fmt::format("{} is {} (must be a positive integer)", kUnamCount, quoted(text)), "correct the header");
     }
     return *count;
 }
@@ -109,11 +109,11 @@ GroundMotion parse_unam(const TextFile& file, const ReadOptions& options) {
     NumberTable table = read_table(file, samples_line, std::vector<double>(channels, unit.si));
     const std::size_t rows = table.rows();
     const bool is_shortened = drop_repeated_rows(table, count);
-    check_rows(file, table, {count, std::string(kCount)});
+    check_rows(file, table, {count, std::string(kUnamCount)});
 
     GroundMotion motion{.source = file.path().string(), .format = "UNAM"};
-    const HeaderField peaks = header.require(kPeaks);
-    const std::vector<std::string_view> printed = read_channels(file, peaks, kPeaks, channels);
+    const HeaderField peaks = header.require(kUnamPeaks);
+    const std::vector<std::string_view> printed = read_channels(file, peaks, kUnamPeaks, channels);
     for (std::size_t i = 0; i < channels; ++i) {
         std::vector<double>& samples = table.columns[i];
         check_stated_peak(file, peaks.line, fmt::format("peak of channel {}", names[i]), printed[i], signed_peak(samples) / unit.si);

@@ -16,27 +16,27 @@ namespace musim::records::detail {
 namespace {
 
 /// Lines of the text header, from the one that names volume I.
-enum HeaderLine : std::size_t { kEventLine = 1, kStationLine = 4, kPlaceLine = 5, kComponentLine = 6 };
+enum UscHeaderLine : std::size_t { kUscEventLine = 1, kUscStationLine = 4, kUscPlaceLine = 5, kUscComponentLine = 6 };
 
 // "STATION USC# 0057   34 25 09N, 118 25 34W" and "16628 W. LOST CANYON RD., CANYON COUNTRY, CA                            44"
 std::string read_station(const TextFile& file, std::size_t header) {
-    std::string_view rest = file.line(header + kStationLine);
+    std::string_view rest = file.line(header + kUscStationLine);
     const std::size_t number = rest.find('#');
     rest.remove_prefix(number == std::string_view::npos ? rest.size() : number + 1);
-    return fmt::format("USC.{} {}", take_token(rest), first_field(file.line(header + kPlaceLine)));
+    return fmt::format("USC.{} {}", take_token(rest), first_field(file.line(header + kUscPlaceLine)));
 }
 
 // "COMP N00W                                                               9"
 Direction read_component(const TextFile& file, std::size_t header) {
-    std::string_view rest = file.line(header + kComponentLine);
+    std::string_view rest = file.line(header + kUscComponentLine);
     if (!equal_ignoring_case(take_token(rest), "COMP"))
-        file.fail(header + kComponentLine, "component is missing (no 'COMP N00W')", "fetch the record again");
+        file.fail(header + kUscComponentLine, "component is missing (no 'COMP N00W')", "fetch the record again");
     return read_direction(take_token(rest));
 }
 
 // some files name their station once more behind the samples
 bool names_station(const TextFile& file, std::size_t header, std::string_view line) {
-    const std::string_view place = first_field(file.line(header + kPlaceLine));
+    const std::string_view place = first_field(file.line(header + kUscPlaceLine));
     return contains_ignoring_case(line, "USC#") || (!place.empty() && contains_ignoring_case(line, place));
 }
 
@@ -130,7 +130,7 @@ GroundMotion parse_usc(const TextFile& file, const ReadOptions& options) {
     const bool is_corrected = find_ignoring_case(file.line(0), "CORRECTED ACCELEROGRAM") == 0;
     const std::size_t header = is_corrected ? 1 : 0;
     GroundMotion motion{.source = file.path().string(), .format = is_corrected ? "USC corrected" : "USC uncorrected"};
-    motion.event = first_field(file.line(header + kEventLine));
+    motion.event = first_field(file.line(header + kUscEventLine));
     motion.station = read_station(file, header);
     motion.history.push_back(fmt::format("read {} from {}", motion.format, file.path().filename().string()));
     Direction direction = read_component(file, header);

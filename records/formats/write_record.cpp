@@ -27,8 +27,8 @@ struct PeerUnit {
 };
 
 PeerUnit peer_unit(SampleQuantity quantity) {
-    constexpr std::array<PeerUnit, 3> kUnits{{{"ACCELERATION", "G"}, {"VELOCITY", "CM/S"}, {"DISPLACEMENT", "CM"}}};
-    return kUnits.at(static_cast<std::size_t>(quantity));
+    constexpr std::array<PeerUnit, 3> kPeerUnits{{{"ACCELERATION", "G"}, {"VELOCITY", "CM/S"}, {"DISPLACEMENT", "CM"}}};
+    return kPeerUnits.at(static_cast<std::size_t>(quantity));
 }
 
 void require_common_clock(const std::filesystem::path& path, const GroundMotion& motion) {

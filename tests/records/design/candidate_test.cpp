@@ -8,7 +8,7 @@
 #include "tests/records/design/tower.hpp"
 #include "tests/support/relative.hpp"
 
-namespace musim::records::tests {
+namespace musim::records {
 namespace {
 
 using lsdem::tests::relative;
@@ -226,4 +226,4 @@ TEST_CASE("a motion and limits scaled by powers of two leave the same length sca
     CHECK(only_range(setting, wood()).scales == before.scales);
 }
 
-}  // namespace musim::records::tests
+}  // namespace musim::records

@@ -13,7 +13,7 @@
 #include "tests/support/relative.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace musim::records::tests {
+namespace musim::records {
 
 using lsdem::tests::relative;
 using musim::tests::message_of;
@@ -21,7 +21,7 @@ using musim::tests::message_of;
 namespace {
 
 /// Bisected ends and products of a dozen factors.
-constexpr double kRounding = 1e-12;
+constexpr double kLawRounding = 1e-12;
 
 DesignLaw make_law(const char* name, std::vector<scaling::GivenFactor> set = {}) { return {scaling::load_scale_law(name), std::move(set)}; }
 
@@ -83,7 +83,7 @@ TEST_CASE("every law that comes with musim can be designed by") {
         CHECK(candidate.limits.size() == 4);
         REQUIRE(candidate.ends.size() >= 2);
         for (const ModelState& end : candidate.ends) {
-            for (const Use& use : end.uses) CHECK(use.used() <= 1.0 + kRounding);
+            for (const Use& use : end.uses) CHECK(use.used() <= 1.0 + kLawRounding);
             CHECK(end.groups.size() >= 12);
         }
         // the limit that binds is used up
@@ -107,21 +107,21 @@ TEST_CASE("limits of laws end at their closed forms") {
     // λ_v = √(2 L) where the shaking is chosen twice as strong
     allow_only([](records::TableAxis& axis) { axis.velocity = 0.05 * si::meters_per_second; });
     CHECK(only_range(setting, solid, make_law("gravity_distorted", {{"a", 2.0}})).largest ==
-          relative(velocity * velocity / 2.0, kRounding));
+          relative(velocity * velocity / 2.0, kLawRounding));
     // F_R held as friction: λ_v = √(U L), as by the mu law
     CHECK(only_range(setting, aluminium(), make_holding("restoring_force", "F_R/(mu*m*g)")).largest ==
-          relative(std::min(1.0, velocity * velocity / kFriction), kRounding));
+          relative(std::min(1.0, velocity * velocity / kFriction), kLawRounding));
 
     // effective density λ_E/(L G): payload λ_E L²
     allow_only([](records::TableAxis& axis) { axis.payload = 500.0 * si::kilograms; });
-    CHECK(only_range(setting, solid, make_law("artificial_mass")).largest == relative(std::sqrt(mass), kRounding));
+    CHECK(only_range(setting, solid, make_law("artificial_mass")).largest == relative(std::sqrt(mass), kLawRounding));
     const Material soft = with_modulus(concrete(), 29.2e9 / 4.0);
-    CHECK(only_range(setting, soft, make_law("artificial_mass")).largest == relative(std::sqrt(4.0 * mass), kRounding));
-    CHECK(only_range(setting, soft, make_law("true_replica")).largest == relative(std::cbrt(mass), kRounding));
+    CHECK(only_range(setting, soft, make_law("artificial_mass")).largest == relative(std::sqrt(4.0 * mass), kLawRounding));
+    CHECK(only_range(setting, soft, make_law("true_replica")).largest == relative(std::cbrt(mass), kLawRounding));
 
     // a centrifuge shakes by λ_a = 1/L
     allow_only([](records::TableAxis& axis) { axis.acceleration = {{0.0 * si::kilograms, 5.11 * scaling::kStandardGravity}}; });
-    CHECK(only_range(setting, solid, make_law("centrifuge")).smallest == relative(0.1, kRounding));
+    CHECK(only_range(setting, solid, make_law("centrifuge")).smallest == relative(0.1, kLawRounding));
 }
 
 TEST_CASE("a model with vertical distortion has its own widths, shaking and mass, and keeps the regime") {
@@ -134,22 +134,22 @@ TEST_CASE("a model with vertical distortion has its own widths, shaking and mass
         REQUIRE(found != state.uses.end());
         return found->demand;
     };
-    CHECK(use("displacement of axis x") == relative(0.2 * kFriction * 0.01, kRounding));
+    CHECK(use("displacement of axis x") == relative(0.2 * kFriction * 0.01, kLawRounding));
     // u/t = U V/√V
-    CHECK(use("velocity of axis x") == relative(0.424 * kFriction * 0.1, kRounding));
-    CHECK(use("hall height") == relative(1.615, kRounding));
-    CHECK(use("payload of axis x") == relative(2.701509e8 * 2632.0 / 2320.0 * kFriction * kFriction * 1e-6, kRounding));
+    CHECK(use("velocity of axis x") == relative(0.424 * kFriction * 0.1, kLawRounding));
+    CHECK(use("hall height") == relative(1.615, kLawRounding));
+    CHECK(use("payload of axis x") == relative(2.701509e8 * 2632.0 / 2320.0 * kFriction * kFriction * 1e-6, kLawRounding));
     for (const char* kept : {"mu^N", "t*sqrt(mu*g/l)", "a/(mu*g)", "a/(g*tan(alpha))", "a_vertical/g", "mu/tan(alpha)", "u/b"}) {
-        CHECK_MESSAGE(group(state, kept) == relative(1.0, kRounding), kept);
+        CHECK_MESSAGE(group(state, kept) == relative(1.0, kLawRounding), kept);
     }
-    CHECK(group(state, "a/g") == relative(kFriction, kRounding));
+    CHECK(group(state, "a/g") == relative(kFriction, kLawRounding));
     // of the thin side, R ∝ H √(1 + tan²α) and e_r = 1 - 1.5 sin²α: 0.978 and 0.986/0.861
     const auto secant_squared = [](double slenderness) { return 1.0 + slenderness * slenderness; };
     const double prototype_side = 1.36 / 4.25, model_side = kFriction * prototype_side;
-    CHECK(group(state, "omega/p") == relative(std::pow(secant_squared(model_side) / secant_squared(prototype_side), 0.25), kRounding));
+    CHECK(group(state, "omega/p") == relative(std::pow(secant_squared(model_side) / secant_squared(prototype_side), 0.25), kLawRounding));
     CHECK(group(state, "omega/p") == relative(0.978, 5e-4));
     const auto leave = [&](double slenderness) { return 1.0 - 1.5 * (1.0 - 1.0 / secant_squared(slenderness)); };
-    CHECK(group(state, "e_r") == relative(leave(model_side) / leave(prototype_side), kRounding));
+    CHECK(group(state, "e_r") == relative(leave(model_side) / leave(prototype_side), kLawRounding));
     // all that the law holds has a name of its own already, but u/b
     for (const char* twice : {"a/(g*tan_alpha)", "a_v/g", "mu/tan_alpha"}) {
         CHECK_MESSAGE(std::none_of(state.groups.begin(), state.groups.end(), [&](const GroupFactor& each) { return each.name == twice; }),
@@ -159,10 +159,10 @@ TEST_CASE("a model with vertical distortion has its own widths, shaking and mass
     CHECK(std::find(kept.begin(), kept.end(), "e_r") != kept.end());
     setting.design.groups = {"e_r", "a_v/g"};
     const ModelState weighed = find_state(setting, metal, law, 0.01);
-    CHECK(weighed.measure == relative(std::log(leave(model_side) / leave(prototype_side)), kRounding));
-    CHECK(group(weighed, "a_v/g") == relative(1.0, kRounding));
+    CHECK(weighed.measure == relative(std::log(leave(model_side) / leave(prototype_side)), kLawRounding));
+    CHECK(group(weighed, "a_v/g") == relative(1.0, kLawRounding));
     // rotation θ = u/H
-    CHECK(group(state, "theta") == relative(kFriction, kRounding));
+    CHECK(group(state, "theta") == relative(kFriction, kLawRounding));
     CHECK_FALSE(state.changes_regime());
     CHECK(find_state(setting, metal, by("mu"), 0.01).changes_regime());
 
@@ -171,22 +171,22 @@ TEST_CASE("a model with vertical distortion has its own widths, shaking and mass
     coarse.smallest_edge = 5e-3 * si::meters;
     setting.loads.front().axis = free_axis();
     setting.design.limits = {};
-    CHECK(only_range(setting, coarse, law).smallest == relative(5e-3 / (1.36 * kFriction), kRounding));
+    CHECK(only_range(setting, coarse, law).smallest == relative(5e-3 / (1.36 * kFriction), kLawRounding));
     setting.loads.front().axis.name = "z";
     setting.loads.front().axis.displacement = 2e-3 * si::meters;
-    CHECK(only_range(setting, metal, law).largest == relative(0.01, kRounding));
+    CHECK(only_range(setting, metal, law).largest == relative(0.01, kLawRounding));
 }
 
 TEST_CASE("groups of a law follow from what the material has and not from what the law asks for") {
     const Setting setting = make_limited();
     const Material stiff = with_modulus(concrete(), 29.2e9);
     // the law asks λ_E = L, the same solid has 1
-    CHECK(group(find_state(setting, stiff, make_law("true_replica"), 0.01), "E/(rho*g*l)") == relative(100.0, kRounding));
-    CHECK(group(find_state(setting, stiff, make_law("true_replica"), 0.01), "kappa_n") == relative(100.0, kRounding));
+    CHECK(group(find_state(setting, stiff, make_law("true_replica"), 0.01), "E/(rho*g*l)") == relative(100.0, kLawRounding));
+    CHECK(group(find_state(setting, stiff, make_law("true_replica"), 0.01), "kappa_n") == relative(100.0, kLawRounding));
     const ModelState heavy = find_state(setting, stiff, make_law("artificial_mass"), 0.01);
-    CHECK(group(heavy, "E/(rho*g*l)") == relative(1.0, kRounding));
-    CHECK(group(heavy, "kappa_n") == relative(1.0, kRounding));
-    CHECK(heavy.added_mass.value() == relative(2.701509e8 * (1e-4 - 1e-6), kRounding));
+    CHECK(group(heavy, "E/(rho*g*l)") == relative(1.0, kLawRounding));
+    CHECK(group(heavy, "kappa_n") == relative(1.0, kLawRounding));
+    CHECK(heavy.added_mass.value() == relative(2.701509e8 * (1e-4 - 1e-6), kLawRounding));
     // a modulus that is not given leaves its products out
     const ModelState not_given = find_state(setting, concrete(), make_law("true_replica"), 0.01);
     CHECK(std::none_of(not_given.groups.begin(), not_given.groups.end(), [](const auto& each) { return each.name == "E/(rho*g*l)"; }));
@@ -235,4 +235,4 @@ TEST_CASE("designs name laws, with factors, products and files of one's own") {
     CHECK(message(R"([{"law": "mu", "set": {"E": -1}}])").find("E is not above zero") != std::string::npos);
 }
 
-}  // namespace musim::records::tests
+}  // namespace musim::records

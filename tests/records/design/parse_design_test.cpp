@@ -9,7 +9,7 @@
 #include "tests/support/relative.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace musim::records::tests {
+namespace musim::records {
 namespace {
 
 using lsdem::tests::relative;
@@ -156,4 +156,4 @@ TEST_CASE("wrong materials are refused with the place and what to do") {
           }) == "d.json: material bare has no height_deviation (limits ask for it); add it, or remove the limit");
 }
 
-}  // namespace musim::records::tests
+}  // namespace musim::records

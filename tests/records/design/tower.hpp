@@ -4,7 +4,7 @@
 #include "scaling/laws/scale_law_catalogue.hpp"
 
 /// The papers' tower and materials (shared similitude.md, sections 4 and 8).
-namespace musim::records::tests {
+namespace musim::records {
 
 namespace si = scaling::si;
 
@@ -50,4 +50,4 @@ inline Setting make_setting(const records::TableAxis& axis) {
     return setting;
 }
 
-}  // namespace musim::records::tests
+}  // namespace musim::records

@@ -15,7 +15,7 @@
 #include "tests/support/relative.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace musim::records::tests {
+namespace musim::records {
 namespace {
 
 using lsdem::tests::relative;
@@ -23,9 +23,9 @@ using musim::tests::message_of;
 using scaling::FirstOrder;
 
 /// Exponents are exact but for rounding, variances add by two roundings each.
-constexpr double kRounding = 1e-12;
+constexpr double kSampleRounding = 1e-12;
 
-const std::string kPrototype =
+const std::string kUncertainPrototype =
     R"("prototype": {"block": ["1.36 m", "2.82 m", "4.25 m"], "height": "161.5 +/- 1% m", "density": "2320 kg/m^3", "friction": "0.59 +/- 5%",
        "mass": "2.7e8 +/- 2% kg", "modulus": "29.2 GPa +/- 4%"})";
 const std::string kWood =
@@ -37,7 +37,8 @@ const std::string kTable =
 
 /// A design on the table, with uncertain peaks.
 Setting read_setting(const std::string& more, scaling::UncertainReading& reading, const std::string& material = kWood) {
-    const std::string json = R"({"schema": "musim-design/1", )" + kPrototype + R"(, "table": "t.json", "record": {"peaks": [{"axis": "x",
+    const std::string json = R"({"schema": "musim-design/1", )" + kUncertainPrototype +
+                             R"(, "table": "t.json", "record": {"peaks": [{"axis": "x",
         "acceleration": "0.511 g", "velocity": "42.4 cm/s +/- 1%", "highest_frequency": "10 Hz +/- 2%"}]}, "materials": [)" +
                              material + "]" + more + "}";
     Setting setting{parse_design(json, "d.json", {}, &reading), {}};
@@ -112,14 +113,15 @@ TEST_CASE("ends of length scales have the uncertainties of their closed forms") 
     const Answer answer = find_answer(R"(, "limits": {"hall_height": "6 m +/- 5 cm"})");
     // velocity: L ≤ (V/v)²/(U G)
     CHECK(range_of(answer, "velocity of axis x").largest->relative ==
-          relative(std::hypot(std::hypot(0.08, 0.02), std::hypot(0.05, 0.05)), kRounding));
+          relative(std::hypot(std::hypot(0.08, 0.02), std::hypot(0.05, 0.05)), kSampleRounding));
     // payload: L ≤ (m/(R M))^(1/3)
-    CHECK(range_of(answer, "payload of axis x").largest->relative == relative(std::hypot(std::hypot(0.06, 0.03), 0.02) / 3.0, kRounding));
+    CHECK(range_of(answer, "payload of axis x").largest->relative ==
+          relative(std::hypot(std::hypot(0.06, 0.03), 0.02) / 3.0, kSampleRounding));
     // highest frequency: L ≥ U G (f_P/f)²
     CHECK(range_of(answer, "highest frequency of axis x").smallest->relative ==
-          relative(std::hypot(std::hypot(0.05, 0.05), 0.04), kRounding));
-    CHECK(range_of(answer, "hall height").largest->relative == relative(std::hypot(0.05 / 6.0, 0.01), kRounding));
-    CHECK(range_of(answer, "smallest edge").smallest->relative == relative(0.02, kRounding));
+          relative(std::hypot(std::hypot(0.05, 0.05), 0.04), kSampleRounding));
+    CHECK(range_of(answer, "hall height").largest->relative == relative(std::hypot(0.05 / 6.0, 0.01), kSampleRounding));
+    CHECK(range_of(answer, "smallest edge").smallest->relative == relative(0.02, kSampleRounding));
     CHECK_FALSE(range_of(answer, "hall height").smallest.has_value());  // the end of the search
     // the feasible range has the ends of the limits that bind by the values
     const FeasibleRange& feasible = answer.candidates.front().ranges.front();
@@ -142,20 +144,21 @@ TEST_CASE("an end that is no power has the slope of its limit") {
 TEST_CASE("groups, factors and shares of a model have uncertainties at the given length") {
     const Answer answer = find_answer(R"(, "length": "1/60")");
     CHECK(group_of(answer, "mu^N").relative == 0.0);
-    CHECK(group_of(answer, "omega/p").relative == relative(0.5 * std::hypot(0.05, 0.05), kRounding));
-    CHECK(group_of(answer, "mu/tan(alpha)").relative == relative(std::hypot(0.05, 0.05), kRounding));
+    CHECK(group_of(answer, "omega/p").relative == relative(0.5 * std::hypot(0.05, 0.05), kSampleRounding));
+    CHECK(group_of(answer, "mu/tan(alpha)").relative == relative(std::hypot(0.05, 0.05), kSampleRounding));
     // κ_n = E/(ρ g l): the model's density and the prototype's modulus
-    CHECK(group_of(answer, "kappa_n").relative == relative(std::hypot(0.04, 0.03), kRounding));
+    CHECK(group_of(answer, "kappa_n").relative == relative(std::hypot(0.04, 0.03), kSampleRounding));
     const UncertainState& state = *answer.uncertain.front().chosen;
     CHECK(state.groups.size() == answer.candidates.front().chosen->groups.size());
     CHECK(state.used.size() == answer.candidates.front().chosen->uses.size());
-    CHECK(state.mass.relative == relative(std::hypot(0.03, 0.02), kRounding));
+    CHECK(state.mass.relative == relative(std::hypot(0.03, 0.02), kSampleRounding));
     CHECK(state.mass.value == answer.candidates.front().chosen->mass.value());
     CHECK_FALSE(state.cost.has_value());
     for (std::size_t i = 0; i < state.scales.size(); ++i) {
         CAPTURE(scaling::kModelScales[i].name);
         CHECK(state.scales[i].value == answer.candidates.front().chosen->scales.*scaling::kModelScales[i].factor);
-        if (scaling::kModelScales[i].name == "time") CHECK(state.scales[i].relative == relative(0.5 * std::hypot(0.05, 0.05), kRounding));
+        if (scaling::kModelScales[i].name == "time")
+            CHECK(state.scales[i].relative == relative(0.5 * std::hypot(0.05, 0.05), kSampleRounding));
     }
 }
 
@@ -163,8 +166,8 @@ TEST_CASE("uncertain factors and gravity of laws are inputs, too") {
     const Answer answer = find_answer(
         R"-(, "length": "1/60", "laws": [{"law": "gravity_distorted", "set": {"a": "1.5 +/- 3%"}}], "gravity": "(2+/-1%)/(1+/-2%)")-");
     // λ_t = √(λ_l/λ_a) at a length that is certain
-    CHECK(answer.uncertain.front().chosen->scales[2].relative == relative(0.5 * 0.03, kRounding));
-    CHECK(group_of(answer, "a/g").relative == relative(std::hypot(0.03, std::hypot(0.01, 0.02)), kRounding));
+    CHECK(answer.uncertain.front().chosen->scales[2].relative == relative(0.5 * 0.03, kSampleRounding));
+    CHECK(group_of(answer, "a/g").relative == relative(std::hypot(0.03, std::hypot(0.01, 0.02)), kSampleRounding));
 }
 
 TEST_CASE("where an uncertainty makes no sense one line says so") {
@@ -241,4 +244,4 @@ TEST_CASE("the share in which a limit is broken at the length given is that of t
     CHECK(draw_answer(more, kWood, settings).sampled.largest.upper != answer.sampled.largest.upper);
 }
 
-}  // namespace musim::records::tests
+}  // namespace musim::records

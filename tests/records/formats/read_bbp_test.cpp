@@ -12,14 +12,14 @@ namespace {
 
 using tests::replaced;
 
-const std::string kFile =
+const std::string kBbpFile =
     "#    time(sec)      N-S(cm/s/s)      E-W(cm/s/s)      U-D(cm/s/s)\n"
     "1.000000e+00    5.0e+00    6.0e+00    7.0e+00\n1.020000e+00    4.0e+00   -3.0e+00    2.0e+00\n"
     "1.040000e+00    1.0e+00    0.0e+00    0.0e+00\n";
 
 TEST_CASE("a broadband-platform file gives named axes, and its clock begins where its times do") {
     const tests::TemporaryFolder folder;
-    const GroundMotion motion = read_record(folder.write("a", kFile));
+    const GroundMotion motion = read_record(folder.write("a", kBbpFile));
 
     CHECK(motion.format == "SCEC BBP");
     CHECK(motion.component_names() == "N-S, E-W, U-D");
@@ -50,17 +50,17 @@ TEST_CASE("velocities are recognized by their unit, unless the text says that th
 
 TEST_CASE("every defect of a broadband-platform file is reported with its line") {
     using tests::check_refused;
-    check_refused(replaced(kFile, "   -3.0e+00", ""), "a:3: 3 values (the header names 4 columns)");
-    check_refused(replaced(kFile, "-3.0e+00", "-3.0e+00 1"), "a:3: 5 values (the header names 4 columns)");
-    check_refused(replaced(kFile, "-3.0e+00", "-3.0f+00"), "a:3: sample 2 is '-3.0f+00' (no finite number)");
-    check_refused(replaced(kFile, "1.020000e+00", "1.030000e+00"), "a:3: time is 1.03 s (even sampling gives 1.02 s)");
-    check_refused(kFile.substr(0, kFile.find("1.02")), "a:2: one row gives no time step");
-    check_refused(kFile.substr(0, kFile.find("1.00")), "a: no samples follow the header");
-    check_refused(replaced(kFile, "E-W(cm/s/s)", "E-W(cm/s)"), "a:1: units 'cm/s/s' and 'cm/s' differ");
-    check_refused(replaced(replaced(replaced(kFile, "(cm/s/s)", "(ft)"), "(cm/s/s)", "(ft)"), "(cm/s/s)", "(ft)"),
+    check_refused(replaced(kBbpFile, "   -3.0e+00", ""), "a:3: 3 values (the header names 4 columns)");
+    check_refused(replaced(kBbpFile, "-3.0e+00", "-3.0e+00 1"), "a:3: 5 values (the header names 4 columns)");
+    check_refused(replaced(kBbpFile, "-3.0e+00", "-3.0f+00"), "a:3: sample 2 is '-3.0f+00' (no finite number)");
+    check_refused(replaced(kBbpFile, "1.020000e+00", "1.030000e+00"), "a:3: time is 1.03 s (even sampling gives 1.02 s)");
+    check_refused(kBbpFile.substr(0, kBbpFile.find("1.02")), "a:2: one row gives no time step");
+    check_refused(kBbpFile.substr(0, kBbpFile.find("1.00")), "a: no samples follow the header");
+    check_refused(replaced(kBbpFile, "E-W(cm/s/s)", "E-W(cm/s)"), "a:1: units 'cm/s/s' and 'cm/s' differ");
+    check_refused(replaced(replaced(replaced(kBbpFile, "(cm/s/s)", "(ft)"), "(cm/s/s)", "(ft)"), "(cm/s/s)", "(ft)"),
                   "a:1: unit 'ft' is unknown");
-    check_refused(kFile, "file states its unit cm/s^2 (asked for: g)", {.unit = "g"});
-    check_refused(kFile, "file states its time step 0.02 s (asked for: 0.01 s)", {.dt = 0.01 * scaling::si::seconds});
+    check_refused(kBbpFile, "file states its unit cm/s^2 (asked for: g)", {.unit = "g"});
+    check_refused(kBbpFile, "file states its time step 0.02 s (asked for: 0.01 s)", {.dt = 0.01 * scaling::si::seconds});
 }
 
 TEST_CASE("the real broadband-platform files name their axes") {

@@ -22,11 +22,11 @@ std::string volume1_channel(const std::string& title, const std::string& azimuth
 }
 
 const std::string kAnnounced = "     3 Accelerogram points at 100 pts/sec in units of g.       Format: (2f9.6)";
-const std::string kSamples = " -.000011-1.000011\n  .000001\n";
+const std::string kCsmipSamples = " -.000011-1.000011\n  .000001\n";
 
 TEST_CASE("samples without blanks between them are read by their columns") {
     const tests::TemporaryFolder folder;
-    const auto path = folder.write("a", volume1_channel("360 Deg", "  360", kAnnounced, kSamples));
+    const auto path = folder.write("a", volume1_channel("360 Deg", "  360", kAnnounced, kCsmipSamples));
 
     const GroundMotion motion = read_record(path);
 
@@ -46,7 +46,7 @@ TEST_CASE("samples without blanks between them are read by their columns") {
 TEST_CASE("channels of one file keep their own names, and the vertical has no azimuth") {
     const tests::TemporaryFolder folder;
     const auto path = folder.write(
-        "a", volume1_channel(" 90 Deg", "   90", kAnnounced, kSamples) + volume1_channel(" Up", "  500", kAnnounced, kSamples));
+        "a", volume1_channel(" 90 Deg", "   90", kAnnounced, kCsmipSamples) + volume1_channel(" Up", "  500", kAnnounced, kCsmipSamples));
 
     const GroundMotion motion = read_record(path);
 
@@ -57,7 +57,7 @@ TEST_CASE("channels of one file keep their own names, and the vertical has no az
 TEST_CASE("the start time of a CSMIP file is its clock's zero, where that is in UTC") {
     const tests::TemporaryFolder folder;
     const auto start_of = [&](const std::string& line) {
-        std::string text = volume1_channel("360 Deg", "  360", kAnnounced, kSamples);
+        std::string text = volume1_channel("360 Deg", "  360", kAnnounced, kCsmipSamples);
         text.replace(text.find("\nid\n"), 4, "\n" + line + "\n");
         return read_record(folder.write("a", text)).time_zero;
     };
@@ -75,22 +75,23 @@ TEST_CASE("every defect of a CSMIP file is reported with its line") {
     };
     const std::string title = "360 Deg";
     for (const Case& row : {
-             Case{volume1_channel(title, "  900", kAnnounced, kSamples), "a:15: azimuth is 900 (line 7 says 360 Deg"},
+             Case{volume1_channel(title, "  900", kAnnounced, kCsmipSamples), "a:15: azimuth is 900 (line 7 says 360 Deg"},
              Case{volume1_channel(title, "  360", kAnnounced, " -.000011-1.000011\n"), "a:30: sample 3 is '/&  -----' (no decimal point"},
-             Case{volume1_channel(title, "  360", kAnnounced, kSamples + "  .000001\n"), "a:31: end mark '/&' of the channel is missing"},
+             Case{volume1_channel(title, "  360", kAnnounced, kCsmipSamples + "  .000001\n"),
+                  "a:31: end mark '/&' of the channel is missing"},
              Case{volume1_channel(title, "  360", kAnnounced, " -.000011-1.000011\n  .000001  .000002\n"),
                   "a:30: line goes on after sample 3"},
              Case{volume1_channel(title, "  360", kAnnounced, " -.000011*********\n  .000001\n"), "a:29: sample 2 is '*********'"},
              Case{volume1_channel(title, "  360", kAnnounced, " -.000011     NaN \n  .000001\n"), "a:29: sample 2 is 'NaN'"},
-             Case{volume1_channel(title, "  360", "     4 Accelerogram points at 100 pts/sec in units of g. (2f9.6)", kSamples),
+             Case{volume1_channel(title, "  360", "     4 Accelerogram points at 100 pts/sec in units of g. (2f9.6)", kCsmipSamples),
                   "a:28: 4 points announced (line 11 says '3')"},
-             Case{volume1_channel(title, "  360", "     3 Accelerogram points at   0 pts/sec in units of g. (2f9.6)", kSamples),
+             Case{volume1_channel(title, "  360", "     3 Accelerogram points at   0 pts/sec in units of g. (2f9.6)", kCsmipSamples),
                   "a:28: time step is inf s (must be positive)"},
-             Case{volume1_channel(title, "  360", "     3 Accelerogram points at  10 pts/sec in units of g. (2f9.6)", kSamples),
+             Case{volume1_channel(title, "  360", "     3 Accelerogram points at  10 pts/sec in units of g. (2f9.6)", kCsmipSamples),
                   "a:28: 3 points of 0.1 s do not make the 0.03 s of line 11"},
-             Case{volume1_channel(title, "  360", "     3 Accelerogram points at 100 pts/sec in units of volt. (2f9.6)", kSamples),
+             Case{volume1_channel(title, "  360", "     3 Accelerogram points at 100 pts/sec in units of volt. (2f9.6)", kCsmipSamples),
                   "a:28: unit 'volt.' is unknown"},
-             Case{volume1_channel(title, "  360", kAnnounced, kSamples) + "junk\n", "a:32: channel header is missing"},
+             Case{volume1_channel(title, "  360", kAnnounced, kCsmipSamples) + "junk\n", "a:32: channel header is missing"},
          }) {
         tests::check_refused(row.content, row.said);
     }
@@ -98,7 +99,7 @@ TEST_CASE("every defect of a CSMIP file is reported with its line") {
 
 TEST_CASE("an uncorrected record has no velocity to offer") {
     const tests::TemporaryFolder folder;
-    const auto path = folder.write("a", volume1_channel("360 Deg", "  360", kAnnounced, kSamples));
+    const auto path = folder.write("a", volume1_channel("360 Deg", "  360", kAnnounced, kCsmipSamples));
 
     CHECK(tests::message_of<ReadError>([&] {
               read_record(path, {.quantity = SampleQuantity::velocity});

@@ -15,7 +15,7 @@ using lsdem::tests::relative;
 using tests::replaced;
 
 // one corrected component of twelve samples: two lines a block, the second with two values; a pad of 5 s as the networks' files have
-const std::string kFile =
+const std::string kGeonetFile =
     "Corrected accelerogram 20180212_211554_WPWS_20 GNS Science\nSite WPWS      39 56 38S  176 35 04E\nWaipawa\nInstrument Basalt\n"
     "Resolution: 24-bit\nAccelerogram\n6 km south of Waipukurau\n2018 February 12         21:15:54 UT\nEpicentre\n"
     "Number of points     12    Duration   0.22 sec\nInstrument corrected data at 0.020 sec intervals\nBand-pass filter\n"
@@ -36,7 +36,7 @@ const std::string kFile =
 
 TEST_CASE("a GeoNet component gives samples in SI, its site and azimuth") {
     const tests::TemporaryFolder folder;
-    const GroundMotion motion = read_record(folder.write("a", kFile));
+    const GroundMotion motion = read_record(folder.write("a", kGeonetFile));
 
     CHECK(motion.format == "GeoNet V2A");
     CHECK(motion.station == "WPWS, Waipawa");
@@ -53,7 +53,7 @@ TEST_CASE("a GeoNet component gives samples in SI, its site and azimuth") {
 
 TEST_CASE("the pad in front of a GeoNet recording lies before its clock's zero") {
     const tests::TemporaryFolder folder;
-    const GroundMotion motion = read_record(folder.write("a", kFile));
+    const GroundMotion motion = read_record(folder.write("a", kGeonetFile));
 
     CHECK(motion.time_zero == make_utc_time(2018, 2, 12, 21, 15, 17.0));
     CHECK(motion.components.front().series.start().value() == -5.0);
@@ -61,37 +61,40 @@ TEST_CASE("the pad in front of a GeoNet recording lies before its clock's zero")
 
 TEST_CASE("the option chooses the block, and a block that was not evaluated is missed") {
     const tests::TemporaryFolder folder;
-    const TimeSeries velocity = read_record(folder.write("a", kFile), {.quantity = SampleQuantity::velocity}).find_component("S16W").series;
+    const TimeSeries velocity =
+        read_record(folder.write("a", kGeonetFile), {.quantity = SampleQuantity::velocity}).find_component("S16W").series;
     CHECK(velocity.quantity() == SampleQuantity::velocity);
     CHECK(velocity.samples()[6] == relative(0.0016472, 1e-15));
 
-    tests::check_refused(kFile, "a:1: component has no displacement", {.quantity = SampleQuantity::displacement});
+    tests::check_refused(kGeonetFile, "a:1: component has no displacement", {.quantity = SampleQuantity::displacement});
 }
 
 TEST_CASE("every defect of a GeoNet file is reported with its line") {
     using tests::check_refused;
-    check_refused(replaced(kFile, "  0.0000  0.0000\n", ""), "a:29: sample 11 of 12 is missing (file is truncated)");
-    check_refused(replaced(kFile, "     2.0     3.0\n", "     2.0     3.0     4.0\n"), "a:28: line goes on after sample 12");
-    check_refused(kFile + "  0.0000\n", "a:31: '  0.0000' is no header of a component (more samples than announced");
-    check_refused(replaced(kFile, "     2.0     3.0\n", "     2.0     3,0\n"), "a:28: sample 12 is '3,0' (no decimal point");
-    check_refused(replaced(kFile, "     2.0     3.0\n", "     2.0     x.0\n"), "a:28: sample 12 is 'x.0' (no finite number)");
-    check_refused(replaced(kFile, "-41.6 mm", "-42.6 mm"), "a:14: peak is '-42.6' (the samples peak at -41.6;");
-    check_refused(replaced(kFile, "1.65 mm", "1.85 mm"), "a:15: peak is '1.85' (the samples peak at 1.6472;");
-    check_refused(replaced(kFile, "-41.6 mm/s/s", "-41.6 volt"), "a:14: unit 'volt' is none of acceleration");
-    check_refused(replaced(kFile, "points     12", "points     13"), "a:10: 'Number of points     13    Durat...' is no usable number");
-    check_refused(replaced(replaced(kFile, "points     12", "points 900000000"), "250      12      12", "2509000000009000000"),
+    check_refused(replaced(kGeonetFile, "  0.0000  0.0000\n", ""), "a:29: sample 11 of 12 is missing (file is truncated)");
+    check_refused(replaced(kGeonetFile, "     2.0     3.0\n", "     2.0     3.0     4.0\n"), "a:28: line goes on after sample 12");
+    check_refused(kGeonetFile + "  0.0000\n", "a:31: '  0.0000' is no header of a component (more samples than announced");
+    check_refused(replaced(kGeonetFile, "     2.0     3.0\n", "     2.0     3,0\n"), "a:28: sample 12 is '3,0' (no decimal point");
+    check_refused(replaced(kGeonetFile, "     2.0     3.0\n", "     2.0     x.0\n"), "a:28: sample 12 is 'x.0' (no finite number)");
+    check_refused(replaced(kGeonetFile, "-41.6 mm", "-42.6 mm"), "a:14: peak is '-42.6' (the samples peak at -41.6;");
+    check_refused(replaced(kGeonetFile, "1.65 mm", "1.85 mm"), "a:15: peak is '1.85' (the samples peak at 1.6472;");
+    check_refused(replaced(kGeonetFile, "-41.6 mm/s/s", "-41.6 volt"), "a:14: unit 'volt' is none of acceleration");
+    check_refused(replaced(kGeonetFile, "points     12", "points     13"),
+                  "a:10: 'Number of points     13    Durat...' is no usable number");
+    check_refused(replaced(replaced(kGeonetFile, "points     12", "points 900000000"), "250      12      12", "2509000000009000000"),
                   "is no usable number of points");
-    check_refused(replaced(kFile, "Duration   0.22", "Duration   9.22"), "a:10: 12 points of 0.02 s do not make the duration in");
-    check_refused(replaced(kFile, "at 0.020 sec", "at 0.005 sec"), "a:11: time step is 0.005 s (line 23 says 0.02 s)");
-    check_refused(replaced(kFile, "at 0.020 sec", "at 0.000 sec"), "a:11: time step is 0 s (must be positive)");
-    check_refused(replaced(kFile, "at 0.020 sec", "every sec"), "a:11: time step is missing");
-    check_refused(replaced(kFile, "S16W", "S17W"), "a:13: component 'S17W' has the azimuth 197 (line 19 says 196;");
-    check_refused(replaced(kFile, "    0.22    5.00", "    0.22   -5.00"), "a:23: pad in front is -5 s (must not be negative)");
-    check_refused(replaced(kFile, "    0.22    5.00", "    0.22    five"), "a:23: number 2 of the header line is 'five' (no number)");
-    check_refused(replaced(kFile, "      12      21\n", "      32      21\n"), "a:17: start of the recording is no date and time");
-    check_refused(kFile + replaced(kFile, "   17000", "   18000"), "a:47: recording starts at another time than that of the first");
-    check_refused(kFile.substr(0, kFile.find("     1.0")), "a:26: sample 1 of 12 is missing (file is truncated)");
-    check_refused(kFile, "file states its time step 0.02 s (asked for: 0.01 s)", {.dt = 0.01 * scaling::si::seconds});
+    check_refused(replaced(kGeonetFile, "Duration   0.22", "Duration   9.22"), "a:10: 12 points of 0.02 s do not make the duration in");
+    check_refused(replaced(kGeonetFile, "at 0.020 sec", "at 0.005 sec"), "a:11: time step is 0.005 s (line 23 says 0.02 s)");
+    check_refused(replaced(kGeonetFile, "at 0.020 sec", "at 0.000 sec"), "a:11: time step is 0 s (must be positive)");
+    check_refused(replaced(kGeonetFile, "at 0.020 sec", "every sec"), "a:11: time step is missing");
+    check_refused(replaced(kGeonetFile, "S16W", "S17W"), "a:13: component 'S17W' has the azimuth 197 (line 19 says 196;");
+    check_refused(replaced(kGeonetFile, "    0.22    5.00", "    0.22   -5.00"), "a:23: pad in front is -5 s (must not be negative)");
+    check_refused(replaced(kGeonetFile, "    0.22    5.00", "    0.22    five"), "a:23: number 2 of the header line is 'five' (no number)");
+    check_refused(replaced(kGeonetFile, "      12      21\n", "      32      21\n"), "a:17: start of the recording is no date and time");
+    check_refused(kGeonetFile + replaced(kGeonetFile, "   17000", "   18000"),
+                  "a:47: recording starts at another time than that of the first");
+    check_refused(kGeonetFile.substr(0, kGeonetFile.find("     1.0")), "a:26: sample 1 of 12 is missing (file is truncated)");
+    check_refused(kGeonetFile, "file states its time step 0.02 s (asked for: 0.01 s)", {.dt = 0.01 * scaling::si::seconds});
 }
 
 TEST_CASE("compass bearings become azimuths in every quadrant") {

@@ -17,7 +17,7 @@ using lsdem::tests::relative;
 using tests::replaced;
 
 // four counts in one second, a count is 0.5 gal; about their mean of 2 they peak at 8 counts
-const std::string kFile =
+const std::string kKnetFile =
     "Origin Time       2018/01/24 19:51:00\nLat.              41.0\nLong.             142.5\nDepth. (km)       30\nMag.              6.2\n"
     "Station Code      AOM001\nStation Lat.      41.5267\nStation Long.     140.9244\nStation Height(m) 39\n"
     "Record Time       2018/01/24 19:51:43\nSampling Freq(Hz) 4Hz\nDuration Time(s)  1\nDir.              E-W\n"
@@ -26,7 +26,7 @@ const std::string kFile =
 
 TEST_CASE("K-NET counts become accelerations, with the mean left in") {
     const tests::TemporaryFolder folder;
-    const GroundMotion motion = read_record(folder.write("a", kFile));
+    const GroundMotion motion = read_record(folder.write("a", kKnetFile));
 
     CHECK(motion.format == "K-NET/KiK-net");
     CHECK(motion.station == "AOM001");
@@ -43,13 +43,13 @@ TEST_CASE("K-NET counts become accelerations, with the mean left in") {
 
 TEST_CASE("a K-NET clock is Japan's, and the samples begin 15 s before the record time") {
     const tests::TemporaryFolder folder;
-    CHECK(read_record(folder.write("a", kFile)).time_zero == make_utc_time(2018, 1, 24, 10, 51, 28.0));
+    CHECK(read_record(folder.write("a", kKnetFile)).time_zero == make_utc_time(2018, 1, 24, 10, 51, 28.0));
 }
 
 TEST_CASE("KiK-net numbers its directions: borehole 1 to 3, surface 4 to 6") {
     const tests::TemporaryFolder folder;
     const auto component = [&](std::string_view direction) {
-        return read_record(folder.write("a", replaced(kFile, "E-W", direction))).components.front();
+        return read_record(folder.write("a", replaced(kKnetFile, "E-W", direction))).components.front();
     };
     CHECK(component("1").azimuth_deg == 0.0);
     CHECK(component("2").azimuth_deg == 90.0);
@@ -62,21 +62,22 @@ TEST_CASE("KiK-net numbers its directions: borehole 1 to 3, surface 4 to 6") {
 
 TEST_CASE("every defect of a K-NET file is reported with its line") {
     using tests::check_refused;
-    check_refused(replaced(kFile, "10       -2        0 ", ""), "a:18: 1 values for Duration Time x Sampling Freq = 4 (file is truncated)");
-    check_refused(kFile + "       1\n", "a:19: more values than Duration Time x Sampling Freq = 4");
-    check_refused(replaced(kFile, "-2  ", "-2x "), "a:18: sample 3 is '-2x' (no finite number)");
-    check_refused(replaced(kFile, "4.000", "5.000"), "a:15: Max. Acc. (gal) is '5.000' (the samples peak at 4;");
-    check_refused(replaced(kFile, "4.000", "?"), "a:15: Max. Acc. (gal) is '?' (no number)");
-    check_refused(replaced(kFile, "2000(gal)", "2000"), "a:14: Scale Factor is '2000/4000' (must be 'a(gal)/b'");
-    check_refused(replaced(kFile, "/4000", "/0"), "a:14: Scale Factor is '2000(gal)/0'");
-    check_refused(replaced(kFile, "4Hz", "0Hz"), "a:11: Sampling Freq(Hz) is '0Hz' (must be positive)");
-    check_refused(replaced(kFile, "  1\nDir", "  1000000000000\nDir"), "a:12: 1000000000000 s of 0.25 s steps are no usable length");
-    check_refused(replaced(kFile, "  1\nDir", "\nDir"), "a: header has no 'Duration Time(s)' (missing or empty)");
-    check_refused(replaced(kFile, "E-W", "EWE"), "a:13: Dir. is 'EWE' (known: N-S, E-W, U-D, 1 to 6)");
-    check_refused(replaced(kFile, "Record Time       2018/01/24 19:51:43", "Record Time       2018/01/24 25:51:43"),
+    check_refused(replaced(kKnetFile, "10       -2        0 ", ""),
+                  "a:18: 1 values for Duration Time x Sampling Freq = 4 (file is truncated)");
+    check_refused(kKnetFile + "       1\n", "a:19: more values than Duration Time x Sampling Freq = 4");
+    check_refused(replaced(kKnetFile, "-2  ", "-2x "), "a:18: sample 3 is '-2x' (no finite number)");
+    check_refused(replaced(kKnetFile, "4.000", "5.000"), "a:15: Max. Acc. (gal) is '5.000' (the samples peak at 4;");
+    check_refused(replaced(kKnetFile, "4.000", "?"), "a:15: Max. Acc. (gal) is '?' (no number)");
+    check_refused(replaced(kKnetFile, "2000(gal)", "2000"), "a:14: Scale Factor is '2000/4000' (must be 'a(gal)/b'");
+    check_refused(replaced(kKnetFile, "/4000", "/0"), "a:14: Scale Factor is '2000(gal)/0'");
+    check_refused(replaced(kKnetFile, "4Hz", "0Hz"), "a:11: Sampling Freq(Hz) is '0Hz' (must be positive)");
+    check_refused(replaced(kKnetFile, "  1\nDir", "  1000000000000\nDir"), "a:12: 1000000000000 s of 0.25 s steps are no usable length");
+    check_refused(replaced(kKnetFile, "  1\nDir", "\nDir"), "a: header has no 'Duration Time(s)' (missing or empty)");
+    check_refused(replaced(kKnetFile, "E-W", "EWE"), "a:13: Dir. is 'EWE' (known: N-S, E-W, U-D, 1 to 6)");
+    check_refused(replaced(kKnetFile, "Record Time       2018/01/24 19:51:43", "Record Time       2018/01/24 25:51:43"),
                   "a:10: Record Time is '2018/01/24 25:51:43' (no date and time)");
-    check_refused(kFile, "file states its time step 0.25 s (asked for: 0.01 s)", {.dt = 0.01 * scaling::si::seconds});
-    check_refused(kFile, "file holds acceleration (asked for: velocity)", {.quantity = SampleQuantity::velocity});
+    check_refused(kKnetFile, "file states its time step 0.25 s (asked for: 0.01 s)", {.dt = 0.01 * scaling::si::seconds});
+    check_refused(kKnetFile, "file holds acceleration (asked for: velocity)", {.quantity = SampleQuantity::velocity});
 }
 
 struct KnetFile {

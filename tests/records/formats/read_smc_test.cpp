@@ -33,7 +33,7 @@ struct File {
 };
 
 // lines: 11 of text, 12 to 17 of integers, 18 to 27 of reals, 28 a comment, 29 the first samples
-std::string text_of(const File& file) {
+std::string smc_text_of(const File& file) {
     std::string text = file.title + "\n*\n*\n     2011  08  23    1751 MINERAL, VA\n*\n" + file.station + "\n*\n*\n*\n*\n*\n";
     for (int i = 1; i <= 48; ++i) {
         long value = -32768;
@@ -61,7 +61,7 @@ const std::string kPairs = " 0.0000E+0 0.0000E+0 1.0000E-2 1.0000E+0 1.9000E-2 1
 TEST_CASE("an SMC file has the station, component, start and unit of its header") {
     const tests::TemporaryFolder folder;
 
-    const GroundMotion motion = read_record(folder.write("a", text_of({})));
+    const GroundMotion motion = read_record(folder.write("a", smc_text_of({})));
 
     CHECK(motion.format == "SMC");
     CHECK(motion.station == "2555 Somewhere, FS 25");
@@ -80,7 +80,7 @@ TEST_CASE("samples of eight digits stand five a line, and the first letter gives
     const File fine{
         .title = "3 VELOCITY", .count = 2, .digits = 8, .largest = 3.0, .smallest = 1.5, .body = " 1.5000000E+00 3.0000000E+00\n"};
 
-    const TimeSeries series = read_record(folder.write("a", text_of(fine))).components.front().series;
+    const TimeSeries series = read_record(folder.write("a", smc_text_of(fine))).components.front().series;
 
     CHECK(series.quantity() == SampleQuantity::velocity);
     CHECK(series.samples()[1] == relative(0.03, 1e-14));
@@ -90,7 +90,7 @@ TEST_CASE("an SMC file without a sampling rate holds times and values, which bec
     const tests::TemporaryFolder folder;
     const File uneven{.title = "1 UNCORRECTED ACCELEROGRAM", .count = 10, .rate = 1.7e38, .largest = 4.0, .smallest = 0.0, .body = kPairs};
 
-    const GroundMotion motion = read_record(folder.write("a", text_of(uneven)));
+    const GroundMotion motion = read_record(folder.write("a", smc_text_of(uneven)));
 
     REQUIRE(motion.integration_corner);
     const TimeSeries& series = motion.components.front().series;
@@ -104,7 +104,7 @@ TEST_CASE("an SMC file without a sampling rate holds times and values, which bec
 
 TEST_CASE("an SMC file of unknown content is acceleration unless another quantity is asked for") {
     const tests::TemporaryFolder folder;
-    const auto path = folder.write("a", text_of({.title = "0 UNKNOWN"}));
+    const auto path = folder.write("a", smc_text_of({.title = "0 UNKNOWN"}));
 
     CHECK(read_record(path).components.front().series.quantity() == SampleQuantity::acceleration);
     CHECK(read_record(path, {.quantity = SampleQuantity::displacement}).components.front().series.quantity() ==
@@ -121,28 +121,28 @@ TEST_CASE("every defect of an SMC file is reported with its line") {
     const auto uneven_with = [&](const std::string& from, const std::string& to) {
         File changed = uneven;
         changed.body.replace(changed.body.find(from), from.size(), to);
-        return text_of(changed);
+        return smc_text_of(changed);
     };
     for (const Case& row : {
-             Case{text_of({.count = 10}), "a:30: sample 10 of 10 is missing (file is truncated)"},
-             Case{text_of({.count = 8, .smallest = 0.0}), "a:30: line behind the last sample"},
-             Case{text_of({.body = body + " 1.0000E+0\n"}), "a:31: line behind the last sample"},
-             Case{text_of({.body = ""}), "a:28: sample 1 of 9 is missing"},
-             Case{text_of({.count = 9999999999}), "a:30: sample 10 of 9999999999 is missing"},
-             Case{text_of({.count = 0}), "a:14: number of values is 0 (must be a positive integer)"},
-             Case{text_of({.count = -32768}), "a:14: number of values is -32768"},
-             Case{text_of({.rate = 0.0}), "a:18: time step is inf s (must be positive)"},
-             Case{text_of({.rate = -5.0}), "a:18: time step is -0.2 s (must be positive)"},
-             Case{text_of({.smallest = -9.1}), "a:23: peak is 9.1 cm/s^2 (largest sample: 9;"},
-             Case{text_of({.azimuth = 90}), "a:13: azimuth is 90 (line 6 says 360 Deg"},
-             Case{text_of({.comments = 2}), "a:13: 2 comments announced (found: 1"},
-             Case{text_of({.digits = 7}), "a:17: 7 digits a value (known: 5 and 8)"},
-             Case{text_of({.title = "5 RESPONSE SPECTRA"}), "a:1: file holds spectra"},
-             Case{text_of({.body = " 1.0000E+x" + body.substr(10)}), "a:29: sample 1 is '1.0000E+x' (no finite number)"},
-             Case{text_of({}).substr(0, 1000), "a:23: real-header value 27 of 50 is missing (file is truncated)"},
+             Case{smc_text_of({.count = 10}), "a:30: sample 10 of 10 is missing (file is truncated)"},
+             Case{smc_text_of({.count = 8, .smallest = 0.0}), "a:30: line behind the last sample"},
+             Case{smc_text_of({.body = body + " 1.0000E+0\n"}), "a:31: line behind the last sample"},
+             Case{smc_text_of({.body = ""}), "a:28: sample 1 of 9 is missing"},
+             Case{smc_text_of({.count = 9999999999}), "a:30: sample 10 of 9999999999 is missing"},
+             Case{smc_text_of({.count = 0}), "a:14: number of values is 0 (must be a positive integer)"},
+             Case{smc_text_of({.count = -32768}), "a:14: number of values is -32768"},
+             Case{smc_text_of({.rate = 0.0}), "a:18: time step is inf s (must be positive)"},
+             Case{smc_text_of({.rate = -5.0}), "a:18: time step is -0.2 s (must be positive)"},
+             Case{smc_text_of({.smallest = -9.1}), "a:23: peak is 9.1 cm/s^2 (largest sample: 9;"},
+             Case{smc_text_of({.azimuth = 90}), "a:13: azimuth is 90 (line 6 says 360 Deg"},
+             Case{smc_text_of({.comments = 2}), "a:13: 2 comments announced (found: 1"},
+             Case{smc_text_of({.digits = 7}), "a:17: 7 digits a value (known: 5 and 8)"},
+             Case{smc_text_of({.title = "5 RESPONSE SPECTRA"}), "a:1: file holds spectra"},
+             Case{smc_text_of({.body = " 1.0000E+x" + body.substr(10)}), "a:29: sample 1 is '1.0000E+x' (no finite number)"},
+             Case{smc_text_of({}).substr(0, 1000), "a:23: real-header value 27 of 50 is missing (file is truncated)"},
              Case{uneven_with("1.9000E-2", "1.0000E-2"), "a:29: time 3 is 0.01 s (not after the one before it)"},
              Case{uneven_with("4.0000E-2", "9.9000E+9"), "a:29: times are too uneven to resample"},
-             Case{text_of({.rate = 1.7e38}), "a:29: 9 numbers announced (pairs of time and value need an even count)"},
+             Case{smc_text_of({.rate = 1.7e38}), "a:29: 9 numbers announced (pairs of time and value need an even count)"},
          }) {
         tests::check_refused(row.content, row.said);
     }

@@ -14,7 +14,7 @@ namespace {
 using lsdem::tests::relative;
 using tests::replaced;
 
-const std::string kFile =
+const std::string kUnamFile =
     "*****\n                       INSTITUTO DE INGENIERIA, UNAM\nNOMBRE DE LA ESTACION                  : IDEI PATIO 5\n"
     "CLAVE DE LA ESTACION                   : CUP5\nNUMERO DE CANALES                      : 2\n"
     "ORIENTACION C1-C6 (rumbo;orientacion)  : /V/N90E\nINTERVALO DE MUESTREO, C1-C6 (s)       : /0.004/0.004\n"
@@ -26,7 +26,7 @@ const std::string kFile =
 
 TEST_CASE("a UNAM file gives its channels, and a first sample after midnight is of the next day") {
     const tests::TemporaryFolder folder;
-    const GroundMotion motion = read_record(folder.write("a", kFile));
+    const GroundMotion motion = read_record(folder.write("a", kUnamFile));
 
     CHECK(motion.format == "UNAM");
     CHECK(motion.station == "CUP5, IDEI PATIO 5");
@@ -43,31 +43,32 @@ TEST_CASE("a UNAM file gives its channels, and a first sample after midnight is 
 
 TEST_CASE("rows beyond the announced number are dropped only when they repeat the last one") {
     const tests::TemporaryFolder folder;
-    const GroundMotion motion = read_record(folder.write("a", kFile + "     0.036     0.098\n     0.036     0.098\n"));
+    const GroundMotion motion = read_record(folder.write("a", kUnamFile + "     0.036     0.098\n     0.036     0.098\n"));
     CHECK(motion.components.front().series.size() == 3);
     CHECK(motion.history.back().find("last row repeated 2 times left out") != std::string::npos);
 
-    tests::check_refused(kFile + "     0.036     0.099\n", "a:22: more rows than NUM. TOTAL DE MUESTRAS, C1-C6 = 3");
+    tests::check_refused(kUnamFile + "     0.036     0.099\n", "a:22: more rows than NUM. TOTAL DE MUESTRAS, C1-C6 = 3");
 }
 
 TEST_CASE("every defect of a UNAM file is reported with its line") {
     using tests::check_refused;
-    check_refused(replaced(kFile, "     0.036     0.098\n", ""), "a:20: 2 rows for NUM. TOTAL DE MUESTRAS, C1-C6 = 3 (file is truncated)");
-    check_refused(replaced(kFile, "    -0.007", ""), "a:20: 1 values (the header names 2 columns)");
-    check_refused(replaced(kFile, "-0.007", "-0.0x7"), "a:20: sample 2 is '-0.0x7' (no finite number)");
-    check_refused(replaced(kFile, ": /3/3", ": /3/4"), "a:11: NUM. TOTAL DE MUESTRAS, C1-C6 differs between channels");
-    check_refused(replaced(kFile, ": /3/3", ": /x/x"), "a:11: NUM. TOTAL DE MUESTRAS, C1-C6 is 'x' (must be a positive integer)");
-    check_refused(replaced(kFile, ": /3/3", ": /1000000000000/1000000000000"),
+    check_refused(replaced(kUnamFile, "     0.036     0.098\n", ""),
+                  "a:20: 2 rows for NUM. TOTAL DE MUESTRAS, C1-C6 = 3 (file is truncated)");
+    check_refused(replaced(kUnamFile, "    -0.007", ""), "a:20: 1 values (the header names 2 columns)");
+    check_refused(replaced(kUnamFile, "-0.007", "-0.0x7"), "a:20: sample 2 is '-0.0x7' (no finite number)");
+    check_refused(replaced(kUnamFile, ": /3/3", ": /3/4"), "a:11: NUM. TOTAL DE MUESTRAS, C1-C6 differs between channels");
+    check_refused(replaced(kUnamFile, ": /3/3", ": /x/x"), "a:11: NUM. TOTAL DE MUESTRAS, C1-C6 is 'x' (must be a positive integer)");
+    check_refused(replaced(kUnamFile, ": /3/3", ": /1000000000000/1000000000000"),
                   "a:21: 3 rows for NUM. TOTAL DE MUESTRAS, C1-C6 = 1000000000000");
-    check_refused(replaced(kFile, "CANALES                      : 2", "CANALES                      : 1000000000000"),
+    check_refused(replaced(kUnamFile, "CANALES                      : 2", "CANALES                      : 1000000000000"),
                   "a:6: ORIENTACION C1-C6 (rumbo;orientacion) names 2 channels (1000000000000 needed");
-    check_refused(replaced(kFile, "/0.004/0.004", "/0/0"), "a:7: time step is 0 s (must be positive)");
-    check_refused(replaced(kFile, "-1.19", "1.19"), "a:12: peak of channel N90E is '1.19' (the samples peak at -1.189;");
-    check_refused(replaced(kFile, "Gal (cm/s/s)", "cuentas"), "a:13: UNIDADES DE LOS DATOS is 'cuentas' (no unit of acceleration)");
-    check_refused(replaced(kFile, "00:00:01", "25:00:01"), "a:10: HORA DE LA PRIMERA MUESTRA (GMT) is '25:00:01' (no time)");
-    check_refused(kFile.substr(0, kFile.find("DATOS DE ACEL")), "a: no samples (no 'DATOS DE ACELERACION'");
-    check_refused(kFile.substr(0, kFile.find("    -0.084")), "a: no samples follow the header");
-    check_refused(kFile, "file holds acceleration (asked for: displacement)", {.quantity = SampleQuantity::displacement});
+    check_refused(replaced(kUnamFile, "/0.004/0.004", "/0/0"), "a:7: time step is 0 s (must be positive)");
+    check_refused(replaced(kUnamFile, "-1.19", "1.19"), "a:12: peak of channel N90E is '1.19' (the samples peak at -1.189;");
+    check_refused(replaced(kUnamFile, "Gal (cm/s/s)", "cuentas"), "a:13: UNIDADES DE LOS DATOS is 'cuentas' (no unit of acceleration)");
+    check_refused(replaced(kUnamFile, "00:00:01", "25:00:01"), "a:10: HORA DE LA PRIMERA MUESTRA (GMT) is '25:00:01' (no time)");
+    check_refused(kUnamFile.substr(0, kUnamFile.find("DATOS DE ACEL")), "a: no samples (no 'DATOS DE ACELERACION'");
+    check_refused(kUnamFile.substr(0, kUnamFile.find("    -0.084")), "a: no samples follow the header");
+    check_refused(kUnamFile, "file holds acceleration (asked for: displacement)", {.quantity = SampleQuantity::displacement});
 }
 
 TEST_CASE("a real UNAM record has the length and the peaks of its header, without its two repeated rows") {
@@ -79,13 +80,13 @@ TEST_CASE("a real UNAM record has the length and the peaks of its header, withou
 
     // header: 0.47, -1.19 and 1.22 Gal at samples 10590, 9513 and 10051, counted from 0; three decimals stand in the samples
     constexpr double kPeaks[] = {0.47, -1.189, 1.216};
-    constexpr double kSamples[] = {10590.0, 9513.0, 10051.0};
+    constexpr double kPeakSamples[] = {10590.0, 9513.0, 10051.0};
     for (std::size_t i = 0; i < 3; ++i) {
         const TimeSeries& series = motion.components[i].series;
         CHECK(series.size() == 17500);
         const auto peak = find_peak_acceleration(series);
         CHECK(peak.value.value() * 100.0 == relative(kPeaks[i], 1e-9));
-        CHECK(peak.time.value() == doctest::Approx(kSamples[i] * 0.004));
+        CHECK(peak.time.value() == doctest::Approx(kPeakSamples[i] * 0.004));
     }
 }
 

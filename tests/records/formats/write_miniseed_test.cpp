@@ -12,7 +12,7 @@ namespace {
 
 using scaling::si::seconds;
 
-GroundMotion make_motion() {
+GroundMotion make_seed_motion() {
     GroundMotion motion{.format = "test", .station = "CI.CLC China Lake"};
     motion.time_zero = make_utc_time(2019, 7, 6, 3, 19, 23.038317);
     std::vector<double> samples;
@@ -25,7 +25,7 @@ GroundMotion make_motion() {
 
 TEST_CASE("a record written as miniSEED comes back to the last bit, with its clock and codes") {
     const tests::TemporaryFolder folder;
-    const GroundMotion motion = make_motion();
+    const GroundMotion motion = make_seed_motion();
 
     write_miniseed(folder.path() / "a", motion);
     const GroundMotion back = read_record(folder.path() / "a", {.sensitivity = 1.0});
@@ -62,7 +62,7 @@ TEST_CASE("what miniSEED cannot hold is refused, and no file is left") {
     };
     CHECK(message(GroundMotion{}).find("a: record has no components; nothing to write") != std::string::npos);
 
-    GroundMotion twice = make_motion();
+    GroundMotion twice = make_seed_motion();
     twice.components.push_back(twice.components.front());
     CHECK(message(twice).find("a: component '360' would be a second HNN") != std::string::npos);
 

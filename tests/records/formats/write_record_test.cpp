@@ -17,7 +17,7 @@ namespace {
 using lsdem::tests::relative;
 using scaling::si::seconds;
 
-GroundMotion make_motion() {
+GroundMotion make_rescaled_motion() {
     GroundMotion motion{.format = "test", .event = "Quake, 1/1/2000", .station = "Place"};
     const scaling::Time dt = 0.005 * 0.0935543212345 * seconds;  // no short decimal
     motion.components.push_back({"360", 360.0, {SampleQuantity::acceleration, 0.1 * seconds, dt, {1.0 / 3.0, -2.0e-17, 9.80665, 0.0}}});
@@ -50,7 +50,7 @@ class FullDisk {
 
 TEST_CASE("a record written as CSV comes back to the last bit") {
     const tests::TemporaryFolder folder;
-    const GroundMotion motion = make_motion();
+    const GroundMotion motion = make_rescaled_motion();
 
     write_csv(folder.path() / "a.csv", motion);
     const GroundMotion back = read_record(folder.path() / "a.csv");
@@ -71,7 +71,7 @@ TEST_CASE("a record written as CSV comes back to the last bit") {
 
 TEST_CASE("a record written as AT2 comes back with its clock and samples") {
     const tests::TemporaryFolder folder;
-    const GroundMotion motion = make_motion();
+    const GroundMotion motion = make_rescaled_motion();
 
     write_at2(folder.path() / "a.at2", motion, "360");
     const GroundMotion back = read_record(folder.path() / "a.at2");
@@ -91,10 +91,10 @@ TEST_CASE("a record written as AT2 comes back with its clock and samples") {
 
 TEST_CASE("an uncorrected record keeps its corner in every text format, and so its peak velocity") {
     const tests::TemporaryFolder folder;
-    GroundMotion motion = make_motion();
+    GroundMotion motion = make_rescaled_motion();
     std::erase_if(motion.components, [](const Component& component) { return component.name != "360"; });
-    for (const double hertz : {0.05, 0.05 * 10.688982}) {
-        motion.integration_corner = hertz * scaling::si::hertz;
+    for (const double corner : {0.05, 0.05 * 10.688982}) {
+        motion.integration_corner = corner * scaling::si::hertz;
         write_at2(folder.path() / "a.at2", motion, "360");
         write_cosmos(folder.path() / "a.v1", motion);
         write_csv(folder.path() / "a.csv", motion);
@@ -148,7 +148,7 @@ TEST_CASE("displacements are written as DT2 in cm") {
 
 TEST_CASE("components with different clocks do not go into one CSV") {
     const tests::TemporaryFolder folder;
-    GroundMotion motion = make_motion();
+    GroundMotion motion = make_rescaled_motion();
     motion.components.push_back({"90", {}, {SampleQuantity::acceleration, 0.0 * seconds, 0.5 * seconds, {1.0}}});
 
     CHECK_THROWS_AS(write_csv(folder.path() / "a.csv", motion), WriteError);
@@ -157,7 +157,7 @@ TEST_CASE("components with different clocks do not go into one CSV") {
 }
 
 TEST_CASE("a full device gives a WriteError") {
-    const std::string message = tests::message_of<WriteError>([] { write_csv("/dev/full", make_motion()); });
+    const std::string message = tests::message_of<WriteError>([] { write_csv("/dev/full", make_rescaled_motion()); });
     CHECK(message.find("/dev/full: cannot be written") == 0);
     CHECK(std::filesystem::exists("/dev/full"));
 }

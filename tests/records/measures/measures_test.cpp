@@ -24,7 +24,7 @@ TimeSeries make_acceleration(std::vector<double> samples, double dt) {
     return {SampleQuantity::acceleration, 0.0 * seconds, dt * seconds, std::move(samples)};
 }
 
-TimeSeries make_sine(double amplitude, double frequency, std::size_t count, double dt) {
+TimeSeries make_counted_sine(double amplitude, double frequency, std::size_t count, double dt) {
     std::vector<double> samples;
     for (std::size_t i = 0; i < count; ++i) samples.push_back(amplitude * std::sin(2.0 * pi * frequency * dt * static_cast<double>(i)));
     return make_acceleration(std::move(samples), dt);
@@ -32,7 +32,7 @@ TimeSeries make_sine(double amplitude, double frequency, std::size_t count, doub
 
 TEST_CASE("measures of a sine are those of the closed forms") {
     // 10 whole periods of 1 Hz, 1000 samples each: trapezoids are exact to (π/500)²/6 of the curve between samples
-    const TimeSeries sine = make_sine(2.0, 1.0, 10001, 1e-3);
+    const TimeSeries sine = make_counted_sine(2.0, 1.0, 10001, 1e-3);
     CHECK(compute_cumulative_absolute_velocity(sine).value() == relative(2.0 * 10.0 * 2.0 / pi, 1e-5));
     CHECK(compute_rms_acceleration(sine).value() == relative(2.0 / std::sqrt(2.0), 1e-9));
     // |sin| ≥ 1/2 first at 1/12 of a period, last at 1/12 before the end; both are found to a sample
@@ -45,7 +45,7 @@ TEST_CASE("measures of a sine are those of the closed forms") {
 }
 
 TEST_CASE("Fourier amplitudes find a sine, and hold the energy of any record") {
-    const TimeSeries sine = make_sine(2.0, 5.0, 4000, 1e-3);
+    const TimeSeries sine = make_counted_sine(2.0, 5.0, 4000, 1e-3);
     const FourierAmplitudes spectrum = compute_fourier_amplitudes(sine);
     CHECK(spectrum.step.value() == relative(0.25, 1e-14));
     REQUIRE(spectrum.amplitude.size() == 2001);
@@ -71,7 +71,7 @@ TEST_CASE("Fourier amplitudes find a sine, and hold the energy of any record") {
 }
 
 TEST_CASE("a sine's predominant and pulse periods are its own") {
-    const TimeSeries sine = make_sine(1.0, 2.0, 20000, 2e-3);
+    const TimeSeries sine = make_counted_sine(1.0, 2.0, 20000, 2e-3);
     const std::vector<scaling::Time> periods = make_periods(0.05 * seconds, 5.0 * seconds, 401);
     const ResponseSpectrum spectrum = compute_response_spectrum(sine, periods);
     const double grid = std::pow(100.0, 1.0 / 400.0) - 1.0;

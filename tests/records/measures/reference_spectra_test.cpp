@@ -34,7 +34,7 @@ using tests::sampled_spectrum;
 /// eqsig's g, and that of the platform's spectra [m/s²]: both come out 3.4e-4 off with 9.80665.
 constexpr double kRoundGravity = 9.81;
 
-TimeSeries load(const std::string& file, std::size_t component = 0) {
+TimeSeries load_reference(const std::string& file, std::size_t component = 0) {
     return read_record(tests::shared_records() / file).components.at(component).series;
 }
 
@@ -54,7 +54,7 @@ std::vector<std::string> read_boore_row() {
 
 TEST_CASE("every spectral value of Boore's SMC2PSA for Carson-Catskill comes back to six digits") {
     if (!tests::have_shared_records()) return;
-    const TimeSeries first = load("smc/A-CAT090.AT2.smc"), second = load("smc/A-CAT180.AT2.smc");
+    const TimeSeries first = load_reference("smc/A-CAT090.AT2.smc"), second = load_reference("smc/A-CAT180.AT2.smc");
     const std::vector<std::string> row = read_boore_row();
     constexpr std::size_t kFirstPeriod = 45, kPerPeriod = 14;
     REQUIRE(row.size() == kFirstPeriod + 112 * kPerPeriod);
@@ -88,7 +88,7 @@ TEST_CASE("every spectral value of Boore's SMC2PSA for Carson-Catskill comes bac
 
 TEST_CASE("Boore's peaks of Carson-Catskill come back to five digits") {
     if (!tests::have_shared_records()) return;
-    const TimeSeries first = load("smc/A-CAT090.AT2.smc"), second = load("smc/A-CAT180.AT2.smc");
+    const TimeSeries first = load_reference("smc/A-CAT090.AT2.smc"), second = load_reference("smc/A-CAT180.AT2.smc");
     const std::vector<std::string> row = read_boore_row();
     REQUIRE(row.size() > 42);
     const auto check = [&](std::size_t column, double value) {
@@ -222,7 +222,7 @@ TEST_CASE("spectra of Willow Creek are those of its CSMIP V3 file") {
 
 TEST_CASE("pseudo-acceleration and displacement of eqsig's test motion are eqsig's") {
     if (!tests::have_shared_records()) return;
-    const TimeSeries motion = load("text/test_motion_dt0p01.txt");
+    const TimeSeries motion = load_reference("text/test_motion_dt0p01.txt");
     const auto rows = tests::read_reference("reference/test_motion_dt0p01_rs.txt");
     REQUIRE(rows.size() == 100);
     for (const std::vector<double>& row : rows) {
@@ -242,7 +242,7 @@ TEST_CASE("pseudo-acceleration and displacement of eqsig's test motion are eqsig
 
 TEST_CASE("Fourier amplitudes of eqsig's test motion are eqsig's") {
     if (!tests::have_shared_records()) return;
-    const TimeSeries motion = load("text/test_motion_dt0p01.txt");
+    const TimeSeries motion = load_reference("text/test_motion_dt0p01.txt");
     constexpr std::size_t kLength = 8192;  // eqsig fills up with zeros to a power of two
     const FourierAmplitudes ours =
         compute_fourier_amplitudes(pad(motion, 0.0 * seconds, static_cast<double>(kLength - motion.size()) * motion.dt()));
@@ -259,7 +259,7 @@ TEST_CASE("Fourier amplitudes of eqsig's test motion are eqsig's") {
 
 TEST_CASE("SeismoSignal's elastic spectra are ours where its step allows") {
     if (!tests::have_shared_records()) return;
-    const TimeSeries motion = load("text/Imperial_Valley.dat");
+    const TimeSeries motion = load_reference("text/Imperial_Valley.dat");
     int seen = 0;
     for (const std::vector<double>& row : tests::read_reference("reference/SeismoSignal_Imperial_Valley.txt")) {
         if (row.size() != 12 || row[0] == 0.0) continue;

@@ -26,7 +26,7 @@ using lsdem::tests::relative;
 using scaling::si::seconds;
 using std::numbers::pi;
 
-TimeSeries make_acceleration(std::vector<double> samples, double dt) {
+TimeSeries make_sine_acceleration(std::vector<double> samples, double dt) {
     return {SampleQuantity::acceleration, 0.0 * seconds, dt * seconds, std::move(samples)};
 }
 
@@ -50,7 +50,7 @@ TEST_CASE("an oscillator under a constant acceleration follows the closed form a
             CAPTURE(damping);
             CAPTURE(dt);
             const TimeSeries response =
-                compute_oscillator_response(make_acceleration(std::vector<double>(400, kLoad), dt), kPeriod * seconds, damping);
+                compute_oscillator_response(make_sine_acceleration(std::vector<double>(400, kLoad), dt), kPeriod * seconds, damping);
             double worst = 0.0;
             for (std::size_t i = 0; i < response.size(); ++i) {
                 const double t = response.time(i).value();
@@ -79,7 +79,7 @@ TEST_CASE("a ramp is followed exactly, critical damping and tiny steps included"
         CAPTURE(dt);
         std::vector<double> ramp;
         for (int i = 0; i < 300; ++i) ramp.push_back(kRate * dt * i);
-        const TimeSeries response = compute_oscillator_response(make_acceleration(ramp, dt), kPeriod * seconds, 1.0);
+        const TimeSeries response = compute_oscillator_response(make_sine_acceleration(ramp, dt), kPeriod * seconds, 1.0);
         for (const std::size_t i : {std::size_t{1}, std::size_t{20}, std::size_t{299}}) {
             const double t = response.time(i).value(), x = omega * t;
             // for small x the closed form is a difference of large numbers: −r t³/6 (1 − x/2 + 3x²/20 − x³/30 + x⁴/168 − ...)
@@ -92,7 +92,7 @@ TEST_CASE("a ramp is followed exactly, critical damping and tiny steps included"
 }
 
 TEST_CASE("spectra hold the peaks of the responses, and pseudo values follow from them") {
-    const TimeSeries motion = make_acceleration(make_noise(3000, 7), 0.01);
+    const TimeSeries motion = make_sine_acceleration(make_noise(3000, 7), 0.01);
     std::vector<scaling::Time> periods = make_periods(0.03 * seconds, 4.0 * seconds, 21);
     periods.insert(periods.begin(), 0.0 * seconds);
     const ResponseSpectrum spectrum = compute_response_spectrum(motion, periods, 0.05);
@@ -123,7 +123,7 @@ TEST_CASE("spectra hold the peaks of the responses, and pseudo values follow fro
 // Free vibration after a pulse of one step: u = U cos(ω_d t + φ) e^{−ζωt}. Undamped, its peaks are U, U ω and U ω² wherever samples fall.
 TEST_CASE("peaks between the samples of an undamped free vibration are its amplitude at any period") {
     constexpr double kDt = 0.02;
-    const TimeSeries motion = make_acceleration({0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0}, kDt);
+    const TimeSeries motion = make_sine_acceleration({0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0}, kDt);
     for (const double period : {0.0101, 0.0153, 0.0333, 0.0407, 0.071, 0.077, 0.119, 0.23}) {
         CAPTURE(period);
         const double omega = 2.0 * pi / period;
@@ -180,7 +180,7 @@ void check_closely(const TimeSeries& motion, std::span<const double> periods, do
 }
 
 TEST_CASE("peaks between the samples are those of the exact solution at any period and damping") {
-    const TimeSeries motion = make_acceleration(make_noise(300, 5), 0.02);
+    const TimeSeries motion = make_sine_acceleration(make_noise(300, 5), 0.02);
     constexpr std::array kPeriods{0.004, 0.01, 0.013, 0.02, 0.033, 0.05, 0.075, 0.11, 0.3, 0.9, 2.7};
     for (const double damping : {0.001, 0.05, 0.3, 0.9}) check_closely(motion, kPeriods, damping);
     // above critical damping, and so stiff that its substeps are not fine: between the samples of the same motion given ten times as often
@@ -189,7 +189,7 @@ TEST_CASE("peaks between the samples are those of the exact solution at any peri
         const std::size_t at = std::min(i / 10, motion.size() - 2);
         often.push_back(motion.samples()[at] + (motion.samples()[at + 1] - motion.samples()[at]) * 0.1 * static_cast<double>(i - 10 * at));
     }
-    const TimeSeries finer = make_acceleration(often, 0.002);
+    const TimeSeries finer = make_sine_acceleration(often, 0.002);
     for (const double damping : {1.0, 2.0, 50.0, 100.0}) {
         for (const double period : {0.0001, 0.001, 0.01, 0.1, 1.0}) {
             CAPTURE(period);
@@ -209,8 +209,8 @@ TEST_CASE("a record scaled in time and amplitude has the scaled spectrum to the 
     const std::vector<scaling::Time> periods = make_periods(0.02 * seconds, 3.0 * seconds, 13);
     std::vector<scaling::Time> scaled_periods = periods;
     for (scaling::Time& period : scaled_periods) period *= 0.125;
-    const ResponseSpectrum one = compute_response_spectrum(make_acceleration(samples, 0.005), periods);
-    const ResponseSpectrum two = compute_response_spectrum(make_acceleration(scaled, 0.005 * 0.125), scaled_periods);
+    const ResponseSpectrum one = compute_response_spectrum(make_sine_acceleration(samples, 0.005), periods);
+    const ResponseSpectrum two = compute_response_spectrum(make_sine_acceleration(scaled, 0.005 * 0.125), scaled_periods);
     for (std::size_t i = 0; i < periods.size(); ++i) {
         CHECK(two.acceleration[i] == 4.0 * one.acceleration[i]);
         CHECK(two.velocity[i] == 0.5 * one.velocity[i]);
@@ -219,7 +219,7 @@ TEST_CASE("a record scaled in time and amplitude has the scaled spectrum to the 
 }
 
 TEST_CASE("impossible periods and damping ratios are refused in words") {
-    const TimeSeries motion = make_acceleration({0.0, 1.0, 0.0}, 0.01);
+    const TimeSeries motion = make_sine_acceleration({0.0, 1.0, 0.0}, 0.01);
     const std::array good{1.0 * seconds}, negative{-1.0 * seconds};
     CHECK_THROWS_WITH_AS(compute_response_spectrum(motion, negative), "period is -1 s (must be 0 or more); change it", ProcessingError);
     CHECK_THROWS_WITH_AS(compute_response_spectrum(motion, good, -0.1),
@@ -230,7 +230,7 @@ TEST_CASE("impossible periods and damping ratios are refused in words") {
 }
 
 TEST_CASE("rotated spectra hold the peaks between the samples, also of motions along one line") {
-    const TimeSeries first = make_acceleration(make_noise(300, 5), 0.02), second = make_acceleration(make_noise(300, 6), 0.02);
+    const TimeSeries first = make_sine_acceleration(make_noise(300, 5), 0.02), second = make_sine_acceleration(make_noise(300, 6), 0.02);
     const auto turn = [&](double c, double s, const TimeSeries& one, const TimeSeries& other) {
         std::vector<double> samples;
         for (std::size_t i = 0; i < one.size(); ++i) samples.push_back(c * one.samples()[i] + s * other.samples()[i]);

@@ -15,7 +15,7 @@ using lsdem::tests::relative;
 using scaling::si::meters_per_second_squared;
 using scaling::si::seconds;
 
-TimeSeries make_acceleration(std::vector<double> samples, double dt) {
+TimeSeries make_ground_acceleration(std::vector<double> samples, double dt) {
     return {SampleQuantity::acceleration, 0.0 * seconds, dt * seconds, std::move(samples)};
 }
 
@@ -35,7 +35,7 @@ TEST_CASE("a block slides under a triangular pulse as integrals say, whatever th
         std::vector<double> pulse;
         for (int i = 0; i <= 2 * per_side; ++i) pulse.push_back(kA * (1.0 - std::abs(i - per_side) / static_cast<double>(per_side)));
         pulse.resize(pulse.size() + static_cast<std::size_t>(4 * per_side), 0.0);
-        const Sliding sliding = compute_sliding(make_acceleration(pulse, kT / per_side), kYield * meters_per_second_squared);
+        const Sliding sliding = compute_sliding(make_ground_acceleration(pulse, kT / per_side), kYield * meters_per_second_squared);
         CHECK(sliding.residual.value() == relative(expected, 1e-12));
         CHECK(sliding.largest == sliding.residual);
     }
@@ -43,15 +43,15 @@ TEST_CASE("a block slides under a triangular pulse as integrals say, whatever th
 
 TEST_CASE("nothing slides below the limit, and a motion and its opposite undo each other") {
     const std::vector<double> shake{0.0, 3.0, -3.0, 2.0, 0.0};
-    CHECK(compute_sliding(make_acceleration(shake, 0.1), 3.0 * meters_per_second_squared).largest.value() == 0.0);
+    CHECK(compute_sliding(make_ground_acceleration(shake, 0.1), 3.0 * meters_per_second_squared).largest.value() == 0.0);
     std::vector<double> opposite = shake;
     for (double& a : opposite) a = -a;
-    const Sliding one = compute_sliding(make_acceleration(shake, 0.1), 1.0 * meters_per_second_squared);
-    const Sliding other = compute_sliding(make_acceleration(opposite, 0.1), 1.0 * meters_per_second_squared);
+    const Sliding one = compute_sliding(make_ground_acceleration(shake, 0.1), 1.0 * meters_per_second_squared);
+    const Sliding other = compute_sliding(make_ground_acceleration(opposite, 0.1), 1.0 * meters_per_second_squared);
     CHECK(one.largest.value() > 0.0);
     CHECK(one.largest == other.largest);
     CHECK(one.residual == -other.residual);
-    CHECK_THROWS_AS(compute_sliding(make_acceleration(shake, 0.1), 0.0 * meters_per_second_squared), ProcessingError);
+    CHECK_THROWS_AS(compute_sliding(make_ground_acceleration(shake, 0.1), 0.0 * meters_per_second_squared), ProcessingError);
 }
 
 TEST_CASE("sliding is that of ten thousand small steps under any motion") {
@@ -72,7 +72,7 @@ TEST_CASE("sliding is that of ten thousand small steps under any motion") {
             largest = std::max(largest, std::abs(x));
         }
     }
-    const Sliding sliding = compute_sliding(make_acceleration(motion, kDt), kYield * meters_per_second_squared);
+    const Sliding sliding = compute_sliding(make_ground_acceleration(motion, kDt), kYield * meters_per_second_squared);
     // the small steps are off by at most one of them at each of some hundred stops
     CHECK(sliding.largest.value() == relative(largest, 1e-3));
     CHECK(sliding.residual.value() == relative(x, 1e-3 * largest / std::abs(x)));
@@ -81,7 +81,7 @@ TEST_CASE("sliding is that of ten thousand small steps under any motion") {
 TEST_CASE("sliding scales with the law that holds its groups, to the last bit for powers of two") {
     std::vector<double> motion;
     for (int i = 0; i < 300; ++i) motion.push_back(6.0 * std::sin(0.21 * i));
-    const TimeSeries prototype = make_acceleration(motion, 0.01);
+    const TimeSeries prototype = make_ground_acceleration(motion, 0.01);
     const scaling::Similitude law = scaling::make_similitude("froude", {.length = 1.0 / 16.0});
     const Sliding one = compute_sliding(prototype, 2.0 * meters_per_second_squared);
     const Sliding model = compute_sliding(rescale(prototype, law), 2.0 * meters_per_second_squared);
