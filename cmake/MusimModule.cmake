@@ -4,6 +4,10 @@
 set(MUSIM_WARNINGS -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wnon-virtual-dtor -Wold-style-cast -Wcast-align -Wunused
     -Woverloaded-virtual -Wdouble-promotion -Wformat=2)
 
+# What UndefinedBehaviorSanitizer checks of each pointer AddressSanitizer finds, too, but for its alignment: without them a file compiles in
+# 0.75 to 0.25 of the time (Clang 14: records/measures 8.0 s to 6.1 s, lsdem/contact/overlap_lanes.cpp 81 s to 20 s).
+set(MUSIM_UNCHECKED -fno-sanitize=null,alignment,object-size,pointer-overflow,vptr)
+
 # Results must be the same bits everywhere: IEEE rules stay on and no product is fused into a sum behind our back.
 set(MUSIM_FLOATING_POINT -ffp-contract=off -fno-fast-math)
 
@@ -13,7 +17,8 @@ function(musim_compile_rules target)
   target_compile_options(${target} PRIVATE ${MUSIM_WARNINGS} ${MUSIM_FLOATING_POINT} $<$<BOOL:${MUSIM_WERROR}>:-Werror>
                                            $<$<CONFIG:Release>:-O3>)
   if(MUSIM_SANITIZE)
-    target_compile_options(${target} PRIVATE -fsanitize=${MUSIM_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+    target_compile_options(${target} PRIVATE -fsanitize=${MUSIM_SANITIZE} ${MUSIM_UNCHECKED} -fno-omit-frame-pointer
+                                             -fno-sanitize-recover=all)
     target_link_options(${target} PUBLIC -fsanitize=${MUSIM_SANITIZE})
   endif()
   target_compile_definitions(${target} PUBLIC $<$<CONFIG:Debug>:_GLIBCXX_ASSERTIONS=1>)
@@ -31,6 +36,13 @@ endfunction()
 function(musim_sanitize_quickly target)
   if(MUSIM_SANITIZE)
     target_compile_options(${target} PRIVATE -O0)
+  endif()
+endfunction()
+
+# But for files of theirs that calculate, on which sanitized tests would wait.
+function(musim_sanitize_fast)
+  if(MUSIM_SANITIZE)
+    set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS -O2 SKIP_PRECOMPILE_HEADERS ON)
   endif()
 endfunction()
 

@@ -21,7 +21,7 @@ bool is_png(const std::string& bytes) { return bytes.starts_with("\x89PNG\r\n");
 
 }  // namespace
 
-TEST_CASE("field draws chosen times beside each other and gives the velocities on the image grid" * doctest::test_suite("one-thread")) {
+TEST_CASE("field draws chosen times beside each other and gives the velocities on the image grid") {
     const Workplace here;
     here.write("scene.json", make_column(true));
     REQUIRE(here.run("run scene.json -o out").exit_code == 0);

@@ -70,7 +70,7 @@ TEST_CASE("the report is text or Markdown, with the same numbers") {
     CHECK(markdown.out.find("sum \\|ln d\\|") != std::string::npos);
 }
 
-TEST_CASE("a record and a table are looked for beside the design and agree with it" * doctest::test_suite("one-thread")) {
+TEST_CASE("a record and a table are looked for beside the design and agree with it") {
     const Workplace here;
     here.write("table.json", kTable);
     here.shell("mkdir plans");

@@ -87,8 +87,7 @@ TEST_CASE("table says that a record fits, at which scales, and writes the drive 
     CHECK(here.read("recipe.json").find("\"resample\"") != std::string::npos);
 }
 
-TEST_CASE("a record that does not fit ends with code 5 and nothing written and corrected with 0 and within the limits" *
-          doctest::test_suite("one-thread")) {
+TEST_CASE("a record that does not fit ends with code 5 and nothing written and corrected with 0 and within the limits") {
     const Workplace here;
     here.write("table.json", make_table("1 mm"));
     const Outcome outcome = here.run(std::string(kArguments) + "--drive drive.csv --save-recipe recipe.json");
@@ -143,7 +142,7 @@ TEST_CASE("the lengths that suit a table are heights by a law that scales height
     CHECK(here.run(kArguments + law).out.find("test table: law mu_vertical_distortion, height H 0.04, width 0.01220339, time 0.2") == 0);
 }
 
-TEST_CASE("the payload is the model's or the prototype's scaled" * doctest::test_suite("one-thread")) {
+TEST_CASE("the payload is the model's or the prototype's scaled") {
     const Workplace here;
     here.write("table.json", make_table("100 mm", R"(, "payload": "2 t")"));
     const auto used = [&](const std::string& payload) {
