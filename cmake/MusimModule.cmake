@@ -8,13 +8,16 @@ set(MUSIM_WARNINGS -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wnon-virtual-
 # 0.75 to 0.25 of the time (Clang 14: records/measures 8.0 s to 6.1 s, lsdem/contact/overlap_lanes.cpp 81 s to 20 s).
 set(MUSIM_UNCHECKED -fno-sanitize=null,alignment,object-size,pointer-overflow,vptr)
 
+# GCC looks for memory to free while it compiles; where it waits for a gibibyte before, it takes nine tenths of the time.
+set(MUSIM_COMPILER_MEMORY $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=1048576>)
+
 # Results must be the same bits everywhere: IEEE rules stay on and no product is fused into a sum behind our back.
 set(MUSIM_FLOATING_POINT -ffp-contract=off -fno-fast-math)
 
 function(musim_compile_rules target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
-  target_compile_options(${target} PRIVATE ${MUSIM_WARNINGS} ${MUSIM_FLOATING_POINT} $<$<BOOL:${MUSIM_WERROR}>:-Werror>
+  target_compile_options(${target} PRIVATE ${MUSIM_WARNINGS} ${MUSIM_FLOATING_POINT} ${MUSIM_COMPILER_MEMORY} $<$<BOOL:${MUSIM_WERROR}>:-Werror>
                                            $<$<CONFIG:Release>:-O3>)
   if(MUSIM_SANITIZE)
     target_compile_options(${target} PRIVATE -fsanitize=${MUSIM_SANITIZE} ${MUSIM_UNCHECKED} -fno-omit-frame-pointer
@@ -59,7 +62,7 @@ endfunction()
 # Names that only one file knows must then differ within a target. MUSIM_UNITY=OFF builds file by file.
 function(musim_unite target)
   if(MUSIM_UNITY)
-    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 16)
   endif()
 endfunction()
 

@@ -34,7 +34,7 @@ struct StiffnessOptions {
 };
 
 /// One direction of the stiffness test.
-struct Direction {
+struct TestedDirection {
     lsdem::WaveKind kind = lsdem::WaveKind::normal;
     std::string name;
     std::optional<double> target;
@@ -43,9 +43,9 @@ struct Direction {
     lsdem::WaveHistory history;
 };
 
-std::vector<Direction> make_directions(const StiffnessOptions& options, const lsdem::BlockSample& sample) {
-    Direction normal{.kind = lsdem::WaveKind::normal, .name = "normal", .target = {}, .measured = {}, .search = {}, .history = {}};
-    Direction shear{.kind = lsdem::WaveKind::shear, .name = "shear", .target = {}, .measured = {}, .search = {}, .history = {}};
+std::vector<TestedDirection> make_directions(const StiffnessOptions& options, const lsdem::BlockSample& sample) {
+    TestedDirection normal{.kind = lsdem::WaveKind::normal, .name = "normal", .target = {}, .measured = {}, .search = {}, .history = {}};
+    TestedDirection shear{.kind = lsdem::WaveKind::shear, .name = "shear", .target = {}, .measured = {}, .search = {}, .history = {}};
     if (options.youngs_modulus) {
         // bar speeds of an isotropic solid: G = E/(2(1 + nu))
         const double e = *options.youngs_modulus;
@@ -57,7 +57,7 @@ std::vector<Direction> make_directions(const StiffnessOptions& options, const ls
     return {normal, shear};
 }
 
-nlohmann::json to_json(const Direction& d, const lsdem::BlockSample& sample) {
+nlohmann::json to_json(const TestedDirection& d, const lsdem::BlockSample& sample) {
     const auto speed = [](const lsdem::WaveSpeed& s) {
         return nlohmann::json{{"effective_speed_m_s", s.effective()},   {"criterion_speed_m_s", s.speed},
                               {"standard_error_m_s", s.standard_error}, {"front_factor", s.front_factor},
@@ -78,7 +78,7 @@ nlohmann::json to_json(const Direction& d, const lsdem::BlockSample& sample) {
     return object;
 }
 
-void print_direction(const Direction& d, const lsdem::BlockSample& sample) {
+void print_direction(const TestedDirection& d, const lsdem::BlockSample& sample) {
     const double stiffness = d.kind == lsdem::WaveKind::normal ? sample.normal_stiffness : sample.shear_stiffness;
     const lsdem::WaveSpeed& s = d.measured;
     print(
@@ -94,7 +94,7 @@ void print_direction(const Direction& d, const lsdem::BlockSample& sample) {
 }
 
 /// What the simulated speed says about the preset, when the solid's own is known.
-std::optional<std::string> judge_preset(const std::string& material, const Direction& normal) {
+std::optional<std::string> judge_preset(const std::string& material, const TestedDirection& normal) {
     const auto bar = lsdem::find_material_preset(material).bar_wave_speed;
     if (!bar) return std::nullopt;
     const double ratio = normal.measured.effective() / bar->value();
@@ -110,10 +110,10 @@ int run_stiffness(const StiffnessOptions& options) {
         .layers = options.layers,
         .criterion = options.criterion == "displacement" ? lsdem::ArrivalCriterion::displacement : lsdem::ArrivalCriterion::half_velocity,
         .damped = options.damped};
-    std::vector<Direction> directions = make_directions(options, sample);
+    std::vector<TestedDirection> directions = make_directions(options, sample);
     std::vector<std::function<void()>> jobs;
     jobs.reserve(directions.size());
-    for (Direction& d : directions) {
+    for (TestedDirection& d : directions) {
         jobs.emplace_back([&] {
             d.measured = lsdem::measure_wave_speed(sample, d.kind, settings);
             d.history = lsdem::run_wave_test(sample, d.kind, settings);
@@ -127,7 +127,7 @@ int run_stiffness(const StiffnessOptions& options) {
 
     const std::optional<std::string> verdict = judge_preset(options.test.sample.material, directions[0]);
     if (folder) {
-        for (const Direction& d : directions) {
+        for (const TestedDirection& d : directions) {
             folder->add_text("wave_" + d.name + ".csv", lsdem::make_wave_csv(d.history));
             folder->add_text("wave_" + d.name + ".svg",
                              lsdem::make_wave_svg(d.history, sample, options.test.sample.material + ", " + d.name + " wave", d.measured));
@@ -136,7 +136,7 @@ int run_stiffness(const StiffnessOptions& options) {
     }
     if (options.test.json) {
         nlohmann::json list = nlohmann::json::array();
-        for (const Direction& d : directions) list.push_back(to_json(d, sample));
+        for (const TestedDirection& d : directions) list.push_back(to_json(d, sample));
         nlohmann::json object{{"material", options.test.sample.material},
                               {"sample", describe_sample(sample)},
                               {"layers", options.layers},
@@ -147,7 +147,7 @@ int run_stiffness(const StiffnessOptions& options) {
     } else {
         print("{}: step of the base velocity, {:.4g} m/s, under a column of {} blocks; arrival by {}\n", options.test.sample.material,
               lsdem::base_velocity(sample), options.layers, options.criterion);
-        for (const Direction& d : directions) print_direction(d, sample);
+        for (const TestedDirection& d : directions) print_direction(d, sample);
         if (verdict) print("  {}\n", *verdict);
         if (folder) print("Curves in {}\n", options.test.out);
     }

@@ -11,7 +11,7 @@
 namespace musim::lsdem {
 namespace {
 
-std::string to_html(const HtmlCell& cell, const char* tag, const char* attributes) {
+std::string write_cell(const HtmlCell& cell, const char* tag, const char* attributes) {
     std::string classes = cell.is_number ? "number" : "";
     if (cell.tone != Tone::plain) {
         if (!classes.empty()) classes += ' ';
@@ -47,7 +47,8 @@ std::string to_html(const HtmlTable& table) {
     html += "</tr></thead>\n<tbody>\n";
     for (const std::vector<HtmlCell>& row : table.rows) {
         html += "<tr>";
-        for (std::size_t i = 0; i < row.size(); ++i) html += i == 0 ? to_html(row[i], "th", " scope=\"row\"") : to_html(row[i], "td", "");
+        for (std::size_t i = 0; i < row.size(); ++i)
+            html += i == 0 ? write_cell(row[i], "th", " scope=\"row\"") : write_cell(row[i], "td", "");
         html += "</tr>\n";
     }
     return html + "</tbody></table></div>\n";

@@ -23,7 +23,7 @@ double largest(const TimeSeries& series) {
     return peak;
 }
 
-GroundMotion make_record() { return make_synthetic_record({.duration = 10.0 * si::seconds}); }
+GroundMotion make_ten_seconds() { return make_synthetic_record({.duration = 10.0 * si::seconds}); }
 
 AxisMotion make_axis(const std::string& name, scaling::Time dt = 0.25 * si::seconds) {
     const TimeSeries acceleration(SampleQuantity::acceleration, 0.0 * si::seconds, dt, {0.0, 0.8, -1.6, 0.8, 0.0});
@@ -47,7 +47,7 @@ TEST_CASE("a table's motion starts and ends at rest, its parts are integrals of 
     settings.high_pass = 0.3 / si::seconds;
     settings.low_pass = 20.0 / si::seconds;
     settings.amplitude = 0.5;
-    const DriveMotion bare = make_drive_motions(make_record(), settings).front();
+    const DriveMotion bare = make_drive_motions(make_ten_seconds(), settings).front();
     CHECK(bare.acceleration.dt() == *settings.dt);
     CHECK(bare.velocity == integrate(bare.acceleration));
     CHECK(bare.displacement == integrate(bare.velocity));
@@ -68,7 +68,7 @@ TEST_CASE("a table's motion starts and ends at rest, its parts are integrals of 
 }
 
 TEST_CASE("velocities and displacements are differentiated first, uncorrected records filtered at their corner") {
-    const GroundMotion record = make_record();
+    const GroundMotion record = make_ten_seconds();
     const auto steps = [](const GroundMotion& motion) { return write_recipe(make_drive_recipe(motion)); };
     const auto has = [](const std::string& text, const std::string& step) { return text.find("\"" + step + "\"") != std::string::npos; };
     CHECK_FALSE(has(steps(record), "differentiate"));
