@@ -14,6 +14,7 @@ TEST_CASE("threads that ask for the same laws at once find the same laws") {
     const std::vector<std::string>& names = scale_law_names();
     std::vector<std::vector<ScaleLaw>> found(4);
     std::vector<std::function<void()>> jobs;
+    jobs.reserve(found.size());
     for (std::vector<ScaleLaw>& laws : found) {
         jobs.emplace_back([&] {
             for (const std::string& name : names) laws.push_back(find_scale_law(name).value());
