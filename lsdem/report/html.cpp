@@ -47,8 +47,9 @@ std::string to_html(const HtmlTable& table) {
     html += "</tr></thead>\n<tbody>\n";
     for (const std::vector<HtmlCell>& row : table.rows) {
         html += "<tr>";
-        for (std::size_t i = 0; i < row.size(); ++i)
+        for (std::size_t i = 0; i < row.size(); ++i) {
             html += i == 0 ? write_cell(row[i], "th", " scope=\"row\"") : write_cell(row[i], "td", "");
+        }
         html += "</tr>\n";
     }
     return html + "</tbody></table></div>\n";
