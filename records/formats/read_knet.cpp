@@ -33,8 +33,9 @@ constexpr SensorAxis kAxes[] = {
 
 const SensorAxis& read_axis(const TextFile& file, const HeaderFields& header) {
     const HeaderField field = header.require("Dir.");
-    for (const SensorAxis& direction : kAxes)
+    for (const SensorAxis& direction : kAxes) {
         if (equal_ignoring_case(direction.name, field.text)) return direction;
+    }
     file.fail(field.line, fmt::format("Dir. is {} (known: N-S, E-W, U-D, 1 to 6)", quoted(field.text)), "correct the header");
 }
 

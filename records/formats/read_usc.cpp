@@ -29,8 +29,9 @@ std::string read_station(const TextFile& file, std::size_t header) {
 // "COMP N00W                                                               9"
 Direction read_component(const TextFile& file, std::size_t header) {
     std::string_view rest = file.line(header + kUscComponentLine);
-    if (!equal_ignoring_case(take_token(rest), "COMP"))
+    if (!equal_ignoring_case(take_token(rest), "COMP")) {
         file.fail(header + kUscComponentLine, "component is missing (no 'COMP N00W')", "fetch the record again");
+    }
     return read_direction(take_token(rest));
 }
 
@@ -117,9 +118,10 @@ TimeSeries read_corrected(const TextFile& file, const ReadOptions& options) {
         refuse_contradictions(file, options, block.unit, block.dt);
         series.emplace(wanted, 0.0 * scaling::si::seconds, block.dt, std::move(samples));
     }
-    if (!series)
+    if (!series) {
         file.fail(std::min(first_block, file.size() - 1), fmt::format("file has no {}", to_string(wanted)),
                   "ask for another --quantity or fetch the record again");
+    }
     check_end(file, 1, index);
     return *std::move(series);
 }
@@ -140,8 +142,9 @@ GroundMotion parse_usc(const TextFile& file, const ReadOptions& options) {
         series = read_corrected(file, options);
         if (series->quantity() == SampleQuantity::acceleration) motion.integration_corner = find_filter_corner(file);
     } else {
-        if (!announces_volume1_pairs(file, header))
+        if (!announces_volume1_pairs(file, header)) {
             file.fail(header, "unit is missing (no 'UNITS ARE SEC AND G/10')", "fetch the record again");
+        }
         std::size_t index = header;
         ResampledSeries resampled = read_volume1_pairs(file, index);
         check_end(file, header, index);

@@ -148,8 +148,9 @@ TEST_CASE("the payload is the model's or the prototype's scaled") {
     const auto used = [&](const std::string& payload) {
         const Outcome outcome = here.run(std::string(kArguments) + "--json " + payload);
         const auto object = outcome.json();
-        for (const auto& limit : object["components"].at(0)["limits"])
+        for (const auto& limit : object["components"].at(0)["limits"]) {
             if (limit["limit"] == "payload") return limit["used"].get<double>();
+        }
         return -1.0;
     };
     CHECK(used("--payload '500 kg'") == relative(0.25, 1e-12));

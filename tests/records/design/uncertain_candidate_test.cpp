@@ -157,8 +157,9 @@ TEST_CASE("groups, factors and shares of a model have uncertainties at the given
     for (std::size_t i = 0; i < state.scales.size(); ++i) {
         CAPTURE(scaling::kModelScales[i].name);
         CHECK(state.scales[i].value == answer.candidates.front().chosen->scales.*scaling::kModelScales[i].factor);
-        if (scaling::kModelScales[i].name == "time")
+        if (scaling::kModelScales[i].name == "time") {
             CHECK(state.scales[i].relative == relative(0.5 * std::hypot(0.05, 0.05), kSampleRounding));
+        }
     }
 }
 

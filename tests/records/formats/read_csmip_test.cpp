@@ -64,8 +64,9 @@ TEST_CASE("the start time of a CSMIP file is its clock's zero, where that is in 
     CHECK(start_of("38457487.CI.CLC.--.HN      Start time:  7/06/19, 03:16: 8.0 UTC (GPS)") == make_utc_time(2019, 7, 6, 3, 16, 8.0));
     CHECK(start_of("58667   START TIME: 12/31/99, 23:59:59.5 UTC") == make_utc_time(1999, 12, 31, 23, 59, 59.5));
     for (const char* const other : {"id", "Trigger time: 06/28/92, 15:05:37.4 UTC", "Start time: 06/28/92, 15:05:37.4 PDT",
-                                    "Start time: 99/99/99, 1:1:1 UTC", "Start time: 1e99/1/19, 1:1:1 UTC", "Start time:"})
+                                    "Start time: 99/99/99, 1:1:1 UTC", "Start time: 1e99/1/19, 1:1:1 UTC", "Start time:"}) {
         CHECK_FALSE_MESSAGE(start_of(other), other);
+    }
 }
 
 TEST_CASE("every defect of a CSMIP file is reported with its line") {

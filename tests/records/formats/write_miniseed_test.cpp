@@ -16,6 +16,7 @@ GroundMotion make_seed_motion() {
     GroundMotion motion{.format = "test", .station = "CI.CLC China Lake"};
     motion.time_zero = make_utc_time(2019, 7, 6, 3, 19, 23.038317);
     std::vector<double> samples;
+    samples.reserve(1000);
     for (int i = 0; i < 1000; ++i) samples.push_back(1.0 / (3.0 + i));  // several records of 4096 bytes
     motion.components.push_back({"360", 360.0, {SampleQuantity::acceleration, 0.25 * seconds, 0.005 * seconds, samples}});
     motion.components.push_back({"Up", {}, {SampleQuantity::acceleration, 0.0 * seconds, 0.005 * seconds, {0.1, -2e-17}}});

@@ -78,6 +78,7 @@ TEST_CASE("a ramp is followed exactly, critical damping and tiny steps included"
     for (const double dt : {0.2, 0.01, 1e-5}) {
         CAPTURE(dt);
         std::vector<double> ramp;
+        ramp.reserve(300);
         for (int i = 0; i < 300; ++i) ramp.push_back(kRate * dt * i);
         const TimeSeries response = compute_oscillator_response(make_sine_acceleration(ramp, dt), kPeriod * seconds, 1.0);
         for (const std::size_t i : {std::size_t{1}, std::size_t{20}, std::size_t{299}}) {
@@ -355,8 +356,9 @@ std::vector<TimeSeries> load_all_accelerations() {
         for (const ReadOptions& options : {ReadOptions{}, ReadOptions{.dt = 0.01 * seconds, .unit = "cm/s^2"}}) {
             try {
                 const GroundMotion motion = read_record(entry.path(), options);
-                for (const Component& component : motion.components)
+                for (const Component& component : motion.components) {
                     if (component.series.quantity() == SampleQuantity::acceleration) all.push_back(component.series);
+                }
                 break;
             } catch (const ReadError&) {
                 continue;  // a spectrum file, or one that needs an option
