@@ -27,26 +27,25 @@ function(musim_compile_rules target)
   target_compile_definitions(${target} PUBLIC $<$<CONFIG:Debug>:_GLIBCXX_ASSERTIONS=1>)
 endfunction()
 
-# For code whose speed nobody waits for (command line, tests that calculate): a fraction of the compile time of -O3.
+# For code made of JSON and text, whose speed nobody waits for: GCC compiles it at -Og in two thirds of the time of -O2. Sanitized, Clang
+# compiles it at -O0 in half the time of -O1 (cli/lsdem/pair.cpp 15 s, not 29 s; fewer checks save nothing).
 function(musim_compile_quickly target)
-  target_compile_options(${target} PRIVATE $<$<CONFIG:Release,RelWithDebInfo>:-O1>)
-  # at -O1 GCC 12 takes empty optionals for uninitialised ones
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-Og>)
+  # at -Og GCC 12 takes empty optionals for uninitialised ones
   target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
-endfunction()
-
-# For tests and code made of JSON and text, whose speed nobody waits for under a sanitizer: sanitized at -O0 it compiles in half the time of -O1
-# (Clang 14, Address- and UndefinedBehaviorSanitizer: cli/lsdem/pair.cpp 15 s, not 29 s; fewer checks save nothing).
-function(musim_sanitize_quickly target)
   if(MUSIM_SANITIZE)
     target_compile_options(${target} PRIVATE -O0)
   endif()
 endfunction()
 
-# But for files of theirs that calculate, on which sanitized tests would wait.
-function(musim_sanitize_fast)
+# But for files of theirs that calculate, on which users and sanitized tests would wait.
+function(musim_calculate)
   if(MUSIM_SANITIZE)
-    set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS -O2 SKIP_PRECOMPILE_HEADERS ON)
+    set(level -O2)
+  else()
+    set(level $<$<CONFIG:Release>:-O3>)
   endif()
+  set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS ${level} SKIP_PRECOMPILE_HEADERS ON)
 endfunction()
 
 # Compiles headers that most files of a target include once, with what the standard library always brings: half of the time of a full build.
@@ -80,12 +79,11 @@ function(musim_unite_folders target)
   endif()
 endfunction()
 
-# For results, runs, studies and pages: JSON in most files; at -O2 they compile a fifth faster than at -O3, and the kernel is where time goes.
-function(musim_study_rules target)
-  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O2>)
-  musim_sanitize_quickly(${target})
-  if(MUSIM_PRECOMPILED AND TARGET musim_lsdem_results AND NOT target STREQUAL musim_lsdem_results)
-    target_precompile_headers(${target} REUSE_FROM musim_lsdem_results)
+# For scenes, results, runs, studies and pages: JSON in most files, the same headers in all.
+function(musim_json_rules target)
+  musim_compile_quickly(${target})
+  if(MUSIM_PRECOMPILED AND NOT target STREQUAL musim_lsdem_scene)
+    target_precompile_headers(${target} REUSE_FROM musim_lsdem_scene)
   else()
     musim_precompile(${target} <Eigen/Core> <Eigen/Geometry> <fmt/format.h> <nlohmann/json.hpp> "${PROJECT_SOURCE_DIR}/scaling/units.hpp")
   endif()
