@@ -54,12 +54,14 @@ def shorten_scenes(paths):
 
 
 def shorten(scene):
-    """A scene with few layers and a tenth of its time at most, so that its commands run in seconds."""
+    """A scene with few layers, a tenth of its time at most and no motion more than twice, so that its commands run in seconds."""
     structure = scene.get("structure", {})
     if "layers" in structure:
         structure["layers"] = min(structure["layers"], 4)
     if "base_motion" in scene and scene["base_motion"].get("signal") == "synthetic":
         scene["base_motion"]["duration"] = "2 s"
+    for motion in scene.get("motions", []):
+        motion["repeat"] = min(motion.get("repeat", 1), 2)
     for timed in [scene.get("time"), *scene.get("motions", [])]:
         if timed:
             number, unit = timed["duration"].split()

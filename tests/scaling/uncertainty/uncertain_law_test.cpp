@@ -11,6 +11,7 @@
 #include "tests/scaling/expected.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/trials.hpp"
 
 namespace musim::scaling::tests {
 
@@ -176,7 +177,7 @@ TEST_CASE("the prototype's value and the lower one of its fraction are one input
 
 TEST_CASE("an addition is a difference: its uncertainty is that of both sides, with what they share") {
     // (λ_E L²/g − L³) M: ∂/∂ln L = 2 L² − 3 L³, ∂/∂ln E = L²
-    const MonteCarloSettings settings{.samples = 100'000, .seed = 3};
+    const MonteCarloSettings settings{.samples = musim::tests::trials(100'000), .seed = 3};
     const LawCase added = propagate_case("artificial_mass", {{"l", "1/25+/-0.4%"}, {"E", "1+/-1%"}}, {{"m_s", "270151+/-1% t"}}, settings);
     const double l = 1.0 / 25.0;
     const UncertainAddition& addition = *added.report.additions[0];
@@ -187,7 +188,7 @@ TEST_CASE("an addition is a difference: its uncertainty is that of both sides, w
     CHECK_EXPECTED(addition.model->uncertainty, 270151e3 * std::hypot(addition.factor.uncertainty, (l * l - l * l * l) * 0.01));
     // 5 standard deviations u/√(2 n) of sampling, and some relative u of second order
     const double share = addition.model->samples->standard_deviation / addition.model->uncertainty;
-    CHECK(std::abs(share - 1.0) <= 5.0 / std::sqrt(200'000.0) + 0.02);
+    CHECK(std::abs(share - 1.0) <= 5.0 / std::sqrt(2.0 * static_cast<double>(settings.samples)) + 0.02);
 
     // nothing to add, and less than nothing
     const LawCase none = propagate_case("artificial_mass", {{"l", "1"}, {"E", "1+/-1%"}});
@@ -199,9 +200,10 @@ TEST_CASE("an addition is a difference: its uncertainty is that of both sides, w
 }
 
 TEST_CASE("samples of solved factors agree with first order and depend on the seed alone") {
+    constexpr std::size_t kSamples = musim::tests::trials(20'000);
     const auto run = [](std::uint64_t seed, int threads) {
         return propagate_case("true_replica", {{"l", "1/25+/-0.4%"}, {"rho", "1+/-1%"}}, {},
-                              MonteCarloSettings{.samples = 20'000, .seed = seed, .threads = threads});
+                              MonteCarloSettings{.samples = kSamples, .seed = seed, .threads = threads});
     };
     const LawCase one = run(7, 1), two = run(7, 2), other = run(8, 1);
     const SampleSummary& modulus = *one.factor("E").samples;
@@ -210,8 +212,8 @@ TEST_CASE("samples of solved factors agree with first order and depend on the se
     CHECK(modulus.mean != other.factor("E").samples->mean);
     // 5 standard deviations of sampling: u/√n of the mean, u/√(2 n) of u; second order is some u² = 1e-4 of either
     const double u = one.factor("E").first_order.uncertainty();
-    CHECK(std::abs(modulus.mean - 0.04) <= 5.0 * u / std::sqrt(20'000.0) + 0.02 * u);
-    CHECK(std::abs(modulus.standard_deviation - u) <= 5.0 * u / std::sqrt(40'000.0) + 0.02 * u);
+    CHECK(std::abs(modulus.mean - 0.04) <= 5.0 * u / std::sqrt(double{kSamples}) + 0.02 * u);
+    CHECK(std::abs(modulus.standard_deviation - u) <= 5.0 * u / std::sqrt(2.0 * kSamples) + 0.02 * u);
     CHECK(std::abs(modulus.lower - (0.04 - 1.96 * u)) <= 0.15 * u);
     // a certain one has no scatter at all
     CHECK(one.factor("g").samples->lower == 1.0);

@@ -16,6 +16,7 @@
 #include "tests/scaling/expected.hpp"
 #include "tests/scaling/paper_towers.hpp"
 #include "tests/support/relative.hpp"
+#include "tests/support/trials.hpp"
 
 namespace musim::scaling::tests {
 
@@ -169,7 +170,7 @@ TEST_CASE("contacts and the table's band have limits of their own") {
 }
 
 TEST_CASE("samples of properties have the distribution of their closed forms") {
-    const MonteCarloSettings settings{.samples = 20'000, .seed = 5, .distribution = Distribution::lognormal};
+    const MonteCarloSettings settings{.samples = musim::tests::trials(20'000), .seed = 5, .distribution = Distribution::lognormal};
     const Reported given = report(towers(0.2, 0.1), settings);
     REQUIRE(given.group("a/(mu*g)").samples.has_value());
     const SampleSummary& demand = given.group("a/(mu*g)").samples->model;
@@ -191,7 +192,7 @@ TEST_CASE("samples of properties have the distribution of their closed forms") {
 }
 
 TEST_CASE("the share of samples in another regime is that of the normal distribution") {
-    const MonteCarloSettings settings{.samples = 20'000, .seed = 11};
+    const MonteCarloSettings settings{.samples = musim::tests::trials(20'000), .seed = 11};
     const Reported given = report(towers(0.05, 0.0), settings);
     // μ/tan α is normal, 0.889 and 0.951 times 1 ± 5 %: the chance that either is above 1
     const auto above = [](double ratio) { return 0.5 * std::erfc((1.0 / ratio - 1.0) / (0.05 * std::numbers::sqrt2)); };
