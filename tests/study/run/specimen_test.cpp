@@ -141,7 +141,7 @@ TEST_CASE("specimens of layers with scaled mass are those of layer by layer in t
         double variance() const { return squares / count - mean() * mean(); }
         double variance_of_mean() const { return variance() / count; }
     };
-    constexpr int kSeeds = 6;
+    constexpr int kSeeds = 3;
     Sample tilt_difference, tilt, quick_force, force;
     std::uint64_t quick_cost = 0, cost = 0;
     for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
