@@ -55,7 +55,8 @@ class PropertiesFiles {
           options_(options),
           // the model's default size needs a length scale that makes sense
           length_(scaling::make_similitude("exact", {.length = scales.scales().factors().length}).length()),
-          json_(read_input_file(options.file, "what is known of prototype and model (musim-properties/1)")),
+          object_(records::parse_properties_text(read_input_file(options.file, "what is known of prototype and model (musim-properties/1)"),
+                                                 options.file)),
           presets_(make_preset_materials()) {}
 
     struct Read {
@@ -67,7 +68,7 @@ class PropertiesFiles {
     /// Properties, and the similitude that they ask for; the motion of a model that was not given one is left open. The law is solved at
     /// the first call, others may come from any thread.
     Read read(scaling::UncertainReading& reading) {
-        const records::Properties properties = records::parse_properties(json_, options_.file, presets_, length_, &reading);
+        const records::Properties properties = records::read_properties(object_, options_.file, presets_, length_, &reading);
         scaling::PairProperties pair{.prototype = properties.prototype,
                                      .model = properties.model,
                                      .motion = find_motion(properties.motion, measured_motion_),
@@ -120,7 +121,7 @@ class PropertiesFiles {
     const SimilitudeOptions& scales_;
     const PropertiesOptions& options_;
     double length_;
-    std::string json_;
+    nlohmann::ordered_json object_;
     std::vector<records::Material> presets_;
     std::optional<records::DesignLaw> law_;
     std::optional<scaling::LawFormulas> formulas_;

@@ -108,8 +108,16 @@ std::variant<std::monostate, scaling::Bandwidth, AxisOfTable> read_table(const J
 
 Properties parse_properties(std::string_view json, const std::string& source, const std::vector<Material>& presets, double length,
                             scaling::UncertainReading* reading) {
-    const detail::Json object = detail::parse_object(json, source, "musim-properties/1", "file of structure properties",
-                                                     R"("prototype": {...}, "model": {...})", "musim-facts/1");  // old name
+    return read_properties(parse_properties_text(json, source), source, presets, length, reading);
+}
+
+detail::Json parse_properties_text(std::string_view json, const std::string& source) {
+    return detail::parse_object(json, source, "musim-properties/1", "file of structure properties", R"("prototype": {...}, "model": {...})",
+                                "musim-facts/1");  // old name
+}
+
+Properties read_properties(const detail::Json& object, const std::string& source, const std::vector<Material>& presets, double length,
+                           scaling::UncertainReading* reading) {
     const JsonRules rules(reading);
     const JsonReader fields(object, rules, source);
     Properties properties;

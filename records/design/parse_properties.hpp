@@ -1,5 +1,6 @@
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,5 +28,11 @@ namespace musim::records {
 /// (scaling/uncertain.hpp), which are refused without it, and where a value is chosen: "high_pass".
 Properties parse_properties(std::string_view json, const std::string& source, const std::vector<Material>& presets, double length,
                             scaling::UncertainReading* reading = nullptr);
+
+/// The two halves of parse_properties(), for a text that is read with many readings: its JSON, whose schema is checked, and the properties
+/// in it.
+nlohmann::ordered_json parse_properties_text(std::string_view json, const std::string& source);
+Properties read_properties(const nlohmann::ordered_json& object, const std::string& source, const std::vector<Material>& presets,
+                           double length, scaling::UncertainReading* reading);
 
 }  // namespace musim::records
