@@ -131,8 +131,9 @@ class PropertiesFiles {
 /// Properties whose model is shaken as it was given, or else by `shaken`.
 scaling::PropertiesAndLaw with_motion(const PropertiesFiles::Read& read, const scaling::Similitude& shaken) {
     scaling::PropertiesAndLaw properties{read.pair, read.similitude};
-    if (properties.properties.motion && !properties.properties.model_motion)
+    if (properties.properties.motion && !properties.properties.model_motion) {
         properties.properties.model_motion = to_model(*properties.properties.motion, shaken);
+    }
     return properties;
 }
 

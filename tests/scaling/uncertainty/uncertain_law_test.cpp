@@ -19,6 +19,7 @@ namespace {
 
 std::vector<UncertainFactor> make_factors(const std::vector<std::pair<const char*, const char*>>& texts) {
     std::vector<UncertainFactor> factors;
+    factors.reserve(texts.size());
     for (const auto& [name, text] : texts) factors.push_back({name, parse_uncertain_ratio(text)});
     return factors;
 }

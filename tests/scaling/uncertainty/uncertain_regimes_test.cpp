@@ -65,8 +65,9 @@ Reported report(const Say& say, const std::optional<MonteCarloSettings>& monte_c
     UncertainReading reading("f.json");
     PropertiesAndLaw properties = read(reading);
     const auto shake = [&](PropertiesAndLaw one) {
-        if (one.properties.motion && !one.properties.model_motion)
+        if (one.properties.motion && !one.properties.model_motion) {
             one.properties.model_motion = to_model(*one.properties.motion, properties.similitude);
+        }
         return one;
     };
     std::vector<MovedProperties> moved;
