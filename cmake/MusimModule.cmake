@@ -31,8 +31,6 @@ endfunction()
 # compiles it at -O0 in half the time of -O1 (cli/lsdem/pair.cpp 15 s, not 29 s; fewer checks save nothing).
 function(musim_compile_quickly target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-Og>)
-  # at -Og GCC 12 takes empty optionals for uninitialised ones
-  target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   if(MUSIM_SANITIZE)
     target_compile_options(${target} PRIVATE -O0)
   endif()
