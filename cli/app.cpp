@@ -1,11 +1,43 @@
 #include "cli/app.hpp"
 
+#include <algorithm>
 #include <CLI/CLI.hpp>
+#include <vector>
 
 #include "cli/usage.hpp"
 #include "cli/version.hpp"
 
 namespace musim::cli {
+namespace {
+
+struct Command {
+    std::string name;
+    void (*add)(CLI::App& app, Action& action);
+};
+
+struct Group {
+    std::string title;
+    std::vector<Command> commands;
+};
+
+std::vector<Group> list_groups() {
+    return {
+        {"Scale a model test",
+         {{"scale", add_scale_command}, {"rescale", add_rescale_command}, {"design", add_design_command}, {"pi", add_pi_command}}},
+        {"Prepare a ground motion, check a shake table", {{"record", add_record_command}, {"table", add_table_command}}},
+        {"Describe a structure",
+         {{"new", add_new_command},
+          {"check", add_check_command},
+          {"calibrate", add_calibrate_command},
+          {"specimen", add_specimen_command}}},
+        {"Shake it",
+         {{"run", add_run_command}, {"sequence", add_sequence_command}, {"ensemble", add_ensemble_command}, {"watch", add_watch_command}}},
+        {"Compare prototype and models", {{"pair", add_pair_command}}},
+        {"See results", {{"report", add_report_command}, {"response", add_response_command}, {"field", add_field_command}}},
+        {"Measure how exact musim is", {{"bench", add_bench_command}}}};
+}
+
+}  // namespace
 
 std::string describe_program() {
     return R"(musim: similitude, records, shake tables and simulation of dry-stacked blocks
@@ -22,7 +54,7 @@ All commands: musim --help. One of them, with examples: musim COMMAND --help.
 )";
 }
 
-void add_commands(CLI::App& app, Action& action) {
+void add_commands(CLI::App& app, Action& action, std::string_view only) {
     app.name("musim");
     app.description("Similitude toolkit and LS-DEM simulator for towers of dry-stacked blocks");
     app.set_version_flag("--version", std::string("musim ") + kVersion);
@@ -39,33 +71,17 @@ void add_commands(CLI::App& app, Action& action) {
         "  6         a model of its own material differs by more than --accept\n"
         "  130, 143  stopped by SIGINT (Ctrl-C) or SIGTERM\n"
         "Numbers may be fractions: --length 1/107 --friction 0.63/0.59. `musim COMMAND --help` has examples.");
-    add_scale_command(app, action);
-    add_rescale_command(app, action);
-    add_design_command(app, action);
-    add_pi_command(app, action);
-    group_commands(app, "Scale a model test", {"scale", "rescale", "design", "pi"});
-    add_record_command(app, action);
-    add_table_command(app, action);
-    group_commands(app, "Prepare a ground motion, check a shake table", {"record", "table"});
-    add_new_command(app, action);
-    add_check_command(app, action);
-    add_calibrate_command(app, action);
-    add_specimen_command(app, action);
-    group_commands(app, "Describe a structure", {"new", "check", "calibrate", "specimen"});
-    add_run_command(app, action);
-    add_sequence_command(app, action);
-    add_ensemble_command(app, action);
-    add_watch_command(app, action);
-    group_commands(app, "Shake it", {"run", "sequence", "ensemble", "watch"});
-    add_pair_command(app, action);
-    group_commands(app, "Compare prototype and models", {"pair"});
-    add_report_command(app, action);
-    add_response_command(app, action);
-    add_field_command(app, action);
-    group_commands(app, "See results", {"report", "response", "field"});
-    add_bench_command(app, action);
-    group_commands(app, "Measure how exact musim is", {"bench"});
-
+    const std::vector<Group> groups = list_groups();
+    const auto is_wanted = [only](const Command& command) { return command.name == only; };
+    const bool all = std::none_of(groups.begin(), groups.end(),
+                                  [&](const Group& group) { return std::any_of(group.commands.begin(), group.commands.end(), is_wanted); });
+    for (const Group& group : groups) {
+        for (const Command& command : group.commands) {
+            if (!all && !is_wanted(command)) continue;
+            command.add(app, action);
+            app.get_subcommand(command.name)->group(group.title);
+        }
+    }
     refuse_empty_values(app);
 }
 

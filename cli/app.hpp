@@ -2,6 +2,7 @@
 
 #include <CLI/App.hpp>
 #include <string>
+#include <string_view>
 
 #include "cli/commands.hpp"
 
@@ -10,7 +11,8 @@ namespace musim::cli {
 /// What people come for, each with a command line to begin with, and how to see all commands.
 std::string describe_program();
 
-/// Gives an empty App name, version, help and every command; when it parses a command line, `action` is set to carry it out.
-void add_commands(CLI::App& app, Action& action);
+/// Gives an empty App name, version, help and every command, or the one of the name `only`, where there is one, since most commands take
+/// less time than to add all. When it parses a command line, `action` is set to carry it out.
+void add_commands(CLI::App& app, Action& action, std::string_view only = {});
 
 }  // namespace musim::cli

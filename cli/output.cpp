@@ -17,6 +17,10 @@ class Notes {
         const std::lock_guard lock(mutex_);
         lines_.insert(std::move(line));
     }
+    void clear() {
+        const std::lock_guard lock(mutex_);
+        lines_.clear();
+    }
     const std::set<std::string>& lines() const { return lines_; }
 
   private:
@@ -34,6 +38,8 @@ Notes& notes() {
 void write_text(std::FILE* stream, std::string_view text) { std::fwrite(text.data(), 1, text.size(), stream); }
 
 void note_at_end(std::string line) { notes().add(std::move(line)); }
+
+void forget_notes() { notes().clear(); }
 
 void print_notes() {
     for (const std::string& line : notes().lines()) note("{}\n", line);

@@ -25,13 +25,14 @@ int report_error(const std::string& message, int exit_code) {
 }
 
 int carry_out(int argc, char** argv) {
+    forget_notes();
     if (argc < 2) {
         note("{}", describe_program());
         return kUsageError;
     }
     CLI::App app;
     Action action;
-    add_commands(app, action);
+    add_commands(app, action, argv[1]);
 
     try {
         app.parse(argc, argv);

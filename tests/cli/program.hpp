@@ -1,22 +1,22 @@
 #pragma once
 
-#include <fcntl.h>
 #include <sys/wait.h>
-#include <unistd.h>
 #include <wordexp.h>
 
-#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <regex>
 #include <stdexcept>
 #include <string>
 
 #include "cli/run_program.hpp"
+#include "tests/support/redirected_output.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/working_folder.hpp"
 
 namespace musim::cli {
 
@@ -35,18 +35,14 @@ struct Outcome {
 /// An empty folder for each test, gone at its end; the program runs in it.
 class Workplace {
   public:
-    /// Runs `musim ARGUMENTS`, words as in a shell. On a slow machine a command may last long enough for progress lines, which are left
-    /// out. A copy of the test's own process carries it out: under AddressSanitizer to load the program takes a hundred times as long as
-    /// most commands. `shell` comes first on a command line of the shell, e.g. a limit, which runs the program itself.
+    /// Runs `musim ARGUMENTS`, words as in a shell, in this process: AddressSanitizer takes longer to load a program than most commands.
+    /// Where the shell has more to do than to part words, and after `shell`, first on the same command line, e.g. a limit, it runs the
+    /// program. On a slow machine a command may last long enough for progress lines, which are left out.
     Outcome run(const std::string& arguments, const std::string& shell = "") const {
-        const std::string out = folder_.path() / ".stdout";
-        const std::string err = folder_.path() / ".stderr";
-        const int status = shell.empty() && has_only_words(arguments)
-                               ? run_copy(arguments, out, err)
-                               : std::system(("cd '" + folder_.path().string() + "' && { " + shell + " " + MUSIM_PROGRAM + " " + arguments +
-                                              "; } >'" + out + "' 2>'" + err + "'")
-                                                 .c_str());
-        return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, musim::tests::bytes_of(out), without_progress(musim::tests::bytes_of(err))};
+        const std::string out = folder_.path() / ".stdout", err = folder_.path() / ".stderr";
+        const std::optional<int> here = shell.empty() ? run_here(arguments, out, err) : std::nullopt;
+        const int exit_code = here ? *here : run_in_shell(shell + " " MUSIM_PROGRAM " " + arguments, out, err);
+        return {exit_code, musim::tests::bytes_of(out), without_progress(musim::tests::bytes_of(err))};
     }
 
     /// Starts `musim ARGUMENTS` and sends it a signal once it listens for SIGTERM (bit 14 of what it catches) and the shell's condition
@@ -107,38 +103,21 @@ rm -rf kept started kill.sh
     }
 
   private:
-    /// Whether it asks nothing of a shell but to part words: no redirection, no command of its own.
-    static bool has_only_words(const std::string& arguments) {
+    /// Nothing where a shell is needed: for a redirection, or a command within the command.
+    std::optional<int> run_here(const std::string& arguments, const std::string& out, const std::string& err) const {
+        const musim::tests::WorkingFolder there(folder_.path());
         wordexp_t words;
-        const int error = wordexp(arguments.c_str(), &words, WRDE_NOCMD | WRDE_UNDEF);
-        if (error == 0) wordfree(&words);
-        return error == 0;
+        if (wordexp(("musim " + arguments).c_str(), &words, WRDE_NOCMD) != 0) return std::nullopt;
+        const musim::tests::RedirectedOutput redirected(out, err);
+        const int exit_code = run_program(static_cast<int>(words.we_wordc), words.we_wordv);
+        wordfree(&words);
+        return exit_code;
     }
 
-    /// Carries out `musim ARGUMENTS` in a copy of this process; what waitpid() says of it.
-    int run_copy(const std::string& arguments, const std::string& out, const std::string& err) const {
-        std::fflush(nullptr);
-        const pid_t child = fork();
-        if (child == -1) throw std::runtime_error("no process can be made");
-        if (child == 0) {
-            if (chdir(folder_.path().c_str()) != 0 || setenv("PWD", folder_.path().c_str(), 1) != 0) std::exit(125);
-            redirect(out, STDOUT_FILENO);
-            redirect(err, STDERR_FILENO);
-            wordexp_t words;
-            if (wordexp(("musim " + arguments).c_str(), &words, WRDE_NOCMD) != 0) std::exit(125);
-            const int exit_code = run_program(static_cast<int>(words.we_wordc), words.we_wordv);
-            wordfree(&words);
-            std::exit(exit_code);
-        }
-        int status = 0;
-        if (waitpid(child, &status, 0) != child) throw std::runtime_error("a process is lost");
-        return status;
-    }
-
-    static void redirect(const std::string& file, int descriptor) {
-        const int opened = open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);  // NOLINT(cppcoreguidelines-pro-type-vararg)
-        if (opened == -1 || dup2(opened, descriptor) == -1) std::exit(125);
-        close(opened);
+    int run_in_shell(const std::string& command, const std::string& out, const std::string& err) const {
+        const int status =
+            std::system(("cd '" + folder_.path().string() + "' && { " + command + "; } >'" + out + "' 2>'" + err + "'").c_str());
+        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     }
 
     static std::string without_progress(const std::string& text) {
