@@ -59,7 +59,7 @@ endfunction()
 # Names that only one file knows must then differ within a target. MUSIM_UNITY=OFF builds file by file.
 function(musim_unite target)
   if(MUSIM_UNITY)
-    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 16)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 40)
   endif()
 endfunction()
 

@@ -27,7 +27,7 @@ struct BenchAccuracyOptions : ResultOptions {
 };
 
 /// An error that is no finite number is null.
-nlohmann::json to_json(const lsdem::AccuracySweep& sweep) {
+nlohmann::json make_json(const lsdem::AccuracySweep& sweep) {
     nlohmann::json panels = nlohmann::json::array();
     for (const lsdem::AccuracyPanel& panel : sweep.panels) {
         nlohmann::json rows = nlohmann::json::array();
@@ -77,7 +77,7 @@ int run_bench_accuracy(const BenchAccuracyOptions& options) {
         folder->commit();
     }
     if (options.json) {
-        print_json(to_json(sweep));
+        print_json(make_json(sweep));
     } else {
         print_sweep(sweep);
         if (folder) print("\nAll settings in {}\n", (std::filesystem::path(options.out) / "accuracy.csv").string());

@@ -105,7 +105,7 @@ void print_study(const Measured& measured, scaling::ReportStyle style) {
     print("\n");
 }
 
-nlohmann::json to_json(const std::vector<Measured>& all) {
+nlohmann::json make_json(const std::vector<Measured>& all) {
     nlohmann::json scenes = nlohmann::json::array();
     for (const Measured& measured : all) scenes.push_back(lsdem::to_json(measured.study, measured.summary));
     return {{"parting_level", lsdem::kPartingLevel}, {"program_version", kVersion}, {"scenes", scenes}};
@@ -117,7 +117,7 @@ void write_results(lsdem::ResultFolder& folder, const std::vector<Measured>& all
     for (const Measured& measured : all) studies.push_back(measured.study);
     folder.add_text("twins.csv", lsdem::make_twins_csv(studies));
     folder.add_text("spread.csv", lsdem::make_spread_csv(studies));
-    folder.add_text("summary.json", to_json(all).dump(2) + "\n");
+    folder.add_text("summary.json", make_json(all).dump(2) + "\n");
     folder.commit();
 }
 
@@ -140,7 +140,7 @@ int run_bench_twins(const BenchTwinsOptions& options) {
         if (!options.json) print_study(measured, options.style);
     }
     if (folder) write_results(*folder, all);
-    if (options.json) print_json(to_json(all));
+    if (options.json) print_json(make_json(all));
     if (folder && !options.json) print("Histories in {}\n", (std::filesystem::path(options.out) / "twins.csv").string());
     if (diverged) note("musim: error: a prototype or a twin diverged; its comparison ends there\n");
     return diverged ? kNumericalFailure : kDone;

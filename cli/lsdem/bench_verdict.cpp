@@ -133,11 +133,11 @@ scaling::TextTable make_error_table(const lsdem::VerdictBench& bench) {
     return table;
 }
 
-nlohmann::json to_json(const lsdem::Tally& tally) {
+nlohmann::json make_json(const lsdem::Tally& tally) {
     return {{"count", tally.count}, {"of", tally.of}, {"low", tally.low}, {"high", tally.high}};
 }
 
-nlohmann::json to_json(const Models& models) {
+nlohmann::json make_json(const Models& models) {
     nlohmann::json list = nlohmann::json::array();
     for (const lsdem::JudgedModel& model : models) {
         list.push_back({{"length", model.length},
@@ -149,12 +149,12 @@ nlohmann::json to_json(const Models& models) {
     return list;
 }
 
-nlohmann::json to_json(const std::optional<lsdem::FoundSize>& size) {
+nlohmann::json make_json(const std::optional<lsdem::FoundSize>& size) {
     if (!size) return nullptr;
     return {{"size", size->size}, {"low", size->low}, {"high", size->high}};
 }
 
-nlohmann::json to_json(const std::vector<lsdem::VerdictBench>& benches) {
+nlohmann::json make_json(const std::vector<lsdem::VerdictBench>& benches) {
     nlohmann::json scenes = nlohmann::json::array();
     for (const lsdem::VerdictBench& bench : benches) {
         nlohmann::json sets = nlohmann::json::array(), errors = nlohmann::json::array();
@@ -162,13 +162,13 @@ nlohmann::json to_json(const std::vector<lsdem::VerdictBench>& benches) {
             sets.push_back({{"seed", set.seed},
                             {"horizon_s", set.horizon},
                             {"lead_of_images_sd", set.of_images ? nlohmann::json(set.of_images->lead) : nlohmann::json()},
-                            {"models", to_json(set.models)}});
+                            {"models", make_json(set.models)}});
         }
         for (const lsdem::JudgedError& judged : bench.errors) {
             const auto of = [&](Models lsdem::JudgedError::*models) -> nlohmann::json {
-                return {{"found", to_json(lsdem::tally(judged.*models, lsdem::Agreement::differ))},
-                        {"found_in_95_of_100", to_json(lsdem::find_size(bench, judged.error, models))},
-                        {"models", to_json(judged.*models)}};
+                return {{"found", make_json(lsdem::tally(judged.*models, lsdem::Agreement::differ))},
+                        {"found_in_95_of_100", make_json(lsdem::find_size(bench, judged.error, models))},
+                        {"models", make_json(judged.*models)}};
             };
             errors.push_back({{"error", lsdem::to_string(judged.error)},
                               {"size", judged.size},
@@ -178,8 +178,8 @@ nlohmann::json to_json(const std::vector<lsdem::VerdictBench>& benches) {
         scenes.push_back({{"scene", bench.scene}, {"sets", sets}, {"errors", errors}});
     }
     return {{"program_version", kVersion},
-            {"differ", to_json(lsdem::tally_exact(benches, lsdem::Agreement::differ))},
-            {"undecided", to_json(lsdem::tally_exact(benches, lsdem::Agreement::undecided))},
+            {"differ", make_json(lsdem::tally_exact(benches, lsdem::Agreement::differ))},
+            {"undecided", make_json(lsdem::tally_exact(benches, lsdem::Agreement::undecided))},
             {"scenes", scenes}};
 }
 
@@ -211,11 +211,11 @@ int run_bench_verdict(const BenchVerdictOptions& options) {
         }
     }
     if (folder) {
-        folder->add_text("verdicts.json", to_json(benches).dump(2) + "\n");
+        folder->add_text("verdicts.json", make_json(benches).dump(2) + "\n");
         folder->commit();
     }
     if (options.json) {
-        print_json(to_json(benches));
+        print_json(make_json(benches));
     } else {
         print_benches(benches, options.style);
     }

@@ -12,7 +12,7 @@
 namespace musim::cli {
 namespace {
 
-nlohmann::json to_json(const lsdem::MaterialPreset& preset) {
+nlohmann::json make_json(const lsdem::MaterialPreset& preset) {
     const lsdem::BlockSample sample = lsdem::make_sample(preset);
     nlohmann::json object = describe_sample(sample);
     object.erase("ground_friction");
@@ -28,7 +28,7 @@ nlohmann::json to_json(const lsdem::MaterialPreset& preset) {
 
 int run_presets(bool json) {
     nlohmann::json list = nlohmann::json::array();
-    for (const std::string& name : lsdem::material_preset_names()) list.push_back(to_json(lsdem::find_material_preset(name)));
+    for (const std::string& name : lsdem::material_preset_names()) list.push_back(make_json(lsdem::find_material_preset(name)));
     if (json) {
         print_json({{"presets", list}});
         return kDone;

@@ -42,7 +42,7 @@ struct NamedSearch {
     lsdem::RestitutionSearch search;
 };
 
-nlohmann::json to_json(const lsdem::BlockSample& sample, const lsdem::RockingCurve& curve) {
+nlohmann::json make_json(const lsdem::BlockSample& sample, const lsdem::RockingCurve& curve) {
     nlohmann::json points = nlohmann::json::array();
     for (std::size_t i = 0; i < curve.restitution.size(); ++i) {
         const lsdem::RockingResult& r = curve.result[i];
@@ -116,7 +116,7 @@ int run_restitution(const RestitutionOptions& options) {
 
     if (options.test.json) {
         nlohmann::json list = nlohmann::json::array(), found = nlohmann::json::array();
-        for (const lsdem::RockingCurve& curve : curves) list.push_back(to_json(sample, curve));
+        for (const lsdem::RockingCurve& curve : curves) list.push_back(make_json(sample, curve));
         for (const NamedSearch& s : searches) {
             found.push_back({{"support", to_string(s.curve->support)},
                              {"side", to_string(s.curve->side)},

@@ -57,7 +57,7 @@ std::vector<TestedDirection> make_directions(const StiffnessOptions& options, co
     return {normal, shear};
 }
 
-nlohmann::json to_json(const TestedDirection& d, const lsdem::BlockSample& sample) {
+nlohmann::json make_json(const TestedDirection& d, const lsdem::BlockSample& sample) {
     const auto speed = [](const lsdem::WaveSpeed& s) {
         return nlohmann::json{{"effective_speed_m_s", s.effective()},   {"criterion_speed_m_s", s.speed},
                               {"standard_error_m_s", s.standard_error}, {"front_factor", s.front_factor},
@@ -136,7 +136,7 @@ int run_stiffness(const StiffnessOptions& options) {
     }
     if (options.test.json) {
         nlohmann::json list = nlohmann::json::array();
-        for (const TestedDirection& d : directions) list.push_back(to_json(d, sample));
+        for (const TestedDirection& d : directions) list.push_back(make_json(d, sample));
         nlohmann::json object{{"material", options.test.sample.material},
                               {"sample", describe_sample(sample)},
                               {"layers", options.layers},

@@ -86,7 +86,7 @@ std::string describe_end_interval(const End& end) {
 }
 
 nlohmann::json end_to_json(const End& end, const std::vector<scaling::UncertainInput>& inputs) {
-    return end ? cli::to_json(*end, inputs) : nlohmann::json();
+    return end ? to_json(*end, inputs) : nlohmann::json();
 }
 
 /// Median and coverage interval of a length scale.
@@ -96,9 +96,7 @@ std::vector<std::string> describe_scales(const scaling::SampleSummary& scales) {
             fmt::format("{} to {}", scaling::describe_scale(scales.lower), scaling::describe_scale(scales.upper))};
 }
 
-nlohmann::json scales_to_json(const scaling::SampleSummary& scales) {
-    return scales.given == 0 ? nlohmann::json() : cli::to_json(scales, 1.0);
-}
+nlohmann::json scales_to_json(const scaling::SampleSummary& scales) { return scales.given == 0 ? nlohmann::json() : to_json(scales, 1.0); }
 
 /// A column behind the last one, `cell(i)` in row i.
 template <class Cell>
@@ -232,36 +230,36 @@ scaling::TextTable make_sampled_limits_table(const std::vector<records::Candidat
 
 std::string name_candidate(const Candidate& candidate) { return fmt::format("{}, law {}", candidate.material.name, candidate.law.name()); }
 
-nlohmann::json to_json(const scaling::LengthRange& range) { return {range.smallest, range.largest}; }
+nlohmann::json make_json(const scaling::LengthRange& range) { return {range.smallest, range.largest}; }
 
-nlohmann::json to_json(const std::vector<records::GroupFactor>& groups) {
+nlohmann::json make_json(const std::vector<records::GroupFactor>& groups) {
     nlohmann::json object = nlohmann::json::object();
     for (const records::GroupFactor& group : groups) object[group.name] = group.value;
     return object;
 }
 
 /// {"groups" and "factors" by name, "used" in the order of the limits, "mass_kg", "cost"}.
-nlohmann::json to_json(const records::ModelState& state, const records::UncertainState& uncertain,
-                       const std::vector<scaling::UncertainInput>& inputs) {
+nlohmann::json make_json(const records::ModelState& state, const records::UncertainState& uncertain,
+                         const std::vector<scaling::UncertainInput>& inputs) {
     nlohmann::json groups = nlohmann::json::object(), factors = nlohmann::json::object(), used = nlohmann::json::array();
-    for (std::size_t i = 0; i < state.groups.size(); ++i) groups[state.groups[i].name] = cli::to_json(uncertain.groups[i], inputs);
+    for (std::size_t i = 0; i < state.groups.size(); ++i) groups[state.groups[i].name] = to_json(uncertain.groups[i], inputs);
     for (std::size_t i = 0; i < std::size(scaling::kModelScales); ++i) {
-        factors[std::string(scaling::kModelScales[i].name)] = cli::to_json(uncertain.scales[i], inputs);
+        factors[std::string(scaling::kModelScales[i].name)] = to_json(uncertain.scales[i], inputs);
     }
-    for (const scaling::FirstOrder& share : uncertain.used) used.push_back(cli::to_json(share, inputs));
+    for (const scaling::FirstOrder& share : uncertain.used) used.push_back(to_json(share, inputs));
     return {{"groups", groups},
             {"factors", factors},
             {"used", used},
-            {"mass_kg", cli::to_json(uncertain.mass, inputs)},
+            {"mass_kg", to_json(uncertain.mass, inputs)},
             {"cost", end_to_json(uncertain.cost, inputs)}};
 }
 
 /// {"smallest", "largest"}; null for an end that no limit sets.
-nlohmann::json to_json(const records::UncertainRange& range, const std::vector<scaling::UncertainInput>& inputs) {
+nlohmann::json make_json(const records::UncertainRange& range, const std::vector<scaling::UncertainInput>& inputs) {
     return {{"smallest", end_to_json(range.smallest, inputs)}, {"largest", end_to_json(range.largest, inputs)}};
 }
 
-nlohmann::json to_json(const ReportedState& given, const std::vector<scaling::UncertainInput>& inputs) {
+nlohmann::json make_json(const ReportedState& given, const std::vector<scaling::UncertainInput>& inputs) {
     const ModelState& state = *given.state;
     nlohmann::json uses = nlohmann::json::array();
     for (const records::Use& use : state.uses) {
@@ -277,39 +275,39 @@ nlohmann::json to_json(const ReportedState& given, const std::vector<scaling::Un
     nlohmann::json object = {{"length", state.length},
                              {"factors", factors},
                              {"uses", uses},
-                             {"groups", to_json(state.groups)},
+                             {"groups", make_json(state.groups)},
                              {"distortions", lsdem::to_json(state.distortions)},
                              {"measure", state.measure},
                              {"mass_kg", state.mass.value()},
                              {"added_mass_kg", state.added_mass.value()},
                              {"cost", or_null(state.cost)}};
-    if (given.uncertain != nullptr) object["uncertainty"] = to_json(state, *given.uncertain, inputs);
+    if (given.uncertain != nullptr) object["uncertainty"] = make_json(state, *given.uncertain, inputs);
     return object;
 }
 
-nlohmann::json to_json(const Candidate& candidate, const records::UncertainCandidate* uncertain,
-                       const std::vector<scaling::UncertainInput>& inputs) {
+nlohmann::json make_json(const Candidate& candidate, const records::UncertainCandidate* uncertain,
+                         const std::vector<scaling::UncertainInput>& inputs) {
     const std::vector<ReportedState> states = find_states(candidate, uncertain);
     nlohmann::json ranges = nlohmann::json::array(), limits = nlohmann::json::array(), conflict, ranked;
-    if (candidate.ranked) ranked = to_json({&*candidate.ranked, uncertain == nullptr ? nullptr : &*uncertain->ranked}, inputs);
+    if (candidate.ranked) ranked = make_json({&*candidate.ranked, uncertain == nullptr ? nullptr : &*uncertain->ranked}, inputs);
     for (std::size_t i = 0; i < candidate.ranges.size(); ++i) {
         const records::FeasibleRange& range = candidate.ranges[i];
         ranges.push_back({{"smallest", range.scales.smallest},
                           {"largest", range.scales.largest},
                           {"binds_below", text_or_null(range.binds_below)},
                           {"binds_above", text_or_null(range.binds_above)},
-                          {"at_smallest", to_json(states[2 * i], inputs)},
-                          {"at_largest", to_json(states[2 * i + 1], inputs)}});
-        if (uncertain != nullptr) ranges.back()["uncertainty"] = to_json(uncertain->ranges[i], inputs);
+                          {"at_smallest", make_json(states[2 * i], inputs)},
+                          {"at_largest", make_json(states[2 * i + 1], inputs)}});
+        if (uncertain != nullptr) ranges.back()["uncertainty"] = make_json(uncertain->ranges[i], inputs);
     }
     for (std::size_t i = 0; i < candidate.limits.size(); ++i) {
         const records::LimitRanges& limit = candidate.limits[i];
         limits.push_back({{"limit", limit.limit}, {"scales", nlohmann::json::array()}});
-        for (const scaling::LengthRange& range : limit.ranges) limits.back()["scales"].push_back(to_json(range));
+        for (const scaling::LengthRange& range : limit.ranges) limits.back()["scales"].push_back(make_json(range));
         if (uncertain == nullptr) continue;
         limits.back()["uncertainty"] = nlohmann::json::array();
         for (const records::UncertainRange& range : uncertain->limits[i]) {
-            limits.back()["uncertainty"].push_back(to_json(range, inputs));
+            limits.back()["uncertainty"].push_back(make_json(range, inputs));
         }
     }
     if (candidate.conflict) {
@@ -327,12 +325,12 @@ nlohmann::json to_json(const Candidate& candidate, const records::UncertainCandi
             {"conflict", conflict},
             {"problem", text_or_null(candidate.problem)},
             {"ranked_at", ranked},
-            {"at_length", candidate.chosen ? to_json(states.back(), inputs) : nlohmann::json()}};
+            {"at_length", candidate.chosen ? make_json(states.back(), inputs) : nlohmann::json()}};
 }
 
 /// {"feasible_share", "smallest" and "largest" of the samples that are (null when none is), "length" at which limits are reported broken,
 /// "limits": [{"limit", "sets_smallest_share", "sets_largest_share", "broken_share"}]}.
-nlohmann::json to_json(const records::Candidate& candidate, const records::SampledCandidate& sampled) {
+nlohmann::json make_json(const records::Candidate& candidate, const records::SampledCandidate& sampled) {
     nlohmann::json limits = nlohmann::json::array();
     for (std::size_t i = 0; i < sampled.limits.size(); ++i) {
         const records::SampledLimit& limit = sampled.limits[i];
@@ -386,13 +384,13 @@ std::string make_design_report(const records::Design& design, const std::vector<
 nlohmann::json to_json(const records::Design& design, const std::vector<Candidate>& candidates, const DesignUncertainty& uncertainty) {
     nlohmann::json list = nlohmann::json::array();
     for (std::size_t i = 0; i < candidates.size(); ++i) {
-        list.push_back(to_json(candidates[i], uncertainty.find(i), uncertainty.inputs));
-        if (uncertainty.samples) list.back()["monte_carlo"] = to_json(candidates[i], uncertainty.samples->candidates[i]);
+        list.push_back(make_json(candidates[i], uncertainty.find(i), uncertainty.inputs));
+        if (uncertainty.samples) list.back()["monte_carlo"] = make_json(candidates[i], uncertainty.samples->candidates[i]);
     }
     nlohmann::json object = {
         {"name", design.name}, {"gravity", design.gravity.value_or(1.0)}, {"groups", design.groups}, {"candidates", list}};
-    if (!uncertainty.is_certain()) object["uncertainty"] = {{"inputs", cli::to_json(uncertainty.inputs)}, {"coverage", scaling::kCoverage}};
-    if (uncertainty.samples) object["uncertainty"]["monte_carlo"] = cli::to_json(uncertainty.samples->draws);
+    if (!uncertainty.is_certain()) object["uncertainty"] = {{"inputs", to_json(uncertainty.inputs)}, {"coverage", scaling::kCoverage}};
+    if (uncertainty.samples) object["uncertainty"]["monte_carlo"] = to_json(uncertainty.samples->draws);
     return object;
 }
 

@@ -249,9 +249,9 @@ std::vector<std::string> list_additions(const SolvedLaw& solved, const Uncertain
     return lines;
 }
 
-json to_json(const UncertainDifference& difference) {
+json make_json(const UncertainDifference& difference) {
     json object{{"value", difference.value}, {"standard_uncertainty", difference.uncertainty}};
-    if (difference.samples) object["monte_carlo"] = cli::to_json(*difference.samples, 1.0);
+    if (difference.samples) object["monte_carlo"] = to_json(*difference.samples, 1.0);
     return object;
 }
 
@@ -273,11 +273,11 @@ json to_json(const SolvedLaw& solved) {
         const std::string& name = solved.problem.quantities[j].name;
         if (solved.problem.chosen[j]) object["chosen"][name] = *solved.problem.chosen[j];
         object["factors"][name] = or_null(solved.solution.quantities[j].factor.value);
-        object["quantities"].push_back(cli::to_json(list_values(solved, j)));
+        object["quantities"].push_back(to_json(list_values(solved, j)));
     }
     for (const LawGroup& group : list_groups(solved)) {
         object["groups"][group.product.text] = or_null(group.delta.value);
-        object[group.is_held ? "held" : "watched"].push_back(cli::to_json(list_values(solved, group)));
+        object[group.is_held ? "held" : "watched"].push_back(to_json(list_values(solved, group)));
         if (group.delta.value && std::abs(*group.delta.value - 1.0) > scaling::kFactorRounding) {
             object["distortions"].push_back(
                 {{"group", group.product.text}, {"factor", *group.delta.value}, {"formula", formula(solved, group.delta)}});
@@ -325,8 +325,8 @@ json to_json(const SolvedLaw& solved, const UncertainLawReport& report) {
     for (std::size_t i = 0; i < report.additions.size(); ++i) {
         const auto& addition = report.additions[i];
         if (!addition) continue;
-        json entry{{"factor", to_json(addition->factor)}};
-        if (addition->model) entry["model"] = to_json(*addition->model);
+        json entry{{"factor", make_json(addition->factor)}};
+        if (addition->model) entry["model"] = make_json(*addition->model);
         additions[solved.law.additions[i].name] = entry;
     }
     json object{{"inputs", to_json(report.inputs)},

@@ -268,8 +268,8 @@ json report_json(const PiReport& report) {
     json object = basis_json(report.basis, report);
     object["problem"] = report.problem;
     if (is_uncertain(report)) {
-        object["uncertainty"] = {{"inputs", cli::to_json(list_uncertain(report.quantities))}, {"coverage", scaling::kCoverage}};
-        if (report.samples.draws) object["uncertainty"]["monte_carlo"] = cli::to_json(*report.samples.draws);
+        object["uncertainty"] = {{"inputs", to_json(list_uncertain(report.quantities))}, {"coverage", scaling::kCoverage}};
+        if (report.samples.draws) object["uncertainty"]["monte_carlo"] = to_json(*report.samples.draws);
     }
     object["rank"] = report.basis.rank();
     object["unused"] = json::array();

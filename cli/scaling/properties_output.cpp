@@ -76,7 +76,7 @@ NamedValues list_group(const PropertiesReport& report, std::size_t i) {
         const scaling::UncertainComparison& uncertain = report.uncertain.groups[i];
         const scaling::SampleSummary* const samples = uncertain.samples ? &((*uncertain.samples).*sampled) : nullptr;
         values.push_back({{}, coverage_title(), describe_interval(uncertain.*side, samples)});
-        uncertainty[key] = cli::to_json(uncertain.*side, report.uncertain.inputs, samples);
+        uncertainty[key] = to_json(uncertain.*side, report.uncertain.inputs, samples);
     };
     add("prototype", "prototype", group.prototype, &scaling::UncertainComparison::prototype, &scaling::ComparisonSamples::prototype);
     add("model", "model", group.model, &scaling::UncertainComparison::model, &scaling::ComparisonSamples::model);
@@ -232,9 +232,9 @@ std::string describe_untold(const std::vector<scaling::UntoldGroup>& untold) {
     return text;
 }
 
-nlohmann::json to_json(const std::vector<PairRow>& rows) {
+nlohmann::json make_json(const std::vector<PairRow>& rows) {
     nlohmann::json object = nlohmann::json::object();
-    for (const PairRow& row : rows) object[row.key] = cli::to_json(row.values);
+    for (const PairRow& row : rows) object[row.key] = to_json(row.values);
     return object;
 }
 
@@ -292,30 +292,30 @@ nlohmann::json to_json(const PropertiesReport& report) {
         untold.push_back({{"group", std::string(group.name)}, {"missing", std::string(group.missing)}});
     }
     for (const Direction direction : {Direction::thin, Direction::wide}) {
-        rocking[std::string(to_string(direction))] = to_json(make_rocking_rows(report.properties, report.similitude, direction));
+        rocking[std::string(to_string(direction))] = make_json(make_rocking_rows(report.properties, report.similitude, direction));
     }
     nlohmann::json object = lsdem::to_json(report.similitude);
-    object["groups"] = cli::to_json(group_factors(report.similitude, make_model_properties(report.properties)));
-    object["distortions"] = cli::to_json(list_groups(report, [](const GroupComparison& group) { return group.severity.has_value(); }));
+    object["groups"] = to_json(group_factors(report.similitude, make_model_properties(report.properties)));
+    object["distortions"] = to_json(list_groups(report, [](const GroupComparison& group) { return group.severity.has_value(); }));
     nlohmann::json motion;
     if (report.properties.motion && report.properties.model_motion) {
-        motion = to_json(make_motion_rows(*report.properties.motion, *report.properties.model_motion, report.similitude));
+        motion = make_json(make_motion_rows(*report.properties.motion, *report.properties.model_motion, report.similitude));
     }
     object["properties"] = {{"name", report.name},
                             {"prototype", report.properties.prototype.name},
                             {"model", report.properties.model.name},
-                            {"groups", cli::to_json(list_groups(report, [](const GroupComparison&) { return true; }))},
-                            {"regimes", cli::to_json(list_regimes(report))},
+                            {"groups", to_json(list_groups(report, [](const GroupComparison&) { return true; }))},
+                            {"regimes", to_json(list_regimes(report))},
                             {"motion", motion},
-                            {"speeds", to_json(make_speed_rows(report.properties, report.similitude))},
+                            {"speeds", make_json(make_speed_rows(report.properties, report.similitude))},
                             {"rocking", rocking},
                             {"untold", untold}};
     object["facts"] = object["properties"];  // the old name
     if (!uncertain.is_certain()) {
-        object["uncertainty"] = {{"inputs", cli::to_json(uncertain.inputs)},
-                                 {"factors", cli::to_json(uncertain.factors, uncertain.inputs)},
+        object["uncertainty"] = {{"inputs", to_json(uncertain.inputs)},
+                                 {"factors", to_json(uncertain.factors, uncertain.inputs)},
                                  {"coverage", scaling::kCoverage}};
-        if (uncertain.samples) object["uncertainty"]["monte_carlo"] = cli::to_json(uncertain.samples->draws);
+        if (uncertain.samples) object["uncertainty"]["monte_carlo"] = to_json(uncertain.samples->draws);
     }
     return object;
 }

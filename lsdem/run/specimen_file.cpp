@@ -30,7 +30,7 @@ constexpr double kSameRotation = 1e-9;
 constexpr std::array kUnrelated{"schema", "name", "base_motion", "motions", "output", "preparation"};
 
 /// The follower of a contact with the ground.
-constexpr long long kGround = -1;
+constexpr long long kOnGround = -1;
 
 double weight_of(const Model& model, std::size_t index) { return model.blocks[index].mass * model.gravity.norm(); }
 
@@ -66,12 +66,12 @@ std::vector<Preload> read_preloads(const detail::Hdf5Reader& reader, const std::
     std::vector<Preload> preloads(contacts);
     for (std::size_t i = 0; i < contacts; ++i) {
         const long long below = leader.values[i], above = follower.values[i];
-        if (!known(below) || !(known(above) || above == kGround)) {
+        if (!known(below) || !(known(above) || above == kOnGround)) {
             refuse(file, fmt::format("contact {} names a block that is not there (a damaged file); prepare it again", i));
         }
         Preload& preload = preloads[i];
         preload.leader = static_cast<std::size_t>(below);
-        if (above != kGround) preload.follower = static_cast<std::size_t>(above);
+        if (above != kOnGround) preload.follower = static_cast<std::size_t>(above);
         preload.friction = weight_of(model, preload.leader) * Eigen::Map<const Vector3>(&friction.values[3 * i]);
         preload.couple = couple.values[i] * couple_of_weight(model, preload.leader);
         if (!preload.is_finite()) {
@@ -141,7 +141,7 @@ void write_specimen(const std::filesystem::path& file, const PreparedSpecimen& p
     std::vector<long long> leader, follower;
     for (const Preload& contact : model.preload) {
         leader.push_back(static_cast<long long>(contact.leader));
-        follower.push_back(contact.follower ? static_cast<long long>(*contact.follower) : kGround);
+        follower.push_back(contact.follower ? static_cast<long long>(*contact.follower) : kOnGround);
         friction.emplace_back(contact.friction / weight_of(model, contact.leader));
         couple.push_back(contact.couple / couple_of_weight(model, contact.leader));
     }

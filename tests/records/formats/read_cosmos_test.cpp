@@ -18,7 +18,7 @@ namespace {
 using lsdem::tests::relative;
 
 /// What a channel made for a test says; the rest is the same for all.
-struct Channel {
+struct CosmosChannel {
     std::string stage = "Corrected acceleration";
     std::string title = "Sta Chan  1:  90 deg (Rcrdr Chan  1)";
     double azimuth = 90;
@@ -33,7 +33,7 @@ struct Channel {
 };
 
 // lines: 13 of text, 15 to 24 of integers, 26 to 45 of reals, 46 and 47 of comment, 48 announces the samples
-std::string text_of(const Channel& channel) {
+std::string text_of(const CosmosChannel& channel) {
     std::string text = channel.stage + "  (Format v01.20 with 13 text lines)\nRecord of Some Earthquake\nHypocenter\nOrigin\n" +
                        "Statn No: 02-001795 Code:NP-1795   USGS  SF FS 25 Bayview\nCoords\nRecorder\nRcrd start time\n" + channel.title +
                        "\nRaw\nProcessed\nRecord\nValues\n 100 Integer-header values follow on  10 lines, Format= (10I8)\n";
@@ -95,10 +95,10 @@ TEST_CASE("channels of a COSMOS file that start later say so, and one without di
 
 TEST_CASE("counts of a COSMOS file become accelerations by its recorder and sensor") {
     const tests::TemporaryFolder folder;
-    const Channel raw{.stage = "Raw acceleration counts",
-                      .peak = 1341629.0,
-                      .announced = "       3 raw accel.   pts, approx    0 secs, units=counts (50),Format=(10I8)",
-                      .samples = "-1341624-1341629-1341621\n"};
+    const CosmosChannel raw{.stage = "Raw acceleration counts",
+                            .peak = 1341629.0,
+                            .announced = "       3 raw accel.   pts, approx    0 secs, units=counts (50),Format=(10I8)",
+                            .samples = "-1341624-1341629-1341621\n"};
 
     const GroundMotion motion = read_record(folder.write("a", text_of(raw)));
 
@@ -111,8 +111,8 @@ TEST_CASE("counts of a COSMOS file become accelerations by its recorder and sens
 
 TEST_CASE("a COSMOS file with several quantities gives the one asked for") {
     const tests::TemporaryFolder folder;
-    const Channel velocity{.stage = "Corrected velocity",
-                           .announced = "       3 velocity     pts, approx    0 secs, units=cm/sec (05),Format=(2F6.2)"};
+    const CosmosChannel velocity{.stage = "Corrected velocity",
+                                 .announced = "       3 velocity     pts, approx    0 secs, units=cm/sec (05),Format=(2F6.2)"};
     const auto path = folder.write("a", text_of({}) + text_of(velocity));
 
     CHECK(read_record(path).components.front().series.quantity() == SampleQuantity::acceleration);
@@ -133,7 +133,7 @@ TEST_CASE("every defect of a COSMOS file is reported with its line") {
         std::string said;
     };
     const std::string whole = text_of({});
-    const std::string announced = Channel{}.announced;
+    const std::string announced = CosmosChannel{}.announced;
     const auto with = [](std::string text, const std::string& from, const std::string& to) {
         return text.replace(text.find(from), from.size(), to);
     };

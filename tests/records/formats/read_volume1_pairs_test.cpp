@@ -29,12 +29,12 @@ std::string channel(const std::string& first_line, const std::string& count, con
 const std::string kCsmip = "UNCORRECTED ACCELEROGRAM DATA              PROCESSED: 07/16/98";
 const std::string kUsc = "FILE     0 OF UNCORRECTED ACCELEROGRAM DATA OF VOLUME I:";
 const std::string kVolume1Pairs = "   .000  0.000   .010  0.010   .019  0.019   .030  0.030\n";
-const std::string kEnd = "/&  ----------  END OF DATA FOR CHANNEL  1  ----------\n";
+const std::string kEndMark = "/&  ----------  END OF DATA FOR CHANNEL  1  ----------\n";
 
 TEST_CASE("pairs of CSMIP and USC become even samples in tenths of g") {
     const tests::TemporaryFolder folder;
 
-    const GroundMotion csmip = read_record(folder.write("a", channel(kCsmip, "4", ".003", kVolume1Pairs, kEnd)));
+    const GroundMotion csmip = read_record(folder.write("a", channel(kCsmip, "4", ".003", kVolume1Pairs, kEndMark)));
     const GroundMotion usc = read_record(folder.write("b", channel(kUsc, "4", ".003", " " + kVolume1Pairs, "")));
 
     CHECK(csmip.format == "CSMIP V1");
@@ -59,16 +59,16 @@ TEST_CASE("every defect of pairs is reported with its line") {
     };
     const auto with = [](const std::string& from, const std::string& to) {
         std::string pairs = kVolume1Pairs;
-        return channel(kCsmip, "4", ".003", pairs.replace(pairs.find(from), from.size(), to), kEnd);
+        return channel(kCsmip, "4", ".003", pairs.replace(pairs.find(from), from.size(), to), kEndMark);
     };
     for (const Case& row : {
-             Case{channel(kCsmip, "5", ".003", kVolume1Pairs, kEnd), "a:28: line has 56 letters (70 expected"},
-             Case{channel(kCsmip, "3", ".003", kVolume1Pairs, kEnd), "a:28: line has 56 letters (42 expected"},
+             Case{channel(kCsmip, "5", ".003", kVolume1Pairs, kEndMark), "a:28: line has 56 letters (70 expected"},
+             Case{channel(kCsmip, "3", ".003", kVolume1Pairs, kEndMark), "a:28: line has 56 letters (42 expected"},
              Case{channel(kCsmip, "4", ".003", kVolume1Pairs, ""), "a:28: end mark '/&' of the channel is missing"},
-             Case{channel(kCsmip, "4", ".003", kVolume1Pairs + kVolume1Pairs, kEnd), "a:29: end mark '/&' of the channel is missing"},
+             Case{channel(kCsmip, "4", ".003", kVolume1Pairs + kVolume1Pairs, kEndMark), "a:29: end mark '/&' of the channel is missing"},
              Case{channel(kUsc, "4", ".003", kVolume1Pairs + kVolume1Pairs, ""), "a:29: line behind the last sample"},
-             Case{channel(kCsmip, "4", ".005", kVolume1Pairs, kEnd), "a:12: peak is 0.005 g (largest sample: 0.003;"},
-             Case{channel(kCsmip, "1000000000000", ".003", kVolume1Pairs, kEnd), "a:11: number of points '1000000000000' is unusable"},
+             Case{channel(kCsmip, "4", ".005", kVolume1Pairs, kEndMark), "a:12: peak is 0.005 g (largest sample: 0.003;"},
+             Case{channel(kCsmip, "1000000000000", ".003", kVolume1Pairs, kEndMark), "a:11: number of points '1000000000000' is unusable"},
              Case{channel(kCsmip, "4", ".003", "", ""), "a:27: sample 1 of 4 is missing"},
              Case{with("  .019", "  .010"), "a:28: time 3 is 0.01 s (not after the one before it)"},
              Case{with("  .019", "  .0x9"), "a:28: number 5 is '.0x9' (no finite number)"},

@@ -16,12 +16,12 @@ using scaling::si::hertz;
 using scaling::si::seconds;
 using std::numbers::pi;
 
-constexpr double kDt = 0.01;
+constexpr double kInterval = 0.01;
 
 TimeSeries make_sine(double frequency, double seconds_long) {
     std::vector<double> samples;
-    for (int i = 0; kDt * i < seconds_long; ++i) samples.push_back(std::sin(2.0 * pi * frequency * kDt * i));
-    return {SampleQuantity::acceleration, 0.0 * seconds, kDt * seconds, std::move(samples)};
+    for (int i = 0; kInterval * i < seconds_long; ++i) samples.push_back(std::sin(2.0 * pi * frequency * kInterval * i));
+    return {SampleQuantity::acceleration, 0.0 * seconds, kInterval * seconds, std::move(samples)};
 }
 
 /// Largest sample of the middle half.
@@ -33,7 +33,7 @@ double middle_amplitude(const TimeSeries& series) {
 
 /// |H|² of one run at a corner, with K = tan(π f dt).
 double gain(double f, double corner, int order, bool low) {
-    const double ratio = std::tan(pi * f * kDt) / std::tan(pi * corner * kDt);
+    const double ratio = std::tan(pi * f * kInterval) / std::tan(pi * corner * kInterval);
     return 1.0 / (1.0 + std::pow(low ? ratio : 1.0 / ratio, 2 * order));
 }
 
@@ -45,7 +45,7 @@ TEST_CASE("amplitudes are Butterworth's, one run and two, above, below and betwe
             const TimeSeries sine = make_sine(f, 100.0);
             const FilterBand low{.high = 1.5 * hertz}, high{.low = 1.5 * hertz}, band{.low = 0.8 * hertz, .high = 2.5 * hertz};
             // the sine's own samples miss its peak by up to (π f dt)²/2
-            const double tolerance = 1e-3 + std::pow(pi * f * kDt, 2) / 2.0;
+            const double tolerance = 1e-3 + std::pow(pi * f * kInterval, 2) / 2.0;
             CHECK(middle_amplitude(apply_butterworth(sine, low, order)) == relative(gain(f, 1.5, order, true), tolerance));
             CHECK(middle_amplitude(apply_butterworth(sine, high, order)) == relative(gain(f, 1.5, order, false), tolerance));
             CHECK(middle_amplitude(apply_butterworth(sine, low, order, FilterPhase::causal)) ==
@@ -58,7 +58,7 @@ TEST_CASE("amplitudes are Butterworth's, one run and two, above, below and betwe
 TEST_CASE("a causal filter moves nothing before its cause, a two-pass filter keeps the time of a pulse") {
     std::vector<double> blow(2001, 0.0);
     blow[1000] = 1.0;
-    const TimeSeries pulse{SampleQuantity::acceleration, 0.0 * seconds, kDt * seconds, blow};
+    const TimeSeries pulse{SampleQuantity::acceleration, 0.0 * seconds, kInterval * seconds, blow};
     const TimeSeries causal = apply_butterworth(pulse, {.high = 5.0 * hertz}, 4, FilterPhase::causal);
     for (std::size_t i = 0; i < 1000; ++i) CHECK(causal.samples()[i] == 0.0);
     const TimeSeries both = apply_butterworth(pulse, {.high = 5.0 * hertz}, 4);
@@ -94,8 +94,8 @@ TEST_CASE("padding keeps times, a motion brought to rest ends there, and integra
     // a packet at rest at its ends: trapezoids are off by (2πf dt)²/12
     std::vector<double> samples;
     for (int i = 0; i < 2000; ++i)
-        samples.push_back(std::exp(-0.5 * std::pow((kDt * i - 10.0) / 1.5, 2)) * std::sin(2.0 * pi * 2.0 * kDt * i));
-    const TimeSeries packet{SampleQuantity::velocity, 0.0 * seconds, kDt * seconds, samples};
+        samples.push_back(std::exp(-0.5 * std::pow((kInterval * i - 10.0) / 1.5, 2)) * std::sin(2.0 * pi * 2.0 * kInterval * i));
+    const TimeSeries packet{SampleQuantity::velocity, 0.0 * seconds, kInterval * seconds, samples};
     const TimeSeries one = integrate(packet), two = integrate_by_frequency(packet);
     CHECK(two.quantity() == SampleQuantity::displacement);
     double mean = 0.0, worst = 0.0, most = 0.0;
@@ -104,7 +104,7 @@ TEST_CASE("padding keeps times, a motion brought to rest ends there, and integra
         worst = std::max(worst, std::abs(one.samples()[i] - two.samples()[i] - mean));
         most = std::max(most, std::abs(one.samples()[i]));
     }
-    CHECK(worst < 2.0 * std::pow(2.0 * pi * 2.0 * kDt, 2) / 12.0 * most);
+    CHECK(worst < 2.0 * std::pow(2.0 * pi * 2.0 * kInterval, 2) / 12.0 * most);
     CHECK_THROWS_AS(integrate_by_frequency(one), ProcessingError);
 }
 
