@@ -25,7 +25,7 @@ import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 RECORDS = ROOT.parent / "shared" / "records"
-LIMIT = 10.0  # s for one command
+LIMIT = 5.0  # s for one command
 SHELLS = ("", "sh", "bash", "console")
 SKIPPED = 77
 INTERRUPTED = 130

@@ -32,7 +32,7 @@ TEST_CASE("one and two and three and four threads give the same bits") {
     }
 }
 
-TEST_CASE("wide and plain instructions give the same bits") {
+TEST_CASE("wide and plain instructions give the same bits" * doctest::test_suite("one-thread")) {
     using musim::lsdem::detail::Instructions;
     Model model = make_running_bond(wood(), 2, 3, 4);
     model.ground.motion[0] = velocity_step(1.0);

@@ -102,7 +102,7 @@ std::vector<NamedModel> make_models() {
 
 }  // namespace
 
-TEST_CASE("a run that is saved and restored again and again ends in the bits of an uninterrupted one") {
+TEST_CASE("a run that is saved and restored again and again ends in the bits of an uninterrupted one" * doctest::test_suite("one-thread")) {
     for (const NamedModel& named : make_models()) {
         CAPTURE(named.name);
         const Model& model = named.model;
@@ -247,7 +247,7 @@ TEST_CASE("a state that is cut off or has one byte changed is refused in words")
 
 // With a checksum that fits, the checks of the reader itself are all there is. Sizes and places are wrong at random here; under the address
 // sanitizer this also shows that none is believed.
-TEST_CASE("contents that contradict themselves are refused, whatever their checksum says") {
+TEST_CASE("contents that contradict themselves are refused, whatever their checksum says" * doctest::test_suite("one-thread")) {
     Model model = make_running_bond(wood(), 1, 2, 2);
     for (const FaceContact faces : {FaceContact::overlap, FaceContact::nodes}) {
         model.numerics.face_contact = faces;

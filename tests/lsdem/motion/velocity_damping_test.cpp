@@ -100,7 +100,7 @@ TEST_CASE("the energy balance closes while a column settles, and when the dampin
     CHECK(s.energy().preparation_loss == lost);
 }
 
-TEST_CASE("the energy balance of a pile that is damped as it collapses closes") {
+TEST_CASE("the energy balance of a pile that is damped as it collapses closes" * doctest::test_suite("one-thread")) {
     Model model = make_loose_pile(wood(), 2, 2);
     model.velocity_damping = 20.0;
     Simulation s(model, 0.1 * compute_critical_time_step(model));

@@ -29,7 +29,8 @@ TEST_CASE("the ideal chain shows the bias of both criteria") {
     CHECK_THROWS_AS(compute_front_factor({.layers = 10}), std::invalid_argument);
 }
 
-TEST_CASE("columns of the printed stiffness carry the wave speeds of wood and concrete, and not that of aluminium") {
+TEST_CASE("columns of the printed stiffness carry the wave speeds of wood and concrete, and not that of aluminium" *
+          doctest::test_suite("one-thread")) {
     struct Case {
         const char* name;
         double normal, shear;
@@ -58,7 +59,7 @@ TEST_CASE("columns of the printed stiffness carry the wave speeds of wood and co
     CHECK(closed_form_speed(preset("aluminium"), WaveKind::normal) > 0.93 * std::sqrt(69e9 / 2632.0));
 }
 
-TEST_CASE("the stiffness that is found for a speed gives that speed back") {
+TEST_CASE("the stiffness that is found for a speed gives that speed back" * doctest::test_suite("one-thread")) {
     BlockSample sample = preset("wood");
     const StiffnessSearch found = find_stiffness(sample, WaveKind::normal, 3000.0, {});
     // the effective speed is H·√(k/m) to 5e-5, see above

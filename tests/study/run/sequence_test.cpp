@@ -105,7 +105,8 @@ TEST_CASE("a sequence of one motion is the plain run, to the byte") {
     check_same_files(folder.path() / "plain", folder.path() / "sequence" / "stage-01-sine");
 }
 
-TEST_CASE("every stage begins where the one before left the structure, at rest, with the base and the energy balance anew") {
+TEST_CASE("every stage begins where the one before left the structure, at rest, with the base and the energy balance anew" *
+          doctest::test_suite("one-thread")) {
     const TemporaryFolder folder;
     const Scene scene = make_sequence_scene(kColumn, sine("0.5 g", R"(, "name": "first one", "repeat": 2)") + ", " + sine("0.4 g"));
     const SequenceSummary summary = shake(scene, folder.path());
@@ -171,7 +172,7 @@ TEST_CASE("residuals since the first start add up over the stages, relative to t
     }
 }
 
-TEST_CASE("a sequence at 1:16 is the same bits in all stages and its summary") {
+TEST_CASE("a sequence at 1:16 is the same bits in all stages and its summary" * doctest::test_suite("one-thread")) {
     const Scene scene = make_sequence_scene(
         kColumn, sine("0.7 g") + ", " + R"({"base_motion": {"signal": "half_sine", "amplitude": "0.3 g", "duration": "0.06 s"}})" + ", " +
                      sine("0.5 g"));
@@ -199,7 +200,8 @@ TEST_CASE("a sequence at 1:16 is the same bits in all stages and its summary") {
     }
 }
 
-TEST_CASE("a base that still moves when a stage ends is stopped before the rest phase, as hard as the stage shook it") {
+TEST_CASE("a base that still moves when a stage ends is stopped before the rest phase, as hard as the stage shook it" *
+          doctest::test_suite("one-thread")) {
     std::array<BaseComponent, 3> motion;
     motion[0] = {.start = 0.0, .dt = 0.5, .velocity = {0.0, 1.0, 0.5}};
     motion[2] = {.start = 0.0, .dt = 0.25, .velocity = {0.0, -1.0, 0.0}};
@@ -237,7 +239,7 @@ TEST_CASE("a stage without a rest phase goes on with the velocities of the one b
     CHECK_FALSE(nlohmann::json::parse(bytes_of(runs[1].directory / "summary.json")).contains("rest"));
 }
 
-TEST_CASE("the sequence ends with the stage in which the structure collapses, which is dated") {
+TEST_CASE("the sequence ends with the stage in which the structure collapses, which is dated" * doctest::test_suite("one-thread")) {
     const TemporaryFolder folder;
     const Scene scene = make_sequence_scene(kColumn, sine("0.3 g") + ", " + sine("3 g", R"(, "duration": "0.5 s")") + ", " + sine("0.3 g"));
     const SequenceSummary summary = shake(scene, folder.path());

@@ -107,7 +107,7 @@ TEST_CASE("layer by layer or quickly or by resting planes the same blocks come t
     }
 }
 
-TEST_CASE("what has no time to come to rest with inertia added does so with its own, where it stands") {
+TEST_CASE("what has no time to come to rest with inertia added does so with its own, where it stands" * doctest::test_suite("one-thread")) {
     const lsdem::Scene scene = make_wall_scene();
     const Specimen upright = make_upright_specimen(scene);
     const double step = lsdem::compute_time_step(scene, upright.model).value();
@@ -200,7 +200,7 @@ TEST_CASE("a prepared specimen bears what it bore, and its blocks stay where the
     CHECK(lively < 1e-5 * std::sqrt(upright.model.gravity.norm() * height));
 }
 
-TEST_CASE("a specimen is made once from the same inputs, and again from others") {
+TEST_CASE("a specimen is made once from the same inputs, and again from others" * doctest::test_suite("one-thread")) {
     const TemporaryFolder folder;
     const lsdem::Scene scene = make_wall_scene(3);
     const auto first = make_specimens(make_batch(folder.path(), scene));
@@ -330,7 +330,8 @@ TEST_CASE("what friction holds may be said of either block of a contact") {
     CHECK(bare.position(model.blocks.size() - 1) != as_found.position(model.blocks.size() - 1));
 }
 
-TEST_CASE("a scene with blocks of unequal height and its twin at 1:16 settle and run to the same bits") {
+TEST_CASE("a scene with blocks of unequal height and its twin at 1:16 settle and run to the same bits" *
+          doctest::test_suite("one-thread")) {
     const lsdem::Scene scene = make_wall_scene(3);
     const scaling::Similitude similitude = scaling::make_similitude("exact", {.length = 1.0 / 16.0});
     const RunResult large = run_scene(scene), small = run_scene(lsdem::scale_scene(scene, similitude));
