@@ -68,7 +68,7 @@ void name_axes(const Bodies& bodies, ContactPair& pair) {
 bool same_pair(const ContactPair& a, const ContactPair& b) { return a.leader == b.leader && a.follower == b.follower; }
 
 /// The order of pairs in the list: by their blocks, whichever leads.
-constexpr auto before = [](const auto& a, const auto& b) {
+constexpr auto is_before = [](const auto& a, const auto& b) {
     const auto place_of = [](const auto& p) {
         return std::tuple{std::min(p.leader, p.follower), std::max(p.leader, p.follower), p.leader};
     };
@@ -223,7 +223,7 @@ void NeighborSearch::rebuild(const Bodies& bodies, const BasePose& base, Contact
     list.nodes.clear();
     list.overlaps.clear();
     const auto had = [&](std::uint32_t leader, std::uint32_t follower) {
-        return std::binary_search(previous_.pairs.begin(), previous_.pairs.end(), BlockPair{leader, follower}, before);
+        return std::binary_search(previous_.pairs.begin(), previous_.pairs.end(), BlockPair{leader, follower}, is_before);
     };
 
     // directed pairs, sorted; a pair that persists keeps its leader
@@ -242,7 +242,7 @@ void NeighborSearch::rebuild(const Bodies& bodies, const BasePose& base, Contact
             if (near && bodies.fixed[i] == 0) directed.push_back({i, kGround});
         }
     }
-    std::sort(directed.begin(), directed.end(), before);
+    std::sort(directed.begin(), directed.end(), is_before);
     for (const BlockPair& p : directed) {
         if (!add_overlap(p, bodies, list)) add_pair(p, bodies, base, list);
     }
@@ -264,7 +264,7 @@ void NeighborSearch::rebuild(const Bodies& bodies, const BasePose& base, Contact
     for (std::size_t p = 0; p < list.pairs.size(); ++p) {
         const ContactPair& pair = list.pairs[p];
         if (pair.follower == kGround) list.ground_pairs.push_back(static_cast<std::uint32_t>(p));
-        while (old != previous_.pairs.end() && before(*old, pair)) ++old;
+        while (old != previous_.pairs.end() && is_before(*old, pair)) ++old;
         if (old == previous_.pairs.end() || !same_pair(*old, pair)) continue;
         const auto o = static_cast<std::size_t>(old - previous_.pairs.begin());
         list.forces[p] = previous_.forces[o];
