@@ -47,7 +47,7 @@ FULL_TOWER = {
 }
 
 
-def open_browser(width, height, dark=False, more=()):
+def open_browser(width, height, more=()):
     options = Options()
     for argument in ("--headless=new", "--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
                      "--hide-scrollbars", "--host-resolver-rules=MAP * ~NOTFOUND", f"--window-size={width},{height}", *more):
@@ -55,9 +55,11 @@ def open_browser(width, height, dark=False, more=()):
     options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
     browser = webdriver.Chrome(service=Service(shutil.which("chromedriver")), options=options)
     set_size(browser, width, height)
-    if dark:
-        browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": [{"name": "prefers-color-scheme", "value": "dark"}]})
     return browser
+
+
+def set_colours(browser, scheme):
+    browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": [{"name": "prefers-color-scheme", "value": scheme}]})
 
 
 def open_report(browser, page):
@@ -67,6 +69,11 @@ def open_report(browser, page):
             return
         time.sleep(0.1)
     raise AssertionError("the blocks are not shown: " + browser.execute_script("return document.getElementById('tower-message').textContent"))
+
+
+def open_report_at_desk(browser, page):
+    set_size(browser, *SIZES["desk"])
+    open_report(browser, page)
 
 
 def check_console(browser):
@@ -145,7 +152,7 @@ def check_full_tower(run, place, pictures):
     run("run", "full.json", "-o", "full")
     answer = json.loads(run("report", "full", "-o", "full.html", "--json"))
     check(answer["bytes"] < 40e6, f"the page has {answer['bytes']} bytes")
-    browser = open_browser(1280, 1000, False)
+    browser = open_browser(1280, 1000)
     try:
         start = time.monotonic()
         open_report(browser, place / "full.html")
@@ -159,7 +166,7 @@ def check_full_tower(run, place, pictures):
         browser.quit()
 
 
-def check_inputs(run, place):
+def check_inputs(browser, run, place):
     """Specimens, records and printed results, which have no run."""
     specimen = dict(SCENE, structure=dict(SCENE["structure"], layers=3, height_deviation="12.5 mm"))
     (place / "specimen.json").write_text(json.dumps(specimen))
@@ -167,17 +174,13 @@ def check_inputs(run, place):
     run("record", "make", "ricker", "--frequency", "2", "--pga", "0.3", "-o", "made.at2")
     (place / "scale.json").write_text(run("scale", "--length", "1/107", "--friction", "0.63/0.59", "--json"))
     run("report", "specimens", "made.at2", "scale.json", "-o", "inputs.html", "--figures", "input_figures")
-    browser = open_browser(1280, 1000, False)
-    try:
-        open_report(browser, place / "inputs.html")
-        check(count_colours(browser) > 10, "no specimen is seen")
-        check(not browser.execute_script("return document.getElementById('tower-play').checkVisibility()"), "a specimen can be played")
-        check_sizes(browser, "specimen")
-        with open(place / "input_figures/record_1.csv", newline="") as file:
-            check_peaks(browser, "record_1", list(csv.DictReader(file)))
-        check_console(browser)
-    finally:
-        browser.quit()
+    open_report_at_desk(browser, place / "inputs.html")
+    check(count_colours(browser) > 10, "no specimen is seen")
+    check(not browser.execute_script("return document.getElementById('tower-play').checkVisibility()"), "a specimen can be played")
+    check_sizes(browser, "specimen")
+    with open(place / "input_figures/record_1.csv", newline="") as file:
+        check_peaks(browser, "record_1", list(csv.DictReader(file)))
+    check_console(browser)
 
 
 def check_blocks(browser, blocks):
@@ -224,31 +227,24 @@ def check_views(browser, pictures, name):
         check(count_colours(browser) > 10, f"coloured by {colour} nothing is seen")
 
 
-def check_layout(page, pictures):
-    for name, (width, height), dark in (*((name, size, False) for name, size in SIZES.items()), ("dark", (1280, 900), True)):
-        other = open_browser(width, height, dark)
-        try:
-            open_report(other, page)
-            check_console(other)
-            check_width(other, name)
-            if dark:
-                ground = other.execute_script("return getComputedStyle(document.body).backgroundColor")
-                check(ground != "rgb(255, 255, 255)", "the page is not dark")
-            for place in ("verdict", "blocks", "profiles", "energy"):
-                other.execute_script(f"document.getElementById('{place}').scrollIntoView()")
-                time.sleep(0.2)
-                other.save_screenshot(str(pictures / f"{name}_{place}.png"))
-        finally:
-            other.quit()
-
-
-def check_pair_sizes(page):
-    browser = open_browser(*SIZES["desk"])
-    try:
+def check_layout(browser, page, pictures):
+    for name, (width, height), scheme in (*((name, size, "light") for name, size in SIZES.items()), ("dark", (1280, 900), "dark")):
+        set_size(browser, width, height)
+        set_colours(browser, scheme)
         open_report(browser, page)
-        check_sizes(browser, "pair", LEAST_AREA)
-    finally:
-        browser.quit()
+        check_console(browser)
+        check_width(browser, name)
+        if scheme == "dark":
+            ground = browser.execute_script("return getComputedStyle(document.body).backgroundColor")
+            check(ground != "rgb(255, 255, 255)", "the page is not dark")
+        for place in ("verdict", "blocks", "profiles", "energy"):
+            browser.execute_script(f"document.getElementById('{place}').scrollIntoView()")
+            time.sleep(0.2)
+            browser.save_screenshot(str(pictures / f"{name}_{place}.png"))
+    set_colours(browser, "light")
+
+
+def check_pair_without_webgl(page):
     browser = open_browser(*SIZES["desk"], more=["--disable-3d-apis"])
     try:
         check_without_webgl(browser, page)
@@ -257,7 +253,7 @@ def check_pair_sizes(page):
         browser.quit()
 
 
-def check_kinds(run, place, pictures):
+def check_kinds(browser, run, place, pictures):
     """Pages of a slender column, of an ensemble and of a sequence, at three sizes of the window."""
     scene = dict(SCENE, structure={"kind": "column", "layers": 8, "block": ["1.36 m", "2.82 m", "4.25 m"], "height_deviation": "10 mm"}, time={"duration": "0.4 s"})
     stages = {key: value for key, value in scene.items() if key not in ("base_motion", "time")}
@@ -269,14 +265,10 @@ def check_kinds(run, place, pictures):
     run("sequence", "stages.json", "-o", "sequence")
     for name in ("column", "ensemble", "sequence"):
         run("report", name, "-o", f"{name}.html")
-        browser = open_browser(*SIZES["desk"])
-        try:
-            open_report(browser, place / f"{name}.html")
-            check_sizes(browser, name)
-            browser.save_screenshot(str(pictures / f"{name}_phone.png"))
-            check_console(browser)
-        finally:
-            browser.quit()
+        open_report_at_desk(browser, place / f"{name}.html")
+        check_sizes(browser, name)
+        browser.save_screenshot(str(pictures / f"{name}_phone.png"))
+        check_console(browser)
 
 
 def touch(browser, kind, *points):
@@ -285,7 +277,7 @@ def touch(browser, kind, *points):
 
 def check_touch(page, pictures):
     """On a phone one finger on the blocks scrolls the page; two, or one on the handle, turn them."""
-    browser = open_browser(390, 900, False)
+    browser = open_browser(390, 900)
     try:
         browser.execute_cdp_cmd("Emulation.setTouchEmulationEnabled", {"enabled": True, "maxTouchPoints": 2})
         open_report(browser, page)
@@ -338,7 +330,7 @@ def main():
         run("pair", "scene.json", "--length", "1/16", "--length", "1/25", "-o", "pair")
         answer = json.loads(run("report", "pair", "-o", "pair.html", "--figures", "figures", "--json"))
         check(answer["runs"] == 3 and not answer["remarks"], f"{answer}")
-        browser = open_browser(1280, 1000, False)
+        browser = open_browser(1280, 1000)
         try:
             open_report(browser, place / "pair.html")
             check_plots(browser, place / "figures")
@@ -350,15 +342,17 @@ def main():
             check_names(browser)
             check_views(browser, pictures, "pair")
             check_console(browser)
+            open_report_at_desk(browser, place / "pair.html")
+            check_sizes(browser, "pair", LEAST_AREA)
+            check_layout(browser, place / "pair.html", pictures)
+            check_kinds(browser, run, place, pictures)
+            check_inputs(browser, run, place)
         finally:
             browser.quit()
         run("report", "pair", "-o", "again.html")
         check((place / "again.html").read_bytes() == (place / "pair.html").read_bytes(), "two reports of one folder differ")
-        check_pair_sizes(place / "pair.html")
-        check_layout(place / "pair.html", pictures)
+        check_pair_without_webgl(place / "pair.html")
         check_touch(place / "pair.html", pictures)
-        check_kinds(run, place, pictures)
-        check_inputs(run, place)
         check_full_tower(run, place, pictures)
     print("reports are shown as they should be")
 

@@ -80,20 +80,15 @@ TEST_CASE("the energy balance of a shaken and collapsing pile closes" * doctest:
     Model model = make_loose_pile(wood(), 4, 3);
     model.ground.motion[0] = sample_velocity(0.4, 400, [](double t) { return 0.1 * std::sin(40.0 * t); });
     model.ground.motion[2] = sample_velocity(0.4, 400, [](double t) { return 0.03 * std::sin(70.0 * t); });
-    double closure[2] = {0.0, 0.0};
-    const double fractions[2] = {0.2, 0.05};
-    for (int run = 0; run < 2; ++run) {
-        Simulation s(model, fractions[run] * compute_critical_time_step(model));
-        const double start = s.energy().balance();
-        advance_to(s, 0.25);
-        REQUIRE_FALSE(s.divergence().has_value());
-        const Energy energy = s.energy();
-        const double turnover = energy.friction_loss + energy.damping_loss;
-        REQUIRE(turnover > 0.0);
-        closure[run] = std::abs(energy.balance() - start) / turnover;
-        // 1 %: touching and parting within a step costs (ω0 dt)² of the energy of that contact, ω0 dt = 0.1 here for a whole face
-        CHECK(closure[run] < 0.01);
-    }
+    Simulation s(model, 0.2 * compute_critical_time_step(model));
+    const double start = s.energy().balance();
+    advance_to(s, 0.25);
+    REQUIRE_FALSE(s.divergence().has_value());
+    const Energy energy = s.energy();
+    const double turnover = energy.friction_loss + energy.damping_loss;
+    REQUIRE(turnover > 0.0);
+    // 1 %: touching and parting within a step costs (ω0 dt)² of the energy of that contact, ω0 dt = 0.1 here for a whole face
+    CHECK(std::abs(energy.balance() - start) < 0.01 * turnover);
 }
 
 // A block pushed over the edge of a fixed one tips, falls, hits the ground and comes to rest there.

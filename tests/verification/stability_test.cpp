@@ -63,8 +63,10 @@ TEST_SUITE("slow") {
         check_tilt(wide, 5, 7.5593, 0.05, 0.08, 0.4);
         check_tilt(thin, 10, 1.8328, 0.06, 0.08, 0.5);
         check_tilt(wide, 10, 3.7962, 0.06, 0.08, 0.5);
-        check_tilt(thin, 38, 0.48248, 0.1, 0.1, 0.8);
-        check_tilt(turned(stiffened(reference_wood(), 30.0)), 38, 1.00036, 0.1, 0.1, 0.8);
+        // with a margin of 10 %, at 38 blocks, 5e-7 n/(30 m²) rad are a thirteenth of m B/(nH), or less
+        const Stone thirty = stiffened(reference_wood(), 30.0);
+        check_tilt(thirty, 38, 0.48248, 0.1, 0.1, 0.8);
+        check_tilt(turned(thirty), 38, 1.00036, 0.1, 0.1, 0.8);
     }
 }
 
