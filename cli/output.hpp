@@ -29,7 +29,7 @@ void note(fmt::format_string<Arguments...> text, Arguments&&... arguments) {
 /// comes once.
 void note_at_end(std::string line);
 void print_notes();
-void forget_notes();
+void forget_notes();  ///< those of a command line before, which failed or has printed them
 
 /// One JSON object on stdout.
 void print_json(const nlohmann::json& object);

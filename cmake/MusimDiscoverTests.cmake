@@ -1,10 +1,9 @@
 # Called with PROGRAM, PREFIX, FOLDER and OUTPUT once a program of tests is linked: gives ctest each of its cases, run in FOLDER, labelled by
-# its suite. The program is asked once: doctest's own script asks for the suite of each case, minutes of a sanitized build.
+# its suite. The program is asked once: doctest's own script asks for the suite of each case, two minutes of a sanitized build.
 execute_process(COMMAND ${PROGRAM} --list-test-cases --reporters=xml WORKING_DIRECTORY ${FOLDER} OUTPUT_VARIABLE listed COMMAND_ERROR_IS_FATAL ANY)
-foreach(entity "&quot;=\"" "&lt;=<" "&amp;=&")
-  string(REGEX MATCH "^([^=]*)=(.*)$" parts "${entity}")
-  string(REPLACE "${CMAKE_MATCH_1}" "${CMAKE_MATCH_2}" listed "${listed}")
-endforeach()
+string(REPLACE "&quot;" "\"" listed "${listed}")
+string(REPLACE "&lt;" "<" listed "${listed}")
+string(REPLACE "&amp;" "&" listed "${listed}")
 string(REGEX MATCHALL "<TestCase [^\n]*" cases "${listed}")
 set(script "")
 foreach(case IN LISTS cases)

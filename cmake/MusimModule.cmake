@@ -56,7 +56,8 @@ function(musim_precompile target)
 endfunction()
 
 # Compiles the files of a target several at a time, for targets whose time goes into JSON, the same templates in every file.
-# Names that only one file knows must then differ within a target. MUSIM_UNITY=OFF builds file by file.
+# Names that only one file knows must then differ within a target. MUSIM_UNITY=OFF builds file by file. With 40 files GCC takes 0.7 to 0.8 of
+# the time of 16 (lsdem/study 110 s to 78 s).
 function(musim_unite target)
   if(MUSIM_UNITY)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 40)
