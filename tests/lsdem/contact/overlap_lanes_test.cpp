@@ -59,9 +59,6 @@ double facing_of(const BoxMeeting& pair) {
 
 }  // namespace
 
-// ThreadSanitizer has nothing to see here: its build leaves the label out
-TEST_SUITE_BEGIN("one-thread");
-
 // 6 eps size/d: the depth is a difference of coordinates; lanes say by themselves where they do not hold
 TEST_CASE("pairs side by side give the load of the exact function wherever they say that they hold") {
     Poses poses;
@@ -329,5 +326,3 @@ TEST_CASE("pairs four times as large give the same bits") {
         }
     }
 }
-
-TEST_SUITE_END();

@@ -30,8 +30,7 @@ Model make_leaning_beam(const Stone& stone) {
 
 }  // namespace
 
-TEST_CASE("a pile goes on in another simulation with the forces that its contacts hold, friction included" *
-          doctest::test_suite("one-thread")) {
+TEST_CASE("a pile goes on in another simulation with the forces that its contacts hold, friction included") {
     const Stone stone = wood();
     Model model = make_leaning_beam(stone);
     const double h = stone.size.z(), step = 0.5 * compute_critical_time_step(model), rate = 4.0 * std::sqrt(kGravity / h);

@@ -46,19 +46,19 @@ void check_same_bits(Model model, int looks, std::uint64_t steps_between) {
 
 }  // namespace
 
-TEST_CASE("passing over pairs that are apart changes no bit of a shaken wall of unequal blocks" * doctest::test_suite("one-thread")) {
+TEST_CASE("passing over pairs that are apart changes no bit of a shaken wall of unequal blocks") {
     Model model = shortened(make_running_bond(wood(), 3, 8, 8), 0.01);
     model.ground.motion[0] = velocity_step(1.0);
     check_same_bits(model, 40, 100);
 }
 
-TEST_CASE("passing over pairs that are apart changes no bit of blocks that collide at all angles" * doctest::test_suite("one-thread")) {
+TEST_CASE("passing over pairs that are apart changes no bit of blocks that collide at all angles") {
     check_same_bits(make_tumbling_cloud(wood(), 4), 40, 500);
 }
 
 TEST_CASE("passing over pairs that are apart changes no bit of a pile") { check_same_bits(make_loose_pile(wood(), 3, 3), 40, 800); }
 
-TEST_CASE("a saved state knows which pairs are apart and goes on to the same bits" * doctest::test_suite("one-thread")) {
+TEST_CASE("a saved state knows which pairs are apart and goes on to the same bits") {
     Model model = shortened(make_running_bond(wood(), 3, 8, 8), 0.01);
     model.ground.motion[0] = velocity_step(1.0);
     Simulation straight(model, 0.8 * compute_critical_time_step(model), 1);

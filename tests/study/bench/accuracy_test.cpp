@@ -60,7 +60,7 @@ TEST_CASE("an impact converges with the time step, as its dashpot lags by half o
     CHECK(observe_order("bounce", 0.1) == relative(1.0, 0.1));
 }
 
-TEST_CASE("the slip of a sliding block is off by the step in which the friction spring gives way" * doctest::test_suite("one-thread")) {
+TEST_CASE("the slip of a sliding block is off by the step in which the friction spring gives way") {
     // the acceleration turns within a step from its slope Aω sin φ, 1 − cos φ = μ, to zero: an impulse of slope·dt²/8 at most, which acts
     // on the slip for the rest of the pulse and, as a longer stop, v/(μg) times as long again
     constexpr double kAcceleration = 9.81, kDuration = 0.05, kFriction = 0.63;
@@ -162,8 +162,7 @@ TEST_CASE("a block rocks about its own edge, or that of another block, where tha
     }
 }
 
-TEST_CASE("a shaken wall comes closer to the converged one with shorter steps and by nodes with more of them" *
-          doctest::test_suite("one-thread")) {
+TEST_CASE("a shaken wall comes closer to the converged one with shorter steps and by nodes with more of them") {
     const MiniTower wall({}, {}, 3);
     const TopMotion converged = wall.run({.safety = 0.1});
     const double coarse = compare_tops(wall.run({.safety = 0.8}), converged), fine = compare_tops(wall.run({.safety = 0.2}), converged);

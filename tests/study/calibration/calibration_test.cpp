@@ -29,8 +29,7 @@ TEST_CASE("the ideal chain shows the bias of both criteria") {
     CHECK_THROWS_AS(compute_front_factor({.layers = 10}), std::invalid_argument);
 }
 
-TEST_CASE("columns of the printed stiffness carry the wave speeds of wood and concrete, and not that of aluminium" *
-          doctest::test_suite("one-thread")) {
+TEST_CASE("columns of the printed stiffness carry the wave speeds of wood and concrete, and not that of aluminium") {
     struct Case {
         const char* name;
         double normal, shear;
@@ -59,7 +58,7 @@ TEST_CASE("columns of the printed stiffness carry the wave speeds of wood and co
     CHECK(closed_form_speed(preset("aluminium"), WaveKind::normal) > 0.93 * std::sqrt(69e9 / 2632.0));
 }
 
-TEST_CASE("the stiffness that is found for a speed gives that speed back" * doctest::test_suite("one-thread")) {
+TEST_CASE("the stiffness that is found for a speed gives that speed back") {
     BlockSample sample = preset("wood");
     const StiffnessSearch found = find_stiffness(sample, WaveKind::normal, 3000.0, {});
     // the effective speed is H·√(k/m) to 5e-5, see above
@@ -148,7 +147,7 @@ TEST_CASE("the energy kept at an impact is the one measured before") {
 
 TEST_SUITE_END();
 
-TEST_CASE("more restitution keeps more energy at an impact and a reachable ratio is found" * doctest::test_suite("one-thread")) {
+TEST_CASE("more restitution keeps more energy at an impact and a reachable ratio is found") {
     const BlockSample sample = preset("wood");
     RockingSweep sweep{
         .restitutions = {0.2, 0.8}, .angles = {8.0 * kDegree, 40.0 * kDegree}, .supports = {RockingSupport::two_blocks}, .safety = 0.8};

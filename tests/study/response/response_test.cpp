@@ -195,7 +195,7 @@ TEST_CASE("the camera sees the block in front, in its colour and place") {
 }
 
 // [Schroedinger14]: half of the velocity arrives with 0.9878 c0 between the layers 5 and 30 of a stuck chain.
-TEST_CASE("the front in a stored run of a stuck column runs at its elastic speed" * doctest::test_suite("one-thread")) {
+TEST_CASE("the front in a stored run of a stuck column runs at its elastic speed") {
     const musim::tests::TemporaryFolder folder;
     // gravity so small that the joints, apart at the start by nothing, settle by nothing; friction holds all the same
     run_into(folder.path() / "run", R"({"schema": "musim-scene/1", "name": "chain",

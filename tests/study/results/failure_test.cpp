@@ -168,8 +168,7 @@ TEST_CASE("modes and measures of a tower a quarter as large are the same bits") 
     }
 }
 
-TEST_CASE("simulated towers pushed out on one side and at mid-height are distinguished, at every scale" *
-          doctest::test_suite("one-thread")) {
+TEST_CASE("simulated towers pushed out on one side and at mid-height are distinguished, at every scale") {
     const PushedTower peeled = push_tower(push_side), buckled = push_tower(push_middle);
     const auto peeling = find_failure(peeled.run), buckling = find_failure(buckled.run);
     REQUIRE(peeling.has_value());

@@ -51,7 +51,7 @@ Preparing prepare_telling(const Scene& scene, const WorkToFollow& to_follow) {
 
 }  // namespace
 
-TEST_CASE("the work that is left of coming to rest is in the range that is given" * doctest::test_suite("one-thread")) {
+TEST_CASE("the work that is left of coming to rest is in the range that is given") {
     for (const char* structure :
          {R"("kind": "wall", "layers": 3, "blocks_per_layer": 2)", R"("kind": "wall", "layers": 4, "blocks_per_layer": 2)"}) {
         CAPTURE(structure);
@@ -76,7 +76,7 @@ TEST_CASE("the work that is left of coming to rest is in the range that is given
     }
 }
 
-TEST_CASE("the specimens that a pair lays are one scale with its runs" * doctest::test_suite("one-thread")) {
+TEST_CASE("the specimens that a pair lays are one scale with its runs") {
     const Scene scene = make_uneven(R"("kind": "wall", "layers": 3, "blocks_per_layer": 2)");
     std::vector<double> given;
     std::size_t preparing = 0;

@@ -89,7 +89,7 @@ TEST_CASE("a preparation resumed from any of its checkpoints ends in the bits of
     }
 }
 
-TEST_CASE("a run that is killed while its specimen is prepared, or later, goes on from there" * doctest::test_suite("one-thread")) {
+TEST_CASE("a run that is killed while its specimen is prepared, or later, goes on from there") {
     const Scene scene = make_prepared_wall();
     const RunResult whole = run_scene(scene);
     for (const int look : {2, 100, 0}) {
@@ -188,7 +188,7 @@ TEST_CASE("specimens whose preparation was killed are the same files in the end 
     CHECK_FALSE(fs::exists(checkpoint));
 }
 
-TEST_CASE("a sequence that is killed while its specimen is prepared goes on from there" * doctest::test_suite("one-thread")) {
+TEST_CASE("a sequence that is killed while its specimen is prepared goes on from there") {
     const Scene scene = make_prepared_wall(
         R"(, "motions": [{"base_motion": {"signal": "sine", "direction": "y", "amplitude": "0.2 g", "frequency": "40 Hz", "cycles": 1}}],
         "output": {"spine_rate": "4800 Hz"})");

@@ -55,7 +55,7 @@ const std::vector<ScaleFactors> kPowersOfTwo{{.length = 1.0 / 16.0},
 
 }  // namespace
 
-TEST_CASE("the image of a laid wall runs to the same bits where all factors are powers of two" * doctest::test_suite("one-thread")) {
+TEST_CASE("the image of a laid wall runs to the same bits where all factors are powers of two") {
     const TimePlan plan = make_time_plan(uneven_wall(), laid_wall().model);
     const RunResult prototype = simulate(laid_wall(), plan);
     REQUIRE(laid_wall().model.preload.size() > 8);
