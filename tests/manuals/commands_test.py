@@ -57,7 +57,7 @@ def shorten(scene):
     """A scene with few layers, a tenth of its time at most and no motion more than twice, so that its commands run in seconds."""
     structure = scene.get("structure", {})
     if "layers" in structure:
-        structure["layers"] = min(structure["layers"], 4)
+        structure["layers"] = min(structure["layers"], 2)
     if "base_motion" in scene and scene["base_motion"].get("signal") == "synthetic":
         scene["base_motion"]["duration"] = "2 s"
     for motion in scene.get("motions", []):
