@@ -24,14 +24,14 @@ using namespace musim::lsdem::tests;
 namespace {
 
 /// Pairs side by side, and whether each holds.
-struct LanePairs {
+struct PairsInLanes {
     std::array<Boxes, kLanePairs> boxes;
     std::array<BoxMeeting, kLanePairs> meetings;
     std::array<bool, kLanePairs> holds{};
     std::array<LaneFinding, kLanePairs> found;
 
     template <class Next>
-    explicit LanePairs(const Next& next) {
+    explicit PairsInLanes(const Next& next) {
         for (std::size_t i = 0; i < kLanePairs; ++i) {
             boxes[i] = next();
             meetings[i] = boxes[i].meeting();
@@ -39,9 +39,9 @@ struct LanePairs {
         compute_overlaps(meetings.data(), kLanePairs, found.data());
         for (std::size_t i = 0; i < kLanePairs; ++i) holds[i] = !found[i].irregular;
     }
-    LanePairs(const LanePairs&) = delete;
-    LanePairs& operator=(const LanePairs&) = delete;
-    ~LanePairs() = default;
+    PairsInLanes(const PairsInLanes&) = delete;
+    PairsInLanes& operator=(const PairsInLanes&) = delete;
+    ~PairsInLanes() = default;
 };
 
 /// Cosine between the faces by which two boxes meet, 1 where they are parallel.
@@ -64,7 +64,7 @@ TEST_CASE("pairs side by side give the load of the exact function wherever they 
     Poses poses;
     std::size_t held = 0, asked = 0;
     for (int group = 0; group < musim::tests::trials(750); ++group) {
-        const LanePairs pairs([&] { return poses.next(); });
+        const PairsInLanes pairs([&] { return poses.next(); });
         for (std::size_t i = 0; i < kLanePairs; ++i) {
             ++asked;
             if (!pairs.holds[i]) continue;
@@ -91,7 +91,7 @@ TEST_CASE("pairs side by side on seats of a few depths give the load of the exac
     Poses poses;
     std::size_t held = 0;
     for (int group = 0; group < musim::tests::trials(300); ++group) {
-        const LanePairs pairs([&] { return poses.next(Poses::Kind::on_seat); });
+        const PairsInLanes pairs([&] { return poses.next(Poses::Kind::on_seat); });
         for (std::size_t i = 0; i < kLanePairs; ++i) {
             const OverlapLoad load = sum_load(pairs.boxes[i].cut());
             if (!pairs.holds[i] || !(load.deepest > 0.0)) continue;
@@ -130,7 +130,7 @@ TEST_CASE("boxes that lie beside each other at one height give nothing or say th
 TEST_CASE("pairs side by side give the area of the exact function") {
     Poses poses;
     for (int group = 0; group < musim::tests::trials(150); ++group) {
-        const LanePairs pairs([&] { return poses.next(); });
+        const PairsInLanes pairs([&] { return poses.next(); });
         for (std::size_t i = 0; i < kLanePairs; ++i) {
             if (!pairs.holds[i]) continue;
             const OverlapPieces pieces = pairs.boxes[i].cut();
@@ -174,7 +174,7 @@ TEST_CASE("main cells give the reach of friction and what dashpots would pull as
     Poses poses;
     std::mt19937_64 random(7);
     for (int group = 0; group < musim::tests::trials(400); ++group) {
-        const LanePairs pairs([&] { return poses.next(); });
+        const PairsInLanes pairs([&] { return poses.next(); });
         std::array<MainCellQuestion, kLanePairs> questions{};
         for (std::size_t i = 0; i < kLanePairs; ++i) {
             const OverlapPieces pieces = pairs.boxes[i].cut();
@@ -263,7 +263,7 @@ TEST_CASE("the lane and its neighbors in the lanes change no bit of a pair") {
     Poses poses;
     std::mt19937_64 random(8);
     for (int group = 0; group < 100; ++group) {
-        const LanePairs pairs([&] { return poses.next(); });
+        const PairsInLanes pairs([&] { return poses.next(); });
         std::array<BoxMeeting, kLanePairs> back, alone;
         std::array<MainCellQuestion, kLanePairs> questions, questions_back, questions_alone;
         for (std::size_t i = 0; i < kLanePairs; ++i) questions[i] = make_question(pairs.boxes[i].cut(), random);
@@ -298,7 +298,7 @@ TEST_CASE("pairs four times as large give the same bits") {
     Poses poses;
     std::mt19937_64 random(9);
     for (int group = 0; group < 100; ++group) {
-        const LanePairs pairs([&] { return poses.next(); });
+        const PairsInLanes pairs([&] { return poses.next(); });
         std::array<Boxes, kLanePairs> boxes = pairs.boxes;
         std::array<BoxMeeting, kLanePairs> large;
         std::array<MainCellQuestion, kLanePairs> questions, large_questions;
