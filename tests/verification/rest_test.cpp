@@ -24,7 +24,7 @@ double measure_creep(const Stone& stone, double duration) {
     model.gravity = tilted_gravity(std::atan(0.9 * stone.friction));
     // on its wide side, or it would turn over before it slides
     model.blocks[0] = make_lying_block(stone).blocks[0];
-    Simulation s(model, 0.3 * compute_critical_time_step(model));
+    Simulation s(model, 0.8 * compute_critical_time_step(model));
     advance_to(s, 0.01 * duration);
     const Vector3 start = s.position(0);
     advance_to(s, duration);
