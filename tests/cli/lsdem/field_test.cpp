@@ -44,7 +44,7 @@ TEST_CASE("field draws chosen times beside each other and gives the velocities o
     CHECK(here.count("once") == 3);
 
     // six times, unless some are asked for; the limit is what was given, to the unit
-    const nlohmann::json usual = here.run("field out -o usual --format svg --limit '5 cm/s' --json").json();
+    const nlohmann::json usual = here.run("field out -o usual --pixels 40 --format svg --limit '5 cm/s' --json").json();
     CHECK(usual["fields"].size() == 6);
     CHECK(usual["limit_m_s"].get<double>() == 0.05);
 }

@@ -53,12 +53,9 @@ TEST_CASE("a structure is shaken until it collapses, and every stage is a run th
     CHECK(response.json()["failure"] == json["failure"]);
     CHECK(response.json()["damage_index"] == json["stages"][2]["since_stage_start"]["damage_index"]);
 
+    // what is there is not run again
     here.shell("cp -r whole out");
-    CHECK(here.run("sequence scene.json -o out").exit_code == 0);
-    check_same_stages(here);
-
-    here.shell("rm -r out");
-    const Outcome text = here.run("sequence scene.json -o out --threads 1");
+    const Outcome text = here.run("sequence scene.json -o out");
     CHECK(text.exit_code == 0);
     CHECK_MESSAGE(text.out.find("3 of 4 motions") != std::string::npos, text.out);
     CHECK_MESSAGE(text.out.find("after the start of stage-03-blow") != std::string::npos, text.out);
@@ -94,14 +91,16 @@ TEST_CASE("a sequence that is killed and resumed has the results of one that was
 
 TEST_CASE("what is doubtful about a stage is a warning that names it") {
     const Workplace here;
-    std::string scene = make_sequence_scene();
+    auto scene = nlohmann::json::parse(make_sequence_scene());
     // just above the critical step, with which it would not come to rest before
-    scene.replace(scene.find("\"output\""), 8, R"("preparation": "none", "time": {"step": "13 us"}, "output")");
-    scene.replace(scene.find("0.2 g"), 5, "1e-9 g");
-    scene.replace(scene.find("\"repeat\": 2"), 11, "\"duration\": \"0.01 s\"");
-    scene.replace(scene.find("1.5 g"), 5, "1e-9 g");
-    scene.replace(scene.find("0.5 s"), 5, "0.01 s");
-    here.write("scene.json", scene);
+    scene["preparation"] = "none";
+    scene["time"]["step"] = "13 us";
+    auto jolt = scene["motions"][0];
+    jolt.erase("repeat");
+    jolt["base_motion"]["amplitude"] = "1e-9 g";
+    jolt["duration"] = "0.01 s";
+    scene["motions"] = nlohmann::json::array({jolt});
+    here.write("scene.json", scene.dump());
     const Outcome outcome = here.run("sequence scene.json -o out");
     CHECK_MESSAGE(outcome.err.find("musim: warning: scene.json: stage-01-jolt: the time step") != std::string::npos, outcome.err);
 }
