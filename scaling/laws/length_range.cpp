@@ -28,41 +28,55 @@ std::optional<std::size_t> find_binding(const std::vector<std::vector<LengthRang
     return {};
 }
 
-}  // namespace
+/// ln used(λ_l), finite; never zero, so that the search goes on until a neighbouring double breaks the limit.
+double find_excess(const ShareUsed& used, double length) {
+    const double share = used(length);
+    if (share == 1.0) return -std::numeric_limits<double>::epsilon();
+    return share >= 0.0 ? std::clamp(std::log(share), -kLargestLogarithm, kLargestLogarithm) : kLargestLogarithm;
+}
 
-std::vector<LengthRange> find_length_range(const ShareUsed& used, const LengthRange& within) {
-    // ln used(λ_l), finite; never zero, so that the search goes on until a neighbouring double breaks the limit
-    const auto excess = [&](double length) {
-        const double share = used(length);
-        if (share == 1.0) return -std::numeric_limits<double>::epsilon();
-        return share >= 0.0 ? std::clamp(std::log(share), -kLargestLogarithm, kLargestLogarithm) : kLargestLogarithm;
-    };
-    const double smallest = excess(within.smallest), largest = excess(within.largest);
-    if (smallest < 0.0 && largest < 0.0) return {within};
-    if (smallest > 0.0 && largest > 0.0) return {};
+/// A length and its excess.
+struct Probe {
+    double length, excess;
+};
+
+/// The part between two lengths where the limit holds, if it changes at one place at most.
+std::optional<LengthRange> find_part(const ShareUsed& used, const Probe& from, const Probe& to) {
+    if (from.excess < 0.0 && to.excess < 0.0) return LengthRange{from.length, to.length};
+    if (from.excess > 0.0 && to.excess > 0.0) return std::nullopt;
+    const auto excess = [&](double length) { return find_excess(used, length); };
     const auto are_neighbours = [](double a, double b) { return std::nextafter(a, b) == b; };
     std::uintmax_t steps = kLongestSearch;
     const auto [low, high] =
-        boost::math::tools::toms748_solve(excess, within.smallest, within.largest, smallest, largest, are_neighbours, steps);
-    return {smallest < 0.0 ? LengthRange{within.smallest, low} : LengthRange{high, within.largest}};
+        boost::math::tools::toms748_solve(excess, from.length, to.length, from.excess, to.excess, are_neighbours, steps);
+    return from.excess < 0.0 ? LengthRange{from.length, low} : LengthRange{high, to.length};
+}
+
+}  // namespace
+
+std::vector<LengthRange> find_length_range(const ShareUsed& used, const LengthRange& within) {
+    const auto probe = [&](double length) { return Probe{length, find_excess(used, length)}; };
+    const auto part = find_part(used, probe(within.smallest), probe(within.largest));
+    return part ? std::vector{*part} : std::vector<LengthRange>{};
 }
 
 std::vector<LengthRange> find_length_ranges(const ShareUsed& used, const LengthRange& within) {
     constexpr int kStepsPerOctave = 16;
     const int steps = static_cast<int>(std::ceil(std::log2(within.largest / within.smallest) * kStepsPerOctave));
     std::vector<LengthRange> ranges;
-    double before = within.smallest;
+    Probe before{within.smallest, find_excess(used, within.smallest)};
     for (int i = 1; i <= steps; ++i) {
         const double length = i == steps ? within.largest : within.smallest * std::exp2(static_cast<double>(i) / kStepsPerOctave);
-        for (const LengthRange& part : find_length_range(used, {before, length})) {
-            const bool goes_on = !ranges.empty() && part.smallest == before && ranges.back().largest == before;
+        const Probe here{length, find_excess(used, length)};
+        if (const auto part = find_part(used, before, here)) {
+            const bool goes_on = !ranges.empty() && part->smallest == before.length && ranges.back().largest == before.length;
             if (goes_on) {
-                ranges.back().largest = part.largest;
+                ranges.back().largest = part->largest;
             } else {
-                ranges.push_back(part);
+                ranges.push_back(*part);
             }
         }
-        before = length;
+        before = here;
     }
     return ranges;
 }
