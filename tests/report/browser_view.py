@@ -47,7 +47,6 @@ def find_drawn(browser):
         viewer.draw();
         gl.readPixels(0, 0, w, h, gl.RGBA, gl.UNSIGNED_BYTE, p);
         viewer.ground.visible = true;
-        viewer.draw();
         let x0 = w, x1 = -1, y0 = h, y1 = -1;
         for (let y = 0; y < h; ++y) for (let x = 0; x < w; ++x) if (p[4 * (y * w + x) + 3] > 0) {
             x0 = Math.min(x0, x); x1 = Math.max(x1, x); y0 = Math.min(y0, y); y1 = Math.max(y1, y);
