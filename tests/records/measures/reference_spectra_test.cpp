@@ -147,7 +147,7 @@ TEST_CASE("spectra of the platform's synthetic motion are the platform's own") {
     }
 }
 
-TEST_CASE("RotD50 of the platform's synthetic motion is Chiou's") {
+TEST_CASE("RotD50 of the platform's synthetic motion is Chiou's" * doctest::test_suite("slow")) {
     if (!tests::have_shared_records()) return;
     const GroundMotion motion = read_record(tests::shared_records() / "bbp/accel_ts.bbp");
     const TimeSeries &first = motion.components[0].series, &second = motion.components[1].series;

@@ -162,7 +162,8 @@ TEST_CASE("a block rocks about its own edge, or that of another block, where tha
     }
 }
 
-TEST_CASE("a shaken wall comes closer to the converged one with shorter steps and by nodes with more of them") {
+TEST_CASE("a shaken wall comes closer to the converged one with shorter steps and by nodes with more of them" *
+          doctest::test_suite("slow")) {
     const MiniTower wall({}, {}, 3);
     const TopMotion converged = wall.run({.safety = 0.1});
     const double coarse = compare_tops(wall.run({.safety = 0.8}), converged), fine = compare_tops(wall.run({.safety = 0.2}), converged);

@@ -147,7 +147,7 @@ TEST_CASE("the energy kept at an impact is the one measured before") {
 
 TEST_SUITE_END();
 
-TEST_CASE("more restitution keeps more energy at an impact and a reachable ratio is found") {
+TEST_CASE("more restitution keeps more energy at an impact and a reachable ratio is found" * doctest::test_suite("slow")) {
     const BlockSample sample = preset("wood");
     RockingSweep sweep{
         .restitutions = {0.2, 0.8}, .angles = {8.0 * kDegree, 40.0 * kDegree}, .supports = {RockingSupport::two_blocks}, .safety = 0.8};

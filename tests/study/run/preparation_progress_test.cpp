@@ -76,7 +76,7 @@ TEST_CASE("the work that is left of coming to rest is in the range that is given
     }
 }
 
-TEST_CASE("the specimens that a pair lays are one scale with its runs") {
+TEST_CASE("the specimens that a pair lays are one scale with its runs" * doctest::test_suite("slow")) {
     const Scene scene = make_uneven(R"("kind": "wall", "layers": 3, "blocks_per_layer": 2)");
     std::vector<double> given;
     std::size_t preparing = 0;

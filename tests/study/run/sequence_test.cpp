@@ -172,7 +172,7 @@ TEST_CASE("residuals since the first start add up over the stages, relative to t
     }
 }
 
-TEST_CASE("a sequence at 1:16 is the same bits in all stages and its summary" * doctest::test_suite("one-thread")) {
+TEST_CASE("a sequence at 1:16 is the same bits in all stages and its summary" * doctest::test_suite("slow")) {
     const Scene scene = make_sequence_scene(
         kColumn, sine("0.7 g") + ", " + R"({"base_motion": {"signal": "half_sine", "amplitude": "0.3 g", "duration": "0.06 s"}})" + ", " +
                      sine("0.5 g"));
