@@ -5,9 +5,9 @@ Called by ctest with the program's path; `commands_test.py MUSIM PAGE...` takes 
 
 A page is run as a reader would: in one folder, with the repository's `examples` and `scripts` in it and the records
 that it names. Only scenes, those of `examples` and those that commands write, are made shorter (shorten), so that
-minutes become seconds; commands are run as they are printed. A command may be interrupted after LIMIT seconds, unless a
-later one reads in the folder that it leaves: it must then end by its own message. What a page takes for granted
-(RESULTS) is made first.
+minutes become seconds; commands are run as they are printed. A command that catches SIGINT may be interrupted after
+LIMIT seconds, unless a later one reads in the folder that it leaves: it must then end by its own message. What a page
+takes for granted (RESULTS) is made first.
 
 A ```json block becomes the file that the next command names and that is not there yet. Exit code: 0, or what the comment says
 ("exit code 5", "exit code 6 if not"). Skips itself (77) where ../shared/records is absent.
@@ -26,6 +26,7 @@ import time
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 RECORDS = ROOT.parent / "shared" / "records"
 LIMIT = 5.0  # s for one command
+OUT = r"(?:-o|--out) ([\w./-]+)"
 SHELLS = ("", "sh", "bash", "console")
 SKIPPED = 77
 INTERRUPTED = 130
@@ -129,7 +130,7 @@ def allowed_codes(comment):
 def provide(command, place, own_json):
     """Puts in place what a command reads: a record by its name, a file of the reader's own, a block of JSON shown before."""
     shown = "\n".join(own_json[0]) if own_json else ""
-    command = re.sub(r"(-o|--out) [\w./-]+", "", command)
+    command = re.sub(OUT, "", command)
     for word in re.findall(r"[\w./-]+", f"{command} {shown}"):
         target = place / word
         if "/" in word or target.exists() or not re.search(r"\.\w+$", word):
@@ -146,13 +147,20 @@ def provide(command, place, own_json):
 
 
 def find_limit(command, later):
-    """The seconds after which a command is interrupted; none where later ones read what is in the folder that it leaves."""
-    out = re.search(r"(?:-o|--out) ([\w./-]+)", command)
-    return None if out and any(f"{out[1]}/" in each for each in later) else LIMIT
+    """The seconds after which a command is interrupted; none where later ones read the folder that it leaves, or in it."""
+    out = re.search(OUT, command)
+    read = [re.sub(OUT, "", each).split() for each in later]
+    return None if out and any((word + "/").startswith(out[1] + "/") for words in read for word in words) else LIMIT
 
 
-def run(command, place, musim, limit=LIMIT):
-    """Exit code, standard output and error, seconds; interrupted after the limit."""
+def catches_interruption(pid):
+    """Whether a process has a handler of SIGINT, by Linux's mask of caught signals."""
+    caught = re.search(r"^SigCgt:\s*(\w+)", pathlib.Path(f"/proc/{pid}/status").read_text(), re.MULTILINE)
+    return bool(int(caught[1], 16) >> (signal.SIGINT - 1) & 1)
+
+
+def run(command, place, musim, limit):
+    """Exit code, standard output and error, seconds; interrupted after the limit if it can be."""
     environment = os.environ | {"PATH": f"{musim.parent}:{os.environ['PATH']}"}
     start = time.time()
     process = subprocess.Popen(["bash", "-c", command], cwd=place, env=environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
@@ -160,7 +168,8 @@ def run(command, place, musim, limit=LIMIT):
     try:
         out, err = process.communicate(timeout=limit)
     except subprocess.TimeoutExpired:
-        os.killpg(process.pid, signal.SIGINT)
+        if catches_interruption(process.pid):
+            os.killpg(process.pid, signal.SIGINT)
         out, err = process.communicate(timeout=60)
     return process.returncode, out, err, time.time() - start
 
@@ -174,8 +183,8 @@ def run_page(page, musim):
         place = pathlib.Path(folder)
         lay_out(place)
         for command in RESULTS.get(page.name, []):
-            code, _, err, _ = run(command, place, musim)
-            if code not in (0, INTERRUPTED):
+            code, _, err, _ = run(command, place, musim, limit=None)
+            if code != 0:
                 failures.append(f"{page.name}: to prepare it, `{command}` returned {code}: {err.strip()}")
         for language, lines in blocks:
             if language == "json":
