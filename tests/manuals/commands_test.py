@@ -159,12 +159,17 @@ def catches_interruption(pid):
     return bool(int(caught[1], 16) >> (signal.SIGINT - 1) & 1)
 
 
+def heed_interruption():
+    """A process started in the background inherits that SIGINT is ignored, and leaves it so."""
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
+
+
 def run(command, place, musim, limit):
     """Exit code, standard output and error, seconds; interrupted after the limit if it can be."""
     environment = os.environ | {"PATH": f"{musim.parent}:{os.environ['PATH']}"}
     start = time.time()
     process = subprocess.Popen(["bash", "-c", command], cwd=place, env=environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                               text=True, start_new_session=True)
+                               text=True, start_new_session=True, preexec_fn=heed_interruption)
     try:
         out, err = process.communicate(timeout=limit)
     except subprocess.TimeoutExpired:
