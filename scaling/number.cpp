@@ -19,7 +19,7 @@ namespace {
 constexpr std::string_view kBlanks = " \t\r\n";
 
 /// Decimal exponents beyond this leave the range of doubles whatever the digits of a sane input are.
-constexpr long kLargestExponent = 100'000;
+constexpr long kLargestWrittenExponent = 100'000;
 
 /// Length of the decimal number that `text` begins with, 0 for none; nan, inf and hexadecimal numbers are none.
 std::size_t number_length(std::string_view text) {
@@ -39,7 +39,7 @@ std::string shift_decimal(std::string_view number, int shift) {
         std::string_view digits = number.substr(mark + 1);
         if (digits[0] == '+') digits.remove_prefix(1);
         const auto status = std::from_chars(digits.data(), digits.data() + digits.size(), exponent).ec;
-        if (status != std::errc() || std::abs(exponent) > kLargestExponent) return std::string(number);
+        if (status != std::errc() || std::abs(exponent) > kLargestWrittenExponent) return std::string(number);
     }
     return fmt::format("{}e{}", number.substr(0, mark), exponent + shift);
 }

@@ -46,7 +46,7 @@ constexpr RationalFunction kFarTail{
      1.84631831751005468180e-5, 1.42151175831644588870e-7, 2.04426310338993978564e-15}};
 
 /// In the order of Distribution.
-constexpr std::string_view kNames[] = {"normal", "lognormal", "uniform"};
+constexpr std::string_view kDistributionNames[] = {"normal", "lognormal", "uniform"};
 
 }  // namespace
 
@@ -60,12 +60,13 @@ double normal_quantile(double p) {
 }
 
 Distribution parse_distribution(std::string_view name) {
-    const auto* const found = std::find(std::begin(kNames), std::end(kNames), name);
-    if (found != std::end(kNames)) return static_cast<Distribution>(found - std::begin(kNames));
-    throw SimilitudeError(fmt::format("uncertainty: there is no distribution \"{}\"; choose one of {}", name, fmt::join(kNames, ", ")));
+    const auto* const found = std::find(std::begin(kDistributionNames), std::end(kDistributionNames), name);
+    if (found != std::end(kDistributionNames)) return static_cast<Distribution>(found - std::begin(kDistributionNames));
+    throw SimilitudeError(
+        fmt::format("uncertainty: there is no distribution \"{}\"; choose one of {}", name, fmt::join(kDistributionNames, ", ")));
 }
 
-std::string_view to_string(Distribution distribution) { return kNames[static_cast<std::size_t>(distribution)]; }
+std::string_view to_string(Distribution distribution) { return kDistributionNames[static_cast<std::size_t>(distribution)]; }
 
 double find_quantile(Distribution distribution, const Uncertain& quantity, double p) {
     switch (distribution) {
