@@ -6,13 +6,11 @@ namespace musim::lsdem {
 
 Bodies::Bodies(const Model& model) {
     const std::size_t n = model.blocks.size();
-    for (auto* v : {&position, &velocity, &momentum, &inverse_inertia, &half}) v->resize(n, Vector3::Zero());
-    rotation.resize(n);
-    step.resize(n);
+    for (auto* v : {&velocity, &momentum, &inverse_inertia}) v->resize(n, Vector3::Zero());
+    pose.resize(n);
     orientation.resize(n);
     mass.resize(n);
     inverse_mass.resize(n);
-    height_offset.resize(n);
     fixed.resize(n);
     free.resize(n);
     preparation_loss.resize(n);
@@ -21,28 +19,35 @@ Bodies::Bodies(const Model& model) {
     for (std::size_t i = 0; i < n; ++i) {
         const Block& block = model.blocks[i];
         const Vector3 inertia = block.mass * inertia_over_mass(model, block);
-        position[i] = start_position[i] = block.position;
+        pose[i].position = start_position[i] = block.position;
         orientation[i] = start_orientation[i] = block.orientation;
-        rotation[i] = block.orientation.toRotationMatrix();
+        pose[i].rotation = block.orientation.toRotationMatrix();
         mass[i] = block.mass;
         inverse_mass[i] = 1.0 / block.mass;
-        half[i] = half_extents(model, block);
-        height_offset[i] = block.height_offset;
+        pose[i].half = half_extents(model, block);
+        pose[i].height_offset = block.height_offset;
         fixed[i] = block.fixed ? 1 : 0;
         free[i] = block.fixed ? 0.0 : 1.0;
         if (block.fixed) continue;
         velocity[i] = block.velocity;
         if (block.rotation_locked) continue;
         inverse_inertia[i] = inertia.cwiseInverse();
-        momentum[i] = rotation[i] * inertia.cwiseProduct(rotation[i].transpose() * block.angular_velocity);
+        momentum[i] = pose[i].rotation * inertia.cwiseProduct(pose[i].rotation.transpose() * block.angular_velocity);
     }
+}
+
+std::vector<Vector3> Bodies::positions() const {
+    std::vector<Vector3> all;
+    all.reserve(pose.size());
+    for (const BodyPose& body : pose) all.push_back(body.position);
+    return all;
 }
 
 void Bodies::release(std::size_t i, const Model& model) {
     const Block& block = model.blocks[i];
-    position[i] = start_position[i] = block.position;
+    pose[i].position = start_position[i] = block.position;
     orientation[i] = start_orientation[i] = block.orientation;
-    rotation[i] = block.orientation.toRotationMatrix();
+    pose[i].rotation = block.orientation.toRotationMatrix();
     velocity[i] = block.velocity;
     momentum[i] = Vector3::Zero();
     fixed[i] = 0;

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <limits>
 
+#include "lsdem/body_pose.hpp"
 #include "lsdem/detail/wide.hpp"
 
 namespace musim::lsdem::detail {
@@ -11,12 +12,7 @@ namespace musim::lsdem::detail {
 /// Two boxes. The half space z ≤ h is box b without rotation, place (x, y, h) below the middle of a, half extents (r, r, 0), r four times
 /// the diagonal of a: a sheet, whose sides a does not reach.
 struct BoxMeeting {
-    struct Box {
-        const double* rotation;  ///< body to world, column by column
-        const double* position;  ///< of the middle [m]
-        const double* half;      ///< half extents [m]
-    };
-    Box a, b;
+    const BodyPose *a, *b;
     /// From the first centre to the origin of the pair, in parts of the way between the centres: 1/2; 0 where b is the ground.
     double origin = 0.5;
 };
@@ -28,8 +24,8 @@ struct BoxAxes {
     std::array<typename W::Real, 3> half;          ///< half extents [m]
 };
 
-inline BoxAxes<Wide<1>> axes_of(const BoxMeeting::Box& box) {
-    const double* const r = box.rotation;
+inline BoxAxes<Wide<1>> axes_of(const BodyPose& box) {
+    const double* const r = box.rotation.data();
     return {{{{r[0], r[1], r[2]}, {r[3], r[4], r[5]}, {r[6], r[7], r[8]}}}, {box.half[0], box.half[1], box.half[2]}};
 }
 
@@ -82,8 +78,8 @@ MUSIM_WIDE MeetingFaces<W> choose_faces(const BoxAxes<W>& a, const BoxAxes<W>& b
     return faces;
 }
 inline MeetingFaces<Wide<1>> choose_faces(const BoxMeeting& pair) {
-    const double *const a = pair.a.position, *const b = pair.b.position;
-    return choose_faces<Wide<1>>(axes_of(pair.a), axes_of(pair.b), {b[0] - a[0], b[1] - a[1], b[2] - a[2]});
+    const Vector3 apart = pair.b->position - pair.a->position;
+    return choose_faces<Wide<1>>(axes_of(*pair.a), axes_of(*pair.b), {apart.x(), apart.y(), apart.z()});
 }
 
 }  // namespace musim::lsdem::detail

@@ -115,15 +115,15 @@ void drop_elastic(const Bodies& bodies, const BasePose& base, const ContactPair&
                   PairWork& work) {
     // the turn of a block over the step, as a vector: sin θ is close enough to θ
     const auto turn = [&](std::size_t i) {
-        const Quaternion& step = bodies.step[i].turn;
+        const Quaternion& step = bodies.pose[i].step.turn;
         return Vector3((2.0 * step.w()) * step.vec());
     };
     const std::size_t l = pair.leader, f = pair.follower;
-    double done = last.force.dot(bodies.step[l].shift) + last.leader_torque.dot(turn(l));
+    double done = last.force.dot(bodies.pose[l].step.shift) + last.leader_torque.dot(turn(l));
     if (pair.follower == kGround) {
         done -= last.force.dot(base.displacement - base.previous);
     } else {
-        done += last.follower_torque.dot(turn(f)) - last.force.dot(bodies.step[f].shift);
+        done += last.follower_torque.dot(turn(f)) - last.force.dot(bodies.pose[f].step.shift);
     }
     work.damping += stored.elastic_normal - 0.5 * done;
     work.friction += stored.elastic_shear;
@@ -142,11 +142,11 @@ void start_new_faces(const Bodies& bodies, const BasePose& base, const FlatFollo
 RelativePose find_pose(const Bodies& bodies, const BasePose& base, const ContactPair& pair) {
     const std::size_t l = pair.leader, f = pair.follower;
     if (pair.follower == kGround) {
-        return {bodies.rotation[l], bodies.position[l] - base.displacement, bodies.previous_rotation(l),
+        return {bodies.pose[l].rotation, bodies.pose[l].position - base.displacement, bodies.previous_rotation(l),
                 bodies.previous_position(l) - base.previous};
     }
-    const Matrix3 to_follower = bodies.rotation[f].transpose(), to_old_follower = bodies.previous_rotation(f).transpose();
-    return {to_follower * bodies.rotation[l], to_follower * (bodies.position[l] - bodies.position[f]),
+    const Matrix3 to_follower = bodies.pose[f].rotation.transpose(), to_old_follower = bodies.previous_rotation(f).transpose();
+    return {to_follower * bodies.pose[l].rotation, to_follower * (bodies.pose[l].position - bodies.pose[f].position),
             to_old_follower * bodies.previous_rotation(l), to_old_follower * (bodies.previous_position(l) - bodies.previous_position(f))};
 }
 
@@ -162,8 +162,8 @@ void compute_node_contact(const Model& model, const Bodies& bodies, const BasePo
     if (on_ground) {
         face.leader_axis = largest_in_row(pose, face.axis);
     } else {
-        face.half = row_of(bodies.half[f]);
-        if (!find_contact_faces(pose, bodies.half[l], face) && list.tallies[index].touching == 0) {
+        face.half = row_of(bodies.pose[f].half);
+        if (!find_contact_faces(pose, bodies.pose[l].half, face) && list.tallies[index].touching == 0) {
             list.forces[index] = PairForce{};
             list.tallies[index] = PairTally{};
             return;
@@ -180,8 +180,8 @@ void compute_node_contact(const Model& model, const Bodies& bodies, const BasePo
     const auto* const grid = on_ground ? nullptr : std::get_if<GridLevelSet>(&model.shapes[model.blocks[f].shape].level_set);
     if (grid == nullptr) start_new_faces(bodies, base, face, index, list);
     const PairSums sums =
-        grid == nullptr ? detail::sum_flat_nodes(contact, face) : detail::sum_grid_nodes(contact, *grid, bodies.height_offset[f]);
-    const Matrix3 frame = on_ground ? Matrix3(Matrix3::Identity()) : bodies.rotation[f];
+        grid == nullptr ? detail::sum_flat_nodes(contact, face) : detail::sum_grid_nodes(contact, *grid, bodies.pose[f].height_offset);
+    const Matrix3 frame = on_ground ? Matrix3(Matrix3::Identity()) : bodies.pose[f].rotation;
     store(sums, frame, {pose.position[0], pose.position[1], pose.position[2]}, list.forces[index], list.tallies[index], list.work[index]);
 }
 

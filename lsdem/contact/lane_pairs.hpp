@@ -25,11 +25,11 @@ struct Lane {
         using Turn = typename Step::Motion::Turn;
         // numbers behind each other: turn x, y, z, w, then shift
         static_assert(sizeof(BodyStep) == 8 * sizeof(double) && offsetof(BodyStep, shift) == 4 * sizeof(double));
-        const auto step_of = [&](std::size_t body) MUSIM_WIDE_LAMBDA {
-            return gather_fields<Real, 8>([&](std::size_t i)
-                                              MUSIM_WIDE_LAMBDA { return reinterpret_cast<const double*>(pairs[i].step[body]); });
+        const auto step_of = [&](const BodyPose* BoxMeeting::*body) MUSIM_WIDE_LAMBDA {
+            return gather_fields<Real, 8>(
+                [&](std::size_t i) MUSIM_WIDE_LAMBDA { return reinterpret_cast<const double*>(&(pairs[i].meeting.*body)->step); });
         };
-        const std::array<Real, 8> first = step_of(0), second = step_of(1);
+        const std::array<Real, 8> first = step_of(&BoxMeeting::a), second = step_of(&BoxMeeting::b);
         const Real origin = gather_lanes<Real>([&](std::size_t i) MUSIM_WIDE_LAMBDA { return pairs[i].meeting.origin; });
         typename Step::Motion motion;
         motion.shift = {second[4] - first[4], second[5] - first[5], second[6] - first[6]};

@@ -75,15 +75,13 @@ struct Kernel : OverlapRims<W> {
         }
     };
     template <class Pairs>
-    MUSIM_WIDE static Box gather_box(const Pairs& pairs, BoxMeeting::Box BoxMeeting::*which) {
-        const std::array<Lanes, 9> r =
-            gather_fields<Lanes, 9>([&](std::size_t lane) MUSIM_WIDE_LAMBDA { return (pairs(lane).*which).rotation; });
-        const auto three = [&](const double* BoxMeeting::Box::*from) MUSIM_WIDE_LAMBDA {
-            return gather_fields<Lanes, 3>([&](std::size_t lane) MUSIM_WIDE_LAMBDA { return pairs(lane).*which.*from; });
-        };
-        const std::array<Lanes, 3> place = three(&BoxMeeting::Box::position);
-        return {{{Lanes3{r[0], r[1], r[2]}, Lanes3{r[3], r[4], r[5]}, Lanes3{r[6], r[7], r[8]}}, three(&BoxMeeting::Box::half)},
-                {place[0], place[1], place[2]}};
+    MUSIM_WIDE static Box gather_box(const Pairs& pairs, const BodyPose* BoxMeeting::*which) {
+        // numbers behind each other, with one that nobody asks for
+        static_assert(offsetof(BodyPose, position) == 9 * sizeof(double) && offsetof(BodyPose, half) == 12 * sizeof(double));
+        const std::array<Lanes, 16> f =
+            gather_fields<Lanes, 16>([&](std::size_t lane) MUSIM_WIDE_LAMBDA { return (pairs(lane).*which)->rotation.data(); });
+        return {{{Lanes3{f[0], f[1], f[2]}, Lanes3{f[3], f[4], f[5]}, Lanes3{f[6], f[7], f[8]}}, {f[12], f[13], f[14]}},
+                {f[9], f[10], f[11]}};
     }
 
     /// What role X in Y is made from; `apart`: from the middle of X to that of Y.

@@ -29,7 +29,6 @@ struct LaneOutput {
 /// Two boxes, the first the leader, and where to find and put what their contact is made from.
 struct LanePair {
     BoxMeeting meeting;
-    std::array<const BodyStep*, 2> step;  ///< of both; of the ground that of the base
     const Interface* law;
     OverlapContact* contact;
     PairForce* force;

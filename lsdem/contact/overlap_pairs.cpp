@@ -13,37 +13,34 @@ namespace {
 
 /// The ground reaches so many radii of a block beyond the block, to all sides: it has no edges where it is met [-].
 constexpr double kGroundReach = 4.0;
-constexpr double kUpright[9] = {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0};
 
 /// How far the bodies of a pair are apart at least; zero or less where they may overlap [m].
 double find_gap(const Bodies& bodies, const BasePose& base, const ContactPair& pair) {
     const std::size_t l = pair.leader, f = pair.follower;
     if (pair.follower == kGround) {
-        const double reach = bodies.rotation[l].row(2).cwiseAbs().dot(bodies.half[l]);
-        return (bodies.position[l].z() - base.displacement.z()) - reach;
+        const double reach = bodies.pose[l].rotation.row(2).cwiseAbs().dot(bodies.pose[l].half);
+        return (bodies.pose[l].position.z() - base.displacement.z()) - reach;
     }
-    const Matrix3 to_follower = bodies.rotation[f].transpose();
-    const Vector3 position = to_follower * (bodies.position[l] - bodies.position[f]);
-    return detail::find_gap(bodies.half[l], bodies.half[f], to_follower * bodies.rotation[l], position);
+    const Matrix3 to_follower = bodies.pose[f].rotation.transpose();
+    const Vector3 position = to_follower * (bodies.pose[l].position - bodies.pose[f].position);
+    return detail::find_gap(bodies.pose[l].half, bodies.pose[f].half, to_follower * bodies.pose[l].rotation, position);
 }
 
 /// Both boxes of a pair, the leader first; the ground as a sheet right below its block.
-detail::BoxMeeting make_meeting(const Bodies& bodies, const BasePose& base, const ContactPair& pair, GroundSheet& sheet) {
-    const std::size_t l = pair.leader, f = pair.follower;
-    const detail::BoxMeeting::Box leader{bodies.rotation[l].data(), bodies.position[l].data(), bodies.half[l].data()};
-    if (pair.follower != kGround) return {leader, {bodies.rotation[f].data(), bodies.position[f].data(), bodies.half[f].data()}};
-    const double reach = kGroundReach * bodies.half[l].norm();
+detail::BoxMeeting make_meeting(const Bodies& bodies, const BasePose& base, const ContactPair& pair, BodyPose& sheet) {
+    const BodyPose& leader = bodies.pose[pair.leader];
+    if (pair.follower != kGround) return {&leader, &bodies.pose[pair.follower]};
+    const double reach = kGroundReach * leader.half.norm();
     sheet.half = {reach, reach, 0.0};
-    sheet.place = {bodies.position[l].x(), bodies.position[l].y(), base.displacement.z()};
-    return {leader, {kUpright, sheet.place.data(), sheet.half.data()}, 0.0};
+    sheet.position = {leader.position.x(), leader.position.y(), base.displacement.z()};
+    sheet.step.shift = base.displacement - base.previous;
+    return {&leader, &sheet, 0.0};
 }
 
 }  // namespace
 
 OverlapBatch::OverlapBatch(const Bodies& bodies, const BasePose& base, double dt, ContactList& list)
-    : bodies_(bodies), base_(base), dt_(dt), list_(list) {
-    base_step_.shift = base.displacement - base.previous;
-}
+    : bodies_(bodies), base_(base), dt_(dt), list_(list) {}
 
 void OverlapBatch::add(std::size_t index) {
     const ContactPair& pair = list_.pairs[index];
@@ -64,10 +61,7 @@ void OverlapBatch::add(std::size_t index) {
 void OverlapBatch::place(std::size_t index, std::size_t at) {
     detail::LanePair& lane = lanes_[at];
     const ContactPair& pair = list_.pairs[index];
-    const std::size_t l = pair.leader, f = pair.follower;
     lane.meeting = make_meeting(bodies_, base_, pair, sheets_[at]);
-    const bool is_ground = pair.follower == kGround;
-    lane.step = {&bodies_.step[l], is_ground ? &base_step_ : &bodies_.step[f]};
     lane.law = &pair.law;
     lane.contact = &list_.overlaps[pair.overlap];
     lane.force = &list_.forces[index];
@@ -75,12 +69,7 @@ void OverlapBatch::place(std::size_t index, std::size_t at) {
     lane.work = &list_.work[index];
     lane.irregular = false;
     // asked for when all lanes are placed, the memory of the contact once their overlaps are found
-    for (const auto& box : {lane.meeting.a, lane.meeting.b}) {
-        detail::prefetch(box.rotation, 9);
-        detail::prefetch(box.position, 3);
-        detail::prefetch(box.half, 3);
-    }
-    for (const BodyStep* const step : lane.step) detail::prefetch(step);
+    for (const BodyPose* const box : {lane.meeting.a, lane.meeting.b}) detail::prefetch(box);
     detail::prefetch(lane.contact);
     detail::prefetch(lane.force);
     detail::prefetch(lane.tally);
@@ -130,7 +119,7 @@ void OverlapBatch::compute(const std::uint64_t* waiting, std::size_t count) {
             detail::compute_exact_pair(lanes_[i], dt_, list_.first_step, room_);
         }
         if (list_.demand.wanted) list_.demand.ask(index, lanes_[i].area);
-        deepest_ = std::max(deepest_, list_.tallies[index].overlap / (2.0 * bodies_.half[list_.pairs[index].leader].z()));
+        deepest_ = std::max(deepest_, list_.tallies[index].overlap / (2.0 * bodies_.pose[list_.pairs[index].leader].half.z()));
     }
 }
 
@@ -140,7 +129,7 @@ void visit_meeting_areas(const Bodies& bodies, const BasePose& base, const Conta
     OverlapPieces room;
     std::array<std::size_t, kSize> index{};
     std::array<detail::BoxMeeting, kSize> meetings{};
-    std::array<GroundSheet, kSize> sheets;
+    std::array<BodyPose, kSize> sheets;
     std::array<detail::LaneFinding, kSize> found;
     std::size_t count = 0;
     const auto visit_exactly = [&](std::size_t p, const detail::BoxMeeting& meeting) {
@@ -149,8 +138,8 @@ void visit_meeting_areas(const Bodies& bodies, const BasePose& base, const Conta
         const OverlapGeometry geometry = find_overlap_geometry(room);
         if (!geometry.touches()) return;
         const ContactPair& pair = list.pairs[p];
-        const Vector3& leader = bodies.position[pair.leader];
-        const Vector3 origin = pair.follower == kGround ? leader : Vector3(0.5 * (leader + bodies.position[pair.follower]));
+        const Vector3& leader = bodies.pose[pair.leader].position;
+        const Vector3 origin = pair.follower == kGround ? leader : Vector3(0.5 * (leader + bodies.pose[pair.follower].position));
         visit(p, {geometry.area.area, geometry.load.force.normalized(), origin + geometry.pressed() + geometry.area.arm,
                   geometry.area.second});
     };
@@ -163,8 +152,8 @@ void visit_meeting_areas(const Bodies& bodies, const BasePose& base, const Conta
             if (f.irregular) {
                 visit_exactly(index[i], meetings[i]);
             } else if (f.area > 0.0) {
-                const Eigen::Map<const Vector3> a(meetings[i].a.position), b(meetings[i].b.position);
-                MeetingArea area{f.area, f.force.normalized(), 0.5 * (a + b) + f.area_place / f.area, {}};
+                const Vector3 between = 0.5 * (meetings[i].a->position + meetings[i].b->position);
+                MeetingArea area{f.area, f.force.normalized(), between + f.area_place / f.area, {}};
                 area.second << f.area_square.x(), f.area_cross.z(), f.area_cross.y(), f.area_cross.z(), f.area_square.y(), f.area_cross.x(),
                     f.area_cross.y(), f.area_cross.x(), f.area_square.z();
                 visit(index[i], area);
@@ -184,7 +173,7 @@ void visit_meeting_areas(const Bodies& bodies, const BasePose& base, const Conta
 
 void refine_overlap_energies(const Bodies& bodies, const BasePose& base, ContactList& list) {
     OverlapPieces room;
-    GroundSheet sheet;
+    BodyPose sheet;
     for (std::size_t p = 0; p < list.pairs.size(); ++p) {
         const ContactPair& pair = list.pairs[p];
         if (!list.tallies[p].rough) continue;

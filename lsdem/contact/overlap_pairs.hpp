@@ -13,11 +13,6 @@
 /// Pairs of boxes, and of a box and the ground, that meet by their overlap.
 namespace musim::lsdem {
 
-/// The ground below a block as a sheet: half extents and middle [m].
-struct GroundSheet {
-    Vector3 half, place;
-};
-
 /// Computes pairs at step n from the poses at n and n − 1, several side by side: forces, what they remember, tallies and work. Which pairs
 /// share a batch changes no bit.
 class OverlapBatch {
@@ -49,16 +44,15 @@ class OverlapBatch {
     const BasePose& base_;
     double dt_;
     ContactList& list_;
-    BodyStep base_step_;  ///< of the ground
     double deepest_ = 0.0;
     // pairs that wait for company, see OverlapContact::company
     std::size_t waiting_count_ = 0;
     Waiting waiting_, room_for_sort_;
     // those that are computed now
     std::array<detail::LanePair, kSize> lanes_;
-    std::array<GroundSheet, kSize> sheets_;
-    detail::LaneOutput nowhere_;  ///< where what nobody asks for goes
-    OverlapPieces room_;          ///< of the pair that is being cut
+    std::array<BodyPose, kSize> sheets_;  ///< the ground below a block, where it is the second body
+    detail::LaneOutput nowhere_;          ///< where what nobody asks for goes
+    OverlapPieces room_;                  ///< of the pair that is being cut
 };
 
 /// Where friction and dashpots of a contact act, world axes and origin.

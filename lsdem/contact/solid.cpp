@@ -42,15 +42,13 @@ void place_half_space(double height, double reach, PlacedSolid& placed) {
 }
 
 PlacedPair::PlacedPair(const detail::BoxMeeting& boxes) {
-    using Place = Eigen::Map<const Vector3>;
-    using Axes = Eigen::Map<const Matrix3>;
-    apart = Place(boxes.b.position) - Place(boxes.a.position);
-    const Vector3 half = Place(boxes.a.half), to_origin = boxes.origin * apart;
-    place_box(half, Axes(boxes.a.rotation), -to_origin, a);
+    apart = boxes.b->position - boxes.a->position;
+    const Vector3 to_origin = boxes.origin * apart;
+    place_box(boxes.a->half, boxes.a->rotation, -to_origin, a);
     if (boxes.origin > 0.0) {
-        place_box(Place(boxes.b.half), Axes(boxes.b.rotation), to_origin, b);
+        place_box(boxes.b->half, boxes.b->rotation, to_origin, b);
     } else {
-        place_half_space(apart.z(), half.norm(), b);
+        place_half_space(apart.z(), boxes.a->half.norm(), b);
     }
 }
 

@@ -42,7 +42,7 @@ StiffestBlock StiffnessWatch::find_stiffest(const Bodies& bodies, const BasePose
         const double sides = moves(pair.leader) && moves(pair.follower) ? 2.0 : 1.0;
         for (const std::uint32_t block : {pair.leader, pair.follower}) {
             if (!moves(block)) continue;
-            opposition_[block] += sides * find_opposition(area, area.middle - scene.bodies.position[block], along, across);
+            opposition_[block] += sides * find_opposition(area, area.middle - scene.bodies.pose[block].position, along, across);
         }
     });
 
@@ -50,7 +50,7 @@ StiffestBlock StiffnessWatch::find_stiffest(const Bodies& bodies, const BasePose
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         if (bodies.fixed[i] != 0) continue;
         Matrix6& m = opposition_[i];
-        const Matrix3 to_body = bodies.rotation[i].transpose();
+        const Matrix3 to_body = bodies.pose[i].rotation.transpose();
         m.rightCols<3>() = (m.rightCols<3>() * to_body.transpose()).eval();
         m.bottomRows<3>() = (to_body * m.bottomRows<3>()).eval();
         Eigen::Matrix<double, 6, 1> root;

@@ -60,8 +60,12 @@ using Four = std::array<std::size_t, kLanes>;
     coefficients[0] = q.x[lane], coefficients[1] = q.y[lane], coefficients[2] = q.z[lane], coefficients[3] = q.w[lane];
 }
 
-[[gnu::always_inline]] inline Lanes pick_travel(const std::vector<BodyStep>& from, const Four& i) {
-    return Lanes{from[i[0]].travel, from[i[1]].travel, from[i[2]].travel, from[i[3]].travel};
+[[gnu::always_inline]] inline Triple<Lanes> pick_position(const std::vector<BodyPose>& from, const Four& i) {
+    return pick({from[i[0]].position.data(), from[i[1]].position.data(), from[i[2]].position.data(), from[i[3]].position.data()});
+}
+
+[[gnu::always_inline]] inline Lanes pick_travel(const std::vector<BodyPose>& from, const Four& i) {
+    return Lanes{from[i[0]].step.travel, from[i[1]].step.travel, from[i[2]].step.travel, from[i[3]].step.travel};
 }
 
 /// The same vector in all lanes.
@@ -111,7 +115,7 @@ template <bool prepares>
         }
         const Triple<Lanes> force = pick(force_at), torque = pick(torque_at);
         const Lanes free = pick(bodies.free, i), kick = push * free, per_mass = pick(bodies.inverse_mass, i);
-        Triple<Lanes> v = pick(bodies.velocity, i), x = pick(bodies.position, i), l = pick(bodies.momentum, i);
+        Triple<Lanes> v = pick(bodies.velocity, i), x = pick_position(bodies.pose, i), l = pick(bodies.momentum, i);
         const Triple<Lanes> v_before = v, x_before = x, l_before = l;
         const Triple<Lanes> acceleration = per_mass * force + gravity;
         if (prepares) v = keep * v;
@@ -146,7 +150,7 @@ template <bool prepares>
         const Triple<Lanes> moved = h * v - base_step;
         const Lanes diameter = pick(reference.diameter, i);
         const Lanes way = square_root(dot(moved, moved)) + diameter * square_root(square_of_difference(q, before));
-        const Lanes travel = kUpward * (pick_travel(bodies.step, i) + way);
+        const Lanes travel = kUpward * (pick_travel(bodies.pose, i) + way);
         const Triple<Lanes> shift = x - x_before;
         const Orientation<Lanes> turn = q.after(before);
 
@@ -159,15 +163,15 @@ template <bool prepares>
         for (std::size_t lane = 0; lane < kLanes && begin + lane < last; ++lane) {
             const std::size_t block = i[lane];
             put(v, lane, bodies.velocity[block].data());
-            put(x, lane, bodies.position[block].data());
             put(l, lane, bodies.momentum[block].data());
-            BodyStep& step = bodies.step[block];
-            put(turn, lane, step.turn);
-            put(shift, lane, step.shift.data());
-            step.travel = travel[lane];
+            BodyPose& pose = bodies.pose[block];
+            put(x, lane, pose.position.data());
+            put(rows, lane, pose.rotation.data());
+            put(turn, lane, pose.step.turn);
+            put(shift, lane, pose.step.shift.data());
+            pose.step.travel = travel[lane];
             if (prepares) bodies.preparation_loss[block] = loss[lane];
             put(q, lane, bodies.orientation[block]);
-            put(rows, lane, bodies.rotation[block].data());
         }
     }
     return some(lost) ? std::numeric_limits<double>::infinity() : largest(farthest);

@@ -51,14 +51,11 @@ constexpr double kFaceOnGround = 0.966;
 void name_axes(const Bodies& bodies, ContactPair& pair) {
     if (pair.follower == kGround) {
         Eigen::Index upright = 0;
-        if (bodies.rotation[pair.leader].row(2).cwiseAbs().maxCoeff(&upright) > kFaceOnGround)
+        if (bodies.pose[pair.leader].rotation.row(2).cwiseAbs().maxCoeff(&upright) > kFaceOnGround)
             pair.leader_axis = static_cast<std::uint8_t>(upright);
         return;
     }
-    const auto box = [&](std::uint32_t i) -> detail::BoxMeeting::Box {
-        return {bodies.rotation[i].data(), bodies.position[i].data(), bodies.half[i].data()};
-    };
-    const auto faces = detail::choose_faces({box(pair.leader), box(pair.follower)});
+    const auto faces = detail::choose_faces({&bodies.pose[pair.leader], &bodies.pose[pair.follower]});
     if (!faces.found) return;
     const auto named = [](const std::array<bool, 3>& along) { return static_cast<std::uint8_t>(along[1] ? 1 : along[2] ? 2 : 0); };
     pair.leader_axis = named(faces.along[0]);
@@ -88,7 +85,7 @@ void carry_history(const ContactPair& from, const ContactList& old_list, const C
 }  // namespace
 
 bool leads(const Bodies& bodies, std::uint32_t a, std::uint32_t b) {
-    const double za = bodies.position[a].z(), zb = bodies.position[b].z();
+    const double za = bodies.pose[a].position.z(), zb = bodies.pose[b].position.z();
     return za < zb || (za == zb && a < b);
 }
 
@@ -125,7 +122,7 @@ void NeighborSearch::find_block_pairs(const Bodies& bodies, std::vector<BlockPai
     std::vector<Vector3> half(n);
     Vector3 cell_size = Vector3::Zero();
     for (std::size_t i = 0; i < n; ++i) {
-        half[i] = world_half(bodies.rotation[i], bodies.half[i]);
+        half[i] = world_half(bodies.pose[i].rotation, bodies.pose[i].half);
         cell_size = cell_size.cwiseMax(2.0 * half[i]);
     }
     cell_size += Vector3::Constant(skin_);
@@ -133,7 +130,7 @@ void NeighborSearch::find_block_pairs(const Bodies& bodies, std::vector<BlockPai
     // no box is larger than a cell, so boxes that meet have centres in the same or in adjacent cells
     std::vector<CellEntry> entries(n);
     for (std::size_t i = 0; i < n; ++i) {
-        for (int a = 0; a < 3; ++a) entries[i].cell[static_cast<std::size_t>(a)] = find_cell(bodies.position[i][a] / cell_size[a]);
+        for (int a = 0; a < 3; ++a) entries[i].cell[static_cast<std::size_t>(a)] = find_cell(bodies.pose[i].position[a] / cell_size[a]);
         entries[i].block = static_cast<std::uint32_t>(i);
     }
     std::sort(entries.begin(), entries.end());
@@ -141,10 +138,10 @@ void NeighborSearch::find_block_pairs(const Bodies& bodies, std::vector<BlockPai
     const auto consider = [&](std::uint32_t i, std::uint32_t j) {
         if (model_->blocks[i].fixed && model_->blocks[j].fixed) return;
         for (int a = 0; a < 3; ++a) {
-            if (!overlap_along(bodies.position[i][a], half[i][a], bodies.position[j][a], half[j][a], skin_)) return;
+            if (!overlap_along(bodies.pose[i].position[a], half[i][a], bodies.pose[j].position[a], half[j][a], skin_)) return;
         }
-        if (separated(bodies.rotation[i], bodies.half[i], bodies.rotation[j], bodies.half[j], bodies.position[j] - bodies.position[i],
-                      skin_)) {
+        if (separated(bodies.pose[i].rotation, bodies.pose[i].half, bodies.pose[j].rotation, bodies.pose[j].half,
+                      bodies.pose[j].position - bodies.pose[i].position, skin_)) {
             return;
         }
         pairs.push_back({std::min(i, j), std::max(i, j)});
@@ -170,12 +167,12 @@ void NeighborSearch::find_block_pairs(const Bodies& bodies, std::vector<BlockPai
 void NeighborSearch::add_pair(BlockPair blocks, const Bodies& bodies, const BasePose& base, ContactList& list) const {
     const BlockNodes nodes = nodes_of(*model_, model_->blocks[blocks.leader]);
     const bool ground = blocks.follower == kGround;
-    const Matrix3 to_follower = ground ? Matrix3(Matrix3::Identity()) : Matrix3(bodies.rotation[blocks.follower].transpose());
-    const Vector3 origin = ground ? base.displacement : bodies.position[blocks.follower];
-    const Matrix3 q = to_follower * bodies.rotation[blocks.leader];
+    const Matrix3 to_follower = ground ? Matrix3(Matrix3::Identity()) : Matrix3(bodies.pose[blocks.follower].rotation.transpose());
+    const Vector3 origin = ground ? base.displacement : bodies.pose[blocks.follower].position;
+    const Matrix3 q = to_follower * bodies.pose[blocks.leader].rotation;
     const Matrix3 q_abs = q.cwiseAbs();
-    const Vector3 t = to_follower * (bodies.position[blocks.leader] - origin);
-    const Vector3 half = ground ? Vector3::Zero() : bodies.half[blocks.follower];
+    const Vector3 t = to_follower * (bodies.pose[blocks.leader].position - origin);
+    const Vector3 half = ground ? Vector3::Zero() : bodies.pose[blocks.follower].half;
 
     const auto first = static_cast<std::uint32_t>(list.nodes.size());
     for (std::size_t i = 0; i < nodes.size(); ++i) {
@@ -214,7 +211,7 @@ bool NeighborSearch::add_overlap(BlockPair blocks, const Bodies& bodies, Contact
 }
 
 void NeighborSearch::rebuild(const Bodies& bodies, const BasePose& base, ContactList& list, Losses& finished) {
-    reference_.position = bodies.position;
+    reference_.position = bodies.positions();
     for (Vector3& position : reference_.position) position -= base.displacement;
     reference_.orientation = bodies.orientation;
 
@@ -237,8 +234,8 @@ void NeighborSearch::rebuild(const Bodies& bodies, const BasePose& base, Contact
     }
     if (model_->ground.present) {
         for (std::uint32_t i = 0; i < bodies.size(); ++i) {
-            const Vector3 half = world_half(bodies.rotation[i], bodies.half[i]);
-            const bool near = bodies.position[i].z() - half.z() <= base.displacement.z() + skin_;
+            const Vector3 half = world_half(bodies.pose[i].rotation, bodies.pose[i].half);
+            const bool near = bodies.pose[i].position.z() - half.z() <= base.displacement.z() + skin_;
             if (near && bodies.fixed[i] == 0) directed.push_back({i, kGround});
         }
     }

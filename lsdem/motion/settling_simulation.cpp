@@ -34,10 +34,10 @@ void Simulation::Implementation::release(const Release& given) {
     release_block(given, model);
     const std::size_t i = given.block;
     const Block& block = model.blocks[i];
-    bodies.step[i].travel += (block.position - bodies.position[i]).norm() + search.reference().diameter[i];
+    bodies.pose[i].step.travel += (block.position - bodies.pose[i].position).norm() + search.reference().diameter[i];
     bodies.release(i, model);
-    bodies.step[i].shift = dt * block.velocity;
-    bodies.step[i].turn.setIdentity();
+    bodies.pose[i].step.shift = dt * block.velocity;
+    bodies.pose[i].step.turn.setIdentity();
     const detail::VelocityDecay half = decay_over(0.5 * dt);
     bodies.velocity[i] = (bodies.velocity[i] - half.push * model.gravity) / half.keep;
     balance.start_energy += 0.5 * block.mass * block.velocity.squaredNorm();

@@ -47,7 +47,7 @@ double Simulation::time() const { return static_cast<double>(implementation_->st
 double Simulation::time_step() const { return implementation_->dt; }
 const Model& Simulation::model() const { return implementation_->model; }
 int Simulation::threads() const { return implementation_->work.team.size(); }
-Vector3 Simulation::position(std::size_t block) const { return implementation_->bodies.position.at(block); }
+Vector3 Simulation::position(std::size_t block) const { return implementation_->bodies.pose.at(block).position; }
 Quaternion Simulation::orientation(std::size_t block) const { return implementation_->bodies.orientation.at(block); }
 
 detail::TouchList::Load Simulation::Implementation::load_on(std::size_t block) const {
@@ -96,7 +96,7 @@ std::vector<Preload> Simulation::preloads() const { return find_preloads(impleme
 Kinematics Simulation::kinematics() const {
     Kinematics all;
     all.time = time();
-    all.position = implementation_->bodies.position;
+    all.position = implementation_->bodies.positions();
     all.orientation = implementation_->bodies.orientation;
     for (std::size_t i = 0; i < implementation_->bodies.size(); ++i) {
         all.velocity.push_back(velocity(i));
@@ -154,8 +154,9 @@ std::optional<Divergence> Simulation::divergence() const { return implementation
 bool Simulation::has_fallen(std::size_t block) const {
     const Implementation& s = *implementation_;
     const double sunk =
-        (s.bodies.start_position.at(block).z() - s.bodies.position[block].z()) + (s.base.pose.displacement.z() - s.base.origin.z());
-    return lsdem::has_fallen(s.bodies.half[block], s.bodies.start_orientation[block].toRotationMatrix(), s.bodies.rotation[block], sunk);
+        (s.bodies.start_position.at(block).z() - s.bodies.pose[block].position.z()) + (s.base.pose.displacement.z() - s.base.origin.z());
+    return lsdem::has_fallen(s.bodies.pose[block].half, s.bodies.start_orientation[block].toRotationMatrix(), s.bodies.pose[block].rotation,
+                             sunk);
 }
 
 }  // namespace musim::lsdem

@@ -42,7 +42,7 @@ double Simulation::Implementation::stored_and_kinetic() const {
 
 /// The state now becomes the one that energies are counted from.
 void Simulation::Implementation::restart_balance() {
-    bodies.start_position = bodies.position;
+    bodies.start_position = bodies.positions();
     bodies.start_orientation = bodies.orientation;
     clear_losses(list);
     balance.finished = Losses{.block = std::vector<PairWork>(bodies.size()), .ground = {}};
@@ -55,7 +55,7 @@ void Simulation::Implementation::restart_balance() {
 double Simulation::Implementation::gravitational() const {
     double sum = 0.0;
     for (std::size_t i = 0; i < bodies.size(); ++i) {
-        sum -= bodies.mass[i] * model.gravity.dot(bodies.position[i] - bodies.start_position[i]);
+        sum -= bodies.mass[i] * model.gravity.dot(bodies.pose[i].position - bodies.start_position[i]);
     }
     return sum;
 }
@@ -117,8 +117,8 @@ Energy Simulation::Implementation::find_exact_energy() {
 
 void Simulation::Implementation::find_non_finite() {
     for (std::size_t i = 0; i < bodies.size(); ++i) {
-        const bool good = bodies.position[i].allFinite() && bodies.velocity[i].allFinite() && bodies.momentum[i].allFinite() &&
-                          bodies.rotation[i].allFinite();
+        const bool good = bodies.pose[i].position.allFinite() && bodies.velocity[i].allFinite() && bodies.momentum[i].allFinite() &&
+                          bodies.pose[i].rotation.allFinite();
         if (good) continue;
         health.divergence = Divergence{Divergence::Kind::non_finite, i, static_cast<double>(steps.done) * dt};
         return;

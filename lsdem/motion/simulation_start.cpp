@@ -91,7 +91,7 @@ Simulation::Implementation::Implementation(Model given, double time_step, int th
       work(choose_threads(threads, model.blocks.size())) {
     balance.finished.block.resize(model.blocks.size());
     smallest_edge = std::numeric_limits<double>::infinity();
-    for (const Vector3& half : bodies.half) smallest_edge = std::min(smallest_edge, 2.0 * half.minCoeff());
+    for (const BodyPose& pose : bodies.pose) smallest_edge = std::min(smallest_edge, 2.0 * pose.half.minCoeff());
     for (const Block& block : model.blocks) balance.weight_times_edge += block.mass * model.gravity.norm() * smallest_edge;
     balance.floor = kEnergyFloor * balance.weight_times_edge + find_rounding_energy(model);
 }
@@ -101,10 +101,10 @@ void Simulation::Implementation::start() {
     base.pose.displacement = base.motion.displacement(0.0);
     base.pose.previous = base.motion.displacement(-dt);
     for (std::size_t i = 0; i < bodies.size(); ++i) {
-        bodies.step[i].shift = dt * bodies.velocity[i];
+        bodies.pose[i].step.shift = dt * bodies.velocity[i];
         if (bodies.fixed[i] != 0) continue;
         const Quaternion before = rotate_freely(bodies.orientation[i], bodies.momentum[i], bodies.inverse_inertia[i], -dt);
-        bodies.step[i].turn = bodies.orientation[i] * before.conjugate();
+        bodies.pose[i].step.turn = bodies.orientation[i] * before.conjugate();
     }
     rebuild();
     preload_contacts(model.preload, list);

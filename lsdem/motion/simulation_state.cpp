@@ -63,7 +63,7 @@ std::string Simulation::state_hash() const {
     const Bodies& bodies = implementation_->bodies;
     std::uint64_t hash = 14695981039346656037ULL;
     for (std::size_t i = 0; i < bodies.size(); ++i) {
-        hash_bytes(bodies.position[i], hash);
+        hash_bytes(bodies.pose[i].position, hash);
         hash_bytes(bodies.velocity[i], hash);
         hash_bytes(bodies.momentum[i], hash);
         hash_bytes(bodies.orientation[i].vec(), hash);

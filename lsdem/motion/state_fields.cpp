@@ -2,11 +2,9 @@
 
 namespace musim::lsdem {
 
-static void exchange(Archive& archive, BodyStep& s) { archive(s.turn, s.shift, s.travel); }
-
 void exchange(Archive& archive, Bodies& b) {
-    archive(b.position, b.rotation, b.orientation, b.step, b.velocity, b.momentum, b.preparation_loss, b.free, b.start_position,
-            b.start_orientation);
+    for (BodyPose& pose : b.pose) archive(pose.position, pose.rotation, pose.step.turn, pose.step.shift, pose.step.travel);
+    archive(b.orientation, b.velocity, b.momentum, b.preparation_loss, b.free, b.start_position, b.start_orientation);
 }
 
 void exchange(Archive& archive, BasePose& base) { archive(base.displacement, base.previous); }
@@ -80,9 +78,8 @@ void check_pair(const Model& model, const ContactList& list, const ContactPair& 
 void check_restored(const Model& model, const Bodies& bodies, const NeighborSearch::Reference& reference, const ContactList& list,
                     const Losses& losses) {
     const std::size_t blocks = model.blocks.size(), pairs = list.pairs.size(), entries = list.nodes.size();
-    expect_size(blocks, bodies.position, bodies.rotation, bodies.orientation, bodies.step, bodies.velocity, bodies.momentum,
-                bodies.preparation_loss, bodies.free, bodies.start_position, bodies.start_orientation, reference.position,
-                reference.orientation, losses.block);
+    expect_size(blocks, bodies.orientation, bodies.velocity, bodies.momentum, bodies.preparation_loss, bodies.free, bodies.start_position,
+                bodies.start_orientation, reference.position, reference.orientation, losses.block);
     expect_size(list.demand.wanted ? pairs : 0, list.demand.asked);
     expect_size(pairs, list.forces, list.tallies, list.next_check, list.faces, list.work);
     const ContactHistory& history = list.history;

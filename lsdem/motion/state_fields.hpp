@@ -11,7 +11,7 @@
 /// here, and the version in kStateKind raised.
 namespace musim::lsdem {
 
-inline constexpr ArchiveKind kStateKind{{'m', 'u', 's', 'i', 'm', 'D', 'E', 'M'}, 9, "saved state"};
+inline constexpr ArchiveKind kStateKind{{'m', 'u', 's', 'i', 'm', 'D', 'E', 'M'}, 10, "saved state"};
 
 void exchange(Archive& archive, Bodies& bodies);
 void exchange(Archive& archive, BasePose& base);

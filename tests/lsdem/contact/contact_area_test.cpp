@@ -16,18 +16,17 @@ namespace {
 
 /// Two boxes in any pose, a corner or an edge of one in the other.
 struct Pair {
-    Vector3 half_a{0.15, 0.1, 0.075}, half_b{0.12, 0.1, 0.09};
-    Matrix3 a, b;
-    Vector3 apart;
+    BodyPose a, b;
 
-    explicit Pair(std::mt19937_64& random) : a(any_rotation(random)), b(any_rotation(random)) {
+    explicit Pair(std::mt19937_64& random) {
+        a.half = {0.15, 0.1, 0.075}, b.half = {0.12, 0.1, 0.09};
+        a.rotation = any_rotation(random), b.rotation = any_rotation(random);
         std::normal_distribution<double> normal;
         const double x = normal(random), y = normal(random), z = normal(random);
-        apart = 0.2 * Vector3(x, y, z).normalized();
+        b.position = 0.2 * Vector3(x, y, z).normalized();
     }
     void cut(OverlapPieces& pieces) const {
-        const Vector3 origin = Vector3::Zero();
-        const PlacedPair placed({{a.data(), origin.data(), half_a.data()}, {b.data(), apart.data(), half_b.data()}});
+        const PlacedPair placed({&a, &b});
         pieces.cut(placed.a, placed.b);
     }
 

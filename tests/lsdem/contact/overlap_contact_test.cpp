@@ -31,46 +31,38 @@ struct Push {
 /// A box on another one that is larger, moved by prescribed steps. Lengths of its sides b, w, h.
 class MovedBox {
   public:
-    MovedBox(const Vector3& size, const Interface& law, double depth, double twist = 0.0)
-        : half_(0.5 * size), law_(law), depth_(depth), rotation_(Eigen::AngleAxisd(twist, Vector3::UnitZ())) {}
+    MovedBox(const Vector3& size, const Interface& law, double depth, double twist = 0.0) : law_(law), depth_(depth) {
+        box_.half = 0.5 * size;
+        box_.position.z() = 0.5 * kTable + box_.half.z() - depth;
+        box_.rotation = Eigen::AngleAxisd(twist, Vector3::UnitZ());
+        table_.half = {2.0, 2.0, 0.5 * kTable};
+    }
 
     /// Moves the upper box by a shift and a turn about its own centre, and finds what acts on it.
     Push move(const Vector3& shift, const Vector3& turn = Vector3::Zero()) {
-        const Vector3 before = position_;
-        BodyStep step;
-        if (!turn.isZero(0.0)) step.turn = Eigen::AngleAxisd(turn.norm(), turn.normalized());
-        position_ += shift;
-        rotation_ = step.turn * rotation_;
-        step.shift = position_ - before;
-        const Vector3 place = Vector3(0.0, 0.0, 0.5 * kTable + half_.z() - depth_) + position_;
-        const Vector3 table(2.0, 2.0, 0.5 * kTable), origin = Vector3::Zero();
-        const Matrix3 upright = Matrix3::Identity();
-        const BodyStep rest;
+        const Vector3 before = box_.position;
+        box_.step = BodyStep{};
+        if (!turn.isZero(0.0)) box_.step.turn = Eigen::AngleAxisd(turn.norm(), turn.normalized());
+        box_.position += shift;
+        box_.rotation = box_.step.turn * box_.rotation;
+        box_.step.shift = box_.position - before;
         PairForce force;
-        detail::LanePair pair{{{upright.data(), origin.data(), table.data()}, {rotation_.data(), place.data(), half_.data()}},
-                              {&rest, &step},
-                              &law_,
-                              &contact_,
-                              &force,
-                              &tally_,
-                              &work_};
+        detail::LanePair pair{{&table_, &box_}, &law_, &contact_, &force, &tally_, &work_};
         OverlapPieces room;
         detail::compute_exact_pair(pair, kStep, false, room);
         return {-force.force, force.follower_torque};
     }
     double lost() const { return work_.friction; }
-    double area() const { return 4.0 * half_.x() * half_.y(); }
+    double area() const { return 4.0 * box_.half.x() * box_.half.y(); }
     double weight() const { return law_.normal_stiffness * area() * depth_; }
 
     static constexpr double kStep = 1e-3;  ///< [s]
 
   private:
     static constexpr double kTable = 1.0;
-    Vector3 half_;
+    BodyPose table_, box_;
     Interface law_;
     double depth_;
-    Matrix3 rotation_;
-    Vector3 position_ = Vector3::Zero();
     OverlapContact contact_;
     PairTally tally_;
     PairWork work_;

@@ -47,7 +47,7 @@ struct PairsInLanes {
 /// Cosine between the faces by which two boxes meet, 1 where they are parallel.
 double facing_of(const BoxMeeting& pair) {
     const auto faces = choose_faces(pair);
-    const auto a = axes_of(pair.a), b = axes_of(pair.b);
+    const auto a = axes_of(*pair.a), b = axes_of(*pair.b);
     double cosine = 0.0;
     for (std::size_t i = 0; i < 3; ++i) {
         for (std::size_t j = 0; j < 3; ++j) {
@@ -111,7 +111,7 @@ TEST_CASE("boxes that lie beside each other at one height give nothing or say th
         std::array<BoxMeeting, kLanePairs> meetings;
         for (std::size_t i = 0; i < kLanePairs; ++i) {
             boxes[i] = poses.next();
-            boxes[i].place_b += boxes[i].rotation_a * Vector3(1.1, 0.1 * static_cast<double>(i), 0.0);
+            boxes[i].b.position += boxes[i].a.rotation * Vector3(1.1, 0.1 * static_cast<double>(i), 0.0);
             meetings[i] = boxes[i].meeting();
         }
         std::array<LaneFinding, kLanePairs> found;
@@ -203,8 +203,9 @@ TEST_CASE("main cells give the reach of friction and what dashpots would pull as
 
 // of a square of side a pressed evenly r̄ = (√2 + ln(1 + √2)) a/6; of the disc that bears as much 2/3 a/√π, 1.7 % less
 TEST_CASE("the least reach of an even square is that of the disc of its area") {
-    Boxes boxes{Vector3::Constant(0.5), Vector3::Constant(0.5), Vector3::Zero(),
-                {0.0, 0.0, 1.0 - 1e-6}, Matrix3::Identity(),    Matrix3::Identity()};
+    Boxes boxes;
+    boxes.a.half = boxes.b.half = Vector3::Constant(0.5);
+    boxes.b.position.z() = 1.0 - 1e-6;
     std::array<BoxMeeting, kLanePairs> meetings;
     meetings.fill(boxes.meeting());
     std::array<MainCellQuestion, kLanePairs> questions{};
@@ -226,11 +227,11 @@ TEST_CASE("blocks that rock in one plane edge on edge have the reach of all piec
         std::array<MainCellQuestion, kLanePairs> questions;
         for (std::size_t i = 0; i < kLanePairs; ++i) {
             Boxes& b = boxes[i];
-            b.half_a = b.half_b = Vector3::Constant(0.5);
-            b.rotation_a = Eigen::AngleAxisd(2e-4 * even(), Vector3::UnitY()).toRotationMatrix();
-            b.rotation_b = Eigen::AngleAxisd(2e-4 * even(), Vector3::UnitY()).toRotationMatrix();
-            b.place_a = {0.0, 0.0, 0.5};
-            b.place_b = {2e-4 * even(), 0.0, 1.5 - 2e-5};
+            b.a.half = b.b.half = Vector3::Constant(0.5);
+            b.a.rotation = Eigen::AngleAxisd(2e-4 * even(), Vector3::UnitY()).toRotationMatrix();
+            b.b.rotation = Eigen::AngleAxisd(2e-4 * even(), Vector3::UnitY()).toRotationMatrix();
+            b.a.position = {0.0, 0.0, 0.5};
+            b.b.position = {2e-4 * even(), 0.0, 1.5 - 2e-5};
             meetings[i] = b.meeting();
             questions[i] = make_question(b.cut(), random);
         }
@@ -303,7 +304,7 @@ TEST_CASE("pairs four times as large give the same bits") {
         std::array<BoxMeeting, kLanePairs> large;
         std::array<MainCellQuestion, kLanePairs> questions, large_questions;
         for (std::size_t i = 0; i < kLanePairs; ++i) {
-            for (Vector3* const v : {&boxes[i].half_a, &boxes[i].half_b, &boxes[i].place_a, &boxes[i].place_b}) *v *= 4.0;
+            for (Vector3* const v : {&boxes[i].a.half, &boxes[i].b.half, &boxes[i].a.position, &boxes[i].b.position}) *v *= 4.0;
             large[i] = boxes[i].meeting();
             questions[i] = make_question(pairs.boxes[i].cut(), random);
             large_questions[i] = questions[i];

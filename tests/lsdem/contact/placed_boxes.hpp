@@ -13,13 +13,10 @@ namespace musim::lsdem::tests {
 
 /// Two boxes that overlap by about `depth`.
 struct Boxes {
-    Vector3 half_a, half_b, place_a, place_b;
-    Matrix3 rotation_a, rotation_b;
+    BodyPose a, b;
     double depth = 0.0;
 
-    detail::BoxMeeting meeting() const {
-        return {{rotation_a.data(), place_a.data(), half_a.data()}, {rotation_b.data(), place_b.data(), half_b.data()}};
-    }
+    detail::BoxMeeting meeting() const { return {&a, &b}; }
     OverlapPieces cut() const {
         const PlacedPair placed(meeting());
         OverlapPieces pieces;
@@ -30,7 +27,7 @@ struct Boxes {
         const PlacedPair placed(meeting());
         return compute_overlap_energy(placed.a, placed.b, cut());
     }
-    double size() const { return place_a.norm() + half_a.norm() + half_b.norm(); }
+    double size() const { return a.position.norm() + a.half.norm() + b.half.norm(); }
 };
 
 /// Poses of masonry: flush, turned by 90 degrees and half over each other, tilted, twisted and shifted a little, and any.
@@ -41,7 +38,7 @@ class Poses {
     Boxes next() { return next(static_cast<Kind>(count_++ % kOfMasonry)); }
     Boxes next(Kind kind) {
         Boxes boxes;
-        boxes.half_a = boxes.half_b = Vector3(0.16, 0.33, 0.5);
+        boxes.a.half = boxes.b.half = Vector3(0.16, 0.33, 0.5);
         double tilt = 0.0, twist = 0.0;
         boxes.depth = size_between(1e-7, 1e-3);
         Vector3 shift(0.0, 0.0, 0.0);
@@ -65,19 +62,19 @@ class Poses {
                 break;
             case Kind::any:
                 tilt = size_between(1e-7, 0.3), twist = 3.0 * even(), shift = Vector3(0.3 * even(), 0.5 * even(), 0.0);
-                boxes.half_b = Vector3(0.4, 0.4, 0.4) + 0.3 * Vector3(even(), even(), even());
+                boxes.b.half = Vector3(0.4, 0.4, 0.4) + 0.3 * Vector3(even(), even(), even());
         }
         const double direction = std::numbers::pi * even();
         const Matrix3 turn =
             (Eigen::AngleAxisd(tilt, Vector3(std::cos(direction), std::sin(direction), 0.0)) * Eigen::AngleAxisd(twist, Vector3::UnitZ()))
                 .toRotationMatrix();
-        boxes.rotation_a = flip() ? Matrix3(Matrix3::Identity()) : Matrix3(Quaternion(even(), even(), even(), even()).normalized());
-        boxes.rotation_b = boxes.rotation_a * turn;
-        boxes.place_a = 3.0 * Vector3(even(), even(), even());
+        boxes.a.rotation = flip() ? Matrix3(Matrix3::Identity()) : Matrix3(Quaternion(even(), even(), even(), even()).normalized());
+        boxes.b.rotation = boxes.a.rotation * turn;
+        boxes.a.position = 3.0 * Vector3(even(), even(), even());
         double low = 0.0, high = 2.0;
         for (int i = 0; i < 60; ++i) {
             shift.z() = 0.5 * (low + high);
-            boxes.place_b = boxes.place_a + boxes.rotation_a * shift;
+            boxes.b.position = boxes.a.position + boxes.a.rotation * shift;
             (sum_load(boxes.cut()).deepest > boxes.depth ? low : high) = shift.z();
         }
         return boxes;

@@ -38,12 +38,12 @@ std::set<Entry> find_by_brute_force(const Model& model, const Bodies& bodies) {
     for (std::uint32_t l = 0; l < bodies.size(); ++l) {
         const SurfaceNodes& nodes = model.shapes[model.blocks[l].shape].nodes;
         for (std::uint32_t i = 0; i < nodes.size(); ++i) {
-            const Vector3 world = bodies.rotation[l] * nodes.position(i) + bodies.position[l];
+            const Vector3 world = bodies.pose[l].rotation * nodes.position(i) + bodies.pose[l].position;
             if (world.z() < 0.0) entries.insert({l, kGround, i});
             for (std::uint32_t f = 0; f < bodies.size(); ++f) {
                 if (f == l || !(model.numerics.contact_nodes == ContactNodes::both || leads(bodies, l, f))) continue;
                 const BoxLevelSet box{model.shapes[model.blocks[f].shape].half_extents};
-                if (box.value(bodies.rotation[f].transpose() * (world - bodies.position[f])) < 0.0) entries.insert({l, f, i});
+                if (box.value(bodies.pose[f].rotation.transpose() * (world - bodies.pose[f].position)) < 0.0) entries.insert({l, f, i});
             }
         }
     }
@@ -133,11 +133,11 @@ TEST_CASE("the list stays complete while no block has drifted farther than allow
         // as far as allowed: half by moving, half by turning
         const double allowed = search.allowed_drift();
         for (std::size_t i = 0; i < bodies.size(); ++i) {
-            bodies.position[i] += 0.49 * allowed * Vector3(even(random), even(random), even(random)).normalized();
+            bodies.pose[i].position += 0.49 * allowed * Vector3(even(random), even(random), even(random)).normalized();
             const double reach = 3.0 * model.shapes[0].half_extents.norm();
             const Vector3 axis = Vector3(even(random), even(random), even(random)).normalized();
             bodies.orientation[i] = Eigen::AngleAxisd(0.49 * allowed / reach, axis) * bodies.orientation[i];
-            bodies.rotation[i] = bodies.orientation[i].toRotationMatrix();
+            bodies.pose[i].rotation = bodies.orientation[i].toRotationMatrix();
         }
         REQUIRE(find_drift(search, bodies, BasePose{}) <= allowed);
         std::set<Entry> near = listed(list);
@@ -163,7 +163,7 @@ TEST_CASE("drift is measured against the base") {
     search.rebuild(bodies, BasePose{}, list, finished);
     BasePose moved;
     moved.displacement = {0.01, 0.0, 0.0};
-    for (Vector3& position : bodies.position) position.x() += 0.01;
+    for (BodyPose& pose : bodies.pose) pose.position.x() += 0.01;
     CHECK(find_drift(search, bodies, moved) < 1e-15);
     CHECK(find_drift(search, bodies, BasePose{}) == relative(0.01, 1e-9));
 }
@@ -173,7 +173,7 @@ TEST_CASE("the lower block leads and of equals the first") {
     Bodies bodies(model);
     CHECK(leads(bodies, 0, 1));
     CHECK_FALSE(leads(bodies, 1, 0));
-    bodies.position[1].z() = bodies.position[0].z();
+    bodies.pose[1].position.z() = bodies.pose[0].position.z();
     CHECK(leads(bodies, 0, 1));
     CHECK_FALSE(leads(bodies, 1, 0));
 }
