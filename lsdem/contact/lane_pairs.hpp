@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 
 #include "lsdem/contact/contact_step.hpp"
 #include "lsdem/contact/main_cells.hpp"
@@ -176,19 +177,34 @@ struct LanePairs {
     static constexpr std::size_t kStep = kWidth<typename W::Real>, kGroups = kLanePairs / kStep;
     using Overlaps = std::array<LaneOverlap<W>, kGroups>;
 
+    /// Pairs whose memory is asked for while registers are busy, some at every stage of every group.
+    struct Ahead {
+        const LanePair *next, *end;
+        std::size_t at_a_time;
+
+        MUSIM_WIDE void ask() {
+            for (std::size_t i = 0; i < at_a_time && next != end; ++i) (next++)->prefetch();
+        }
+    };
+
     template <class Meeting>
-    MUSIM_WIDE static void find(const Meeting& meeting, std::size_t groups, Overlaps& found) {
+    MUSIM_WIDE static void find(const Meeting& meeting, std::size_t groups, Overlaps& found, Ahead ahead = {}) {
         std::array<Kernel<W>, kGroups> kernels;
-        for (std::size_t g = 0; g < groups; ++g)
+        for (std::size_t g = 0; g < groups; ++g) {
+            ahead.ask();
             kernels[g].gather([&](std::size_t i) MUSIM_WIDE_LAMBDA -> const BoxMeeting& { return meeting(g * kStep + i); });
-        for (std::size_t g = 0; g < groups; ++g) kernels[g].find_main_cells(found[g]);
-        for (std::size_t g = 0; g < groups; ++g) kernels[g].add_rims(found[g]);
-        for (std::size_t g = 0; g < groups; ++g) kernels[g].sum_up(found[g]);
+        }
+        for (std::size_t g = 0; g < groups; ++g) ahead.ask(), kernels[g].find_main_cells(found[g]);
+        for (std::size_t g = 0; g < groups; ++g) ahead.ask(), kernels[g].add_rims(found[g]);
+        for (std::size_t g = 0; g < groups; ++g) ahead.ask(), kernels[g].sum_up(found[g]);
     }
-    MUSIM_WIDE static void compute(LanePair* pairs, std::size_t count, double dt, bool first_step, LaneOutput& nowhere) {
+    MUSIM_WIDE static void compute(LanePair* pairs, std::size_t count, double dt, bool first_step, LaneOutput& nowhere,
+                                   std::span<const LanePair> next) {
+        constexpr std::size_t kStages = 4;
         const std::size_t groups = count / kStep;
         Overlaps found;
-        find([pairs](std::size_t i) MUSIM_WIDE_LAMBDA -> const BoxMeeting& { return pairs[i].meeting; }, groups, found);
+        find([pairs](std::size_t i) MUSIM_WIDE_LAMBDA -> const BoxMeeting& { return pairs[i].meeting; }, groups, found,
+             {next.data(), next.data() + next.size(), kLanePairs / (kStages * groups)});
         for (std::size_t g = 0; g < groups; ++g) Lane<W>::compute(pairs + g * kStep, dt, first_step, found[g], nowhere);
     }
     MUSIM_WIDE static void find_overlaps(const BoxMeeting* pairs, std::size_t count, LaneFinding* findings) {

@@ -2,12 +2,14 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 
 #include "lsdem/bodies.hpp"
 #include "lsdem/contact/box_meeting.hpp"
 #include "lsdem/contact/contact_area.hpp"
 #include "lsdem/contact/contacts.hpp"
 #include "lsdem/contact/overlap_contact.hpp"
+#include "lsdem/detail/prefetch.hpp"
 
 /// Boxes that meet face to face, several pairs side by side: overlap, dashpots and friction, the functions of overlap.hpp, contact_area.hpp
 /// and overlap_contact.hpp, to rounding. The step is compiled for AVX-512, for AVX2 and for plain x86-64, same bits; pairs do not depend on
@@ -37,12 +39,22 @@ struct LanePair {
     double area = 0.0;       ///< found: of faces inside the other body [m²]
     bool irregular = false;  ///< found: nothing is computed, take the exact function
 
+    /// Asks for all of it.
+    [[gnu::always_inline]] void prefetch() const {
+        detail::prefetch(meeting.a);
+        detail::prefetch(meeting.b);
+        detail::prefetch(contact);
+        detail::prefetch(force);
+        detail::prefetch(tally);
+        detail::prefetch(work);
+    }
     void put_into(LaneOutput& output) { contact = &output.contact, force = &output.force, tally = &output.tally, work = &output.work; }
 };
 
 /// Forces of `count` pairs at step n, what they remember, tallies and work; of those that are irregular `nowhere`. `first_step`: the step
-/// before is none, so nothing has slipped.
-void compute_lane_pairs(LanePair* pairs, std::size_t count, double dt, bool first_step, LaneOutput& nowhere);
+/// before is none, so nothing has slipped. `next`: pairs whose turn comes after these, whose memory is asked for meanwhile.
+void compute_lane_pairs(LanePair* pairs, std::size_t count, double dt, bool first_step, LaneOutput& nowhere,
+                        std::span<const LanePair> next);
 
 /// The same for one pair, by the exact function; `room`: for the pieces of its faces.
 void compute_exact_pair(LanePair& pair, double dt, bool first_step, OverlapPieces& room);
@@ -62,8 +74,9 @@ struct LaneFinding {
 void compute_overlaps(const BoxMeeting* pairs, std::size_t count, LaneFinding* found);
 
 // the same for machines with AVX-512, where others have those of AVX2, which nobody calls; and for those without AVX2, and other processors
-void compute_pairs_512(LanePair* pairs, std::size_t count, double dt, bool first_step, LaneOutput& nowhere);
-void compute_pairs_plain(LanePair* pairs, std::size_t count, double dt, bool first_step, LaneOutput& nowhere);
+void compute_pairs_512(LanePair* pairs, std::size_t count, double dt, bool first_step, LaneOutput& nowhere, std::span<const LanePair> next);
+void compute_pairs_plain(LanePair* pairs, std::size_t count, double dt, bool first_step, LaneOutput& nowhere,
+                         std::span<const LanePair> next);
 void find_overlaps_512(const BoxMeeting* pairs, std::size_t count, LaneFinding* found);
 void find_overlaps_plain(const BoxMeeting* pairs, std::size_t count, LaneFinding* found);
 

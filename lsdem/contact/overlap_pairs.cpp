@@ -54,72 +54,63 @@ void OverlapBatch::add(std::size_t index) {
             return;
         }
     }
-    waiting_[waiting_count_++] = std::uint64_t{list_.overlaps[pair.overlap].company} << 32U | index;
-    if (waiting_count_ == kRoom) compute();
+    Waiting& filled = waiting_[filled_];
+    place(index, filled, filled.count++);
+    if (filled.count < kSize) return;
+    filled_ = 1 - filled_;
+    compute(waiting_[filled_], filled);
 }
 
-void OverlapBatch::place(std::size_t index, std::size_t at) {
-    detail::LanePair& lane = lanes_[at];
+void OverlapBatch::place(std::size_t index, Waiting& waiting, std::size_t at) {
+    detail::LanePair& lane = waiting.lanes[at];
     const ContactPair& pair = list_.pairs[index];
-    lane.meeting = make_meeting(bodies_, base_, pair, sheets_[at]);
+    waiting.index[at] = static_cast<std::uint32_t>(index);
+    lane.meeting = make_meeting(bodies_, base_, pair, waiting.sheets[at]);
     lane.law = &pair.law;
     lane.contact = &list_.overlaps[pair.overlap];
     lane.force = &list_.forces[index];
     lane.tally = &list_.tallies[index];
     lane.work = &list_.work[index];
     lane.irregular = false;
-    // asked for when all lanes are placed, the memory of the contact once their overlaps are found
-    for (const BodyPose* const box : {lane.meeting.a, lane.meeting.b}) detail::prefetch(box);
-    detail::prefetch(lane.contact);
-    detail::prefetch(lane.force);
-    detail::prefetch(lane.tally);
-    detail::prefetch(lane.work);
 }
 
 void OverlapBatch::compute() {
-    const std::uint64_t* const sorted = sort();
-    for (std::size_t first = 0; first < waiting_count_; first += kSize) compute(&sorted[first], std::min(kSize, waiting_count_ - first));
-    waiting_count_ = 0;
+    Waiting &filled = waiting_[filled_], &full = waiting_[1 - filled_];
+    compute(full, filled);
+    compute(filled, full);
 }
 
-/// By company, and pairs of the same in the order in which they came: digit by digit, the lowest first.
-const std::uint64_t* OverlapBatch::sort() {
-    constexpr std::size_t kDigitBits = 8, kDigits = OverlapContact::kCompanyBits / kDigitBits;
-    static_assert(kDigits * kDigitBits == OverlapContact::kCompanyBits);
-    using Counts = std::array<std::uint32_t, 1U << kDigitBits>;
-    const auto digit_of = [](std::uint64_t waiting, std::size_t digit) {
-        return waiting >> (32U + digit * kDigitBits) & ((1U << kDigitBits) - 1U);
-    };
-    std::array<Counts, kDigits> counts{};
-    std::uint64_t *from = waiting_.data(), *to = room_for_sort_.data();
-    for (std::size_t i = 0; i < waiting_count_; ++i) {
-        for (std::size_t digit = 0; digit < kDigits; ++digit) ++counts[digit][digit_of(waiting_[i], digit)];
-    }
-    for (std::size_t digit = 0; digit < kDigits; ++digit) {
-        if (waiting_count_ == 0 || counts[digit][digit_of(from[0], digit)] == waiting_count_) continue;
-        std::uint32_t place = 0;
-        for (std::uint32_t& count : counts[digit]) count = std::exchange(place, place + count);
-        for (std::size_t i = 0; i < waiting_count_; ++i) to[counts[digit][digit_of(from[i], digit)]++] = from[i];
-        std::swap(from, to);
-    }
-    return from;
-}
-
-void OverlapBatch::compute(const std::uint64_t* waiting, std::size_t count) {
-    const auto index_of = [waiting](std::size_t i) { return static_cast<std::size_t>(waiting[i] & 0xffff'ffffU); };
-    for (std::size_t i = 0; i < count; ++i) place(index_of(i), i);
+void OverlapBatch::compute(Waiting& waiting, const Waiting& next) {
+    if (waiting.count == 0) return;
     // lanes that are left over repeat the first
-    const std::size_t lanes = detail::round_up_to_lanes(count);
-    for (std::size_t i = count; i < lanes; ++i) (lanes_[i] = lanes_[0]).put_into(nowhere_);
-    detail::compute_lane_pairs(lanes_.data(), lanes, dt_, list_.first_step, nowhere_);
-    for (std::size_t i = 0; i < count; ++i) {
-        const std::size_t index = index_of(i);
-        if (lanes_[i].irregular) {
-            place(index, i);  // its results went nowhere
-            detail::compute_exact_pair(lanes_[i], dt_, list_.first_step, room_);
+    const std::size_t lanes = detail::round_up_to_lanes(waiting.count);
+    for (std::size_t i = waiting.count; i < lanes; ++i) (waiting.lanes[i] = waiting.lanes[0]).put_into(nowhere_);
+    detail::compute_lane_pairs(waiting.lanes.data(), lanes, dt_, list_.first_step, nowhere_, {next.lanes.data(), next.count});
+    for (std::size_t i = 0; i < waiting.count; ++i) {
+        const std::size_t index = waiting.index[i];
+        if (waiting.lanes[i].irregular) {
+            place(index, waiting, i);  // its results went nowhere
+            detail::compute_exact_pair(waiting.lanes[i], dt_, list_.first_step, room_);
         }
-        if (list_.demand.wanted) list_.demand.ask(index, lanes_[i].area);
+        if (list_.demand.wanted) list_.demand.ask(index, waiting.lanes[i].area);
         deepest_ = std::max(deepest_, list_.tallies[index].overlap / (2.0 * bodies_.pose[list_.pairs[index].leader].half.z()));
+    }
+    waiting.count = 0;
+}
+
+void order_pairs(ContactList& list) {
+    // so many in a row of the list stay together: enough for lanes full of pairs alike, few enough that what they need stays in the cache
+    constexpr std::size_t kTogether = 2048;
+    list.order.resize(list.pairs.size());
+    std::array<std::uint64_t, kTogether> room;  // a pair's index below its company
+    for (std::size_t first = 0; first < list.pairs.size(); first += kTogether) {
+        const std::span<std::uint64_t> keys(room.data(), std::min(kTogether, list.pairs.size() - first));
+        for (std::size_t i = 0; i < keys.size(); ++i) {
+            const ContactPair& pair = list.pairs[first + i];
+            keys[i] = (pair.is_overlap() ? std::uint64_t{list.overlaps[pair.overlap].company} << 32U : 0U) | (first + i);
+        }
+        if (!std::is_sorted(keys.begin(), keys.end())) std::sort(keys.begin(), keys.end());
+        for (std::size_t i = 0; i < keys.size(); ++i) list.order[first + i] = static_cast<std::uint32_t>(keys[i]);
     }
 }
 
