@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cmath>
-
 #include "lsdem/detail/free_rotation.hpp"
 #include "lsdem/types.hpp"
 
@@ -17,9 +15,9 @@ namespace musim::lsdem {
 /// `momentum_world`: angular momentum about the centre of mass [kg·m²/s]; `inverse_inertia`: 1/I of the principal axes [1/(kg·m²)].
 inline Quaternion rotate_freely(const Quaternion& orientation, const Vector3& momentum_world, const Vector3& inverse_inertia, double dt) {
     const Vector3 p = orientation.conjugate() * momentum_world;
-    const detail::Orientation<double> q = detail::turn_freely<double>(
-        {orientation.w(), orientation.x(), orientation.y(), orientation.z()}, {p.x(), p.y(), p.z()},
-        {inverse_inertia.x(), inverse_inertia.y(), inverse_inertia.z()}, dt, [](double value) { return std::sqrt(value); });
+    const detail::Orientation<double> q =
+        detail::turn_freely<double>({orientation.w(), orientation.x(), orientation.y(), orientation.z()}, {p.x(), p.y(), p.z()},
+                                    {inverse_inertia.x(), inverse_inertia.y(), inverse_inertia.z()}, dt);
     return {q.w, q.x, q.y, q.z};
 }
 

@@ -14,13 +14,6 @@ MUSIM_AVX2 void find_overlaps_256(const BoxMeeting* pairs, std::size_t count, La
     LanePairs<Wide<4>>::find_overlaps(pairs, count, found);
 }
 
-/// The one of three that suits the machine.
-template <class Function>
-Function* widest(Function* by_512, Function* by_256, Function* plain) {
-    const Instructions most = active_instructions();
-    return most >= Instructions::avx512 ? by_512 : most >= Instructions::avx2 ? by_256 : plain;
-}
-
 }  // namespace
 
 void compute_lane_pairs(LanePair* pairs, std::size_t count, double dt, bool first_step, LaneOutput& nowhere,

@@ -74,10 +74,11 @@ void OverlapBatch::place(std::size_t index, Waiting& waiting, std::size_t at) {
     lane.irregular = false;
 }
 
-void OverlapBatch::compute() {
+double OverlapBatch::compute() {
     Waiting &filled = waiting_[filled_], &full = waiting_[1 - filled_];
     compute(full, filled);
     compute(filled, full);
+    return std::exchange(deepest_, 0.0);
 }
 
 void OverlapBatch::compute(Waiting& waiting, const Waiting& next) {

@@ -24,10 +24,8 @@ class OverlapBatch {
 
     /// A pair of ContactList::overlaps; computed now or with others.
     void add(std::size_t index);
-    /// Those that still wait.
-    void compute();
-    /// Largest overlap over the height of the leader [-].
-    double deepest() const { return deepest_; }
+    /// Those that still wait. Returns the largest overlap over the height of the leader since the last call [-].
+    double compute();
 
   private:
     static constexpr std::size_t kSize = detail::kLanePairs;

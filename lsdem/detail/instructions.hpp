@@ -16,6 +16,13 @@ Instructions active_instructions();
 /// No wider than `most` from now on; for comparisons of the two paths. Not while a simulation runs on another thread.
 void limit_instructions(Instructions most);
 
+/// The one of three that suits the machine.
+template <class Function>
+Function* widest(Function* by_512, Function* by_256, Function* plain) {
+    const Instructions most = active_instructions();
+    return most >= Instructions::avx512 ? by_512 : most >= Instructions::avx2 ? by_256 : plain;
+}
+
 }  // namespace musim::lsdem::detail
 
 #if defined(__x86_64__)

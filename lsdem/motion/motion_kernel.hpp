@@ -72,9 +72,12 @@ struct Leap {
     bool prepares = false;                        ///< there is damping or mass scaling, whose work is booked
 };
 
-/// One leapfrog step of the blocks of a share, four side by side; compiled for AVX2 and for plain x86-64, same bits. Bodies hold the poses
-/// of step n as the previous ones; the new ones are written. Returns the largest distance that any point of them may have
+/// One leapfrog step of the blocks of a share, several side by side; compiled for AVX-512, for AVX2 and for plain x86-64, same bits. Bodies
+/// hold the poses of step n as the previous ones; the new ones are written. Returns the largest distance that any point of them may have
 /// moved relative to the base since the neighbor list was made [m]; infinite when a position is not a number.
 double move_blocks(const Leap& leap, const Share& share, Bodies& bodies);
+
+// the same for machines with AVX-512
+double move_blocks_512(const Leap& leap, const Share& share, Bodies& bodies);
 
 }  // namespace musim::lsdem::detail

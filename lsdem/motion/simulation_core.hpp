@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <optional>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "lsdem/base_motion.hpp"
 #include "lsdem/bodies.hpp"
 #include "lsdem/contact/contacts.hpp"
+#include "lsdem/contact/overlap_pairs.hpp"
 #include "lsdem/contact/stiffness_watch.hpp"
 #include "lsdem/detail/shared_work.hpp"
 #include "lsdem/detail/velocity_decay.hpp"
@@ -74,11 +76,12 @@ struct StepWork {
     explicit StepWork(int threads)
         : drift(static_cast<std::size_t>(threads), 0.0), overlap(static_cast<std::size_t>(threads), 0.0), team(threads) {}
 
-    detail::TouchList touches;     ///< what pushes each block
-    std::size_t end_of_loose = 0;  ///< from this block on all are held
-    detail::SharedWork pairs;      ///< of the list
-    std::vector<double> drift;     ///< per thread, largest of its blocks [m]
-    std::vector<double> overlap;   ///< per thread, largest overlap over height ever
+    detail::TouchList touches;         ///< what pushes each block
+    std::size_t end_of_loose = 0;      ///< from this block on all are held
+    detail::SharedWork pairs;          ///< of the list
+    std::deque<OverlapBatch> batches;  ///< per thread
+    std::vector<double> drift;         ///< per thread, largest of its blocks [m]
+    std::vector<double> overlap;       ///< per thread, largest overlap over height ever
     PhaseTimes times;
     ThreadTeam team;
 };

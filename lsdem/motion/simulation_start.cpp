@@ -90,6 +90,7 @@ Simulation::Implementation::Implementation(Model given, double time_step, int th
       preparation{.damping_rate = model.velocity_damping},
       work(choose_threads(threads, model.blocks.size())) {
     balance.finished.block.resize(model.blocks.size());
+    for (int thread = 0; thread < work.team.size(); ++thread) work.batches.emplace_back(bodies, base.pose, dt, list);
     smallest_edge = std::numeric_limits<double>::infinity();
     for (const BodyPose& pose : bodies.pose) smallest_edge = std::min(smallest_edge, 2.0 * pose.half.minCoeff());
     for (const Block& block : model.blocks) balance.weight_times_edge += block.mass * model.gravity.norm() * smallest_edge;

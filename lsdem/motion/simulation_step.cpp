@@ -104,13 +104,12 @@ void Simulation::Implementation::update_contacts() {
     const auto task = [&](int thread) {
         const auto i = static_cast<std::size_t>(thread);
         detail::Share piece;
-        OverlapBatch overlaps(bodies, base.pose, dt, list);
+        OverlapBatch& overlaps = work.batches[i];
         while (work.pairs.take(i, piece)) {
             const double deepest = compute_pairs(model, bodies, base.pose, dt, piece.first, piece.last, list, overlaps);
             work.overlap[i] = std::max(work.overlap[i], deepest);
         }
-        overlaps.compute();
-        work.overlap[i] = std::max(work.overlap[i], overlaps.deepest());
+        work.overlap[i] = std::max(work.overlap[i], overlaps.compute());
     };
     work.team.run(task);
     Vector3 force = Vector3::Zero();

@@ -50,6 +50,7 @@ struct Real8 {
     MUSIM_WIDE friend Real8 operator-(const Real8& a, double b) { return a - of(b); }
     MUSIM_WIDE friend Real8 operator*(const Real8& a, double b) { return a * of(b); }
     MUSIM_WIDE friend Real8 operator+(double a, const Real8& b) { return of(a) + b; }
+    MUSIM_WIDE friend Real8 operator-(double a, const Real8& b) { return of(a) - b; }
     MUSIM_WIDE friend Real8 operator*(double a, const Real8& b) { return of(a) * b; }
     MUSIM_WIDE friend Real8 operator/(double a, const Real8& b) { return of(a) / b; }
     MUSIM_WIDE Real8 operator-() const { return {-value}; }
