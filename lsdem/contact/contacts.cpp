@@ -188,10 +188,10 @@ void compute_node_contact(const Model& model, const Bodies& bodies, const BasePo
 /// So many pairs before its turn a pair is asked for, and so many before that what names it. Affects speed only.
 constexpr std::size_t kAhead = 32;
 
-/// Asks for what steps read first of pairs whose turn comes.
-void prefetch_pairs(const ContactList& list, std::size_t at, std::size_t last) {
-    if (at + 2 * kAhead < last) detail::prefetch(&list.pairs[list.order[at + 2 * kAhead]]);
-    if (at + kAhead >= last) return;
+/// Asks for what steps read first of pairs whose turn comes; most go on with the piece behind this one.
+void prefetch_pairs(const ContactList& list, std::size_t at) {
+    if (at + 2 * kAhead < list.order.size()) detail::prefetch(&list.pairs[list.order[at + 2 * kAhead]]);
+    if (at + kAhead >= list.order.size()) return;
     const ContactPair& next = list.pairs[list.order[at + kAhead]];
     if (next.is_overlap()) detail::prefetch(&list.overlaps[next.overlap].touches);
 }
@@ -210,7 +210,7 @@ double compute_pairs(const Model& model, const Bodies& bodies, const BasePose& b
                      ContactList& list, OverlapBatch& overlaps) {
     double deepest = 0.0;
     for (std::size_t i = first; i < last; ++i) {
-        prefetch_pairs(list, i, last);
+        prefetch_pairs(list, i);
         const std::size_t index = list.order[i];
         const ContactPair& pair = list.pairs[index];
         if (known_apart(pair, list.next_check[index], bodies)) continue;
