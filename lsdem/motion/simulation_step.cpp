@@ -24,7 +24,7 @@ constexpr int kChecksAtRest = 16;
 constexpr std::size_t kNodesPerOverlap = 32;
 
 /// Steps after which pairs that ask for the same are brought together anew. Affects speed only.
-constexpr std::uint64_t kOrderInterval = 32;
+constexpr std::uint64_t kOrderInterval = 16;
 
 using Clock = std::chrono::steady_clock;
 
