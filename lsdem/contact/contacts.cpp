@@ -185,16 +185,8 @@ void compute_node_contact(const Model& model, const Bodies& bodies, const BasePo
     store(sums, frame, {pose.position[0], pose.position[1], pose.position[2]}, list.forces[index], list.tallies[index], list.work[index]);
 }
 
-/// So many pairs before its turn a pair is asked for, and so many before that what names it. Affects speed only.
-constexpr std::size_t kAhead = 32;
-
-/// Asks for what steps read first of pairs whose turn comes; most go on with the piece behind this one.
-void prefetch_pairs(const ContactList& list, std::size_t at) {
-    if (at + 2 * kAhead < list.order.size()) detail::prefetch(&list.pairs[list.order[at + 2 * kAhead]]);
-    if (at + kAhead >= list.order.size()) return;
-    const ContactPair& next = list.pairs[list.order[at + kAhead]];
-    if (next.is_overlap()) detail::prefetch(&list.overlaps[next.overlap].touches);
-}
+/// So many pairs before its turn a pair is asked for. Affects speed only.
+constexpr std::size_t kAhead = 16;
 
 /// Area over which a pair that meets by nodes touches, or more [m²]: which nodes do is not asked, any may be all of a face.
 double find_touching_area(const Model& model, const ContactList& list, std::size_t index) {
@@ -208,12 +200,19 @@ double find_touching_area(const Model& model, const ContactList& list, std::size
 
 double compute_pairs(const Model& model, const Bodies& bodies, const BasePose& base, double dt, std::size_t first, std::size_t last,
                      ContactList& list, OverlapBatch& overlaps) {
+    // what may touch, first of all, so that the memory of each can be prefetched
+    std::size_t end = first;
+    for (std::size_t index = first; index < last; ++index) {
+        if (!known_apart(list.pairs[index], list.next_check[index], bodies)) list.active[end++] = static_cast<std::uint32_t>(index);
+    }
     double deepest = 0.0;
-    for (std::size_t i = first; i < last; ++i) {
-        prefetch_pairs(list, i);
-        const std::size_t index = list.order[i];
+    for (std::size_t i = first; i < end; ++i) {
+        if (i + kAhead < end) {
+            const ContactPair& next = list.pairs[list.active[i + kAhead]];
+            if (next.is_overlap()) detail::prefetch(&list.overlaps[next.overlap].touches);
+        }
+        const std::size_t index = list.active[i];
         const ContactPair& pair = list.pairs[index];
-        if (known_apart(pair, list.next_check[index], bodies)) continue;
         if (pair.is_overlap()) {
             overlaps.add(index);
             continue;

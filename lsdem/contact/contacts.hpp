@@ -101,11 +101,11 @@ struct ContactList {
     std::vector<PairForce> forces;  ///< one per pair
     std::vector<OverlapContact> overlaps;
     std::vector<std::uint32_t> ground_pairs;
-    std::vector<PairTally> tallies;    ///< one per pair
-    double trusted_gap = kTrustedGap;  ///< zero: every pair is looked at in every step [-]
-    std::vector<std::uint32_t> order;  ///< of all pairs, in which steps take them, see order_pairs
-    std::vector<double> next_check;    ///< one per pair: Bodies::travel of both blocks below which they cannot meet [m]
-    std::vector<std::uint8_t> faces;   ///< one per pair: the faces that met in the last step, see detail::FlatFollower::code
+    std::vector<PairTally> tallies;     ///< one per pair
+    double trusted_gap = kTrustedGap;   ///< zero: every pair is looked at in every step [-]
+    std::vector<std::uint32_t> active;  ///< room for one entry per pair: those that a step has to look at, per thread
+    std::vector<double> next_check;     ///< one per pair: Bodies::travel of both blocks below which they cannot meet [m]
+    std::vector<std::uint8_t> faces;    ///< one per pair: the faces that met in the last step, see detail::FlatFollower::code
     /// Contacts found in the very first step are taken as they are, initial overlap included.
     bool first_step = true;
     InertiaDemand demand;
@@ -138,9 +138,9 @@ void add_losses(const ContactList& list, Losses& losses);
 /// Forgets the losses of all pairs.
 void clear_losses(ContactList& list);
 
-/// Forces of pairs [first, last) of the order at step n, from the poses at n and n − 1; updates history and work. Pairs are independent of
-/// each other. Boxes that overlap go to `overlaps`, which may leave some to wait for others. Returns the largest overlap of those that meet
-/// by nodes, over the height of the leader's shape [-].
+/// Forces of pairs [first, last) at step n, from the poses at n and n − 1; updates history and work. Pairs are independent of each other.
+/// Boxes that overlap go to `overlaps`, which may leave some to wait for others. Returns the largest overlap of those that meet by nodes,
+/// over the height of the leader's shape [-].
 double compute_pairs(const Model& model, const Bodies& bodies, const BasePose& base, double dt, std::size_t first, std::size_t last,
                      ContactList& list, OverlapBatch& overlaps);
 

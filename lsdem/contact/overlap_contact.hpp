@@ -29,9 +29,10 @@ struct FrictionSprings {
 /// second body.
 struct OverlapContact {
     bool touches = false;
-    /// Which pairs it is computed beside, those that asked for the same, see order_pairs: of 24 bits from the highest on, whether it may
-    /// slide, the edges of both main cells, eight bits each, whether its dashpots may pull or act early, both, whether corners count, and
-    /// four bits, of which rims end on a side. Speed only: no bit of a result depends on it, and it is not saved.
+    static constexpr std::size_t kCompanyBits = 24;
+    /// Which pairs it is computed beside, those that asked for the same at the last step: from the highest bit on, whether it may slide,
+    /// the edges of both main cells, eight bits each, whether its dashpots may pull or act early, both, whether corners count, and four
+    /// bits, of which rims end on a side. Speed only: no bit of a result depends on it, and it is not saved.
     std::uint32_t company = 0;
     FrictionSprings<Vector3> sliding{.in_core = Vector3::Zero(), .in_rest = Vector3::Zero()};
     FrictionSprings<double> turning{.in_core = 0.0, .in_rest = 0.0};

@@ -6,7 +6,6 @@
 #include "lsdem/contact/box_gap.hpp"
 #include "lsdem/contact/overlap_contact.hpp"
 #include "lsdem/contact/overlap_lanes.hpp"
-#include "lsdem/detail/prefetch.hpp"
 
 namespace musim::lsdem {
 namespace {
@@ -54,18 +53,61 @@ void OverlapBatch::add(std::size_t index) {
             return;
         }
     }
-    Waiting& filled = waiting_[filled_];
-    place(index, filled, filled.count++);
-    if (filled.count < kSize) return;
-    filled_ = 1 - filled_;
-    compute(waiting_[filled_], filled);
+    waiting_[waiting_count_++] = std::uint64_t{list_.overlaps[pair.overlap].company} << 32U | index;
+    if (waiting_count_ == kRoom) compute_waiting();
 }
 
-void OverlapBatch::place(std::size_t index, Waiting& waiting, std::size_t at) {
-    detail::LanePair& lane = waiting.lanes[at];
+double OverlapBatch::compute() {
+    compute_waiting();
+    return std::exchange(deepest_, 0.0);
+}
+
+void OverlapBatch::compute_waiting() {
+    const std::uint64_t* const sorted = sort();
+    Group *now = &groups_[0], *next = &groups_[1];
+    place(sorted, std::min(kSize, waiting_count_), *now);
+    for (std::size_t done = 0; done < waiting_count_; done += kSize) {
+        const std::size_t end = std::min(done + kSize, waiting_count_);
+        place(&sorted[end], std::min(kSize, waiting_count_ - end), *next);
+        compute(*now, *next);
+        std::swap(now, next);
+    }
+    waiting_count_ = 0;
+}
+
+/// By company, and pairs of the same in the order in which they came: digit by digit, the lowest first.
+const std::uint64_t* OverlapBatch::sort() {
+    constexpr std::size_t kDigitBits = 8, kDigits = OverlapContact::kCompanyBits / kDigitBits;
+    static_assert(kDigits * kDigitBits == OverlapContact::kCompanyBits);
+    using Counts = std::array<std::uint32_t, 1U << kDigitBits>;
+    const auto digit_of = [](std::uint64_t waiting, std::size_t digit) {
+        return waiting >> (32U + digit * kDigitBits) & ((1U << kDigitBits) - 1U);
+    };
+    std::array<Counts, kDigits> counts{};
+    std::uint64_t *from = waiting_.data(), *to = room_for_sort_.data();
+    for (std::size_t i = 0; i < waiting_count_; ++i) {
+        for (std::size_t digit = 0; digit < kDigits; ++digit) ++counts[digit][digit_of(waiting_[i], digit)];
+    }
+    for (std::size_t digit = 0; digit < kDigits; ++digit) {
+        if (waiting_count_ == 0 || counts[digit][digit_of(from[0], digit)] == waiting_count_) continue;
+        std::uint32_t place = 0;
+        for (std::uint32_t& count : counts[digit]) count = std::exchange(place, place + count);
+        for (std::size_t i = 0; i < waiting_count_; ++i) to[counts[digit][digit_of(from[i], digit)]++] = from[i];
+        std::swap(from, to);
+    }
+    return from;
+}
+
+void OverlapBatch::place(const std::uint64_t* waiting, std::size_t count, Group& group) {
+    group.count = count;
+    for (std::size_t i = 0; i < count; ++i) place(waiting[i] & 0xffff'ffffU, group, i);
+}
+
+void OverlapBatch::place(std::size_t index, Group& group, std::size_t at) {
+    detail::LanePair& lane = group.lanes[at];
     const ContactPair& pair = list_.pairs[index];
-    waiting.index[at] = static_cast<std::uint32_t>(index);
-    lane.meeting = make_meeting(bodies_, base_, pair, waiting.sheets[at]);
+    group.index[at] = static_cast<std::uint32_t>(index);
+    lane.meeting = make_meeting(bodies_, base_, pair, group.sheets[at]);
     lane.law = &pair.law;
     lane.contact = &list_.overlaps[pair.overlap];
     lane.force = &list_.forces[index];
@@ -74,44 +116,19 @@ void OverlapBatch::place(std::size_t index, Waiting& waiting, std::size_t at) {
     lane.irregular = false;
 }
 
-double OverlapBatch::compute() {
-    Waiting &filled = waiting_[filled_], &full = waiting_[1 - filled_];
-    compute(full, filled);
-    compute(filled, full);
-    return std::exchange(deepest_, 0.0);
-}
-
-void OverlapBatch::compute(Waiting& waiting, const Waiting& next) {
-    if (waiting.count == 0) return;
+void OverlapBatch::compute(Group& group, const Group& next) {
     // lanes that are left over repeat the first
-    const std::size_t lanes = detail::round_up_to_lanes(waiting.count);
-    for (std::size_t i = waiting.count; i < lanes; ++i) (waiting.lanes[i] = waiting.lanes[0]).put_into(nowhere_);
-    detail::compute_lane_pairs(waiting.lanes.data(), lanes, dt_, list_.first_step, nowhere_, {next.lanes.data(), next.count});
-    for (std::size_t i = 0; i < waiting.count; ++i) {
-        const std::size_t index = waiting.index[i];
-        if (waiting.lanes[i].irregular) {
-            place(index, waiting, i);  // its results went nowhere
-            detail::compute_exact_pair(waiting.lanes[i], dt_, list_.first_step, room_);
+    const std::size_t lanes = detail::round_up_to_lanes(group.count);
+    for (std::size_t i = group.count; i < lanes; ++i) (group.lanes[i] = group.lanes[0]).put_into(nowhere_);
+    detail::compute_lane_pairs(group.lanes.data(), lanes, dt_, list_.first_step, nowhere_, {next.lanes.data(), next.count});
+    for (std::size_t i = 0; i < group.count; ++i) {
+        const std::size_t index = group.index[i];
+        if (group.lanes[i].irregular) {
+            place(index, group, i);  // its results went nowhere
+            detail::compute_exact_pair(group.lanes[i], dt_, list_.first_step, room_);
         }
-        if (list_.demand.wanted) list_.demand.ask(index, waiting.lanes[i].area);
+        if (list_.demand.wanted) list_.demand.ask(index, group.lanes[i].area);
         deepest_ = std::max(deepest_, list_.tallies[index].overlap / (2.0 * bodies_.pose[list_.pairs[index].leader].half.z()));
-    }
-    waiting.count = 0;
-}
-
-void order_pairs(ContactList& list) {
-    // so many in a row of the list stay together: enough for lanes full of pairs alike, few enough that what they need stays in the cache
-    constexpr std::size_t kTogether = 2048;
-    list.order.resize(list.pairs.size());
-    std::array<std::uint64_t, kTogether> room;  // a pair's index below its company
-    for (std::size_t first = 0; first < list.pairs.size(); first += kTogether) {
-        const std::span<std::uint64_t> keys(room.data(), std::min(kTogether, list.pairs.size() - first));
-        for (std::size_t i = 0; i < keys.size(); ++i) {
-            const ContactPair& pair = list.pairs[first + i];
-            keys[i] = (pair.is_overlap() ? std::uint64_t{list.overlaps[pair.overlap].company} << 32U : 0U) | (first + i);
-        }
-        if (!std::is_sorted(keys.begin(), keys.end())) std::sort(keys.begin(), keys.end());
-        for (std::size_t i = 0; i < keys.size(); ++i) list.order[first + i] = static_cast<std::uint32_t>(keys[i]);
     }
 }
 

@@ -29,31 +29,36 @@ class OverlapBatch {
 
   private:
     static constexpr std::size_t kSize = detail::kLanePairs;
-    /// Pairs that wait for each other.
-    struct Waiting {
+    /// Pairs that wait for each other: enough for lanes full of pairs alike, few enough that what they need stays in the cache.
+    static constexpr std::size_t kRoom = 2048;
+    static_assert(kRoom % kSize == 0);
+    /// A pair's index below its company.
+    using Waiting = std::array<std::uint64_t, kRoom>;
+    /// Those that are computed side by side.
+    struct Group {
         std::size_t count = 0;
         std::array<std::uint32_t, kSize> index;
         std::array<detail::LanePair, kSize> lanes;
         std::array<BodyPose, kSize> sheets;  ///< the ground below a block, where it is the second body
     };
-    void place(std::size_t index, Waiting& waiting, std::size_t lane);
-    void compute(Waiting& waiting, const Waiting& next);
+    const std::uint64_t* sort();
+    void compute_waiting();
+    void place(std::size_t index, Group& group, std::size_t lane);
+    void place(const std::uint64_t* waiting, std::size_t count, Group& group);
+    void compute(Group& group, const Group& next);
 
     const Bodies& bodies_;
     const BasePose& base_;
     double dt_;
     ContactList& list_;
     double deepest_ = 0.0;
-    // one of them is full, and computed once the other is, whose memory is asked for meanwhile
-    std::array<Waiting, 2> waiting_;
-    std::size_t filled_ = 0;
-    detail::LaneOutput nowhere_;  ///< where what nobody asks for goes
-    OverlapPieces room_;          ///< of the pair that is being cut
+    // pairs that wait for company, see OverlapContact::company
+    std::size_t waiting_count_ = 0;
+    Waiting waiting_, room_for_sort_;
+    std::array<Group, 2> groups_;  ///< one of them is computed, and the memory of the other asked for meanwhile
+    detail::LaneOutput nowhere_;   ///< where what nobody asks for goes
+    OverlapPieces room_;           ///< of the pair that is being cut
 };
-
-/// Orders pairs for the next steps: those that asked for the same at the last one lie next to each other, see OverlapContact::company.
-/// Speed only.
-void order_pairs(ContactList& list);
 
 /// Where friction and dashpots of a contact act, world axes and origin.
 struct MeetingArea {

@@ -22,7 +22,7 @@ struct BlockLanes {
     using Indices = std::array<std::size_t, kCount>;
 
     /// So many blocks before its turn the forces on a block are asked for. Affects speed only.
-    static constexpr std::size_t kAhead = 8;
+    static constexpr std::size_t kAhead = 16;
     /// More than the rounding of a sum: a travel that many small ways make does not fall behind them.
     static constexpr double kUpward = 1.0 + 2.0 * std::numeric_limits<double>::epsilon();
 

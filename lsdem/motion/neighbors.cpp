@@ -249,6 +249,7 @@ void NeighborSearch::rebuild(const Bodies& bodies, const BasePose& base, Contact
     list.ground_pairs.clear();
     list.forces.assign(list.pairs.size(), PairForce{});
     list.tallies.assign(list.pairs.size(), PairTally{});
+    list.active.resize(list.pairs.size());
     list.trusted_gap = model_->numerics.skip_apart ? kTrustedGap : 0.0;
     list.next_check.assign(list.pairs.size(), 0.0);
     list.faces.assign(list.pairs.size(), 0);

@@ -23,9 +23,6 @@ constexpr int kChecksAtRest = 16;
 /// What boxes that touch cost, in nodes; what does not touch is mostly passed over. Affects speed only.
 constexpr std::size_t kNodesPerOverlap = 32;
 
-/// Steps after which pairs that ask for the same are brought together anew. Affects speed only.
-constexpr std::uint64_t kOrderInterval = 16;
-
 using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
@@ -85,13 +82,12 @@ void Simulation::Implementation::rebuild() {
 }
 
 void Simulation::Implementation::share_work() {
-    order_pairs(list);
     work.touches.rebuild(bodies.size(), list.pairs);
     work.end_of_loose = bodies.size();
     while (work.end_of_loose > 0 && bodies.fixed[work.end_of_loose - 1] != 0) --work.end_of_loose;
 
-    const auto work_of_pair = [&](std::size_t at) -> std::size_t {
-        const ContactPair& pair = list.pairs[list.order[at]];
+    const auto work_of_pair = [&](std::size_t index) -> std::size_t {
+        const ContactPair& pair = list.pairs[index];
         if (pair.is_overlap()) return list.overlaps[pair.overlap].touches ? kNodesPerOverlap : 1;
         return pair.node_count;
     };
@@ -99,7 +95,6 @@ void Simulation::Implementation::share_work() {
 }
 
 void Simulation::Implementation::update_contacts() {
-    if (steps.done % kOrderInterval == 0) order_pairs(list);
     work.pairs.begin();
     const auto task = [&](int thread) {
         const auto i = static_cast<std::size_t>(thread);

@@ -47,6 +47,7 @@ static void exchange(Archive& archive, OverlapContact& c) {
 void exchange(Archive& archive, ContactList& l) {
     archive(l.pairs, l.nodes, l.history, l.forces, l.overlaps, l.ground_pairs, l.tallies, l.trusted_gap, l.next_check, l.faces,
             l.first_step, l.demand.wanted, l.demand.asked, l.work);
+    l.active.resize(l.pairs.size());
 }
 
 namespace {
