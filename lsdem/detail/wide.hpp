@@ -136,8 +136,9 @@ MUSIM_WIDE std::array<Real, kFields> gather_fields(const Of& of) {
             for (std::size_t i = first; i < kFields; ++i) fields[i] = block[i - first];
         } else {
 #pragma GCC unroll 8
-            for (std::size_t i = first; i < kFields; ++i)
+            for (std::size_t i = first; i < kFields; ++i) {
                 fields[i] = gather_lanes<Real>([&](std::size_t lane) MUSIM_WIDE_LAMBDA { return of(lane)[i]; });
+            }
         }
     }
     return fields;

@@ -51,8 +51,8 @@ constexpr double kFaceOnGround = 0.966;
 void name_axes(const Bodies& bodies, ContactPair& pair) {
     if (pair.follower == kGround) {
         Eigen::Index upright = 0;
-        if (bodies.pose[pair.leader].rotation.row(2).cwiseAbs().maxCoeff(&upright) > kFaceOnGround)
-            pair.leader_axis = static_cast<std::uint8_t>(upright);
+        const double cosine = bodies.pose[pair.leader].rotation.row(2).cwiseAbs().maxCoeff(&upright);
+        if (cosine > kFaceOnGround) pair.leader_axis = static_cast<std::uint8_t>(upright);
         return;
     }
     const auto faces = detail::choose_faces({&bodies.pose[pair.leader], &bodies.pose[pair.follower]});

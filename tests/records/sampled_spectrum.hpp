@@ -50,9 +50,10 @@ inline records::RotatedPeaks sampled_rotated(const records::TimeSeries& first, c
 inline records::TimeSeries look_ten_times(const records::TimeSeries& series, double period) {
     const int parts = std::max(1, static_cast<int>(std::ceil(10.0 * series.dt().value() / period * (1.0 - 1e-4))));
     std::vector<double> samples;
-    for (std::size_t i = 0; i + 1 < series.size(); ++i)
-        for (int part = 0; part < parts; ++part)
-            samples.push_back(series.samples()[i] + (series.samples()[i + 1] - series.samples()[i]) * part / parts);
+    for (std::size_t i = 0; i + 1 < series.size(); ++i) {
+        const double step = series.samples()[i + 1] - series.samples()[i];
+        for (int part = 0; part < parts; ++part) samples.push_back(series.samples()[i] + step * part / parts);
+    }
     samples.push_back(series.samples().back());
     return {series.quantity(), series.start(), series.dt() / static_cast<double>(parts), std::move(samples)};
 }
