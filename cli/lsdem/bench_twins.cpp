@@ -42,8 +42,11 @@ struct Measured {
 };
 
 std::vector<lsdem::TwinChoice> choose_twins(const BenchTwinsOptions& options) {
-    if (options.shifts.empty()) return lsdem::choose_models(options.models, options.seed);
-    return lsdem::choose_shifted({options.shifts.begin(), options.shifts.end()}, options.models, options.seed);
+    std::vector<lsdem::TwinChoice> choices = lsdem::choose_models(options.models, options.seed);
+    const std::vector<lsdem::TwinChoice> moved =
+        lsdem::choose_shifted({options.shifts.begin(), options.shifts.end()}, options.models, options.seed);
+    choices.insert(choices.end(), moved.begin(), moved.end());
+    return choices;
 }
 
 lsdem::Scene read_prototype(const std::string& file, const BenchTwinsOptions& options) {
@@ -100,7 +103,7 @@ void print_study(const Measured& measured, scaling::ReportStyle style) {
         print("Directions {}: {}\n", set.directions,
               set.departure ? fmt::format("difference over shift differs by at most a factor {:.4g}, at {:.4g} s where it is {:.1e}",
                                           *set.departure, set.time, set.level)
-                            : "no two differences small enough to be compared");
+                            : "no two differences that are small enough and ten times what rounding makes");
     }
     print("\n");
 }
@@ -153,17 +156,18 @@ void add_bench_twins_command(CLI::App& bench, Action& action) {
     CLI::App* command = bench.add_subcommand("twins", "How exact models, or copies moved a little, part from their prototype");
     command->add_option("scenes", options->scenes, "Scene files of prototypes")->required()->type_name("SCENE.json...");
     options->add_out(*command, "Directory for twins.csv, spread.csv, summary.json and what each run leaves");
-    command->add_option("--models", options->models, "Exact models of each scene; with --perturb: sets of directions")
+    command->add_option("--models", options->models, "Exact models of each scene; with --perturb also sets of directions")
         ->type_name("N")
         ->check(whole_between(1, 100000))
         ->capture_default_str();
-    command->add_option("--seed", options->seed, "Of the lengths, 4^u with u in (-2, 2); with --perturb: of the first set of directions")
+    command
+        ->add_option("--seed", options->seed, "Of the lengths, 4^u with u in (-2, 2); with --perturb also of the first set of directions")
         ->type_name("N")
         ->capture_default_str();
     add_positive_option(*command, "--duration", options->duration, "Simulated time [s] of the prototypes, instead of the scenes'");
     command
         ->add_option("--perturb", options->shifts,
-                     "Instead of models, copies whose blocks are moved by these parts of their height, e.g. 1e-13,1e-12,1e-11")
+                     "Beside the models, copies whose blocks are moved by these parts of their height, e.g. 1e-13,1e-12,1e-11")
         ->type_name("LIST")
         ->delimiter(',')
         ->check(above_zero());

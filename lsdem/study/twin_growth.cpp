@@ -22,6 +22,17 @@ constexpr double kLeastRounding = std::numeric_limits<double>::epsilon();
 /// A difference is in proportion to what made it when it is this many times that of rounding, whose part is then a tenth at most [-].
 constexpr double kAboveRounding = 10.0;
 
+/// R of what rounding alone makes, sample by sample: the largest of exact models.
+std::vector<double> find_rounding(const TwinStudy& study, const std::vector<TwinGrowth>& twins) {
+    std::vector<double> rounding(study.prototype.samples, study.prototype.rounding / study.prototype.peak);
+    for (std::size_t i = 0; i < twins.size(); ++i) {
+        if (study.twins[i].choice.shift > 0.0) continue;
+        const std::vector<double>& running = twins[i].running;
+        for (std::size_t k = 0; k < running.size(); ++k) rounding[k] = std::max(rounding[k], running[k]);
+    }
+    return rounding;
+}
+
 /// Lengths of models: 4^u with |u| below this, 1:16 to 16:1.
 constexpr double kMostQuadruplings = 2.0;
 
@@ -92,7 +103,7 @@ std::vector<Proportionality> find_proportionality(const TwinStudy& study, const 
         const TwinChoice& choice = study.twins[i].choice;
         if (choice.shift > 0.0) copies[choice.directions][choice.shift] = &twins[i];
     }
-    const double least = kAboveRounding * study.prototype.rounding / study.prototype.peak;
+    const std::vector<double> rounding = find_rounding(study, twins);
     std::vector<Proportionality> found;
     for (const auto& [directions, by_shift] : copies) {
         if (by_shift.size() < 2) continue;
@@ -103,7 +114,9 @@ std::vector<Proportionality> find_proportionality(const TwinStudy& study, const 
             double low = std::numeric_limits<double>::infinity(), high = 0.0, level = 0.0;
             std::size_t count = 0;
             for (const auto& [shift, twin] : by_shift) {
-                if (k >= twin->running.size() || !(twin->running[k] > least) || twin->running[k] > kProportionalLevel) continue;
+                if (k >= twin->running.size() || !(twin->running[k] > kAboveRounding * rounding[k]) ||
+                    twin->running[k] > kProportionalLevel)
+                    continue;
                 const double ratio = twin->running[k] / shift;
                 low = std::min(low, ratio), high = std::max(high, ratio), level = std::max(level, twin->running[k]);
                 ++count;

@@ -99,12 +99,13 @@ TwinSummary summarize(const TwinStudy& study);
 /// The spread at a sample, over the models that got there.
 LogSpread find_spread(const TwinStudy& study, const std::vector<TwinGrowth>& twins, std::size_t sample);
 
-/// Copies that begin elsewhere in the same directions, each by another part of a height.
+/// Copies that begin elsewhere in the same directions, each by another part of a height. Exact models beside them say what rounding alone
+/// makes of a difference by then; what is less than ten times as much is not compared.
 struct Proportionality {
     std::uint64_t directions = 0;
     std::vector<double> shift;  ///< ascending [-]
-    /// The largest max/min of R/shift over the copies with 10 rounding/V < R ≤ kProportionalLevel; 1: in proportion throughout. Nothing
-    /// when there was never a sample with two of them.
+    /// The largest max/min of R/shift over the copies with 10 R_0 < R ≤ kProportionalLevel, R_0 the largest of rounding/V and of the R of
+    /// exact models; 1: in proportion throughout. Nothing when there was never a sample with two of them.
     std::optional<double> departure;
     double time = 0.0;   ///< of that [s]
     double level = 0.0;  ///< the largest R then [-]
