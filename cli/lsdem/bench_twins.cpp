@@ -95,8 +95,8 @@ void print_study(const Measured& measured, scaling::ReportStyle style) {
         fastest.time, fastest.from);
     print("Horizon {:.4g} s", summary.horizon);
     if (const lsdem::LogSpread& spread = summary.at_horizon; spread.count > 0) {
-        print("; at {:.4g} s log10 of the difference is {:.3f}, standard deviation {:.3f}, of {} models", spread.time, spread.mean,
-              spread.sd, spread.count);
+        print("; at {:.4g} s log10 of the difference is {:.3f}, standard deviation {}, of {} models", spread.time, spread.mean,
+              or_dash(spread.count > 1 ? std::optional(spread.sd) : std::nullopt, 3), spread.count);
     }
     print("\n");
     for (const lsdem::Proportionality& set : lsdem::find_proportionality(twins, summary.twins)) {

@@ -33,6 +33,28 @@ std::vector<double> find_rounding(const TwinStudy& study, const std::vector<Twin
     return rounding;
 }
 
+/// Copies moved in the same directions, by how far.
+using ByShift = std::map<double, const TwinGrowth*>;
+
+/// How far copies are from being in proportion at one sample.
+struct Disproportion {
+    double factor = 0.0;  ///< largest over least R/shift; 0 of fewer than two copies [-]
+    double level = 0.0;   ///< largest R [-]
+};
+/// `rounding`: R of what rounding makes.
+Disproportion find_disproportion(const ByShift& copies, std::size_t sample, double rounding) {
+    double low = std::numeric_limits<double>::infinity(), high = 0.0, level = 0.0;
+    std::size_t count = 0;
+    for (const auto& [shift, twin] : copies) {
+        if (sample >= twin->running.size()) continue;
+        const double r = twin->running[sample];
+        if (!(r > kAboveRounding * rounding) || r > kProportionalLevel) continue;
+        low = std::min(low, r / shift), high = std::max(high, r / shift), level = std::max(level, r);
+        ++count;
+    }
+    return count < 2 ? Disproportion{} : Disproportion{high / low, level};
+}
+
 /// Lengths of models: 4^u with |u| below this, 1:16 to 16:1.
 constexpr double kMostQuadruplings = 2.0;
 
@@ -98,7 +120,7 @@ TwinSummary summarize(const TwinStudy& study) {
 }
 
 std::vector<Proportionality> find_proportionality(const TwinStudy& study, const std::vector<TwinGrowth>& twins) {
-    std::map<std::uint64_t, std::map<double, const TwinGrowth*>> copies;
+    std::map<std::uint64_t, ByShift> copies;
     for (std::size_t i = 0; i < twins.size(); ++i) {
         const TwinChoice& choice = study.twins[i].choice;
         if (choice.shift > 0.0) copies[choice.directions][choice.shift] = &twins[i];
@@ -110,19 +132,16 @@ std::vector<Proportionality> find_proportionality(const TwinStudy& study, const 
         Proportionality& set = found.emplace_back();
         set.directions = directions;
         for (const auto& [shift, twin] : by_shift) set.shift.push_back(shift);
-        for (std::size_t k = 0; k < study.prototype.samples; ++k) {
-            double low = std::numeric_limits<double>::infinity(), high = 0.0, level = 0.0;
-            std::size_t count = 0;
-            for (const auto& [shift, twin] : by_shift) {
-                if (k >= twin->running.size() || !(twin->running[k] > kAboveRounding * rounding[k]) ||
-                    twin->running[k] > kProportionalLevel)
-                    continue;
-                const double ratio = twin->running[k] / shift;
-                low = std::min(low, ratio), high = std::max(high, ratio), level = std::max(level, twin->running[k]);
-                ++count;
+        std::vector<Disproportion> departures;
+        for (std::size_t k = 0; k < study.prototype.samples; ++k) departures.push_back(find_disproportion(by_shift, k, rounding[k]));
+        const std::size_t window = study.prototype.window();
+        for (std::size_t k = 0; k < departures.size(); ++k) {
+            double lasting = departures[k].factor;
+            for (std::size_t next = k + 1; next < departures.size() && next <= k + window && departures[next].factor > 0.0; ++next) {
+                lasting = std::min(lasting, departures[next].factor);
             }
-            if (count < 2 || high / low <= set.departure.value_or(0.0)) continue;
-            set.departure = high / low, set.time = study.prototype.time(k), set.level = level;
+            if (lasting <= set.departure.value_or(0.0)) continue;
+            set.departure = lasting, set.time = study.prototype.time(k), set.level = departures[k].level;
         }
     }
     return found;

@@ -105,7 +105,8 @@ struct Proportionality {
     std::uint64_t directions = 0;
     std::vector<double> shift;  ///< ascending [-]
     /// The largest max/min of R/shift over the copies with 10 R_0 < R ≤ kProportionalLevel, R_0 the largest of rounding/V and of the R of
-    /// exact models; 1: in proportion throughout. Nothing when there was never a sample with two of them.
+    /// exact models; 1: in proportion throughout. What does not last for a growth window is left out: an impact that comes a little earlier
+    /// in one copy. Nothing when there was never a sample with two of them.
     std::optional<double> departure;
     double time = 0.0;   ///< of that [s]
     double level = 0.0;  ///< the largest R then [-]
