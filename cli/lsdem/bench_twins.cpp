@@ -163,6 +163,7 @@ void add_bench_twins_command(CLI::App& bench, Action& action) {
     command
         ->add_option("--seed", options->seed, "Of the lengths, 4^u with u in (-2, 2); with --perturb also of the first set of directions")
         ->type_name("N")
+        ->check(not_negative())
         ->capture_default_str();
     add_positive_option(*command, "--duration", options->duration, "Simulated time [s] of the prototypes, instead of the scenes'");
     command

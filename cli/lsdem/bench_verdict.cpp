@@ -239,7 +239,10 @@ void add_bench_verdict_command(CLI::App& bench, Action& action) {
     add_count("--sets", plan.sets, "Sets of twins of each scene", 1);
     add_count("--twins", plan.twins, "Twins of a set", 2);
     add_count("--models", plan.models, "Exact models judged by each set", 0);
-    command->add_option("--seed", plan.seed, "Of the first set; the next ones follow")->type_name("N")->capture_default_str();
+    command->add_option("--seed", plan.seed, "Of the first set; the next ones follow")
+        ->type_name("N")
+        ->check(not_negative())
+        ->capture_default_str();
     command->add_option("--errors", options->errors, "Errors put into models on purpose, e.g. friction,gravity, or all (default: none)")
         ->type_name("LIST")
         ->delimiter(',')

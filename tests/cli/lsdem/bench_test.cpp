@@ -140,7 +140,8 @@ TEST_CASE("bench refuses what it cannot do with one line") {
     for (const char* arguments :
          {"bench", "bench nonsense", "bench accuracy --component 360", "bench accuracy --threads -1", "bench similitude --law newton",
           "bench similitude --threads -1", "bench twins", "bench twins file --models 0", "bench twins file --perturb 1e-12,0",
-          "bench verdict", "bench verdict file --errors luck", "bench verdict file --sizes 0"}) {
+          "bench twins file --seed -1", "bench verdict file --seed -1", "bench verdict", "bench verdict file --errors luck",
+          "bench verdict file --sizes 0"}) {
         const Outcome outcome = here.run(arguments);
         CHECK_MESSAGE(outcome.exit_code == 2, arguments);
         CHECK_MESSAGE(outcome.has_one_error_line(), outcome.err);
