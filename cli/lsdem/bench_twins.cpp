@@ -178,7 +178,7 @@ void add_bench_twins_command(CLI::App& bench, Action& action) {
         "Examples:\n"
         "  musim bench twins examples/tower_prototype.json -o out/twins --duration 2\n"
         "  musim bench twins examples/uneven_wall.json examples/wall.json --models 40 --json\n"
-        "  musim bench twins examples/uneven_wall.json --perturb 1e-13,1e-12,1e-11 --models 3\n"
+        "  musim bench twins examples/uneven_wall.json --perturb 1e-13,1e-12,1e-11 --models 10\n"
         "Difference: the largest |v_M/lambda_v - v_P| of a block over the largest velocity that one has relative to the base; its running\n"
         "maximum counts. A twin parts where that exceeds 1e-3; growth below is over 0.015 sqrt(H/g). Specimens are laid once.\n"
         "Runs go side by side, one thread each. The same command again, killed or not, runs what is missing in DIR; another build should\n"
