@@ -39,31 +39,51 @@ struct MeetingFaces {
     std::array<Real, 2> sign{};                  ///< 1 or -1: outward is sign · axis
 };
 
-/// Names the faces by which two boxes meet: of the pairs of faces that look at each other, the one along which they overlap least. None is
-/// found if no pair of faces is within 15°: take the exact function. `apart`: from the middle of the first to that of the second.
+/// Names the faces by which two boxes meet: of the pairs of faces that look at each other, the one that overlaps least. A face overlaps
+/// another by the largest depth of its points below that, where one lies over the other; seen along the axes of the first box, which is
+/// right to the tilt. None is found if no pair of faces is within 15°: take the exact function. `apart`: from the middle of the first to
+/// that of the second.
 template <class W>
 MUSIM_WIDE MeetingFaces<W> choose_faces(const BoxAxes<W>& a, const BoxAxes<W>& b, const Triple<typename W::Real>& apart) {
     using Real = typename W::Real;
     using Mask = typename W::Mask;
     // of the angle between faces: 15°; the lanes themselves decide at 16°, see kLeastCosine
     const Real least_cosine = broadcast<Real>(0.966), one = broadcast<Real>(1.0), zero{};
+    // b along the axes of a: its middle, its axes, and how far it reaches from its middle
+    std::array<Real, 3> way, reach;
+    std::array<std::array<Real, 3>, 3> cosine;
+#pragma GCC unroll 3
+    for (std::size_t i = 0; i < 3; ++i) {
+        way[i] = dot(a.axis[i], apart);
+        cosine[i] = {dot(a.axis[i], b.axis[0]), dot(a.axis[i], b.axis[1]), dot(a.axis[i], b.axis[2])};
+        reach[i] = (magnitude(cosine[i][0]) * b.half[0] + magnitude(cosine[i][1]) * b.half[1]) + magnitude(cosine[i][2]) * b.half[2];
+    }
     MeetingFaces<W> faces;
     Real best = broadcast<Real>(std::numeric_limits<double>::infinity());
 #pragma GCC unroll 3
     for (std::size_t i = 0; i < 3; ++i) {
-        const Real way = dot(a.axis[i], apart);
-        const std::array<Real, 3> cosine{dot(a.axis[i], b.axis[0]), dot(a.axis[i], b.axis[1]), dot(a.axis[i], b.axis[2])};
-        const std::array<Real, 3> size{magnitude(cosine[0]), magnitude(cosine[1]), magnitude(cosine[2])};
-        const Real overlap = (((a.half[i] + size[0] * b.half[0]) + size[1] * b.half[1]) + size[2] * b.half[2]) - magnitude(way);
         // no two axes of one box can both be within 15° of a third
-        const Mask first = size[0] > least_cosine, second = size[1] > least_cosine, third = size[2] > least_cosine;
+        const Mask first = magnitude(cosine[i][0]) > least_cosine, second = magnitude(cosine[i][1]) > least_cosine,
+                   third = magnitude(cosine[i][2]) > least_cosine;
+        const auto facing = [&](const std::array<Real, 3>& of) MUSIM_WIDE_LAMBDA {
+            return choose(first, of[0], choose(second, of[1], of[2]));
+        };
+        const Real side = choose(way[i] < zero, -one, one), half = facing(b.half), facing_cosine = facing(cosine[i]);
+        // of b's axis along which it lies beyond that face of a
+        const Real beyond = choose(side * facing_cosine < zero, -one, one);
+        Real overlap = half + magnitude(facing_cosine) * (a.half[i] - magnitude(way[i]));
+#pragma GCC unroll 2
+        for (std::size_t step = 1; step < 3; ++step) {
+            const std::size_t k = (i + step) % 3;
+            const Real lean = beyond * facing(cosine[k]), middle = way[k] - lean * half, of_face = reach[k] - magnitude(lean) * half;
+            const Real low = larger_of<Real>(-a.half[k], middle - of_face), high = smaller_of<Real>(a.half[k], middle + of_face);
+            overlap += lean * (0.5 * (low + high) - way[k]) + magnitude(lean) * larger_of<Real>(0.5 * (high - low), zero);
+        }
         const Mask better = (first | second | third) & (overlap < best);
-        const Real facing_cosine = choose(first, cosine[0], choose(second, cosine[1], cosine[2]));
         best = choose(better, overlap, best);
         faces.found = faces.found | better;
-        const Real side = choose(way < zero, -one, one);
         faces.sign[0] = choose(better, side, faces.sign[0]);
-        faces.sign[1] = choose(better, choose(side * facing_cosine < zero, one, -one), faces.sign[1]);
+        faces.sign[1] = choose(better, -beyond, faces.sign[1]);
         const auto name = [&better](std::array<Mask, 3>& along, const std::array<Mask, 3>& now) MUSIM_WIDE_LAMBDA {
 #pragma GCC unroll 3
             for (std::size_t k = 0; k < 3; ++k) {

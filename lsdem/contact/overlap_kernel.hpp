@@ -13,8 +13,6 @@ namespace musim::lsdem::detail {
 
 constexpr double kLeastCosine = 0.9613;  ///< of the tilt: 16°
 constexpr double kMostDepth = 0.05;      ///< of the least half extent
-constexpr double kLeastWidth = 8.0;      ///< of the touching area, in depths
-constexpr double kLeastMain = 0.3;       ///< part of the load that the main cells bear
 /// Terms below this part of size · area are left out [-]: a fraction of what rounding of the positions makes of the load.
 constexpr double kNegligible = 1.5e-16;
 
@@ -165,6 +163,7 @@ struct Kernel : OverlapRims<W> {
         double bit = 1.0;
         for (Role& role : roles) {
             role.deepest = deepest, role.corner = corner, role.negligible = negligible;
+            role.facing_sides = LaneMask{};
             std::array<std::array<std::array<Flush, 2>, 2>, 2> flush;  // [direction][rim][side plane]
             bool any = some(corner);
             for (std::size_t k = 0; k < 2; ++k, bit *= 2.0) {
@@ -210,22 +209,19 @@ struct Kernel : OverlapRims<W> {
     }
     MUSIM_WIDE void sum_up(LaneOverlap& result) const {
         const Lanes zero{};
-        // how far the touching area reaches across
-        LaneMask apart = LaneMask{}, narrow = LaneMask{}, minor = LaneMask{};
+        LaneMask apart = LaneMask{};
         for (const Role& role : roles) {
             for (std::size_t k = 0; k < 2; ++k) {
                 const Across &u = role.across[k], &v = role.across[1 - k];
-                const Lanes reach = (u.half * magnitude(u.by_x) + v.half * magnitude(u.by_y)) + u.side, width = reach - magnitude(u.at);
+                const Lanes reach = (u.half * magnitude(u.by_x) + v.half * magnitude(u.by_y)) + u.side;
                 apart |= reach + role.half_normal * magnitude(u.by_s) < magnitude(u.at - role.half_normal * u.by_s);
-                narrow |= width < all(kLeastWidth) * deepest;
             }
             const Lanes most = (role.depth_at + magnitude(role.across[0].depth_by_x) * role.across[0].half) +
                                magnitude(role.across[1].depth_by_x) * role.across[1].half;
             apart |= most <= zero;
-            minor |= ~(role.area_depth >= all(kLeastMain) * ((role.load + magnitude(role.side[0])) + magnitude(role.side[1])));
         }
-        const LaneMask fits = (cosine > all(kLeastCosine)) & (deepest < all(kMostDepth) * least) & ~narrow & ~minor &
-                              (roles[0].area > zero) & (roles[1].area > zero);
+        const LaneMask fits = (cosine > all(kLeastCosine)) & (deepest < all(kMostDepth) * least) &
+                              ~(roles[0].facing_sides | roles[1].facing_sides) & (roles[0].area > zero) & (roles[1].area > zero);
         result.irregular = ~(faces.found & (fits | (apart & (cosine > all(kLeastCosine)))));
 
         const FaceAxes &a = boxes[0], &b = boxes[1];

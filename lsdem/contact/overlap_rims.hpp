@@ -47,6 +47,7 @@ struct OverlapRims : OverlapRole<W> {
         role.side_along[k] += sign * (one * full.along - two * gap.along);
         role.side_below[k] += sign * (all(2.0 / 3.0) * (one * one * full.cube - two * two * gap.cube));
         if (m == 2) return;
+        if (m != r) role.facing_sides |= rest > zero;
         const Powers d(y0, y1, rest, p0, p1);
         const Lanes beside = all(-sign_of(r) * sign_of(m) * 0.5) * role.across[k].inverse_x;
         role.load += beside * d.square;

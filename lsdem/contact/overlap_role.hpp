@@ -76,6 +76,7 @@ struct OverlapRole {
         Lanes below;       ///< 1/(2ζ)
         Lanes negligible;  ///< terms in the sums below this are left out [m³]
         LaneMask corner;
+        LaneMask facing_sides;  ///< a side of X lies nearest to the side of Y that faces it
         Lanes deepest{}, shallowest{};
         Lanes energy{};  ///< ∫ of Y's field over the overlap [m⁴]
         // sums over face a, first moments along both directions
