@@ -65,9 +65,8 @@ MUSIM_WIDE MeetingFaces<W> choose_faces(const BoxAxes<W>& a, const BoxAxes<W>& b
         // no two axes of one box can both be within 15° of a third
         const Mask first = magnitude(cosine[i][0]) > least_cosine, second = magnitude(cosine[i][1]) > least_cosine,
                    third = magnitude(cosine[i][2]) > least_cosine;
-        const auto facing = [&](const std::array<Real, 3>& of) MUSIM_WIDE_LAMBDA {
-            return choose(first, of[0], choose(second, of[1], of[2]));
-        };
+        const auto facing = [&](const std::array<Real, 3>& of)
+                                MUSIM_WIDE_LAMBDA { return choose(first, of[0], choose(second, of[1], of[2])); };
         const Real side = choose(way[i] < zero, -one, one), half = facing(b.half), facing_cosine = facing(cosine[i]);
         // of b's axis along which it lies beyond that face of a
         const Real beyond = choose(side * facing_cosine < zero, -one, one);

@@ -72,8 +72,7 @@ void visit_meeting_areas(const Bodies& bodies, const BasePose& base, const Conta
                          const std::function<void(std::size_t, const MeetingArea&)>& visit);
 
 /// Puts the exact energies of the normal springs at step n in the place of those in the tallies that are rough: of corners, and of pairs
-/// that are not computed side by side. All others are off by 6e-5 of themselves at most, see kRoughly; by up to 3 % where one box stands on
-/// the tip of a seat a few depths wide.
+/// that are not computed side by side. All others are off by 6e-5 of themselves at most, see kRoughly.
 void refine_overlap_energies(const Bodies& bodies, const BasePose& base, ContactList& list);
 
 }  // namespace musim::lsdem

@@ -33,30 +33,32 @@ struct OverlapRims : OverlapRole<W> {
     }
 
     /// The part of rim `r` of direction k on which plane m is the nearest, `part`: its share in the side's load (D²/(2ζ) − (D − d)²/(2(ζ +
-    /// g))) and in the strip of face a that ends there (d²/(2 by_x)), if m runs along the rim: m = 0, 1, else 2.
+    /// g))) and in the strip of face a that ends there (d²/(2 by_x)), if m runs along the rim: m = 0, 1, else 2. `facing`: cosine by which
+    /// the side faces the plane.
     MUSIM_WIDE static void add_rim_part(Role& role, std::size_t k, std::size_t r, std::size_t m, const SidePlane& plane, const Lanes& x,
-                                        const Lanes& d_at, const Lanes& d_by, Interval part, const LaneMask& where) {
+                                        const Lanes& facing, const Lanes& d_at, const Lanes& d_by, Interval part, const LaneMask& where) {
         const Lanes zero{};
         part.keep(-plane.at * plane.inverse, plane.inverse > zero);
         const Lanes y0 = part.low, y1 = part.high, rest = choose(where, part.length(), zero);
         const Lanes p0 = larger(plane(y0), zero), p1 = larger(plane(y1), zero), e0 = d_at + d_by * y0, e1 = d_at + d_by * y1;
-        const Powers full(y0, y1, rest, e0, e1), gap(y0, y1, rest, e0 - p0, e1 - p1);
+        const Lanes gap0 = e0 - p0, gap1 = e1 - p1;
+        const Powers full(y0, y1, rest, e0, e1), gap(y0, y1, rest, gap0, gap1);
+        role.facing_area += (share_of_facing(facing) * plane.wedge) * (rest * (gap0 + gap1));
         const Lanes one = role.below, two = plane.wedge;
         const Lanes sign = all(sign_of(r));
         role.side[k] += sign * (one * full.square - two * gap.square);
         role.side_along[k] += sign * (one * full.along - two * gap.along);
         role.side_below[k] += sign * (all(2.0 / 3.0) * (one * one * full.cube - two * two * gap.cube));
         if (m == 2) return;
-        if (m != r) role.facing_sides |= rest > zero;
         const Powers d(y0, y1, rest, p0, p1);
         const Lanes beside = all(-sign_of(r) * sign_of(m) * 0.5) * role.across[k].inverse_x;
         role.load += beside * d.square;
         role.load_place[1 - k] += beside * d.along;
         role.load_place[k] += beside * (x * d.square + (all(sign_of(m) / 3.0) * role.across[k].inverse_x) * d.cube);
-        // beyond the rim X has nothing below the strip: ∫ (D d²/2 − d³/6)
+        // between the plane and the rim, below the strip: ∫ (D d²/2 − d³/6)
         const Lanes s0 = p0 * p0, s1 = p1 * p1, both = (p0 * p1) + (p0 * p1);
         const Lanes deep = (e0 * (all(3.0) * s0 + both + s1) + e1 * (s0 + both + all(3.0) * s1)) * (rest * all(1.0 / 24.0));
-        role.energy -= role.across[k].by_x * (deep - all(1.0 / 6.0) * d.cube);
+        role.energy += (beside + beside) * (deep - all(1.0 / 6.0) * d.cube);
     }
 
     /// Where plane m ends on the side below the rim: the line d_m = 0 at s = −d_m(y)/g. There D² g/(2ζ(ζ + g)) dy.
@@ -175,7 +177,7 @@ struct OverlapRims : OverlapRole<W> {
         const Rim rim(role, k, r);
         if (some(flush.touching)) {
             const Interval part = rim.nearer_own(m, beyond_crease(u, v.half, r, m));
-            add_rim_part(role, k, r, m, plane, rim.x, rim.d_at, rim.d_by, part, flush.touching);
+            add_rim_part(role, k, r, m, plane, rim.x, all(-sign_of(r) * sign_of(m)) * u.by_x, rim.d_at, rim.d_by, part, flush.touching);
         }
         if (some(flush.ends))
             add_side_line(role, k, r, plane, rim.end[0], rim.end[1], rim.d_at, rim.d_by, Interval{-v.half, v.half}, flush.ends);
@@ -198,7 +200,8 @@ struct OverlapRims : OverlapRole<W> {
             const Interval part =
                 rim.nearer_end(j, {j == 0 ? -v.half : larger(-v.half, crease), j == 0 ? smaller(v.half, crease) : v.half});
             const LaneMask touching = role.corner & touches(plane, part);
-            if (some(touching)) add_rim_part(role, k, r, 2, plane, rim.x, rim.d_at, rim.d_by, part, touching);
+            if (some(touching))
+                add_rim_part(role, k, r, 2, plane, rim.x, all(-sign_of(r) * sign_of(j)) * v.by_y, rim.d_at, rim.d_by, part, touching);
             if (!leaning) continue;
             const Lanes y = -plane.at * plane.inverse;
             const LaneMask near = role.corner & (magnitude(y) < v.half - slack) & (rim.d_at + rim.d_by * y > slack) &

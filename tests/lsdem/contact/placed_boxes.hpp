@@ -33,9 +33,9 @@ struct Boxes {
 /// Poses of masonry: flush, turned by 90 degrees and half over each other, tilted, twisted and shifted a little, and any.
 class Poses {
   public:
-    enum class Kind : std::size_t { flush, tilted, turned, twisted, any, on_seat };
-    static constexpr std::size_t kOfMasonry = 5;  ///< all but the last
-    Boxes next() { return next(static_cast<Kind>(count_++ % kOfMasonry)); }
+    enum class Kind : std::size_t { flush, tilted, turned, twisted, any, on_seat, on_tip };
+    static constexpr std::size_t kKinds = 7;
+    Boxes next() { return next(static_cast<Kind>(count_++ % kKinds)); }
     Boxes next(Kind kind) {
         Boxes boxes;
         boxes.a.half = boxes.b.half = Vector3(0.16, 0.33, 0.5);
@@ -59,6 +59,11 @@ class Poses {
                 // a few depths wide, along an edge
                 tilt = flip() ? size_between(1e-8, 1e-2) : 0.0, twist = flip() ? size_between(1e-8, 1e-2) : 0.0;
                 shift.x() = 0.32 - size_between(1.0, 30.0) * boxes.depth, shift.y() = 0.5 * even();
+                break;
+            case Kind::on_tip:
+                // a corner of a tilted block on one that it hardly covers
+                tilt = size_between(1e-3, 0.1), twist = size_between(1e-4, 0.1);
+                shift.x() = 0.32 - size_between(1e-4, 0.1), shift.y() = flip() ? 0.66 - size_between(1e-4, 0.1) : 0.5 * even();
                 break;
             case Kind::any:
                 tilt = size_between(1e-7, 0.3), twist = 3.0 * even(), shift = Vector3(0.3 * even(), 0.5 * even(), 0.0);
