@@ -13,7 +13,6 @@ namespace musim::lsdem::detail {
 
 constexpr double kLeastCosine = 0.9613;  ///< of the tilt: 16°
 constexpr double kMostDepth = 0.05;      ///< of the least half extent
-constexpr double kMostFacing = 1e-3;     ///< of the area: what no main cell has
 /// Terms below this part of size · area are left out [-]: a fraction of what rounding of the positions makes of the load.
 constexpr double kNegligible = 1.5e-16;
 
@@ -221,8 +220,7 @@ struct Kernel : OverlapRims<W> {
             apart |= most <= zero;
         }
         const LaneMask fits = (cosine > all(kLeastCosine)) & (deepest < all(kMostDepth) * least) &
-                              (roles[0].facing_area + roles[1].facing_area <= all(2.0 * kMostFacing) * area) & (roles[0].area > zero) &
-                              (roles[1].area > zero);
+                              ~(roles[0].sides_face | roles[1].sides_face) & (roles[0].area > zero) & (roles[1].area > zero);
         result.irregular = ~(faces.found & (fits | (apart & (cosine > all(kLeastCosine)))));
 
         const FaceAxes &a = boxes[0], &b = boxes[1];

@@ -41,9 +41,8 @@ struct OverlapRims : OverlapRole<W> {
         part.keep(-plane.at * plane.inverse, plane.inverse > zero);
         const Lanes y0 = part.low, y1 = part.high, rest = choose(where, part.length(), zero);
         const Lanes p0 = larger(plane(y0), zero), p1 = larger(plane(y1), zero), e0 = d_at + d_by * y0, e1 = d_at + d_by * y1;
-        const Lanes gap0 = e0 - p0, gap1 = e1 - p1;
-        const Powers full(y0, y1, rest, e0, e1), gap(y0, y1, rest, gap0, gap1);
-        role.facing_area += (share_of_facing(facing) * plane.wedge) * (rest * (gap0 + gap1));
+        const Powers full(y0, y1, rest, e0, e1), gap(y0, y1, rest, e0 - p0, e1 - p1);
+        role.sides_face |= (rest > zero) & (facing > all(kLeastFacing));
         const Lanes one = role.below, two = plane.wedge;
         const Lanes sign = all(sign_of(r));
         role.side[k] += sign * (one * full.square - two * gap.square);

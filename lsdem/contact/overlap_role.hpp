@@ -76,9 +76,9 @@ struct OverlapRole {
         Lanes below;       ///< 1/(2ζ)
         Lanes negligible;  ///< terms in the sums below this are left out [m³]
         LaneMask corner;
+        LaneMask sides_face{};  ///< a side of X faces one of Y that is nearest to it: area that no main cell has
         Lanes deepest{}, shallowest{};
-        Lanes energy{};       ///< ∫ of Y's field over the overlap [m⁴]
-        Lanes facing_area{};  ///< of the sides, where they face sides of Y that are nearest: no main cell has it [m²]
+        Lanes energy{};  ///< ∫ of Y's field over the overlap [m⁴]
         // sums over face a, first moments along both directions
         Lanes load{};
         std::array<Lanes, 2> load_place{};
