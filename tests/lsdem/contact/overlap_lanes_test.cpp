@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
+#include <Eigen/Eigenvalues>
 #include <limits>
 #include <numbers>
 #include <random>
@@ -84,6 +85,25 @@ TEST_CASE("pairs side by side give the load of the exact function wherever they 
     }
     // of all these poses some corners and edges do not hold
     CHECK(held > asked * 9 / 10);
+}
+
+// of a tip whole boxes overlap by their tilt, sideways often less than in height
+TEST_CASE("tilted boxes that meet by a tip are named the faces that touch") {
+    Poses poses;
+    constexpr std::size_t kPoses = 400;
+    std::size_t named = 0;
+    for (std::size_t i = 0; i < kPoses; ++i) {
+        const Boxes boxes = poses.next(Poses::Kind::on_tip);
+        const ContactArea area = find_contact_area(boxes.cut(), Vector3::Zero());
+        // normal of the touching area: across it has no second moment
+        const Vector3 normal = Eigen::SelfAdjointEigenSolver<Matrix3>(area.second).eigenvectors().col(0);
+        const auto faces = choose_faces(boxes.meeting());
+        for (std::size_t k = 0; k < 3; ++k) {
+            const bool across = std::abs(normal.dot(boxes.a.rotation.col(static_cast<Eigen::Index>(k)))) > 0.9;
+            named += across && faces.along[0][k] ? 1 : 0;
+        }
+    }
+    CHECK(named > kPoses * 9 / 10);
 }
 
 TEST_CASE("boxes that lie beside each other at one height give nothing or say that they do not hold") {

@@ -30,7 +30,8 @@ struct Boxes {
     double size() const { return a.position.norm() + a.half.norm() + b.half.norm(); }
 };
 
-/// Poses of masonry: flush, turned by 90 degrees and half over each other, tilted, twisted and shifted a little, and any.
+/// Poses of masonry: flush, turned by 90 degrees and half over each other, tilted, twisted and shifted a little, any, and on narrow seats
+/// and tips.
 class Poses {
   public:
     enum class Kind : std::size_t { flush, tilted, turned, twisted, any, on_seat, on_tip };
