@@ -135,11 +135,14 @@ TEST_CASE("copies moved in the same directions part in proportion to how far") {
 }
 
 // Its blocks are drawn in contact and rebound flat when gravity begins, so that rounding alone chooses the edge by which they part.
+// the deviation is asked for at nine tenths of the horizon, so the runs have to reach it
 TEST_CASE("exact models of the demo tower part smoothly" * doctest::test_suite("slow")) {
     Scene tower = read_scene(std::filesystem::path(MUSIM_SOURCE_DIR) / "examples/twins/tower_as_drawn.json");
-    tower.time.duration = musim::scaling::Time::from_value(3.0);
+    const double duration = 4.6;
+    tower.time.duration = musim::scaling::Time::from_value(duration);
     const TwinStudy study = run_twins(tower, choose_models(6, 1), {.threads = 0});
     const TwinSummary summary = summarize(study);
+    CHECK(summary.horizon < 0.95 * duration);
     for (const TwinGrowth& twin : summary.twins) CHECK(twin.growth.factor < 15.0);
     CHECK(summary.at_horizon.sd < 0.4);
 }
