@@ -199,8 +199,10 @@ struct OverlapRims : OverlapRole<W> {
             const Interval part =
                 rim.nearer_end(j, {j == 0 ? -v.half : larger(-v.half, crease), j == 0 ? smaller(v.half, crease) : v.half});
             const LaneMask touching = role.corner & touches(plane, part);
-            if (some(touching))
-                add_rim_part(role, k, r, 2, plane, rim.x, all(-sign_of(r) * sign_of(j)) * v.by_y, rim.d_at, rim.d_by, part, touching);
+            if (some(touching)) {
+                const Lanes facing = all(-sign_of(r) * sign_of(j)) * v.by_y;
+                add_rim_part(role, k, r, 2, plane, rim.x, facing, rim.d_at, rim.d_by, part, touching);
+            }
             if (!leaning) continue;
             const Lanes y = -plane.at * plane.inverse;
             const LaneMask near = role.corner & (magnitude(y) < v.half - slack) & (rim.d_at + rim.d_by * y > slack) &
