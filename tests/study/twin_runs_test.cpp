@@ -135,7 +135,7 @@ TEST_CASE("copies moved in the same directions part in proportion to how far") {
 }
 
 // Its blocks are drawn in contact and rebound flat when gravity begins, so that rounding alone chooses the edge by which they part.
-// the deviation is asked for at nine tenths of the horizon, so the runs have to reach it
+// The deviation is asked for at nine tenths of the horizon, so the runs have to reach it.
 TEST_CASE("exact models of the demo tower part smoothly" * doctest::test_suite("slow")) {
     Scene tower = read_scene(std::filesystem::path(MUSIM_SOURCE_DIR) / "examples/twins/tower_as_drawn.json");
     const double duration = 4.6;
