@@ -80,12 +80,9 @@ bool find_contact_faces(const RelativePose& pose, const Vector3& leader_half, Fl
     return widest_gap < 0.0;
 }
 
-/// How far the two blocks of a pair have travelled [m].
-double find_travel(const ContactPair& pair, const Bodies& bodies) { return bodies.travel_of(pair.leader, pair.follower); }
-
-/// Can the blocks of a pair not have met since it was found apart? `next_check`: see ContactList; zero of a pair with the ground.
+/// Can the blocks of a pair not have met since it was found apart? `next_check`: see ContactList; zero of a pair that meets by nodes.
 bool known_apart(const ContactPair& pair, double next_check, const Bodies& bodies) {
-    return next_check > 0.0 && find_travel(pair, bodies) < next_check;
+    return next_check > 0.0 && bodies.travel_of(pair.leader, pair.follower) < next_check;
 }
 
 /// Stores the sums of a pair, turned to the world frame; `frame`: follower's frame to world.
@@ -95,12 +92,8 @@ void store(const PairSums& sums, const Matrix3& frame, const Vector3& leader_in_
     result.force = frame * force;
     result.leader_torque = frame * (moment - leader_in_follower.cross(force));
     result.follower_torque = -(frame * moment);
-    tally.elastic_normal = sums.elastic_normal;
-    tally.elastic_shear = sums.elastic_shear;
-    tally.overlap = sums.overlap;
-    tally.touching = sums.touching;
-    work.friction += sums.friction;
-    work.damping += sums.damping;
+    tally = sums.tally;
+    work += sums.work;
 }
 
 /// Area of every node in contact when a pair shares its stiffness per contact, from the number that touched a step ago; zero otherwise.
@@ -219,10 +212,8 @@ double compute_pairs(const Model& model, const Bodies& bodies, const BasePose& b
         }
         compute_node_contact(model, bodies, base, dt, index, list);
         if (list.demand.wanted) list.demand.ask(index, find_touching_area(model, list, index));
-        const double overlap = list.tallies[index].overlap;
-        if (!(overlap > 0.0)) continue;
         const double height = 2.0 * model.shapes[model.blocks[pair.leader].shape].half_extents.z();
-        deepest = std::max(deepest, overlap / height);
+        deepest = std::max(deepest, list.tallies[index].overlap / height);
     }
     return deepest;
 }
@@ -248,10 +239,11 @@ std::size_t count_apart(const Bodies& bodies, const ContactList& list) {
 
 void clear_losses(ContactList& list) { std::fill(list.work.begin(), list.work.end(), PairWork{}); }
 
-PairWork& loss_of(const ContactPair& pair, Losses& losses) { return pair.follower == kGround ? losses.ground : losses.block[pair.leader]; }
-
 void add_losses(const ContactList& list, Losses& losses) {
-    for (std::size_t p = 0; p < list.pairs.size(); ++p) loss_of(list.pairs[p], losses) += list.work[p];
+    for (std::size_t p = 0; p < list.pairs.size(); ++p) {
+        const ContactPair& pair = list.pairs[p];
+        (pair.follower == kGround ? losses.ground : losses.block[pair.leader]) += list.work[p];
+    }
 }
 
 }  // namespace musim::lsdem

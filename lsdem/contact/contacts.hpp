@@ -76,7 +76,7 @@ struct PairTally {
     double elastic_normal = 0.0, elastic_shear = 0.0;  ///< stored [J]
     double overlap = 0.0;                              ///< largest [m]
     std::uint32_t touching = 0;                        ///< nodes in contact; of boxes that overlap, one
-    bool rough = false;                                ///< elastic_normal lacks a part overlap/size, see refine_overlap_energies
+    bool rough = false;                                ///< see refine_overlap_energies
 };
 
 /// What inertia contacts ask their blocks to have while a specimen is prepared, see detail::MassScaling.
@@ -98,14 +98,14 @@ struct ContactList {
     /// Indices into the leader shape's nodes, ascending within a pair; the last one is repeated to fill a group of four.
     std::vector<std::uint32_t> nodes;
     ContactHistory history;
-    std::vector<PairForce> forces;  ///< one per pair
-    std::vector<OverlapContact> overlaps;
-    std::vector<std::uint32_t> ground_pairs;
-    std::vector<PairTally> tallies;     ///< one per pair
-    double trusted_gap = kTrustedGap;   ///< zero: every pair is looked at in every step [-]
-    std::vector<std::uint32_t> active;  ///< room for one entry per pair: those that a step has to look at, per thread
-    std::vector<double> next_check;     ///< one per pair: Bodies::travel of both blocks below which they cannot meet [m]
-    std::vector<std::uint8_t> faces;    ///< one per pair: the faces that met in the last step, see detail::FlatFollower::code
+    std::vector<PairForce> forces;            ///< one per pair
+    std::vector<OverlapContact> overlaps;     ///< see ContactPair::overlap
+    std::vector<std::uint32_t> ground_pairs;  ///< indices of the pairs with the ground
+    std::vector<PairTally> tallies;           ///< one per pair
+    double trusted_gap = kTrustedGap;         ///< zero: every pair is looked at in every step [-]
+    std::vector<std::uint32_t> active;        ///< room for one entry per pair: those that a step has to look at, per thread
+    std::vector<double> next_check;           ///< one per pair: Bodies::travel_of both blocks below which they cannot meet [m]
+    std::vector<std::uint8_t> faces;          ///< one per pair: the faces that met in the last step, see detail::FlatFollower::code
     /// Contacts found in the very first step are taken as they are, initial overlap included.
     bool first_step = true;
     InertiaDemand demand;
@@ -128,9 +128,6 @@ ContactTotals sum_contacts(const ContactList& list);
 
 /// Number of pairs that are known to be apart, see kTrustedGap.
 std::size_t count_apart(const Bodies& bodies, const ContactList& list);
-
-/// Entry of `losses` that a pair belongs to.
-PairWork& loss_of(const ContactPair& pair, Losses& losses);
 
 /// Adds what all pairs have dissipated since the list was built, in the order of the list.
 void add_losses(const ContactList& list, Losses& losses);

@@ -14,19 +14,6 @@ std::size_t largest_axis(const Row& v) {
     return axis;
 }
 
-RelativePose::RelativePose(const Matrix3& q, const Vector3& t, const Matrix3& old_q, const Vector3& old_t) {
-    for (int i = 0; i < 3; ++i) {
-        const auto r = static_cast<std::size_t>(i);
-        position[r] = t[i];
-        position_change[r] = t[i] - old_t[i];
-        for (int j = 0; j < 3; ++j) {
-            const auto c = static_cast<std::size_t>(j);
-            rotation[r][c] = q(i, j);
-            rotation_change[r][c] = q(i, j) - old_q(i, j);
-        }
-    }
-}
-
 StepLaw::StepLaw(const Interface& law, double dt)
     : kn(law.normal_stiffness),
       ks(law.shear_stiffness),
@@ -35,30 +22,24 @@ StepLaw::StepLaw(const Interface& law, double dt)
       cs(law.shear_damping / dt),
       ks_inverse(law.shear_stiffness > 0.0 ? 1.0 / law.shear_stiffness : 0.0) {}
 
-void PairSums::add_force_at(const Row& point, const Row& f) {
-    for (std::size_t a = 0; a < 3; ++a) {
-        const std::size_t b = (a + 1) % 3, c = (a + 2) % 3;
-        force[a] += f[a];
-        moment[a] += point[b] * f[c] - point[c] * f[b];
-    }
-}
-
 void end_contact(const StepLaw& law, const Row& normal, const Row& change, double share, std::size_t entry, ContactHistory& history,
-                 PairSums& sums) {
+                 PairWork& work) {
     double released = 0.0, dashpot = history.damping_pressure[entry] * dot(normal, change);
     for (std::size_t a = 0; a < 3; ++a) {
         const double slip = history.slip[a][entry];
         released += slip * (slip + change[a]);
         if (history.has_viscous()) dashpot += history.viscous[a][entry] * change[a];
     }
-    sums.friction += 0.5 * share * law.ks * released;
-    sums.damping -= 0.5 * share * dashpot;
+    work.friction += 0.5 * share * law.ks * released;
+    work.damping -= 0.5 * share * dashpot;
     history.end(entry);
 }
 
 namespace {
 
-constexpr double kPerSudden = 1.0 / kSuddenPart;
+/// A contact that begins with more than this part of its area counts as noticed late [-]. One that slides over an edge begins, because the
+/// edge is rounded, with the square of the part of a cell that it moves in a step: 1e-6 for a prototype block at 1 m/s.
+constexpr double kSuddenPart = 1e-4;
 
 /// Which axis of the leader goes with each axis of the follower's face.
 struct AxisMatch {
@@ -95,8 +76,11 @@ struct NodePointers {
 struct LaneRow {
     Lanes x, y, z, at;
 
-    LaneRow(const Row& row, double offset)
-        : x(broadcast<Lanes>(row[0])), y(broadcast<Lanes>(row[1])), z(broadcast<Lanes>(row[2])), at(broadcast<Lanes>(offset)) {}
+    LaneRow(const PointMap& map, std::size_t r)
+        : x(broadcast<Lanes>(map.rotation[r][0])),
+          y(broadcast<Lanes>(map.rotation[r][1])),
+          z(broadcast<Lanes>(map.rotation[r][2])),
+          at(broadcast<Lanes>(map.position[r])) {}
     [[gnu::always_inline]] Lanes operator()(const Lanes& px, const Lanes& py, const Lanes& pz) const {
         return ((x * px + y * py) + z * pz) + at;
     }
@@ -185,9 +169,8 @@ template <bool Faceted, bool Bounded>
     const std::size_t k = face.axis, u = (k + 1) % 3, v = (k + 2) % 3;
     const AxisMatch match(pose, face);
     const NodePointers nodes(leader.shape.nodes, match);
-    const LaneRow y_k(pose.rotation[k], pose.position[k]), y_u(pose.rotation[u], pose.position[u]), y_v(pose.rotation[v], pose.position[v]);
-    const LaneRow d_k(pose.rotation_change[k], pose.position_change[k]), d_u(pose.rotation_change[u], pose.position_change[u]),
-        d_v(pose.rotation_change[v], pose.position_change[v]);
+    const LaneRow y_k(pose, k), y_u(pose, u), y_v(pose, v);
+    const LaneRow d_k(pose.change, k), d_u(pose.change, u), d_v(pose.change, v);
     const double side = face.side, half_k = face.half[k], half_u = face.half[u], half_v = face.half[v];
     const double facing_sign = -side * pose.rotation[k][match.normal] < 0.0 ? -1.0 : 1.0;
     // the leader's face, as a slope in the axes of the follower's: y_k rises by slant_u per y_u along it
@@ -208,7 +191,7 @@ template <bool Faceted, bool Bounded>
     double* const dashpot = history.damping_pressure.data();
     double* const late_of = history.late.data();
     LaneSums total;
-    PairSums ended;
+    PairWork ended;
 
     for (std::size_t entry = pair.first_node, end = entry + pair.node_count; entry < end; entry += kLanes) {
         const std::uint32_t* const index = &list.nodes[entry];
@@ -280,7 +263,7 @@ template <bool Faceted, bool Bounded>
 
         // what a new contact overlapped before it was noticed carries nothing, unless its area begins at zero too
         const Lanes overlap_before = larger_of<Lanes>(overlap + normal_change, zero);
-        const Lanes sudden = smaller_of<Lanes>(area * kPerSudden / share, broadcast<Lanes>(1.0));
+        const Lanes sudden = smaller_of<Lanes>(area * (1.0 / kSuddenPart) / share, broadcast<Lanes>(1.0));
         Lanes late = choose(lasting, smaller_of<Lanes>(load(late_of + entry), overlap), list.first_step ? zero : overlap_before * sudden);
         late = choose(active, late, zero);
         overlap -= late;
@@ -354,12 +337,9 @@ template <bool Faceted, bool Bounded>
     PairSums sums;
     sums.force[k] = sum(total.force_k), sums.force[u] = sum(total.force_u), sums.force[v] = sum(total.force_v);
     sums.moment[k] = sum(total.moment_k), sums.moment[u] = sum(total.moment_u), sums.moment[v] = sum(total.moment_v);
-    sums.elastic_normal = sum(total.elastic_normal);
-    sums.elastic_shear = sum(total.elastic_shear);
-    sums.friction = sum(total.friction) + ended.friction;
-    sums.damping = sum(total.damping) + ended.damping;
-    sums.overlap = largest(total.overlap);
-    sums.touching = static_cast<std::uint32_t>(sum(total.touching));
+    sums.tally = {sum(total.elastic_normal), sum(total.elastic_shear), largest(total.overlap),
+                  static_cast<std::uint32_t>(sum(total.touching))};
+    sums.work = {sum(total.friction) + ended.friction, sum(total.damping) + ended.damping};
     return sums;
 }
 

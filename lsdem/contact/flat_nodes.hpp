@@ -21,15 +21,24 @@ inline Row row_of(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
 /// Axis along which a vector is largest.
 std::size_t largest_axis(const Row& v);
 
+/// An affine map of points of the leader to the follower's frame.
+struct PointMap {
+    std::array<Row, 3> rotation;  ///< rows
+    Row position;                 ///< of the leader's origin [m]
+
+    PointMap(const Matrix3& q, const Vector3& t) : rotation{row_of(q.row(0)), row_of(q.row(1)), row_of(q.row(2))}, position(row_of(t)) {}
+    Row operator()(const Row& p) const {
+        return {dot(rotation[0], p) + position[0], dot(rotation[1], p) + position[1], dot(rotation[2], p) + position[2]};
+    }
+};
+
 /// Pose of the leader in the follower's frame, and its change over the last step. Differences of poses, not velocities times dt: their sum
 /// over time telescopes, so that a stuck node cannot creep by rounding or by the turning of its lever arm.
-struct RelativePose {
-    std::array<Row, 3> rotation;  ///< rows: leader's body frame to follower's frame
-    Row position;                 ///< leader's origin in the follower's frame [m]
-    std::array<Row, 3> rotation_change;
-    Row position_change;  ///< [m]
+struct RelativePose : PointMap {
+    PointMap change;
 
-    RelativePose(const Matrix3& q, const Vector3& t, const Matrix3& old_q, const Vector3& old_t);
+    RelativePose(const Matrix3& q, const Vector3& t, const Matrix3& old_q, const Vector3& old_t)
+        : PointMap(q, t), change(q - old_q, t - old_t) {}
 
     /// A vector of the follower's frame in the leader's.
     Row in_leader_frame(const Row& v) const {
@@ -38,10 +47,6 @@ struct RelativePose {
         return result;
     }
 };
-
-/// A contact that begins with more than this part of its area counts as noticed late [-]. One that slides over an edge begins, because the
-/// edge is rounded, with the square of the part of a cell that it moves in a step: 1e-6 for a prototype block at 1 m/s.
-inline constexpr double kSuddenPart = 1e-4;
 
 /// Interface with the time step folded in: tractions from displacements.
 struct StepLaw {
@@ -54,10 +59,8 @@ struct StepLaw {
 /// Sums over the nodes of one pair, follower's frame; the moment about the follower's origin.
 struct PairSums {
     Row force{}, moment{};
-    double elastic_normal = 0.0, elastic_shear = 0.0, friction = 0.0, damping = 0.0, overlap = 0.0;
-    std::uint32_t touching = 0;
-
-    void add_force_at(const Row& point, const Row& f);
+    PairTally tally;
+    PairWork work;
 };
 
 /// A flat face of the follower, the plane of the ground or one face of a box, and the face of the leader that looks at it. The two are
@@ -75,7 +78,7 @@ struct FlatFollower {
 
 /// A contact that has just ended gives up what its springs and dashpots held; `share` is the area it could act on [m²].
 void end_contact(const StepLaw& law, const Row& normal, const Row& change, double share, std::size_t entry, ContactHistory& history,
-                 PairSums& sums);
+                 PairWork& work);
 
 /// A pair that meets by the nodes of its leader; `list` holds their histories.
 struct NodeContact {

@@ -14,19 +14,6 @@ double acting_area(const BlockNodes& nodes, std::size_t i, const Row& normal) {
     return normal[axis] < 0.0 ? area[axis] : -area[axis];
 }
 
-/// Displacement of leader point `p` relative to the follower over the last step, follower's frame [m].
-Row change_of(const RelativePose& pose, const Row& p) {
-    Row change;
-    for (std::size_t a = 0; a < 3; ++a) change[a] = dot(pose.rotation_change[a], p) + pose.position_change[a];
-    return change;
-}
-
-Row point_of(const RelativePose& pose, const Row& p) {
-    Row point;
-    for (std::size_t a = 0; a < 3; ++a) point[a] = dot(pose.rotation[a], p) + pose.position[a];
-    return point;
-}
-
 /// One node against a grid that it touches: the contact law along the grid's normal there, with the history projected on today's tangent
 /// plane. Losses are booked as in the flat kernel.
 void add_grid_node(const StepLaw& law, const Row& y, const Row& normal, const Row& change, double overlap, double area, std::size_t entry,
@@ -70,12 +57,12 @@ void add_grid_node(const StepLaw& law, const Row& y, const Row& normal, const Ro
     double work = 0.0;
     for (std::size_t a = 0; a < 3; ++a) work -= 0.5 * (old_shear[a] + shear[a]) * tangential[a];
     const double stored = 0.5 * law.ks * dot(slip, slip), stored_before = 0.5 * law.ks * dot(old_slip, old_slip);
-    (slides ? sums.friction : sums.damping) += area * (work - (stored - stored_before));
-    sums.damping -= 0.5 * area * ((born ? 0.0 : history.damping_pressure[entry]) + damping_pressure) * normal_change;
-    sums.elastic_normal += 0.5 * area * elastic * overlap;
-    sums.elastic_shear += area * stored;
-    sums.overlap = std::max(sums.overlap, overlap);
-    ++sums.touching;
+    (slides ? sums.work.friction : sums.work.damping) += area * (work - (stored - stored_before));
+    sums.work.damping -= 0.5 * area * ((born ? 0.0 : history.damping_pressure[entry]) + damping_pressure) * normal_change;
+    sums.tally.elastic_normal += 0.5 * area * elastic * overlap;
+    sums.tally.elastic_shear += area * stored;
+    sums.tally.overlap = std::max(sums.tally.overlap, overlap);
+    ++sums.tally.touching;
     history.damping_pressure[entry] = damping_pressure;
     Row force;
     for (std::size_t a = 0; a < 3; ++a) {
@@ -83,7 +70,11 @@ void add_grid_node(const StepLaw& law, const Row& y, const Row& normal, const Ro
         if (history.has_viscous()) history.viscous[a][entry] = viscous[a];
         force[a] = area * (pressure * normal[a] + shear[a]);
     }
-    sums.add_force_at(y, force);
+    for (std::size_t a = 0; a < 3; ++a) {
+        const std::size_t b = (a + 1) % 3, c = (a + 2) % 3;
+        sums.force[a] += force[a];
+        sums.moment[a] += y[b] * force[c] - y[c] * force[b];
+    }
 }
 
 /// The level set of a block of its own height, from the grid of its shape: cut in the middle, and the halves moved apart, or together, by
@@ -117,16 +108,15 @@ PairSums sum_grid_nodes(const NodeContact& contact, const GridLevelSet& shape, d
     for (std::size_t entry = pair.first_node; entry < pair.first_node + pair.node_count; ++entry) {
         const std::size_t i = list.nodes[entry];
         const Row p = row_of(leader.position(i));
-        const Row y = point_of(pose, p);
+        const Row y = pose(p);
         const Vector3 point{y[0], y[1], y[2]};
         const double overlap = -grid.value(point);
         if (overlap <= 0.0 && !list.history.touches(entry)) continue;
 
-        const Row change = change_of(pose, p);
+        const Row change = pose.change(p);
         const Vector3 gradient = grid.gradient(point);
         const double norm = gradient.norm();
-        Row normal{};
-        for (std::size_t a = 0; a < 3; ++a) normal[a] = norm > 0.0 ? gradient[static_cast<Eigen::Index>(a)] / norm : 0.0;
+        const Row normal = norm > 0.0 ? row_of(gradient / norm) : Row{};
         const double own_area = acting_area(leader, i, pose.in_leader_frame(normal));
         const double area = equal_area > 0.0 && own_area > 0.0 ? equal_area : own_area;
         if (overlap > 0.0 && area > 0.0) {
@@ -136,7 +126,7 @@ PairSums sum_grid_nodes(const NodeContact& contact, const GridLevelSet& shape, d
             late = list.history.touches(entry) ? std::min(late, overlap) : before;
             add_grid_node(law, y, normal, change, overlap - late, area, entry, list.history, sums);
         } else if (list.history.touches(entry)) {
-            end_contact(law, normal, change, std::abs(area), entry, list.history, sums);
+            end_contact(law, normal, change, std::abs(area), entry, list.history, sums.work);
         }
     }
     return sums;
