@@ -5,9 +5,7 @@
 #include <limits>
 
 namespace musim::lsdem::detail {
-namespace {
 
-/// Along the faces of both; negative: how far the boxes overlap at least [m].
 double find_gap_of_faces(const Vector3& half_a, const Vector3& half_b, const Matrix3& q, const Vector3& position) {
     double widest = -std::numeric_limits<double>::infinity();
     for (Eigen::Index i = 0; i < 3; ++i) {
@@ -21,6 +19,8 @@ double find_gap_of_faces(const Vector3& half_a, const Vector3& half_b, const Mat
     }
     return widest;
 }
+
+namespace {
 
 /// Across an edge of one and an edge of the other, times the sine of the angle between them [m]. Edges nearly parallel to each other are
 /// left to the faces.

@@ -4,8 +4,12 @@
 
 namespace musim::lsdem::detail {
 
-/// How far a plane separates two boxes, along a face of one or along an edge of each: they are no nearer to each other [m]. Zero or less:
-/// none does; of boxes that overlap none ever does. `half`: half extents [m]; `rotation`, `position`: of box a in the frame of box b.
+/// How far a plane along a face of one separates two boxes [m]; negative: how far they overlap at least along the normal of every face.
+/// `half`: half extents [m]; `rotation`, `position`: of box a in the frame of box b.
+double find_gap_of_faces(const Vector3& half_a, const Vector3& half_b, const Matrix3& rotation, const Vector3& position);
+
+/// The same for planes along a face of one, and along an edge of each: the boxes are no nearer to each other [m]. Zero where none separates
+/// them; of boxes that overlap none does.
 double find_gap(const Vector3& half_a, const Vector3& half_b, const Matrix3& rotation, const Vector3& position);
 
 }  // namespace musim::lsdem::detail

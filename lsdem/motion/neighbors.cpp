@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "lsdem/block_height.hpp"
+#include "lsdem/contact/box_gap.hpp"
 #include "lsdem/contact/box_meeting.hpp"
 
 namespace musim::lsdem {
@@ -15,18 +16,6 @@ namespace {
 
 /// World half extents of a block's bounding box [m].
 Vector3 world_half(const Matrix3& rotation, const Vector3& half) { return rotation.cwiseAbs() * half; }
-
-bool overlap_along(double center_a, double half_a, double center_b, double half_b, double skin) {
-    return std::abs(center_a - center_b) <= half_a + half_b + skin;
-}
-
-/// Oriented boxes: separated by more than `skin` along a face normal of either?
-bool separated(const Matrix3& ra, const Vector3& ha, const Matrix3& rb, const Vector3& hb, const Vector3& offset, double skin) {
-    const Matrix3 between = (ra.transpose() * rb).cwiseAbs();
-    const Vector3 in_a = ra.transpose() * offset, in_b = rb.transpose() * offset;
-    const Vector3 gap_a = in_a.cwiseAbs() - ha - between * hb, gap_b = in_b.cwiseAbs() - hb - between.transpose() * ha;
-    return std::max(gap_a.maxCoeff(), gap_b.maxCoeff()) > skin;
-}
 
 /// Cell of a regular grid as a sortable key.
 struct CellEntry {
@@ -61,8 +50,6 @@ void name_axes(const Bodies& bodies, ContactPair& pair) {
     pair.leader_axis = named(faces.along[0]);
     pair.follower_axis = named(faces.along[1]);
 }
-
-bool same_pair(const ContactPair& a, const ContactPair& b) { return a.leader == b.leader && a.follower == b.follower; }
 
 /// The order of pairs in the list: by their blocks, whichever leads.
 constexpr auto is_before = [](const auto& a, const auto& b) {
@@ -99,19 +86,12 @@ NeighborSearch::NeighborSearch(const Model& model) : model_(&model) {
     skin_ = model.blocks.empty() ? 0.0 : kNeighborSkin * smallest;
 }
 
-double NeighborSearch::effective_mass(BlockPair blocks) const {
-    const Block& a = model_->blocks[blocks.leader];
-    if (blocks.follower == kGround) return a.mass;
-    const Block& b = model_->blocks[blocks.follower];
-    return a.fixed ? b.mass : b.fixed ? a.mass : a.mass * b.mass / (a.mass + b.mass);
-}
-
 Interface NeighborSearch::make_pair_interface(BlockPair blocks) const {
     const Block& a = model_->blocks[blocks.leader];
-    const double mass = effective_mass(blocks);
     const double area_a = model_->shapes[a.shape].face_area;
-    if (blocks.follower == kGround) return make_interface(model_->materials[a.material], model_->ground.material, mass, area_a);
+    if (blocks.follower == kGround) return make_interface(model_->materials[a.material], model_->ground.material, a.mass, area_a);
     const Block& b = model_->blocks[blocks.follower];
+    const double mass = a.fixed ? b.mass : b.fixed ? a.mass : a.mass * b.mass / (a.mass + b.mass);
     const double area = std::min(area_a, model_->shapes[b.shape].face_area);
     const Interface whole = make_interface(model_->materials[a.material], model_->materials[b.material], mass, area);
     return model_->numerics.contact_nodes == ContactNodes::both ? scaled(whole, 0.5) : whole;
@@ -137,13 +117,11 @@ void NeighborSearch::find_block_pairs(const Bodies& bodies, std::vector<BlockPai
 
     const auto consider = [&](std::uint32_t i, std::uint32_t j) {
         if (model_->blocks[i].fixed && model_->blocks[j].fixed) return;
-        for (int a = 0; a < 3; ++a) {
-            if (!overlap_along(bodies.pose[i].position[a], half[i][a], bodies.pose[j].position[a], half[j][a], skin_)) return;
-        }
-        if (separated(bodies.pose[i].rotation, bodies.pose[i].half, bodies.pose[j].rotation, bodies.pose[j].half,
-                      bodies.pose[j].position - bodies.pose[i].position, skin_)) {
-            return;
-        }
+        const BodyPose &a = bodies.pose[i], &b = bodies.pose[j];
+        const Vector3 offset = b.position - a.position;
+        if (!(offset.cwiseAbs().array() <= (half[i] + half[j]).array() + skin_).all()) return;
+        const Matrix3 to_a = a.rotation.transpose();
+        if (detail::find_gap_of_faces(b.half, a.half, to_a * b.rotation, to_a * offset) > skin_) return;
         pairs.push_back({std::min(i, j), std::max(i, j)});
     };
     // each row of three cells along the last axis is contiguous in the sorted list
@@ -164,7 +142,7 @@ void NeighborSearch::find_block_pairs(const Bodies& bodies, std::vector<BlockPai
     }
 }
 
-void NeighborSearch::add_pair(BlockPair blocks, const Bodies& bodies, const BasePose& base, ContactList& list) const {
+void NeighborSearch::add_nodes(BlockPair blocks, const Bodies& bodies, const BasePose& base, ContactList& list) const {
     const BlockNodes nodes = nodes_of(*model_, model_->blocks[blocks.leader]);
     const bool ground = blocks.follower == kGround;
     const Matrix3 to_follower = ground ? Matrix3(Matrix3::Identity()) : Matrix3(bodies.pose[blocks.follower].rotation.transpose());
@@ -241,7 +219,7 @@ void NeighborSearch::rebuild(const Bodies& bodies, const BasePose& base, Contact
     }
     std::sort(directed.begin(), directed.end(), is_before);
     for (const BlockPair& p : directed) {
-        if (!add_overlap(p, bodies, list)) add_pair(p, bodies, base, list);
+        if (!add_overlap(p, bodies, list)) add_nodes(p, bodies, base, list);
     }
 
     list.history.reset(list.nodes.size(), std::any_of(list.pairs.begin(), list.pairs.end(),
@@ -262,7 +240,7 @@ void NeighborSearch::rebuild(const Bodies& bodies, const BasePose& base, Contact
         const ContactPair& pair = list.pairs[p];
         if (pair.follower == kGround) list.ground_pairs.push_back(static_cast<std::uint32_t>(p));
         while (old != previous_.pairs.end() && is_before(*old, pair)) ++old;
-        if (old == previous_.pairs.end() || !same_pair(*old, pair)) continue;
+        if (old == previous_.pairs.end() || is_before(pair, *old)) continue;
         const auto o = static_cast<std::size_t>(old - previous_.pairs.begin());
         list.forces[p] = previous_.forces[o];
         if (list.demand.wanted) list.demand.asked[p] = previous_.demand.asked[o];

@@ -13,7 +13,7 @@ namespace musim::lsdem {
 /// blocks beside each other in a layer of the papers' tower enter the list before they have moved. Affects speed only, never results.
 inline constexpr double kNeighborSkin = 0.03;
 
-/// Finds the pairs and nodes that can touch, and decides when the list has to be made anew.
+/// Finds the pairs and nodes that can touch.
 ///
 /// Each block may move by skin/2 relative to the base before the list goes stale; the list holds every node that lies within the skin of
 /// its follower. So no contact is ever missed, for any motion (checked against brute force by the neighbor-list tests).
@@ -42,11 +42,10 @@ class NeighborSearch {
         std::uint32_t leader, follower;
     };
     void find_block_pairs(const Bodies& bodies, std::vector<BlockPair>& pairs) const;
-    void add_pair(BlockPair blocks, const Bodies& bodies, const BasePose& base, ContactList& list) const;
+    /// Lists the pair as one that meets by nodes, if any may touch.
+    void add_nodes(BlockPair blocks, const Bodies& bodies, const BasePose& base, ContactList& list) const;
     /// Lists the pair as boxes that meet by their overlap, if that is how the model has them meet.
     bool add_overlap(BlockPair blocks, const Bodies& bodies, ContactList& list) const;
-    /// m_i·m_j/(m_i + m_j), or the mass of the one that moves [kg].
-    double effective_mass(BlockPair blocks) const;
     Interface make_pair_interface(BlockPair blocks) const;
 
     const Model* model_;
