@@ -1,7 +1,6 @@
 #include "lsdem/contact/overlap.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace musim::lsdem {
@@ -44,12 +43,11 @@ void clip(const Affine& inside, bool with_border, Polygon& polygon) {
         polygon.count = 0;
         return;
     }
-    const std::size_t before = polygon.count;
     std::array<Vector3, Polygon::kMost> from;
-    std::copy_n(polygon.place.begin(), before, from.begin());
+    std::copy_n(polygon.place.begin(), polygon.count, from.begin());
     std::size_t count = 0;
-    for (std::size_t i = 0; i < before && count + 2 <= Polygon::kMost; ++i) {
-        const std::size_t next = i + 1 == before ? 0 : i + 1;
+    for (std::size_t i = 0; i < polygon.count && count + 2 <= Polygon::kMost; ++i) {
+        const std::size_t next = i + 1 == polygon.count ? 0 : i + 1;
         if (holds(at[i])) polygon.place[count++] = from[i];
         if (holds(at[i]) == holds(at[next])) continue;
         polygon.place[count++] = from[i] + at[i] / (at[i] - at[next]) * (from[next] - from[i]);
@@ -58,17 +56,6 @@ void clip(const Affine& inside, bool with_border, Polygon& polygon) {
 }
 
 }  // namespace
-
-void OverlapPieces::add(const Piece& piece, const Vertex* vertices, std::size_t count) {
-    if (piece_count_ == kMostPieces || vertex_count_ + count > kMostVertices) return;
-    Piece& added = pieces_[piece_count_++];
-    added = piece;
-    added.first = static_cast<std::uint16_t>(vertex_count_);
-    added.count = static_cast<std::uint16_t>(count);
-    std::copy_n(vertices, count, vertices_.begin() + static_cast<std::ptrdiff_t>(vertex_count_));
-    vertex_count_ += count;
-    with_cells_[1 - piece.body] |= 1U << piece.nearest;
-}
 
 void OverlapPieces::cut_faces(const PlacedSolid& x, const PlacedSolid& y, std::size_t body) {
     std::array<std::uint32_t, PlacedSolid::kMostFaces> outside{};  // corners, a bit each
@@ -116,17 +103,15 @@ void OverlapPieces::cut_faces(const PlacedSolid& x, const PlacedSolid& y, std::s
             for (std::size_t other = 0; other < y.face_count && cell.count > 0; ++other) {
                 if (other != k && can_be_nearest(other)) clip(difference(depth_below(y, other), own), other > k, cell);
             }
-            if (cell.count < 3) continue;
-            std::array<Vertex, Polygon::kMost> vertices;
-            for (std::size_t i = 0; i < cell.count; ++i) vertices[i] = {cell.place[i], std::max(0.0, own(cell.place[i]))};
-            Piece piece;
-            piece.normal = x.normal[f];
-            piece.facing = -x.normal[f].dot(y.normal[k]);
-            piece.body = body;
-            piece.nearest = static_cast<std::uint8_t>(k);
-            piece.nearest_normal = y.normal[k];
-            add(piece, vertices.data(), cell.count);
-            with_cells_[body] |= 1U << f;
+            if (cell.count < 3 || piece_count_ == kMostPieces || vertex_count_ + cell.count > kMostVertices) continue;
+            pieces_[piece_count_++] = {.normal = x.normal[f],
+                                       .facing = -x.normal[f].dot(y.normal[k]),
+                                       .first = static_cast<std::uint16_t>(vertex_count_),
+                                       .count = static_cast<std::uint16_t>(cell.count),
+                                       .body = body,
+                                       .nearest_normal = y.normal[k]};
+            for (std::size_t i = 0; i < cell.count; ++i) vertices_[vertex_count_++] = {cell.place[i], std::max(0.0, own(cell.place[i]))};
+            with_cells_[body] |= 1U << f, with_cells_[1 - body] |= 1U << k;
         }
     }
 }
@@ -162,16 +147,14 @@ OverlapLoad sum_load(const OverlapPieces& pieces) {
         const OverlapPieces::Vertex* const v = pieces.vertices(piece);
         double sum = 0.0;
         Vector3 at = Vector3::Zero();
-        load.deepest = std::max(load.deepest, v[0].depth);
+        for (std::size_t i = 0; i < piece.count; ++i) load.deepest = std::max(load.deepest, v[i].depth);
         for (std::size_t i = 1; i + 1 < piece.count; ++i) {
             const Vector3 one = v[i].place - v[0].place, two = v[i + 1].place - v[0].place;
             const double twice = piece.normal.dot(one.cross(two)), depth = (v[0].depth + v[i].depth) + v[i + 1].depth;
             area[piece.body] += 0.5 * twice;
             sum += twice / 6.0 * depth;
             at += twice / 24.0 * ((depth + v[i].depth) * one + (depth + v[i + 1].depth) * two);
-            load.deepest = std::max(load.deepest, v[i].depth);
         }
-        load.deepest = std::max(load.deepest, v[piece.count - 1].depth);
         squares[piece.body] += piece.facing * integrate_square(piece.count, piece.normal, v);
         force[piece.body] += sum * piece.normal;
         moment[piece.body] += (at + sum * v[0].place).cross(piece.normal);

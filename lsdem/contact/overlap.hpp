@@ -19,8 +19,7 @@ class OverlapPieces {
         std::uint16_t first;     ///< into the vertices
         std::uint16_t count;     ///< of its vertices, counter-clockwise about the normal
         std::size_t body;        ///< whose face it is: 0 the first's, 1 the second's
-        std::uint8_t nearest;    ///< that face of the other body
-        Vector3 nearest_normal;  ///< its outward normal
+        Vector3 nearest_normal;  ///< outward, of the face of the other body that is nearest
     };
     struct Vertex {
         Vector3 place;  ///< world axes, about the origin of the pair [m]
@@ -47,7 +46,6 @@ class OverlapPieces {
     /// will need more.
     static constexpr std::size_t kMostPieces = 128, kMostVertices = 1024;
     void cut_faces(const PlacedSolid& x, const PlacedSolid& y, std::size_t body);
-    void add(const Piece& piece, const Vertex* vertices, std::size_t count);
 
     std::size_t piece_count_ = 0, vertex_count_ = 0;
     std::array<std::uint32_t, 2> with_cells_{};
