@@ -24,6 +24,9 @@ struct ContactStep {
     using Mask = typename W::Mask;
     using Vector = Triple<Real>;
 
+    MUSIM_WIDE static Real square_of(const Real& a) { return a * a; }
+    MUSIM_WIDE static Real square_of(const Vector& a) { return dot(a, a); }
+
     /// A force at a point, with a couple [N, N·m].
     struct Wrench {
         Vector force, couple;
@@ -60,12 +63,11 @@ struct ContactStep {
             in_core = in_core + of_core;
             in_rest = in_rest + (change - of_core);
         }
-        /// [J], `square` of a force or a couple.
-        template <class Square>
-        MUSIM_WIDE Real energy(const Real& stiffness, const Square& square) const {
+        /// [J]
+        MUSIM_WIDE Real energy(const Real& stiffness) const {
             const Real zero{}, of_core = stiffness * core, of_rest = stiffness * rest();
-            return choose(of_core > zero, 0.5 * square(in_core) / of_core, zero) +
-                   choose(of_rest > zero, 0.5 * square(in_rest) / of_rest, zero);
+            return choose(of_core > zero, 0.5 * square_of(in_core) / of_core, zero) +
+                   choose(of_rest > zero, 0.5 * square_of(in_rest) / of_rest, zero);
         }
         MUSIM_WIDE void keep_where(const Mask& mask) {
             in_core = choose(mask, in_core, Value{});
@@ -190,9 +192,9 @@ struct ContactStep {
     MUSIM_WIDE static Vector across(const Vector& normal, const Vector& v) { return v - dot(normal, v) * normal; }
 
     /// `Cells`: what is known of the area beyond its moments.
-    ///   Mask may_pull(touches, geometry, pressure, stiffness): false only where stiffness · d + pressure is surely negative nowhere
+    ///   Mask may_pull(geometry, pressure, stiffness): false only where stiffness · d + pressure is surely negative nowhere
     ///   PressureSum find_pull(pressure, stiffness), Real find_reach(normal, pressed): see contact_area.hpp
-    ///   Real least_reach(normal, pressed, geometry): no more than find_reach, asked before it, and fast; decides only whether it is asked
+    ///   Real least_reach(normal, geometry): no more than find_reach, asked before it, and fast; decides only whether it is asked
     template <class Cells>
     MUSIM_WIDE static Result compute(const Geometry& geometry, const Motion& motion, const Law& law, double dt, bool first_step,
                                      const Real& stored_shear, Cells& cells, Memory& contact) {
@@ -218,8 +220,8 @@ struct ContactStep {
             const Pressure dashpot{-per_depth * dot(normal, slipped),
                                    -per_depth * (motion.turn[0].change(normal) - motion.turn[1].change(normal)), contact.place};
             const Pressure opposite{-dashpot.at, -dashpot.slope, dashpot.about};
-            const Mask pulls = cells.may_pull(touches, geometry, dashpot, law.normal_stiffness);
-            const Mask closes = cells.may_pull(touches, geometry, opposite, per_depth);
+            const Mask pulls = touches & cells.may_pull(geometry, dashpot, law.normal_stiffness);
+            const Mask closes = touches & cells.may_pull(geometry, opposite, per_depth);
             result.may_pull = pulls | closes, result.may_both = pulls & closes;
             PressureSum held;
             // most contacts do one of both, at the first pass; one that opens at a side and closes at another needs a second
@@ -269,9 +271,7 @@ struct ContactStep {
             contact.turning.keep_where(holds);
             contact.couple = springs.couple * normal;
             contact.dashpots = {damped.force + drag.force, damped.couple + drag.couple * normal};
-            result.elastic_shear = sliding.energy(law.shear_stiffness, [](const Vector& force) MUSIM_WIDE_LAMBDA {
-                return dot(force, force);
-            }) + contact.turning.energy(law.shear_stiffness, [](const Real& couple) MUSIM_WIDE_LAMBDA { return couple * couple; });
+            result.elastic_shear = sliding.energy(law.shear_stiffness) + contact.turning.energy(law.shear_stiffness);
 
             const Vector at_middle = damped.force + friction.force;
             result.force = law.normal_stiffness * geometry.force + at_middle;
@@ -294,7 +294,7 @@ struct ContactStep {
         const Real zero{};
         Limit limit{law.friction * larger_of<Real>(pressing, zero), zero, across(normal, geometry.arm), normal};
         const Mask bears = (limit.force > zero) & (polar > zero);
-        limit.reach = choose(bears, cells.least_reach(normal, pressed, geometry), zero);
+        limit.reach = choose(bears, cells.least_reach(normal, geometry), zero);
         const Mask may_slide = bears & (limit.excess(friction) > zero);
         if (some(may_slide)) {
             limit.reach = choose(may_slide, cells.find_reach(normal, pressed), limit.reach);

@@ -87,12 +87,10 @@ struct Lane {
         geometry.arm = over * found.area_place - shift - pressed;
         cells.depth = over * found.area_depth;
         cells.depth_slope = -(found.cells[0].normal + found.cells[1].normal);
-        geometry.square = found.area_square, geometry.cross_square = found.area_cross;
         geometry.energy = found.energy;
-        const Real cosine = -dot(found.cells[0].normal, found.cells[1].normal);
-        const Real share = share_of_facing(cosine);
+        const Real share = share_of_facing<Real>(-dot(found.cells[0].normal, found.cells[1].normal));
         geometry.area = share * found.area;
-        geometry.square = share * geometry.square, geometry.cross_square = share * geometry.cross_square;
+        geometry.square = share * found.area_square, geometry.cross_square = share * found.area_cross;
         cells.share = 0.5 * share;
         cells.shift = shift;
         return geometry;
@@ -102,19 +100,17 @@ struct Lane {
     /// broad faces, by 60 times as much on slivers, as the test of the lanes holds.
     static constexpr double kRoughly = 1e-6;
 
-    /// What pairs do in a step, from what they remember, which is updated.
+    /// What pairs do in a step, from what they remember, which is updated. `area`: of the overlap; `rough`: see PairTally.
     template <class Cells>
-    MUSIM_WIDE static typename Step::Result compute(const LanePair* pairs, const typename Step::Geometry& geometry,
-                                                    const typename Step::Motion& motion, double dt, bool first_step, Cells& cells,
-                                                    typename Step::Memory& memory) {
+    MUSIM_WIDE static typename Step::Result compute(LanePair* pairs, const typename Step::Geometry& geometry,
+                                                    const typename Step::Motion& motion, double dt, bool first_step, const Real& area,
+                                                    const Mask& rough, Cells& cells) {
         const Real stored_shear = gather_lanes<Real>([&](std::size_t i) MUSIM_WIDE_LAMBDA { return pairs[i].tally->elastic_shear; });
-        memory = gather_memory(pairs);
-        return Step::compute(geometry, motion, gather_law(pairs), dt, first_step, stored_shear, cells, memory);
-    }
-    /// Leaves it behind. `deepest`, `area`: of the overlap, where it touches; `rough`: see PairTally.
-    MUSIM_WIDE static void scatter(const typename Step::Result& result, const typename Step::Memory& memory,
-                                   const typename Step::Motion& motion, const Real& deepest, const Real& area, const Mask& rough,
-                                   LanePair* pairs) {
+        typename Step::Memory memory = gather_memory(pairs);
+        const typename Step::Result result =
+            Step::compute(geometry, motion, gather_law(pairs), dt, first_step, stored_shear, cells, memory);
+        const Real deepest = choose(memory.touches, geometry.deepest, Real{}), touching_area = choose(memory.touches, area, Real{});
+        const Mask is_rough = memory.touches & rough;
         scatter_fields<Real, kNumbers>(numbers_of(memory),
                                        [&](std::size_t i) MUSIM_WIDE_LAMBDA { return &pairs[i].contact->sliding.area; });
         const Vector force = -result.force, leader = cross(motion.center[0], result.force) - result.moment,
@@ -130,25 +126,25 @@ struct Lane {
             const bool touches = lane_of(memory.touches, i) != 0;
             pair.contact->touches = touches;
             pair.tally->touching = touches ? 1 : 0;
-            pair.tally->rough = lane_of(rough, i) != 0;
+            pair.tally->rough = lane_of(is_rough, i) != 0;
             *pair.work += {lane_of(result.friction_work, i), lane_of(result.damping_work, i)};
-            pair.area = lane_of(area, i);
+            pair.area = lane_of(touching_area, i);
         }
+        return result;
     }
 
     MUSIM_WIDE static void compute(LanePair* pairs, double dt, bool first_step, const LaneOverlap<W>& found, LaneOutput& nowhere) {
         Vector shift;
         const typename Step::Motion motion = gather_motion(pairs, found.apart, shift);
-        MainCells<W> cells{found.cells, {}, {}, {}, {}};
-        typename Step::Memory memory;
-        const typename Step::Result result = compute(pairs, make_geometry(found, shift, cells), motion, dt, first_step, cells, memory);
         if (some(found.irregular)) {
             for (std::size_t i = 0; i < kWidth<Real>; ++i) {
                 if (found.irregular[i] != 0) pairs[i].irregular = true, pairs[i].put_into(nowhere);
             }
         }
-        const Real zero{}, deepest = choose(memory.touches, found.deepest, zero), area = choose(memory.touches, found.area, zero);
-        scatter(result, memory, motion, deepest, area, deepest * deepest > kRoughly * area, pairs);
+        MainCells<W> cells{found.cells, {}, {}, {}, {}};
+        const Mask rough = found.deepest * found.deepest > kRoughly * found.area;
+        const typename Step::Result result =
+            compute(pairs, make_geometry(found, shift, cells), motion, dt, first_step, found.area, rough, cells);
         const auto company = find_company(result, found);
         for (std::size_t i = 0; i < kWidth<Real>; ++i) pairs[i].contact->company = static_cast<std::uint32_t>(company[i]);
     }

@@ -44,7 +44,6 @@ struct MainCell {
     using Real = typename W::Real;
     using Mask = typename W::Mask;
     using Vector = Triple<Real>;
-    using Step = ContactStep<W>;
 
     /// Upper or lower in its direction: x = x_at + x_by y between y0 and y1, with D there.
     struct Edge {
@@ -57,19 +56,10 @@ struct MainCell {
     Vector normal, middle;                     ///< outward; from the point half way between the bodies [m]
     Real depth_at;                             ///< D in the middle of the face [m]
     std::array<Real, 2> slope;                 ///< of D
-    std::array<Real, 2> half;                  ///< of the face [m]
-    std::array<std::array<Real, 2>, 2> crease_at, crease_slope;
-    std::array<Real, 2> fan;  ///< a point amid the edges, on D = 0 where it is open [m]
+    std::array<Real, 2> fan;                   ///< a point amid the edges, on D = 0 where it is open [m]
     Mask open;
     Real load;    ///< ∫ D [m³]
     Real spread;  ///< mean square distance of its points from its middle along the direction in which that is more [m²]
-
-    /// Edge i of direction k is known.
-    MUSIM_WIDE void note(std::size_t k, std::size_t i) {
-        const Mask there = edges[k][i].length > Real{};
-        live[k][i] = some(there);
-        bounds += choose(there, broadcast<Real>(static_cast<double>(1U << (4 * k + i))), Real{});
-    }
 
     /// The edge D = 0, in the sense of the others.
     struct Closing {
@@ -77,22 +67,6 @@ struct MainCell {
         Mask there;
     };
     Closing closing;  ///< where `open` in some lane
-    MUSIM_WIDE void find_closing() {
-        const std::array<Real, 2> step{-slope[1], slope[0]};
-        Interval<W> part{broadcast<Real>(-Interval<W>::kFar), broadcast<Real>(Interval<W>::kFar)};
-#pragma GCC unroll 2
-        for (std::size_t k = 0; k < 2; ++k) {
-            part.clip(half[k] - fan[k], -step[k]);
-            part.clip(half[k] + fan[k], step[k]);
-            const Real to_lower = fan[k] - (crease_at[k][0] + crease_slope[k][0] * fan[1 - k]);
-            const Real to_upper = (crease_at[k][1] + crease_slope[k][1] * fan[1 - k]) - fan[k];
-            part.clip(to_lower, step[k] - crease_slope[k][0] * step[1 - k]);
-            part.clip(to_upper, crease_slope[k][1] * step[1 - k] - step[k]);
-        }
-        closing = {{fan[0] + part.high * step[0], fan[1] + part.high * step[1]},
-                   {fan[0] + part.low * step[0], fan[1] + part.low * step[1]},
-                   open & (part.low < part.high)};
-    }
     /// Calls visit(from, to, depth from, depth to, sign, there) for all edges; sign 1 for counter-clockwise in (first, second direction).
     template <class Visit>
     MUSIM_WIDE void for_each_edge(const Visit& visit) const {
@@ -157,11 +131,10 @@ struct MainCells {
     /// 2√2 for a triangle [-].
     static constexpr double kReachOfConvex = 2.9;
 
-    MUSIM_WIDE Mask may_pull(const Mask& touches, const typename Step::Geometry& geometry, const typename Step::Pressure& dashpot,
-                             const Real& stiffness) const {
+    MUSIM_WIDE Mask may_pull(const typename Step::Geometry& geometry, const typename Step::Pressure& dashpot, const Real& stiffness) const {
         const Vector slope = stiffness * depth_slope + dashpot.slope;
         const Real square = larger_of<Real>(dot(slope, geometry.second_times(slope)), Real{}), middle = stiffness * depth + dashpot.at;
-        return touches & ((middle < Real{}) | (geometry.area * (middle * middle) < (kReachOfConvex * kReachOfConvex) * square));
+        return (middle < Real{}) | (geometry.area * (middle * middle) < (kReachOfConvex * kReachOfConvex) * square);
     }
 
     MUSIM_WIDE typename Step::PressureSum find_pull(const typename Step::Pressure& dashpot, const Real& stiffness) const {
@@ -183,7 +156,7 @@ struct MainCells {
     /// convex area is convex, so that the root of the load per length along a direction is concave: on either side of its median the mean
     /// distance is no less than that of a cone's load with its tip at the end, a quarter of the way. So r̄ ≥ w/8, w the width of the area
     /// along that direction, and w² ≥ 12 times the mean square distance, with equality for a rectangle.
-    MUSIM_WIDE Real least_reach(const Vector& normal, const Vector& /*about*/, const typename Step::Geometry& geometry) const {
+    MUSIM_WIDE Real least_reach(const Vector& normal, const typename Step::Geometry& geometry) const {
         constexpr double kRounding = 1.0 - 1e-9, kOfDisc = 4.0 / (9.0 * std::numbers::pi) * kRounding;
         constexpr double kOfWidth = 12.0 / 64.0 * kRounding;
         const Real of_load = kOfDisc * (1.0 / geometry.deepest);

@@ -35,16 +35,15 @@ One::Step::Geometry to_lane(const OverlapGeometry& geometry) {
 struct PieceCells {
     const OverlapPieces& pieces;
 
-    static bool may_pull(bool touches, const One::Step::Geometry& /*geometry*/, const One::Step::Pressure& /*dashpot*/,
-                         double /*stiffness*/) {
-        return touches;
+    static bool may_pull(const One::Step::Geometry& /*geometry*/, const One::Step::Pressure& /*dashpot*/, double /*stiffness*/) {
+        return true;
     }
     One::Step::PressureSum find_pull(const One::Step::Pressure& dashpot, double stiffness) const {
         const PressureMoments pull =
             musim::lsdem::find_pull(pieces, {dashpot.at, from_lane(dashpot.slope), from_lane(dashpot.about)}, stiffness);
         return {pull.sum, to_lane(pull.at)};
     }
-    double least_reach(const Vector& normal, const Vector& /*about*/, const One::Step::Geometry& geometry) const {
+    double least_reach(const Vector& normal, const One::Step::Geometry& geometry) const {
         return find_least_reach(pieces, from_lane(normal), geometry.deepest);
     }
     double find_reach(const Vector& normal, const Vector& about) const {
@@ -61,10 +60,7 @@ void compute_exact_pair(LanePair& pair, double dt, bool first_step, OverlapPiece
     Vector shift;
     const One::Step::Motion motion = One::gather_motion(&pair, to_lane(placed.apart), shift);
     const PieceCells cells{room};
-    One::Step::Memory memory;
-    const One::Step::Result result = One::compute(&pair, to_lane(geometry), motion, dt, first_step, cells, memory);
-    const bool touches = memory.touches;
-    One::scatter(result, memory, motion, touches ? geometry.load.deepest : 0.0, touches ? geometry.load.area : 0.0, touches, &pair);
+    One::compute(&pair, to_lane(geometry), motion, dt, first_step, geometry.load.area, true, cells);
     pair.contact->company = 0;
 }
 

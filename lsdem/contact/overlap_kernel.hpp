@@ -1,9 +1,7 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <cstddef>
-#include <limits>
 
 #include "lsdem/contact/box_meeting.hpp"
 #include "lsdem/contact/overlap_rims.hpp"
@@ -40,11 +38,10 @@ struct LaneOverlap {
 template <class W>
 struct Kernel : OverlapRims<W> {
     using Base = OverlapRims<W>;
-    using Base::add_bisectors, Base::add_flush_rim, Base::add_main_cell, Base::add_rim_ends, Base::find_side_planes, Base::finish_main_cell;
-    using Base::all, Base::guarded, Base::invert, Base::kFar, Base::larger, Base::sign_of, Base::smaller;
-    using typename Base::Across, typename Base::Cell, typename Base::Interval, typename Base::LaneMask, typename Base::Lanes,
-        typename Base::Lanes3, typename Base::Powers, typename Base::Role;
-    using typename Base::Flush, typename Base::Strips;
+    using Base::add_bisectors, Base::add_flush_rim, Base::add_main_cell, Base::add_rim_ends, Base::find_side_planes;
+    using Base::all, Base::larger, Base::smaller;
+    using typename Base::Across, typename Base::Flush, typename Base::LaneMask, typename Base::Lanes, typename Base::Lanes3,
+        typename Base::Role;
     using LaneOverlap = detail::LaneOverlap<W>;
 
     /// A box with its axes named.
@@ -95,7 +92,7 @@ struct Kernel : OverlapRims<W> {
             u.depth_by_x = -dot(x.axis[k], y.n);
         }
     }
-    /// World axes: force on and moment about the middle of X by what pushes X's faces, and the main cell.
+    /// World axes: force on and moment about the middle of X by what pushes X's faces.
     struct RoleLoad {
         Lanes3 force, moment;
     };
@@ -137,11 +134,8 @@ struct Kernel : OverlapRims<W> {
     }
     MUSIM_WIDE void find_main_cells(LaneOverlap& result) {
         for (std::size_t i = 0; i < 2; ++i) {
-            Strips strips;
             MainCell<W>& cell = result.cells[i];
-            add_main_cell(roles[i], cell, strips);
-            finish_main_cell(roles[i], strips);
-            cell.load = roles[i].area_depth, cell.spread = roles[i].spread;
+            add_main_cell(roles[i], cell);
             cell.along = boxes[i].axis, cell.normal = boxes[i].n;
             cell.middle = all(i == 0 ? -0.5 : 0.5) * c + boxes[i].half_n * boxes[i].n;
         }

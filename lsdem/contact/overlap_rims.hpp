@@ -11,9 +11,9 @@ namespace musim::lsdem::detail {
 template <class W>
 struct OverlapRims : OverlapRole<W> {
     using Base = OverlapRole<W>;
-    using Base::all, Base::guarded, Base::invert, Base::kFar, Base::larger, Base::sign_of, Base::smaller;
-    using typename Base::Across, typename Base::Cell, typename Base::Interval, typename Base::LaneMask, typename Base::Lanes,
-        typename Base::Lanes3, typename Base::Powers, typename Base::Role;
+    using Base::all, Base::guarded, Base::kFar, Base::larger, Base::sign_of, Base::smaller;
+    using typename Base::Across, typename Base::Interval, typename Base::LaneMask, typename Base::Lanes, typename Base::Powers,
+        typename Base::Role;
 
     /// A side plane m of Y along a rim: d = at + by y + by_s s.
     struct SidePlane {
@@ -120,7 +120,6 @@ struct OverlapRims : OverlapRole<W> {
             const Across &u = role.across[k], &v = role.across[1 - k];
             x = r == 0 ? -u.half : u.half, half = v.half;
             d_at = role.depth_at + u.depth_by_x * x, d_by = v.depth_by_x;
-            // of by_x ∓ by_y
 #pragma GCC unroll 2
             for (std::size_t i = 0; i < 2; ++i) own[i] = own_plane(u, x, i), end[i] = end_plane(v, x, i);
 #pragma GCC unroll 2

@@ -84,12 +84,10 @@ struct OverlapRole {
         std::array<Lanes, 2> load_place{};
         // sums over the sides, upper less lower of each direction: load, its moment along the rim and below it
         std::array<Lanes, 2> side{}, side_along{}, side_below{};
-        // main cell about `fan`
-        std::array<Lanes, 2> fan;
+        // main cell about its fan's middle
         Lanes fan_depth;
         Lanes area{}, area_depth{}, area_mixed{};
         std::array<Lanes, 2> area_place{}, area_square{};
-        Lanes spread;  ///< the larger square over the area [m²]
     };
 
     static constexpr double sign_of(std::size_t side) { return side == 0 ? -1.0 : 1.0; }
@@ -125,10 +123,14 @@ struct OverlapRole {
         }
     }
 
-    /// An edge of the main cell: where D > 0.
-    MUSIM_WIDE static void cut_main_edge(Role& role, const Lanes& x_at, const Lanes& x_by, const Lanes& d_at, const Lanes& d_by,
-                                         const Interval& part, Edge& e) {
+    /// Edge i of direction k of the main cell, where D > 0. Is it there in some lane?
+    MUSIM_WIDE static bool cut_main_edge(Role& role, Cell& cell, std::size_t k, std::size_t i, const Lanes& x_at, const Lanes& x_by,
+                                         const Lanes& d_at, const Lanes& d_by, const Interval& part) {
         const Lanes zero{};
+        bool& live = cell.live[k][i];
+        live = some(part.low < part.high);
+        if (!live) return false;
+        Edge& e = cell.edges[k][i];
         e.x_at = x_at, e.x_by = x_by;
         e.y0 = part.low, e.y1 = part.high;
         e.d0 = d_at + d_by * e.y0, e.d1 = d_at + d_by * e.y1;
@@ -144,11 +146,14 @@ struct OverlapRole {
         const LaneMask there = e.length > zero;
         role.deepest = larger(role.deepest, choose(there, larger(e.d0, e.d1), all(0.0)));
         role.shallowest = smaller(role.shallowest, choose(there, smaller(e.d0, e.d1), all(1e300)));
+        live = some(there);
+        cell.bounds += choose(there, all(static_cast<double>(1U << (4 * k + i))), zero);
+        return live;
     }
     /// Adds the triangles between the fan's middle and the edges of one direction.
     MUSIM_WIDE static void add_main_edges(Role& role, std::size_t k, const Cell& cell) {
         Lanes area{}, mixed{}, place_x{}, place_y{}, square_x{}, square_y{};
-        const Lanes fan_x = role.fan[k], fan_y = role.fan[1 - k];
+        const Lanes fan_x = cell.fan[k], fan_y = cell.fan[1 - k];
         for (std::size_t i = 0; i < 4; ++i) {
             if (!cell.live[k][i]) continue;
             const Edge& e = cell.edges[k][i];
@@ -177,6 +182,24 @@ struct OverlapRole {
         role.area_square[k] += square_x, role.area_square[1 - k] += square_y;
     }
 
+    /// Where an open cell ends, on D = 0.
+    MUSIM_WIDE static void find_closing(const Role& role, Cell& cell) {
+        const std::array<Lanes, 2> step{-cell.slope[1], cell.slope[0]};
+        Interval part{all(-kFar), all(kFar)};
+#pragma GCC unroll 2
+        for (std::size_t k = 0; k < 2; ++k) {
+            const Across& u = role.across[k];
+            part.clip(u.half - cell.fan[k], -step[k]);
+            part.clip(u.half + cell.fan[k], step[k]);
+            const Lanes to_lower = cell.fan[k] - (u.crease_at[0] + u.crease_slope[0] * cell.fan[1 - k]);
+            const Lanes to_upper = (u.crease_at[1] + u.crease_slope[1] * cell.fan[1 - k]) - cell.fan[k];
+            part.clip(to_lower, step[k] - u.crease_slope[0] * step[1 - k]);
+            part.clip(to_upper, u.crease_slope[1] * step[1 - k] - step[k]);
+        }
+        cell.closing = {{cell.fan[0] + part.high * step[0], cell.fan[1] + part.high * step[1]},
+                        {cell.fan[0] + part.low * step[0], cell.fan[1] + part.low * step[1]},
+                        cell.open & (part.low < part.high)};
+    }
     /// The fan's middle: amid the edges, or on D = 0 next to that if the cell ends there, so that this edge adds nothing.
     MUSIM_WIDE static void find_middle(Role& role, Cell& cell) {
         const Lanes zero{};
@@ -197,11 +220,10 @@ struct OverlapRole {
         const Lanes x = rim_x * over, y = rim_y * over, depth = (role.depth_at + p.depth_by_x * x) + q.depth_by_x * y;
         const LaneMask open = role.shallowest < all(1e-3) * role.deepest;
         const Lanes back = choose(open, -depth / larger(p.depth_by_x * p.depth_by_x + q.depth_by_x * q.depth_by_x, all(1e-300)), zero);
-        role.fan = {x + back * p.depth_by_x, y + back * q.depth_by_x};
         role.fan_depth = choose(open, zero, depth);
-        cell.open = open, cell.fan = role.fan, cell.depth_at = role.depth_at, cell.slope = {p.depth_by_x, q.depth_by_x};
-        cell.half = {p.half, q.half}, cell.crease_at = {p.crease_at, q.crease_at}, cell.crease_slope = {p.crease_slope, q.crease_slope};
-        if (some(open)) cell.find_closing();
+        cell.open = open, cell.fan = {x + back * p.depth_by_x, y + back * q.depth_by_x};
+        cell.depth_at = role.depth_at, cell.slope = {p.depth_by_x, q.depth_by_x};
+        if (some(open)) find_closing(role, cell);
     }
 
     /// Main cell of a (not yet divided by the fan's factors), and what belongs to it alone: the sides' loads below its rims (∫ D²/(2ζ)),
@@ -210,14 +232,14 @@ struct OverlapRole {
         Lanes load{}, energy{};
         std::array<Lanes, 2> place{};
     };
-    MUSIM_WIDE static void add_main_cell(Role& role, Cell& cell, Strips& strips) {
+    MUSIM_WIDE static void add_main_cell(Role& role, Cell& cell) {
         const Lanes zero{};
+        Strips strips;
         Across &p = role.across[0], &q = role.across[1];
         role.below = all(0.5) / role.cosine;
         role.shallowest = all(1e300);
         find_creases(role, 0);
         find_creases(role, 1);
-        auto& edges = cell.edges;
         cell.bounds = zero;
         // corners: creases of both directions cross
         std::array<std::array<Lanes, 2>, 2> determinant;
@@ -238,12 +260,8 @@ struct OverlapRole {
                               smaller(v.half, v.crease_at[1] + v.crease_slope[1] * x)};
                 part.keep(u.crossing[0][r], u.crease_inverse[0] < zero);
                 part.keep(u.crossing[1][r], u.crease_inverse[1] > zero);
-                cell.live[k][r] = some(part.low < part.high);
-                if (!cell.live[k][r]) continue;
-                Edge& e = edges[k][r];
-                cut_main_edge(role, x, zero, role.depth_at + u.depth_by_x * x, depth_by_y, part, e);
-                cell.note(k, r);
-                if (!cell.live[k][r]) continue;
+                if (!cut_main_edge(role, cell, k, r, x, zero, role.depth_at + u.depth_by_x * x, depth_by_y, part)) continue;
+                const Edge& e = cell.edges[k][r];
                 const Powers d(e.y0, e.y1, e.length, e.d0, e.d1);
                 const Lanes factor = r == 0 ? -below : below;
                 role.side[k] += factor * d.square;
@@ -261,13 +279,10 @@ struct OverlapRole {
                     (v.crease_at[1] + v.crease_slope[1] * u.crease_at[c]) * (k == 0 ? determinant[c][1] : determinant[1][c]);
                 Interval part{larger(larger(-v.half, y_low), smaller(u.crossing[c][0], u.crossing[c][1])),
                               smaller(smaller(v.half, y_high), larger(u.crossing[c][0], u.crossing[c][1]))};
-                cell.live[k][2 + c] = some(part.low < part.high);
-                if (!cell.live[k][2 + c]) continue;
-                Edge& e = edges[k][2 + c];
-                cut_main_edge(role, u.crease_at[c], u.crease_slope[c], role.depth_at + u.depth_by_x * u.crease_at[c],
-                              depth_by_y + u.depth_by_x * u.crease_slope[c], part, e);
-                cell.note(k, 2 + c);
-                if (!cell.live[k][2 + c]) continue;
+                if (!cut_main_edge(role, cell, k, 2 + c, u.crease_at[c], u.crease_slope[c], role.depth_at + u.depth_by_x * u.crease_at[c],
+                                   depth_by_y + u.depth_by_x * u.crease_slope[c], part))
+                    continue;
+                const Edge& e = cell.edges[k][2 + c];
                 const Powers d(e.y0, e.y1, e.length, e.d0, e.d1);
                 strips.load += beside * d.square;
                 strips.energy += (u.inverse_x * (all(1.0 / 3.0) - all(sign_of(c) / 6.0) * u.by_s)) * d.cube;
@@ -278,10 +293,11 @@ struct OverlapRole {
         }
         find_middle(role, cell);
         for (std::size_t k = 0; k < 2; ++k) add_main_edges(role, k, cell);
+        finish_main_cell(role, cell, strips);
     }
 
     /// Divides the fan's sums by their factors and moves them from its middle to that of a; adds the strips.
-    MUSIM_WIDE static void finish_main_cell(Role& role, const Strips& strips) {
+    MUSIM_WIDE static void finish_main_cell(Role& role, Cell& cell, const Strips& strips) {
         role.area *= all(0.5), role.area_mixed *= all(1.0 / 24.0);
         const Lanes over = all(1.0) / larger(role.area, all(1e-300));
         std::array<Lanes, 2> middle;
@@ -296,14 +312,14 @@ struct OverlapRole {
         for (std::size_t k = 0; k < 2; ++k) {
             const Lanes along = k == 0 ? x : y, across = k == 0 ? y : x;
             const Lanes about_fan = role.fan_depth * role.area_place[k] + (along * role.area_square[k] + across * role.area_mixed);
-            role.load_place[k] = (about_fan + role.fan[k] * role.area_depth) + strips.place[k];
+            role.load_place[k] = (about_fan + cell.fan[k] * role.area_depth) + strips.place[k];
         }
         role.area_mixed -= role.area * (middle[0] * middle[1]);
         for (std::size_t k = 0; k < 2; ++k) {
             role.area_square[k] -= role.area * (middle[k] * middle[k]);
-            role.area_place[k] = role.area * (middle[k] + role.fan[k]);
+            role.area_place[k] = role.area * (middle[k] + cell.fan[k]);
         }
-        role.spread = larger(role.area_square[0], role.area_square[1]) * over;
+        cell.load = role.area_depth, cell.spread = larger(role.area_square[0], role.area_square[1]) * over;
         const Lanes leaning = (x * x) * role.area_square[0] + (y * y) * role.area_square[1] + all(2.0) * ((x * y) * role.area_mixed);
         const Lanes square = role.area_depth * role.area_depth * over + leaning;
         role.energy = all(0.5) * (role.cosine * square) + strips.energy;

@@ -1,6 +1,5 @@
 #include "tests/lsdem/contact/main_cell_questions.hpp"
 
-#include <array>
 #include <cstddef>
 
 #include "lsdem/contact/lane_pairs.hpp"
@@ -19,9 +18,6 @@ void ask_main_cells(const detail::BoxMeeting* pairs, const MainCellQuestion* que
         const std::size_t first = g * All::kStep;
         detail::MainCells<detail::Wide<4>> cells{found.cells, {}, {}, {}, {}};
         const Lane::Step::Geometry geometry = Lane::make_geometry(found, Vector{}, cells);
-        const auto number = [&](const auto& of) MUSIM_WIDE_LAMBDA {
-            return detail::gather_lanes<Real>([&](std::size_t i) MUSIM_WIDE_LAMBDA { return of(questions[first + i]); });
-        };
         const auto vector = [&](Vector3 MainCellQuestion::*of) MUSIM_WIDE_LAMBDA {
             const auto f =
                 detail::gather_fields<Real, 3>([&](std::size_t i) MUSIM_WIDE_LAMBDA { return (questions[first + i].*of).data(); });
@@ -31,11 +27,11 @@ void ask_main_cells(const detail::BoxMeeting* pairs, const MainCellQuestion* que
         static_assert(sizeof(AffinePressure) == 7 * sizeof(double));
         const auto p = detail::gather_fields<Real, 7>([&](std::size_t i) MUSIM_WIDE_LAMBDA { return &questions[first + i].dashpot.at; });
         const Lane::Step::Pressure dashpot{p[0], {p[1], p[2], p[3]}, {p[4], p[5], p[6]}};
-        const Real stiffness = number([](const MainCellQuestion& q) MUSIM_WIDE_LAMBDA { return q.stiffness; });
+        const Real stiffness = detail::gather_lanes<Real>([&](std::size_t i) MUSIM_WIDE_LAMBDA { return questions[first + i].stiffness; });
         const Lane::Step::PressureSum pull = cells.find_pull(dashpot, stiffness);
         const Vector normal = vector(&MainCellQuestion::normal), about = vector(&MainCellQuestion::about);
-        const Real reach = cells.find_reach(normal, about), least = cells.least_reach(normal, about, geometry);
-        const Lane::Mask may_pull = cells.may_pull(found.area > Real{}, geometry, dashpot, stiffness);
+        const Real reach = cells.find_reach(normal, about), least = cells.least_reach(normal, geometry);
+        const Lane::Mask may_pull = cells.may_pull(geometry, dashpot, stiffness);
         for (std::size_t i = 0; i < All::kStep; ++i)
             answers[first + i] = {{pull.sum[i], Lane::pick(pull.at, i)}, reach[i], least[i], may_pull[i] != 0};
     }
