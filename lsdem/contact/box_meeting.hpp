@@ -9,7 +9,7 @@
 
 namespace musim::lsdem::detail {
 
-/// Two boxes. The half space z ≤ h is box b without rotation, place (x, y, h) below the middle of a, half extents (r, r, 0), r four times
+/// Two boxes. The half space z ≤ h is box b without rotation, place (x, y, h) below the middle of a, half extents (r, r, 0), r twice
 /// the diagonal of a: a sheet, whose sides a does not reach.
 struct BoxMeeting {
     const BodyPose *a, *b;

@@ -18,7 +18,7 @@ struct Triangle {
     double area;
 };
 
-/// Calls visit(triangle, first, second, third), the last three indices of vertices, for every triangle of a piece's fan.
+/// Calls visit(triangle, indices of its three vertices) for every triangle of a piece's fan.
 template <class Visit>
 void for_each_triangle(const OverlapPieces& pieces, const OverlapPieces::Piece& piece, const Vector3& about, const Visit& visit) {
     const OverlapPieces::Vertex* const v = pieces.vertices(piece);

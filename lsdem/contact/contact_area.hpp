@@ -1,7 +1,5 @@
 #pragma once
 
-#include <algorithm>
-
 #include "lsdem/contact/overlap.hpp"
 #include "lsdem/types.hpp"
 
@@ -13,9 +11,6 @@ struct ContactArea {
     double area = 0.0;                 ///< S [m²]
     Vector3 arm = Vector3::Zero();     ///< of its middle from a given point [m]
     Matrix3 second = Matrix3::Zero();  ///< of (x − middle)(x − middle)ᵀ [m⁴]
-
-    /// J, across a direction [m⁴].
-    double polar(const Vector3& normal) const { return std::max(0.0, second.trace() - normal.dot(second * normal)); }
 };
 
 /// `about`: a point near to all of it, from which `arm` counts.

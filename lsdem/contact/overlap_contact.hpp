@@ -9,11 +9,6 @@
 /// The contact of two convex bodies: springs of their overlap, dashpots and friction; see docs/theory/overlap_contact.md.
 namespace musim::lsdem {
 
-/// A force on the second body at a point, with a couple.
-struct PlacedWrench {
-    Vector3 force = Vector3::Zero(), couple = Vector3::Zero();  ///< [N], [N·m]
-};
-
 /// Springs of friction over an area that comes and goes: a core that has always borne, and the rest, which came since or comes and goes.
 /// `Value`: a force across the normal over an area [m²], or a couple along the direction in which the second body is pushed over the second
 /// moment of that [m⁴].
@@ -40,9 +35,9 @@ struct OverlapContact {
     /// [N].
     double lightest = 0.0;
     // what acted at the last step, for its work over the next
-    Vector3 place = Vector3::Zero();   ///< middle of the area, about the origin of that time [m]
-    Vector3 couple = Vector3::Zero();  ///< of the springs of friction [N·m]
-    PlacedWrench dashpots;             ///< normal and tangential
+    Vector3 place = Vector3::Zero();                                            ///< middle of the area, about the origin of that time [m]
+    Vector3 couple = Vector3::Zero();                                           ///< of the springs of friction [N·m]
+    Vector3 dashpot_force = Vector3::Zero(), dashpot_couple = Vector3::Zero();  ///< of the dashpots, normal and tangential [N], [N·m]
 };
 
 /// The springs of a pair and the area over which its faces face each other.

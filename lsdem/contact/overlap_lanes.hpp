@@ -17,8 +17,8 @@
 namespace musim::lsdem::detail {
 
 /// Pairs that one call computes at most, and of how many the number has to be a multiple.
-inline constexpr std::size_t kLanePairs = 32, kLanes = 8;
-constexpr std::size_t round_up_to_lanes(std::size_t count) { return (count + kLanes - 1) / kLanes * kLanes; }
+inline constexpr std::size_t kLanePairs = 32, kMostLanes = 8;
+constexpr std::size_t round_up_to_lanes(std::size_t count) { return (count + kMostLanes - 1) / kMostLanes * kMostLanes; }
 
 /// What a contact leaves behind.
 struct LaneOutput {
@@ -36,7 +36,7 @@ struct LanePair {
     PairForce* force;
     PairTally* tally;
     PairWork* work;
-    double area = 0.0;       ///< found: of faces inside the other body [m²]
+    double area = 0.0;       ///< found: of the main cells, half of each body's, or of all faces inside the other body [m²]
     bool irregular = false;  ///< found: nothing is computed, take the exact function
 
     /// Asks for all of it.

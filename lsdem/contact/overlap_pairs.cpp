@@ -10,7 +10,7 @@
 namespace musim::lsdem {
 namespace {
 
-/// The ground reaches so many radii of a block beyond the block, to all sides: it has no edges where it is met [-].
+/// The ground reaches so many radii of a block from its middle, to all sides: it has no edges where it is met [-].
 constexpr double kGroundReach = 4.0;
 
 /// How far the bodies of a pair are apart at least; zero or less where they may overlap [m].

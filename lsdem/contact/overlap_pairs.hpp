@@ -22,7 +22,7 @@ class OverlapBatch {
     OverlapBatch& operator=(const OverlapBatch&) = delete;
     ~OverlapBatch() = default;
 
-    /// A pair of ContactList::overlaps; computed now or with others.
+    /// A pair of ContactList::pairs that meets by its overlap; computed now or with others.
     void add(std::size_t index);
     /// Those that still wait. Returns the largest overlap over the height of the leader since the last call [-].
     double compute();

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <Eigen/Cholesky>
+#include <functional>
 
 #include "lsdem/contact/area_stiffness.hpp"
 #include "lsdem/contact/overlap_pairs.hpp"
@@ -26,25 +27,20 @@ Matrix6 find_opposition(const MeetingArea& area, const Vector3& arm, double alon
 
 StiffestBlock StiffnessWatch::find_stiffest(const Bodies& bodies, const BasePose& base, double dt, const ContactList& list, double least) {
     opposition_.assign(bodies.size(), Matrix6::Zero());
-    struct Scene {
-        const Bodies& bodies;
-        const ContactList& list;
-        double dt;
-    } const scene{bodies, list, dt};
-    // no larger than what std::function holds without memory of its own
-    visit_meeting_areas(bodies, base, list, [this, &scene](std::size_t index, const MeetingArea& area) {
-        const ContactPair& pair = scene.list.pairs[index];
+    const auto add = [&](std::size_t index, const MeetingArea& area) {
+        const ContactPair& pair = list.pairs[index];
         const Interface& law = pair.law;
-        const double quarter = 0.25 * scene.dt * scene.dt, half = 0.5 * scene.dt;
+        const double quarter = 0.25 * dt * dt, half = 0.5 * dt;
         const double along = quarter * law.normal_stiffness + half * law.normal_damping;
         const double across = quarter * law.shear_stiffness + half * law.shear_damping;
-        const auto moves = [&](std::uint32_t block) { return block != kGround && scene.bodies.fixed[block] == 0; };
+        const auto moves = [&](std::uint32_t block) { return block != kGround && bodies.fixed[block] == 0; };
         const double sides = moves(pair.leader) && moves(pair.follower) ? 2.0 : 1.0;
         for (const std::uint32_t block : {pair.leader, pair.follower}) {
             if (!moves(block)) continue;
-            opposition_[block] += sides * find_opposition(area, area.middle - scene.bodies.pose[block].position, along, across);
+            opposition_[block] += sides * find_opposition(area, area.middle - bodies.pose[block].position, along, across);
         }
-    });
+    };
+    visit_meeting_areas(bodies, base, list, std::cref(add));  // std::function needs no memory for a reference
 
     StiffestBlock stiffest{least, 0};
     for (std::size_t i = 0; i < bodies.size(); ++i) {

@@ -23,8 +23,7 @@ MassScaling::Mobility MassScaling::find_mobility(const Model& model, const Block
     Mobility mobility;
     if (block.rotation_locked) return mobility;
     const Vector3 corner = half_extents(model, block);
-    Matrix3 arm;
-    arm << 0.0, -corner.z(), corner.y(), corner.z(), 0.0, -corner.x(), -corner.y(), corner.x(), 0.0;
+    const Matrix3 arm = cross_matrix(corner);
     const Vector3 per_inertia = inertia_over_mass(model, block).cwiseInverse();
     const Matrix3 at_corner = Matrix3::Identity() + arm * per_inertia.asDiagonal() * arm.transpose();
     mobility.any = Eigen::SelfAdjointEigenSolver<Matrix3>(at_corner, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff();

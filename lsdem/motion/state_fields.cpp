@@ -33,15 +33,13 @@ static void exchange(Archive& archive, PairForce& f) { archive(f.force, f.leader
 
 static void exchange(Archive& archive, PairTally& t) { archive(t.elastic_normal, t.elastic_shear, t.overlap, t.touching, t.rough); }
 
-static void exchange(Archive& archive, PlacedWrench& w) { archive(w.force, w.couple); }
-
 template <class Value>
 static void exchange(Archive& archive, FrictionSprings<Value>& s) {
     archive(s.area, s.core, s.in_core, s.in_rest);
 }
 
 static void exchange(Archive& archive, OverlapContact& c) {
-    archive(c.touches, c.sliding, c.turning, c.lightest, c.place, c.couple, c.dashpots);
+    archive(c.touches, c.sliding, c.turning, c.lightest, c.place, c.couple, c.dashpot_force, c.dashpot_couple);
 }
 
 void exchange(Archive& archive, ContactList& l) {
