@@ -27,6 +27,7 @@ struct AffinePressure {
 struct PressureMoments {
     double sum = 0.0;
     Vector3 at = Vector3::Zero();
+    bool operator==(const PressureMoments&) const = default;
 };
 
 /// What dashpots of the pressure `dashpot` would pull beyond what springs of `stiffness` per area push, ∫ max(0, −(K d + dashpot)) dS, with

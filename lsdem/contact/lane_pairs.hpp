@@ -75,6 +75,10 @@ struct Lane {
         return {lane_of(v.x, lane), lane_of(v.y, lane), lane_of(v.z, lane)};
     }
 
+    /// Part that the main cells have in friction and dashpots [-].
+    MUSIM_WIDE static Real share_of(const LaneOverlap<W>& found) {
+        return share_of_facing<Real>(-dot(found.cells[0].normal, found.cells[1].normal));
+    }
     /// The geometry of the contact about the pair's origin, and its main cells.
     MUSIM_WIDE static typename Step::Geometry make_geometry(const LaneOverlap<W>& found, const Vector& shift, MainCells<W>& cells) {
         typename Step::Geometry geometry;
@@ -88,7 +92,7 @@ struct Lane {
         cells.depth = over * found.area_depth;
         cells.depth_slope = -(found.cells[0].normal + found.cells[1].normal);
         geometry.energy = found.energy;
-        const Real share = share_of_facing<Real>(-dot(found.cells[0].normal, found.cells[1].normal));
+        const Real share = share_of(found);
         geometry.area = share * found.area;
         geometry.square = share * found.area_square, geometry.cross_square = share * found.area_cross;
         cells.share = 0.5 * share;
@@ -160,10 +164,11 @@ struct Lane {
     }
 
     MUSIM_WIDE static void store(const LaneOverlap<W>& found, LaneFinding* results) {
+        const Real share = share_of(found), area = share * found.area;
+        const Vector place = share * found.area_place, square = share * found.area_square, mixed = share * found.area_cross;
         for (std::size_t i = 0; i < kWidth<Real>; ++i)
-            results[i] = {pick(found.force, i),   pick(found.moment, i),     found.deepest[i],           found.energy[i],
-                          found.area[i],          pick(found.area_place, i), pick(found.area_square, i), pick(found.area_cross, i),
-                          found.irregular[i] != 0};
+            results[i] = {pick(found.force, i), pick(found.moment, i), found.deepest[i], found.energy[i],        area[i],
+                          pick(place, i),       pick(square, i),       pick(mixed, i),   found.irregular[i] != 0};
     }
 };
 

@@ -65,10 +65,11 @@ struct LaneFinding {
     Vector3 moment;                   ///< of it [m⁴]
     double deepest;                   ///< largest depth of a point of one body in the other [m]
     double energy;                    ///< but for a part overlap²/area of it [m⁴]
-    double area;                      ///< of the main cells, half of each body's [m²]
+    double area;                      ///< over which faces face each other, see ContactArea [m²]
     Vector3 area_place;               ///< ∫ place [m³]
     Vector3 area_square, area_cross;  ///< ∫ of (xx, yy, zz) and (yz, zx, xy) about the cell's own middle [m⁴]
     bool irregular;                   ///< nothing of the above holds
+    bool operator==(const LaneFinding&) const = default;
 };
 /// Of `count` pairs.
 void compute_overlaps(const BoxMeeting* pairs, std::size_t count, LaneFinding* found);

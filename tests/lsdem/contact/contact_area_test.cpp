@@ -6,47 +6,37 @@
 #include <cstddef>
 #include <random>
 
-#include "lsdem/contact/box_meeting.hpp"
 #include "lsdem/contact/contact_step.hpp"
 #include "lsdem/contact/overlap_contact.hpp"
+#include "tests/lsdem/contact/placed_boxes.hpp"
 
 using namespace musim::lsdem;
+using namespace musim::lsdem::tests;
 
 namespace {
 
 /// Two boxes in any pose, a corner or an edge of one in the other.
-struct Pair {
-    BodyPose a, b;
-
-    explicit Pair(std::mt19937_64& random) {
-        a.half = {0.15, 0.1, 0.075}, b.half = {0.12, 0.1, 0.09};
-        a.rotation = any_rotation(random), b.rotation = any_rotation(random);
-        std::normal_distribution<double> normal;
-        const double x = normal(random), y = normal(random), z = normal(random);
-        b.position = 0.2 * Vector3(x, y, z).normalized();
-    }
-    void cut(OverlapPieces& pieces) const {
-        const PlacedPair placed({&a, &b});
-        pieces.cut(placed.a, placed.b);
-    }
-
-  private:
-    static Matrix3 any_rotation(std::mt19937_64& random) {
-        std::normal_distribution<double> normal;
+Boxes any_boxes(std::mt19937_64& random) {
+    std::normal_distribution<double> normal;
+    const auto any_rotation = [&] {
         const double w = normal(random), x = normal(random), y = normal(random), z = normal(random);
         return Quaternion(w, x, y, z).normalized().toRotationMatrix();
-    }
-};
+    };
+    Boxes boxes;
+    boxes.a.half = {0.15, 0.1, 0.075}, boxes.b.half = {0.12, 0.1, 0.09};
+    boxes.a.rotation = any_rotation(), boxes.b.rotation = any_rotation();
+    const double x = normal(random), y = normal(random), z = normal(random);
+    boxes.b.position = 0.2 * Vector3(x, y, z).normalized();
+    return boxes;
+}
 
 }  // namespace
 
-// Depths over the image of such a face across the push change without bound, so that rounding would choose the reach.
 TEST_CASE("the least reach of friction is no more than its reach about any point") {
     std::mt19937_64 random(4);
-    OverlapPieces pieces;
     int touching = 0;
     for (int trial = 0; trial < 300; ++trial) {
-        Pair(random).cut(pieces);
+        const OverlapPieces pieces = any_boxes(random).cut();
         const OverlapGeometry geometry = find_overlap_geometry(pieces);
         if (!geometry.touches()) continue;
         ++touching;
@@ -61,12 +51,12 @@ TEST_CASE("the least reach of friction is no more than its reach about any point
     CHECK(touching > 100);
 }
 
+// Depths over the image of such a face across the push change without bound, so that rounding would choose the reach.
 TEST_CASE("the reach of friction does not jump when a face comes to lie along the push") {
     std::mt19937_64 random(3);
-    OverlapPieces pieces;
     int faces = 0;
     for (int trial = 0; trial < 300; ++trial) {
-        Pair(random).cut(pieces);
+        const OverlapPieces pieces = any_boxes(random).cut();
         const OverlapGeometry geometry = find_overlap_geometry(pieces);
         if (!geometry.touches()) continue;
         for (const OverlapPieces::Piece& piece : pieces) {

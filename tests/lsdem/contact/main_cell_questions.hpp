@@ -15,6 +15,7 @@ struct MainCellAnswer {
     PressureMoments pull;
     double reach, least_reach;
     bool may_pull;
+    bool operator==(const MainCellAnswer&) const = default;
 };
 /// Of detail::kLanePairs pairs, four side by side.
 void ask_main_cells(const detail::BoxMeeting* pairs, const MainCellQuestion* questions, MainCellAnswer* answers);
