@@ -59,7 +59,8 @@ NamedValues list_values(const lsdem::TiltCase& test, const lsdem::TiltResult& re
             {{}, "tan(angle)", result.friction(), ".5f", 10},
             {"friction", {}, or_null(friction)},
             {"expected_slip_deg", "atan(mu)", result.expected_slip / kDegree, ".4f", 13},
-            {"expected_topple_deg", "atan(edge/h)", result.expected_fall / kDegree, ".4f", 13}};
+            {"expected_topple_deg", "atan(edge/h)", result.expected_fall / kDegree, ".4f", 13},
+            {"expected_topple_on_springs_deg", "on springs", result.expected_fall_on_springs / kDegree, ".4f", 11}};
 }
 
 int run_friction(const FrictionOptions& options) {

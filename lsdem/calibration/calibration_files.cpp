@@ -67,12 +67,14 @@ std::string downhill_edge(const TiltCase& test) {
 }
 
 std::string make_tilt_csv(const std::vector<TiltCase>& cases, const std::vector<TiltResult>& results) {
-    std::string csv = "pose,support,downhill,event,angle_deg,half_interval_deg,tangent,expected_slip_deg,expected_topple_deg\n";
+    std::string csv =
+        "pose,support,downhill,event,angle_deg,half_interval_deg,tangent,expected_slip_deg,expected_topple_deg,"
+        "expected_topple_on_springs_deg\n";
     for (std::size_t i = 0; i < cases.size(); ++i) {
         const TiltResult& r = results[i];
-        fmt::format_to(std::back_inserter(csv), "{},{},{},{},{},{},{},{},{}\n", to_string(cases[i].pose), to_string(cases[i].support),
+        fmt::format_to(std::back_inserter(csv), "{},{},{},{},{},{},{},{},{},{}\n", to_string(cases[i].pose), to_string(cases[i].support),
                        downhill_edge(cases[i]), to_string(r.event), r.angle() / kDegree, 0.5 * (r.high - r.low) / kDegree, r.friction(),
-                       r.expected_slip / kDegree, r.expected_fall / kDegree);
+                       r.expected_slip / kDegree, r.expected_fall / kDegree, r.expected_fall_on_springs / kDegree);
     }
     return csv;
 }

@@ -23,6 +23,12 @@ constexpr double kPi = std::numbers::pi;
 /// together, so that it shifts no threshold.
 constexpr double kDampedRestitution = 0.1, kDampedShearDamping = 0.5;
 
+/// Velocities decay at this many times p = √(3g/4R) in the first quarter of a run, so that the block comes to lean on its springs as on a
+/// slope that is tilted slowly: let go at once it would swing over its edge. Choices: the block moves no more slowly than it falls.
+constexpr double kSlowness = 4.0;
+/// A run in which a block may topple lasts so many times 1/p.
+constexpr double kFallTimes = 8.0;
+
 /// A block on a slope; x is downhill.
 struct Slope {
     Vector3 extent;          ///< of the block along the world axes: downhill, across, upward [m]
@@ -68,7 +74,7 @@ Model make_tilted_model(const BlockSample& sample, const TiltCase& test, const S
     return model;
 }
 
-/// Place of the middle of the block's lower face along the slope [m], and its lean downhill [rad].
+/// Place of the lower edge downhill along the slope, about which the block topples [m], and its lean downhill [rad].
 struct Stance {
     double place, lean;
 };
@@ -76,52 +82,56 @@ struct Stance {
 Stance find_stance(const Simulation& simulation, const Slope& slope) {
     const std::size_t block = simulation.model().blocks.size() - 1;
     const Quaternion turn = simulation.orientation(block) * slope.orientation.conjugate();
-    const Vector3 up = turn * Vector3::UnitZ();
-    const double place = simulation.position(block).x() - simulation.base().displacement.x() - 0.5 * slope.extent.z() * up.x();
+    const Vector3 up = turn * Vector3::UnitZ(), downhill = turn * Vector3::UnitX();
+    const double place = simulation.position(block).x() + 0.5 * (slope.extent.x() * downhill.x() - slope.extent.z() * up.x());
     return {place, std::atan2(up.x(), up.z())};
 }
 
-/// Lets the ground run downhill with the block at first, as fast as it would fall along the slope, and ever slower during `duration`: for
-/// the block the slope is then tilted slowly. Let go at once it would topple earlier, since the springs of its base resist less than a
-/// rigid edge before it lifts, and the energy of that carries it over. Fixed blocks do not move with the ground; on one the block is let go
-/// at once.
-void tilt_slowly(Model& model, double duration) {
-    constexpr int kSamples = 64;
-    BaseComponent& motion = model.ground.motion[0];
-    motion.dt = duration / kSamples;
-    for (int k = 0; k <= kSamples; ++k) {
-        const double t = motion.dt * k;
-        motion.velocity.push_back(model.gravity.x() * (t - 0.5 * t * t / duration));
-    }
+double rigid_fall(const Slope& slope) { return std::atan2(slope.extent.x(), slope.extent.z()); }
+
+/// Length a of the base, from the edge downhill, on which a block bears that is about to topple [m]. Under the pressure of its springs the
+/// block leans by 2N/(K_n w a²) and bears a third of a from the edge, so tan(angle) = (b − 2a/3)/H − 2N/(K_n w a²), which is most where
+/// a³ = 6 H N/(K_n w).
+double least_base(const BlockSample& sample, const Slope& slope, double angle) {
+    const double load = sample.mass() * sample.gravity * std::cos(angle);
+    return std::cbrt(6.0 * slope.extent.z() * load / (sample.normal_pressure() * slope.extent.y()));
+}
+
+/// Where a block topples on the springs of its base: tan(angle) = (b − a)/H [rad].
+double fall_on_springs(const BlockSample& sample, const Slope& slope) {
+    double angle = rigid_fall(slope);
+    for (int i = 0; i < 50; ++i) angle = std::atan2(std::max(0.0, slope.extent.x() - least_base(sample, slope, angle)), slope.extent.z());
+    return angle;
 }
 
 /// What happens at an angle; nothing when the block stays.
 std::optional<TiltEvent> watch(const BlockSample& sample, const TiltCase& test, const Slope& slope, double angle, double resolution) {
     Model model = make_tilted_model(sample, test, slope, angle);
-    const double area = slope.extent.x() * slope.extent.y();
-    const double swing =
-        slope.friction * sample.mass() * sample.gravity * std::cos(angle) / (sample.shear_pressure() * area);  // μN/k_s [m]
+    const double weight = sample.mass() * sample.gravity * std::cos(angle);
+    const double length = test.pose == TiltPose::lying ? slope.extent.x() : std::min(slope.extent.x(), least_base(sample, slope, angle));
+    const double swing = slope.friction * weight / (sample.shear_pressure() * length * slope.extent.y());  // μN/k_s [m]
 
     // sliding at `resolution` above its angle: by g·resolution·(T/4)² farther in the last quarter than in the one before
     const double slip_time = 4.0 * std::sqrt(2.0 * swing / (sample.gravity * resolution));
-    // leaning out: resolution·cosh(pt), 23.5 times the resolution between pT/2 = 2 and pT = 4
-    const double radius = 0.5 * std::hypot(slope.extent.x(), slope.extent.z());
-    const double fall_time = 4.0 / std::sqrt(0.75 * sample.gravity / radius);
-    const double quarter = 0.25 * (test.pose == TiltPose::lying ? slip_time : std::max(slip_time, fall_time));
+    // leaning out: by cosh(pt)
+    const double p = std::sqrt(1.5 * sample.gravity / std::hypot(slope.extent.x(), slope.extent.z()));
+    const double quarter = 0.25 * (test.pose == TiltPose::lying ? slip_time : std::max(slip_time, kFallTimes / p));
 
-    if (test.support == TiltSupport::ground) tilt_slowly(model, quarter);
     const double step = 0.5 * compute_critical_time_step(model);
     const auto steps = static_cast<std::uint64_t>(std::ceil(quarter / step));
     Simulation simulation(model, step);
     std::array<Stance, 3> stance{};
+    simulation.set_velocity_damping(kSlowness * p);
     detail::advance_in_pieces(simulation, steps, [](std::uint64_t /*taken*/) {});
+    simulation.set_velocity_damping(0.0);
     for (Stance& now : stance) {
         detail::advance_in_pieces(simulation, steps, [](std::uint64_t /*taken*/) {});
         now = find_stance(simulation, slope);
     }
     if (simulation.divergence()) throw std::runtime_error("tilt test: the run diverged; are the stiffnesses consistent?");
+    const bool past_edge = stance[2].lean + angle > rigid_fall(slope);
     const double lean = stance[2].lean - stance[0].lean, slip = stance[2].place - 2.0 * stance[1].place + stance[0].place;
-    if (lean <= 10.0 * resolution && slip <= swing) return std::nullopt;
+    if (!past_edge && slip <= swing) return std::nullopt;
     // the faster of the two: a toppling block drags its edge a little, a slipping one leans on its springs
     return lean * slope.extent.z() > stance[2].place - stance[0].place ? TiltEvent::topples : TiltEvent::slips;
 }
@@ -147,7 +157,8 @@ TiltResult run_tilt_test(const BlockSample& given, const TiltCase& test, double 
                       .low = 0.0,
                       .high = 0.5 * kPi,
                       .expected_slip = std::atan(slope.friction),
-                      .expected_fall = std::atan2(slope.extent.x(), slope.extent.z())};
+                      .expected_fall = rigid_fall(slope),
+                      .expected_fall_on_springs = fall_on_springs(sample, slope)};
     while (result.high - result.low > resolution) {
         const double angle = result.angle();
         if (const auto event = watch(sample, test, slope, angle, resolution)) {
