@@ -7,6 +7,7 @@
 #include "records/measures/intensity.hpp"
 #include "records/measures/measures.hpp"
 #include "records/measures/response_spectrum.hpp"
+#include "records/processing/base_motion.hpp"
 #include "records/processing/processing.hpp"
 #include "records/processing/scale_record.hpp"
 #include "records/time_series.hpp"

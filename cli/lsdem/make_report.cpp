@@ -121,9 +121,10 @@ void add_report_command(CLI::App& app, Action& action) {
         "  musim report out/wood out/concrete -o both.html\n"
         "  musim report specimens -o specimens.html\n"
         "  musim scale --length 1/107 --friction 0.63/0.59 --json > scale.json; musim report scale.json CICLC.v1 -o plan.html\n"
-        "Verdict first, then what was run, scales and groups, the blocks in 3D (with frames: \"output\": {\"frame_rate\": \"100 Hz\"} in "
-        "the\n"
-        "scene), motion of the spine, speeds, profiles, energies. What is missing is named, and the rest shown.");
+        "Verdict first, then the blocks in 3D (with frames: \"output\": {\"frame_rate\": \"100 Hz\"} in the scene), scales and groups,\n"
+        "motion of the spine, profiles, speeds, energies, the motion of the base, and what was run. What is missing is named, and the "
+        "rest\n"
+        "shown.");
     command->callback([&action, options] { action = [options] { return run_report(*options); }; });
 }
 

@@ -19,8 +19,8 @@ using scaling::Time;
 /// μ of the prototype's concrete [Harmon23, Table 3].
 constexpr double kPrototypeFriction = 0.59;
 
-/// Of the prototype: how long the made earthquake lasts, and the run, so that the structure comes to rest again; samples and pictures a
-/// second.
+/// Of the prototype: how long the synthetic earthquake lasts, and the run, so that the structure comes to rest again; samples and pictures
+/// a second.
 constexpr double kMotionDuration = 10.0, kRunDuration = 12.0;  // [s]
 constexpr double kSpineRate = 100.0, kFrameRate = 25.0;        // [1/s]
 
@@ -158,7 +158,7 @@ std::vector<std::string> comment_motion(const Scene& scene) {
             "window: the part that is used, in the record's own time; time.duration is its length at the model's scale",
             "scale: the similitude between the prototype, whose record this is, and the model; leave it out for a record of your table"};
     }
-    return {"a made earthquake at the model's scale; another seed makes another with the same peaks",
+    return {"a synthetic earthquake at the model's scale; another seed makes another with the same peaks",
             "your own record: musim new ... --record FILE, or write here { \"record\": \"FILE\", \"components\": { \"x\": \"NAME\" } }"};
 }
 

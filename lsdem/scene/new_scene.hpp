@@ -29,7 +29,7 @@ RecordScale find_scale(const NewScene& wanted);
 
 /// A scene of the prototype's blocks (1.36 x 2.82 x 4.25 m) at the model's length, or of other ones, of a measured material fitted to them
 /// (fit_to_block). A
-/// made earthquake shakes it along x whose prototype has the peaks of the papers' record, 0.511 g and 42.4 cm/s, and lasts 10 s.
+/// synthetic earthquake shakes it along x whose prototype has the peaks of the papers' record, 0.511 g and 42.4 cm/s, and lasts 10 s.
 /// Samples and pictures are as dense as 100 and 25 Hz in the prototype. Throws SceneError, also for layers below 1, and
 /// scaling::SimilitudeError for a length that is not positive.
 Scene make_new_scene(const NewScene& wanted);

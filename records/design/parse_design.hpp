@@ -19,11 +19,11 @@ namespace musim::records {
 ///     "normal_stiffness" with "stiffness_block": [b, w, H], "shear_...", "height_deviation", "smallest_edge", "price"}, ...],
 ///   "laws": ["mu", "true_replica", "mine.json", {"law": "restoring_force", "set": {"F_R": "1/500"}, "hold": [products]}], "gravity": 1,
 ///   "length": "1/25", "groups": ["mu^N", ...]}.
-/// Quantities are SI numbers or text with a unit, plain numbers may be text such as "0.63/0.59". A name among the materials is that of a
-/// preset, whose values others in the same object replace. Defaults: mass of the prototype 0, its centre at half the height, law mu,
-/// groups default_groups(). A record and a table need each other. Throws ReadError `source: place: what (why); what to do` for anything
-/// else, unknown keys included. `reading` takes measured values and limits with standard uncertainties (scaling/uncertain.hpp), which are
-/// refused without it, and where a value is chosen: "length", "high_pass", "pictures".
+/// Quantities are text with a unit, plain numbers may be text such as "0.63/0.59". A name among the materials is that of a preset, whose
+/// values others in the same object replace. Defaults: mass of the prototype 0, its centre at half the height, law mu, groups
+/// default_groups(). A record and a table need each other. Throws ReadError `source: place: what (why); what to do` for anything else,
+/// unknown keys included. `reading` takes measured values and limits with standard uncertainties (scaling/uncertain.hpp), which are refused
+/// without it, and where a value is chosen: "length", "high_pass", "pictures".
 Design parse_design(std::string_view json, const std::string& source, const std::vector<Material>& presets,
                     scaling::UncertainReading* reading = nullptr);
 
