@@ -21,7 +21,7 @@ std::string format_up_to(double part) { return (part < kRoundingLevel ? "" : "up
 
 std::string format_range(const DifferenceRange& range) {
     if (range.largest() < kRoundingLevel) return format_up_to(range.largest());
-    return fmt::format("-{:.2g} % to +{:.2g} %", -100.0 * range.lowest, 100.0 * range.highest);
+    return fmt::format("-{:.2g} % to +{:.2g} %", 100.0 * std::abs(range.lowest), 100.0 * std::abs(range.highest));
 }
 
 std::string join_words(const std::vector<std::string>& words) {
