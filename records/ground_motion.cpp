@@ -54,6 +54,7 @@ std::optional<double> find_azimuth_deg(std::string_view component_name) {
 }
 
 bool is_vertical(const Component& component) {
+    if (component.up) return true;
     if (component.azimuth_deg) return false;
     std::string name;
     for (const char letter : component.name) name += detail::to_lower(letter);

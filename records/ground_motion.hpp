@@ -18,6 +18,7 @@ struct Component {
     std::string name = {};                   ///< as the file names it: "360", "Up", "H1"; plain text columns are "1", "2", ...
     std::optional<double> azimuth_deg = {};  ///< direction of positive motion, clockwise from north [deg]; unknown or vertical: nothing
     TimeSeries series;                       ///< with its own length, start and time step
+    bool up = false;                         ///< the file says that it is vertical, whatever its name
 };
 
 /// A recorded or made ground motion: its channels and where they come from.
@@ -46,7 +47,7 @@ struct GroundMotion {
 /// Names that are plain column numbers look the same, so only readers of formats that name directions ask.
 std::optional<double> find_azimuth_deg(std::string_view component_name);
 
-/// Whether a component's name says that it is vertical: "Up", "UD", "Z", "V", "HNZ", "Vertical", "UD2", ...
+/// Whether a component's file or name says that it is vertical: "Up", "UD", "Z", "V", "HNZ", "Vertical", "UD2", ...
 bool is_vertical(const Component& component);
 
 }  // namespace musim::records

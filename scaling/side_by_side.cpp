@@ -1,5 +1,9 @@
 #include "scaling/side_by_side.hpp"
 
+#if defined(__linux__)
+#include <sched.h>
+#endif
+
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
@@ -12,11 +16,18 @@ namespace musim::scaling {
 
 namespace {
 
-std::size_t count_threads(int threads) {
-    return threads > 0 ? static_cast<std::size_t>(threads) : std::max(1U, std::thread::hardware_concurrency());
-}
+std::size_t count_threads(int threads) { return static_cast<std::size_t>(threads > 0 ? threads : count_usable_cores()); }
 
 }  // namespace
+
+// the kernel, which links nothing, has one of its own
+int count_usable_cores() {
+#if defined(__linux__)
+    cpu_set_t usable;
+    if (sched_getaffinity(0, sizeof usable, &usable) == 0) return std::max(1, CPU_COUNT(&usable));
+#endif
+    return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
 
 void run_side_by_side(const std::vector<std::function<void()>>& jobs, int threads, const std::function<void(double)>& on_progress) {
     std::atomic<std::size_t> next{0}, done{0};

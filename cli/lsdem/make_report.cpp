@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cli/commands.hpp"
+#include "cli/files.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/record_source.hpp"
@@ -62,6 +63,13 @@ std::string count_contents(const lsdem::ReportContent& content) {
 }
 
 int run_report(const ReportOptions& options) {
+    const std::string kind = find_extension(options.out);
+    std::error_code error;
+    const std::filesystem::file_status there = std::filesystem::status(options.out, error);
+    if (kind != "html" && kind != "htm" && (!std::filesystem::exists(there) || std::filesystem::is_regular_file(there))) {
+        throw CLI::ValidationError("--out", options.out + ": a page is HTML; name a file that ends in .html");
+    }
+    refuse_overwriting(options.places, {options.out});
     for (const std::string& format : options.formats) lsdem::require_picture_name("figure." + format);
     const lsdem::ReportContent content =
         lsdem::read_content({options.places.begin(), options.places.end()},

@@ -13,6 +13,7 @@
 #include "lsdem/run/use_record.hpp"
 #include "lsdem/scene/new_scene.hpp"
 #include "records/atomic_file.hpp"
+#include "scaling/dimension.hpp"
 #include "scaling/quantity_text.hpp"
 
 namespace musim::cli {
@@ -40,7 +41,9 @@ std::optional<lsdem::Triple<scaling::Length>> parse_block(const std::vector<std:
     if (edges.empty()) return std::nullopt;
     lsdem::Triple<scaling::Length> block;
     for (std::size_t i = 0; i < block.size(); ++i) {
-        block[i] = read_option("--block", [&] { return scaling::parse_quantity<scaling::Length>(edges[i]); });
+        block[i] = read_option("--block", [&] {
+            return scaling::Length::from_value(scaling::parse_si_with_unit(edges[i], scaling::dimension_of<scaling::Length>()));
+        });
         if (!(block[i].value() > 0.0)) throw CLI::ValidationError("--block", edges[i] + " is not above zero");
     }
     return block;

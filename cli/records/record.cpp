@@ -189,13 +189,14 @@ NamedValues measure_record(const records::TimeSeries& leveled, const records::In
             {"pulse_period_s", "T PSV [s]", or_null(pulse_period)}};
 }
 
-/// How strong a record is for a structure in standard gravity, in dimensionless groups, and how far a Newmark block slides (its largest
-/// distance); missing where the structure or the record does not give it. `leveled` and `intensity` as above.
-NamedValues compute_record_groups(const records::TimeSeries& leveled, const records::Intensity& intensity,
+/// How strong a horizontal component is for a structure in standard gravity, in dimensionless groups, and how far a Newmark block slides
+/// (its largest distance); missing of vertical ones, and where the structure or the record does not give it. `leveled` and `intensity` as
+/// above.
+NamedValues compute_record_groups(const records::TimeSeries& leveled, const records::Intensity& intensity, bool is_vertical,
                                   const StructureOptions& structure) {
     const double g = scaling::kStandardGravity.value();
     std::optional<double> pga_friction, pgv_friction, pga_slenderness, sliding, sliding_length;
-    if (structure.friction) {
+    if (structure.friction && !is_vertical) {
         const double yield = structure.friction->value * g;  // [m/s²]
         if (intensity.pga) pga_friction = std::abs(intensity.pga->value.value()) / yield;
         if (intensity.pgv && structure.length) {
@@ -206,7 +207,7 @@ NamedValues compute_record_groups(const records::TimeSeries& leveled, const reco
             if (structure.length) sliding_length = *sliding / structure.length->value;
         }
     }
-    if (structure.slenderness && intensity.pga) {
+    if (structure.slenderness && intensity.pga && !is_vertical) {
         pga_slenderness = std::abs(intensity.pga->value.value()) / (g * std::tan(structure.slenderness->value * std::numbers::pi / 180.0));
     }
     return {{"pga_over_mu_g", "PGA/(mu g)", or_null(pga_friction)},
@@ -223,7 +224,8 @@ ComponentInfo make_info(const RecordInfoOptions& options, const std::string& fil
     const records::Intensity intensity = records::compute_intensity(component.series, corner);
     const records::TimeSeries leveled = records::level_uncorrected(component.series, corner);
     ComponentInfo info{file, motion, component, corner, intensity, measure_record(leveled, intensity, corner, options.measures), {}};
-    if (options.structure.any()) info.groups = compute_record_groups(leveled, intensity, options.structure);
+    if (options.structure.any())
+        info.groups = compute_record_groups(leveled, intensity, records::is_vertical(component), options.structure);
     return info;
 }
 
@@ -295,9 +297,9 @@ void add_record_command(CLI::App& app, Action& action) {
     CLI::App* info = command->add_subcommand("info", "Peaks, intensity, durations and periods of every component");
     info->add_option("files", options->files, kRecordArgument)->required()->type_name("FILE");
     options->source.add_to(*info);
-    info->add_option(
-            "--highpass", options->highpass,
-            "Corner [Hz] of the zero-phase high-pass before integration (default: none for corrected records, 0.05 for uncorrected)")
+    info->add_option("--highpass", options->highpass,
+                     "Corner [Hz] of the zero-phase high-pass before integration (default: none for corrected records, 0.05 for "
+                     "uncorrected, or as the format says)")
         ->type_name("NUMBER");
     options->measures.add_to(*info);
     options->structure.add_to(*info);

@@ -40,6 +40,17 @@ std::string_view find_format(const RecordOutputOptions& options) {
                     options.format.empty() ? "add --format " : "write "));
 }
 
+/// PEER files of velocities and displacements have extensions of their own, by which others take them for that.
+void refuse_wrong_quantity(const std::string& file, const records::Component& component) {
+    const std::string extension = find_extension(file);
+    const auto wanted = extension == "vt2"   ? records::SampleQuantity::velocity
+                        : extension == "dt2" ? records::SampleQuantity::displacement
+                                             : component.series.quantity();
+    if (component.series.quantity() == wanted) return;
+    throw records::WriteError(fmt::format("{}: .{} is for a {} (component {} is an {}); name an .at2 file", file, extension,
+                                          records::to_string(wanted), component.name, records::to_string(component.series.quantity())));
+}
+
 /// miniSEED has no room for how a record is integrated.
 void note_lost_corner(const std::string& file, const records::GroundMotion& motion) {
     const std::optional<scaling::Frequency>& corner = motion.integration_corner;
@@ -80,6 +91,7 @@ void RecordOutputOptions::write(const records::GroundMotion& all) const {
         throw records::WriteError(out + ": a PEER file holds one component; choose one with --component (" + motion.component_names() +
                                   ")");
     }
+    refuse_wrong_quantity(out, motion.components.front());
     records::write_at2(out, motion, motion.components.front().name);
 }
 

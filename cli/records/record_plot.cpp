@@ -122,7 +122,7 @@ int run_record_plot(const RecordPlotOptions& options) {
         if (figure.model_of) object["similitude"] = to_json(*figure.model_of);
         print_json(object);
     } else {
-        print("{} components drawn in {}{}\n", figure.components.size(), options.out,
+        print("{} component{} drawn in {}{}\n", figure.components.size(), figure.components.size() == 1 ? "" : "s", options.out,
               options.csv.empty() ? "" : ", their samples in " + options.csv);
     }
     return kDone;
@@ -153,7 +153,7 @@ void add_record_plot_command(CLI::App& record, Action& action) {
     command->footer(
         "Examples:\n"
         "  musim record plot CICLC.v1 -o record.svg\n"
-        "  musim record plot CICLC.v1 --component 360 --window 20 60 -o record.png --csv record.csv\n"
+        "  musim record plot CICLC.v1 --component 360 --window 220 260 -o record.png --csv record.csv\n"
         "  musim record plot TCU052-N.AT2 TCU052-E.AT2 --damping 0.02 -o records.pdf\n"
         "  musim record plot CICLC.v1 --component 360 --length 1/107 --friction 0.63/0.59 -o both.svg\n"
         "With --length prototype and model are drawn together, the model's curves divided by its factors: they fall on the prototype's. "

@@ -81,7 +81,7 @@ int run_record_spectrum(const RecordSpectrumOptions& options) {
     if (options.json) {
         print_json(to_json(tables));
     } else if (format != OutFormat::none) {
-        print("{} spectra written to {}\n", tables.size(), options.out);
+        print("{} {} written to {}\n", tables.size(), tables.size() == 1 ? "spectrum" : "spectra", options.out);
     } else {
         for (const SpectrumTable& table : tables) print_table(table);
     }

@@ -122,8 +122,8 @@ std::string describe(const Failure& failure) {
     }
     const std::string why = failure.why.empty() ? std::string() : fmt::format(" ({})", failure.why);
     return fmt::format(
-        "failure mode {}{}: {:.3g}% by mass of {} fallen blocks went outward; the level at {:.2g} of the height bulged by {:.3g} thin "
-        "sides, and {:.3g}% of what fell from above it came down or inward",
+        "failure mode {}{}: {:.3g} % by mass of {} fallen blocks went outward; the level at {:.2g} of the height bulged by {:.3g} thin "
+        "sides, and {:.3g} % of what fell from above it came down or inward",
         to_string(failure.mode), why, 100.0 * m.outward_share, m.fallen, m.bulge_height, m.bulge, 100.0 * m.inward_share_above);
 }
 

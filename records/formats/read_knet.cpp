@@ -95,7 +95,8 @@ GroundMotion parse_knet(const TextFile& file, const ReadOptions& options) {
     motion.station = header.require("Station Code").text;
     motion.components.push_back({.name = std::string(direction.name),
                                  .azimuth_deg = direction.azimuth_deg,
-                                 .series = {gal.quantity, 0.0 * scaling::si::seconds, dt, std::move(samples)}});
+                                 .series = {gal.quantity, 0.0 * scaling::si::seconds, dt, std::move(samples)},
+                                 .up = !direction.azimuth_deg});
     if (const std::optional<UtcTime> time = header.find_time("Record Time", kJapanHoursAhead)) motion.time_zero = *time - kRecorderDelay;
     motion.integration_corner = kUncorrectedCornerHz * scaling::si::hertz;
     motion.history.push_back(fmt::format("read {} from {}, {} ({}), {} gal a count, clock 15 s before Record Time", motion.format,

@@ -58,6 +58,7 @@ std::string csv_header(const GroundMotion& motion) {
     for (const Component& component : motion.components) {
         if (&component != &motion.components.front()) azimuths += ',';
         if (component.azimuth_deg) azimuths += fmt::format("{}", *component.azimuth_deg);
+        if (component.up) azimuths += detail::kUp;
         names += ',' + one_line(component.name, false);
     }
     return text + fmt::format("# azimuths_deg: {}\n{}\n", azimuths, names);

@@ -65,7 +65,8 @@ GroundMotion merge(const std::vector<GroundMotion>& files) {
             const TimeSeries& series = component.series;
             merged.components.push_back(
                 {find_free_name(merged, file, component.name), component.azimuth_deg,
-                 TimeSeries(series.quantity(), series.start() + later, series.dt(), {series.samples().begin(), series.samples().end()})});
+                 TimeSeries(series.quantity(), series.start() + later, series.dt(), {series.samples().begin(), series.samples().end()}),
+                 component.up});
         }
         if (!merged.integration_corner) merged.integration_corner = file.integration_corner;
     }

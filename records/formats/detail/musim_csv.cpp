@@ -14,7 +14,7 @@ struct CsvHeader {
     std::optional<SampleUnit> unit;
     std::optional<scaling::Time> start;
     std::optional<scaling::Time> dt;
-    std::vector<std::optional<double>> azimuths_deg;
+    std::vector<std::string_view> directions;  ///< azimuths [deg], or up
 };
 
 std::vector<std::string_view> split_cells(std::string_view line) {
@@ -56,7 +56,7 @@ void read_header_line(const TextFile& file, std::size_t index, CsvHeader& header
         header.motion.integration_corner = header_number(file, index, key, value) * scaling::si::hertz;
     }
     if (key == "azimuths_deg") {
-        for (const std::string_view cell : split_cells(value)) header.azimuths_deg.push_back(parse_real(cell));
+        header.directions = split_cells(value);
     }
     if (key == "unit") {
         header.unit = find_sample_unit(value);
@@ -98,7 +98,7 @@ GroundMotion parse_musim_csv(const TextFile& file, const ReadOptions& options) {
     const std::vector<std::string_view> titles = split_cells(file.line(index));
     if (titles.size() < 2 || titles[0] != "time_s") file.fail(index, "title line is missing (time_s,NAME,...)", "write the file again");
     std::vector<std::vector<double>> columns(titles.size() - 1);
-    header.azimuths_deg.resize(columns.size());
+    header.directions.resize(columns.size());
     ++index;
     for (std::size_t row = 0; index < file.size() && !file.line(index).empty(); ++row, ++index) {
         read_row(file, index, row, header, columns);
@@ -112,8 +112,9 @@ GroundMotion parse_musim_csv(const TextFile& file, const ReadOptions& options) {
             file.fail(fmt::format("component {} has no samples (file is truncated)", titles[i + 1]), "write the file again");
         }
         motion.components.push_back({std::string(titles[i + 1]),
-                                     header.azimuths_deg[i],
-                                     {header.unit->quantity, *header.start, *header.dt, std::move(columns[i])}});
+                                     parse_real(header.directions[i]),
+                                     {header.unit->quantity, *header.start, *header.dt, std::move(columns[i])},
+                                     header.directions[i] == kUp});
     }
     return motion;
 }

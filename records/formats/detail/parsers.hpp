@@ -29,6 +29,8 @@ GroundMotion parse_miniseed(const BinaryFile& file, const ReadOptions& options);
 /// numbers (docs/user/record_formats.md shows one); back to the last bit.
 GroundMotion parse_musim_csv(const TextFile& file, const ReadOptions& options);
 inline constexpr std::string_view kMusimCsvTitle = "# musim ground motion 1";
+/// In the place of an azimuth.
+inline constexpr std::string_view kUp = "up";
 GroundMotion parse_sac(const BinaryFile& file, const ReadOptions& options);
 GroundMotion parse_smc(const TextFile& file, const ReadOptions& options);
 /// Numbers in columns, and the CSV that write_csv() writes.

@@ -70,6 +70,13 @@ TEST_CASE("report refuses what holds no results and leaves no page") {
     CHECK(here.run("report . --format pdf").exit_code == 2);
     here.write("scene.json", kTwoColumns);
     REQUIRE(here.run("run scene.json -o out").exit_code == 0);
+    // not over what it shows, by whatever name
+    const std::string summary = here.read("out/summary.json");
+    CHECK(here.run("report out -o out/summary.json").exit_code == 2);
+    CHECK(here.read("out/summary.json") == summary);
+    here.write("notes.html", summary);
+    CHECK(here.run("report notes.html -o notes.html").exit_code == 3);
+    CHECK(here.read("notes.html") == summary);
     const Outcome full = here.run("report out -o page.html", kFullDisk);
     CHECK(full.exit_code == 3);
     CHECK(full.has_one_error_line());

@@ -101,7 +101,7 @@ TEST_CASE("what a new scene cannot be is refused in one line") {
           Case{"new tower --length 0", 2, "--length"}, Case{"new tower --material stone", 2, "--material"},
           Case{"new tower --component x=1", 2, "--record"}, Case{"new tower --record lost.v1", 3, "lost.v1"},
           Case{"new tower --block 1cm 2cm", 2, "--block"}, Case{"new tower --block 1cm 2cm 3kg", 2, "a length is wanted"},
-          Case{"new tower --block 1cm 2cm 0m", 2, "not above zero"},
+          Case{"new tower --block 1cm 2cm 0m", 2, "not above zero"}, Case{"new tower --block 1 2 3", 2, "the unit is missing"},
           Case{"new tower --record a.at2 b.at2", 2, "--record takes one file); merge the files of one station with `musim record process"},
           Case{"new tower --length 1e-300", 3, "musim: error: "}, Case{"new tower -o gone/tower.json", 3, "gone"}}) {
         CAPTURE(wrong.arguments);

@@ -54,10 +54,13 @@ TEST_CASE("KiK-net numbers its directions: borehole 1 to 3, surface 4 to 6") {
     CHECK(component("1").azimuth_deg == 0.0);
     CHECK(component("2").azimuth_deg == 90.0);
     CHECK_FALSE(component("3").azimuth_deg);
+    CHECK(is_vertical(component("3")));
+    CHECK_FALSE(is_vertical(component("4")));
     CHECK(component("4").azimuth_deg == 0.0);
     CHECK(component("5").azimuth_deg == 90.0);
     CHECK(component("5").name == "5");
     CHECK_FALSE(component("6").azimuth_deg);
+    CHECK(is_vertical(component("6")));
 }
 
 TEST_CASE("every defect of a K-NET file is reported with its line") {

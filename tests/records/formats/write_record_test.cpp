@@ -50,7 +50,9 @@ class FullDisk {
 
 TEST_CASE("a record written as CSV comes back to the last bit") {
     const tests::TemporaryFolder folder;
-    const GroundMotion motion = make_rescaled_motion();
+    GroundMotion motion = make_rescaled_motion();
+    motion.components.push_back(motion.components.back());
+    motion.components.back().name = "6", motion.components.back().up = true;
 
     write_csv(folder.path() / "a.csv", motion);
     const GroundMotion back = read_record(folder.path() / "a.csv");
@@ -65,6 +67,7 @@ TEST_CASE("a record written as CSV comes back to the last bit") {
     for (std::size_t i = 0; i < motion.components.size(); ++i) {
         CHECK(back.components[i].name == motion.components[i].name);
         CHECK(back.components[i].azimuth_deg == motion.components[i].azimuth_deg);
+        CHECK(back.components[i].up == motion.components[i].up);
         CHECK(back.components[i].series == motion.components[i].series);
     }
 }
