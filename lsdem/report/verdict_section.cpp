@@ -73,8 +73,9 @@ std::string describe_top(const ReportedRun& run) {
     const nlohmann::json top = find_object(find_object(run.summary, "outcome"), "top");
     const double peak = find_number(top, "peak_displacement_m"), residual = find_number(top, "residual_displacement_m");
     if (!std::isfinite(peak) || !std::isfinite(residual)) return {};
-    return fmt::format("; largest displacement of the top relative to the base {}, residual {}", write_length(peak),
-                       write_length(residual));
+    const bool moves = top.value("moves_at_end", false);
+    return fmt::format("; largest displacement of the top relative to the base {}, {} {}", write_length(peak),
+                       moves ? "at the end, where it still moves," : "residual", write_length(residual));
 }
 
 Statement make_run_headline(const ReportedRun& run) {

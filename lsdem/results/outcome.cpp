@@ -34,7 +34,11 @@ void measure_spine(const RunResult& run, Outcome& outcome) {
     outcome.top_level = run.spine.level[order.back()];
     // the base ends where the lowest block begins
     const double base = run.history.spine_position[order.front()].z() - 0.5 * run.blocks.size[run.spine.block[order.front()]].z();
+    double fastest = 0.0;
     for (std::size_t k = 0; k < run.history.samples(); ++k) {
+        const Vector3 velocity = run.history.spine_velocity[k * run.spine.size() + order.back()] - run.history.base[k].velocity;
+        outcome.top_speed = velocity.head<2>().norm();
+        fastest = std::max(fastest, outcome.top_speed);
         Vector3 below = Vector3::Zero();
         double height = base;
         for (const std::size_t s : order) {
@@ -48,6 +52,7 @@ void measure_spine(const RunResult& run, Outcome& outcome) {
         outcome.top_peak = std::max(outcome.top_peak, below.norm());
         outcome.top_residual = below.norm();
     }
+    outcome.top_moves = outcome.top_speed > kStillMoving * fastest;
 }
 
 void keep_larger(std::optional<LargestAt>& largest, double value, std::size_t block, const RunResult& run) {
@@ -92,6 +97,7 @@ Outcome scale_back(Outcome outcome, const scaling::Similitude& similitude) {
     outcome.pgv = outcome.pgv.cwiseQuotient(Vector3(similitude.velocity(), similitude.velocity(), similitude.velocity_vertical()));
     outcome.top_peak /= similitude.length();
     outcome.top_residual /= similitude.length();
+    outcome.top_speed /= similitude.velocity();
     if (outcome.slip) outcome.slip->value /= similitude.length();
     return outcome;
 }
@@ -106,8 +112,10 @@ std::vector<std::string> describe(const Outcome& outcome) {
     }
     if (lines.empty()) lines.emplace_back("base at rest");
     if (outcome.top_level > 0) {
-        std::string line = fmt::format("top (level {}) against the base, horizontally: peak {}, residual {}", outcome.top_level,
-                                       write<scaling::Length>(outcome.top_peak), write<scaling::Length>(outcome.top_residual));
+        std::string line = fmt::format("top (level {}) against the base, horizontally: peak {}, {} {}", outcome.top_level,
+                                       write<scaling::Length>(outcome.top_peak), outcome.top_moves ? "at the end" : "residual",
+                                       write<scaling::Length>(outcome.top_residual));
+        if (outcome.top_moves) line += fmt::format(" and moving at {}", write<scaling::Velocity>(outcome.top_speed));
         if (outcome.drift_level > 0) {
             line += fmt::format("; largest drift {:.3g} % (below level {})", 100.0 * outcome.drift, outcome.drift_level);
         }
@@ -130,7 +138,11 @@ nlohmann::json to_json(const Outcome& outcome) {
     const Vector3 pga = outcome.pga / scaling::kStandardGravity.value();
     nlohmann::json top;
     if (outcome.top_level > 0) {
-        top = {{"level", outcome.top_level}, {"peak_displacement_m", outcome.top_peak}, {"residual_displacement_m", outcome.top_residual}};
+        top = {{"level", outcome.top_level},
+               {"peak_displacement_m", outcome.top_peak},
+               {"residual_displacement_m", outcome.top_residual},
+               {"speed_at_end_m_s", outcome.top_speed},
+               {"moves_at_end", outcome.top_moves}};
     }
     return {{"axis", axis_name(outcome.axis)},
             {"pga_g", {pga.x(), pga.y(), pga.z()}},

@@ -20,6 +20,9 @@ struct LargestAt {
     int level = 0;  ///< of the block, from 1 at the base; 0: in none
 };
 
+/// A top moves at the end that is faster than this part of its largest velocity, both horizontal and relative to the base [-]. A choice.
+inline constexpr double kStillMoving = 0.01;
+
 /// What a run came to, in the numbers that a laboratory asks for first. SI units of the run; peaks are those at the samples. Slip and
 /// rotation are of blocks that stand (has_fallen): a fallen block has left its place.
 struct Outcome {
@@ -30,6 +33,8 @@ struct Outcome {
     int top_level = 0;                         ///< of the highest spine block; 0: the run has no spine
     double top_peak = 0.0;                     ///< its largest horizontal displacement relative to the base [m]
     double top_residual = 0.0;                 ///< likewise at the end [m]
+    double top_speed = 0.0;                    ///< its horizontal velocity relative to the base at the end [m/s]
+    bool top_moves = false;                    ///< then, by more than kStillMoving: what is called residual is none yet
     double drift = 0.0;   ///< largest |Δu|/Δz, horizontal, between neighbouring spine blocks or the lowest and the base [-]
     int drift_level = 0;  ///< of the upper block of the two
     std::optional<LargestAt> slip,
@@ -45,7 +50,8 @@ Outcome scale_back(Outcome outcome, const scaling::Similitude& similitude);
 /// Sentences with units: base motion, top, slip and rotation, fallen blocks.
 std::vector<std::string> describe(const Outcome& outcome);
 
-/// pga_g, pga_source, pgv_m_s (lists along x, y, z), axis, top (level, peak_displacement_m, residual_displacement_m), drift (value, level),
+/// pga_g, pga_source, pgv_m_s (lists along x, y, z), axis, top (level, peak_displacement_m, residual_displacement_m,
+/// speed_at_end_m_s, moves_at_end), drift (value, level),
 /// largest_slip and largest_rotation (m or deg, block, level; null when no block stands), fallen, blocks.
 nlohmann::json to_json(const Outcome& outcome);
 

@@ -56,6 +56,18 @@ TEST_CASE("a run ends with peak, residual, drift, slip, rotation and fallen bloc
     CHECK(lines[2] == "largest slip left 50 mm (block 1, level 2); largest rotation left 5.73 deg (block 1, level 2)");
     CHECK(lines[3] == "0 of 2 blocks fallen");
     CHECK(to_json(outcome)["pga_g"][0].get<double>() == doctest::Approx(0.5));
+    CHECK(to_json(outcome)["top"]["moves_at_end"] == false);
+}
+
+TEST_CASE("what a top that still moves has at the end is not called residual") {
+    RunResult swing = make_swing();
+    swing.history.base.back().velocity.x() = 0.1;
+    const Outcome outcome = find_outcome(swing);
+    CHECK(describe(outcome)[1].starts_with(
+        "top (level 2) against the base, horizontally: peak 200 mm, at the end 50 mm and moving at 10 cm/s"));
+    CHECK(to_json(outcome)["top"]["moves_at_end"] == true);
+    swing.history.base.back().velocity.x() = 0.9 * kStillMoving * 0.25;
+    CHECK_FALSE(find_outcome(swing).top_moves);
 }
 
 TEST_CASE("an outcome has the base's motion along every axis that moves") {
