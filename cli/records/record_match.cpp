@@ -10,6 +10,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/files.hpp"
+#include "cli/interruption.hpp"
 #include "cli/named_values.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
@@ -212,7 +213,7 @@ void add_record_match_command(CLI::App& record, Action& action) {
         "Only the periods of the target are matched: give it 20 or more a decade. A target that cannot be reached is an error, and "
         "nothing\n"
         "is written.");
-    command->callback([&action, options] { action = [options] { return run_record_match(*options); }; });
+    command->callback([&action, options] { action = [options] { return run_whole([&] { return run_record_match(*options); }); }; });
 }
 
 }  // namespace musim::cli

@@ -40,10 +40,13 @@ std::string describe_acceptance(const PairStudy& study, const OwnJudgement& judg
         const char* const others = study.specimen_traces.empty() ? "" : " and other specimens";
         return fmt::format(" Accepted: all within {}{}.", limit, study.twins.empty() ? "" : fmt::format(", as twins{} are", others));
     }
-    const auto farthest = std::max_element(judgement.quantities.begin(), judgement.quantities.end(),
-                                           [](const auto& a, const auto& b) { return a.check.difference < b.check.difference; });
-    if (farthest->check.difference > tolerance) {
-        return fmt::format(" NOT accepted: {} differ{} by more than {}.", farthest->name, farthest->name.ends_with('s') ? "" : "s", limit);
+    std::vector<std::string> beyond;
+    for (const OwnQuantity& quantity : judgement.quantities) {
+        if (quantity.check.difference > tolerance) beyond.push_back(quantity.name);
+    }
+    if (!beyond.empty()) {
+        const bool several = beyond.size() > 1 || beyond.front().ends_with('s');
+        return fmt::format(" NOT accepted: {} differ{} by more than {}.", join_words(beyond), several ? "" : "s", limit);
     }
     return fmt::format(" NOT accepted: within {}, but chance alone does more; one test cannot show that much.", limit);
 }

@@ -13,6 +13,7 @@
 #include "records/processing/cumulative.hpp"
 #include "records/processing/processing.hpp"
 #include "records/synthesis/adjustment_wavelet.hpp"
+#include "scaling/interruption.hpp"
 
 namespace musim::records {
 namespace {
@@ -224,6 +225,7 @@ SpectrumMatch match_spectrum(const TimeSeries& acceleration, const TargetSpectru
         const auto recent = costs.end() - static_cast<std::ptrdiff_t>(std::min(costs.size(), kMemory));
         const double cost = *std::max_element(recent, costs.end());
         for (bool better = false; !better; ++match.iterations) {
+            scaling::stop_if_interrupted();
             if (match.iterations >= settings.most_iterations || caution > kMostCaution) {
                 throw ProcessingError(
                     fmt::format("{}: not reached after {} iterations (largest |ln(PSA/target)| {:.4g} at {:.4g} s, wanted {:.4g}); narrow "
