@@ -224,8 +224,9 @@ ComponentInfo make_info(const RecordInfoOptions& options, const std::string& fil
     const records::Intensity intensity = records::compute_intensity(component.series, corner);
     const records::TimeSeries leveled = records::level_uncorrected(component.series, corner);
     ComponentInfo info{file, motion, component, corner, intensity, measure_record(leveled, intensity, corner, options.measures), {}};
-    if (options.structure.any())
+    if (options.structure.any()) {
         info.groups = compute_record_groups(leveled, intensity, records::is_vertical(component), options.structure);
+    }
     return info;
 }
 

@@ -68,15 +68,17 @@ struct Place {
 
 std::size_t find_column(const std::vector<std::string>& titles, const std::string& title, const Place& place) {
     const auto found = std::find(titles.begin(), titles.end(), title);
-    if (found == titles.end())
+    if (found == titles.end()) {
         place.fail(fmt::format("there is no column {} (columns: {}); name it so, or the PSA in g by --target-column", title,
                                fmt::join(titles, ", ")));
+    }
     return static_cast<std::size_t>(found - titles.begin());
 }
 
 double read_cell(const std::vector<std::string>& cells, std::size_t column, const Place& place) {
-    if (column >= cells.size() || !is_number(cells[column]))
+    if (column >= cells.size() || !is_number(cells[column])) {
         place.fail(fmt::format("column {} holds no number; correct or remove the line", column + 1));
+    }
     return scaling::parse_number(cells[column]);
 }
 
@@ -107,17 +109,19 @@ records::TargetSpectrum read_target_spectrum(const std::string& file, const std:
             continue;
         }
         const double period = read_cell(cells, period_column, place), psa = read_cell(cells, psa_column, place);
-        if (!(period > before))
+        if (!(period > before)) {
             place.fail(
                 fmt::format("period {} s follows {} s (must rise); give one spectrum, such as one of a single component", period, before));
+        }
         before = period;
         if (period < band.first || period > band.last) continue;
         target.period.push_back(period * scaling::si::seconds);
         target.psa.push_back(psa * scaling::kStandardGravity);
     }
-    if (target.period.empty())
+    if (target.period.empty()) {
         throw records::ReadError(
             fmt::format("{}: no period lies from {:g} to {:g} s; widen the band or give another spectrum", file, band.first, band.last));
+    }
     return target;
 }
 

@@ -54,10 +54,12 @@ std::string make_wave_svg(const WaveHistory& history, const BlockSample& sample,
     };
     add("base", [&](std::size_t k) { return history.base_velocity * history.time[k]; });
     const std::size_t top = history.displacement.size();
-    for (std::size_t n = kLayersPerCurve; n <= top; n += kLayersPerCurve)
+    for (std::size_t n = kLayersPerCurve; n <= top; n += kLayersPerCurve) {
         add(fmt::format("layer {}", n), [&](std::size_t k) { return history.displacement[n - 1][k]; });
-    if (top % kLayersPerCurve != 0)
+    }
+    if (top % kLayersPerCurve != 0) {
         add(fmt::format("layer {} (top)", top), [&](std::size_t k) { return history.displacement[top - 1][k]; });
+    }
     return make_svg(plot);
 }
 
@@ -84,8 +86,9 @@ std::optional<double> find_published_ratio(double start) {
         double degrees, ratio;
     };
     constexpr std::array<Measured, 3> kMeasured{{{22.0, 0.6}, {11.0, 0.5}, {6.0, 0.25}}};
-    for (const Measured& m : kMeasured)
+    for (const Measured& m : kMeasured) {
         if (std::abs(start - m.degrees * kDegree) < 0.01 * kDegree) return m.ratio;
+    }
     return std::nullopt;
 }
 

@@ -166,9 +166,10 @@ struct Lane {
     MUSIM_WIDE static void store(const LaneOverlap<W>& found, LaneFinding* results) {
         const Real share = share_of(found), area = share * found.area;
         const Vector place = share * found.area_place, square = share * found.area_square, mixed = share * found.area_cross;
-        for (std::size_t i = 0; i < kWidth<Real>; ++i)
+        for (std::size_t i = 0; i < kWidth<Real>; ++i) {
             results[i] = {pick(found.force, i), pick(found.moment, i), found.deepest[i], found.energy[i],        area[i],
                           pick(place, i),       pick(square, i),       pick(mixed, i),   found.irregular[i] != 0};
+        }
     }
 };
 

@@ -238,11 +238,11 @@ struct Kernel : OverlapRims<W> {
             return half * ((role.area_square[0] * (p.*i * p.*j) + role.area_square[1] * (q.*i * q.*j)) +
                            role.area_mixed * (p.*i * q.*j + q.*i * p.*j));
         };
-        constexpr auto X = &Lanes3::x, Y = &Lanes3::y, Z = &Lanes3::z;
+        constexpr auto kX = &Lanes3::x, kY = &Lanes3::y, kZ = &Lanes3::z;
         const auto sum = [&](const Lanes Lanes3::*i, const Lanes Lanes3::*j)
                              MUSIM_WIDE_LAMBDA { return square(roles[0], a, i, j) + square(roles[1], b, i, j); };
-        result.area_square = {sum(X, X), sum(Y, Y), sum(Z, Z)};
-        result.area_cross = {sum(Y, Z), sum(Z, X), sum(X, Y)};
+        result.area_square = {sum(kX, kX), sum(kY, kY), sum(kZ, kZ)};
+        result.area_cross = {sum(kY, kZ), sum(kZ, kX), sum(kX, kY)};
     }
 
     // what the stages hand on

@@ -177,8 +177,9 @@ struct OverlapRims : OverlapRole<W> {
             const Interval part = rim.nearer_own(m, beyond_crease(u, v.half, r, m));
             add_rim_part(role, k, r, m, plane, rim.x, all(-sign_of(r) * sign_of(m)) * u.by_x, rim.d_at, rim.d_by, part, flush.touching);
         }
-        if (some(flush.ends))
+        if (some(flush.ends)) {
             add_side_line(role, k, r, plane, rim.end[0], rim.end[1], rim.d_at, rim.d_by, Interval{-v.half, v.half}, flush.ends);
+        }
     }
 
     /// Terms of the third order along a rim: at its ends, where it crosses Y's side planes, and about Y's corners.

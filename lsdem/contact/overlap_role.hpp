@@ -280,8 +280,9 @@ struct OverlapRole {
                 Interval part{larger(larger(-v.half, y_low), smaller(u.crossing[c][0], u.crossing[c][1])),
                               smaller(smaller(v.half, y_high), larger(u.crossing[c][0], u.crossing[c][1]))};
                 if (!cut_main_edge(role, cell, k, 2 + c, u.crease_at[c], u.crease_slope[c], role.depth_at + u.depth_by_x * u.crease_at[c],
-                                   depth_by_y + u.depth_by_x * u.crease_slope[c], part))
+                                   depth_by_y + u.depth_by_x * u.crease_slope[c], part)) {
                     continue;
+                }
                 const Edge& e = cell.edges[k][2 + c];
                 const Powers d(e.y0, e.y1, e.length, e.d0, e.d1);
                 strips.load += beside * d.square;

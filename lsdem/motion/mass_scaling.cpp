@@ -6,6 +6,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "lsdem/block_height.hpp"
+#include "lsdem/contact/area_stiffness.hpp"
 
 namespace musim::lsdem::detail {
 namespace {

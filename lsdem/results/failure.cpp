@@ -35,8 +35,9 @@ std::vector<Vector3> find_outward(const FailureData& data) {
 
 bool surround_axis(const std::vector<Vector3>& outward) {
     std::vector<double> direction;
-    for (const Vector3& e : outward)
+    for (const Vector3& e : outward) {
         if (!e.isZero(0.0)) direction.push_back(std::atan2(e.y(), e.x()));
+    }
     if (direction.empty()) return false;
     std::sort(direction.begin(), direction.end());
     double gap = direction.front() + 2.0 * std::numbers::pi - direction.back();
@@ -98,8 +99,9 @@ FailureMeasures measure(const FailureData& data, const std::vector<Vector3>& out
         const double out = outward[b].dot(moved), down = -moved.z();
         went_outward.add(data.blocks.mass[b], out > down && out > 0.5 * data.blocks.thin_side(b));
         // half a block: levels of unequal blocks differ in height by less
-        if (bulge && data.start[b].z() > bulge->height + 0.5 * data.blocks.size[b].minCoeff())
+        if (bulge && data.start[b].z() > bulge->height + 0.5 * data.blocks.size[b].minCoeff()) {
             came_down.add(data.blocks.mass[b], out <= down);
+        }
     }
     measures.outward_share = went_outward.value();
     measures.inward_share_above = came_down.value();

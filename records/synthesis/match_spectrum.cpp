@@ -64,8 +64,9 @@ Response find_response(const TimeSeries& acceleration, const TargetSpectrum& tar
     while (walk.next()) {
         const double start = static_cast<double>(walk.step()) + static_cast<double>(walk.substep()) / substeps;
         const detail::Cubic u = walk.displacement();
-        for (const double share : u.find_extremes())
+        for (const double share : u.find_extremes()) {
             if (share > 0.0) keep(u.at(share), start + share / substeps);
+        }
     }
     keep(walk.displacement().value1, static_cast<double>(acceleration.size() - 1));
     std::erase_if(response.swings, [&](const Swing& swing) { return swing.psa < kRival * response.psa; });
