@@ -171,6 +171,7 @@ int run_ensemble(const EnsembleOptions& options) {
     if (options.only == 0) {
         lsdem::ResultOrigin origin = options.origin();
         origin.add(scene);
+        if (!options.specimens.empty()) origin.parts["--specimens"] = "given";  // members' names say which
         folder.emplace(options.out, std::move(origin), options.choice());
     }
     note_cut_motions(options.scene, scene);
@@ -233,7 +234,8 @@ void add_ensemble_command(CLI::App& app, Action& action) {
         "is\n"
         "missing, continues what was killed, and sums up: to the same bytes. Names follow from content (scene, record, specimen, program\n"
         "version).\n"
-        "An ensemble of another scene or version in DIR is not overwritten without --force (exit code 3); more members may be added.\n"
+        "Results of another scene, version or way of laying specimens in DIR are not overwritten without --force (exit code 3); more\n"
+        "members may be added. --list and --only want the same --specimens.\n"
         "Diverged and unsettled members, and those without results, are reported and left out of all means; collapsed ones count until\n"
         "they collapse. Exit code 4: a member diverged or did not come to rest; 3: a member could not be run.");
     command->callback([&action, options] {

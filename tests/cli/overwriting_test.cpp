@@ -51,13 +51,15 @@ TEST_CASE("commands do not write over results of another scene or other options 
     here.write("one_motion.json", make_scene("2", "\"motions\": [{\"base_motion\": " + kJolt + "}]"));
     here.write("two_motions.json", make_scene("2", "\"motions\": [{\"base_motion\": " + kJolt + ", \"repeat\": 2}]"));
     const std::string pair = "pair two.json --twins 0 --no-half-step ";
-    for (const Overwriter& command : std::vector<Overwriter>{{"run two.json", "run three.json"},
-                                                             {"run two.json", "run two.json --duration 0.005"},
-                                                             {"run two.json", pair + "--length 1/4"},
-                                                             {pair + "--length 1/4", pair + "--length 1/16"},
-                                                             {"sequence two_motions.json", "sequence one_motion.json"},
-                                                             {"ensemble two.json --members 2", "ensemble three.json --members 2"},
-                                                             {"bench twins two.json --models 2", "bench twins two.json --models 1"}}) {
+    for (const Overwriter& command :
+         std::vector<Overwriter>{{"run two.json", "run three.json"},
+                                 {"run two.json", "run two.json --duration 0.005"},
+                                 {"run two.json", pair + "--length 1/4"},
+                                 {pair + "--length 1/4", pair + "--length 1/16"},
+                                 {"sequence two_motions.json", "sequence one_motion.json"},
+                                 {"ensemble two.json --members 2", "ensemble three.json --members 2"},
+                                 {"ensemble two.json --members 2 --specimens laid", "ensemble two.json --members 2"},
+                                 {"bench twins two.json --models 2", "bench twins two.json --models 1"}}) {
         check_command(here, command);
     }
     // before they compute
