@@ -268,6 +268,11 @@ void add_checkpoint_interval_option(CLI::App& command, Number& seconds) {
         ->check(not_negative());
 }
 
+void require_ascending(const std::string& option, const std::vector<Number>& ends) {
+    if (ends.size() != 2 || ends[0].value < ends[1].value) return;
+    throw CLI::ValidationError(option, fmt::format("{:g} is not below {:g}; give the lower end first", ends[0].value, ends[1].value));
+}
+
 void add_threads_option(CLI::App& command, int& threads) {
     command.add_option("--threads", threads, "Threads; results are the same for any number (default: all cores)")->check(not_negative());
 }

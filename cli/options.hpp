@@ -144,6 +144,9 @@ CLI::Validator whole_between(long long low, long long high);
 /// A check of a word that is one of `names`; another gets the nearest.
 CLI::Validator one_of(const std::vector<std::string>& names);
 
+/// Refuses the two numbers of an option, if there are, unless the first is below the second. Throws CLI::ValidationError.
+void require_ascending(const std::string& option, const std::vector<Number>& ends);
+
 /// Adds an option that takes a number, or several.
 template <class Numbers>
 CLI::Option* add_number_option(CLI::App& command, const std::string& name, Numbers& value, const std::string& help) {

@@ -27,7 +27,7 @@ struct CheckOptions {
 
 int run_check(const CheckOptions& options) {
     refuse_overwriting({options.scene}, {options.out});
-    if (!options.out.empty()) lsdem::require_picture_name(options.out);
+    if (!options.out.empty()) read_option("--out", [&] { lsdem::require_picture_name(options.out); });
     const lsdem::Scene scene = lsdem::read_scene(options.scene);
     note_plain_number(scene);
     const lsdem::SceneSummary summary = lsdem::summarize_scene(scene);

@@ -100,6 +100,7 @@ nlohmann::json add_fields(lsdem::ResultFolder& folder, const lsdem::StoredRun& r
 }
 
 int run_response(const ResponseOptions& options) {
+    require_ascending("--window", options.window);
     const lsdem::StoredRun run = lsdem::read_run(options.directory);
     lsdem::ResponseSettings settings{.axis = {}, .threshold = options.threshold, .window = {}};
     if (!options.axis.empty()) settings.axis = static_cast<int>(std::string("xyz").find(options.axis));

@@ -266,6 +266,8 @@ void read_info(const RecordInfoOptions& options, const std::string& file, FileIn
 }
 
 int run_record_info(const RecordInfoOptions& options) {
+    require_ascending("--mean-period-band", options.measures.mean_period_band);
+    require_ascending("--intensity-band", options.measures.intensity_band);
     std::vector<FileInfo> infos(options.files.size());
     for (std::size_t i = 0; i < infos.size(); ++i) read_info(options, options.files[i], infos[i]);
     const bool any = std::any_of(infos.begin(), infos.end(), [](const FileInfo& info) { return info.error.empty(); });
@@ -301,7 +303,8 @@ void add_record_command(CLI::App& app, Action& action) {
     info->add_option("--highpass", options->highpass,
                      "Corner [Hz] of the zero-phase high-pass before integration (default: none for corrected records, 0.05 for "
                      "uncorrected, or as the format says)")
-        ->type_name("NUMBER");
+        ->type_name("NUMBER")
+        ->check(above_zero());
     options->measures.add_to(*info);
     options->structure.add_to(*info);
     add_json_option(*info, options->json);

@@ -146,6 +146,7 @@ const std::string& find_component_name(const RecordMatchOptions& options, const 
 }
 
 int run_record_match(const RecordMatchOptions& options) {
+    require_ascending("--band", options.band);
     options.output.check();
     std::vector<std::string> inputs = options.source.find_files({options.file});
     inputs.push_back(options.target);

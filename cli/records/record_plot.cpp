@@ -100,6 +100,7 @@ nlohmann::json peaks_to_json(const std::vector<records::ComponentCurves>& compon
 
 int run_record_plot(const RecordPlotOptions& options) {
     // what is asked for is looked at before anything is computed
+    require_ascending("--window", options.window);
     read_option("--out", [&] { lsdem::require_picture_name(options.out); });
     refuse_overwriting(options.source.find_files(options.files), {options.out, options.csv});
     options.scales.note_values_used();

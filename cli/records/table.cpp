@@ -176,6 +176,7 @@ std::string advise(const TableOptions& options, const Verdict& verdict) {
 }
 
 int run_table(TableOptions options) {
+    require_ascending("--periods", options.periods);
     std::vector<std::string> inputs = options.source.find_files({options.record});
     inputs.push_back(options.limits);
     refuse_overwriting(inputs, {options.drive, options.save_recipe});
@@ -252,10 +253,12 @@ void add_table_command(CLI::App& app, Action& action) {
     command->add_option("--prototype-height", options->prototype_height, "Its centre of mass above ground")->type_name("LENGTH");
     command
         ->add_option("--highpass", options->highpass, "Corner [Hz of the prototype] of a high-pass in any case (default: as record info)")
-        ->type_name("NUMBER");
+        ->type_name("NUMBER")
+        ->check(above_zero());
     command->add_option("--periods", options->periods, "Band of periods [s of the prototype] in which corrections are weighed")
         ->type_name("FIRST LAST")
-        ->expected(2);
+        ->expected(2)
+        ->check(above_zero());
     command->add_flag("--correct", options->correct, "When the record does not fit, take the best correction, if --accept allows");
     command->add_option("--accept", options->accept, "Factor, 1 or more, by which --correct may change PSA on average (default 1.5)")
         ->type_name("FACTOR");

@@ -83,6 +83,17 @@ TEST_CASE("an unknown option or a value that is no number is wrong usage of ever
     }
 }
 
+TEST_CASE("ends in the wrong order, and a picture of no known kind, are wrong usage") {
+    const FilledWorkplace here;
+    for (const std::string arguments : {"record info noise --mean-period-band 20 0.25", "record info noise --intensity-band 2 1",
+                                        "record plot noise --window 5 4 -o p.svg", "table noise --limits noise --length 1/25 --periods 3 1",
+                                        "record match noise --target noise --band 5 0.05 -o m.csv", "response noise --window 5 4"}) {
+        check_refusal(here, arguments, 2, "; give the lower end first");
+    }
+    check_refusal(here, "table noise --limits noise --length 1/25 --highpass -1", 2, "--highpass: ");
+    check_refusal(here, "check noise -o x.jpg", 2, "--out: ");
+}
+
 TEST_CASE("an empty name is wrong usage of every command and changes nothing") {
     const FilledWorkplace here;
     for (const Command& command : commands()) check_refusal(here, command.name + " '' " + command.needs, 2, ": is empty; give a value");
