@@ -112,7 +112,7 @@ TEST_CASE("record info has Housner's spectrum intensity") {
     };
     CHECK(number(info(here, "a.csv"), "housner_cm") == doctest::Approx(expected(0.1, 2.5)).epsilon(1e-4));
     CHECK(number(info(here, "a.csv --intensity-band 0.05 1"), "housner_cm") == doctest::Approx(expected(0.05, 1.0)).epsilon(1e-4));
-    CHECK(here.run("record info a.csv --intensity-band 1 0.5").exit_code == 3);
+    CHECK(here.run("record info a.csv --intensity-band 1 0.5").exit_code == 2);
 }
 
 TEST_CASE("record info finds the period of a sine") {
@@ -187,7 +187,7 @@ TEST_CASE("settings of record info that make no sense are one error line") {
     const Workplace here;
     for (const auto& [code, arguments] : {std::pair{2, "--bracket 0"},
                                           {2, "--bracket -1"},
-                                          {3, "--mean-period-band 20 0.25"},
+                                          {2, "--mean-period-band 20 0.25"},
                                           {2, "--mean-period-band 0 20"},
                                           {2, "--friction 0"},
                                           {2, "--length -2"},
