@@ -18,13 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Can writing to `file` destroy something? Not in a device or pipe.
-bool can_be_lost(const std::string& file) {
-    std::error_code error;
-    const fs::file_status status = fs::status(file, error);
-    return !file.empty() && (!fs::exists(status) || fs::is_regular_file(status));
-}
-
 /// One name for all paths to a file, as write_file_atomically() follows them.
 fs::path resolve(const std::string& file) {
     std::error_code error;
@@ -66,6 +59,12 @@ std::vector<records::Material> make_preset_materials() {
                              .shear_modulus = scaling::find_effective_modulus(preset.material.shear_stiffness, height, face)});
     }
     return materials;
+}
+
+bool can_be_lost(const std::string& file) {
+    std::error_code error;
+    const fs::file_status status = fs::status(file, error);
+    return !file.empty() && (!fs::exists(status) || fs::is_regular_file(status));
 }
 
 void refuse_overwriting(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs) {

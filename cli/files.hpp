@@ -21,6 +21,9 @@ records::ShakeTable read_shake_table(const std::string& file, scaling::Uncertain
 /// The measured materials of scenes by their names, face stiffnesses as moduli of the solid; for files of designs and properties.
 std::vector<records::Material> make_preset_materials();
 
+/// Can writing to `file` destroy something? Not in a device or pipe.
+bool can_be_lost(const std::string& file);
+
 /// Refuses an output that is one of the inputs or another output: the same path once links and relative parts are resolved. Asked before
 /// anything is computed. Empty names are options that were not given; devices and pipes may occur twice, nothing in them is lost. Throws
 /// records::WriteError `OUTPUT: cannot be written (...); name another file`.

@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <iterator>
 #include <map>
+#include <string>
 
 #include "cli/output.hpp"
 #include "cli/uncertain_options.hpp"
@@ -22,6 +23,7 @@
 #include "scaling/nearest_name.hpp"
 #include "scaling/number.hpp"
 #include "scaling/shorten.hpp"
+#include "scaling/side_by_side.hpp"
 
 namespace musim::cli {
 namespace {
@@ -274,7 +276,10 @@ void require_ascending(const std::string& option, const std::vector<Number>& end
 }
 
 void add_threads_option(CLI::App& command, int& threads) {
-    command.add_option("--threads", threads, "Threads; results are the same for any number (default: all cores)")->check(not_negative());
+    threads = scaling::count_usable_cores();
+    command.add_option("--threads", threads, "Threads; results are the same for any number (default: all cores)")
+        ->check(not_negative())
+        ->transform([all = std::to_string(threads)](const std::string& text) { return text == "0" ? all : text; });
 }
 
 }  // namespace musim::cli

@@ -158,7 +158,7 @@ CLI::Option* add_positive_option(CLI::App& command, const std::string& name, Num
     return add_number_option(command, name, value, help)->check(above_zero());
 }
 
-/// Adds --threads; 0 means all cores.
+/// Adds --threads; 0 means all cores that the process may use, and is replaced by their number.
 void add_threads_option(CLI::App& command, int& threads);
 
 }  // namespace musim::cli

@@ -1,11 +1,5 @@
 #include "lsdem/thread_team.hpp"
 
-#if defined(__linux__)
-#include <sched.h>
-#endif
-
-#include <algorithm>
-
 namespace musim::lsdem {
 namespace {
 
@@ -20,14 +14,6 @@ inline void relax() {
 }
 
 }  // namespace
-
-int count_usable_cores() {
-#if defined(__linux__)
-    cpu_set_t usable;
-    if (sched_getaffinity(0, sizeof usable, &usable) == 0) return std::max(1, CPU_COUNT(&usable));
-#endif
-    return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-}
 
 ThreadTeam::ThreadTeam(int threads) {
     workers_.reserve(threads > 1 ? static_cast<std::size_t>(threads - 1) : 0U);

@@ -7,9 +7,6 @@
 
 namespace musim::lsdem {
 
-/// Cores that this process may use, one at least: no more than its CPU affinity allows, since threads that wait for each other spin.
-int count_usable_cores();
-
 /// A fixed set of threads that run one function at a time, each on its own index, and meet again before `run` returns. Waiting threads spin
 /// for a moment, then sleep. `run` neither allocates nor locks. The caller's thread is member 0.
 class ThreadTeam {

@@ -20,7 +20,6 @@ std::size_t count_threads(int threads) { return static_cast<std::size_t>(threads
 
 }  // namespace
 
-// the kernel, which links nothing, has one of its own
 int count_usable_cores() {
 #if defined(__linux__)
     cpu_set_t usable;

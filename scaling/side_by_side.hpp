@@ -12,7 +12,8 @@ namespace musim::scaling {
 /// is thrown.
 void run_side_by_side(const std::vector<std::function<void()>>& jobs, int threads, const std::function<void(double)>& on_progress = {});
 
-/// Cores that this process may use, one at least: no more than its CPU affinity allows.
+/// Cores that this process may use, one at least: no more than its CPU affinity allows, since threads that wait for each other on one core
+/// keep it from each other.
 int count_usable_cores();
 
 /// What each of so many jobs may use of `threads` (0: all cores) when run_side_by_side does them: those that are left over are shared, one

@@ -63,10 +63,7 @@ std::string count_contents(const lsdem::ReportContent& content) {
 }
 
 int run_report(const ReportOptions& options) {
-    const std::string kind = find_extension(options.out);
-    std::error_code error;
-    const std::filesystem::file_status there = std::filesystem::status(options.out, error);
-    if (kind != "html" && kind != "htm" && (!std::filesystem::exists(there) || std::filesystem::is_regular_file(there))) {
+    if (const std::string kind = find_extension(options.out); can_be_lost(options.out) && kind != "html" && kind != "htm") {
         throw CLI::ValidationError("--out", options.out + ": a page is HTML; name a file that ends in .html");
     }
     refuse_overwriting(options.places, {options.out});
@@ -130,9 +127,8 @@ void add_report_command(CLI::App& app, Action& action) {
         "  musim report specimens -o specimens.html\n"
         "  musim scale --length 1/107 --friction 0.63/0.59 --json > scale.json; musim report scale.json CICLC.v1 -o plan.html\n"
         "Verdict first, then the blocks in 3D (with frames: \"output\": {\"frame_rate\": \"100 Hz\"} in the scene), scales and groups,\n"
-        "motion of the spine, profiles, speeds, energies, the motion of the base, and what was run. What is missing is named, and the "
-        "rest\n"
-        "shown.");
+        "motion of the spine, profiles, speeds, energies, the motion of the base, and what was run. What is missing is named, and\n"
+        "the rest shown.");
     command->callback([&action, options] { action = [options] { return run_report(*options); }; });
 }
 

@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include "cli/options.hpp"
 #include "cli/output.hpp"
@@ -40,15 +41,21 @@ std::string_view find_format(const RecordOutputOptions& options) {
                     options.format.empty() ? "add --format " : "write "));
 }
 
-/// PEER files of velocities and displacements have extensions of their own, by which others take them for that.
-void refuse_wrong_quantity(const std::string& file, const records::Component& component) {
+/// PEER files have an extension for each quantity, by which others take them for that.
+void refuse_wrong_extension(const std::string& file, const records::Component& component) {
+    constexpr std::array<std::pair<records::SampleQuantity, std::string_view>, 3> kExtensions{
+        {{records::SampleQuantity::acceleration, "at2"},
+         {records::SampleQuantity::velocity, "vt2"},
+         {records::SampleQuantity::displacement, "dt2"}}};
     const std::string extension = find_extension(file);
-    const auto wanted = extension == "vt2"   ? records::SampleQuantity::velocity
-                        : extension == "dt2" ? records::SampleQuantity::displacement
-                                             : component.series.quantity();
-    if (component.series.quantity() == wanted) return;
-    throw records::WriteError(fmt::format("{}: .{} is for a {} (component {} is an {}); name an .at2 file", file, extension,
-                                          records::to_string(wanted), component.name, records::to_string(component.series.quantity())));
+    for (const auto& [quantity, own] : kExtensions) {
+        if (quantity == component.series.quantity() || extension != own) continue;
+        const auto right = std::find_if(kExtensions.begin(), kExtensions.end(),
+                                        [&](const auto& each) { return each.first == component.series.quantity(); });
+        throw records::WriteError(fmt::format("{}: .{} means {}, and component {} is {}; name a .{} file", file, own,
+                                              records::to_string(quantity), component.name, records::to_string(right->first),
+                                              right->second));
+    }
 }
 
 /// miniSEED has no room for how a record is integrated.
@@ -91,7 +98,7 @@ void RecordOutputOptions::write(const records::GroundMotion& all) const {
         throw records::WriteError(out + ": a PEER file holds one component; choose one with --component (" + motion.component_names() +
                                   ")");
     }
-    refuse_wrong_quantity(out, motion.components.front());
+    refuse_wrong_extension(out, motion.components.front());
     records::write_at2(out, motion, motion.components.front().name);
 }
 

@@ -2,13 +2,13 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <thread>
 #include <utility>
 
 #include "lsdem/block_height.hpp"
 #include "lsdem/motion/preloads.hpp"
 #include "lsdem/motion/simulation_core.hpp"
 #include "lsdem/rotation.hpp"
-#include "lsdem/thread_team.hpp"
 
 /// How a simulation begins: its model is checked, and the first forces are found.
 namespace musim::lsdem {
@@ -48,7 +48,7 @@ void check_model(const Model& model, double time_step) {
 }
 
 int choose_threads(int wanted, std::size_t blocks) {
-    const int cores = count_usable_cores();
+    const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
     const int useful = static_cast<int>(std::min<std::size_t>(blocks / kBlocksPerThread + 1, 1024));
     return std::min(wanted > 0 ? wanted : cores, useful);
 }

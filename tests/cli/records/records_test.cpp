@@ -81,7 +81,7 @@ TEST_CASE("rescale writes PEER files, and asks for a format where the name impli
     CHECK(here.run("rescale synthetic --length 1/25 -o model.at2").exit_code == 0);
     const Outcome velocity = here.run("rescale synthetic --length 1/25 -o model.vt2");
     CHECK(velocity.exit_code == 3);
-    CHECK(velocity.err.find("is for a velocity") != std::string::npos);
+    CHECK(velocity.err.find(".vt2 means velocity, and component 1 is acceleration; name a .at2 file") != std::string::npos);
     CHECK(here.run("record info model.at2 --json").json()["components"][0]["format"] == "PEER AT2");
     CHECK(here.run("rescale synthetic --length 1/25 -o model --format csv").exit_code == 0);
     const Outcome unknown = here.run("rescale synthetic --length 1/25 -o model.xyz");
