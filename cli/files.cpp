@@ -75,8 +75,9 @@ void refuse_overwriting(const std::vector<std::string>& inputs, const std::vecto
     for (const std::string& output : outputs) {
         if (!can_be_lost(output)) continue;
         const auto [place, is_free] = taken.try_emplace(resolve(output), "the output " + output);
-        if (!is_free)
+        if (!is_free) {
             throw records::WriteError(fmt::format("{}: cannot be written (it is also {}); name another file", output, place->second));
+        }
     }
 }
 

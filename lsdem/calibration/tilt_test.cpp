@@ -105,8 +105,9 @@ double least_base(const BlockSample& sample, const Slope& slope, double angle) {
 double fall_on_springs(const BlockSample& sample, const Slope& slope) {
     double angle = rigid_fall(slope);
     constexpr int kIterations = 10;
-    for (int i = 0; i < kIterations; ++i)
+    for (int i = 0; i < kIterations; ++i) {
         angle = std::atan2(std::max(0.0, slope.extent.x() - least_base(sample, slope, angle)), slope.extent.z());
+    }
     return angle;
 }
 
