@@ -7,21 +7,10 @@
 
 #include "lsdem/scene/scene.hpp"
 #include "lsdem/study/pair.hpp"
+#include "lsdem/study/pair_models.hpp"
 #include "lsdem/study/pair_plots.hpp"
 
 namespace musim::lsdem {
-
-/// A model of a scene: its scale, and the material it is built of when that is its own.
-struct ModelChoice {
-    double length = 1.0;  ///< λ_l
-    /// For Materials::own: preset or file (find_measured_material); empty: the one measured for a tower of this scale.
-    std::string material = {};
-    std::optional<scaling::Similitude> similitude = {};  ///< for Materials::exact: scaled by this, not by law `exact`
-    /// A scene of its own instead: as many blocks in as many layers as the prototype's. Its scale, density, friction and gravity are those
-    /// of its first block over the prototype's; duration and sampling are the prototype's, scaled, its
-    /// step is automatic.
-    std::optional<Scene> scene = {};
-};
 
 /// What specimen a model starts from.
 enum class PairSpecimen {
