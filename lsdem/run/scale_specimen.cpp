@@ -59,10 +59,13 @@ class Scaler {
         scale<scaling::Frequency>(block.angular_velocity);
     }
 
-    void scale_parts(BaseComponent& component) const {
-        scale<scaling::Time>(component.start, component.dt);
-        scale<scaling::Velocity>(component.velocity);
-        scale<scaling::Acceleration>(component.source.peak_acceleration);
+    void scale_parts(std::array<BaseComponent, 3>& motion) const {
+        for (std::size_t axis = 0; axis < motion.size(); ++axis) {
+            BaseComponent& component = motion[axis];
+            scale<scaling::Time>(component.start, component.dt);
+            multiply(component.velocity, axis == 2 ? similitude_.velocity_vertical() : similitude_.velocity());
+            multiply(component.source.peak_acceleration, axis == 2 ? similitude_.acceleration_vertical() : similitude_.acceleration());
+        }
     }
 
     void scale_parts(Preload& preload) const {
@@ -75,7 +78,7 @@ class Scaler {
         for (Material& material : model.materials) scale_parts(material);
         for (Block& block : model.blocks) scale_parts(block);
         scale_parts(model.ground.material);
-        for (BaseComponent& component : model.ground.motion) scale_parts(component);
+        scale_parts(model.ground.motion);
         model.gravity *= similitude_.gravity();
         scale<scaling::Frequency>(model.velocity_damping);
         for (Preload& preload : model.preload) scale_parts(preload);
@@ -94,11 +97,11 @@ class Scaler {
 }  // namespace
 
 Specimen scale_specimen(const Specimen& specimen, const scaling::Similitude& similitude) {
-    if (!similitude.is_exact()) {
+    if (!similitude.keeps_statics()) {
         throw scaling::SimilitudeError(fmt::format(
-            "similitude: law \"{}\" gives a specimen no image (friction, gravity or contacts become another part of its weight); take law "
-            "\"exact\", or scale the scene and prepare its specimen",
-            similitude.law_name()));
+            "similitude: law \"{}\" gives this specimen no image (friction becomes {:.4g} times the prototype's, contacts {:.4g} "
+            "times as stiff for their weight); take law \"exact\", or scale the scene and prepare its specimen",
+            similitude.law_name(), similitude.friction(), similitude.acceleration() / similitude.gravity()));
     }
     const Scaler scaler(similitude);
     Specimen image = specimen;
@@ -109,7 +112,7 @@ Specimen scale_specimen(const Specimen& specimen, const scaling::Similitude& sim
 
 std::array<BaseComponent, 3> scale_motion(std::array<BaseComponent, 3> motion, const scaling::Similitude& similitude) {
     const Scaler scaler(similitude);
-    for (BaseComponent& component : motion) scaler.scale_parts(component);
+    scaler.scale_parts(motion);
     return motion;
 }
 

@@ -19,11 +19,11 @@ namespace musim::lsdem {
 /// (λ_l/λ_g a power of four, λ_ρ of two) it is exact, and the two models are one to the last bit; else each number is off by its own
 /// rounding. Its run takes `plan.scaled(similitude.time())`.
 ///
-/// Throws scaling::SimilitudeError for a similitude of another law than `exact`: by any other law a specimen has no image, since friction,
-/// gravity or the contacts are another part of its weight.
+/// Any law will do that keeps what decides on rest (Similitude::keeps_statics), as `exact` always does; a vertical shaking goes by its own
+/// factor. Throws scaling::SimilitudeError for others: friction or stiffness are another part of the weight then.
 Specimen scale_specimen(const Specimen& specimen, const scaling::Similitude& similitude);
 
-/// The image of a motion of the base.
+/// The image of a motion of the base: times by λ_t, velocities by λ_v, vertical ones by λ_v,vertical.
 std::array<BaseComponent, 3> scale_motion(std::array<BaseComponent, 3> motion, const scaling::Similitude& similitude);
 
 }  // namespace musim::lsdem

@@ -71,6 +71,7 @@ PairedRun compare(const RunResult& prototype, const PairMember& member, RunResul
     paired.difference = compare_runs(prototype, paired.run, member.similitude);
     paired.trace = trace_run(prototype, paired.run, member.similitude);
     paired.material = member.material;
+    paired.is_image = member.is_image;
     return paired;
 }
 

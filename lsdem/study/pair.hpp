@@ -40,6 +40,7 @@ struct PairedRun {
     RunTrace trace = {};
     Judgement judgement = {};                ///< against the twins
     std::string material = {};               ///< of a model of its own material: its name
+    bool is_image = false;                   ///< it started from the prototype's specimen, not from one laid anew
     std::vector<LoneDistortion> alone = {};  ///< when asked for: each property that differs, in a model that is exact otherwise
 };
 

@@ -51,12 +51,13 @@ PairMember lay_member(const std::string& label, const Scene& scene, const scalin
     const Scene& first = staged ? staged->stages.front().scene : scene;
     LaidSpecimen laid = lay_specimen(first, settings);
     const TimePlan plan = make_time_plan(first, laid.specimen.model, sampling);
-    return {label, std::move(laid.specimen), plan, similitude, {}, laid.rest, {}, std::move(staged)};
+    return {label, std::move(laid.specimen), plan, similitude, {}, laid.rest, {}, false, std::move(staged)};
 }
 
 PairMember make_image(const PairMember& member, const std::string& label, const scaling::Similitude& similitude) {
     PairMember image{label,      scale_specimen(member.specimen, similitude), member.plan.scaled(similitude.time()), similitude, {},
                      member.rest};
+    image.is_image = true;
     if (member.staged) image.staged = member.staged->scaled(similitude);
     return image;
 }

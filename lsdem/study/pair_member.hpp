@@ -22,6 +22,7 @@ struct PairMember {
     std::vector<scaling::Distortion> distortions = {};  ///< requirements the specimen does not meet
     std::optional<Rest> rest = {};                      ///< how its specimen came to rest before it was handed over
     std::string material = {};                          ///< of a model of its own material: its name
+    bool is_image = false;                              ///< its specimen is the prototype's (make_image), not laid anew
     std::optional<StagedMotion> staged = {};            ///< of a scene with several motions; its plans then hold, not `plan`
 };
 

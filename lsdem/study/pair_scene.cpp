@@ -184,7 +184,7 @@ ScenePair pair_scene(const Scene& prototype, const std::vector<ModelChoice>& mod
     for (const ModelChoice& choice : models) scaled_scenes.push_back(make_scaled(prototype, choice, materials));
     const KeptPair kept(prototype, scaled_scenes, materials, how, settings);
     const auto is_image = [&](std::size_t m) {
-        const bool has_image = !models[m].scene && materials == Materials::exact && scaled_scenes[m].similitude.is_exact();
+        const bool has_image = !models[m].scene && materials == Materials::exact && scaled_scenes[m].similitude.keeps_statics();
         return has_image && how.specimen == PairSpecimen::one;
     };
     std::vector<std::vector<LoneScene>> lone_scenes;

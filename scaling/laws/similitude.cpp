@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <utility>
 
+#include "scaling/factor_rounding.hpp"
+
 namespace musim::scaling {
 
 namespace {
@@ -86,6 +88,11 @@ double Similitude::energy_potential() const { return mass() * chosen_.gravity * 
 double Similitude::stiffness_static() const { return chosen_.density * chosen_.length * chosen_.length * chosen_.gravity; }
 
 double Similitude::arias_intensity() const { return acceleration_ * acceleration_ * time() / chosen_.gravity; }
+
+bool Similitude::keeps_statics() const {
+    const auto is_one = [](double ratio) { return std::abs(ratio - 1.0) <= kFactorRounding; };
+    return is_one(chosen_.friction) && is_one(acceleration_ / chosen_.gravity);
+}
 
 bool Similitude::is_identity() const {
     const auto& [length, friction, gravity, density] = chosen_;

@@ -52,8 +52,11 @@ class Similitude {
     /// Throws SimilitudeError when a factor is not positive and finite, or when derived factors leave the range of doubles.
     Similitude(const ScaleFactors& chosen, double acceleration, std::string law_name, std::optional<double> acceleration_vertical = {});
 
-    /// Whether the law is "exact": contacts and damping scale, too, so that a state of the prototype has an exact image.
-    bool is_exact() const { return law_name_ == "exact"; }
+    /// Whether a structure at rest has an exact image, whatever the law's name: λ_μ = 1 and λ_a = λ_g, to kFactorRounding.
+    ///
+    /// Weights scale by λ_g, what contacts bear by λ_a (their stiffness has the dimension λ_m λ_a/λ_l), what friction holds by λ_μ
+    /// times what presses: shape apart, overlap over length, friction over weight and its limit are all that decides at rest.
+    bool keeps_statics() const;
 
     /// Of a prototype to itself: every factor is 1.
     bool is_identity() const;

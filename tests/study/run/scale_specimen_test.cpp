@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "lsdem/model_hash.hpp"
@@ -142,10 +143,13 @@ TEST_CASE("what friction holds and how fast velocities decay has an image, too")
     CHECK(image.preload[0].couple == 13.0 * weight / 64.0);
 }
 
-TEST_CASE("by another law than the exact one a specimen has no image") {
-    for (const char* law : {"mu", "froude", "cauchy"}) {
+TEST_CASE("where a law changes friction, or stiffness for its weight, a specimen has no image") {
+    const std::pair<const char*, ScaleFactors> changing[] = {{"mu", {.length = 1.0 / 16.0, .friction = 1.5}},
+                                                             {"froude", {.length = 1.0 / 16.0, .friction = 1.5}},
+                                                             {"cauchy", {.length = 1.0 / 16.0}}};
+    for (const auto& [law, factors] : changing) {
         try {
-            scale_specimen(make_column(1), make_similitude(law, {.length = 1.0 / 16.0}));
+            scale_specimen(make_column(1), make_similitude(law, factors));
             FAIL_CHECK("scaled");
         } catch (const musim::scaling::SimilitudeError& error) {
             const std::string message = error.what();
@@ -153,4 +157,28 @@ TEST_CASE("by another law than the exact one a specimen has no image") {
             CHECK(message.find("take law \"exact\"") != std::string::npos);
         }
     }
+}
+
+TEST_CASE("by any law that keeps friction and stiffness over weight the image is that of the exact law") {
+    const double length = 1.0 / 20.0;
+    const Model exact = scale_specimen(laid_wall(), make_similitude("exact", {.length = length})).model;
+    for (const char* law : {"mu", "froude", "true_replica"}) {
+        CAPTURE(law);
+        const Model image = scale_specimen(laid_wall(), make_similitude(law, {.length = length})).model;
+        CHECK(hash_model(image, 1.0) == hash_model(exact, 1.0));
+    }
+    // in a gravity of 1/length every length law is one with the centrifuge
+    const ScaleFactors heavy{.length = length, .gravity = 20.0};
+    const Model centrifuge = scale_specimen(laid_wall(), make_similitude("exact", heavy)).model;
+    CHECK(hash_model(scale_specimen(laid_wall(), make_similitude("cauchy", heavy)).model, 1.0) == hash_model(centrifuge, 1.0));
+}
+
+TEST_CASE("the image of a vertical motion goes by the law's vertical factor") {
+    Specimen specimen = make_column(1);
+    for (BaseComponent& component : specimen.model.ground.motion) component = {.start = 1.0, .dt = 1.0, .velocity = {3.0}};
+    const Similitude similitude({.length = 1.0 / 16.0}, 1.0, "vertical by half", 0.5);
+    const auto motion = scale_specimen(specimen, similitude).model.ground.motion;
+    CHECK(motion[0].velocity[0] == 0.75);
+    CHECK(motion[2].velocity[0] == 0.375);
+    CHECK(motion[2].dt == 0.25);
 }
