@@ -33,7 +33,7 @@ struct Interface {
 
 /// Interface of two materials. Stiffness per area: springs of half a block in series, 2ab/(a + b); friction, restitution: the smaller;
 /// shear damping ratio: the larger. Damping of a whole face, C·A_face = 2ζ·sqrt(m_eff·K·A_face). `effective_mass` m_i·m_j/(m_i + m_j) [kg]
-/// (the block's own against the ground), `face_area` A_face [m²].
+/// (the block's own against the ground), `face_area` A_face [m²]: the smaller base of the two blocks, the block's own on the ground.
 Interface make_interface(const Material& a, const Material& b, double effective_mass, double face_area);
 
 /// The same law for a share of the stiffness, e.g. 1/2 for each side of a pair that is probed from both.

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <utility>
 
-#include "lsdem/scene/scale_scene.hpp"
+#include "lsdem/scene/reference_block.hpp"
 #include "scaling/quantity_text.hpp"
 #include "scaling/structures/structural_speed.hpp"
 

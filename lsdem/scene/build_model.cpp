@@ -13,6 +13,7 @@
 #include "lsdem/scene/base_components.hpp"
 #include "lsdem/scene/detail/overlap.hpp"
 #include "lsdem/scene/detail/placement.hpp"
+#include "lsdem/scene/reference_block.hpp"
 #include "lsdem/scene/scene_error.hpp"
 #include "lsdem/time_step.hpp"
 #include "scaling/quantity_text.hpp"
@@ -63,7 +64,8 @@ Material make_material(const BlockMaterial& material, double face_area) {
 /// Adds blocks to a model; equal blocks share their shape and their material.
 class ModelBuilder {
   public:
-    ModelBuilder(const Scene& scene, Model& model) : scene_(scene), model_(model) {}
+    /// The stiffnesses of all materials are those of `face_area` [m²].
+    ModelBuilder(const Scene& scene, double face_area, Model& model) : scene_(scene), face_area_(face_area), model_(model) {}
 
     void add(const Placement& placement) {
         Block block;
@@ -79,12 +81,6 @@ class ModelBuilder {
         block.fixed = placement.fixed;
         block.rotation_locked = placement.rotation_locked;
         model_.blocks.push_back(block);
-    }
-
-    /// Area of the face that the stiffnesses of a block belong to [m²].
-    double face_area(const Placement& placement) {
-        if (placement.size == placement.whole_size) return model_.shapes[find_or_add_shape(placement)].face_area;
-        return placement.whole_size.x() * placement.whole_size.y();
     }
 
   private:
@@ -104,16 +100,16 @@ class ModelBuilder {
     }
 
     std::size_t find_or_add_material(const Placement& placement) {
-        const double area = face_area(placement);
-        const auto [entry, is_new] = materials_.try_emplace(std::pair(placement.material, area), model_.materials.size());
-        if (is_new) model_.materials.push_back(make_material(material_of(placement), area));
+        const auto [entry, is_new] = materials_.try_emplace(placement.material, model_.materials.size());
+        if (is_new) model_.materials.push_back(make_material(material_of(placement), face_area_));
         return entry->second;
     }
 
     const Scene& scene_;
+    double face_area_;
     Model& model_;
     std::map<std::array<double, 3>, std::size_t> shapes_;
-    std::map<std::pair<std::string, double>, std::size_t> materials_;
+    std::map<std::string, std::size_t> materials_;
 };
 
 std::vector<detail::Body> make_bodies(const Scene& scene, const std::vector<Placement>& blocks) {
@@ -155,7 +151,8 @@ BuiltModel build_model(const Scene& scene) {
 
     BuiltModel built;
     Model& model = built.model;
-    ModelBuilder builder(scene, model);
+    const double face_area = reference_area(scene).value();
+    ModelBuilder builder(scene, face_area, model);
     model.blocks.reserve(arrangement.blocks.size());
     try {
         for (const Placement& placement : arrangement.blocks) builder.add(placement);
@@ -163,9 +160,8 @@ BuiltModel build_model(const Scene& scene) {
         throw SceneError(fmt::format("{}: /shape: {}", scene.place(), error.what()));
     }
 
-    // the ground is as stiff as the first block's faces
     model.ground.present = scene.ground.present;
-    model.ground.material = make_material(scene.material, builder.face_area(arrangement.blocks.front()));
+    model.ground.material = make_material(scene.material, face_area);
     model.ground.material.friction = scene.ground.friction.value_or(scene.material.friction);
     model.ground.motion = make_base_components(scene.base_motion, scene.place() + ": /base_motion");
     model.gravity = detail::to_vector(scene.gravity);

@@ -24,7 +24,8 @@ struct BuiltModel {
 /// Builds the kernel's model of a scene. Layers stand at nominal contact, z = H·(k − 1/2) for layer k, with neither gap nor overlap; odd
 /// layers of a tower follow the tiling, even ones its quarter turn. Blocks of unequal height (block_heights.hpp) keep one shape and stand
 /// on the level of the tallest block of the layer below, so that they do not overlap; most hang above what they will come to rest on.
-/// Stiffnesses of a whole face are divided by the area of that face.
+/// Stiffnesses of a whole face are divided by reference_area(), whatever the block: one stone has one stiffness per area. So is the ground,
+/// which is of the scene's material.
 ///
 /// Throws SceneError for a scene that check_scene refuses, for blocks that overlap each other or the ground at the start (the two are
 /// named, with the depth of the overlap), for nodes that do not fit the face, for a ring without tiling; records::ReadError for a record

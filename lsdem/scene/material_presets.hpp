@@ -16,8 +16,8 @@ using Triple = std::array<Quantity, 3>;
 
 /// A block's material with its contact properties.
 ///
-/// The stiffnesses are those of a whole face of the block, the one across its z axis, as in Table 3 of [Harmon23]; the kernel gets
-/// K = k/A_face [Pa/m] of the block at hand.
+/// The stiffnesses are those of a whole face of one block, the one across its z axis, as in Table 3 of [Harmon23]; the kernel gets
+/// K = k/A [Pa/m], A being the base of the structure's block (reference_area).
 struct BlockMaterial {
     scaling::Density density{};
     scaling::Stiffness normal_stiffness{};  ///< k_n of a whole face

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "lsdem/scene/detail/scene_parts.hpp"
-#include "lsdem/scene/scale_scene.hpp"
+#include "lsdem/scene/reference_block.hpp"
 #include "lsdem/scene/scene_error.hpp"
 #include "lsdem/scene/scene_json.hpp"
 #include "scaling/nearest_name.hpp"

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "lsdem/scene/detail/scene_fields.hpp"
+#include "lsdem/scene/reference_block.hpp"
 
 namespace musim::lsdem {
 
@@ -82,17 +83,6 @@ Scene scale_with_own_material(const Scene& scene, const scaling::Similitude& sim
     scaled.material.shear_damping_ratio = shear_damping_ratio;
     scaled.time.step.reset();
     return scaled;
-}
-
-Triple<scaling::Length> reference_block(const Scene& scene) {
-    if (const auto* sphere = std::get_if<SphereShape>(&scene.shape)) {
-        const scaling::Length diameter = 2.0 * sphere->radius;
-        return {diameter, diameter, diameter};
-    }
-    if (const auto* list = std::get_if<BlockList>(&scene.structure)) return list->blocks.front().size;
-    if (const auto* column = std::get_if<Column>(&scene.structure)) return column->block;
-    if (const auto* wall = std::get_if<Wall>(&scene.structure)) return wall->block;
-    return std::get<Tower>(scene.structure).block;
 }
 
 }  // namespace musim::lsdem

@@ -19,7 +19,4 @@ Scene scale_scene(const Scene& scene, const scaling::Similitude& similitude);
 /// The optional shear damping ratio and further materials of a block list stay those of scale_scene.
 Scene scale_with_own_material(const Scene& scene, const scaling::Similitude& similitude, const MeasuredMaterial& measured);
 
-/// Size of the block that a scene's stiffnesses belong to, when it names one size: the structure's block, or the first of a list.
-Triple<scaling::Length> reference_block(const Scene& scene);
-
 }  // namespace musim::lsdem

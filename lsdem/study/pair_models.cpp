@@ -5,6 +5,7 @@
 #include "lsdem/scene/block_heights.hpp"
 #include "lsdem/scene/measured_material.hpp"
 #include "lsdem/scene/motions.hpp"
+#include "lsdem/scene/reference_block.hpp"
 #include "lsdem/scene/scale_scene.hpp"
 #include "scaling/laws/law_similitude.hpp"
 
