@@ -51,14 +51,17 @@ struct PairOptions : ResultOptions {
     bool one_at_a_time = false;
 };
 
-/// Scenes of their own are compared as they are; else exact is meant unless own materials are asked for.
-lsdem::Materials find_materials(const PairOptions& options) {
-    if (options.materials.empty()) return options.models.empty() ? lsdem::Materials::exact : lsdem::Materials::own;
+/// What is asked for; nothing: scaled models are exact, and what scenes of their own are follows from their blocks.
+std::optional<lsdem::Materials> find_materials(const PairOptions& options) {
+    if (options.materials.empty()) return std::nullopt;
     return options.materials == "own" ? lsdem::Materials::own : lsdem::Materials::exact;
 }
 
 void check_options(const PairOptions& options) {
     const bool own = find_materials(options) == lsdem::Materials::own;
+    if (!options.models.empty() && !options.record.record.empty()) {
+        throw CLI::ValidationError("--record", "scene files of models have motions of their own; put the record into all scenes");
+    }
     if (options.one_at_a_time && (!own || !options.models.empty())) {
         throw CLI::ValidationError("--one-at-a-time", "exact materials distort nothing; add --materials own");
     }
@@ -69,7 +72,7 @@ void check_options(const PairOptions& options) {
         throw CLI::ValidationError("--material", "exact models have no material of their own; add --materials own");
     }
     if (!options.law.empty() && own) throw CLI::ValidationError("--law", "own materials take the mu law; leave --law or --materials out");
-    if ((options.accept || options.specimens) && !own) {
+    if ((options.accept || options.specimens) && !own && options.models.empty()) {
         throw CLI::ValidationError(options.accept ? "--accept" : "--specimens",
                                    "exact models are held against twins alone; add --materials own");
     }
@@ -77,7 +80,6 @@ void check_options(const PairOptions& options) {
 }
 
 std::vector<lsdem::ModelChoice> make_choices(const PairOptions& options) {
-    check_options(options);
     std::vector<lsdem::ModelChoice> choices;
     for (const std::string& file : options.models) {
         choices.push_back({.scene = read_scene(file)});
@@ -141,8 +143,8 @@ void print_alone(const lsdem::PairedRun& model) {
     }
 }
 
-std::string describe_agreement(const lsdem::PairStudy& study, const lsdem::PairedRun& model) {
-    if (study.materials == lsdem::Materials::own) return model.material;
+std::string describe_agreement(const lsdem::PairedRun& model) {
+    if (model.materials == lsdem::Materials::own) return model.material;
     if (model.judgement.within_rounding) return "agrees to rounding";
     if (model.judgement.agreement == lsdem::Agreement::not_judged) return "not judged";
     return fmt::format("{} ({:+.1f} sd, p {:.2g})", lsdem::to_string(model.judgement.agreement), model.judgement.lead,
@@ -156,7 +158,7 @@ void print_table(const lsdem::PairStudy& study) {
     print_row("prototype", 1.0, study.prototype.status, nullptr, {}, "reference");
     for (const lsdem::PairedRun& model : study.models) {
         print_row(model.label, model.run.similitude.length(), model.run.status, &model.difference, model.judgement.parting_time,
-                  describe_agreement(study, model));
+                  describe_agreement(model));
     }
     for (std::size_t i = 0; i < study.twins.size(); ++i) {
         const lsdem::PairedTwin& twin = study.twins[i];
@@ -172,8 +174,8 @@ void print_table(const lsdem::PairStudy& study) {
 void print_study(const lsdem::ScenePair& pair) {
     const lsdem::PairStudy& study = pair.study;
     for (const std::string& line : lsdem::describe_verdict(study)) print("{}\n", line);
-    print("\n{}, {} materials: spine velocities v/λ_v at t/λ_t against the prototype\n", pair.prototype.name,
-          lsdem::to_string(study.materials));
+    const char* const materials = !study.has(lsdem::Materials::own) ? "exact" : study.has(lsdem::Materials::exact) ? "exact and own" : "own";
+    print("\n{}, {} materials: spine velocities v/λ_v at t/λ_t against the prototype\n", pair.prototype.name, materials);
     print_table(study);
     print(
         "`rms diff.`, `max diff.`: over the prototype's rms and largest velocity, of the spine block where they are largest;\n"
@@ -218,11 +220,13 @@ int judge(const std::string& scene, const lsdem::PairStudy& study) {
     for (const lsdem::PairedRun& model : study.models) report_doubts(scene + ", " + model.label, model.run);
     const auto refused = [&](const lsdem::PairedRun& model) { return !lsdem::judge_own(study, model).accepted.value_or(true); };
     if (std::any_of(study.models.begin(), study.models.end(), refused)) return kNotAccepted;
+    if (study.tolerance && study.scaling() == lsdem::Agreement::agree) return kDone;
     const bool judged = study.agreement() != lsdem::Agreement::not_judged;
     return study.consistent() || !judged ? kDone : kCheckFailed;
 }
 
 int run_pair(const PairOptions& options) {
+    check_options(options);
     const lsdem::Scene prototype = make_prototype(options);
     const std::vector<lsdem::ModelChoice> choices = make_choices(options);
     lsdem::ResultOrigin origin = options.origin_with_options();
@@ -283,12 +287,14 @@ void add_model_options(CLI::App& command, PairOptions& options) {
         ->excludes(models);
     command
         .add_option("--materials", options.materials,
-                    "exact: scaled so that every group is equal; own: measured for each scale (default: exact, of scene files own)")
+                    "exact: scaled so that every group is equal; own: measured for each scale (default: exact; scene files are judged "
+                    "like exact models when they have the prototype's blocks at their places)")
         ->check(one_of({"exact", "own"}));
     CLI::Option* law = command
                            .add_option("--law", options.law,
                                        "With exact materials: scale by this law of `musim scale --laws` or law file (default: exact)")
-                           ->type_name("LAW");
+                           ->type_name("LAW")
+                           ->excludes(models);
     command.add_option("--set", options.factors, "Factor of another quantity of the law, e.g. mu=0.63/0.59; repeat for several")
         ->type_name("NAME=NUMBER")
         ->expected(1)
@@ -306,8 +312,8 @@ void add_model_options(CLI::App& command, PairOptions& options) {
         ->type_name("N")
         ->check(whole_between(0, 1000));
     add_number_option(command, "--accept", options.accept,
-                      "Accept own models whose peak velocity and residual displacement of the top and losses differ by no more, e.g. 5%; "
-                      "else exit code 6");
+                      "Accept own models, and scene files, whose peak velocity and residual displacement of the top and losses differ by "
+                      "no more, e.g. 5%; else exit code 6");
     constexpr const char* kOneAtATime = "--one-at-a-time,--each-alone";  // the second is the old name
     command.add_flag(kOneAtATime, options.one_at_a_time,
                      "With own materials: also run a model for each property that differs, exact otherwise, and say what it does alone");
@@ -355,7 +361,10 @@ void add_pair_command(CLI::App& app, Action& action) {
         "Results of another scene, version or options in DIR are not overwritten without --force (exit code 3).\n"
         "Models of their own material are distorted, and their specimen is one of many: their differences are held against twins and "
         "other\n"
-        "specimens of the prototype. Exit code 5: a model with exact materials differs, or nothing could be decided; 6: --accept.");
+        "specimens of the prototype. A scene file with the prototype's blocks at their places, in the same units, is judged like an exact\n"
+        "model, and the keys in which it differs are listed; other ones (heights drawn anew, another scale) are models of their own, unless\n"
+        "--materials says how to judge them. Exit code 5: a model that is judged like an exact one differs, or nothing could be decided;\n"
+        "6: a model is not accepted (--accept), which decides where it is given.");
     command->callback([&action, options] { action = [options] { return run_again([&] { return run_pair(*options); }, options->out); }; });
 }
 

@@ -26,8 +26,11 @@ std::string describe_quantity(const PairStudy& study, const OwnQuantity& quantit
     std::vector<std::string> chance;
     if (!study.twins.empty()) chance.push_back("twins " + format_range(quantity.check.twins));
     if (quantity.of_specimens) chance.push_back("other specimens " + format_range(*quantity.of_specimens));
+    if (quantity.check.difference < kRoundingLevel) {
+        return quantity.name + " the same" + (chance.empty() ? "" : fmt::format(" ({})", join_words(chance)));
+    }
     const char* const side = quantity.check.model < quantity.check.prototype ? "lower" : "higher";
-    std::string text = fmt::format("{} {} {}", quantity.name, format_percent(quantity.check.difference), side);
+    const std::string text = fmt::format("{} {} {}", quantity.name, format_percent(quantity.check.difference), side);
     if (chance.empty()) return text;
     return text + fmt::format(" ({}: {})", join_words(chance), quantity.beyond_chance ? "more than chance" : "chance may do that");
 }
@@ -36,6 +39,7 @@ std::string describe_acceptance(const PairStudy& study, const OwnJudgement& judg
     const double tolerance = *study.tolerance;
     if (model.run.status == RunStatus::diverged) return " NOT accepted: it diverged.";
     const std::string limit = format_percent(tolerance);
+    if (*judgement.accepted && model.judgement.within_rounding) return " Accepted: the prototype again, to rounding.";
     if (*judgement.accepted) {
         const char* const others = study.specimen_traces.empty() ? "" : " and other specimens";
         return fmt::format(" Accepted: all within {}{}.", limit, study.twins.empty() ? "" : fmt::format(", as twins{} are", others));
@@ -97,8 +101,11 @@ OwnJudgement judge_own(const PairStudy& study, const PairedRun& model) {
             quantity.of_specimens = other.twins;
             quantity.beyond_chance = quantity.beyond_chance && other.probability < kBeyondChanceEach;
         }
-        const double largest =
-            std::max({check->difference, check->twins.largest(), quantity.of_specimens.value_or(DifferenceRange()).largest()});
+        // a model that does not part from the prototype owes nothing to chance
+        double largest = check->difference;
+        if (!model.judgement.within_rounding) {
+            largest = std::max({largest, check->twins.largest(), quantity.of_specimens.value_or(DifferenceRange()).largest()});
+        }
         accepted = accepted && largest <= study.tolerance.value_or(0.0);
         judgement.quantities.push_back(std::move(quantity));
     }
@@ -110,7 +117,8 @@ std::string describe_own(const PairStudy& study, const PairedRun& model) {
     const OwnJudgement judgement = judge_own(study, model);
     std::vector<std::string> parts;
     for (const OwnQuantity& quantity : judgement.quantities) parts.push_back(describe_quantity(study, quantity));
-    std::string text = fmt::format("Model {} of {}: {}.", model.label, model.material, join_words(parts));
+    const std::string material = model.scene ? "" : " of " + model.material;
+    std::string text = fmt::format("Model {}{}: {}.", model.name(), material, join_words(parts));
     if (judgement.accepted) text += describe_acceptance(study, judgement, model);
     return text;
 }

@@ -37,7 +37,8 @@ struct OwnQuantity {
 /// An own model.
 struct OwnJudgement {
     std::vector<OwnQuantity> quantities;
-    /// With a tolerance: all differences are within it, and so are those of twins and other specimens. Nothing without one.
+    /// With a tolerance: all differences are within it, and so are those of twins and other specimens, unless the model is the prototype
+    /// to rounding. Nothing without one.
     std::optional<bool> accepted;
 };
 OwnJudgement judge_own(const PairStudy& study, const PairedRun& model);

@@ -72,6 +72,8 @@ PairedRun compare(const RunResult& prototype, const PairMember& member, RunResul
     paired.trace = trace_run(prototype, paired.run, member.similitude);
     paired.material = member.material;
     paired.is_image = member.is_image;
+    paired.materials = member.materials;
+    paired.scene = member.scene;
     return paired;
 }
 
@@ -153,7 +155,7 @@ class PairRunner {
         const Yardstick yardstick = study_.yardstick();
         for (PairedRun& model : study_.models) {
             model.judgement = yardstick.judge(model.trace);
-            if (study_.materials == Materials::own) model.judgement.agreement = Agreement::not_judged;
+            if (model.materials == Materials::own) model.judgement.agreement = Agreement::not_judged;
         }
         if (study_.half_step) study_.half_step->judgement.quantities = yardstick.check_quantities(study_.half_step->trace);
     }
@@ -197,8 +199,6 @@ bool is_decided(const PairStudy& study) {
 
 }  // namespace
 
-std::string to_string(Materials materials) { return materials == Materials::exact ? "exact" : "own"; }
-
 Agreement PairStudy::scaling() const {
     if (!same_bits.value_or(true)) return Agreement::differ;
     const std::optional<Yardstick::ImageLead> images = yardstick().lead_of_images();
@@ -211,7 +211,17 @@ Agreement PairStudy::agreement() const {
     return all;
 }
 
-bool PairStudy::consistent() const { return (materials == Materials::own ? scaling() : agreement()) == Agreement::agree; }
+bool PairStudy::has(Materials materials) const {
+    return std::any_of(models.begin(), models.end(), [&](const PairedRun& model) { return model.materials == materials; });
+}
+
+bool PairStudy::consistent() const {
+    Agreement all = scaling();
+    for (const PairedRun& model : models) {
+        if (model.materials == Materials::exact) all = worst({all, model.judgement.agreement});
+    }
+    return all == Agreement::agree;
+}
 
 bool PairStudy::diverged() const {
     return has_diverged(prototype) || std::any_of(models.begin(), models.end(), [](const PairedRun& m) { return has_diverged(m.run); }) ||
@@ -229,18 +239,20 @@ std::size_t count_runs(std::size_t models, const PairSettings& judging) {
     return 1 + models + half_step + work_of_twins(judging.twins.value_or(kMostTwins));
 }
 
-PairStudy run_pair(const PairMember& prototype, const std::vector<PairMember>& models, Materials materials, const RunSettings& settings,
+PairStudy run_pair(const PairMember& prototype, const std::vector<PairMember>& models, const RunSettings& settings,
                    const PairSettings& judging) {
-    PairStudy study{.materials = materials};
+    PairStudy study;
     PairRunner work(prototype, models, settings, judging, study);
     // exact models that agree within rounding need none
-    const std::size_t fewest = materials == Materials::exact && !models.empty() ? 0 : kFewestTwins;
+    const bool exact = !models.empty() && std::all_of(models.begin(), models.end(),
+                                                      [](const PairMember& model) { return model.materials == Materials::exact; });
+    const std::size_t fewest = exact ? 0 : kFewestTwins;
     work.expect_twins(judging.twins.value_or(fewest));
     work.run_models();
     work.judge();
-    const bool exact = materials == Materials::exact && std::all_of(study.models.begin(), study.models.end(),
-                                                                    [](const PairedRun& model) { return model.judgement.within_rounding; });
-    const bool wants_twins = judging.twins ? *judging.twins > 0 : !(exact && !models.empty());
+    const bool same = exact && std::all_of(study.models.begin(), study.models.end(),
+                                           [](const PairedRun& model) { return model.judgement.within_rounding; });
+    const bool wants_twins = judging.twins ? *judging.twins > 0 : !same;
     if (!wants_twins || has_diverged(study.prototype)) return study;
     work.expect_twins(judging.twins.value_or(kFewestTwins));
     work.run_twins(judging.twins ? *judging.twins : kFewestTwins);

@@ -17,12 +17,6 @@
 
 namespace musim::lsdem {
 
-/// Whether a model's material is the prototype's, scaled so that every group is equal, or its own measured one.
-enum class Materials { exact, own };
-
-/// "exact" or "own".
-std::string to_string(Materials materials);
-
 /// What one property of a model's own material does alone.
 struct LoneDistortion {
     std::string property;  ///< "friction", "normal stiffness", "shear stiffness" or "restitution"
@@ -42,6 +36,11 @@ struct PairedRun {
     std::string material = {};               ///< of a model of its own material: its name
     bool is_image = false;                   ///< it started from the prototype's specimen, not from one laid anew
     std::vector<LoneDistortion> alone = {};  ///< when asked for: each property that differs, in a model that is exact otherwise
+    Materials materials = Materials::exact;
+    std::optional<SecondScene> scene = {};  ///< of a model that is a scene of its own
+
+    /// As sentences call it: its scale, or its file.
+    const std::string& name() const { return scene ? scene->file : label; }
 };
 
 /// A twin after its run.
@@ -66,7 +65,6 @@ std::size_t count_runs(std::size_t models, const PairSettings& judging);
 
 /// A prototype, its twins and its models.
 struct PairStudy {
-    Materials materials = Materials::exact;
     RunResult prototype = {};
     std::vector<PairedTwin> twins = {};
     std::vector<RunTrace> twin_traces = {};  ///< in the order of the twins
@@ -76,14 +74,16 @@ struct PairStudy {
     std::optional<PairedRun> half_step = {};  ///< the prototype at half its step
     std::vector<PairedRun> models = {};
     std::vector<RunTrace> specimen_traces = {};  ///< of other specimens of the prototype, for own models (run_other_specimens)
-    std::optional<double> tolerance = {};        ///< by which an own model may differ to be accepted [-]
+    std::optional<double> tolerance = {};        ///< by which a model may differ to be accepted, see judge_own [-]
 
     Yardstick yardstick() const { return {prototype, twin_traces}; }
     /// Of the scaling itself: the image at a quarter of the length must agree in all bits, and images must not part earlier than copies.
     Agreement scaling() const;
-    /// What is said of scaling and models together. Models of their own material are not judged.
+    /// Are there models of this kind?
+    bool has(Materials materials) const;
+    /// What is said of scaling and models together. Models of their own are not judged.
     Agreement agreement() const;
-    /// The scaling agrees, and every model that is not of its own material.
+    /// The scaling agrees, and every model that is not one of its own.
     bool consistent() const;
     /// Some run diverged.
     bool diverged() const;
@@ -97,7 +97,7 @@ std::vector<TwinChoice> choose_twins(std::size_t twins, std::uint64_t seed);
 /// for them, and judges. Specimens start as they are handed over, unless they are to settle. Results do not depend on the number of
 /// threads. With settings.checkpoint its file is a folder, in which every run keeps its own (run_member). `prototype.similitude` must be
 /// 1:1. Throws what Simulation throws.
-PairStudy run_pair(const PairMember& prototype, const std::vector<PairMember>& models, Materials materials,
-                   const RunSettings& settings = {}, const PairSettings& judging = {});
+PairStudy run_pair(const PairMember& prototype, const std::vector<PairMember>& models, const RunSettings& settings = {},
+                   const PairSettings& judging = {});
 
 }  // namespace musim::lsdem

@@ -53,6 +53,15 @@ static void to_json(nlohmann::json& json, const OwnJudgement& judgement) {
     json = {{"quantities", judgement.quantities}, {"accepted", scaling::or_null(judgement.accepted)}};
 }
 
+static void to_json(nlohmann::json& json, const SceneDifference& difference) {
+    const auto value_of = [](const std::string& text) { return text.empty() ? nlohmann::json() : nlohmann::json::parse(text); };
+    json = {{"key", difference.key}, {"prototype", value_of(difference.first)}, {"model", value_of(difference.second)}};
+}
+
+static void to_json(nlohmann::json& json, const SecondScene& scene) {
+    json = {{"file", scene.file}, {"judged", scene.way}, {"same_structure", scene.same_structure}, {"differences", scene.differences}};
+}
+
 static nlohmann::json twins_to_json(const PairStudy& study, const Yardstick& yardstick) {
     nlohmann::json all = nlohmann::json::array();
     for (std::size_t i = 0; i < study.twins.size(); ++i) {
@@ -111,7 +120,7 @@ nlohmann::json to_json(const PairStudy& study) {
         nlohmann::json& pair = pairs.emplace_back(model.difference);
         pair.update({{"label", model.label},
                      {"length", model.run.similitude.length()},
-                     {"materials", to_string(study.materials)},
+                     {"materials", to_string(model.materials)},
                      {"material", model.material.empty() ? nlohmann::json() : nlohmann::json(model.material)},
                      {"shadow_rms", shadow_rms},
                      {"shadow_loss_difference", scaling::or_null(shadow_losses)},
@@ -119,14 +128,15 @@ nlohmann::json to_json(const PairStudy& study) {
                      {"digits", model.difference.digits()},
                      {"parting_time_s", scaling::or_null(judgement.parting_time)},
                      {"agreement", to_string(judgement.agreement)},
-                     {"consistent", study.materials == Materials::own || judgement.agreement == Agreement::agree},
+                     {"consistent", model.materials == Materials::own || judgement.agreement == Agreement::agree},
                      {"lead_sd", judgement.lead},
                      {"lead_time_s", judgement.lead_time},
                      {"probability", judgement.least_probability},
                      {"quantities", judgement.quantities},
                      {"distortions", to_json(model.distortions)},
                      {"alone", model.alone}});
-        if (study.materials == Materials::own) pair["own"] = judge_own(study, model);
+        if (model.materials == Materials::own || study.tolerance) pair["own"] = judge_own(study, model);
+        if (model.scene) pair["scene"] = *model.scene;
     }
     nlohmann::json json = {{"runs", runs},
                            {"pairs", pairs},

@@ -36,6 +36,8 @@ RunResult run_anew(Simulation& simulation, const PairMember& member, const RunSe
 
 }  // namespace
 
+std::string to_string(Materials materials) { return materials == Materials::exact ? "exact" : "own"; }
+
 std::string name_folder(std::string label) {
     std::replace(label.begin(), label.end(), ':', '-');
     return label;

@@ -8,10 +8,18 @@
 #include "lsdem/run/simulate.hpp"
 #include "lsdem/run/staged_run.hpp"
 #include "lsdem/scene/scene.hpp"
+#include "lsdem/study/second_scene.hpp"
 #include "scaling/laws/similitude.hpp"
 #include "scaling/structures/distortion.hpp"
 
 namespace musim::lsdem {
+
+/// Whether a model is to be its prototype in other units, with every group equal, and is judged by twins; or is one of its own: of its own
+/// measured material, or other blocks.
+enum class Materials { exact, own };
+
+/// "exact" or "own".
+std::string to_string(Materials materials);
 
 /// A run to be compared with its prototype's.
 struct PairMember {
@@ -24,6 +32,8 @@ struct PairMember {
     std::string material = {};                          ///< of a model of its own material: its name
     bool is_image = false;                              ///< its specimen is the prototype's (make_image), not laid anew
     std::optional<StagedMotion> staged = {};            ///< of a scene with several motions; its plans then hold, not `plan`
+    Materials materials = Materials::exact;
+    std::optional<SecondScene> scene = {};  ///< of a model that is a scene of its own
 };
 
 /// The folder of a model's results: its label, ':' written '-'.

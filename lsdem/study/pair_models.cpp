@@ -1,8 +1,14 @@
 #include "lsdem/study/pair_models.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <utility>
 
 #include "lsdem/scene/block_heights.hpp"
+#include "lsdem/scene/build_model.hpp"
 #include "lsdem/scene/measured_material.hpp"
 #include "lsdem/scene/motions.hpp"
 #include "lsdem/scene/reference_block.hpp"
@@ -13,6 +19,9 @@ namespace musim::lsdem {
 namespace {
 
 using scaling::Similitude;
+
+/// Steps of the prototype that are longer than the model's own by less than this are safe: `safety` leaves more [-].
+constexpr double kSafeStep = 1.1;
 
 ScaledScene scale_by_law(const Scene& prototype, const ModelChoice& choice) {
     const Similitude similitude = choice.similitude ? *choice.similitude : scaling::make_similitude("exact", {.length = choice.length});
@@ -41,7 +50,7 @@ ScaledScene scale_with_own(const Scene& prototype, const ModelChoice& choice) {
                                         .gravity = 1.0,
                                         .density = own.material.density / prototype.material.density};
     const Similitude similitude = scaling::make_similitude("mu", factors);
-    ScaledScene scaled{scale_with_own_material(prototype, similitude, own), similitude, {}, own.name};
+    ScaledScene scaled{scale_with_own_material(prototype, similitude, own), similitude, {}, own.name, Materials::own};
     scaled.distortions = find_own_distortions(prototype, scaled.scene, similitude);
     return scaled;
 }
@@ -52,16 +61,28 @@ double strength(const Scene& scene) {
     return std::sqrt(squares);
 }
 
-/// A scene of its own as a model: it runs as long as the prototype does, and is sampled at the same dimensionless times.
-ScaledScene take_as_model(const Scene& prototype, const Scene& model) {
-    for (const Scene* scene : {&prototype, &model}) require_single_motion(*scene, "a pair of two scenes");
+/// The same structure, as it is.
+ScaledScene take_as_same(const Scene& prototype, const Scene& model) {
+    const std::string way = fmt::format("{}: the structure of {}, block by block, judged like an exact model.", model.place(), prototype.place());
+    ScaledScene same{model, Similitude(), {}, {}, Materials::exact};
+    same.second = SecondScene{model.place(), way, true, find_scene_differences(prototype, model)};
+    same.scene.time.duration = prototype.time.duration;
+    same.scene.output = prototype.output;
+    return same;
+}
+
+/// A model of its own, with its scale, or one that is to be judged as an exact one, as asked.
+ScaledScene take_as_own(const Scene& prototype, const Scene& model, Materials materials, const std::string& why) {
     const auto of_prototype = reference_block(prototype), of_model = reference_block(model);
     const scaling::ScaleFactors factors{.length = of_model[2] / of_prototype[2],
                                         .friction = model.material.friction / prototype.material.friction,
                                         .gravity = strength(model) / strength(prototype),
                                         .density = model.material.density / prototype.material.density};
     const Similitude similitude = scaling::make_similitude("mu", factors);
-    ScaledScene scaled{model, similitude, {}, "scene \"" + model.name + "\""};
+    ScaledScene scaled{model, similitude, {}, "scene \"" + model.name + "\"", materials};
+    const char* const judged =
+        materials == Materials::own ? "a model of its own, held against chance" : "judged like an exact model, scaled back";
+    scaled.second = SecondScene{model.place(), fmt::format("{}: {} ({}).", model.place(), judged, why)};
     scaled.scene.time.duration = prototype.time.duration * similitude.time();
     scaled.scene.time.step.reset();
     scaled.scene.output = prototype.output;
@@ -71,11 +92,31 @@ ScaledScene take_as_model(const Scene& prototype, const Scene& model) {
     return scaled;
 }
 
+ScaledScene take_as_model(const Scene& prototype, const Scene& model, std::optional<Materials> materials) {
+    for (const Scene* scene : {&prototype, &model}) require_single_motion(*scene, "a pair of two scenes");
+    const std::optional<std::string> other = find_other_structure(prototype, model);
+    if (!other && materials != Materials::own) return take_as_same(prototype, model);
+    return take_as_own(prototype, model, materials.value_or(Materials::own), materials ? "as asked" : *other);
+}
+
 }  // namespace
 
-ScaledScene make_scaled(const Scene& prototype, const ModelChoice& choice, Materials materials) {
-    if (choice.scene) return take_as_model(prototype, *choice.scene);
-    return materials == Materials::exact ? scale_by_law(prototype, choice) : scale_with_own(prototype, choice);
+ScaledScene make_scaled(const Scene& prototype, const ModelChoice& choice, std::optional<Materials> materials) {
+    if (choice.scene) return take_as_model(prototype, *choice.scene, materials);
+    return materials == Materials::own ? scale_with_own(prototype, choice) : scale_by_law(prototype, choice);
+}
+
+TimePlan make_plan_beside(const Scene& prototype, const TimePlan& plan, const Scene& scene, const Model& model) {
+    const double interval = static_cast<double>(plan.steps_per_sample) * plan.time_step;
+    const double step = compute_time_step(scene, model).value();
+    const auto differ = [](double a, double b) { return std::abs(a - b) > scaling::kFactorRounding * b; };
+    const auto step_of = [](const Scene& of) { return of.time.step.value_or(scaling::Time()).value(); };
+    const bool asks = differ(step_of(scene), step_of(prototype)) || differ(scene.time.safety, prototype.time.safety);
+    if (!asks && plan.time_step < kSafeStep * step) return plan;
+    TimePlan own = plan;
+    own.steps_per_sample = static_cast<std::uint64_t>(std::max(1.0, std::ceil(interval / step * (1.0 - scaling::kFactorRounding))));
+    own.time_step = interval / static_cast<double>(own.steps_per_sample);
+    return own;
 }
 
 std::vector<LoneScene> find_lone_scenes(const Scene& prototype, const ScaledScene& own) {

@@ -48,6 +48,15 @@ void require_same_structure(const Specimen& prototype, const Specimen& model, co
     }
 }
 
+/// A scene that says what the prototype's says, to rounding: in the prototype's places, since laying would magnify rounding, and twins are
+/// not laid.
+PairMember place_like(const PairMember& prototype, const std::string& label, const Scene& scene) {
+    PairMember member{label, make_upright_specimen(scene), prototype.plan, Similitude(), {}, prototype.rest};
+    member.is_image = true;
+    put_in_place(places_of(prototype.specimen), member.specimen);
+    return member;
+}
+
 /// The scale, and a number when there is a model of it already: labels name folders.
 std::string make_label(double length, const std::vector<PairMember>& members) {
     const std::string scale = make_scale_label(length);
@@ -62,18 +71,17 @@ std::string make_label(double length, const std::vector<PairMember>& members) {
 /// Where specimens and runs of a pair are kept until its results are.
 class KeptPair {
   public:
-    KeptPair(const Scene& prototype, const std::vector<ScaledScene>& models, Materials materials, const PairSceneSettings& how,
-             const RunSettings& settings) {
+    KeptPair(const Scene& prototype, const std::vector<ScaledScene>& models, const PairSceneSettings& how, const RunSettings& settings) {
         if (!settings.checkpoint) return;
         // scenes are named by the files that they name, too; the number of twins decides on no run
         const std::string& version = settings.checkpoint->program_version;
         std::string all = describe_build() + make_member(prototype, version).name;
         for (const ScaledScene& model : models) {
             const Similitude& s = model.similitude;
-            all +=
-                fmt::format(" {} {} {} {} {}", make_member(model.scene, version).name, s.length(), s.friction(), s.gravity(), s.density());
+            all += fmt::format(" {} {} {} {} {} {}", make_member(model.scene, version).name, s.length(), s.friction(), s.gravity(),
+                               s.density(), to_string(model.materials));
         }
-        all += fmt::format(" {} {} {}", to_string(materials), how.specimen == PairSpecimen::one, how.judging.seed);
+        all += fmt::format(" {} {}", how.specimen == PairSpecimen::one, how.judging.seed);
         folder_ = settings.checkpoint->file / ("unfinished-" + detail::name_content(all));
         resumed_ = std::filesystem::exists(folder_);
         make_folder(folder_);
@@ -134,7 +142,8 @@ class LayingProgress {
 /// in runs for the progress, and a specimen that is laid first as two.
 class OtherSpecimens {
   public:
-    OtherSpecimens(const Scene& prototype, Materials materials, const PairSceneSettings& how, std::size_t runs) : scene_(prototype) {
+    /// `own`: are there models of their own, which are held against other specimens unless that is asked for otherwise?
+    OtherSpecimens(const Scene& prototype, bool own, const PairSceneSettings& how, std::size_t runs) : scene_(prototype) {
         const bool drawn = find_height_variation(prototype).has_value() && !(prototype.preparation && prototype.preparation->specimen);
         if (how.specimens.value_or(0) > 0 && !drawn) {
             throw SceneError(
@@ -142,7 +151,7 @@ class OtherSpecimens {
                             "--specimens out",
                             prototype.place()));
         }
-        if (materials == Materials::own && drawn) count_ = how.specimens.value_or(kOtherSpecimens);
+        if (drawn) count_ = how.specimens.value_or(own ? kOtherSpecimens : 0);
         share_ = static_cast<double>(runs) / static_cast<double>(runs + 2 * count_);
     }
     RunSettings settings_of_pair(const RunSettings& settings) const { return part_of(settings, 0.0, share_); }
@@ -177,23 +186,27 @@ std::string make_scale_label(double length) {
     return is_whole ? fmt::format("1:{:.0f}", whole) : fmt::format("x{}", length);
 }
 
-ScenePair pair_scene(const Scene& prototype, const std::vector<ModelChoice>& models, Materials materials, const RunSettings& settings,
-                     const PairSceneSettings& how) {
+ScenePair pair_scene(const Scene& prototype, const std::vector<ModelChoice>& models, std::optional<Materials> materials,
+                     const RunSettings& settings, const PairSceneSettings& how) {
     std::vector<ScaledScene> scaled_scenes;
     scaled_scenes.reserve(models.size());
     for (const ModelChoice& choice : models) scaled_scenes.push_back(make_scaled(prototype, choice, materials));
-    const KeptPair kept(prototype, scaled_scenes, materials, how, settings);
+    const KeptPair kept(prototype, scaled_scenes, how, settings);
     const auto is_image = [&](std::size_t m) {
-        const bool has_image = !models[m].scene && materials == Materials::exact && scaled_scenes[m].similitude.keeps_statics();
+        const ScaledScene& model = scaled_scenes[m];
+        const bool has_image = !models[m].scene && model.materials == Materials::exact && model.similitude.keeps_statics();
         return has_image && how.specimen == PairSpecimen::one;
+    };
+    const auto is_prototype = [&](std::size_t m) {
+        return scaled_scenes[m].second && scaled_scenes[m].second->is_prototype() && how.specimen == PairSpecimen::one;
     };
     std::vector<std::vector<LoneScene>> lone_scenes;
     std::size_t laid = 0, lone_count = 0;
     for (std::size_t m = 0; m < models.size(); ++m) {
-        const bool alone = how.one_at_a_time && materials == Materials::own && !models[m].scene;
+        const bool alone = how.one_at_a_time && scaled_scenes[m].materials == Materials::own && !models[m].scene;
         lone_scenes.push_back(alone ? find_lone_scenes(prototype, scaled_scenes[m]) : std::vector<LoneScene>{});
         lone_count += lone_scenes.back().size();
-        laid += (is_image(m) ? 0 : 1) + lone_scenes.back().size();
+        laid += (is_image(m) || is_prototype(m) ? 0 : 1) + lone_scenes.back().size();
     }
     LayingProgress layings(settings, laid, count_runs(models.size() + lone_count, how.judging));
     const PairMember original =
@@ -205,28 +218,37 @@ ScenePair pair_scene(const Scene& prototype, const std::vector<ModelChoice>& mod
     for (std::size_t m = 0; m < models.size(); ++m) {
         const ModelChoice& choice = models[m];
         ScaledScene& scaled = scaled_scenes[m];
-        if (materials == Materials::own || choice.scene) sample_as(original, scaled.similitude, scaled.scene);
+        const bool exact = scaled.materials == Materials::exact, same = scaled.second && scaled.second->same_structure;
+        if (!same && (!exact || choice.scene)) sample_as(original, scaled.similitude, scaled.scene);
         const std::string label = make_label(scaled.similitude.length(), members);
         const auto lay = [&](const std::string& name, const Scene& scene, const Similitude& similitude) {
-            return lay_member(name, scene, similitude, layings.next(kept.settings_of(name, settings)));
+            return lay_member(name, scene, similitude, layings.next(kept.settings_of(name, settings)),
+                              same ? Sampling::every_step : Sampling::at_rate);
         };
-        members.push_back(is_image(m) ? make_image(original, label, scaled.similitude) : lay(label, scaled.scene, scaled.similitude));
+        members.push_back(is_image(m)       ? make_image(original, label, scaled.similitude)
+                          : is_prototype(m) ? place_like(original, label, scaled.scene)
+                                            : lay(label, scaled.scene, scaled.similitude));
         members.back().distortions = scaled.distortions;
         members.back().material = scaled.material;
+        members.back().materials = scaled.materials;
+        members.back().scene = scaled.second;
         if (choice.scene) require_same_structure(original.specimen, members.back().specimen, choice.scene->place());
         // an exact model steps as its prototype does
-        if (materials == Materials::exact) members.back().plan = original.plan.scaled(scaled.similitude.time());
+        if (exact) members.back().plan = original.plan.scaled(scaled.similitude.time());
+        if (same) members.back().plan = make_plan_beside(prototype, original.plan, scaled.scene, members.back().specimen.model);
         for (LoneScene& lone : lone_scenes.back()) {
             sample_as(original, lone.similitude, lone.scene);
             lone_members.push_back(lay(label + ", " + lone.property, lone.scene, lone.similitude));
+            lone_members.back().materials = Materials::own;
         }
         pair.models.push_back(std::move(scaled.scene));
     }
     members.insert(members.end(), std::make_move_iterator(lone_members.begin()), std::make_move_iterator(lone_members.end()));
     Scene sampled = prototype;
     sample_as(original, original.similitude, sampled);
-    const OtherSpecimens others(sampled, materials, how, count_runs(members.size(), how.judging));
-    pair.study = run_pair(original, members, materials, others.settings_of_pair(kept.settings_of_all(settings)),
+    const bool own = std::any_of(members.begin(), members.end(), [](const PairMember& m) { return m.materials == Materials::own; });
+    const OtherSpecimens others(sampled, own, how, count_runs(members.size(), how.judging));
+    pair.study = run_pair(original, members, others.settings_of_pair(kept.settings_of_all(settings)),
                           others.judging_of_pair(how.judging));
     if (how.judging.on_spare) how.judging.on_spare(0.0);
     pair.study.specimen_traces = others.run(pair.study.prototype, kept.settings_of_all(settings));

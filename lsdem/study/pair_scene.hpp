@@ -47,15 +47,16 @@ std::string make_scale_label(double length);
 ///
 /// The prototype's specimen is laid, and comes to rest, once; exact models start from its images. With Materials::exact every model is
 /// scaled so that all groups are equal (law `exact`), or by the similitude of its choice. With Materials::own it has the density,
-/// stiffness, friction and restitution of what was measured, fitted to its block size, and gets the base motion of the mu law, or is a
-/// scene of its own; what that distorts is listed, and it is held against other specimens of the prototype, too. With `one_at_a_time` every
+/// stiffness, friction and restitution of what was measured, fitted to its block size, and gets the base motion of the mu law; what that
+/// distorts is listed, and it is held against other specimens of the prototype, too. What scenes of their own are follows from their blocks
+/// unless `materials` says it (make_scaled); they lay their own specimens. With `one_at_a_time` every
 /// model has runs beside it that say what each property of its material that differs does alone (PairedRun::alone): stiffnesses and
 /// restitution in a model that is exact otherwise, friction with the base motion of the mu law. Throws SceneError (also for an
 /// unknown material, a scale without one, a model of another structure), scaling::SimilitudeError, records::ReadError.
 ///
 /// With settings.checkpoint its file is the folder of the results: specimens and runs are kept in a folder there that is named by all that
 /// decides on them, so that the same pair, begun again after it was killed, goes on.
-ScenePair pair_scene(const Scene& prototype, const std::vector<ModelChoice>& models, Materials materials, const RunSettings& settings = {},
-                     const PairSceneSettings& how = {});
+ScenePair pair_scene(const Scene& prototype, const std::vector<ModelChoice>& models, std::optional<Materials> materials = {},
+                     const RunSettings& settings = {}, const PairSceneSettings& how = {});
 
 }  // namespace musim::lsdem

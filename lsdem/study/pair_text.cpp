@@ -13,15 +13,16 @@
 namespace musim::lsdem {
 
 std::string format_percent(double part) {
-    if (part < kRoundingLevel) return fmt::format("below {:.0g} %", 100.0 * kRoundingLevel);
+    if (part < kRoundingLevel) return fmt::format("less than {:.0g} %", 100.0 * kRoundingLevel);
     return part < 1.0 ? fmt::format("{:.2g} %", 100.0 * part) : fmt::format("{:.0f} %", 100.0 * part);
 }
 
 std::string format_up_to(double part) { return (part < kRoundingLevel ? "" : "up to ") + format_percent(part); }
 
 std::string format_range(const DifferenceRange& range) {
-    if (range.largest() < kRoundingLevel) return format_up_to(range.largest());
-    return fmt::format("-{:.2g} % to +{:.2g} %", 100.0 * std::abs(range.lowest), 100.0 * std::abs(range.highest));
+    if (range.largest() < kRoundingLevel) return format_percent(range.largest());
+    const auto end = [](const char* sign, double part) { return part < kRoundingLevel ? "0 %" : sign + format_percent(part); };
+    return fmt::format("{} to {}", end("-", -range.lowest), end("+", range.highest));
 }
 
 std::string join_words(const std::vector<std::string>& words) {
@@ -35,7 +36,7 @@ namespace {
 std::vector<std::string> labels_of(const PairStudy& study, Agreement agreement) {
     std::vector<std::string> labels;
     for (const PairedRun& model : study.models) {
-        if (model.judgement.agreement == agreement) labels.push_back(model.label);
+        if (model.materials == Materials::exact && model.judgement.agreement == agreement) labels.push_back(model.name());
     }
     return labels;
 }
@@ -56,8 +57,13 @@ std::string give_reason(const Judgement& judgement) {
 }
 
 std::string describe_exact(const PairStudy& study) {
-    const bool one = study.models.size() == 1;
-    switch (study.agreement()) {
+    const auto is_exact = [](const PairedRun& model) { return model.materials == Materials::exact; };
+    const bool one = std::count_if(study.models.begin(), study.models.end(), is_exact) == 1;
+    Agreement all = Agreement::agree;
+    for (const PairedRun& model : study.models) {
+        if (is_exact(model)) all = worst({all, model.judgement.agreement});
+    }
+    switch (all) {
         case Agreement::agree:
             return one ? "The model agrees with the prototype." : "The models agree with the prototype.";
         case Agreement::not_judged:
@@ -69,9 +75,9 @@ std::string describe_exact(const PairStudy& study) {
     std::string text;
     for (const Agreement agreement : {Agreement::differ, Agreement::undecided}) {
         for (const PairedRun& model : study.models) {
-            if (model.judgement.agreement != agreement) continue;
+            if (!is_exact(model) || model.judgement.agreement != agreement) continue;
             text += (text.empty() ? "" : " ") + std::string(agreement == Agreement::differ ? "" : "Undecided: ");
-            text += fmt::format("Model {} {} from the prototype: {}.", model.label,
+            text += fmt::format("Model {} {} from the prototype: {}.", model.name(),
                                 agreement == Agreement::differ ? "DIFFERS" : "may differ", give_reason(model.judgement));
         }
     }
@@ -119,7 +125,7 @@ std::string describe_half_step(const PairStudy& study, const Yardstick& yardstic
 const QuantityCheck* find_farthest_top(const PairStudy& study, const std::string& key) {
     const QuantityCheck* farthest = nullptr;
     for (const PairedRun& model : study.models) {
-        const QuantityCheck* top = find_top(model.judgement.quantities, key);
+        const QuantityCheck* top = model.materials == Materials::exact ? find_top(model.judgement.quantities, key) : nullptr;
         if (top != nullptr && (farthest == nullptr || top->difference > farthest->difference)) farthest = top;
     }
     return farthest;
@@ -140,7 +146,7 @@ std::string describe_quantities(const PairStudy& study) {
 
 std::string describe_power(const PairStudy& study, const Yardstick& yardstick) {
     const std::optional<Yardstick::Seen> seen = yardstick.smallest_seen();
-    if (!seen || study.materials == Materials::own) return "";
+    if (!seen || !study.has(Materials::exact)) return "";
     return fmt::format("A difference of {:.1g} of the peak velocity would have been seen, at {:.3g} s.", seen->difference, seen->time);
 }
 
@@ -152,18 +158,28 @@ std::vector<std::string> describe_verdict(const PairStudy& study) {
     const auto add = [&](std::string line) {
         if (!line.empty()) lines.push_back(std::move(line));
     };
-    if (const std::string scaling = describe_scaling(study, yardstick); !scaling.empty()) {
-        add(scaling);
-    } else if (study.materials == Materials::exact) {
-        add(describe_exact(study));
-    } else {
-        for (const PairedRun& model : study.models) add(describe_own(study, model));
+    const std::string scaling = describe_scaling(study, yardstick);
+    const bool exact = study.has(Materials::exact) || study.models.empty();
+    for (const PairedRun& model : study.models) {
+        if (model.scene) add(model.scene->way);
+    }
+    add(scaling);
+    if (scaling.empty()) {
+        if (exact) add(describe_exact(study));
+        for (const PairedRun& model : study.models) {
+            if (model.materials == Materials::own || study.tolerance) add(describe_own(study, model));
+        }
+    }
+    for (const PairedRun& model : study.models) {
+        if (model.scene && model.scene->same_structure) add(model.scene->describe_differences());
     }
     add(describe_horizon(study, yardstick));
-    if (study.materials == Materials::exact) add(describe_quantities(study));
+    if (exact) add(describe_quantities(study));
     add(describe_half_step(study, yardstick));
     add(describe_power(study, yardstick));
-    if (study.materials == Materials::exact) {
+    const bool scaled = std::any_of(study.models.begin(), study.models.end(),
+                                    [](const PairedRun& model) { return model.materials == Materials::exact && !model.scene; });
+    if (scaled || study.models.empty()) {
         add("This checks the program and the law, not a model test: a real model has a stiffness, a friction and heights of its own "
             "(--materials own).");
     }

@@ -18,11 +18,11 @@ std::vector<std::string> describe_verdict(const PairStudy& study);
 /// in docs/user/file_formats.md.
 nlohmann::json to_json(const PairStudy& study);
 
-/// A part of one in percent, two digits: "3.4 %"; "below 1e-07 %" for what is rounding.
+/// A part of one in percent, two digits: "3.4 %"; "less than 1e-07 %" for what is rounding.
 std::string format_percent(double part);
-/// "up to 3.4 %", or "below 1e-07 %".
+/// "up to 3.4 %", or "less than 1e-07 %".
 std::string format_up_to(double part);
-/// "-1.9 % to +15 %"; as format_up_to when both ends are rounding.
+/// "-1.9 % to +15 %", "0 %" for an end that is rounding; as format_percent when both are.
 std::string format_range(const DifferenceRange& range);
 /// "a, b and c".
 std::string join_words(const std::vector<std::string>& words);

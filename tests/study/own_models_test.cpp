@@ -38,7 +38,7 @@ TEST_CASE("a scene that is the prototype's image is its model, to the last bit a
     CHECK(pair.study.agreement() == Agreement::agree);
 }
 
-TEST_CASE("a model that differs by nothing is accepted, unless chance alone does more") {
+TEST_CASE("a model that is the prototype is accepted, one that nearly is unless chance alone does more") {
     const Scene same = make_pushed_wall();
     const ScenePair alone = run_own_pair(same, accept(0.01, 0));
     const OwnJudgement accepted = judge_own(alone.study, alone.study.models[0]);
@@ -49,7 +49,12 @@ TEST_CASE("a model that differs by nothing is accepted, unless chance alone does
         CHECK_FALSE(quantity.of_specimens.has_value());
         CHECK_FALSE(quantity.beyond_chance);
     }
-    const ScenePair beside = run_own_pair(same, accept(0.01, 3));
+    const ScenePair again = run_own_pair(same, accept(0.01, 3));
+    CHECK(judge_own(again.study, again.study.models[0]).accepted == true);
+    CHECK(describe_own(again.study, again.study.models[0]).find("Accepted: the prototype again, to rounding.") != std::string::npos);
+    Scene nearly = same;
+    nearly.material.friction *= 1.0 + 1e-6;
+    const ScenePair beside = run_own_pair(nearly, accept(0.01, 3));
     CHECK(beside.study.specimen_traces.size() == 3);
     const OwnJudgement chance = judge_own(beside.study, beside.study.models[0]);
     CHECK(chance.quantities[0].of_specimens->largest() > 0.01);

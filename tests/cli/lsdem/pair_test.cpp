@@ -60,9 +60,34 @@ TEST_CASE("models of their own material list what they distort") {
     CHECK(accepted.out.find("specimens") == std::string::npos);
     CHECK(here.run("pair scene.json --accept 5%").exit_code == 2);
     // a scene as its own model
-    const auto same = here.run("pair scene.json scene.json --json").json()["pairs"][0];
-    CHECK(same["materials"] == "own");
-    CHECK(same["bitwise_identical"] == true);
+}
+
+TEST_CASE("a scene of the same blocks is judged like an exact model, and what differs is named") {
+    const Workplace here;
+    SceneText text;
+    here.write("a.json", text.text());
+    const Outcome same = here.run("pair a.json a.json --no-half-step --accept 1%");
+    CHECK(same.exit_code == 0);
+    CHECK(same.out.starts_with("a.json: the structure of a.json, block by block, judged like an exact model.\nThe model agrees"));
+    CHECK(same.out.find("Accepted: the prototype again, to rounding.") != std::string::npos);
+    CHECK(same.out.find("% higher") == std::string::npos);
+    text.restitution = "0.30001";
+    here.write("b.json", text.text());
+    const Outcome other = here.run("pair a.json b.json --no-half-step");
+    CHECK(other.exit_code == 5);
+    CHECK(other.out.find("Model b.json DIFFERS from the prototype: at ") != std::string::npos);
+    CHECK(other.out.find("b.json differs from the prototype's scene in /material/restitution: 0.30001, not 0.3.\n") != std::string::npos);
+    const auto pair = here.run("pair a.json b.json --no-half-step --json").json()["pairs"][0];
+    CHECK(pair["materials"] == "exact");
+    CHECK(pair["scene"]["file"] == "b.json");
+    CHECK(pair["scene"]["same_structure"] == true);
+    CHECK(pair["scene"]["differences"][0]["key"] == "/material/restitution");
+    CHECK(pair["scene"]["differences"][0]["model"] == 0.30001);
+    // what is asked for decides
+    CHECK(here.run("pair a.json b.json --no-half-step --materials own").exit_code == 0);
+    CHECK(here.run("pair a.json b.json --no-half-step --accept 50%").exit_code == 0);
+    CHECK(here.run("pair a.json b.json --record a.at2").exit_code == 2);
+    CHECK(here.run("pair a.json b.json --law froude").exit_code == 2);
 }
 
 TEST_CASE("pair scales by another law, as data") {
