@@ -174,7 +174,9 @@ void print_table(const lsdem::PairStudy& study) {
 void print_study(const lsdem::ScenePair& pair) {
     const lsdem::PairStudy& study = pair.study;
     for (const std::string& line : lsdem::describe_verdict(study)) print("{}\n", line);
-    const char* const materials = !study.has(lsdem::Materials::own) ? "exact" : study.has(lsdem::Materials::exact) ? "exact and own" : "own";
+    const char* const materials = !study.has(lsdem::Materials::own)    ? "exact"
+                                  : study.has(lsdem::Materials::exact) ? "exact and own"
+                                                                       : "own";
     print("\n{}, {} materials: spine velocities v/λ_v at t/λ_t against the prototype\n", pair.prototype.name, materials);
     print_table(study);
     print(
@@ -362,7 +364,8 @@ void add_pair_command(CLI::App& app, Action& action) {
         "Models of their own material are distorted, and their specimen is one of many: their differences are held against twins and "
         "other\n"
         "specimens of the prototype. A scene file with the prototype's blocks at their places, in the same units, is judged like an exact\n"
-        "model, and the keys in which it differs are listed; other ones (heights drawn anew, another scale) are models of their own, unless\n"
+        "model, and the keys in which it differs are listed; other ones (heights drawn anew, another scale) are models of their own, "
+        "unless\n"
         "--materials says how to judge them. Exit code 5: a model that is judged like an exact one differs, or nothing could be decided;\n"
         "6: a model is not accepted (--accept), which decides where it is given.");
     command->callback([&action, options] { action = [options] { return run_again([&] { return run_pair(*options); }, options->out); }; });

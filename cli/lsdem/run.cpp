@@ -23,6 +23,7 @@
 #include "lsdem/run/progress_file.hpp"
 #include "lsdem/scene/motions.hpp"
 #include "lsdem/scene/scene_json.hpp"
+#include "lsdem/study/step_error.hpp"
 
 namespace musim::cli {
 namespace {
@@ -33,6 +34,13 @@ struct RunOptions : ResultOptions {
     std::string scene;
     std::string resume;
     std::optional<Number> duration;
+    bool half_step = false;
+};
+
+/// A run, and the error of its step where that is asked for.
+struct CarriedOut {
+    lsdem::RunResult run;
+    std::optional<lsdem::StepError> step_error;
 };
 
 /// The similitude by which the scene's record was made that of a model; nothing for other scenes.
@@ -42,7 +50,8 @@ std::optional<scaling::Similitude> find_similitude(const lsdem::Scene& scene) {
     return lsdem::make_similitude(*record->scale);
 }
 
-void print_run(const lsdem::Scene& scene, const lsdem::RunResult& run) {
+void print_run(const lsdem::Scene& scene, const CarriedOut& done) {
+    const lsdem::RunResult& run = done.run;
     print("{}: {}\n", scene.name, lsdem::to_string(run.status));
     const lsdem::Outcome outcome = lsdem::find_outcome(run);
     for (const std::string& line : lsdem::describe(outcome)) print("  {}\n", line);
@@ -55,6 +64,8 @@ void print_run(const lsdem::Scene& scene, const lsdem::RunResult& run) {
     if (const auto failure = lsdem::find_failure(run)) print("  {}\n", lsdem::describe(*failure));
     print("  {:.6g} s simulated in {:.2f} s, {} steps of {:.3g} s; energy balance closes to {:.2g}; state {}\n", run.final.time,
           run.wall_time, run.steps, run.time_step, run.energy_closure, run.state_hash);
+    print("  {}\n",
+          done.step_error ? lsdem::describe(*done.step_error) : "The error of the time step was not estimated (--half-step does).");
 }
 
 fs::path checkpoint_in(const std::string& directory) { return fs::path(directory) / lsdem::kCheckpointName; }
@@ -112,8 +123,28 @@ Begin begin_from(const std::string& directory) {
     return begin;
 }
 
-lsdem::RunResult carry_out(Begin begin, const RunOptions& options, const std::string& directory) {
-    lsdem::RunSettings settings{.threads = options.threads};
+/// The work of a run, and of one at half its step.
+double count_runs(const RunOptions& options) { return options.half_step ? 1.0 + lsdem::kHalfStepWork : 1.0; }
+
+/// The settings of runs that are so much of all, from `from` to `to`.
+lsdem::RunSettings part_of(lsdem::RunSettings settings, double from, double to) {
+    settings.observer.on_progress = [=, report = settings.observer.on_progress](double part) { report(from + (to - from) * part); };
+    return settings;
+}
+
+CarriedOut run_or_resume(Begin begin, const RunOptions& options, const lsdem::RunSettings& settings) {
+    std::optional<lsdem::Checkpoint>& from = begin.checkpoint;
+    const lsdem::Specimen specimen = lsdem::make_specimen(begin.scene, settings, from ? &*from : nullptr);
+    const double share = 1.0 / count_runs(options);
+    CarriedOut done{lsdem::run_specimen(begin.scene, specimen, std::move(from), part_of(settings, 0.0, share)), std::nullopt};
+    if (options.half_step && done.run.status != lsdem::RunStatus::diverged) {
+        done.step_error = lsdem::estimate_step_error(begin.scene, specimen, done.run, part_of(settings, share, 1.0));
+    }
+    return done;
+}
+
+CarriedOut carry_out(Begin begin, const RunOptions& options, const std::string& directory) {
+    lsdem::RunSettings settings{.threads = options.threads, .runs_to_follow = count_runs(options)};
     if (!directory.empty()) {
         settings.checkpoint = lsdem::CheckpointSettings{.file = checkpoint_in(directory),
                                                         .scene = begin.scene_text,
@@ -125,9 +156,9 @@ lsdem::RunResult carry_out(Begin begin, const RunOptions& options, const std::st
     settings.observer = progress.observer();
     std::optional<lsdem::ProgressFile> progress_file;
     if (!directory.empty()) progress_file.emplace(directory, begin.scene.name).listen_to(settings.observer);
-    if (!begin.checkpoint) return lsdem::run_scene(begin.scene, settings);
+    if (!begin.checkpoint) return run_or_resume(std::move(begin), options, settings);
     try {
-        return lsdem::resume_scene(begin.scene, std::move(*begin.checkpoint), settings);
+        return run_or_resume(std::move(begin), options, settings);
     } catch (const std::runtime_error& error) {
         throw std::runtime_error(
             fmt::format("{}: the run cannot be continued ({}); has the scene's record or the program changed since? If so, start it anew",
@@ -157,17 +188,21 @@ int run_run(const RunOptions& options) {
     const lsdem::Scene scene = begin->scene;
     if (!resumes) note_cut_motions(options.scene, scene);
     const std::string scene_text = begin->scene_text;
-    const lsdem::RunResult run = carry_out(std::move(*begin), options, directory);
+    const CarriedOut done = carry_out(std::move(*begin), options, directory);
+    const lsdem::RunResult& run = done.run;
     if (folder) {
         folder->add_run("", run, {.scene = scene_text, .program_version = kVersion});
+        if (done.step_error) folder->add_json("half_step.json", lsdem::to_json(*done.step_error));
         folder->commit();
         lsdem::remove_checkpoint(checkpoint_in(directory));
     }
 
     if (options.json) {
-        print_json(lsdem::make_summary(run));
+        nlohmann::json summary = lsdem::make_summary(run);
+        summary["half_step"] = done.step_error ? lsdem::to_json(*done.step_error) : nlohmann::json();
+        print_json(summary);
     } else {
-        print_run(scene, run);
+        print_run(scene, done);
         print("{}\n", folder ? "Results in " + directory : "No file of it is kept; -o DIR keeps results");
     }
     const std::string& where = resumes ? directory : options.scene;
@@ -184,6 +219,8 @@ void add_run_command(CLI::App& app, Action& action) {
     scene_file->type_name("SCENE.json");
     CLI::Option* out = options->add_out(*command, "Directory for result.h5, result.xdmf, spine.csv and summary.json");
     CLI::Option* duration = add_positive_option(*command, "--duration", options->duration, "Simulated time [s], instead of the scene's");
+    command->add_flag("--half-step", options->half_step,
+                      "Run it at half its time step, too, and say up to when velocities agree: the error of the step (twice the work)");
     command->add_option("--resume", options->resume, "Continue the run that was killed while it worked on DIR")
         ->type_name("DIR")
         ->excludes(scene_file)
@@ -194,6 +231,7 @@ void add_run_command(CLI::App& app, Action& action) {
         "Examples:\n"
         "  musim run examples/tower_prototype.json -o out/tower\n"
         "  musim run examples/tower_prototype.json --duration 1/2 --threads 1 --json\n"
+        "  musim run examples/uneven_wall.json --half-step\n"
         "  musim run --resume out/tower\n"
         "A run with -o writes checkpoints into DIR, a last one on SIGINT (Ctrl-C) and SIGTERM. --resume continues from it; the results "
         "are\n"

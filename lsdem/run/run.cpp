@@ -132,18 +132,24 @@ LaidSpecimen lay_specimen(const Scene& scene, RunSettings settings) {
         from = read_checkpoint(settings.checkpoint->file, settings.checkpoint->program_version);
     }
     LaidSpecimen laid{make_specimen(scene, settings, from ? &*from : nullptr)};
-    Specimen& specimen = laid.specimen;
-    if (!specimen.settling) return laid;
-    const TimePlan plan = make_time_plan(scene, specimen.model);
-    Simulation simulation(specimen.model, plan.time_step, settings.threads);
+    if (!laid.specimen.settling) return laid;
     if (settings.checkpoint && !(from && from->places)) {
+        const TimePlan plan = make_time_plan(scene, laid.specimen.model);
+        const Simulation simulation(laid.specimen.model, plan.time_step, settings.threads);
         RunResult none;
-        write_checkpoint(*keep_places(settings, specimen).checkpoint, 0, plan, none, simulation);
+        write_checkpoint(*keep_places(settings, laid.specimen).checkpoint, 0, plan, none, simulation);
     }
-    laid.rest = settle_specimen(simulation, specimen);
+    laid.rest = let_settle(scene, laid.specimen, settings.threads);
+    return laid;
+}
+
+std::optional<Rest> let_settle(const Scene& scene, Specimen& specimen, int threads) {
+    if (!specimen.settling) return std::nullopt;
+    Simulation simulation(specimen.model, make_time_plan(scene, specimen.model).time_step, threads);
+    std::optional<Rest> rest = settle_specimen(simulation, specimen);
     put_in_place(find_places(simulation), specimen);
     specimen.settling.reset();
-    return laid;
+    return rest;
 }
 
 TimePlan make_time_plan(const Scene& scene, const Model& model, Sampling sampling) {
@@ -176,8 +182,15 @@ TimePlan make_time_plan(const Scene& scene, double time_step) {
 
 RunResult run_scene(const Scene& scene, const RunSettings& settings) {
     require_single_motion(scene, "a run");
-    const Specimen specimen = make_specimen(scene, settings);
-    return simulate(specimen, make_time_plan(scene, specimen.model), keep_places(settings, specimen));
+    return run_specimen(scene, make_specimen(scene, settings), {}, settings);
+}
+
+RunResult run_specimen(const Scene& scene, const Specimen& specimen, std::optional<Checkpoint> from, const RunSettings& settings) {
+    const RunSettings with_places = keep_places(settings, specimen);
+    const TimePlan plan = make_time_plan(scene, specimen.model);
+    if (!from || from->preparation) return simulate(specimen, plan, with_places);
+    require_plan(*from, plan);
+    return resume(specimen, std::move(*from), with_places);
 }
 
 RunResult run_model(const Scene& prototype, const scaling::Similitude& similitude, const RunSettings& settings) {
@@ -189,11 +202,7 @@ RunResult run_model(const Scene& prototype, const scaling::Similitude& similitud
 
 RunResult resume_scene(const Scene& scene, Checkpoint checkpoint, const RunSettings& settings) {
     const Specimen specimen = make_specimen(scene, settings, &checkpoint);
-    const RunSettings with_places = keep_places(settings, specimen);
-    const TimePlan plan = make_time_plan(scene, specimen.model);
-    if (checkpoint.preparation) return simulate(specimen, plan, with_places);
-    require_plan(checkpoint, plan);
-    return resume(specimen, std::move(checkpoint), with_places);
+    return run_specimen(scene, specimen, std::move(checkpoint), settings);
 }
 
 }  // namespace musim::lsdem

@@ -40,6 +40,9 @@ struct LaidSpecimen {
 /// again, or laid on from where it was. Throws as make_specimen and read_checkpoint do.
 LaidSpecimen lay_specimen(const Scene& scene, RunSettings settings = {});
 
+/// Lets a specimen of a scene come to rest at the step of its run, when it is to settle, and puts it there; how it did.
+std::optional<Rest> let_settle(const Scene& scene, Specimen& specimen, int threads);
+
 /// What an automatic step does when the spine's rate asks for more than one sample a step: every step is a sample; or steps are shortened,
 /// so that runs with steps of their own are sampled at the same times.
 enum class Sampling { every_step, at_rate };
@@ -58,6 +61,9 @@ TimePlan make_time_plan(const Scene& scene, double time_step);
 
 /// Runs a scene. Throws as make_specimen does, and SceneError for one with a list of motions.
 RunResult run_scene(const Scene& scene, const RunSettings& settings = {});
+
+/// Runs the specimen that make_specimen made of a scene, or carries its run on from a checkpoint. Throws as simulate and resume do.
+RunResult run_specimen(const Scene& scene, const Specimen& specimen, std::optional<Checkpoint> from = {}, const RunSettings& settings = {});
 
 /// Runs the model of a prototype (scale_scene); the result has the similitude. Throws as scale_scene, check_scene and run_scene do.
 RunResult run_model(const Scene& prototype, const scaling::Similitude& similitude, const RunSettings& settings = {});

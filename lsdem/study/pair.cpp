@@ -21,9 +21,6 @@ constexpr double kSurelyInTime = 2.0;
 /// The image whose every number is a power of two of the prototype's: all of its bits must agree.
 constexpr double kExactLength = 0.25;
 
-/// A run at half the step has twice the steps.
-constexpr double kHalfStepWork = 2.0;
-
 /// With the image that must agree in all bits.
 std::size_t work_of_twins(std::size_t twins) { return twins > 0 ? twins + 1 : 0; }
 
@@ -157,7 +154,6 @@ class PairRunner {
             model.judgement = yardstick.judge(model.trace);
             if (model.materials == Materials::own) model.judgement.agreement = Agreement::not_judged;
         }
-        if (study_.half_step) study_.half_step->judgement.quantities = yardstick.check_quantities(study_.half_step->trace);
     }
 
     std::size_t most_twins() const { return most_twins_; }

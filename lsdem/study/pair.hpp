@@ -60,6 +60,9 @@ struct PairSettings {
 };
 inline constexpr std::size_t kFewestTwins = 2, kMostTwins = 8;
 
+/// A run at half the step has twice the steps.
+inline constexpr double kHalfStepWork = 2.0;
+
 /// The most that a pair of so many models runs, in runs of its prototype.
 std::size_t count_runs(std::size_t models, const PairSettings& judging);
 

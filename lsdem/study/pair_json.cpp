@@ -10,6 +10,7 @@
 #include "lsdem/results/summary.hpp"
 #include "lsdem/study/own_models.hpp"
 #include "lsdem/study/pair_plots.hpp"
+#include "lsdem/study/step_error.hpp"
 #include "scaling/json_optional.hpp"
 
 namespace musim::lsdem {
@@ -101,6 +102,15 @@ static void to_json(nlohmann::json& json, const TwinBand& band) {
     for (const std::vector<double>& row : band.half_width) json["half_width_m_s"].push_back(to_short_json(row));
 }
 
+nlohmann::json to_json(const StepError& error) {
+    return {{"status", to_string(error.status)},
+            {"rms_relative_velocity_difference", error.difference.rms_velocity},
+            {"parting_time_s", scaling::or_null(error.parting_time)},
+            {"largest_relative_velocity_difference", error.largest},
+            {"until_s", error.horizon},
+            {"quantities", error.quantities}};
+}
+
 nlohmann::json to_json(const PairStudy& study) {
     const Yardstick yardstick = study.yardstick();
     // under their old names: of the twin that differs most
@@ -154,11 +164,7 @@ nlohmann::json to_json(const PairStudy& study) {
                            {"twins_band", scaling::or_null(find_twin_band(study))},
                            {"half_step", nlohmann::json()},
                            {"smallest_difference_seen", nlohmann::json()}};
-    if (study.half_step) {
-        json["half_step"] = {{"rms_relative_velocity_difference", study.half_step->difference.rms_velocity},
-                             {"parting_time_s", scaling::or_null(yardstick.parting_time(study.half_step->trace))},
-                             {"quantities", study.half_step->judgement.quantities}};
-    }
+    if (const std::optional<StepError> error = find_step_error(study)) json["half_step"] = to_json(*error);
     if (const auto images = yardstick.lead_of_images()) json["lead_of_images_sd"] = images->lead;
     if (const auto seen = yardstick.smallest_seen()) {
         json["smallest_difference_seen"] = {{"difference", seen->difference}, {"time_s", seen->time}};

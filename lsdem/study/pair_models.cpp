@@ -63,7 +63,8 @@ double strength(const Scene& scene) {
 
 /// The same structure, as it is.
 ScaledScene take_as_same(const Scene& prototype, const Scene& model) {
-    const std::string way = fmt::format("{}: the structure of {}, block by block, judged like an exact model.", model.place(), prototype.place());
+    const std::string way =
+        fmt::format("{}: the structure of {}, block by block, judged like an exact model.", model.place(), prototype.place());
     ScaledScene same{model, Similitude(), {}, {}, Materials::exact};
     same.second = SecondScene{model.place(), way, true, find_scene_differences(prototype, model)};
     same.scene.time.duration = prototype.time.duration;

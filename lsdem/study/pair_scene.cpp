@@ -248,8 +248,7 @@ ScenePair pair_scene(const Scene& prototype, const std::vector<ModelChoice>& mod
     sample_as(original, original.similitude, sampled);
     const bool own = std::any_of(members.begin(), members.end(), [](const PairMember& m) { return m.materials == Materials::own; });
     const OtherSpecimens others(sampled, own, how, count_runs(members.size(), how.judging));
-    pair.study = run_pair(original, members, others.settings_of_pair(kept.settings_of_all(settings)),
-                          others.judging_of_pair(how.judging));
+    pair.study = run_pair(original, members, others.settings_of_pair(kept.settings_of_all(settings)), others.judging_of_pair(how.judging));
     if (how.judging.on_spare) how.judging.on_spare(0.0);
     pair.study.specimen_traces = others.run(pair.study.prototype, kept.settings_of_all(settings));
     pair.study.tolerance = how.accept;

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "lsdem/study/own_models.hpp"
+#include "lsdem/study/step_error.hpp"
 
 namespace musim::lsdem {
 
@@ -110,17 +111,6 @@ std::string describe_horizon(const PairStudy& study, const Yardstick& yardstick)
         yardstick.horizon(), yardstick.end(), format_percent(kPartingLevel));
 }
 
-/// How exact the prototype's own run is, which no twin shows: they all have its step.
-std::string describe_half_step(const PairStudy& study, const Yardstick& yardstick) {
-    if (!study.half_step) return "";
-    const std::optional<double> parting = yardstick.parting_time(study.half_step->trace);
-    const QuantityCheck* const peak = find_top(study.half_step->judgement.quantities, "peak_velocity");
-    std::string text = fmt::format("At half the time step velocities agree to {} {}", format_percent(kPartingLevel),
-                                   parting ? fmt::format("up to {:.3g} s", *parting) : "to the end");
-    if (peak != nullptr) text += fmt::format("; the peak velocity of the top changes by {}", format_percent(peak->difference));
-    return text + ": the error of the step, which twins share.";
-}
-
 /// The model for which that differs most.
 const QuantityCheck* find_farthest_top(const PairStudy& study, const std::string& key) {
     const QuantityCheck* farthest = nullptr;
@@ -175,7 +165,8 @@ std::vector<std::string> describe_verdict(const PairStudy& study) {
     }
     add(describe_horizon(study, yardstick));
     if (exact) add(describe_quantities(study));
-    add(describe_half_step(study, yardstick));
+    // how exact the prototype's own run is no twin shows: they all have its step
+    if (const std::optional<StepError> error = find_step_error(study)) add(describe(*error));
     add(describe_power(study, yardstick));
     const bool scaled = std::any_of(study.models.begin(), study.models.end(),
                                     [](const PairedRun& model) { return model.materials == Materials::exact && !model.scene; });

@@ -38,8 +38,8 @@ std::vector<SceneDifference> find_scene_differences(const Scene& first, const Sc
 
 /// A model that is a scene of its own, in words.
 struct SecondScene {
-    std::string file;  ///< as messages name it
-    std::string way;   ///< how it is judged, and why, in a sentence that begins with the file
+    std::string file;                               ///< as messages name it
+    std::string way;                                ///< how it is judged, and why, in a sentence that begins with the file
     bool same_structure = false;                    ///< in the same units, and compared as such
     std::vector<SceneDifference> differences = {};  ///< from the prototype's, of the same structure
 

@@ -95,6 +95,7 @@ class Yardstick {
     /// The earliest time at which a twin differs by kPartingLevel; the end of the run when none does [s]. More twins never make it later.
     double horizon() const { return time_of(horizon_); }
     bool is_within_run() const { return parted_; }  ///< does any twin part?
+    bool has_twins() const { return !twins_.empty(); }
     double end() const { return time_of(samples_ - 1); }
 
     /// Twins that are images against those that are copies: by how many standard deviations of the difference of their means log10 R of the
@@ -121,6 +122,8 @@ class Yardstick {
 
     /// When R of a run first exceeds kPartingLevel [s]; nothing if never. The horizon is the earliest of the twins'.
     std::optional<double> parting_time(const RunTrace& run) const;
+    /// R of a run at the horizon [-].
+    double largest_difference(const RunTrace& run) const { return run.running[std::min(horizon_, run.running.size() - 1)]; }
     Judgement judge(const RunTrace& model) const;
     /// The quantities of a run beside those of the twins, without a judgement.
     std::vector<QuantityCheck> check_quantities(const RunTrace& run) const;

@@ -9,6 +9,7 @@
 #include "lsdem/scene/scale_scene.hpp"
 #include "lsdem/scene/scene_error.hpp"
 #include "lsdem/study/pair_scene.hpp"
+#include "lsdem/study/pair_text.hpp"
 #include "scaling/laws/law_similitude.hpp"
 #include "tests/study/pushed_wall.hpp"
 
@@ -60,6 +61,15 @@ TEST_CASE("a model that is the prototype is accepted, one that nearly is unless 
     CHECK(chance.quantities[0].of_specimens->largest() > 0.01);
     CHECK(chance.accepted == false);
     CHECK(describe_own(beside.study, beside.study.models[0]).find("chance alone does more") != std::string::npos);
+}
+
+TEST_CASE("differences are said in percent, rounding as less than what counts as rounding or as nothing") {
+    CHECK(format_range({-0.019, 0.15}) == "-1.9 % to +15 %");
+    CHECK(format_range({-1e-12, 0.03}) == "0 % to +3 %");
+    CHECK(format_range({-0.03, 0.0}) == "-3 % to 0 %");
+    CHECK(format_range({}) == "less than 1e-07 %");
+    CHECK(format_up_to(0.03) == "up to 3 %");
+    CHECK(format_up_to(0.0) == "less than 1e-07 %");
 }
 
 TEST_CASE("a model of a tenth of the friction is distorted, more than other specimens") {

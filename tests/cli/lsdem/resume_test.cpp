@@ -44,7 +44,8 @@ void check_same_results(const Workplace& here) {
 TEST_CASE("a run that is killed twice and resumed has the results of one that was not, to the byte") {
     const Workplace here;
     here.write("scene.json", make_resumed_scene(kStrongSine));
-    REQUIRE(here.run("run scene.json -o whole --threads 1").exit_code == 0);
+    const Outcome whole = here.run("run scene.json -o whole --threads 1 --half-step --json");
+    REQUIRE(whole.exit_code == 0);
     CHECK_FALSE(here.has("whole/checkpoint"));
 
     kill_halfway(here, "run scene.json -o out");
@@ -55,12 +56,13 @@ TEST_CASE("a run that is killed twice and resumed has the results of one that wa
     kill_halfway(here, "run --resume out");
     REQUIRE(here.has("out/checkpoint"));
     REQUIRE_FALSE(here.has("out/summary.json"));
-    const Outcome outcome = here.run("run --resume out --json");
+    const Outcome outcome = here.run("run --resume out --half-step --json");
     CHECK(outcome.exit_code == 0);
+    CHECK(outcome.json()["half_step"] == whole.json()["half_step"]);
     CHECK(outcome.json()["state_hash"] == nlohmann::json::parse(here.read("whole/summary.json"))["state_hash"]);
     check_same_results(here);
     // nothing but results is left
-    CHECK(here.count("out") == 5);
+    CHECK(here.count("out") == 6);
 
     const Outcome again = here.run("run --resume out");
     CHECK(again.exit_code == 3);

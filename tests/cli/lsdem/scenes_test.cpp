@@ -5,8 +5,10 @@
 
 #include "tests/cli/lsdem/two_blocks.hpp"
 #include "tests/cli/program.hpp"
+#include "tests/support/relative.hpp"
 
 using namespace musim::cli;
+using musim::lsdem::tests::relative;
 
 TEST_CASE("run prints one JSON object with the keys of the contract and writes all result files") {
     const Workplace here;
@@ -26,6 +28,30 @@ TEST_CASE("run prints one JSON object with the keys of the contract and writes a
     for (const char* name : {"result.h5", "result.xdmf", "spine.csv", "summary.json"})
         CHECK_MESSAGE(here.has(std::string("out/run/") + name), name);
     CHECK(nlohmann::json::parse(here.read("out/run/summary.json"))["state_hash"] == object["state_hash"]);
+}
+
+TEST_CASE("run --half-step estimates the error of the step as a pair does, and without it a run says that nothing did") {
+    const Workplace here;
+    here.write("scene.json", SceneText().text());
+    const Outcome plain = here.run("run scene.json");
+    CHECK(plain.out.find("The error of the time step was not estimated (--half-step does).") != std::string::npos);
+    const auto without = here.run("run scene.json --json").json(), with = here.run("run scene.json --half-step -o out --json").json();
+    CHECK(without["half_step"].is_null());
+    CHECK(with["state_hash"] == without["state_hash"]);
+    const auto& error = with["half_step"];
+    CHECK(error["status"] == "completed");
+    CHECK(error["until_s"].get<double>() == relative(0.5, 1e-9));
+    CHECK(here.has("out/half_step.json"));
+    const auto of_pair = here.run("pair scene.json --length 1/16 --json").json()["half_step"];
+    CHECK(error["parting_time_s"] == of_pair["parting_time_s"]);
+    for (const char* key : {"rms_relative_velocity_difference", "largest_relative_velocity_difference"}) {
+        CAPTURE(key);
+        CHECK(error[key].get<double>() > 0.0);
+        CHECK(error[key].get<double>() == relative(of_pair[key].get<double>(), 1e-6));
+    }
+    const Outcome text = here.run("run scene.json --half-step");
+    CHECK(text.out.find("At half the time step velocities agree to 0.1 % ") != std::string::npos);
+    CHECK(here.run("sequence scene.json --half-step -o seq").exit_code == 2);
 }
 
 TEST_CASE("a run whose base has another PGA than its record says both everywhere") {
