@@ -47,15 +47,27 @@ double compute_damping_ratio(double restitution) {
     return last.ratio;
 }
 
-Interface make_interface(const Material& a, const Material& b, double effective_mass, double face_area) {
+Material combine(const Material& a, const Material& b) {
+    return {.normal_stiffness = in_series(a.normal_stiffness, b.normal_stiffness),
+            .shear_stiffness = a.shear_stiffness + b.shear_stiffness > 0.0 ? in_series(a.shear_stiffness, b.shear_stiffness) : 0.0,
+            .friction = std::min(a.friction, b.friction),
+            .restitution = std::min(a.restitution, b.restitution),
+            .shear_damping_ratio = std::max(a.shear_damping_ratio, b.shear_damping_ratio)};
+}
+
+Material find_joint(const Model& model, std::size_t a, const std::optional<std::size_t>& b) {
+    const auto pair = std::find_if(model.pairs.begin(), model.pairs.end(), [&](const MaterialPair& each) { return each.is_of(a, b); });
+    if (pair != model.pairs.end()) return pair->joint;
+    return combine(model.materials[a], b ? model.materials[*b] : model.ground.material);
+}
+
+Interface make_interface(const Material& joint, double effective_mass, double face_area) {
     Interface law;
-    law.normal_stiffness = in_series(a.normal_stiffness, b.normal_stiffness);
-    law.shear_stiffness = a.shear_stiffness + b.shear_stiffness > 0.0 ? in_series(a.shear_stiffness, b.shear_stiffness) : 0.0;
-    law.friction = std::min(a.friction, b.friction);
-    const double zeta = compute_damping_ratio(std::min(a.restitution, b.restitution));
-    const double shear_zeta = std::max(a.shear_damping_ratio, b.shear_damping_ratio);
-    law.normal_damping = 2.0 * zeta * std::sqrt(effective_mass * law.normal_stiffness / face_area);
-    law.shear_damping = 2.0 * shear_zeta * std::sqrt(effective_mass * law.shear_stiffness / face_area);
+    law.normal_stiffness = joint.normal_stiffness;
+    law.shear_stiffness = joint.shear_stiffness;
+    law.friction = joint.friction;
+    law.normal_damping = 2.0 * compute_damping_ratio(joint.restitution) * std::sqrt(effective_mass * law.normal_stiffness / face_area);
+    law.shear_damping = 2.0 * joint.shear_damping_ratio * std::sqrt(effective_mass * law.shear_stiffness / face_area);
     return law;
 }
 

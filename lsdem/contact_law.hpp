@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "lsdem/model.hpp"
 
 namespace musim::lsdem {
@@ -31,10 +33,17 @@ struct Interface {
     bool operator==(const Interface&) const = default;
 };
 
-/// Interface of two materials. Stiffness per area: springs of half a block in series, 2ab/(a + b); friction, restitution: the smaller;
-/// shear damping ratio: the larger. Damping of a whole face, C·A_face = 2ζ·sqrt(m_eff·K·A_face). `effective_mass` m_i·m_j/(m_i + m_j) [kg]
-/// (the block's own against the ground), `face_area` A_face [m²]: the smaller base of the two blocks, the block's own on the ground.
-Interface make_interface(const Material& a, const Material& b, double effective_mass, double face_area);
+/// Both sides of an interface together. Stiffness per area: springs of half a block in series, 2ab/(a + b); friction, restitution: the
+/// smaller; shear damping ratio: the larger.
+Material combine(const Material& a, const Material& b);
+
+/// What a block of material `a` and one of material `b` (nothing: the ground) have together: as Model::pairs has it, else combine().
+Material find_joint(const Model& model, std::size_t a, const std::optional<std::size_t>& b);
+
+/// Interface of what both sides have together. Damping of a whole face, C·A_face = 2ζ·sqrt(m_eff·K·A_face). `effective_mass`
+/// m_i·m_j/(m_i + m_j) [kg] (the block's own against the ground), `face_area` A_face [m²]: the smaller base of the two blocks, the block's
+/// own on the ground.
+Interface make_interface(const Material& joint, double effective_mass, double face_area);
 
 /// The same law for a share of the stiffness, e.g. 1/2 for each side of a pair that is probed from both.
 Interface scaled(const Interface& interface, double share);

@@ -12,7 +12,7 @@
 
 namespace musim::lsdem {
 
-/// Contact properties of one side of an interface. A pair of blocks combines its two sides, see `combine` in contact_law.hpp.
+/// Contact properties of one side of an interface, or of both together: see combine() in contact_law.hpp.
 struct Material {
     double normal_stiffness = 0.0;     ///< K_n = k_n/A_face [Pa/m]
     double shear_stiffness = 0.0;      ///< K_s = k_s/A_face [Pa/m]
@@ -36,6 +36,17 @@ struct Block {
     Vector3 angular_velocity = Vector3::Zero();       ///< world frame [rad/s]
     bool fixed = false;                               ///< held in place: takes forces, does not move
     bool rotation_locked = false;                     ///< translates only; for wave-speed calibration and rigid-plastic limits
+};
+
+/// How blocks of two materials meet, or blocks of one meet the ground, where it does not follow from the two by combine().
+struct MaterialPair {
+    std::size_t first = 0;              ///< index into Model::materials
+    std::optional<std::size_t> second;  ///< another one; nothing: the ground
+    Material joint;                     ///< of both sides together
+
+    bool is_of(std::size_t a, const std::optional<std::size_t>& b) const {
+        return (first == a && second == b) || (first == b && second == a);
+    }
 };
 
 /// What a component of the base's motion was made from; for results, the kernel does not use it.
@@ -104,6 +115,7 @@ struct Numerics {
 struct Model {
     std::vector<Shape> shapes;
     std::vector<Material> materials;
+    std::vector<MaterialPair> pairs;  ///< of materials; those that are not in it follow from the two
     std::vector<Block> blocks;
     Ground ground;
     Vector3 gravity = Vector3::Zero();  ///< world frame [m/s²]

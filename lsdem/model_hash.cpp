@@ -35,6 +35,8 @@ static void exchange(Archive& archive, Material& m) {
     archive(m.normal_stiffness, m.shear_stiffness, m.friction, m.restitution, m.shear_damping_ratio);
 }
 
+static void exchange(Archive& archive, MaterialPair& p) { archive(p.first, p.second, p.joint); }
+
 static void exchange(Archive& archive, Block& b) {
     archive(b.shape, b.material, b.mass, b.height_offset, b.position, b.orientation, b.velocity, b.angular_velocity, b.fixed,
             b.rotation_locked);
@@ -47,7 +49,7 @@ static void exchange(Archive& archive, Ground& g) { archive(g.present, g.materia
 static void exchange(Archive& archive, Preload& p) { archive(p.leader, p.follower, p.friction, p.couple); }
 
 static void exchange(Archive& archive, Model& m) {
-    archive(m.shapes, m.materials, m.blocks, m.ground, m.gravity, m.numerics.contact_nodes, m.numerics.stiffness_sharing,
+    archive(m.shapes, m.materials, m.pairs, m.blocks, m.ground, m.gravity, m.numerics.contact_nodes, m.numerics.stiffness_sharing,
             m.numerics.skip_rest, m.numerics.skip_apart, m.numerics.face_contact, m.velocity_damping, m.preload);
 }
 

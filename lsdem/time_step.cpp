@@ -126,9 +126,9 @@ class Partners {
     Interface stiffest(const Block& block) const {
         const double effective = heaviest_ == kInfinite ? block.mass : block.mass * heaviest_ / (block.mass + heaviest_);
         Interface worst;
-        for (const Material& other : model_.materials) {
+        for (std::size_t other = 0; other < model_.materials.size(); ++other) {
             const double area = model_.shapes[block.shape].face_area;
-            const Interface law = make_interface(model_.materials[block.material], other, effective, area);
+            const Interface law = make_interface(find_joint(model_, block.material, other), effective, area);
             worst.normal_stiffness = std::max(worst.normal_stiffness, law.normal_stiffness);
             worst.shear_stiffness = std::max(worst.shear_stiffness, law.shear_stiffness);
             worst.normal_damping = std::max(worst.normal_damping, law.normal_damping);
@@ -154,7 +154,7 @@ double block_limit(const Model& model, const Partners& partners, const Block& bl
     double limit = solve_limit(in_stack);
     if (model.ground.present) {
         const Interface on_ground =
-            make_interface(model.materials[block.material], model.ground.material, block.mass, model.shapes[block.shape].face_area);
+            make_interface(find_joint(model, block.material, std::nullopt), block.mass, model.shapes[block.shape].face_area);
         ModeMatrices at_base;
         at_base.add(top, 2.0);
         at_base.add(face_matrices(model, block, on_ground, axis, -1.0, spread), 1.0);

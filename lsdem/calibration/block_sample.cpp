@@ -52,6 +52,7 @@ Model make_model(const BlockSample& sample) {
         {sample.normal_pressure(), sample.shear_pressure(), sample.friction, sample.restitution, sample.shear_damping_ratio});
     model.ground.material = model.materials.front();
     model.ground.material.friction = sample.ground_friction;
+    model.pairs.push_back({.first = 0, .second = {}, .joint = model.ground.material});
     model.gravity = {0.0, 0.0, -sample.gravity};
     return model;
 }

@@ -40,6 +40,10 @@ void check_model(const Model& model, double time_step) {
                 "Simulation: a block's initial state is not finite");
         require(std::abs(block.orientation.norm() - 1.0) < 1e-9, "Simulation: a block's quaternion must have unit length");
     }
+    for (const MaterialPair& pair : model.pairs) {
+        require(pair.first < model.materials.size() && pair.second.value_or(0) < model.materials.size(),
+                "Simulation: a pair names a material that does not exist");
+    }
     for (const Preload& preload : model.preload) {
         require(preload.leader < model.blocks.size() && preload.follower.value_or(0) < model.blocks.size(),
                 "Simulation: a preload names a block that does not exist");
@@ -55,12 +59,14 @@ int choose_threads(int wanted, std::size_t blocks) {
 
 /// Spring energy of overlaps that are the rounding of the largest coordinate [J].
 double find_rounding_energy(const Model& model) {
-    double extent = 0.0, stiffest = 0.0;
+    double extent = 0.0, stiffest = 0.0, largest_face = 0.0;
     for (const Block& block : model.blocks) {
         const Shape& shape = model.shapes[block.shape];
         extent = std::max(extent, block.position.norm() + half_extents(model, block).norm());
         stiffest = std::max(stiffest, model.materials[block.material].normal_stiffness * shape.face_area);
+        largest_face = std::max(largest_face, shape.face_area);
     }
+    for (const MaterialPair& pair : model.pairs) stiffest = std::max(stiffest, pair.joint.normal_stiffness * largest_face);
     const double rounding = std::numeric_limits<double>::epsilon() * extent;
     return kRoundingFloor * static_cast<double>(model.blocks.size()) * stiffest * rounding * rounding;
 }

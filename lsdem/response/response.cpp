@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lsdem/results/summary.hpp"
+#include "lsdem/scene/reference_block.hpp"
 #include "lsdem/scene/scene_json.hpp"
 #include "scaling/angle.hpp"
 #include "scaling/json_optional.hpp"
@@ -70,7 +71,10 @@ SpeedScales find_scales(const StoredRun& run, int axis) {
     if (run.spine.size() > 0) {
         const std::size_t block = run.spine.block.front();
         const double stiffness = axis == 2 ? scene.material.normal_stiffness.value() : scene.material.shear_stiffness.value();
-        scales.elastic_speed = run.blocks.size[block].z() * std::sqrt(stiffness / run.blocks.mass[block]);
+        const Triple<scaling::Length> reference = reference_block(scene);
+        const Vector3& size = run.blocks.size[block];
+        const double bases = (size.x() * size.y()) / (reference[0] * reference[1]).value();
+        scales.elastic_speed = size.z() * std::sqrt(stiffness * bases / run.blocks.mass[block]);
     }
     return scales;
 }

@@ -76,6 +76,7 @@ class Scaler {
     void scale_parts(Model& model) const {
         for (Shape& shape : model.shapes) scale_parts(shape);
         for (Material& material : model.materials) scale_parts(material);
+        for (MaterialPair& pair : model.pairs) scale_parts(pair.joint);
         for (Block& block : model.blocks) scale_parts(block);
         scale_parts(model.ground.material);
         scale_parts(model.ground.motion);

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <utility>
 
+#include "lsdem/contact_law.hpp"
 #include "lsdem/scene/reference_block.hpp"
 #include "scaling/quantity_text.hpp"
 #include "scaling/structures/structural_speed.hpp"
@@ -25,13 +26,13 @@ const BlockMaterial& find_material(const Scene& scene) {
 }
 
 /// The block, its thinner horizontal edge first, the least friction that occurs, and the layers where the structure has any.
-StructureProperties make_properties(const Scene& scene, const scaling::Acceleration& gravity) {
+StructureProperties make_properties(const Scene& scene, double friction, const scaling::Acceleration& gravity) {
     const BlockMaterial& material = find_material(scene);
     StructureProperties properties;
     properties.block = reference_block(scene);
     if (properties.block[1] < properties.block[0]) std::swap(properties.block[0], properties.block[1]);
     properties.density = material.density;
-    properties.friction = std::min(material.friction, scene.ground.friction.value_or(scene.material.friction));
+    properties.friction = friction;
     properties.gravity = gravity;
     properties.normal_stiffness = material.normal_stiffness;
     properties.shear_stiffness = material.shear_stiffness;
@@ -106,12 +107,22 @@ void add_structure(std::vector<SceneEstimate>& estimates, const StructurePropert
 
 }  // namespace
 
-std::vector<SceneEstimate> estimate_scene(const Scene& scene, const std::vector<MotionSummary>& motions) {
+double find_least_friction(const Model& model, int levels) {
+    const std::vector<Block>& blocks = model.blocks;
+    const std::size_t material = blocks.front().material;
+    const bool on_ground = model.ground.present;
+    double least = on_ground ? find_joint(model, material, std::nullopt).friction : model.materials[material].friction;
+    if (on_ground && levels <= 1) return least;
+    for (std::size_t b = 1; b < blocks.size(); ++b) least = std::min(least, find_joint(model, material, blocks[b].material).friction);
+    return least;
+}
+
+std::vector<SceneEstimate> estimate_scene(const Scene& scene, double friction, const std::vector<MotionSummary>& motions) {
     const auto gravity =
         scaling::Acceleration::from_value(std::hypot(scene.gravity[0].value(), scene.gravity[1].value(), scene.gravity[2].value()));
     const bool is_vertical = scene.gravity[0].value() == 0.0 && scene.gravity[1].value() == 0.0 && scene.gravity[2].value() < 0.0;
     if (std::holds_alternative<SphereShape>(scene.shape) || !is_vertical) return {};
-    const StructureProperties properties = make_properties(scene, gravity);
+    const StructureProperties properties = make_properties(scene, friction, gravity);
     double pga = 0.0;
     for (const MotionSummary& motion : motions) {
         for (const AxisMotion& axis : motion.axes) pga = axis.axis == 'z' ? pga : std::max(pga, axis.pga);

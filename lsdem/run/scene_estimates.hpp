@@ -37,6 +37,10 @@ struct SceneEstimate {
 ///   base_overlap                     N m g/(k_n H): overlap of the lowest faces under dead weight over H [-]
 ///
 /// Source: scaling/structures. Nothing of spheres and without gravity.
-std::vector<SceneEstimate> estimate_scene(const Scene& scene, const std::vector<MotionSummary>& motions);
+std::vector<SceneEstimate> estimate_scene(const Scene& scene, double friction, const std::vector<MotionSummary>& motions);
+
+/// Least friction coefficient that a block of the first one's material can meet: on the ground and, where there are several levels or no
+/// ground, on any other block [-].
+double find_least_friction(const Model& model, int levels);
 
 }  // namespace musim::lsdem

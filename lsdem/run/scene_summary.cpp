@@ -12,6 +12,7 @@
 #include "lsdem/run/specimen_file.hpp"
 #include "lsdem/scene/build_model.hpp"
 #include "lsdem/scene/motions.hpp"
+#include "lsdem/scene/reference_block.hpp"
 #include "lsdem/time_step.hpp"
 
 namespace musim::lsdem {
@@ -163,11 +164,13 @@ SceneSummary summarize_scene(const Scene& scene) {
     count_blocks(scene, summary);
     summary.materials.emplace_back("", scene.material);
     summary.materials.insert(summary.materials.end(), scene.materials.begin(), scene.materials.end());
+    summary.pairs = scene.pairs;
+    summary.stiffness_base = reference_area(scene);
     summary.contact = describe_contact(scene);
     summary.time_step = summary.motions.front().plan.time_step;
     summary.critical_time_step = find_critical_time_step(summary.specimen.model);
     plan_preparation(scene, summary);
-    summary.estimates = estimate_scene(scene, summary.motions);
+    summary.estimates = estimate_scene(scene, find_least_friction(summary.specimen.model, summary.levels), summary.motions);
     size_outputs(summary);
     add_warnings(scene, summary);
     return summary;

@@ -43,6 +43,21 @@ std::string count(std::size_t number, const std::string& of) { return fmt::forma
 
 std::string name_material(const std::string& name) { return name.empty() ? "the scene's material" : name; }
 
+std::string write_per_area(const scaling::Stiffness& stiffness, const SceneSummary& summary) {
+    return write<scaling::StiffnessPerArea>(stiffness.value() / summary.stiffness_base.value());
+}
+
+/// What a pair of materials has of its own.
+std::string describe_pair(const PairEntry& pair, const SceneSummary& summary) {
+    std::vector<std::string> parts;
+    if (pair.normal_stiffness) parts.push_back("K_n " + write_per_area(*pair.normal_stiffness, summary));
+    if (pair.shear_stiffness) parts.push_back("K_s " + write_per_area(*pair.shear_stiffness, summary));
+    if (pair.friction) parts.push_back(fmt::format("friction {:.4g}", *pair.friction));
+    if (pair.restitution) parts.push_back(fmt::format("restitution {:.4g}", *pair.restitution));
+    if (pair.shear_damping_ratio) parts.push_back(fmt::format("shear damping ratio {:.4g}", *pair.shear_damping_ratio));
+    return fmt::format("pair        {} on {}: {}", pair.of[0], pair.of[1], fmt::join(parts, ", "));
+}
+
 void describe_structure(const SceneSummary& summary, std::vector<std::string>& lines) {
     const Vector3 size = summary.high - summary.low;
     lines.push_back(fmt::format("structure   {} in {}, {}, {} in all", count(summary.specimen.model.blocks.size(), "block"),
@@ -55,11 +70,14 @@ void describe_structure(const SceneSummary& summary, std::vector<std::string>& l
                                     kind.fixed > 0 ? fmt::format(", {} held in place", kind.fixed) : ""));
     }
     for (const auto& [name, material] : summary.materials) {
-        lines.push_back(fmt::format("material    {}density {}, k_n {}, k_s {}, friction {:.4g}, restitution {:.4g}",
-                                    name.empty() ? "" : name + ": ", scaling::format_quantity(material.density),
-                                    scaling::format_quantity(material.normal_stiffness, 4),
-                                    scaling::format_quantity(material.shear_stiffness, 4), material.friction, material.restitution));
+        lines.push_back(
+            fmt::format("material    {}density {}, k_n {}, k_s {} of a face of {} (K_n {}, K_s {}), friction {:.4g}, restitution {:.4g}",
+                        name.empty() ? "" : name + ": ", scaling::format_quantity(material.density),
+                        scaling::format_quantity(material.normal_stiffness, 4), scaling::format_quantity(material.shear_stiffness, 4),
+                        scaling::format_quantity(summary.stiffness_base), write_per_area(material.normal_stiffness, summary),
+                        write_per_area(material.shear_stiffness, summary), material.friction, material.restitution));
     }
+    for (const PairEntry& pair : summary.pairs) lines.push_back(describe_pair(pair, summary));
     const Ground& ground = summary.specimen.model.ground;
     lines.push_back(fmt::format("contact     {}; {}", summary.contact,
                                 ground.present ? fmt::format("ground with friction {:.4g}", ground.material.friction) : "no ground"));
@@ -107,13 +125,25 @@ void describe_run(const SceneSummary& summary, const std::optional<RunTimeEstima
 
 json to_list(const Vector3& v) { return json::array({v.x(), v.y(), v.z()}); }
 
-json to_json(const BlockMaterial& material) {
+json to_json(const BlockMaterial& material, double stiffness_base) {
     return {{"density_kg_m3", material.density.value()},
             {"normal_stiffness_n_m", material.normal_stiffness.value()},
             {"shear_stiffness_n_m", material.shear_stiffness.value()},
+            {"normal_stiffness_per_area_pa_m", material.normal_stiffness.value() / stiffness_base},
+            {"shear_stiffness_per_area_pa_m", material.shear_stiffness.value() / stiffness_base},
             {"friction", material.friction},
             {"restitution", material.restitution},
             {"shear_damping_ratio", material.shear_damping_ratio}};
+}
+
+json to_json(const PairEntry& pair, double stiffness_base) {
+    json object{{"of", pair.of}};
+    if (pair.normal_stiffness) object["normal_stiffness_per_area_pa_m"] = pair.normal_stiffness->value() / stiffness_base;
+    if (pair.shear_stiffness) object["shear_stiffness_per_area_pa_m"] = pair.shear_stiffness->value() / stiffness_base;
+    if (pair.friction) object["friction"] = *pair.friction;
+    if (pair.restitution) object["restitution"] = *pair.restitution;
+    if (pair.shear_damping_ratio) object["shear_damping_ratio"] = *pair.shear_damping_ratio;
+    return object;
 }
 
 json to_json(const MotionSummary& motion) {
@@ -200,7 +230,9 @@ json to_json(const SceneSummary& summary, const std::optional<RunTimeEstimate>& 
                                    {"fixed", kind.fixed}});
     }
     object["materials"] = json::object();
-    for (const auto& [name, material] : summary.materials) object["materials"][name] = to_json(material);
+    for (const auto& [name, material] : summary.materials) object["materials"][name] = to_json(material, summary.stiffness_base.value());
+    object["pairs"] = json::array();
+    for (const PairEntry& pair : summary.pairs) object["pairs"].push_back(to_json(pair, summary.stiffness_base.value()));
     object["motions"] = json::array();
     for (const MotionSummary& motion : summary.motions) object["motions"].push_back(to_json(motion));
     object["estimates"] = json::object();

@@ -10,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "lsdem/contact_law.hpp"
 #include "lsdem/scene/base_components.hpp"
 #include "lsdem/scene/detail/overlap.hpp"
 #include "lsdem/scene/detail/placement.hpp"
@@ -83,7 +84,41 @@ class ModelBuilder {
         model_.blocks.push_back(block);
     }
 
+    /// Adds pairs of materials that blocks have, and of those with a ground that has a friction of its own.
+    void add_pairs() {
+        for (const PairEntry& pair : scene_.pairs) {
+            const bool ground_first = pair.of[0] == kGroundName;
+            const std::optional<std::size_t> a = find_material(pair.of[ground_first ? 1 : 0]),
+                                             b = find_material(pair.of[ground_first ? 0 : 1]);
+            const bool on_ground = ground_first || pair.of[1] == kGroundName;
+            if (a && (b || on_ground)) add_pair(*a, b, pair);
+        }
+        if (!scene_.ground.friction || !scene_.ground.present) return;
+        for (std::size_t m = 0; m < model_.materials.size(); ++m) {
+            const auto is_known = [&](const MaterialPair& pair) { return pair.is_of(m, std::nullopt); };
+            if (std::none_of(model_.pairs.begin(), model_.pairs.end(), is_known)) add_pair(m, std::nullopt, {});
+        }
+    }
+
   private:
+    /// Index of a material that a pair names; nothing where no block has it, and for the ground.
+    std::optional<std::size_t> find_material(const std::string& name) const {
+        const auto found = materials_.find(name == kOwnMaterialName ? "" : name);
+        return found == materials_.end() ? std::nullopt : std::optional(found->second);
+    }
+
+    /// `second`: nothing for the ground.
+    void add_pair(std::size_t first, std::optional<std::size_t> second, const PairEntry& given) {
+        Material joint = find_joint(model_, first, second);
+        if (!second) joint.friction = scene_.ground.friction.value_or(joint.friction);
+        if (given.normal_stiffness) joint.normal_stiffness = given.normal_stiffness->value() / face_area_;
+        if (given.shear_stiffness) joint.shear_stiffness = given.shear_stiffness->value() / face_area_;
+        joint.friction = given.friction.value_or(joint.friction);
+        joint.restitution = given.restitution.value_or(joint.restitution);
+        joint.shear_damping_ratio = given.shear_damping_ratio.value_or(joint.shear_damping_ratio);
+        model_.pairs.push_back({first, second, joint});
+    }
+
     const BlockMaterial& material_of(const Placement& placement) const {
         return placement.material.empty() ? scene_.material : scene_.materials.at(placement.material);
     }
@@ -163,6 +198,7 @@ BuiltModel build_model(const Scene& scene) {
     model.ground.present = scene.ground.present;
     model.ground.material = make_material(scene.material, face_area);
     model.ground.material.friction = scene.ground.friction.value_or(scene.material.friction);
+    builder.add_pairs();
     model.ground.motion = make_base_components(scene.base_motion, scene.place() + ": /base_motion");
     model.gravity = detail::to_vector(scene.gravity);
     model.numerics.contact_nodes = scene.contact_nodes;

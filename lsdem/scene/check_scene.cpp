@@ -11,6 +11,7 @@
 #include "lsdem/scene/scene_error.hpp"
 #include "scaling/laws/law_similitude.hpp"
 #include "scaling/laws/scale_law_catalogue.hpp"
+#include "scaling/nearest_name.hpp"
 #include "scaling/quantity_text.hpp"
 
 namespace musim::lsdem {
@@ -72,11 +73,52 @@ void require_fields(const Part& part, const JsonPlace& place) {
     detail::for_each_field(part, [&](const auto& field, const auto& value) { require(value, field.range, place.at(field.key)); });
 }
 
+void check_restitution(double restitution, const JsonPlace& place) {
+    if (restitution > 0.0 && restitution <= 1.0) return;
+    fail(place, fmt::format("{} (a coefficient of restitution lies above 0 and is at most 1); correct the number", describe(restitution)));
+}
+
 void check(const BlockMaterial& material, const JsonPlace& place) {
     require_fields(material, place);
-    if (!(material.restitution > 0.0) || material.restitution > 1.0) {
-        fail(place.at("restitution"), fmt::format("{} (a coefficient of restitution lies above 0 and is at most 1); correct the number",
-                                                  describe(material.restitution)));
+    check_restitution(material.restitution, place.at("restitution"));
+}
+
+/// That a name of a pair means one material of the scene, or its ground.
+void check_pair_name(const std::string& name, const JsonPlace& place, const Scene& scene) {
+    const bool has_meaning = name == kOwnMaterialName || name == kGroundName;
+    if (has_meaning && scene.materials.contains(name)) {
+        fail(place, fmt::format("\"{}\" is {}, and a key of /materials as well; give that material another name", name,
+                                name == kGroundName ? "the plane" : "the scene's own material"));
+    }
+    if (name == kGroundName && !scene.ground.present) {
+        fail(place, "there is no ground to meet (/ground/present is false); leave the pair out");
+    }
+    if (has_meaning || scene.materials.contains(name)) return;
+    std::vector<std::string> known{kOwnMaterialName, kGroundName};
+    for (const auto& [key, unused] : scene.materials) known.push_back(key);
+    fail(place, fmt::format("\"{}\" is not among the scene's materials; {}", name, scaling::suggest_name(name, known)));
+}
+
+void check_pairs(const Scene& scene, const JsonPlace& place) {
+    for (std::size_t k = 0; k < scene.pairs.size(); ++k) {
+        const PairEntry& pair = scene.pairs[k];
+        for (std::size_t i = 0; i < 2; ++i) check_pair_name(pair.of[i], place.at(k).at("of").at(i), scene);
+        if (pair.of[0] == pair.of[1]) {
+            fail(place.at(k).at("of"),
+                 fmt::format("\"{}\" twice (a material meets its like with its own properties); name two", pair.of[0]));
+        }
+        require_fields(pair, place.at(k));
+        if (pair.restitution) check_restitution(*pair.restitution, place.at(k).at("restitution"));
+        PairEntry nothing;
+        nothing.of = pair.of;
+        if (pair == nothing) fail(place.at(k), "no property of the pair is given; give its \"friction\", or leave it out");
+        for (std::size_t before = 0; before < k; ++before) {
+            const auto& [a, b] = scene.pairs[before].of;
+            if ((a != pair.of[0] || b != pair.of[1]) && (a != pair.of[1] || b != pair.of[0])) continue;
+            fail(place.at(k).at("of"),
+                 fmt::format("\"{}\" and \"{}\" are a pair already, in {} (their order means nothing); keep one of the two", pair.of[0],
+                             pair.of[1], place.at(before).text));
+        }
     }
 }
 
@@ -227,14 +269,15 @@ scaling::Similitude make_similitude(const RecordScale& scale) {
 void check_scene(const Scene& scene, const std::string& origin) {
     const JsonPlace root{origin + ": /"};
     require(scene.gravity, Range::finite, root.at("gravity"));
-    check(scene.material, root.at("material"));
-    for (const auto& [name, material] : scene.materials) check(material, root.at("materials").at(name));
     std::visit([&](const auto& shape) { require_fields(shape, root.at("shape")); }, scene.shape);
     if (std::holds_alternative<SphereShape>(scene.shape) && !std::holds_alternative<BlockList>(scene.structure)) {
         fail(root.at("shape").at("kind"),
              "spheres cannot be stacked as a column, tower or wall; use \"box\", or a structure of kind \"blocks\"");
     }
     std::visit([&](const auto& structure) { check(structure, root.at("structure"), scene); }, scene.structure);
+    check(scene.material, root.at("material"));
+    for (const auto& [name, material] : scene.materials) check(material, root.at("materials").at(name));
+    check_pairs(scene, root.at("pairs"));
 
     check(scene.base_motion, root.at("base_motion"), scene);
     if (!scene.motions.empty()) check_motions(scene, root.at("motions"));

@@ -36,7 +36,7 @@ MeasuredMaterial parse_material_file(const detail::Json& root, const std::string
     for (const scaling::Length& edge : measured.reference_block) {
         if (!(edge.value() > 0.0)) object["block"].fail("an edge is not longer than zero; give b, w and H of the block");
     }
-    measured.material = detail::parse_material(object["material"]);
+    measured.material = detail::parse_material(object["material"], {measured.reference_block[0] * measured.reference_block[1]});
     return measured;
 }
 

@@ -1,6 +1,9 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "lsdem/scene/detail/scene_parts.hpp"
+#include "lsdem/scene/reference_block.hpp"
 #include "lsdem/scene/scene_json.hpp"
 
 namespace musim::lsdem {
@@ -102,6 +105,15 @@ void read_contact(const JsonReader& object, Scene& scene) {
     if (contact.has("spacing")) to_choice(contact["spacing"], {"even", "lobatto"});
 }
 
+/// Is there a block of a material that a pair names, or the ground that it names?
+bool meets(const Scene& scene, const std::string& name) {
+    if (name == kGroundName) return scene.ground.present;
+    const auto* list = std::get_if<BlockList>(&scene.structure);
+    if (list == nullptr) return name == kOwnMaterialName;
+    return std::any_of(list->blocks.begin(), list->blocks.end(),
+                       [&](const BlockEntry& block) { return block.material == (name == kOwnMaterialName ? "" : name); });
+}
+
 /// Says which settings of a scene change nothing, and which name is an old one.
 void remark_settings(const JsonReader& object, Scene& scene) {
     const auto remark = [&](const JsonReader& at, const char* why) {
@@ -115,6 +127,15 @@ void remark_settings(const JsonReader& object, Scene& scene) {
     if (object.has("preparation") && object["preparation"].json().is_object() &&
         object["preparation"].json().value("placing", nlohmann::json()) == kOldMassScaledName) {
         remark(object["preparation"]["placing"], "\"quick_layers\" is an old name of \"layers_mass_scaled\"; write \"layers_mass_scaled\"");
+    }
+    if (scene.ground.friction && !scene.ground.present) {
+        remark(object["ground"]["friction"], "there is no ground (\"present\": false), so it changes nothing");
+    }
+    for (std::size_t k = 0; k < scene.pairs.size(); ++k) {
+        for (const std::string& name : scene.pairs[k].of) {
+            if (!meets(scene, name))
+                remark(object["pairs"].entries()[k], fmt::format("nothing is of \"{}\", so it changes nothing", name).c_str());
+        }
     }
     if (!object.has("contact")) return;
     const JsonReader contact = object["contact"];
@@ -138,12 +159,25 @@ void drop_idle_settings(Scene& scene) {
 }
 
 /// Adds the presets that block entries name to the scene's materials; refuses names that are neither.
-void collect_materials(const JsonReader& object, Scene& scene) {
+void collect_materials(const JsonReader& object, const detail::StiffnessBase& base, Scene& scene) {
     if (!std::holds_alternative<BlockList>(scene.structure)) return;
     for (const JsonReader& block : object["structure"]["blocks"].entries()) {
         const std::string name = block.find<std::string>("material").value_or("");
-        if (!name.empty() && !scene.materials.contains(name)) scene.materials.emplace(name, parse_material(block["material"]));
+        if (!name.empty() && !scene.materials.contains(name)) scene.materials.emplace(name, parse_material(block["material"], base));
     }
+}
+
+/// Materials and pairs of a scene whose structure is read.
+void read_materials(const JsonReader& object, Scene& scene) {
+    const detail::StiffnessBase base{reference_area(scene), has_several_bases(scene)};
+    scene.material = parse_material(object["material"], base);
+    if (object.has("materials")) {
+        const JsonReader materials = object["materials"];
+        if (!materials.json().is_object()) materials.fail("an object of named materials is wanted; correct the value");
+        for (const auto& [name, unused] : materials.json().items()) scene.materials.emplace(name, parse_material(materials.at(name), base));
+    }
+    collect_materials(object, base, scene);
+    if (object.has("pairs")) scene.pairs = detail::parse_pairs(object["pairs"], base);
 }
 
 }  // namespace
@@ -162,16 +196,11 @@ Scene parse_scene(std::string_view json_text, const std::filesystem::path& origi
     object.read("name", scene.name);
     read_accuracy(object, scene);
     read_gravity(object, scene.gravity);
-    scene.material = parse_material(object["material"]);
-    if (object.has("materials")) {
-        const JsonReader materials = object["materials"];
-        if (!materials.json().is_object()) materials.fail("an object of named materials is wanted; correct the value");
-        for (const auto& [name, unused] : materials.json().items()) scene.materials.emplace(name, parse_material(materials.at(name)));
-    }
+    object["material"];  // missing keys are named in the order of the schema, though a material is read after its structure
     if (object.has("shape")) scene.shape = detail::parse_shape(object["shape"]);
     const bool needs_size = !std::holds_alternative<SphereShape>(scene.shape);
     scene.structure = detail::parse_structure(object["structure"], origin, needs_size);
-    collect_materials(object, scene);
+    read_materials(object, scene);
     if (object.has("base_motion")) scene.base_motion = detail::parse_base_motion(object["base_motion"], origin);
     if (object.has("motions")) scene.motions = detail::parse_motions(object["motions"], origin);
     if (object.has("ground")) detail::read_fields(to_object(object["ground"], "ground"), scene.ground);

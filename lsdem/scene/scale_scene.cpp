@@ -35,6 +35,10 @@ class Scaler {
         scale_part<BlockMaterial>(material);
         material.friction *= similitude_.friction();
     }
+    void scale_part(PairEntry& pair) const {
+        scale_part<PairEntry>(pair);
+        if (pair.friction) *pair.friction *= similitude_.friction();
+    }
     void scale_part(BlockList& list) const {
         for (BlockEntry& block : list.blocks) {
             scale(block.size);
@@ -60,6 +64,7 @@ Scene scale_scene(const Scene& scene, const scaling::Similitude& similitude) {
     for (scaling::Acceleration& component : scaled.gravity) component *= similitude.gravity();
     scaler.scale_part(scaled.material);
     for (auto& [name, material] : scaled.materials) scaler.scale_part(material);
+    for (PairEntry& pair : scaled.pairs) scaler.scale_part(pair);
     std::visit([&](auto& shape) { scaler.scale_part(shape); }, scaled.shape);
     std::visit([&](auto& structure) { scaler.scale_part(structure); }, scaled.structure);
     scaler.scale(scaled.base_motion);

@@ -221,7 +221,7 @@ struct MotionEntry {
 /// The plane z = 0.
 struct GroundSettings {
     bool present = true;
-    std::optional<double> friction;  ///< μ against the blocks; default: that of Scene::material [-]
+    std::optional<double> friction;  ///< μ of every block on it, whatever theirs; default: the smaller of theirs and Scene::material's [-]
 
     bool operator==(const GroundSettings&) const = default;
 };
@@ -241,6 +241,22 @@ struct OutputSettings {
     bool operator==(const OutputSettings&) const = default;
 };
 
+/// How a pair of materials names the scene's own, and the plane.
+inline constexpr const char* kOwnMaterialName = "material";
+inline constexpr const char* kGroundName = "ground";
+
+/// What blocks of two materials, or of one and the ground, have together where it does not follow from the two (combine()).
+struct PairEntry {
+    std::array<std::string, 2> of;                       ///< keys of Scene::materials, kOwnMaterialName, kGroundName
+    std::optional<scaling::Stiffness> normal_stiffness;  ///< k_n of the interface over the base of the structure's block
+    std::optional<scaling::Stiffness> shear_stiffness;   ///< k_s likewise
+    std::optional<double> friction;                      ///< Coulomb coefficient μ [-]
+    std::optional<double> restitution;                   ///< in (0, 1] [-]
+    std::optional<double> shear_damping_ratio;           ///< ζ_s [-]
+
+    bool operator==(const PairEntry&) const = default;
+};
+
 /// How a scene names the ways in which boxes meet, in the order of FaceContact.
 const std::vector<std::string>& face_contact_names();
 
@@ -258,6 +274,7 @@ struct Scene {
     Triple<scaling::Acceleration> gravity{0.0 * scaling::kStandardGravity, 0.0 * scaling::kStandardGravity, -scaling::kStandardGravity};
     BlockMaterial material;                          ///< of the ground, and of blocks that name no other
     std::map<std::string, BlockMaterial> materials;  ///< further ones, for entries of a BlockList
+    std::vector<PairEntry> pairs;                    ///< of materials that meet in a way of their own
     ShapeSettings shape;
     Structure structure;
     SceneMotion base_motion;

@@ -61,6 +61,7 @@ class SceneWriter {
             if (scene.preparation->specimen) preparation["specimen"] = scene.preparation->specimen->string();
             root["preparation"] = preparation;
         }
+        for (const PairEntry& pair : scene.pairs) root["pairs"].push_back(write_part(pair, ordered_json{{"of", pair.of}}));
         if (scene.accuracy) root["accuracy"] = to_string(*scene.accuracy);
         return root;
     }

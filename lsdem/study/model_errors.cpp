@@ -12,6 +12,7 @@ constexpr double kToleranceUnit = 1e-3;
 template <class Property>
 void multiply_in_materials(Model& model, Property Material::*property, double factor) {
     for (Material& material : model.materials) material.*property *= factor;
+    for (MaterialPair& pair : model.pairs) pair.joint.*property *= factor;
     model.ground.material.*property *= factor;
 }
 

@@ -35,18 +35,31 @@ TEST_CASE("restitution and damping ratio are inverse to each other") {
 
 TEST_CASE("an interface combines two materials") {
     const Material soft{1e9, 8e8, 0.3, 0.5, 0.0}, hard{3e9, 2e9, 0.6, 0.9, 0.1};
-    const Interface law = make_interface(soft, hard, 2.0, 0.5);
+    const Interface law = make_interface(combine(soft, hard), 2.0, 0.5);
     CHECK(law.normal_stiffness == relative(1.5e9, 1e-9));  // 2·1·3/(1 + 3)
     CHECK(law.shear_stiffness == relative(2.0 * 0.8 * 2.0 / 2.8 * 1e9, 1e-9));
     CHECK(law.friction == 0.3);
     // C_n·A = 2ζ sqrt(m_eff K A), with the restitution of the less elastic
     CHECK(law.normal_damping * 0.5 == relative(2.0 * compute_damping_ratio(0.5) * std::sqrt(2.0 * 1.5e9 * 0.5), 1e-9));
     CHECK(law.shear_damping * 0.5 == relative(2.0 * 0.1 * std::sqrt(2.0 * law.shear_stiffness * 0.5), 1e-9));
-    const Interface mirrored = make_interface(hard, soft, 2.0, 0.5);
+    const Interface mirrored = make_interface(combine(hard, soft), 2.0, 0.5);
     CHECK(mirrored.normal_stiffness == law.normal_stiffness);
-    CHECK(make_interface(soft, soft, 1.0, 1.0).normal_stiffness == soft.normal_stiffness);
+    CHECK(combine(soft, soft).normal_stiffness == soft.normal_stiffness);
     const Interface half = scaled(law, 0.5);
     CHECK(half.normal_stiffness == 0.5 * law.normal_stiffness);
     CHECK(half.shear_damping == 0.5 * law.shear_damping);
     CHECK(half.friction == law.friction);
+}
+
+TEST_CASE("a pair in the table meets as it says, in either order, and others as they combine") {
+    Model model;
+    model.materials = {{1e9, 8e8, 0.3, 0.5, 0.0}, {3e9, 2e9, 0.6, 0.9, 0.1}};
+    model.ground.material = model.materials[0];
+    const Material glued{5e9, 4e9, 0.9, 0.2, 0.0}, on_ground{1e9, 8e8, 0.7, 0.5, 0.0};
+    model.pairs = {{0, 1, glued}, {1, std::nullopt, on_ground}};
+    CHECK(find_joint(model, 0, 1).friction == 0.9);
+    CHECK(find_joint(model, 1, 0).normal_stiffness == 5e9);
+    CHECK(find_joint(model, 1, std::nullopt).friction == 0.7);
+    CHECK(find_joint(model, 0, std::nullopt).friction == 0.3);
+    CHECK(find_joint(model, 1, 1).friction == 0.6);
 }

@@ -45,7 +45,7 @@ GridCollision make_plate_collision(double friction, double restitution, double s
     add_shape(c.model, make_sphere_shape(r, 400, kImpactVoxel));
     add_block(c.model, 0, mass, {0.013 * r, 0.021 * r, r - sphere_shrinkage(r, kImpactVoxel)}, skew_orientation());
     add_plate(c.model, -r, r, 2.0 * r, kSpacing, kImpactVoxel);
-    const Interface law = make_interface(c.model.materials[0], c.model.materials[0], mass, c.model.shapes[0].face_area);
+    const Interface law = make_interface(c.model.materials[0], mass, c.model.shapes[0].face_area);
     c.bed = {mass, r, law.normal_stiffness, law.normal_damping, speed};
     c.model.blocks[0].velocity.z() = -speed;
     return c;
@@ -64,7 +64,7 @@ GridCollision make_sphere_collision(double ratio, double friction, double restit
     add_block(c.model, 0, m0, (r0 + r1 - sphere_shrinkage(r0, kImpactVoxel)) * c.normal);
     add_block(c.model, 1, m1, Vector3::Zero());
     const double face = std::min(c.model.shapes[0].face_area, c.model.shapes[1].face_area);
-    const Interface law = make_interface(c.model.materials[0], c.model.materials[0], mass, face);
+    const Interface law = make_interface(c.model.materials[0], mass, face);
     c.bed = {mass, radius, law.normal_stiffness, law.normal_damping, speed};
     c.model.blocks[0].velocity = -speed * c.normal;
     return c;
@@ -147,7 +147,7 @@ TEST_CASE("a damped sphere loses what the dashpots of the bed take") {
         const Rebound r = collide_grids(c);
         const double expected = c.bed.restitution(), loss = 1.0 - expected;
         // the loss to the accuracy of the bed; a dashpot that lags by half a step, of its share of the force, as of a block
-        const Interface law = make_interface(c.model.materials[0], c.model.materials[0], c.bed.mass, c.model.shapes[0].face_area);
+        const Interface law = make_interface(c.model.materials[0], c.bed.mass, c.model.shapes[0].face_area);
         const double share = law.normal_damping * v / (law.normal_stiffness * c.bed.depth());
         CHECK(std::abs(r.restitution - expected) < within * loss + share * kPi / (2.0 * kSteps));
     };

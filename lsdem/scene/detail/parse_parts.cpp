@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "lsdem/scene/detail/scene_parts.hpp"
 #include "scaling/laws/scale_law_catalogue.hpp"
 
@@ -9,13 +11,38 @@ namespace {
 using scaling::JsonReader;
 
 /// find_material_preset, with the place in front of its message.
-const BlockMaterial& find_preset(const JsonReader& value) {
+const MaterialPreset& find_preset(const JsonReader& value) {
     const std::string name = value.text();
     try {
-        return find_material_preset(name).material;
+        return find_material_preset(name);
     } catch (const SceneError& error) {
         value.fail(error.what());
     }
+}
+
+/// A preset with the stiffnesses of the base.
+BlockMaterial parse_preset(const JsonReader& value, const StiffnessBase& base) {
+    const MaterialPreset& preset = find_preset(value);
+    BlockMaterial material = preset.material;
+    if (base.presets_keep_own) {
+        const double ratio = base.area / (preset.reference_block[0] * preset.reference_block[1]);
+        material.normal_stiffness *= ratio;
+        material.shear_stiffness *= ratio;
+    }
+    return material;
+}
+
+/// Reads what a stiffness per area is over the base, where there is one.
+template <class Value>
+void read_per_area(const JsonReader& object, const std::string& key, const StiffnessBase& base, Value& stiffness) {
+    const std::string per_area = key + "_per_area";
+    if (!object.has(per_area)) return;
+    const JsonReader value = object[per_area];
+    if (object.has(key)) value.fail(fmt::format("\"{}\" is given as well (either says how stiff it is); leave one of the two out", key));
+    const auto given = value.quantity<scaling::StiffnessPerArea>();
+    if (!(given.value() > 0.0) || !std::isfinite(given.value()))
+        value.fail(fmt::format("{:.6g} Pa/m (must be positive); correct the value", given.value()));
+    stiffness = scaling::Stiffness::from_value(given.value() * base.area.value());
 }
 
 BlockEntry parse_block(const JsonReader& value, bool needs_size) {
@@ -110,13 +137,34 @@ void read_value(const JsonReader& json, std::array<scaling::Time, 2>& window) {
     window = {times[0].quantity<scaling::Time>(), times[1].quantity<scaling::Time>()};
 }
 
-BlockMaterial parse_material(const JsonReader& value) {
-    if (value.json().is_string()) return find_preset(value);
+BlockMaterial parse_material(const JsonReader& value, const StiffnessBase& base) {
+    if (value.json().is_string()) return parse_preset(value, base);
     const JsonReader object = to_object(value, "material");
     const bool has_preset = object.has("preset");
-    BlockMaterial material = has_preset ? find_preset(object["preset"]) : BlockMaterial{};
+    BlockMaterial material = has_preset ? parse_preset(object["preset"], base) : BlockMaterial{};
     read_fields(object, material, !has_preset);
+    read_per_area(object, "normal_stiffness", base, material.normal_stiffness);
+    read_per_area(object, "shear_stiffness", base, material.shear_stiffness);
+    for (const char* key : {"normal_stiffness", "shear_stiffness"}) {
+        if (!has_preset && !object.has(std::string(key) + "_per_area")) object[key];  // which says what is missing
+    }
     return material;
+}
+
+std::vector<PairEntry> parse_pairs(const JsonReader& list, const StiffnessBase& base) {
+    if (!list.json().is_array()) list.fail("a list [ ... ] of pairs is wanted; correct the value");
+    std::vector<PairEntry> pairs;
+    for (const JsonReader& value : list.entries()) {
+        const JsonReader object = to_object(value, "pair");
+        const JsonReader names = object["of"];
+        if (!names.json().is_array() || names.json().size() != 2) names.fail("two names of materials are wanted; correct the list");
+        PairEntry& pair = pairs.emplace_back();
+        for (std::size_t k = 0; k < 2; ++k) pair.of[k] = names.entries()[k].text();
+        read_fields(object, pair);
+        read_per_area(object, "normal_stiffness", base, pair.normal_stiffness);
+        read_per_area(object, "shear_stiffness", base, pair.shear_stiffness);
+    }
+    return pairs;
 }
 
 ShapeSettings parse_shape(const JsonReader& value) {

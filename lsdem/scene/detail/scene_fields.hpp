@@ -37,11 +37,20 @@ inline constexpr auto kFields = std::tuple{};
 template <>
 inline constexpr auto kFields<BlockMaterial> = std::tuple{
     Field{"density", &BlockMaterial::density, Range::positive, kRequired},
-    Field{"normal_stiffness", &BlockMaterial::normal_stiffness, Range::positive, kRequired},
-    Field{"shear_stiffness", &BlockMaterial::shear_stiffness, Range::positive, kRequired},
+    Field{"normal_stiffness", &BlockMaterial::normal_stiffness, Range::positive},
+    Field{"shear_stiffness", &BlockMaterial::shear_stiffness, Range::positive},
     Field{"friction", &BlockMaterial::friction, Range::not_negative, kRequired},
     Field{"restitution", &BlockMaterial::restitution, Range::any, kRequired},
     Field{"shear_damping_ratio", &BlockMaterial::shear_damping_ratio, Range::not_negative},
+};
+/// Behind its two names.
+template <>
+inline constexpr auto kFields<PairEntry> = std::tuple{
+    Field{"normal_stiffness", &PairEntry::normal_stiffness, Range::positive},
+    Field{"shear_stiffness", &PairEntry::shear_stiffness, Range::positive},
+    Field{"friction", &PairEntry::friction, Range::not_negative},
+    Field{"restitution", &PairEntry::restitution},
+    Field{"shear_damping_ratio", &PairEntry::shear_damping_ratio, Range::not_negative},
 };
 template <>
 inline constexpr auto kFields<BoxShape> = std::tuple{Field{"nodes_per_face", &BoxShape::nodes_per_face, Range::four_or_more}};

@@ -11,8 +11,16 @@
 /// Parts of a scene from and to JSON. Those that read throw SceneError; files that a part names stand beside `origin`.
 namespace musim::lsdem::detail {
 
-/// "material": the name of a preset, or its properties.
-BlockMaterial parse_material(const scaling::JsonReader& value);
+/// The block whose base has the stiffnesses of a scene.
+struct StiffnessBase {
+    scaling::Area area{};           ///< of that base
+    bool presets_keep_own = false;  ///< do stiffnesses of a preset belong to the base of its own block, and per area stay what they are?
+};
+
+/// "material": the name of a preset, or its properties. Stiffnesses per area become those of the base.
+BlockMaterial parse_material(const scaling::JsonReader& value, const StiffnessBase& base);
+/// "pairs", of materials.
+std::vector<PairEntry> parse_pairs(const scaling::JsonReader& list, const StiffnessBase& base);
 /// "shape".
 ShapeSettings parse_shape(const scaling::JsonReader& value);
 /// "structure". `needs_size`: blocks say their size, as all but spheres do.

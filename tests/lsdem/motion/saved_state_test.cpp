@@ -207,6 +207,9 @@ TEST_CASE("a state of another model is refused, down to the last bit of any numb
         [&](Model& m) { m.blocks.pop_back(); },
         [&](Model& m) { up(m.materials[0].friction); },
         [&](Model& m) { up(m.ground.material.restitution); },
+        [&](Model& m) {
+            m.pairs.push_back({0, {}, m.ground.material});
+        },
         [&](Model& m) { m.ground.present = false; },
         [&](Model& m) { up(m.ground.motion[0].velocity[0]); },
         [&](Model& m) { up(m.ground.motion[1].start); },

@@ -79,6 +79,11 @@ TEST_CASE("estimates are in standard g, for vertical gravity alone, and take the
         if (each.key == "sliding") CHECK(each.text == "0.5 g");
         if (each.key == "rocking_thin") CHECK(each.text == "1.6 g");
     }
+    // blocks on the ground alone have its friction, be it larger than theirs
+    nlohmann::json single = scene;
+    single["structure"]["layers"] = 1;
+    single["ground"] = {{"friction", 0.9}};
+    CHECK(estimate(summarize_scene(parse_scene(single.dump(), kExamples / "column.json")), "sliding") == 0.9);
     scene["gravity"] = {"1 m/s^2", "0 m/s^2", "-9.81 m/s^2"};
     CHECK(summarize_scene(parse_scene(scene.dump(), kExamples / "column.json")).estimates.empty());
 }
