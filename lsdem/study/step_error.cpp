@@ -40,15 +40,14 @@ StepError estimate_step_error(const Scene& scene, Specimen specimen, const RunRe
 std::string describe(const StepError& error) {
     if (error.status == RunStatus::diverged) return "At half the time step the run diverged: its step is no measure of its error.";
     std::string text = fmt::format("At half the time step velocities agree to {} ", format_percent(kPartingLevel));
-    if (error.parting_time) {
-        text += fmt::format("up to {:.3g} s, and to {} up to {}", *error.parting_time, format_percent(error.largest),
-                            error.has_twins ? fmt::format("the horizon ({:.3g} s)", error.horizon) : "the end");
-    } else {
-        text += "to the end";
-    }
+    text += error.parting_time ? fmt::format("up to {:.3g} s", *error.parting_time) : "to the end";
+    const bool to_horizon = error.parting_time && error.has_twins && *error.parting_time < error.horizon;
+    if (to_horizon) text += fmt::format(", and to {} up to {:.3g} s", format_percent(error.largest), error.horizon);
     const QuantityCheck* const peak = find_top(error.quantities, "peak_velocity");
     if (peak != nullptr) text += fmt::format("; the peak velocity of the top changes by {}", format_percent(peak->difference));
-    return text + (error.has_twins ? ": the error of the step, which twins share." : ": the error of the step.");
+    if (error.has_twins) return text + ": the error of the step, which twins share.";
+    return text + (error.parting_time ? ": the error of the step, and late in the run chance; `musim pair` says from when."
+                                      : ": the error of the step.");
 }
 
 }  // namespace musim::lsdem
