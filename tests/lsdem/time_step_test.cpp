@@ -71,6 +71,19 @@ TEST_CASE("the limit scales with the square root of mass over stiffness and is a
     CHECK_THROWS_AS(compute_critical_time_step(limp), std::invalid_argument);
 }
 
+TEST_CASE("a pair of materials that is stiffer than either counts") {
+    Model model = make_resting_column(undamped(wood()), 5, true);
+    const double limit = compute_critical_time_step(model);
+    model.materials.push_back(model.materials[0]);
+    model.blocks[2].material = 1;
+    CHECK(compute_critical_time_step(model) == limit);
+    Material joint = model.materials[0];
+    joint.normal_stiffness *= 4.0;
+    joint.shear_stiffness *= 4.0;
+    model.pairs.push_back({0, 1, joint});
+    CHECK(compute_critical_time_step(model) == relative(0.5 * limit, 1e-12));
+}
+
 TEST_CASE("a column is stable just below the chain limit and unstable just above it") {
     Model model = make_resting_column(undamped(wood()), 20, true);
     for (std::size_t i = 0; i < 20; ++i) model.blocks[i].velocity.z() = (i % 2 == 0 ? 1e-6 : -1e-6);
