@@ -78,7 +78,11 @@ void print_summary(const lsdem::EnsembleSummary& summary, const std::vector<lsde
           summary.count(MemberStatus::diverged), summary.count(MemberStatus::unsettled), summary.count(MemberStatus::failed));
     for (const lsdem::MemberResult& member : summary.members) {
         print("  {}  seed {:<6} {}", member.name, member.seed, lsdem::to_string(member.status));
-        if (member.collapse_time) print(" at {:.4g} s", *member.collapse_time);
+        if (member.collapse_time && *member.collapse_time <= 0.0) {
+            print(" while it was prepared");
+        } else if (member.collapse_time) {
+            print(" at {:.4g} s", *member.collapse_time);
+        }
         print("\n");
     }
     if (summary.levels.empty()) return;

@@ -51,7 +51,11 @@ void print_losses(const lsdem::Damage& damage) {
 void print_response(const lsdem::Response& r) {
     print("{}: motion along {}, {}\n", lsdem::to_string(r.status), lsdem::axis_name(r.axis),
           lsdem::describe_pga(r.pga[r.axis], r.source_pga[static_cast<std::size_t>(r.axis)]));
-    if (r.collapse_time) print("  collapsed at {:.4g} s\n", *r.collapse_time);
+    if (r.collapsed_before) {
+        print("  collapsed while it was prepared; the motion was not run\n");
+    } else if (r.collapse_time) {
+        print("  collapsed at {:.4g} s\n", *r.collapse_time);
+    }
     if (r.failure) print("  {}\n", lsdem::describe(*r.failure));
     print("  elastic speed H sqrt(k/m) {:.5g} m/s, sqrt(mu g l) {:.5g} m/s\n", r.scales.elastic_speed, r.scales.sliding_speed());
     for (const lsdem::SpeedEstimate& e : r.speeds) {
@@ -66,9 +70,9 @@ void print_response(const lsdem::Response& r) {
     print("\n  spine: {:>5} {:>14} {:>14} {:>14} {:>19} {:>19}\n", "level", "residual " + axis + " [mm]", "peak " + axis + " [mm]",
           "peak v [m/s]", "in plane [deg]", "vertical [deg]");
     for (const lsdem::SpineLevel& l : r.spine) {
-        print("         {:>5} {:>14.4g} {:>14.4g} {:>14.4g} {:>9.3g} {:>9.3g} {:>9.3g} {:>9.3g}\n", l.level,
+        print("         {:>5} {:>14.4g} {:>14.4g} {:>14.4g} {:>9.3g} {:>9.3g} {:>9.3g} {:>9.3g}  {}\n", l.level,
               1e3 * l.residual_displacement[r.axis], 1e3 * l.peak_displacement[r.axis], l.peak_velocity[r.axis], l.in_plane_peak / kDegree,
-              l.in_plane_residual / kDegree, l.vertical_peak / kDegree, l.vertical_residual / kDegree);
+              l.in_plane_residual / kDegree, l.vertical_peak / kDegree, l.vertical_residual / kDegree, l.name);
     }
     print("  (rotations: peak and residual)\n");
     const lsdem::Damage& d = r.damage;

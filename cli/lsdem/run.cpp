@@ -55,12 +55,12 @@ void print_run(const lsdem::Scene& scene, const CarriedOut& done) {
     print("{}: {}\n", scene.name, lsdem::to_string(run.status));
     const lsdem::Outcome outcome = lsdem::find_outcome(run);
     for (const std::string& line : lsdem::describe(outcome)) print("  {}\n", line);
-    if (const auto similitude = find_similitude(scene)) {
+    if (const auto similitude = find_similitude(scene); similitude && outcome.shaken) {
         print("  as in the prototype, of which this is a model at 1:{:.6g} by law {}:\n", 1.0 / similitude->length(),
               similitude->law_name());
         for (const std::string& line : lsdem::describe(lsdem::scale_back(outcome, *similitude))) print("    {}\n", line);
     }
-    if (run.collapse_time) print("  collapsed at {:.4g} s\n", *run.collapse_time);
+    if (run.collapse_time && outcome.shaken) print("  collapsed at {:.4g} s\n", *run.collapse_time);
     if (const auto failure = lsdem::find_failure(run)) print("  {}\n", lsdem::describe(*failure));
     print("  {:.6g} s simulated in {:.2f} s, {} steps of {:.3g} s; energy balance closes to {:.2g}; state {}\n", run.final.time,
           run.wall_time, run.steps, run.time_step, run.energy_closure, run.state_hash);
@@ -137,7 +137,7 @@ CarriedOut run_or_resume(Begin begin, const RunOptions& options, const lsdem::Ru
     const lsdem::Specimen specimen = lsdem::make_specimen(begin.scene, settings, from ? &*from : nullptr);
     const double share = 1.0 / count_runs(options);
     CarriedOut done{lsdem::run_specimen(begin.scene, specimen, std::move(from), part_of(settings, 0.0, share)), std::nullopt};
-    if (options.half_step && done.run.status != lsdem::RunStatus::diverged) {
+    if (options.half_step && done.run.status != lsdem::RunStatus::diverged && !done.run.collapsed_before()) {
         done.step_error = lsdem::estimate_step_error(begin.scene, specimen, done.run, part_of(settings, share, 1.0));
     }
     return done;

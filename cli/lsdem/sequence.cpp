@@ -65,7 +65,9 @@ void print_sequence(const lsdem::SequenceSummary& summary) {
     for (const lsdem::StageSummary& stage : summary.stages) {
         if (!stage.pga.empty()) print("  {} {}\n", stage.where.folder, stage.pga);
     }
-    if (const auto time = summary.collapse_time()) {
+    if (summary.stages.front().collapsed_before) {
+        print("  collapsed while it was prepared; no motion was run\n");
+    } else if (const auto time = summary.collapse_time()) {
         const lsdem::StageSummary& last = summary.stages.back();
         print("  collapsed {:.4g} s after the start of {}{}, {:.4g} s of shaking in all\n", *last.collapse_time, last.where.folder,
               *last.collapse_time > last.duration ? " (while it came to rest after the motion)" : "", *time);

@@ -13,6 +13,7 @@
 #include "cli/output.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/report.hpp"
+#include "lsdem/results/run_warnings.hpp"
 #include "lsdem/scene/scene_json.hpp"
 #include "lsdem/study/compare_specimens.hpp"
 #include "scaling/angle.hpp"
@@ -113,6 +114,13 @@ int compare_specimens(const SpecimenOptions& options) {
     return kDone;
 }
 
+/// Why there is no file of a specimen.
+void report_missing(const std::string& scene, const lsdem::SpecimenReport& report) {
+    const lsdem::Rest& rest = report.prepared.rest;
+    note("musim: error: {}: seed {}: no specimen was written: {}\n", scene, report.seed,
+         rest.collapsed ? "it does not stand as drawn (see the warning)" : lsdem::describe_unrest(rest));
+}
+
 int run_specimen(const SpecimenOptions& options) {
     if (!options.compare.empty()) return compare_specimens(options);
     lsdem::SpecimenBatch batch = begin_batch(options.out, options.threads, options.checkpoint_interval);
@@ -132,10 +140,11 @@ int run_specimen(const SpecimenOptions& options) {
         reports = lsdem::make_specimens(batch);
     }
     nlohmann::json list = nlohmann::json::array();
-    bool all_at_rest = true;
+    bool all_stand = true;
     for (const lsdem::SpecimenReport& report : reports) {
         warn_of_fallen(report);
-        all_at_rest = all_at_rest && (report.reused || report.prepared.rest.at_rest);
+        all_stand = all_stand && report.stands();
+        if (!report.stands()) report_missing(options.scene, report);
         if (options.json) {
             list.push_back(describe(report));
         } else {
@@ -143,12 +152,7 @@ int run_specimen(const SpecimenOptions& options) {
         }
     }
     if (options.json) print_json({{"specimens", list}});
-    if (all_at_rest) return kDone;
-    note(
-        "musim: error: {}: a specimen did not come to rest, and no file was written for it (it toppled, or the damping rate is too small); "
-        "look at it with musim run, or change preparation.damping_rate\n",
-        options.scene);
-    return kNumericalFailure;
+    return all_stand ? kDone : kNumericalFailure;
 }
 
 }  // namespace
@@ -183,7 +187,7 @@ void add_specimen_command(CLI::App& app, Action& action) {
         "  musim specimen --compare layers.json quick.json\n"
         "A scene uses one with \"preparation\": {\"specimen\": \"specimens/specimen-0123456789abcdef.h5\"}, at any scale.\n"
         "A preparation that was killed goes on from its last checkpoint when the same command is given again.\n"
-        "Exit code 4: a specimen did not come to rest.");
+        "Exit code 4: a specimen did not come to rest, or fell while it was prepared.");
     command->callback([&action, options] {
         if (options->compare.empty() && options->scene.empty()) throw CLI::RequiredError("scene (or --compare)");
         action = [options] { return run_again([&] { return run_specimen(*options); }, options->out); };

@@ -17,8 +17,7 @@ lsdem::SpecimenBatch begin_batch(const std::string& folder, int threads, double 
 
 void warn_of_fallen(const lsdem::SpecimenReport& report) {
     if (report.fallen == 0) return;
-    note("musim: warning: {}: {} of {} blocks fell from their layers while it was prepared; take another seed, or another --placing\n",
-         report.file.string(), report.fallen, report.blocks);
+    note("musim: warning: {}: {}; take another seed, or another --placing\n", report.file.string(), report.what_fell);
 }
 
 }  // namespace musim::cli

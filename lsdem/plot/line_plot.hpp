@@ -39,11 +39,13 @@ struct LinePlot {
 /// For values of the levels of a structure, written upward.
 LinePlot make_level_plot(const std::string& title, const std::string& subtitle, const std::string& x_label);
 
-/// A dot per level: of each of `levels`, which have a number `level`, what `value` makes of it.
+/// A dot per level: of each of `levels`, which have a number `level`, what `value` makes of it; joined by a line where no level comes twice
+/// or out of order, as of blocks side by side.
 template <class Levels, class Value>
 PlotSeries make_level_series(const std::string& label, const Levels& levels, const Value& value) {
     PlotSeries series{.label = label, .marks = true};
     for (const auto& level : levels) {
+        if (!series.y.empty() && !(level.level > series.y.back())) series.line = false;
         series.x.push_back(value(level));
         series.y.push_back(level.level);
     }

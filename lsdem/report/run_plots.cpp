@@ -128,20 +128,22 @@ std::optional<ReportFigure> make_spine_figure(const std::vector<ReportedRun>& ru
     const ReportedRun& first = runs.front();
     if (first.run.spine.size() == 0 || first.run.history.samples() < 2) return std::nullopt;
     const int axis = find_strongest_axis(first.run.history);
+    const std::string rows_of = first.run.blocks.is_listed() ? "one row per block" : "one row per level";
     StackedPlot plot{.title = fmt::format("Velocity of the spine along {}", axis_name(axis)),
                      .subtitle = describe_runs(runs),
                      .x_label = "t [s]",
-                     .y_label = "v [cm/s], one row per level"};
+                     .y_label = "v [cm/s], " + rows_of};
     SpineUnits units{.axis = axis, .velocity = 1e2};
     const double sliding = first.response ? first.response->scales.sliding_speed() : 0.0;
     if (are_of_several_scales(runs) && sliding > 0.0) {
         plot.x_label = "t √(μ g / l)";
-        plot.y_label = "v / √(μ g l), one row per level";
+        plot.y_label = "v / √(μ g l), " + rows_of;
         units.time = sliding / first.response->scales.height;
         units.velocity = 1.0 / sliding;
     }
     const std::vector<std::size_t> rows = choose_rows(first.run.spine.size());
-    for (const std::size_t row : rows) plot.row_labels.push_back(fmt::format("level {}", first.run.spine.level[row]));
+    const std::vector<std::string> labels = label_spine(first.run);
+    for (const std::size_t row : rows) plot.row_labels.push_back(labels[row]);
     for (const ReportedRun& run : runs) {
         if (run.run.spine.size() == first.run.spine.size()) plot.runs.push_back(make_spine_curves(run.label, run.run, units, rows));
     }

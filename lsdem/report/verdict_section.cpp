@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "lsdem/report/json_parts.hpp"
-#include "lsdem/results/fallen_blocks.hpp"
 #include "scaling/angle.hpp"
 #include "scaling/quantity_text.hpp"
 
@@ -86,6 +85,9 @@ Statement make_run_headline(const ReportedRun& run) {
     const nlohmann::json outcome = find_object(run.summary, "outcome");
     const double blocks = find_number(outcome, "blocks"), fallen = find_number(outcome, "fallen");
     const std::string falls = std::isfinite(blocks) && std::isfinite(fallen) ? ": " + count_blocks(fallen, blocks) : "";
+    if (run.run.collapsed_before()) {
+        return {Tone::bad, fmt::format("The structure does not stand as drawn, and was not shaken{}.", falls)};
+    }
     if (run.run.collapse_time) {
         return {Tone::warning, fmt::format("The structure collapsed at {:.4g} s{}.", *run.run.collapse_time, falls)};
     }
@@ -122,6 +124,7 @@ constexpr std::size_t kMostUnfolded = 2;
 std::string describe_status(const ReportedRun& run) {
     if (run.run.status == RunStatus::diverged) return "diverged: " + run.run.divergence;
     if (!run.run.is_status_known) return "how it ended is not known";
+    if (run.run.collapsed_before()) return "collapsed while it was prepared; its motion was not run";
     if (run.run.collapse_time) return fmt::format("collapsed at {:.4g} s", *run.run.collapse_time);
     return "ran to its end";
 }
@@ -164,10 +167,10 @@ void add_pair(std::vector<Statement>& statements, const nlohmann::json& pair) {
 void add_specimen(std::vector<Statement>& statements, const ReportedSpecimen& reported) {
     const StoredSpecimen& specimen = reported.specimen;
     const double largest = specimen.tilt.empty() ? 0.0 : *std::max_element(specimen.tilt.begin(), specimen.tilt.end());
-    const std::size_t fallen = count_fallen(specimen.size, specimen.layer, specimen.places);
+    const std::size_t fallen = specimen.fallen.value_or(0);
     const std::string what = fmt::format("{}: {} blocks prepared, at rest", reported.label, specimen.layer.size());
     if (fallen > 0) {
-        statements.push_back({Tone::warning, fmt::format("{}, but {} of them fell from their layers", what, fallen)});
+        statements.push_back({Tone::warning, fmt::format("{}, but {} of them fell meanwhile", what, fallen)});
     } else {
         statements.push_back({Tone::good, fmt::format("{}; the largest tilt is {:.3g}°", what, largest / scaling::kDegree)});
     }

@@ -149,12 +149,14 @@ Response measure_response(const StoredRun& run, const ResponseSettings& settings
     SpeedSettings speed;
     speed.threshold = settings.threshold;
     if (base_peak > 0.0) speed.reference_peak = base_peak;
-    response.speeds = estimate_speeds(make_receivers(run, response.axis, samples), speed);
+    // a run that ended where it began has no motion to travel
+    if (samples[1] - samples[0] > 1) response.speeds = estimate_speeds(make_receivers(run, response.axis, samples), speed);
     drop_impossible(response.speeds, response.scales);
     response.spine = measure_spine(run, response.axis);
     response.damage = assess_damage(run);
     response.status = run.status;
     response.collapse_time = run.collapse_time;
+    response.collapsed_before = run.collapsed_before();
     response.failure = find_failure(run);
     return response;
 }
@@ -164,6 +166,7 @@ nlohmann::json to_json(const Response& response) {
     for (const SpeedEstimate& estimate : response.speeds) speeds.push_back(to_json(estimate, response.scales));
     for (const SpineLevel& l : response.spine) {
         spine.push_back({{"level", l.level},
+                         {"name", l.name.empty() ? nlohmann::json() : nlohmann::json(l.name)},
                          {"height_m", l.height},
                          {"residual_displacement_m", to_array(l.residual_displacement)},
                          {"peak_displacement_m", to_array(l.peak_displacement)},
@@ -196,14 +199,14 @@ std::string make_spine_levels_csv(const Response& response) {
     std::string csv =
         "level,height_m,residual_x_m,residual_y_m,residual_z_m,peak_x_m,peak_y_m,peak_z_m,peak_vx_m_s,peak_vy_m_s,peak_vz_m_s,in_plane_"
         "peak_deg,"
-        "in_plane_residual_deg,vertical_peak_deg,vertical_residual_deg\n";
+        "in_plane_residual_deg,vertical_peak_deg,vertical_residual_deg,name\n";
     for (const SpineLevel& l : response.spine) {
         fmt::format_to(std::back_inserter(csv), "{},{}", l.level, l.height);
         for (const Vector3& v : {l.residual_displacement, l.peak_displacement, l.peak_velocity})
             fmt::format_to(std::back_inserter(csv), ",{},{},{}", v.x(), v.y(), v.z());
         for (const double angle : {l.in_plane_peak, l.in_plane_residual, l.vertical_peak, l.vertical_residual})
             fmt::format_to(std::back_inserter(csv), ",{}", angle / kDegree);
-        csv += '\n';
+        fmt::format_to(std::back_inserter(csv), ",{}\n", l.name);
     }
     return csv;
 }

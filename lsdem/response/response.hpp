@@ -37,12 +37,13 @@ struct Response {
     int axis = 0;
     Vector3 pga = Vector3::Zero();             ///< see RunResult::peak_base_acceleration [m/s²]
     std::array<SourcePga, 3> source_pga = {};  ///< of what the base's motion was made from
-    std::vector<SpeedEstimate> speeds;         ///< none faster than elastic waves, see `why`
+    std::vector<SpeedEstimate> speeds;         ///< none faster than elastic waves, see `why`; empty: the run has one sample
     SpeedScales scales;
     std::vector<SpineLevel> spine;
     Damage damage;
     RunStatus status = RunStatus::completed;
     std::optional<double> collapse_time;  ///< [s]
+    bool collapsed_before = false;        ///< see RunData::collapsed_before
     std::optional<Failure> failure;       ///< of a run that collapsed
 };
 
@@ -53,7 +54,7 @@ Response measure_response(const StoredRun& run, const ResponseSettings& settings
 /// the reason in "why".
 nlohmann::json to_json(const Response& response);
 
-/// level,height_m,residual_x_m,...: one line per level of the spine.
+/// level,height_m,residual_x_m,...,name: one line per block of the spine; a name where blocks are listed.
 std::string make_spine_levels_csv(const Response& response);
 
 /// Residual displacement, divided by `length`, over level, as Fig. 10 of [Harmon23].

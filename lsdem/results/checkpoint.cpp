@@ -46,9 +46,11 @@ static void exchange(Archive& archive, History& h) {
 
 static void exchange(Archive& archive, Frames& f) { archive(f.time, f.position, f.quaternion, f.velocity, f.contact_force); }
 
-static void exchange(Archive& archive, Rest& r) { archive(r.at_rest, r.steps, r.kinetic, r.reaction_over_weight, r.fallen); }
+static void exchange(Archive& archive, MovedBlock& m) { archive(m.block, m.drawn, m.now, m.turned); }
 
-static void exchange(Archive& archive, Falls& f) { archive(f.time, f.displacement, f.at_collapse); }
+static void exchange(Archive& archive, Rest& r) { archive(r.at_rest, r.steps, r.kinetic, r.reaction_over_weight, r.fallen, r.collapsed); }
+
+static void exchange(Archive& archive, Falls& f) { archive(f.time, f.displacement, f.at_collapse, f.airborne); }
 
 static void exchange(Archive& archive, StageOrigin& o) { archive(o.stage, o.time, o.base, o.position, o.orientation); }
 
@@ -74,7 +76,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr ArchiveKind kKind{{'m', 'u', 's', 'i', 'm', 'R', 'U', 'N'}, 13, "checkpoint"};
+constexpr ArchiveKind kKind{{'m', 'u', 's', 'i', 'm', 'R', 'U', 'N'}, 14, "checkpoint"};
 
 /// The fields of a checkpoint beside its run, which need not be copied to be written.
 struct Beside {

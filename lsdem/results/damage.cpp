@@ -160,8 +160,9 @@ Damage assess_damage(const RunData& run) {
     for (std::size_t b = 0; b < standing.size(); ++b) {
         const Vector3 moved = run.final.position[b] - run.initial.position[b] - base;
         const Eigen::AngleAxisd rotation(run.final.orientation[b] * run.initial.orientation[b].conjugate());
-        const bool fallen = has_fallen(0.5 * run.blocks.size[b], run.initial.orientation[b].toRotationMatrix(),
-                                       run.final.orientation[b].toRotationMatrix(), -moved.z());
+        const bool fallen = run.fell_before(b) || (!run.falls.is_airborne(b) &&
+                                                   has_fallen(0.5 * run.blocks.size[b], run.initial.orientation[b].toRotationMatrix(),
+                                                              run.final.orientation[b].toRotationMatrix(), -moved.z()));
         const double side = std::min(standing[b].extent.x(), standing[b].extent.y());
         const double corner = 0.5 * std::hypot(standing[b].extent.x(), standing[b].extent.y()) * rotation.angle();
         const double index = fallen ? 1.0 : std::min(1.0, (slip[b].spread().mean + corner) / side);

@@ -67,8 +67,9 @@ struct Damage {
 /// Angle of a block's own z axis with the vertical [rad].
 double find_tilt(const Quaternion& orientation);
 
-/// Compares the end of a run with its start. Blocks count as fallen as in Simulation::has_fallen: sunk by a quarter of their height,
-/// or tilted by 45°. Fixed blocks count like others.
+/// Compares the end of a run with its start. Blocks count as fallen by has_fallen: sunk by a quarter of their height, or tilted by 45°; or
+/// when they fell before a run that was not shaken for it (RunData::fell_before). Blocks that begin in the air (Falls::airborne)
+/// do not fall. Fixed blocks count like others.
 Damage assess_damage(const RunData& run);
 
 /// Part of what all joints dissipated that a level did [-]; 0 when none dissipated anything. Both must hold losses.

@@ -72,11 +72,12 @@ struct FailureData {
 /// Describes [Harmon23]'s modes, who judge them by eye; the numbers are ours.
 Failure find_failure(const FailureData& data);
 
-/// The same for a run or a stored run; nothing when it did not collapse, or when the results do not say when blocks fell. Of a later stage
+/// The same for a run or a stored run; nothing when it did not collapse, did so before it was shaken, or when the results do
+/// not say when blocks fell. Of a later stage
 /// of a sequence: from the start of the first stage on, since what the stages before have bulged or lost belongs to the failure.
 template <class Run>
 std::optional<Failure> find_failure(const Run& run) {
-    if (!run.collapse_time || run.falls.at_collapse.size() != run.blocks.mass.size()) return std::nullopt;
+    if (!run.collapse_time || run.collapsed_before() || run.falls.at_collapse.size() != run.blocks.mass.size()) return std::nullopt;
     return find_failure(FailureData{run.blocks, run.standing_position(), run.falls, *run.collapse_time});
 }
 

@@ -1,5 +1,6 @@
 #include "lsdem/results/hdf5_file.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "lsdem/results/checksum.hpp"
@@ -30,10 +31,15 @@ hid_t create_file_in_memory() {
     return H5Fcreate("musim-result", H5F_ACC_TRUNC, creation, access);
 }
 
-void write_text_attribute(hid_t owner, const std::string& name, const std::string& text) {
-    const Hdf5Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "create a text type");
-    require(H5Tset_size(type, text.size() + 1), "size a text type");
+hid_t make_text_type(std::size_t size) {
+    const hid_t type = H5Tcopy(H5T_C_S1);
+    require(H5Tset_size(type, size), "size a text type");
     require(H5Tset_cset(type, H5T_CSET_UTF8), "use UTF-8");
+    return type;
+}
+
+void write_text_attribute(hid_t owner, const std::string& name, const std::string& text) {
+    const Hdf5Handle type(make_text_type(text.size() + 1), H5Tclose, "create a text type");
     const Hdf5Handle space(H5Screate(H5S_SCALAR), H5Sclose, "create a data space");
     const Hdf5Handle attribute(H5Acreate2(owner, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose, "create " + name);
     require(H5Awrite(attribute, type, text.c_str()), "write " + name);
@@ -52,6 +58,15 @@ Hdf5File::Hdf5File() : file_(create_file_in_memory(), H5Fclose, "create a file i
 void Hdf5File::write_attribute(const std::string& name, const std::string& text) {
     const Hdf5Handle root(H5Gopen2(file_, "/", H5P_DEFAULT), H5Gclose, "open the root group");
     write_text_attribute(root, name, text);
+}
+
+void Hdf5File::write_texts(const std::string& path, const std::vector<std::string>& texts) {
+    std::size_t longest = 0;
+    for (const std::string& text : texts) longest = std::max(longest, text.size());
+    std::string padded;
+    for (const std::string& text : texts) padded += text + std::string(longest + 1 - text.size(), '\0');
+    const Hdf5Handle type(make_text_type(longest + 1), H5Tclose, "create a text type");
+    write_dataset(path, {texts.size()}, {.memory = type, .file = type}, padded.data(), "1");
 }
 
 std::vector<char> Hdf5File::image() const {

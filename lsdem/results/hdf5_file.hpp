@@ -103,6 +103,8 @@ class Hdf5File {
         return values.size();
     }
 
+    /// Writes a list of texts, UTF-8, each padded with zeros to the longest.
+    void write_texts(const std::string& path, const std::vector<std::string>& texts);
     /// Text attribute of the file itself.
     void write_attribute(const std::string& name, const std::string& text);
 

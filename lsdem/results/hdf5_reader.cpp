@@ -98,6 +98,29 @@ std::vector<int> Hdf5Reader::layers(const std::string& path, std::size_t blocks)
     return layers;
 }
 
+std::vector<std::string> Hdf5Reader::texts(const std::string& path) const {
+    if (!has(path)) fail(fmt::format("has no {}", path));
+    const Hdf5Handle set(H5Dopen2(file_, path.c_str(), H5P_DEFAULT), H5Dclose, "open " + path);
+    const Hdf5Handle space(H5Dget_space(set), H5Sclose, "describe " + path);
+    const Hdf5Handle type(H5Dget_type(set), H5Tclose, "describe " + path);
+    if (H5Sget_simple_extent_ndims(space) != 1 || H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) > 0) {
+        fail(fmt::format("{} is no list of texts", path));
+    }
+    std::vector<hsize_t> shape(1);
+    H5Sget_simple_extent_dims(space, shape.data(), nullptr);
+    const std::optional<std::size_t> count = count_values(set, shape);
+    if (!count) fail(fmt::format("{} says that it holds more than there is", path));
+    const std::size_t size = H5Tget_size(type);
+    std::string padded(*count * size, '\0');
+    if (*count > 0 && H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, padded.data()) < 0) fail(fmt::format("{} cannot be read", path));
+    std::vector<std::string> texts;
+    for (std::size_t i = 0; i < *count; ++i) {
+        const std::string text = padded.substr(i * size, size);
+        texts.push_back(text.substr(0, text.find('\0')));
+    }
+    return texts;
+}
+
 std::optional<std::string> Hdf5Reader::find_text(const std::string& name) const {
     const Hdf5Handle root(H5Gopen2(file_, "/", H5P_DEFAULT), H5Gclose, "open the root group");
     if (H5Aexists(root, name.c_str()) <= 0) return std::nullopt;

@@ -49,6 +49,8 @@ class Hdf5Reader {
     }
     /// Layers or levels of a structure of so many blocks, from 1; 0 for what is in none. Throws ResultError for any other.
     std::vector<int> layers(const std::string& path, std::size_t blocks) const;
+    /// What Hdf5File::write_texts wrote.
+    std::vector<std::string> texts(const std::string& path) const;
     /// Text attribute of the file itself.
     std::string attribute(const std::string& name) const;
 

@@ -1,5 +1,7 @@
 #include "lsdem/results/history.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -9,6 +11,32 @@ namespace musim::lsdem {
 std::string to_string(RunStatus status) {
     constexpr std::array kNames{"completed", "collapsed", "diverged"};
     return kNames.at(static_cast<std::size_t>(status));
+}
+
+std::string BlockTable::label(std::size_t block) const {
+    return block < name.size() && !name[block].empty() ? name[block] : fmt::format("block {}", block);
+}
+
+std::string BlockTable::describe(std::size_t block) const {
+    const std::string number = fmt::format("block {}", block);
+    return label(block) == number ? number : fmt::format("{} (\"{}\")", number, label(block));
+}
+
+std::vector<std::string> label_spine(const RunData& run) {
+    std::vector<std::string> labels;
+    for (std::size_t s = 0; s < run.spine.size(); ++s) {
+        labels.push_back(run.blocks.is_listed() ? run.blocks.label(run.spine.block[s]) : fmt::format("level {}", run.spine.level[s]));
+    }
+    return labels;
+}
+
+std::vector<std::string> head_spine(const RunData& run) {
+    std::vector<std::string> heads = label_spine(run);
+    for (std::size_t s = 0; s < heads.size(); ++s) {
+        const bool has_name = run.blocks.is_listed() && !run.blocks.name[run.spine.block[s]].empty();
+        if (!has_name) heads[s].erase(heads[s].find(' '), 1);
+    }
+    return heads;
 }
 
 std::vector<std::size_t> sort_spine_by_height(const RunData& run) {

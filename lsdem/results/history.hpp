@@ -46,6 +46,10 @@ struct Falls {
     std::vector<double> time;           ///< first sample at which the block had fallen [s], ≤ 0: in an earlier stage; NaN while it stands
     std::vector<Vector3> displacement;  ///< of its centre of mass then [m]; likewise
     std::vector<Vector3> at_collapse;   ///< of all blocks at RunData::collapse_time [m]; empty before
+    /// 1: the block begins in the air, not carried or thrown up, so that it cannot fall from a place; empty in results of versions before.
+    std::vector<int> airborne = {};
+
+    bool is_airborne(std::size_t block) const { return block < airborne.size() && airborne[block] != 0; }
 };
 
 /// What a run that is a later stage of a sequence takes over from the stages before it. Falls count from here.
@@ -62,10 +66,21 @@ struct BlockTable {
     std::vector<Vector3> size;  ///< edge lengths of the bounding box in the body frame [m]
     std::vector<double> mass;   ///< [kg]
     std::vector<int> layer;     ///< from 1 at the base; 0: in no layer
+    /// Of listed blocks, empty for those without one; no entries for blocks of columns, towers and walls.
+    std::vector<std::string> name = {};
 
+    bool is_listed() const { return !name.empty(); }
+    /// "lintel", or "block 3" for a block without a name.
+    std::string label(std::size_t block) const;
+    /// The same for messages: `block 3 ("lintel")`.
+    std::string describe(std::size_t block) const;
     /// b: the shorter of the sides across the body's z axis [m].
     double thin_side(std::size_t block) const { return size[block].head<2>().minCoeff(); }
 };
+
+/// How the structure of a run begins: at rest after a preparation; with its weight beginning to act, as "preparation": "none" asks; or as
+/// single blocks are listed.
+enum class Beginning { prepared, at_once, listed };
 
 /// How a run ended. Collapse is a result: the run goes on to its end. Divergence is a numerical failure and ends the run.
 enum class RunStatus { completed, collapsed, diverged };
@@ -91,13 +106,18 @@ struct RunData {
     std::array<SourcePga, 3> source_pga = {};          ///< likewise, of what that motion was made from
     scaling::Similitude similitude;                    ///< of the run to its prototype; of one that is no model every factor is 1
 
+    /// Did the structure collapse while it was prepared (Rest::collapsed), so that it was not shaken?
+    bool collapsed_before() const { return !origin && collapse_time && *collapse_time <= 0.0; }
+    /// Is a block one of those that fell then?
+    bool fell_before(std::size_t block) const { return collapsed_before() && block < falls.time.size() && falls.time[block] <= 0.0; }
     /// Centres of mass where falls are counted from [m].
     const std::vector<Vector3>& standing_position() const { return origin ? origin->position : initial.position; }
 };
 
 /// Everything one simulation produced.
 struct RunResult : RunData {
-    std::optional<Divergence> divergence;      ///< where and when, when the run diverged
+    std::optional<Divergence> divergence;  ///< where and when, when the run diverged
+    Beginning beginning = Beginning::listed;
     std::optional<Rest> rest;                  ///< how it settled before t = 0; nothing when it was not to
     double time_step = 0.0;                    ///< [s]
     std::optional<double> critical_time_step;  ///< of the structure as built [s]; nothing when no block can move
@@ -105,9 +125,14 @@ struct RunResult : RunData {
     Statistics statistics;
     double energy_closure = 0.0;                       ///< see compute_energy_closure
     std::optional<double> start_reaction_over_weight;  ///< at t = 0, as below
-    std::optional<double> base_reaction_over_weight;   ///< at the end, along gravity; nothing without ground or gravity
+    std::optional<double> base_reaction_over_weight;   ///< at the end, along gravity; nothing without a ground or fixed blocks, or gravity
     double wall_time = 0.0;                            ///< [s]
 };
+
+/// Names of the spine's blocks: "level 5" of a layer, BlockTable::label of a listed block.
+std::vector<std::string> label_spine(const RunData& run);
+/// The same to begin columns of CSV with: "level5", "lintel", "block3".
+std::vector<std::string> head_spine(const RunData& run);
 
 /// Indices of the spine's blocks from the lowest at the start up; of equal heights the first listed first.
 std::vector<std::size_t> sort_spine_by_height(const RunData& run);

@@ -6,6 +6,7 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "lsdem/results/drift.hpp"
 #include "lsdem/results/spine_measures.hpp"
 #include "scaling/angle.hpp"
 #include "scaling/quantity_text.hpp"
@@ -18,54 +19,60 @@ std::string write(double value) {
     return scaling::format_quantity(Quantity::from_value(value), 3);
 }
 
-/// Horizontal displacement of a spine block relative to the base since the start [m].
-Vector3 find_shift(const RunResult& run, std::size_t spine_block, std::size_t sample) {
-    const History& h = run.history;
-    const std::size_t n = run.spine.size();
-    Vector3 shift = h.spine_position[sample * n + spine_block] - h.spine_position[spine_block] -
-                    (h.base[sample].displacement - h.base.front().displacement);
-    shift.z() = 0.0;
-    return shift;
+/// A block of the spine as results call it when it is a listed one.
+std::string name_listed(const RunResult& run, std::size_t spine_block) {
+    return run.blocks.is_listed() ? run.blocks.label(run.spine.block[spine_block]) : std::string();
 }
 
 void measure_spine(const RunResult& run, Outcome& outcome) {
     const std::vector<std::size_t> order = sort_spine_by_height(run);
     if (order.empty() || run.history.samples() == 0) return;
-    outcome.top_level = run.spine.level[order.back()];
-    // the base ends where the lowest block begins
-    const double base = run.history.spine_position[order.front()].z() - 0.5 * run.blocks.size[run.spine.block[order.front()]].z();
+    const std::size_t top = order.back();
+    const std::vector<DriftPair> pairs = find_drift_pairs(run);
+    outcome.top_level = run.spine.level[top];
+    outcome.top_name = name_listed(run, top);
     double fastest = 0.0;
     for (std::size_t k = 0; k < run.history.samples(); ++k) {
-        const Vector3 velocity = run.history.spine_velocity[k * run.spine.size() + order.back()] - run.history.base[k].velocity;
+        const Vector3 velocity = run.history.spine_velocity[k * run.spine.size() + top] - run.history.base[k].velocity;
         outcome.top_speed = velocity.head<2>().norm();
         fastest = std::max(fastest, outcome.top_speed);
-        Vector3 below = Vector3::Zero();
-        double height = base;
-        for (const std::size_t s : order) {
-            const Vector3 shift = find_shift(run, s, k);
-            const double rise = run.history.spine_position[s].z() - height;
-            const double drift = rise > 0.0 ? (shift - below).norm() / rise : 0.0;
-            if (drift > outcome.drift) outcome.drift = drift, outcome.drift_level = run.spine.level[s];
-            below = shift;
-            height = run.history.spine_position[s].z();
-        }
-        outcome.top_peak = std::max(outcome.top_peak, below.norm());
-        outcome.top_residual = below.norm();
+        outcome.top_residual = find_shift(run, top, k).norm();
+        outcome.top_peak = std::max(outcome.top_peak, outcome.top_residual);
+        const Drift drift = find_drift(run, pairs, k);
+        if (!(drift.value > outcome.drift)) continue;
+        outcome.drift = drift.value;
+        outcome.drift_level = run.spine.level[drift.upper];
+        outcome.drift_name = name_listed(run, drift.upper);
     }
     outcome.top_moves = outcome.top_speed > kStillMoving * fastest;
 }
 
 void keep_larger(std::optional<LargestAt>& largest, double value, std::size_t block, const RunResult& run) {
-    if (!largest || value > largest->value) largest = LargestAt{value, block, run.blocks.layer[block]};
+    if (largest && !(value > largest->value)) return;
+    const std::string& name = run.blocks.is_listed() ? run.blocks.name[block] : std::string();
+    largest = LargestAt{value, block, run.blocks.layer[block], name};
 }
 
 std::string name_place(const LargestAt& largest) {
-    return largest.level > 0 ? fmt::format("block {}, level {}", largest.block, largest.level) : fmt::format("block {}", largest.block);
+    std::string text = fmt::format("block {}", largest.block);
+    if (!largest.name.empty()) text += fmt::format(" (\"{}\")", largest.name);
+    return largest.level > 0 ? fmt::format("{}, level {}", text, largest.level) : text;
+}
+
+/// "level 3", or a listed block at its level.
+std::string name_spine_block(int level, const std::string& name) {
+    return name.empty() ? fmt::format("level {}", level) : fmt::format("{}, level {}", name, level);
+}
+
+/// The members of an object of the outcome that a listed block adds to.
+nlohmann::json with_name(nlohmann::json object, const std::string& name) {
+    if (!name.empty()) object["name"] = name;
+    return object;
 }
 
 nlohmann::json write_largest(const std::optional<LargestAt>& largest, const char* key, double unit) {
     if (!largest) return nullptr;
-    return {{key, largest->value / unit}, {"block", largest->block}, {"level", largest->level}};
+    return with_name({{key, largest->value / unit}, {"block", largest->block}, {"level", largest->level}}, largest->name);
 }
 
 }  // namespace
@@ -76,6 +83,7 @@ Outcome find_outcome(const RunResult& run) {
     outcome.pga = run.peak_base_acceleration;
     outcome.source_pga = run.source_pga;
     for (const BaseState& base : run.history.base) outcome.pgv = outcome.pgv.cwiseMax(base.velocity.cwiseAbs());
+    outcome.shaken = !run.collapsed_before();
     measure_spine(run, outcome);
     const Damage damage = assess_damage(run);
     outcome.blocks = damage.blocks;
@@ -104,6 +112,10 @@ Outcome scale_back(Outcome outcome, const scaling::Similitude& similitude) {
 
 std::vector<std::string> describe(const Outcome& outcome) {
     std::vector<std::string> lines;
+    if (!outcome.shaken) {
+        return {
+            fmt::format("{} of {} blocks fell while the structure was prepared; the motion was not run", outcome.fallen, outcome.blocks)};
+    }
     for (int axis = 0; axis < 3; ++axis) {
         if (!(outcome.pgv[axis] > 0.0)) continue;
         lines.push_back(fmt::format("base motion along {}: {}, PGV {}", axis_name(axis),
@@ -112,12 +124,13 @@ std::vector<std::string> describe(const Outcome& outcome) {
     }
     if (lines.empty()) lines.emplace_back("base at rest");
     if (outcome.top_level > 0) {
-        std::string line = fmt::format("top (level {}) against the base, horizontally: peak {}, {} {}", outcome.top_level,
-                                       write<scaling::Length>(outcome.top_peak), outcome.top_moves ? "at the end" : "residual",
-                                       write<scaling::Length>(outcome.top_residual));
+        std::string line = fmt::format("top ({}) against the base, horizontally: peak {}, {} {}",
+                                       name_spine_block(outcome.top_level, outcome.top_name), write<scaling::Length>(outcome.top_peak),
+                                       outcome.top_moves ? "at the end" : "residual", write<scaling::Length>(outcome.top_residual));
         if (outcome.top_moves) line += fmt::format(" and moving at {}", write<scaling::Velocity>(outcome.top_speed));
         if (outcome.drift_level > 0) {
-            line += fmt::format("; largest drift {:.3g} % (below level {})", 100.0 * outcome.drift, outcome.drift_level);
+            line += fmt::format("; largest drift {:.3g} % (below {})", 100.0 * outcome.drift,
+                                name_spine_block(outcome.drift_level, outcome.drift_name));
         }
         lines.push_back(line);
     }
@@ -138,18 +151,20 @@ nlohmann::json to_json(const Outcome& outcome) {
     const Vector3 pga = outcome.pga / scaling::kStandardGravity.value();
     nlohmann::json top;
     if (outcome.top_level > 0) {
-        top = {{"level", outcome.top_level},
-               {"peak_displacement_m", outcome.top_peak},
-               {"residual_displacement_m", outcome.top_residual},
-               {"speed_at_end_m_s", outcome.top_speed},
-               {"moves_at_end", outcome.top_moves}};
+        top = with_name({{"level", outcome.top_level},
+                         {"peak_displacement_m", outcome.top_peak},
+                         {"residual_displacement_m", outcome.top_residual},
+                         {"speed_at_end_m_s", outcome.top_speed},
+                         {"moves_at_end", outcome.top_moves}},
+                        outcome.top_name);
     }
     return {{"axis", axis_name(outcome.axis)},
             {"pga_g", {pga.x(), pga.y(), pga.z()}},
             {"pga_source", to_json(outcome.source_pga)},
             {"pgv_m_s", {outcome.pgv.x(), outcome.pgv.y(), outcome.pgv.z()}},
+            {"shaken", outcome.shaken},
             {"top", top},
-            {"drift", {{"largest", outcome.drift}, {"level", outcome.drift_level}}},
+            {"drift", with_name({{"largest", outcome.drift}, {"level", outcome.drift_level}}, outcome.drift_name)},
             {"largest_slip", write_largest(outcome.slip, "m", 1.0)},
             {"largest_rotation", write_largest(outcome.rotation, "deg", scaling::kDegree)},
             {"fallen", outcome.fallen},

@@ -48,6 +48,14 @@ void read_history(const Hdf5Reader& file, StoredRun& run) {
     }
 }
 
+/// Names of listed blocks, if there are any.
+void read_names(const Hdf5Reader& file, StoredRun& run) {
+    if (!file.has("/blocks/name")) return;
+    std::vector<std::string> names = file.texts("/blocks/name");
+    if (names.size() != run.blocks.mass.size()) file.fail("/blocks/name has another size than the rest");
+    run.blocks.name = std::move(names);
+}
+
 void read_falls(const Hdf5Reader& file, StoredRun& run) {
     if (!file.has("/blocks/fall_time")) return;
     Falls falls;
@@ -141,6 +149,7 @@ StoredRun read_run(const fs::path& directory, Reading reading) {
         }
     };
     take([&] { read_energies(file, run.history.samples(), run.history.energy); });
+    take([&] { read_names(file, run); });
     take([&] { read_falls(file, run); });
     take([&] { read_origin(file, run); });
     take([&] { read_losses(file, run); });

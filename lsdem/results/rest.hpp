@@ -21,13 +21,21 @@ struct Settling {
     double patience = 60.0;  ///< given up after this many times 1/α; a ring of 38 layers, whose blocks tip one by one, needs 18 [-]
 };
 
+/// A block that has left the place where it was drawn.
+struct MovedBlock {
+    std::size_t block = 0;
+    Vector3 drawn = Vector3::Zero(), now = Vector3::Zero();  ///< its centre of mass then and now [m]
+    double turned = 0.0;                                     ///< whole angle since [rad]
+};
+
 /// How settling ended.
 struct Rest {
-    bool at_rest = false;               ///< false: patience ran out
-    std::uint64_t steps = 0;            ///< taken
-    double kinetic = 0.0;               ///< of the liveliest block, over its weight times its height [-]
-    double reaction_over_weight = 0.0;  ///< at the end
-    std::size_t fallen = 0;             ///< blocks that stand in their layer no more, see count_fallen; where layers are known
+    bool at_rest = false;                 ///< false: patience ran out
+    std::uint64_t steps = 0;              ///< taken
+    double kinetic = 0.0;                 ///< of the liveliest block, over its weight times its height [-]
+    double reaction_over_weight = 0.0;    ///< at the end
+    std::vector<MovedBlock> fallen = {};  ///< since they were drawn, see find_fallen
+    bool collapsed = false;               ///< so many of them that the structure does not stand as drawn; its motion is not run
 };
 
 /// How far a settling has come; with the state of its simulation, all it needs to go on to the same bits.

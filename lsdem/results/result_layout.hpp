@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -77,11 +78,21 @@ void exchange_blocks(File& file, Run& run) {
     file.exchange("/blocks/final_quaternion", {n}, run.final.orientation, "1");
 }
 
+/// Which blocks begin in the air, where any does.
+inline void exchange_airborne(Hdf5File& file, hsize_t blocks, const Falls& falls) {
+    const bool any = std::find(falls.airborne.begin(), falls.airborne.end(), 1) != falls.airborne.end();
+    if (any) file.exchange("/blocks/airborne", {blocks}, falls.airborne, "1");
+}
+inline void exchange_airborne(const Hdf5Reader& file, hsize_t blocks, Falls& falls) {
+    if (file.has("/blocks/airborne")) file.exchange("/blocks/airborne", {blocks}, falls.airborne, "1");
+}
+
 template <class File, class RunFalls>
 void exchange_falls(File& file, hsize_t blocks, RunFalls& falls, bool has_collapsed) {
     file.exchange("/blocks/fall_time", {blocks}, falls.time, "s");
     file.exchange("/blocks/fall_displacement", {blocks}, falls.displacement, "m");
     if (has_collapsed) file.exchange("/blocks/collapse_displacement", {blocks}, falls.at_collapse, "m");
+    exchange_airborne(file, blocks, falls);
 }
 
 /// What a later stage of a sequence takes over; the stage is counted from 1 as in the names of folders.

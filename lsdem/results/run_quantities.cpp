@@ -35,6 +35,7 @@ std::vector<QuantityFamily> find_quantities(const RunResult& run, const scaling:
     std::vector<QuantityFamily> families;
     const auto add_spine = [&](const char* key, const char* title, const char* unit, std::vector<double> values) {
         families.push_back({key, title, unit, run.spine.level, std::move(values)});
+        if (run.blocks.is_listed()) families.back().name = label_spine(run);
     };
     add_spine("peak_velocity", "peak velocity", "m/s", largest_of_spine(run, 0, speed));
     add_spine("residual_displacement", "residual displacement", "m", largest_of_spine(run, last, displacement));

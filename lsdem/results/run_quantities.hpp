@@ -11,11 +11,12 @@ namespace musim::lsdem {
 
 /// What a motion came to, in numbers that can be held against those of another run: one for every level of the spine or of the structure.
 struct QuantityFamily {
-    std::string key;            ///< in JSON
-    std::string title;          ///< in tables
-    std::string unit;           ///< SI, of the prototype; empty: none
-    std::vector<int> level;     ///< of each value, from 1 at the base; 0: of the whole structure
-    std::vector<double> value;  ///< in the prototype's units
+    std::string key;                     ///< in JSON
+    std::string title;                   ///< in tables
+    std::string unit;                    ///< SI, of the prototype; empty: none
+    std::vector<int> level;              ///< of each value, from 1 at the base; 0: of the whole structure
+    std::vector<double> value;           ///< in the prototype's units
+    std::vector<std::string> name = {};  ///< of each value of a listed block, of which several may be at one level; else no entries
 };
 
 /// Of a run, divided by the factors of its similitude to the prototype, always in this order and with as many values for similar runs:

@@ -29,11 +29,19 @@ std::string describe_divergence(const RunResult& run);
 /// What there is to say of a time step above the critical one [s], and which to take.
 std::string describe_large_step(double time_step, double critical);
 
-/// What is doubtful about a run that reached its end, one sentence each, with numbers and what to do. A structure that was not
-/// at rest when its motion began (kUnborneWeight, kFastStart); a specimen that did not come to rest before it (Settling::patience ran out);
-/// a time step above the critical one (losses in contacts can hold an instability down, so that neither the run nor its energy balance
-/// shows it); blocks that passed deep into each other (kDeepOverlap); an open energy balance (kOpenBalance); blocks that fell before the
-/// motion. Empty for a sound run, and for one that diverged.
+/// Which block fell while a structure was prepared, of several the one that moved furthest for its smallest edge: where it was drawn, where
+/// it is, how far it turned, and how many fell in all. Requires one.
+std::string describe_fallen(const std::vector<MovedBlock>& fallen, const BlockTable& blocks);
+
+/// Why a specimen counts as not at rest, and what to do: a damping rate that is too large leaves blocks creeping when patience
+/// (Settling::patience, as many times 1/α) ends; one that is smaller gives them more time and less resistance.
+std::string describe_unrest(const Rest& rest);
+
+/// What is doubtful about a run that reached its end, one sentence each, with numbers and what to do. Blocks that
+/// fell while the structure was prepared; a specimen that did not come to rest (Settling::patience ran out), or a structure that was not at
+/// rest when its motion began (kUnborneWeight, kFastStart), unless it is listed in motion or in the air; a time step above the critical one
+/// (losses in contacts can hold an instability down, so that neither the run nor its energy balance shows it); blocks that passed deep into
+/// each other (kDeepOverlap); an open energy balance (kOpenBalance). Empty for a sound run, and for one that diverged.
 std::vector<std::string> find_warnings(const RunResult& run);
 
 }  // namespace musim::lsdem

@@ -24,6 +24,7 @@ std::vector<SpineLevel> measure_spine(const RunData& run, int axis) {
     for (std::size_t s = 0; s < ns; ++s) {
         SpineLevel& level = levels[s];
         level.level = run.spine.level[s];
+        if (run.blocks.is_listed()) level.name = run.blocks.label(run.spine.block[s]);
         level.height = history.spine_position[s].z();
         for (std::size_t k = 0; k < history.samples(); ++k) {
             const Vector3 moved = history.spine_position[k * ns + s] - history.spine_position[s] - history.base[k].displacement;

@@ -10,7 +10,8 @@ namespace musim::lsdem {
 
 /// One level of the spine. Displacements relative to the base, rotations relative to the start.
 struct SpineLevel {
-    int level = 0;
+    int level = 0;                                    ///< of several listed blocks it may be the same
+    std::string name = {};                            ///< of a listed block, see BlockTable::label; else empty
     double height = 0.0;                              ///< of the centre at the start [m]
     Vector3 residual_displacement = Vector3::Zero();  ///< at the end [m]
     Vector3 peak_displacement = Vector3::Zero();      ///< largest absolute value of each component [m]

@@ -5,9 +5,26 @@
 
 #include "lsdem/results/outcome.hpp"
 #include "lsdem/results/run_warnings.hpp"
+#include "scaling/angle.hpp"
 #include "scaling/json_optional.hpp"
 
 namespace musim::lsdem {
+namespace {
+
+nlohmann::json write_moved(const RunResult& run) {
+    const auto point = [](const Vector3& p) { return nlohmann::json{p.x(), p.y(), p.z()}; };
+    nlohmann::json list = nlohmann::json::array();
+    for (const MovedBlock& moved : run.rest->fallen) {
+        list.push_back({{"block", moved.block},
+                        {"name", run.blocks.label(moved.block)},
+                        {"drawn_m", point(moved.drawn)},
+                        {"now_m", point(moved.now)},
+                        {"turned_deg", moved.turned / scaling::kDegree}});
+    }
+    return list;
+}
+
+}  // namespace
 
 nlohmann::json make_summary(const RunResult& run) {
     nlohmann::json summary{{"status", to_string(run.status)},
@@ -33,7 +50,9 @@ nlohmann::json make_summary(const RunResult& run) {
                            {"steps", run.rest->steps},
                            {"kinetic_over_weight_height", run.rest->kinetic},
                            {"base_reaction_over_weight", run.rest->reaction_over_weight},
-                           {"fallen", run.rest->fallen}};
+                           {"fallen", run.rest->fallen.size()},
+                           {"collapsed", run.rest->collapsed},
+                           {"moved", write_moved(run)}};
     }
     summary["outcome"] = to_json(find_outcome(run));
     summary["warnings"] = find_warnings(run);

@@ -31,6 +31,7 @@ std::vector<char> make_hdf5(const RunResult& run, const ResultHeader& header) {
     for (Energy& energy : energies) energy.elastic_normal += energy.elastic_shear;
     detail::exchange_energies(file, energies);
     detail::exchange_blocks(file, run);
+    if (run.blocks.is_listed()) file.write_texts("/blocks/name", run.blocks.name);
     if (!run.falls.time.empty()) detail::exchange_falls(file, n, run.falls, !run.falls.at_collapse.empty());
     if (std::optional<StageOrigin> origin = run.origin) detail::exchange_origin(file, n, *origin);
     if (std::optional<Losses> losses = run.losses) detail::exchange_losses(file, *losses);
@@ -106,12 +107,10 @@ std::string make_xdmf(const RunResult& run) {
            grids + "  </Grid>\n </Domain>\n</Xdmf>\n";
 }
 
-/// Time, base velocity and the velocity of every spine level, in SI; each number reads back as the same double.
+/// Time, base velocity and the velocity of every spine block, in SI; each number reads back as the same double.
 std::string make_spine_csv(const RunResult& run) {
     std::string csv = "time_s,base_vx_m_s,base_vy_m_s,base_vz_m_s";
-    for (const int level : run.spine.level) {
-        fmt::format_to(std::back_inserter(csv), ",level{0}_vx_m_s,level{0}_vy_m_s,level{0}_vz_m_s", level);
-    }
+    for (const std::string& head : head_spine(run)) fmt::format_to(std::back_inserter(csv), ",{0}_vx_m_s,{0}_vy_m_s,{0}_vz_m_s", head);
     csv += '\n';
     const std::size_t ns = run.spine.size();
     for (std::size_t k = 0; k < run.history.samples(); ++k) {

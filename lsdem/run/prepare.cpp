@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "lsdem/block_height.hpp"
-#include "lsdem/results/fallen_blocks.hpp"
+#include "lsdem/run/drawn_places.hpp"
 #include "lsdem/run/equilibrium.hpp"
 #include "lsdem/scene/resting_pose.hpp"
 
@@ -281,7 +281,7 @@ PreparedSpecimen prepare(const Specimen& upright, double time_step, const Prepar
     const auto finish = [&](const Simulation& simulation, double overlap_before) {
         progress.report(static_cast<double>(prepared.block_steps), {});
         put_in_place(find_places(simulation), prepared.specimen);
-        prepared.rest.fallen = count_fallen(simulation, upright.layer);
+        note_fallen(upright, simulation.kinematics(), prepared.rest);
         prepared.max_overlap = std::max(overlap_before, simulation.statistics().max_overlap_over_height);
         describe(simulation, prepared);
         return prepared;

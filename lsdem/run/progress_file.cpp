@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "lsdem/results/drift.hpp"
 #include "lsdem/results/spine_measures.hpp"
 #include "lsdem/results/staged_files.hpp"
 #include "records/atomic_file.hpp"
@@ -33,17 +34,6 @@ ProgressState parse_progress_state(const nlohmann::json& json) {
     return state;
 }
 
-/// A line of the spine, or the base, as drift sees it.
-struct DriftPoint {
-    double height = 0.0;
-    Eigen::Vector2d moved = Eigen::Vector2d::Zero();
-};
-
-double drift_between(const DriftPoint& lower, const DriftPoint& upper) {
-    const double rise = upper.height - lower.height;
-    return rise > 0.0 ? (upper.moved - lower.moved).norm() / rise : 0.0;
-}
-
 template <class... Args, class Second>
 std::function<void(Args...)> also(std::function<void(Args...)> first, Second second) {
     if (!first) return second;
@@ -54,20 +44,6 @@ std::function<void(Args...)> also(std::function<void(Args...)> first, Second sec
 }
 
 }  // namespace
-
-double find_largest_drift(const RunResult& run, std::size_t sample) {
-    const History& history = run.history;
-    const std::size_t count = run.spine.size();
-    DriftPoint lower{.height = 0.0, .moved = (history.base[sample].displacement - history.base.front().displacement).head<2>()};
-    double largest = 0.0;
-    for (std::size_t s = 0; s < count; ++s) {
-        const Vector3& start = history.spine_position[s];
-        const DriftPoint upper{.height = start.z(), .moved = (history.spine_position[sample * count + s] - start).head<2>()};
-        largest = std::max(largest, drift_between(lower, upper));
-        lower = upper;
-    }
-    return largest;
-}
 
 std::vector<double> thin_extremes(const std::vector<double>& history, std::size_t count) {
     if (history.size() <= count) return history;
@@ -95,7 +71,7 @@ RunProgress observe_run(const RunResult& run, const TimePlan& plan) {
     const std::size_t count = run.spine.size();
     if (count == 0) return progress;
     progress.axis = find_strongest_axis(history);
-    progress.drift = find_largest_drift(run, history.samples() - 1);
+    progress.drift = find_drift(run, find_drift_pairs(run), history.samples() - 1).value;
     std::vector<double> top;
     top.reserve(history.samples());
     for (std::size_t k = 0; k < history.samples(); ++k) top.push_back(history.spine_velocity[k * count + count - 1][progress.axis]);

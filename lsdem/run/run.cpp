@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <utility>
 
+#include "lsdem/results/run_warnings.hpp"
+#include "lsdem/run/drawn_places.hpp"
 #include "lsdem/run/equilibrium.hpp"
 #include "lsdem/run/specimen_file.hpp"
 #include "lsdem/scene/build_model.hpp"
@@ -68,8 +70,14 @@ std::uint64_t divide_evenly(std::uint64_t all, std::uint64_t most) {
 
 Specimen make_upright_specimen(const Scene& scene) {
     BuiltModel built = build_model(scene);
-    return {
-        std::move(built.model), std::move(built.structure.spine), std::move(built.structure.layer), {}, std::move(built.structure.level)};
+    std::vector<BoxPose> drawn = find_boxes(built.model);
+    return {.model = std::move(built.model),
+            .spine = std::move(built.structure.spine),
+            .layer = std::move(built.structure.layer),
+            .settling = {},
+            .level = std::move(built.structure.level),
+            .name = std::move(built.structure.name),
+            .drawn = std::move(drawn)};
 }
 
 bool wants_preparation(const Scene& scene, const Specimen& upright) {
@@ -97,6 +105,7 @@ Specimen make_specimen(const Scene& scene, const RunSettings& settings, const Ch
     const TimePlan plan = make_time_plan(scene, specimen.model);
     if (!wants_preparation(scene, specimen)) {
         if (!scene.preparation) let_listed_stand(scene, specimen);
+        specimen.beginning = scene.preparation ? Beginning::at_once : Beginning::listed;
         return specimen;
     }
     PreparationSettings preparation = find_preparation(scene, specimen);
@@ -118,6 +127,7 @@ Specimen make_specimen(const Scene& scene, const RunSettings& settings, const Ch
         specimen = prepare(specimen, time_step, preparation, own, from != nullptr ? from->preparation : std::nullopt, to_follow).specimen;
     }
     specimen.settling = preparation.settling;
+    specimen.beginning = Beginning::prepared;
     return specimen;
 }
 
@@ -147,6 +157,11 @@ std::optional<Rest> let_settle(const Scene& scene, Specimen& specimen, int threa
     if (!specimen.settling) return std::nullopt;
     Simulation simulation(specimen.model, make_time_plan(scene, specimen.model).time_step, threads);
     std::optional<Rest> rest = settle_specimen(simulation, specimen);
+    if (rest->collapsed) {
+        throw SceneError(
+            fmt::format("{}: {} (a comparison needs a structure that stands); draw it where it stands, or `musim run` it to look at it",
+                        scene.place(), describe_fallen(rest->fallen, make_block_table(specimen))));
+    }
     put_in_place(find_places(simulation), specimen);
     specimen.settling.reset();
     return rest;

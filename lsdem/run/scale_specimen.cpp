@@ -107,6 +107,7 @@ Specimen scale_specimen(const Specimen& specimen, const scaling::Similitude& sim
     const Scaler scaler(similitude);
     Specimen image = specimen;
     scaler.scale_parts(image.model);
+    for (BoxPose& box : image.drawn) scaler.scale<scaling::Length>(box.size, box.position);
     if (image.settling) scaler.scale<scaling::Frequency>(image.settling->damping_rate);
     return image;
 }

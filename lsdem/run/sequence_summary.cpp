@@ -51,6 +51,7 @@ StageSummary summarize_stage(const StoredRun& run, const StageFolder& where, con
         if (run.origin && time <= 0.0) ++stage.fallen_before;
     }
     stage.collapse_time = run.collapse_time;
+    stage.collapsed_before = run.collapsed_before();
     stage.divergence = run.divergence;
     stage.warnings = run.warnings;
     stage.of_stage = measure_residual(run, stage.axis);
@@ -79,6 +80,7 @@ nlohmann::json to_json(const Residual& residual) {
     nlohmann::json spine = nlohmann::json::array(), levels = nlohmann::json::array();
     for (const SpineLevel& l : residual.spine) {
         spine.push_back({{"level", l.level},
+                         {"name", l.name.empty() ? nlohmann::json() : nlohmann::json(l.name)},
                          {"residual_displacement_m", to_array(l.residual_displacement)},
                          {"in_plane_rotation_residual_deg", l.in_plane_residual / kDegree},
                          {"vertical_rotation_residual_deg", l.vertical_residual / kDegree}});
@@ -151,6 +153,7 @@ RunData measure_from_first(const RunData& stage, const Kinematics& pose, const V
     whole.blocks = stage.blocks;
     whole.spine = stage.spine;
     whole.losses = losses;
+    whole.falls.airborne = stage.falls.airborne;
     whole.initial.position = origin.position;
     whole.initial.orientation = origin.orientation;
     whole.final = pose;
@@ -236,7 +239,7 @@ std::string make_sequence_levels_csv(const SequenceSummary& summary) {
         fmt::format_to(std::back_inserter(csv), ",residual_x_m_{0},residual_y_m_{0},residual_z_m_{0},in_plane_deg_{0},vertical_deg_{0}",
                        since);
     }
-    csv += '\n';
+    csv += ",name\n";
     for (std::size_t k = 0; k < summary.stages.size(); ++k) {
         const StageSummary& stage = summary.stages[k];
         for (std::size_t s = 0; s < stage.of_stage.spine.size(); ++s) {
@@ -247,7 +250,7 @@ std::string make_sequence_levels_csv(const SequenceSummary& summary) {
                 fmt::format_to(std::back_inserter(csv), ",{},{},{},{},{}", moved.x(), moved.y(), moved.z(), l.in_plane_residual / kDegree,
                                l.vertical_residual / kDegree);
             }
-            csv += '\n';
+            fmt::format_to(std::back_inserter(csv), ",{}\n", stage.of_stage.spine[s].name);
         }
     }
     return csv;

@@ -39,6 +39,7 @@ struct StageSummary {
     std::size_t fallen_before = 0;        ///< blocks that had fallen before it, the rest phase included
     std::size_t fallen = 0;               ///< at its end, since the start of the first stage; a rest phase after it included
     std::optional<double> collapse_time;  ///< since its start [s]; after its end: in the rest phase
+    bool collapsed_before = false;        ///< while the structure was prepared, so that it was not shaken
     std::string divergence;               ///< why it diverged; empty when it did not
     std::vector<std::string> warnings;    ///< of the run, see find_warnings
     std::optional<Residual> at_start;     ///< of a later stage: what the ones before have left when it starts, without energies

@@ -12,21 +12,6 @@ namespace {
 /// Steps between two checks at energy and reaction, which cost about a step each.
 constexpr std::uint64_t kLookInterval = 64;
 
-/// Looks in a row at which a structure must be at rest: a swing passes through rest, and the base bears the weight twice a cycle.
-constexpr int kChecksInARow = 4;
-
-/// Weight of what the ground bears, and that of a force.
-struct Weight {
-    double mass = 0.0;
-    Vector3 gravity;
-
-    explicit Weight(const Model& model) : gravity(model.gravity) {
-        for (const Block& block : model.blocks) mass += block.fixed ? 0.0 : block.mass;
-    }
-    bool exists() const { return mass * gravity.norm() > 0.0; }
-    double part_of(const Vector3& reaction) const { return -reaction.dot(gravity) / (gravity.squaredNorm() * mass); }
-};
-
 /// The largest v²/(2 g H) of a block, spin included: J ω²/m [-].
 double find_liveliest(const Simulation& simulation) {
     const Model& model = simulation.model();
@@ -43,6 +28,23 @@ double find_liveliest(const Simulation& simulation) {
 
 }  // namespace
 
+CarriedWeight::CarriedWeight(const Model& model) : gravity_(model.gravity) {
+    for (std::size_t b = 0; b < model.blocks.size(); ++b) {
+        if (model.blocks[b].fixed) {
+            fixed_.push_back(b);
+        } else {
+            mass_ += model.blocks[b].mass;
+        }
+    }
+}
+
+double CarriedWeight::find_borne(const Simulation& simulation) const {
+    Vector3 reaction = simulation.base_reaction();
+    // what presses on a fixed block is what it bears
+    for (const std::size_t b : fixed_) reaction -= simulation.contact_force(b);
+    return -reaction.dot(gravity_) / (gravity_.squaredNorm() * mass_);
+}
+
 double choose_damping_rate(const Vector3& size, double gravity) {
     const double thin = std::min(size.x(), size.y());
     return 0.5 * std::sqrt(0.75 * gravity / (0.5 * std::hypot(thin, size.z())));
@@ -50,7 +52,7 @@ double choose_damping_rate(const Vector3& size, double gravity) {
 
 Rest settle(SettlingSimulation& settling_simulation, const Settling& settling, const SettlingWatch& watch, SettlingState state) {
     const Simulation& simulation = settling_simulation.state();
-    const Weight weight(simulation.model());
+    const CarriedWeight weight(simulation.model());
     Rest rest;
     if (!weight.exists()) return rest;
     double part = 0.0;
@@ -60,7 +62,7 @@ Rest settle(SettlingSimulation& settling_simulation, const Settling& settling, c
         if (simulation.divergence()) break;
         state.steps += kLookInterval;
         rest.kinetic = find_liveliest(simulation);
-        rest.reaction_over_weight = weight.part_of(simulation.base_reaction());
+        rest.reaction_over_weight = weight.find_borne(simulation);
         const bool at_rest = rest.kinetic <= settling.rest && std::abs(rest.reaction_over_weight - 1.0) <= settling.reaction;
         state.checks_at_rest = at_rest ? state.checks_at_rest + 1 : 0;
         state.liveliest = std::max(state.liveliest, rest.kinetic);

@@ -25,6 +25,24 @@ struct SettlingWatch {
     std::function<void(const SettlingState&)> on_state = {};  ///< given the state, unless it has ended
 };
 
+/// Looks in a row at which a structure must be at rest: a swing passes through rest, and the base bears the weight twice a cycle.
+inline constexpr int kChecksInARow = 4;
+
+/// The weight of the blocks that can move, and how much of it is borne.
+class CarriedWeight {
+  public:
+    explicit CarriedWeight(const Model& model);
+
+    bool exists() const { return mass_ * gravity_.norm() > 0.0; }
+    /// Force along gravity with which ground and fixed blocks bear the others, over their weight [-].
+    double find_borne(const Simulation& simulation) const;
+
+  private:
+    Vector3 gravity_;
+    double mass_ = 0.0;               ///< of the blocks that can move [kg]
+    std::vector<std::size_t> fixed_;  ///< blocks
+};
+
 /// Brings a simulation to rest, or carries that on from `state`. The part that is done is guessed from the decay of the liveliest block's
 /// energy. Ends early, not at rest, when the simulation diverges. Throws scaling::Interrupted when the program is asked to stop, after
 /// telling where it stands.

@@ -11,9 +11,9 @@
 
 #include "lsdem/block_height.hpp"
 #include "lsdem/fallen.hpp"
-#include "lsdem/results/fallen_blocks.hpp"
 #include "lsdem/rotation.hpp"
 #include "lsdem/run/advance_in_pieces.hpp"
+#include "lsdem/run/drawn_places.hpp"
 #include "lsdem/time_step.hpp"
 #include "scaling/interruption.hpp"
 
@@ -21,17 +21,6 @@ namespace musim::lsdem {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-BlockTable make_block_table(const Specimen& specimen) {
-    BlockTable table;
-    for (const Block& block : specimen.model.blocks) {
-        table.size.emplace_back(2.0 * half_extents(specimen.model, block));
-        table.mass.push_back(block.mass);
-    }
-    table.layer = specimen.level.empty() ? specimen.layer : specimen.level;
-    table.layer.resize(table.mass.size(), 0);
-    return table;
-}
 
 void reserve(History& history, const TimePlan& plan, std::size_t spine) {
     const std::size_t samples = plan.samples + 1;
@@ -41,12 +30,27 @@ void reserve(History& history, const TimePlan& plan, std::size_t spine) {
     for (auto* series : {&history.spine_position, &history.spine_velocity, &history.spine_rotation}) series->reserve(samples * spine);
 }
 
-/// Of all blocks, standing.
-Falls make_standing(std::size_t blocks) {
+/// Of all blocks, none fallen.
+Falls make_falls(const Specimen& specimen, const Kinematics& start) {
     constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    const std::size_t blocks = specimen.model.blocks.size();
     return {.time = std::vector<double>(blocks, kNone),
             .displacement = std::vector<Vector3>(blocks, Vector3::Constant(kNone)),
-            .at_collapse = {}};
+            .at_collapse = {},
+            .airborne = find_airborne(specimen, start)};
+}
+
+/// Dates the falls of a structure that collapsed while it was prepared, and the collapse, at the start; displacements are from the drawn
+/// places.
+void note_falls_before(const Specimen& specimen, const Rest& rest, RunResult& run) {
+    for (const MovedBlock& moved : rest.fallen) {
+        run.falls.time[moved.block] = 0.0;
+        run.falls.displacement[moved.block] = moved.now - moved.drawn;
+    }
+    run.collapse_time = 0.0;
+    for (std::size_t b = 0; b < specimen.drawn.size(); ++b) {
+        run.falls.at_collapse.emplace_back(run.initial.position[b] - specimen.drawn[b].position);
+    }
 }
 
 /// Has a block fallen since falls are counted? `base`: how far the base has risen since the start of the run [m].
@@ -87,14 +91,14 @@ void add_frame(RunResult& run, const Simulation& simulation) {
     }
 }
 
-/// Upward reaction of the ground over the weight of the blocks it may carry.
+/// Upward reaction of ground and fixed blocks over the weight of the blocks that they may carry.
 std::optional<double> base_reaction_over_weight(const Simulation& simulation) {
     const Model& model = simulation.model();
-    double mass = 0.0;
-    for (const Block& block : model.blocks) mass += block.fixed ? 0.0 : block.mass;
-    const double gravity = model.gravity.norm();
-    if (!model.ground.present || !(mass * gravity > 0.0)) return std::nullopt;
-    return -simulation.base_reaction().dot(model.gravity) / (gravity * gravity * mass);
+    const CarriedWeight weight(model);
+    const bool carries =
+        model.ground.present || std::any_of(model.blocks.begin(), model.blocks.end(), [](const Block& b) { return b.fixed; });
+    if (!carries || !weight.exists()) return std::nullopt;
+    return weight.find_borne(simulation);
 }
 
 void finish(RunResult& run, const Simulation& simulation) {
@@ -116,6 +120,7 @@ void describe(RunResult& run, const Specimen& specimen, const TimePlan& plan) {
     run.critical_time_step = find_critical_time_step(specimen.model);
     run.spine = specimen.spine;
     run.blocks = make_block_table(specimen);
+    run.beginning = specimen.beginning;
 }
 
 /// From sample `done`, or some steps after it, to the end of the plan. `start`: when this part of the run began.
@@ -161,7 +166,7 @@ bool fits(const TimePlan& plan, std::uint64_t done, const RunResult& run) {
            all_of_size(of_spine, history.spine_position, history.spine_velocity, history.spine_rotation) &&
            all_of_size(frames, run.frames.time) &&
            all_of_size(frames * blocks, run.frames.position, run.frames.quaternion, run.frames.velocity, run.frames.contact_force) &&
-           all_of_size(blocks, run.falls.time, run.falls.displacement) &&
+           all_of_size(blocks, run.falls.time, run.falls.displacement, run.falls.airborne) &&
            all_of_size(run.collapse_time ? blocks : 0, run.falls.at_collapse) &&
            (!run.origin || all_of_size(blocks, run.origin->position, run.origin->orientation)) &&
            all_of_size(blocks, run.initial.position, run.initial.orientation, run.initial.velocity, run.initial.angular_velocity);
@@ -169,19 +174,33 @@ bool fits(const TimePlan& plan, std::uint64_t done, const RunResult& run) {
 
 }  // namespace
 
+BlockTable make_block_table(const Specimen& specimen) {
+    BlockTable table;
+    for (const Block& block : specimen.model.blocks) {
+        table.size.emplace_back(2.0 * half_extents(specimen.model, block));
+        table.mass.push_back(block.mass);
+    }
+    table.layer = specimen.level.empty() ? specimen.layer : specimen.level;
+    table.layer.resize(table.mass.size(), 0);
+    table.name = specimen.name;
+    return table;
+}
+
 void note_falls(RunResult& run, const Simulation& simulation, double time, const Vector3& base) {
     const Vector3 moved_base = run.origin ? Vector3(run.origin->base + base) : base;
     const auto displacement = [&](std::size_t b) { return Vector3((simulation.position(b) - run.standing_position()[b]) - moved_base); };
     const std::size_t blocks = run.falls.time.size();
-    std::size_t fallen = 0;
+    std::size_t fallen = 0, standing = 0;
     for (std::size_t b = 0; b < blocks; ++b) {
+        if (run.falls.is_airborne(b)) continue;
+        ++standing;
         if (!has_fallen_now(run, simulation, b, base.z())) continue;
         ++fallen;
         if (!std::isnan(run.falls.time[b])) continue;
         run.falls.time[b] = time;
         run.falls.displacement[b] = displacement(b);
     }
-    const bool collapsed = blocks > 0 && static_cast<double>(fallen) / static_cast<double>(blocks) >= kCollapsedFraction;
+    const bool collapsed = standing > 0 && static_cast<double>(fallen) / static_cast<double>(standing) >= kCollapsedFraction;
     if (run.collapse_time || !collapsed) return;
     run.collapse_time = time;
     for (std::size_t b = 0; b < blocks; ++b) run.falls.at_collapse.push_back(displacement(b));
@@ -198,9 +217,14 @@ void update_status(RunResult& run, const Simulation& simulation) {
 
 std::optional<Rest> settle_specimen(Simulation& simulation, const Specimen& specimen) {
     if (!specimen.settling) return std::nullopt;
+    Rest rest;
+    note_fallen(specimen, simulation.kinematics(), rest);
+    SettlingWatch watch;
+    // what has collapsed is looked at for as long as it takes to see whether it lies at rest
+    if (rest.collapsed) watch.give_up = [looks = 0]() mutable { return ++looks > kChecksInARow; };
     SettlingSimulation settling(std::move(simulation), specimen.settling->damping_rate);
-    Rest rest = settle(settling, *specimen.settling);
-    rest.fallen = count_fallen(settling.state(), specimen.layer);
+    rest = settle(settling, *specimen.settling, watch);
+    note_fallen(specimen, settling.state().kinematics(), rest);
     simulation = std::move(settling).finish();
     return rest;
 }
@@ -214,11 +238,17 @@ RunResult simulate(Simulation& simulation, const Specimen& specimen, const TimeP
     run.wall_time = begin.wall_time;
     run.initial = simulation.kinematics();
     run.start_reaction_over_weight = base_reaction_over_weight(simulation);
-    run.falls = begin.falls.time.empty() ? make_standing(run.blocks.mass.size()) : std::move(begin.falls);
+    run.falls = begin.falls.time.empty() ? make_falls(specimen, run.initial) : std::move(begin.falls);
     reserve(run.history, plan, run.spine.size());
     add_sample(run, simulation);
     if (plan.samples_per_frame > 0) add_frame(run, simulation);
-    carry_on(run, simulation, plan, 0, start, settings);
+    if (run.rest && run.rest->collapsed && !run.origin) {
+        note_falls_before(specimen, *run.rest, run);
+        finish(run, simulation);
+        run.wall_time += std::chrono::duration<double>(Clock::now() - start).count();
+    } else {
+        carry_on(run, simulation, plan, 0, start, settings);
+    }
     return run;
 }
 

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "lsdem/model.hpp"
@@ -9,6 +10,7 @@
 #include "lsdem/results/history.hpp"
 #include "lsdem/results/time_plan.hpp"
 #include "lsdem/run/settle.hpp"
+#include "lsdem/scene/resting_pose.hpp"
 
 namespace musim::lsdem {
 
@@ -16,9 +18,12 @@ namespace musim::lsdem {
 struct Specimen {
     Model model;
     Spine spine;
-    std::vector<int> layer;            ///< of every block, from 1 at the base; 0: in no layer
-    std::optional<Settling> settling;  ///< how it comes to rest before t = 0; nothing: it starts as it is
-    std::vector<int> level = {};       ///< of every block, from 1 at the base, see StructureInfo; empty: the layers
+    std::vector<int> layer;              ///< of every block, from 1 at the base; 0: in no layer
+    std::optional<Settling> settling;    ///< how it comes to rest before t = 0; nothing: it starts as it is
+    std::vector<int> level = {};         ///< of every block, from 1 at the base, see StructureInfo; empty: the layers
+    std::vector<std::string> name = {};  ///< of listed blocks, see BlockTable::name
+    Beginning beginning = Beginning::listed;
+    std::vector<BoxPose> drawn = {};  ///< the blocks as the scene has them; empty: not known
 };
 
 /// Who watches a run; none of it changes the results. Parts are from 0 to 1.
@@ -44,7 +49,11 @@ struct RunSettings {
 /// leave the free edges of a tower that stands; with fewer than 20 blocks it means any one of them. Changes the label only.
 inline constexpr double kCollapsedFraction = 0.05;
 
-/// Lets a specimen come to rest, when it asks for that, and runs it to the end of its plan, or until it diverges. Time, energy balance and
+/// The blocks of a specimen, as results have them.
+BlockTable make_block_table(const Specimen& specimen);
+
+/// Lets a specimen come to rest, when it asks for that, and runs it to the end of its plan, or until it diverges; where it collapsed while
+/// it was prepared (note_fallen) it is not run: there is one sample, and the collapse is at its time, zero. Time, energy balance and
 /// rotations count from rest. Throws std::invalid_argument as Simulation does.
 RunResult simulate(const Specimen& specimen, const TimePlan& plan, const RunSettings& settings = {});
 
@@ -57,10 +66,12 @@ struct RunStart {
 };
 
 /// Lets a specimen come to rest when it asks for that, and its simulation begin from there; nothing when it does not. One that was
-/// prepared is at rest within a few hundred steps. When something is thrown the simulation is gone.
+/// prepared is at rest within a few hundred steps, and one that has collapsed is not waited for. What has fallen is noted. When something
+/// is thrown the simulation is gone.
 std::optional<Rest> settle_specimen(Simulation& simulation, const Specimen& specimen);
 
-/// Runs a simulation of `specimen` that is at t = 0 to the end of a plan, or until it diverges; the simulation is then at that end. Throws
+/// Runs a simulation of `specimen` that is at t = 0 to the end of a plan, or until it diverges; the simulation is then at that end. One
+/// that collapsed before (begin.rest) is not run. Throws
 /// scaling::Interrupted, after a last checkpoint, when the program is asked to stop.
 RunResult simulate(Simulation& simulation, const Specimen& specimen, const TimePlan& plan, RunStart begin, const RunSettings& settings);
 

@@ -7,10 +7,11 @@
 #include <mutex>
 #include <variant>
 
-#include "lsdem/results/fallen_blocks.hpp"
 #include "lsdem/results/folder_lock.hpp"
 #include "lsdem/results/result_error.hpp"
+#include "lsdem/results/run_warnings.hpp"
 #include "lsdem/results/staged_files.hpp"
+#include "lsdem/run/drawn_places.hpp"
 #include "lsdem/run/run.hpp"
 #include "lsdem/run/shared_progress.hpp"
 #include "lsdem/run/specimen_file.hpp"
@@ -54,6 +55,11 @@ std::optional<detail::FileLock> keep_missing(const std::filesystem::path& file) 
     return lock;
 }
 
+void note_fallen(const std::vector<MovedBlock>& fallen, const Specimen& specimen, SpecimenReport& report) {
+    report.fallen = fallen.size();
+    if (!fallen.empty()) report.what_fell = describe_fallen(fallen, make_block_table(specimen));
+}
+
 /// `files`: one file at a time, since the HDF5 library need not be built for threads.
 SpecimenReport make_specimen_file(const SpecimenBatch& batch, std::size_t index, std::mutex& files, detail::SharedProgress& progress) {
     const std::uint64_t seed = batch.seeds[index];
@@ -73,7 +79,7 @@ SpecimenReport make_specimen_file(const SpecimenBatch& batch, std::size_t index,
             throw ResultError(report.file.string() + ": made from other inputs (a damaged file, or a rare accident of names); move it");
         }
         const StoredSpecimen stored = read_specimen(report.file);
-        report.fallen = count_fallen(stored.size, stored.layer, stored.places);
+        note_fallen(find_fallen(upright, stored.places), upright, report);
         report.reused = true;
         // a kill between the last two steps of making it
         remove_checkpoint(checkpoint_of(report.file));
@@ -92,8 +98,8 @@ SpecimenReport make_specimen_file(const SpecimenBatch& batch, std::size_t index,
     const WorkToFollow to_follow{.block_steps = batch.runs_to_follow * static_cast<double>(make_time_plan(scene, upright.model).steps()) *
                                                 static_cast<double>(upright.model.blocks.size())};
     report.prepared = prepare(upright, compute_time_step(scene, upright.model).value(), preparation, settings, from, to_follow);
-    report.fallen = report.prepared.rest.fallen;
-    if (report.prepared.rest.at_rest) {
+    note_fallen(report.prepared.rest.fallen, upright, report);
+    if (report.stands()) {
         const std::lock_guard lock(files);
         write_specimen(report.file, report.prepared, inputs, batch.version);
     }

@@ -32,9 +32,13 @@ struct SpecimenReport {
     bool reused = false;   ///< made from the same inputs before; of what follows, `blocks` and `fallen` are then known
     bool resumed = false;  ///< gone on with from a checkpoint that was left in the folder
     std::size_t blocks = 0;
-    std::size_t fallen = 0;  ///< of them, from their layers while they were prepared, see count_fallen
+    std::size_t fallen = 0;  ///< of them, while they were prepared, see find_fallen
+    std::string what_fell;   ///< see describe_fallen; empty when none did
     PreparedSpecimen prepared;
     double wall_time = 0.0;  ///< [s]
+
+    /// Is there a file: did it come to rest, without a collapse?
+    bool stands() const { return reused || (prepared.rest.at_rest && !prepared.rest.collapsed); }
 };
 
 /// Prepares the specimens of a batch, as the scene's `preparation` says (default: layer by layer), side by side. A file that is there is

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -132,6 +133,8 @@ void write_specimen(const std::filesystem::path& file, const PreparedSpecimen& p
     std::vector<Vector3> size, position, friction;
     std::vector<Quaternion> orientation;
     std::vector<double> offset, couple;
+    std::vector<int> fallen(model.blocks.size(), 0);
+    for (const MovedBlock& moved : prepared.rest.fallen) fallen[moved.block] = 1;
     for (const Block& block : model.blocks) {
         size.emplace_back(2.0 * half_extents(model, block));
         position.push_back(block.position);
@@ -153,6 +156,7 @@ void write_specimen(const std::filesystem::path& file, const PreparedSpecimen& p
     out.exchange("/blocks/position", {blocks}, position, "m");
     out.exchange("/blocks/quaternion", {blocks}, orientation, "1");
     out.exchange("/blocks/tilt", {blocks}, prepared.tilt, "rad");
+    out.exchange("/blocks/fallen", {blocks}, fallen, "1");
     out.exchange("/contacts/normal_force_over_block_weight", {prepared.force.size()}, prepared.force, "1");
     out.exchange("/contacts/leader", {contacts}, leader, "1");
     out.exchange("/contacts/follower", {contacts}, follower, "1");
@@ -180,6 +184,10 @@ StoredSpecimen read_specimen(const std::filesystem::path& file) {
     specimen->inputs = reader.attribute("inputs");
     specimen->program_version = reader.attribute("program_version");
     specimen->tilt = std::move(tilt);
+    if (reader.has("/blocks/fallen")) {
+        const auto fallen = reader.read<long long>("/blocks/fallen", 1).values;
+        specimen->fallen = static_cast<std::size_t>(std::count(fallen.begin(), fallen.end(), 1));
+    }
     specimen->force = reader.read<double>("/contacts/normal_force_over_block_weight", 1).values;
     return *std::move(specimen);
 }

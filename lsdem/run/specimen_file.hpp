@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,7 +30,9 @@ struct StoredSpecimen {
     std::vector<int> layer;       ///< from 1 at the base; 0: in no layer
     Kinematics places;            ///< poses only
     std::vector<double> tilt;     ///< of each block's own z axis from the vertical [rad]
-    std::vector<double> force;    ///< vertical, of each contact of a layer with the one below or the ground, over a block's weight [-]
+    /// Blocks that fell while it was prepared (find_fallen); nothing in files of versions before it was kept.
+    std::optional<std::size_t> fallen;
+    std::vector<double> force;  ///< vertical, of each contact of a layer with the one below or the ground, over a block's weight [-]
 };
 
 /// Throws ResultError for a file that is no specimen, or a damaged one.

@@ -25,10 +25,12 @@ namespace {
 
 using detail::Placement;
 
-/// Where a scene that is not read from a file is to blame.
 /// A block as messages call it: its place in an explicit list, or its number and layer.
 std::string name_block(const Scene& scene, const std::vector<Placement>& blocks, std::size_t index) {
-    if (std::holds_alternative<BlockList>(scene.structure)) return fmt::format("/structure/blocks/{}", index);
+    if (std::holds_alternative<BlockList>(scene.structure)) {
+        const std::string& name = blocks[index].name;
+        return fmt::format("/structure/blocks/{}{}", index, name.empty() ? name : fmt::format(" (\"{}\")", name));
+    }
     return fmt::format("block {} (layer {})", index, blocks[index].layer);
 }
 
@@ -209,6 +211,7 @@ BuiltModel build_model(const Scene& scene) {
     for (const Placement& placement : arrangement.blocks) {
         built.structure.layer.push_back(placement.layer);
         built.structure.level.push_back(placement.level);
+        if (placement.layer == 0) built.structure.name.push_back(placement.name);
     }
     return built;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "lsdem/model.hpp"
@@ -10,8 +11,9 @@ namespace musim::lsdem {
 
 /// Places in a model that results speak of.
 struct StructureInfo {
-    std::vector<int> layer;  ///< of every block, from 1 at the base; 0: in no layer
-    std::vector<int> level;  ///< of every block, from 1 at the base: its layer, or what find_levels says of blocks in none
+    std::vector<int> layer;         ///< of every block, from 1 at the base; 0: in no layer
+    std::vector<int> level;         ///< of every block, from 1 at the base: its layer, or what find_levels says of blocks in none
+    std::vector<std::string> name;  ///< of every listed block, empty for those without; no entries for other structures
     Spine spine;
 };
 

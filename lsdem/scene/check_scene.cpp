@@ -1,7 +1,10 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <variant>
 
@@ -135,9 +138,37 @@ void check(const BlockEntry& block, const JsonPlace& place, const Scene& scene) 
     }
 }
 
+/// Names head columns of tables, beside those of the base and of blocks that go by their number.
+void check_name(const std::string& name, const JsonPlace& place) {
+    const auto is_special = [](char c) {
+        return static_cast<unsigned char>(c) < 0x20 || std::string_view("\x7f,;\"'/\\").find(c) != std::string_view::npos;
+    };
+    if (std::any_of(name.begin(), name.end(), is_special) || name.front() == ' ' || name.back() == ' ') {
+        fail(
+            place,
+            "a name heads columns of tables, so it has no comma, semicolon, quote, slash, line break or blank at an end; write it without");
+    }
+    const std::size_t from = name.starts_with("block ") ? 6 : name.starts_with("block") ? 5 : 0;
+    const bool is_number = from < name.size() && name.find_first_not_of("0123456789", from) == std::string::npos;
+    if (is_number || name == "base") {
+        fail(place, fmt::format("\"{}\" is {} (results would confuse the two); choose a word of its own", name,
+                                is_number ? "what blocks without a name are called" : "the ground in results"));
+    }
+}
+
 void check(const BlockList& list, const JsonPlace& place, const Scene& scene) {
     if (list.blocks.empty()) fail(place.at("blocks"), "no block (nothing to simulate); add one");
-    for (std::size_t k = 0; k < list.blocks.size(); ++k) check(list.blocks[k], place.at("blocks").at(k), scene);
+    std::map<std::string, std::size_t> names;
+    for (std::size_t k = 0; k < list.blocks.size(); ++k) {
+        const JsonPlace here = place.at("blocks").at(k);
+        check(list.blocks[k], here, scene);
+        const std::string& name = list.blocks[k].name;
+        if (name.empty()) continue;
+        check_name(name, here.at("name"));
+        const auto [first, is_new] = names.emplace(name, k);
+        if (!is_new)
+            fail(here.at("name"), fmt::format("block {} is called \"{}\" as well; give each a name of its own", first->second, name));
+    }
 }
 
 void check_pitch(const std::optional<scaling::Length>& pitch, const Triple<scaling::Length>& block, const JsonPlace& place) {

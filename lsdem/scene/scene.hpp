@@ -58,6 +58,7 @@ struct BlockEntry {
     bool fixed = false;                                    ///< held in place
     bool rotation_locked = false;                          ///< translates only
     std::string material;                                  ///< key of Scene::materials; empty: Scene::material
+    std::string name;                                      ///< in results and messages; empty: its number, counted from 0
 
     bool operator==(const BlockEntry&) const = default;
 };

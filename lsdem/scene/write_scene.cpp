@@ -115,6 +115,7 @@ class SceneWriter {
         if (with_size) object["size"] = write(block.size);
         object = write_part(block, object);
         if (!block.material.empty()) object["material"] = block.material;
+        if (!block.name.empty()) object["name"] = block.name;
         return object;
     }
 

@@ -16,7 +16,8 @@ constexpr double kSameTime = 1e-9;
 
 MemberStatus judge(const StoredRun& run) {
     if (run.status == RunStatus::diverged) return MemberStatus::diverged;
-    if (!run.at_rest) return MemberStatus::unsettled;
+    // one that collapsed while it was prepared need not lie at rest
+    if (!run.at_rest && !run.collapsed_before()) return MemberStatus::unsettled;
     return run.status == RunStatus::collapsed ? MemberStatus::collapsed : MemberStatus::completed;
 }
 

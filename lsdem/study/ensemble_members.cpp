@@ -147,7 +147,7 @@ std::vector<SpecimenReport> use_specimens(std::vector<EnsembleMember>& members, 
     if (missing > 0) batch.runs_to_follow = static_cast<double>(members.size()) / static_cast<double>(missing);
     std::vector<SpecimenReport> reports = make_specimens(batch);
     for (std::size_t i = 0; i < members.size(); ++i) {
-        if (reports[i].reused || reports[i].prepared.rest.at_rest) members[i] = with_specimen(members[i], reports[i].file, batch.version);
+        if (reports[i].stands()) members[i] = with_specimen(members[i], reports[i].file, batch.version);
     }
     return reports;
 }

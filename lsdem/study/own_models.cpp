@@ -17,8 +17,9 @@ namespace {
 constexpr double kBeyondChanceEach = kBeyondChance / static_cast<double>(std::size(kReportedQuantities));
 
 const QuantityCheck* find_same(const std::vector<QuantityCheck>& checks, const QuantityCheck& wanted) {
-    const auto found = std::find_if(checks.begin(), checks.end(),
-                                    [&](const QuantityCheck& check) { return check.key == wanted.key && check.level == wanted.level; });
+    const auto found = std::find_if(checks.begin(), checks.end(), [&](const QuantityCheck& check) {
+        return check.key == wanted.key && check.level == wanted.level && check.name == wanted.name;
+    });
     return found == checks.end() ? nullptr : &*found;
 }
 

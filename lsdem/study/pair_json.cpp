@@ -40,6 +40,7 @@ static void to_json(nlohmann::json& json, const DifferenceRange& range) { json =
 static void to_json(nlohmann::json& json, const QuantityCheck& check) {
     json = {{"key", check.key},     {"level", check.level},           {"unit", check.unit},      {"prototype", check.prototype},
             {"model", check.model}, {"difference", check.difference}, {"of_twins", check.twins}, {"probability", check.probability}};
+    if (!check.name.empty()) json["name"] = check.name;
 }
 
 static void to_json(nlohmann::json& json, const OwnQuantity& quantity) {

@@ -20,6 +20,12 @@ std::optional<Checkpoint> find_kept(const std::optional<CheckpointSettings>& set
     }
 }
 
+/// Lengths times `length`; the rest are pure numbers.
+Rest scale_rest(Rest rest, double length) {
+    for (MovedBlock& moved : rest.fallen) moved.drawn *= length, moved.now *= length;
+    return rest;
+}
+
 /// Counts of the whole run, as it is kept.
 TimePlan find_whole_plan(const PairMember& member) {
     TimePlan plan = member.staged ? member.staged->stages.front().plan : member.plan;
@@ -60,6 +66,7 @@ PairMember make_image(const PairMember& member, const std::string& label, const 
     PairMember image{label,      scale_specimen(member.specimen, similitude), member.plan.scaled(similitude.time()), similitude, {},
                      member.rest};
     image.is_image = true;
+    if (image.rest) *image.rest = scale_rest(*std::move(image.rest), similitude.length());
     if (member.staged) image.staged = member.staged->scaled(similitude);
     return image;
 }

@@ -110,10 +110,12 @@ StackedPlot make_spine_plot(const PairStudy& study, const SpeedScales& scales, c
     } else {
         plot.x_label = "t of the prototype [s]";
     }
-    plot.y_label += std::string(" along ") + "xyz"[units.axis] + ", one row per level";
+    plot.y_label +=
+        std::string(" along ") + "xyz"[units.axis] + (study.prototype.blocks.is_listed() ? ", one row per block" : ", one row per level");
 
     const std::vector<std::size_t> rows = choose_rows(study.prototype.spine.size());
-    for (const std::size_t row : rows) plot.row_labels.push_back(fmt::format("level {}", study.prototype.spine.level[row]));
+    const std::vector<std::string> labels = label_spine(study.prototype);
+    for (const std::size_t row : rows) plot.row_labels.push_back(labels[row]);
     plot.runs.push_back(make_spine_curves("prototype", study.prototype, units, rows));
     if (const std::optional<TwinBand> band = find_twin_band(study)) add_twin_band(plot, *band, units);
     if (const std::optional<double> horizon = find_horizon(study)) plot.mark = {*horizon * units.time, name_horizon(*horizon)};

@@ -52,7 +52,9 @@ std::string give_reason(const Judgement& judgement) {
     const auto least = std::min_element(judgement.quantities.begin(), judgement.quantities.end(),
                                         [](const QuantityCheck& a, const QuantityCheck& b) { return a.probability < b.probability; });
     if (least == judgement.quantities.end() || judgement.least_probability >= kAgrees) return "it diverged";
-    const std::string where = least->level > 0 ? fmt::format(" of level {}", least->level) : "";
+    const std::string where = !least->name.empty() ? " of " + least->name
+                              : least->level > 0   ? fmt::format(" of level {}", least->level)
+                                                   : "";
     return fmt::format("{}{} is {} off, twins {} (probability {:.1g})", least->title, where, format_percent(least->difference),
                        format_up_to(least->twins.largest()), judgement.least_probability);
 }

@@ -220,6 +220,7 @@ std::vector<QuantityCheck> Yardstick::check_quantities(const RunTrace& run) cons
         for (std::size_t i = 0; i < family.value.size(); ++i) {
             const auto apart = [&](double value) { return scale > 0.0 ? (value - family.value[i]) / scale : 0.0; };
             QuantityCheck check{family.key, family.title, family.unit, family.level[i], family.value[i], run.quantities[f].value[i]};
+            if (i < family.name.size()) check.name = family.name[i];
             check.difference = std::abs(apart(check.model));
             for (const RunTrace& twin : twins_) check.twins.include(apart(twin.quantities[f].value[i]));
             if (parted_) check.probability = find_probability(measure(f, check.model), measures_of_twins(f, i), least);

@@ -71,6 +71,7 @@ struct QuantityCheck {
     double difference = 0.0;
     DifferenceRange twins{};
     double probability = 1.0;  ///< that a twin lies as far from the other twins [-]; 1 where that is not asked
+    std::string name = {};     ///< of a listed block; else empty
 };
 
 /// Of one family, on the highest level that it has; nullptr when there is none.

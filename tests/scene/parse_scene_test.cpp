@@ -1,9 +1,13 @@
 #include <doctest/doctest.h>
 
+#include <array>
 #include <fstream>
 #include <limits>
 
+#include "lsdem/scene/build_model.hpp"
+#include "lsdem/scene/scale_scene.hpp"
 #include "lsdem/scene/scene_json.hpp"
+#include "scaling/laws/law_similitude.hpp"
 #include "tests/scene/made_scene.hpp"
 
 using namespace musim;
@@ -257,4 +261,26 @@ TEST_CASE("a scene made in code is checked for values that no file can hold") {
     scene = parse_scene(kFull);
     scene.gravity[1] = scaling::Acceleration::from_value(std::numeric_limits<double>::infinity());
     check_message(error_of([&] { check_scene(scene, "code"); }), {"code: /gravity/1: inf (must be finite)"});
+}
+
+TEST_CASE("listed blocks may have names, each its own, that survive writing, reading and scaling") {
+    const auto text = [](const std::string& first, const std::string& second) {
+        return R"({"schema": "musim-scene/1", "material": "wood", "time": {"duration": 1}, "structure": {"kind": "blocks", "blocks": [
+            {"size": [1, 1, 1], "position": [0, 0, 0.5], "name": ")" +
+               first + R"("}, {"size": [1, 1, 1], "position": [2, 0, 0.5])" + second + "}]}}";
+    };
+    const Scene scene = parse_scene(text("left post", ""), "test");
+    const Scene again = parse_scene(write_scene(scene), "test");
+    CHECK(again == scene);
+    CHECK(std::get<BlockList>(again.structure).blocks[0].name == "left post");
+    CHECK(write_scene(scene).find("\"name\": \"\"", 40) == std::string::npos);
+    const Scene scaled = scale_scene(scene, musim::scaling::make_similitude("exact", {.length = 0.25}));
+    CHECK(std::get<BlockList>(scaled.structure).blocks[0].name == "left post");
+    CHECK(build_model(scene).structure.name == std::vector<std::string>{"left post", ""});
+    for (const auto& [first, second, why] :
+         {std::array{"post", R"(, "name": "post")", "block 0 is called \"post\" as well"},
+          std::array{"block 1", "", "what blocks without a name"}, std::array{"17", "", "what blocks without a name"},
+          std::array{"base", "", "the ground in results"}, std::array{"a,b", "", "no comma"}, std::array{" a", "", "blank at an end"}}) {
+        CHECK_THROWS_WITH_AS(parse_scene(text(first, second), "test"), doctest::Contains(why), SceneError);
+    }
 }

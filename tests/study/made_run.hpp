@@ -16,7 +16,7 @@ inline RunResult make_made_run(std::size_t samples) {
     run.time_step = 0.001;
     run.blocks = {.size = {{1.0, 2.0, 3.0}, {1.5, 2.0, 3.0}}, .mass = {10.0, 20.0}, .layer = {1, 2}};
     constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-    run.falls = {.time = {kNone, 0.5}, .displacement = {Vector3::Constant(kNone), {0.5, 0.0, -1.0}}, .at_collapse = {}};
+    run.falls = {.time = {kNone, 0.5}, .displacement = {Vector3::Constant(kNone), {0.5, 0.0, -1.0}}, .at_collapse = {}, .airborne = {0, 0}};
     run.losses = Losses{.block = {{0.3, 0.2}, {0.0, 0.0}}, .ground = {0.4, 0.1}};
     run.spine = {.block = {0, 1}, .level = {1, 2}};
     run.state_hash = "0123456789abcdef";

@@ -51,6 +51,7 @@ BlockEntry parse_block(const JsonReader& value, bool needs_size) {
     if (needs_size || object.has("size")) block.size = object.get<Triple<scaling::Length>>("size");
     read_fields(object, block);
     object.read("material", block.material);
+    object.read("name", block.name);
     return block;
 }
 

@@ -61,6 +61,7 @@ Arrangement arrange(const BlockList& list, const ShapeSettings& shape) {
         block.fixed = entry.fixed;
         block.rotation_locked = entry.rotation_locked;
         block.material = entry.material;
+        block.name = entry.name;
         arrangement.blocks.push_back(std::move(block));
     }
     std::vector<Vector3> position, extent;

@@ -21,6 +21,7 @@ struct Placement {
     bool fixed = false;
     bool rotation_locked = false;
     std::string material;  ///< key of Scene::materials; empty: Scene::material
+    std::string name;      ///< of a listed block; empty: none
     int layer = 0;         ///< from 1 at the base; 0: in no layer
     int level = 0;         ///< from 1 at the base: the layer, or by height
 

@@ -65,7 +65,7 @@ inline constexpr auto kFields<SphereShape> = std::tuple{
     Field{"nodes", &SphereShape::nodes, Range::one_or_more},
     Field{"voxel", &SphereShape::voxel, Range::positive, kRequired},
 };
-/// Between the size, which spheres do not have, and the material.
+/// Between the size, which spheres do not have, and material and name.
 template <>
 inline constexpr auto kFields<BlockEntry> = std::tuple{
     Field{"position", &BlockEntry::position, Range::finite, kRequired},

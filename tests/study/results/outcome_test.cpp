@@ -1,4 +1,5 @@
 #include "lsdem/results/outcome.hpp"
+#include "lsdem/results/drift.hpp"
 
 #include <doctest/doctest.h>
 
@@ -98,4 +99,39 @@ TEST_CASE("slip and rotation are those of blocks that stand") {
     REQUIRE(outcome.rotation.has_value());
     CHECK(outcome.rotation->block == 0);
     CHECK(outcome.slip->block == 0);
+}
+
+TEST_CASE("listed blocks go by their names, and have drift only against what lies under them") {
+    // two posts side by side, whose centres differ by rounding, and a lintel on the second alone
+    RunResult run;
+    run.blocks = {.size = {{1, 1, 1}, {1, 1, 1}, {1, 1, 0.5}}, .mass = {1, 1, 1}, .layer = {1, 1, 2}, .name = {"", "post", "lintel"}};
+    run.spine = {.block = {0, 1, 2}, .level = {1, 1, 2}};
+    run.history.time = {0.0, 1.0};
+    run.history.base.resize(2);
+    run.history.spine_position = {{0, 0, 0.5}, {1, 0, 0.5 + 1e-15}, {1.2, 0, 1.25}, {0.1, 0, 0.5}, {0.8, 0, 0.5}, {1.15, 0, 1.25}};
+    run.history.spine_velocity.assign(6, Vector3::Zero());
+    run.history.spine_rotation.assign(6, Vector3::Zero());
+    run.initial.position.assign(run.history.spine_position.begin(), run.history.spine_position.begin() + 3);
+    run.final.position.assign(run.history.spine_position.begin() + 3, run.history.spine_position.end());
+    run.initial.orientation.assign(3, Quaternion::Identity());
+    run.final.orientation = run.initial.orientation;
+    const std::vector<DriftPair> pairs = find_drift_pairs(run);
+    REQUIRE(pairs.size() == 3);
+    CHECK_FALSE(pairs[0].lower.has_value());
+    CHECK_FALSE(pairs[1].lower.has_value());
+    CHECK(pairs[2].lower == 1);
+    CHECK(pairs[2].rise == doctest::Approx(0.75));
+    const Outcome outcome = find_outcome(run);
+    // the second post has moved by 0.2 m over half a metre; the lintel on it by 0.15 m over 0.75 m
+    CHECK(outcome.drift == doctest::Approx(0.4));
+    CHECK(outcome.drift_name == "post");
+    CHECK(outcome.top_name == "lintel");
+    CHECK(describe(outcome)[1].starts_with("top (lintel, level 2) against the base"));
+    CHECK(describe(outcome)[2].find("(block 2 (\"lintel\"), level 2)") != std::string::npos);
+    CHECK(to_json(outcome)["top"]["name"] == "lintel");
+    CHECK(label_spine(run) == std::vector<std::string>{"block 0", "post", "lintel"});
+    CHECK(head_spine(run) == std::vector<std::string>{"block0", "post", "lintel"});
+    // one that begins in the air has none
+    run.falls.airborne = {0, 0, 1};
+    CHECK(find_drift_pairs(run).size() == 2);
 }

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <string>
 
 #include "tests/study/made_run.hpp"
@@ -53,10 +54,42 @@ TEST_CASE("a sound run raises no warning, a doubtful one says each number") {
     CHECK(says(find_warnings(run)[0], "bore 0.750000 of the weight"));
     run.rest->at_rest = true;
     CHECK(find_warnings(run).size() == 3);
-    run.rest->fallen = 2;
+    // of layers a few may fall; the motion is run
+    run.rest->fallen = {{.block = 1, .drawn = {0, 0, 4.5}, .now = {2, 0, 0.5}, .turned = 1.5}};
     REQUIRE(find_warnings(run).size() == 4);
-    CHECK(says(find_warnings(run)[0], "blocks had fallen from their layers before"));
+    CHECK(says(find_warnings(run)[0],
+               "block 1 fell while the structure was prepared: drawn with its centre at (0, 0, 4.5) m, it is at (2, 0, 0.5) m"));
+    CHECK(says(find_warnings(run)[0], "take another seed"));
+    CHECK_FALSE(says(find_warnings(run)[0], "not run"));
     // a run that diverged has its own sentence
     run.divergence = Divergence{};
+    CHECK(find_warnings(run).empty());
+}
+
+TEST_CASE("a start without the weight borne is reported with the advice that fits how the structure begins") {
+    RunResult run = make_made_run(3);
+    run.energy_closure = 0.0;
+    run.start_reaction_over_weight = 0.0;
+    run.falls.time = {std::nan(""), std::nan("")};
+    run.falls.airborne = {0, 0};
+    run.beginning = Beginning::at_once;
+    REQUIRE(find_warnings(run).size() == 1);
+    CHECK(says(find_warnings(run)[0], "leave \"preparation\": \"none\" out"));
+    // listed blocks, without that key
+    run.beginning = Beginning::listed;
+    run.blocks.name = {"", "stone"};
+    for (Vector3& velocity : run.initial.velocity) velocity.setZero();
+    for (Vector3& spin : run.initial.angular_velocity) spin.setZero();
+    REQUIRE(find_warnings(run).size() == 1);
+    CHECK(says(find_warnings(run)[0], "give the scene a \"preparation\""));
+    CHECK_FALSE(says(find_warnings(run)[0], "none"));
+    run.falls.time[1] = 0.02;
+    CHECK(says(find_warnings(run)[0], "block 1 (\"stone\") fell at 0.02 s"));
+    CHECK_FALSE(says(find_warnings(run)[0], "\"preparation\""));
+    // thrown, or let go in the air
+    run.falls.airborne[1] = 1;
+    CHECK(find_warnings(run).empty());
+    run.falls.airborne[1] = 0;
+    run.initial.velocity[1].x() = 1.0;
     CHECK(find_warnings(run).empty());
 }

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lsdem/results/checked_json.hpp"
+#include "lsdem/results/drift.hpp"
 #include "lsdem/results/write_results.hpp"
 #include "lsdem/run/progress_file.hpp"
 #include "lsdem/run/simulate.hpp"
@@ -22,6 +23,7 @@ namespace {
 RunResult make_leaning_run() {
     RunResult run;
     run.spine = {.block = {0, 1}, .level = {1, 2}};
+    run.blocks.size = {{1.0, 1.0, 2.0}, {1.0, 1.0, 2.0}};
     run.history.time = {0.0, 0.5};
     run.history.base = {{.displacement = {0.2, 0.0, 0.0}}, {.displacement = {0.3, 0.0, 0.0}}};
     run.history.spine_position = {{0.0, 0.0, 1.0}, {5.0, 0.0, 3.0}, {0.3, 0.4, 0.9}, {5.3, -0.2, 3.5}};
@@ -32,14 +34,14 @@ RunResult make_leaning_run() {
 
 TEST_CASE("the largest drift is the largest slope between neighbors of the spine, the base included") {
     const RunResult run = make_leaning_run();
-    CHECK(find_largest_drift(run, 0) == 0.0);
+    CHECK(find_drift(run, find_drift_pairs(run), 0).value == 0.0);
     // base to first: |(0.2, 0.4)| over 1 m; first to second: |(0, 0.6)| over 2 m
-    CHECK(find_largest_drift(run, 1) == doctest::Approx(std::sqrt(0.2)).epsilon(1e-15));
+    CHECK(find_drift(run, find_drift_pairs(run), 1).value == doctest::Approx(std::sqrt(0.2)).epsilon(1e-15));
 
     RunResult beside = run;
     beside.history.spine_position[1].z() = 1.0;
     beside.history.spine_position[3] = {9.0, 9.0, 1.0};
-    CHECK(find_largest_drift(beside, 1) == doctest::Approx(std::sqrt(0.2)).epsilon(1e-15));
+    CHECK(find_drift(beside, find_drift_pairs(beside), 1).value == doctest::Approx(std::sqrt(0.2)).epsilon(1e-15));
 }
 
 TEST_CASE("a history is thinned to the extremes of its parts, signs kept") {

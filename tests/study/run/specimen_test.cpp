@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "lsdem/block_height.hpp"
-#include "lsdem/results/fallen_blocks.hpp"
 #include "lsdem/results/read_results.hpp"
 #include "lsdem/run/prepare.hpp"
 #include "lsdem/run/run.hpp"
@@ -54,24 +53,6 @@ TEST_CASE("blocks of unequal height come to rest before the motion, the base bea
     // and they do lean
     const double lean = (run.initial.orientation.back() * Vector3::UnitZ()).head<2>().norm();
     CHECK(lean > 1e-4);
-}
-
-TEST_CASE("a block that leans or lies below its layer has fallen while the specimen was prepared") {
-    const std::vector<Vector3> size(6, Vector3(1.0, 2.0, 4.0));
-    const std::vector<int> layer{1, 1, 1, 2, 2, 2};
-    Kinematics places;
-    for (const double z : {2.0, 2.1, 1.9, 6.0, 6.1, 5.9}) {
-        places.position.emplace_back(0.0, 0.0, z);
-        places.orientation.push_back(Quaternion::Identity());
-    }
-    CHECK(count_fallen(size, layer, places) == 0);
-    places.position[4].z() = 5.01;  // the median of its layer is then 5.9, a quarter of a height 1
-    CHECK(count_fallen(size, layer, places) == 0);
-    places.position[4].z() = 4.89;
-    CHECK(count_fallen(size, layer, places) == 1);
-    places.orientation[0] = Eigen::AngleAxisd(0.26 * std::numbers::pi, Vector3::UnitX());
-    CHECK(count_fallen(size, layer, places) == 2);
-    CHECK(count_fallen(size, {1, 1, 1, 0, 0, 0}, places) == 1);
 }
 
 TEST_CASE("layer by layer or quickly or by resting planes the same blocks come to about the same places" * doctest::test_suite("slow")) {
