@@ -110,7 +110,9 @@ std::vector<scaling::UncertainFactor> SimilitudeOptions::given() const {
     return list;
 }
 
-scaling::Similitude SimilitudeOptions::similitude() const { return solve_similitude(law, scaling::values_of(given())); }
+scaling::Similitude SimilitudeOptions::similitude() const {
+    return scaling::make_similitude(solve_noting(law, scaling::values_of(given())));
+}
 
 scaling::ModelScales SimilitudeOptions::model_scales() const {
     const scaling::LawFormulas formulas(solve_noting(law, scaling::values_of(given())));
@@ -162,10 +164,6 @@ void note_overruled(const scaling::SolvedLaw& solved) {
         note_at_end(fmt::format("musim: warning: law {}: {} is {:.7g} by the factors given, not its default", solved.law.name,
                                 solved.problem.quantities[j].name, *solved.solution.quantities[j].factor.value));
     }
-}
-
-scaling::Similitude solve_similitude(const std::string& law, const std::vector<scaling::GivenFactor>& given) {
-    return scaling::make_similitude(solve_noting(law, given));
 }
 
 std::vector<scaling::UncertainFactor> parse_factors(const std::vector<std::string>& texts) {

@@ -78,10 +78,6 @@ struct SimilitudeOptions {
 /// Warnings at the end for defaults of a law that given factors overrule.
 void note_overruled(const scaling::SolvedLaw& solved);
 
-/// The similitude of a law, by name or file, with the given factors. A default of the law that these overrule is a warning at the
-/// end. Throws scaling::SimilitudeError.
-scaling::Similitude solve_similitude(const std::string& law, const std::vector<scaling::GivenFactor>& given);
-
 /// Texts of --set, "NAME=NUMBER", with or without uncertainties. Throws CLI::ValidationError for another form.
 std::vector<scaling::UncertainFactor> parse_factors(const std::vector<std::string>& texts);
 

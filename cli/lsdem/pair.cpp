@@ -71,7 +71,6 @@ void check_options(const PairOptions& options) {
     if (!options.own.empty() && !own) {
         throw CLI::ValidationError("--material", "exact models have no material of their own; add --materials own");
     }
-    if (!options.law.empty() && own) throw CLI::ValidationError("--law", "own materials take the mu law; leave --law or --materials out");
     if ((options.accept || options.specimens) && !own && options.models.empty()) {
         throw CLI::ValidationError(options.accept ? "--accept" : "--specimens",
                                    "exact models are held against twins alone; add --materials own");
@@ -79,22 +78,24 @@ void check_options(const PairOptions& options) {
     if (options.accept && !(options.accept->value > 0.0)) throw CLI::ValidationError("--accept", "must be above zero, such as 5% or 0.05");
 }
 
+std::optional<lsdem::ChosenLaw> find_law(const PairOptions& options) {
+    if (options.law.empty()) return std::nullopt;
+    const std::vector<scaling::UncertainFactor> factors = parse_factors(options.factors);
+    note_values_used(factors);
+    return lsdem::ChosenLaw{options.law, scaling::values_of(factors)};
+}
+
 std::vector<lsdem::ModelChoice> make_choices(const PairOptions& options) {
+    const std::optional<lsdem::ChosenLaw> law = find_law(options);
     std::vector<lsdem::ModelChoice> choices;
     for (const std::string& file : options.models) {
-        choices.push_back({.scene = read_scene(file)});
+        choices.push_back({.law = law, .scene = read_scene(file)});
         lsdem::check_scene(*choices.back().scene, file);
     }
     if (!options.models.empty()) return choices;
     for (std::size_t i = 0; i < options.lengths.size(); ++i) {
         note_larger_model(options.lengths[i]);
-        choices.push_back({.length = options.lengths[i], .material = options.own.empty() ? std::string() : options.own[i]});
-        if (options.law.empty()) continue;
-        const std::vector<scaling::UncertainFactor> factors = parse_factors(options.factors);
-        note_values_used(factors);
-        std::vector<scaling::GivenFactor> given = scaling::values_of(factors);
-        given.push_back({"l", options.lengths[i]});
-        choices.back().similitude = solve_similitude(options.law, given);
+        choices.push_back({.length = options.lengths[i], .material = options.own.empty() ? std::string() : options.own[i], .law = law});
     }
     return choices;
 }
@@ -171,6 +172,26 @@ void print_table(const lsdem::PairStudy& study) {
     }
 }
 
+/// Those that its law asks to be kept first: what it asks for, and what the model has.
+void print_model_distortions(const lsdem::PairedRun& model) {
+    const std::string who = model.label + (model.material.empty() ? "" : ", " + model.material);
+    const std::string& law = model.run.similitude.law_name();
+    std::vector<scaling::Distortion> asked, others;
+    for (const scaling::Distortion& distortion : model.distortions) {
+        const bool is_asked = std::find(model.asked.begin(), model.asked.end(), distortion.group) != model.asked.end();
+        (is_asked ? asked : others).push_back(distortion);
+    }
+    if (!asked.empty()) {
+        print("\nDistortions of {} that law {} does not allow\n", who, law);
+        print_distortions(asked);
+    }
+    if (!others.empty()) {
+        print("\n{} of {}{}\n", asked.empty() ? "Distortions" : "Other distortions", who,
+              law == lsdem::kNoLaw ? "" : fmt::format(" that law {} allows", law));
+        print_distortions(others);
+    }
+}
+
 void print_study(const lsdem::ScenePair& pair) {
     const lsdem::PairStudy& study = pair.study;
     for (const std::string& line : lsdem::describe_verdict(study)) print("{}\n", line);
@@ -187,9 +208,7 @@ void print_study(const lsdem::ScenePair& pair) {
         "largest value of the prototype on any level.\n",
         lsdem::kPartingLevel);
     for (const lsdem::PairedRun& model : study.models) {
-        if (model.distortions.empty()) continue;
-        print("\nDistortions of {}{}\n", model.label, model.material.empty() ? "" : ", " + model.material);
-        print_distortions(model.distortions);
+        print_model_distortions(model);
     }
     for (const lsdem::PairedRun& model : study.models) print_alone(model);
 }
@@ -264,6 +283,7 @@ int run_pair(const PairOptions& options) {
         };
         pair = lsdem::pair_scene(prototype, choices, find_materials(options), settings, how);
     }
+    for (const scaling::SolvedLaw& law : pair->laws) note_overruled(law);
     if (folder) {
         if (pair->resumed) note("{}: went on from what a pair that was killed had left in {}\n", options.scene, pair->unfinished.string());
         write_study(*folder, *pair);
@@ -292,11 +312,12 @@ void add_model_options(CLI::App& command, PairOptions& options) {
                     "exact: scaled so that every group is equal; own: measured for each scale (default: exact; scene files are judged "
                     "like exact models when they have the prototype's blocks at their places)")
         ->check(one_of({"exact", "own"}));
-    CLI::Option* law = command
-                           .add_option("--law", options.law,
-                                       "With exact materials: scale by this law of `musim scale --laws` or law file (default: exact)")
-                           ->type_name("LAW")
-                           ->excludes(models);
+    CLI::Option* law =
+        command
+            .add_option("--law", options.law,
+                        "Scale and shake by this law of `musim scale --laws` or law file (default: exact; of own materials mu; of "
+                        "scenes what their base motions show)")
+            ->type_name("LAW");
     command.add_option("--set", options.factors, "Factor of another quantity of the law, e.g. mu=0.63/0.59; repeat for several")
         ->type_name("NAME=NUMBER")
         ->expected(1)
@@ -353,6 +374,7 @@ void add_pair_command(CLI::App& app, Action& action) {
         "  musim pair examples/tower_prototype.json --length 1/25 --law centrifuge\n"
         "  musim pair examples/tower_prototype.json --length 1/107 --record CICLC.v1 --component x=360 -o out/ridgecrest\n"
         "  musim pair examples/tower_prototype.json --length 1/107 --materials own --material aluminium --accept 5%\n"
+        "  musim pair examples/tower_prototype.json --length 1/107 --materials own --law froude\n"
         "  musim pair examples/tower_prototype.json my_model.json\n"
         "  musim pair examples/tower_prototype.json --length 1/107 --materials own --one-at-a-time\n"
         "  musim pair examples/uneven_wall.json --twins 8 --seed 2\n"

@@ -68,9 +68,12 @@ PairedRun compare(const RunResult& prototype, const PairMember& member, RunResul
     paired.difference = compare_runs(prototype, paired.run, member.similitude);
     paired.trace = trace_run(prototype, paired.run, member.similitude);
     paired.material = member.material;
+    paired.trace.settled_anew = !member.is_image && !member.scene && member.materials == Materials::exact;
     paired.is_image = member.is_image;
     paired.materials = member.materials;
     paired.scene = member.scene;
+    paired.law = member.law;
+    paired.asked = member.asked;
     return paired;
 }
 

@@ -35,6 +35,8 @@ struct PairedRun {
     Judgement judgement = {};                ///< against the twins
     std::string material = {};               ///< of a model of its own material: its name
     bool is_image = false;                   ///< it started from the prototype's specimen, not from one laid anew
+    ModelLaw law = {};                       ///< by which it is shaken
+    std::vector<std::string> asked = {};     ///< of its distortions, the groups that its law asks to be kept
     std::vector<LoneDistortion> alone = {};  ///< when asked for: each property that differs, in a model that is exact otherwise
     Materials materials = Materials::exact;
     std::optional<SecondScene> scene = {};  ///< of a model that is a scene of its own

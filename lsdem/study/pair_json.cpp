@@ -8,6 +8,7 @@
 #include <string>
 
 #include "lsdem/results/summary.hpp"
+#include "lsdem/study/law_text.hpp"
 #include "lsdem/study/own_models.hpp"
 #include "lsdem/study/pair_plots.hpp"
 #include "lsdem/study/step_error.hpp"
@@ -33,6 +34,22 @@ static void to_json(nlohmann::json& json, const RunDifference& difference) {
 static void to_json(nlohmann::json& json, const LoneDistortion& lone) {
     json = lone.difference;
     json.update({{"property", lone.property}, {"factor", lone.factor}, {"status", to_string(lone.status)}});
+}
+
+static void to_json(nlohmann::json& json, const BaseShaking& shaking) {
+    json = {{"time", scaling::or_null(shaking.time)},
+            {"velocity", scaling::or_null(shaking.velocity)},
+            {"velocity_vertical", scaling::or_null(shaking.velocity_vertical)}};
+}
+
+static nlohmann::json law_to_json(const PairedRun& model) {
+    const scaling::Similitude& similitude = model.run.similitude;
+    return {{"name", similitude.law_name()},
+            {"source", to_string(model.law.source)},
+            {"time", similitude.time()},
+            {"acceleration", similitude.acceleration()},
+            {"acceleration_vertical", similitude.acceleration_vertical()},
+            {"base_motion", scaling::or_null(model.law.shaking)}};
 }
 
 static void to_json(nlohmann::json& json, const DifferenceRange& range) { json = range.largest(); }
@@ -133,6 +150,8 @@ nlohmann::json to_json(const PairStudy& study) {
                      {"length", model.run.similitude.length()},
                      {"materials", to_string(model.materials)},
                      {"material", model.material.empty() ? nlohmann::json() : nlohmann::json(model.material)},
+                     {"law", law_to_json(model)},
+                     {"specimen", model.is_image ? "image" : "anew"},
                      {"shadow_rms", shadow_rms},
                      {"shadow_loss_difference", scaling::or_null(shadow_losses)},
                      {"bitwise_identical", model.difference.bitwise_identical},
@@ -145,6 +164,7 @@ nlohmann::json to_json(const PairStudy& study) {
                      {"probability", judgement.least_probability},
                      {"quantities", judgement.quantities},
                      {"distortions", to_json(model.distortions)},
+                     {"asked_by_law", model.asked},
                      {"alone", model.alone}});
         if (model.materials == Materials::own || study.tolerance) pair["own"] = judge_own(study, model);
         if (model.scene) pair["scene"] = *model.scene;

@@ -8,6 +8,7 @@
 #include "lsdem/run/simulate.hpp"
 #include "lsdem/run/staged_run.hpp"
 #include "lsdem/scene/scene.hpp"
+#include "lsdem/study/model_law.hpp"
 #include "lsdem/study/second_scene.hpp"
 #include "scaling/laws/similitude.hpp"
 #include "scaling/structures/distortion.hpp"
@@ -34,6 +35,8 @@ struct PairMember {
     std::optional<StagedMotion> staged = {};            ///< of a scene with several motions; its plans then hold, not `plan`
     Materials materials = Materials::exact;
     std::optional<SecondScene> scene = {};  ///< of a model that is a scene of its own
+    ModelLaw law = {};                      ///< by which it is shaken
+    std::vector<std::string> asked = {};    ///< of its distortions, the groups that its law asks to be kept
 };
 
 /// The folder of a model's results: its label, ':' written '-'.

@@ -17,6 +17,7 @@
 #include "lsdem/scene/block_heights.hpp"
 #include "lsdem/scene/scene_error.hpp"
 #include "lsdem/study/ensemble_members.hpp"
+#include "lsdem/study/model_distortions.hpp"
 #include "lsdem/study/own_models.hpp"
 #include "lsdem/study/pair_models.hpp"
 #include "lsdem/study/twin_files.hpp"
@@ -228,13 +229,22 @@ ScenePair pair_scene(const Scene& prototype, const std::vector<ModelChoice>& mod
         members.push_back(is_image(m)       ? make_image(original, label, scaled.similitude)
                           : is_prototype(m) ? place_like(original, label, scaled.scene)
                                             : lay(label, scaled.scene, scaled.similitude));
-        members.back().distortions = scaled.distortions;
+        if (choice.scene) require_same_structure(original.specimen, members.back().specimen, choice.scene->place());
+        if (!same) {
+            members.back().distortions =
+                find_model_distortions({prototype, original.specimen.model}, {scaled.scene, members.back().specimen.model}, scaled.scales);
+        }
+        members.back().asked = find_asked(scaled, members.back().distortions);
+        members.back().law = scaled.law;
         members.back().material = scaled.material;
         members.back().materials = scaled.materials;
         members.back().scene = scaled.second;
-        if (choice.scene) require_same_structure(original.specimen, members.back().specimen, choice.scene->place());
+        if (choice.law) pair.laws.push_back(*scaled.solved);
         // an exact model steps as its prototype does
-        if (exact) members.back().plan = original.plan.scaled(scaled.similitude.time());
+        if (exact) {
+            members.back().plan = original.plan.scaled(scaled.similitude.time());
+            if (original.staged) members.back().staged = original.staged->scaled(scaled.similitude);
+        }
         if (same) members.back().plan = make_plan_beside(prototype, original.plan, scaled.scene, members.back().specimen.model);
         for (LoneScene& lone : lone_scenes.back()) {
             sample_as(original, lone.similitude, lone.scene);

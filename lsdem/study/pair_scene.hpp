@@ -32,8 +32,9 @@ inline constexpr std::size_t kOtherSpecimens = 4;
 /// A scene at its own scale and at others.
 struct ScenePair {
     Scene prototype;
-    std::vector<Scene> models = {};  ///< in the order of PairStudy::models
-    SpeedScales scales = {};         ///< of the prototype
+    std::vector<Scene> models = {};             ///< in the order of PairStudy::models
+    std::vector<scaling::SolvedLaw> laws = {};  ///< of the models whose law was chosen
+    SpeedScales scales = {};                    ///< of the prototype
     PairStudy study = {};
     /// With settings.checkpoint: the folder in which specimens and runs were kept, for whoever stores the results to remove then.
     std::filesystem::path unfinished = {};
@@ -46,13 +47,14 @@ std::string make_scale_label(double length);
 /// Runs a scene as prototype and models, and judges the models by twins.
 ///
 /// The prototype's specimen is laid, and comes to rest, once; exact models start from its images. With Materials::exact every model is
-/// scaled so that all groups are equal (law `exact`), or by the similitude of its choice. With Materials::own it has the density,
-/// stiffness, friction and restitution of what was measured, fitted to its block size, and gets the base motion of the mu law; what that
-/// distorts is listed, and it is held against other specimens of the prototype, too. What scenes of their own are follows from their blocks
-/// unless `materials` says it (make_scaled); they lay their own specimens. With `one_at_a_time` every
-/// model has runs beside it that say what each property of its material that differs does alone (PairedRun::alone): stiffnesses and
-/// restitution in a model that is exact otherwise, friction with the base motion of the mu law. Throws SceneError (also for an
-/// unknown material, a scale without one, a model of another structure), scaling::SimilitudeError, records::ReadError.
+/// scaled so that all groups are equal (law `exact`), or by the law of its choice. With Materials::own it has the density, stiffness,
+/// friction and restitution of what was measured, fitted to its block size, and gets the base motion of the mu law, or of the law of its
+/// choice; what that distorts is listed, and it is held against other specimens of the prototype, too. What scenes of their own are follows
+/// from their blocks unless `materials` says it (make_scaled); they lay their own specimens. With `one_at_a_time` every
+/// model has runs beside it that say what each property of its material that differs does alone (PairedRun::alone, find_lone_scenes):
+/// stiffnesses and restitution in a model that is exact otherwise, friction with the base motion of the mu law if that is the model's.
+/// Throws SceneError (also for an unknown material, a scale without one, a model of another structure), scaling::SimilitudeError,
+/// records::ReadError.
 ///
 /// With settings.checkpoint its file is the folder of the results: specimens and runs are kept in a folder there that is named by all that
 /// decides on them, so that the same pair, begun again after it was killed, goes on.

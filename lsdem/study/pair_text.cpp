@@ -8,6 +8,7 @@
 #include <iterator>
 #include <optional>
 
+#include "lsdem/study/law_text.hpp"
 #include "lsdem/study/own_models.hpp"
 #include "lsdem/study/step_error.hpp"
 
@@ -165,6 +166,7 @@ std::vector<std::string> describe_verdict(const PairStudy& study) {
     for (const PairedRun& model : study.models) {
         if (model.scene && model.scene->same_structure) add(model.scene->describe_differences());
     }
+    for (const PairedRun& model : study.models) add(describe_law(model));
     add(describe_horizon(study, yardstick));
     if (exact) add(describe_quantities(study));
     // how exact the prototype's own run is no twin shows: they all have its step

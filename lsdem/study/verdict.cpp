@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "lsdem/run/equilibrium.hpp"
 #include "lsdem/study/compare_runs.hpp"
 #include "lsdem/study/sample_moments.hpp"
 
@@ -240,7 +241,7 @@ Judgement Yardstick::judge(const RunTrace& model) const {
     Judgement judgement;
     judgement.parting_time = parting_time(model);
     judgement.quantities = check_quantities(model);
-    judgement.within_rounding = !model.diverged && model.running.back() < kRoundingLevel;
+    judgement.within_rounding = !model.diverged && model.running.back() < (model.settled_anew ? kInEquilibrium : kRoundingLevel);
     if (judgement.within_rounding) {
         judgement.agreement = Agreement::agree;
         return judgement;

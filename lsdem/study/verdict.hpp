@@ -20,7 +20,8 @@ struct RunTrace {
     std::vector<double> running;
     std::vector<QuantityFamily> quantities;
     bool diverged = false;
-    bool image = true;  ///< of a twin: made by the scaling that is judged; else a copy at the prototype's own scale
+    bool settled_anew = false;  ///< of a model: it came to rest by itself, which leaves kInEquilibrium of its weight
+    bool image = true;          ///< of a twin: made by the scaling that is judged; else a copy at the prototype's own scale
 };
 
 /// Of a run against its prototype.
@@ -80,7 +81,7 @@ const QuantityCheck* find_top(const std::vector<QuantityCheck>& checks, const st
 /// A model against the twins.
 struct Judgement {
     Agreement agreement = Agreement::not_judged;
-    bool within_rounding = false;        ///< it agrees to kRoundingLevel throughout
+    bool within_rounding = false;        ///< it agrees to kRoundingLevel throughout, one that settled anew to kInEquilibrium
     std::optional<double> parting_time;  ///< see Yardstick
     double lead = 0.0;                   ///< most standard deviations of log10 R above the twins' mean, up to the horizon [-]
     double lead_time = 0.0;              ///< [s]

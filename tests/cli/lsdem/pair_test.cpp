@@ -1,6 +1,8 @@
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <string>
+#include <utility>
 
 #include "tests/cli/lsdem/two_blocks.hpp"
 #include "tests/cli/program.hpp"
@@ -87,7 +89,10 @@ TEST_CASE("a scene of the same blocks is judged like an exact model, and what di
     CHECK(here.run("pair a.json b.json --no-half-step --materials own").exit_code == 0);
     CHECK(here.run("pair a.json b.json --no-half-step --accept 50%").exit_code == 0);
     CHECK(here.run("pair a.json b.json --record a.at2").exit_code == 2);
-    CHECK(here.run("pair a.json b.json --law froude").exit_code == 2);
+    const auto by_law = here.run("pair a.json b.json --no-half-step --law froude --json").json()["pairs"][0];
+    CHECK(by_law["materials"] == "own");
+    CHECK(by_law["law"]["source"] == "chosen");
+    CHECK(by_law["law"]["base_motion"]["time"] == 1.0);
 }
 
 TEST_CASE("pair scales by another law, as data") {
@@ -99,7 +104,56 @@ TEST_CASE("pair scales by another law, as data") {
     CHECK(here.run("pair scene.json --length 1/16 --law nonsense").exit_code == 3);
     CHECK(here.run("pair scene.json --length 1/16 --law froude --set l=1/16").exit_code == 3);
     CHECK(here.run("pair scene.json --length 1/16 --set mu=1").exit_code == 2);
-    CHECK(here.run("pair scene.json --length 1/107 --law centrifuge --materials own").exit_code == 2);
+}
+
+TEST_CASE("pair shakes a model of its own material by the law that is asked for, and says which") {
+    const Workplace here;
+    here.write("scene.json", SceneText().text());
+    const std::string own = "pair scene.json --length 1/107 --materials own --twins 0 --no-half-step --law ";
+    const Outcome froude = here.run(own + "froude");
+    CHECK(froude.exit_code == 0);
+    CHECK(froude.out.find("\nModel 1:107 is shaken by law froude: times x 0.09667, accelerations x 1; ") != std::string::npos);
+    CHECK(froude.out.find("\nDistortions of 1:107, wood that law froude does not allow\n") != std::string::npos);
+    const auto law = here.run(own + "gravity_distorted --set a=1.5 --json").json()["pairs"][0]["law"];
+    CHECK(law["name"] == "gravity_distorted");
+    CHECK(law["source"] == "chosen");
+    CHECK(law["acceleration"] == 1.5);
+    CHECK(here.run(own + "gravity_distorted").exit_code == 3);
+    CHECK(here.run(own + "mu_vertical_distortion").exit_code == 3);
+}
+
+TEST_CASE("pair says by which law a scene is shaken, given by its record, by --law, or measured") {
+    const Workplace here;
+    REQUIRE(here.run("rescale synthetic --length 1 --law froude -o record.csv").exit_code == 0);
+    REQUIRE(here.run("rescale synthetic --length 1/16 --law froude -o scaled.csv").exit_code == 0);
+    // blocks of 1/16, on contacts that bear them alike
+    const auto write = [&](const std::string& file, const std::string& base, double length) {
+        const std::string size = fmt::format("\"size\": [{0}, {0}, {1}]", 2.0 * length, length);
+        here.write(file, fmt::format(R"({{"schema": "musim-scene/1", "name": "{}", "material": {{"density": 2320, "normal_stiffness": {},
+            "shear_stiffness": {}, "friction": 0.3, "restitution": 0.3}}, "structure": {{"kind": "blocks", "blocks": [
+            {{{}, "position": [0, 0, {}]}}, {{{}, "position": [0, 0, {}]}}]}}, "base_motion": {{{}}},
+            "time": {{"duration": "0.2 s"}}, "output": {{"spine_rate": "200 Hz"}}}})",
+                                     file, 2e9 * length * length, 2e9 * length * length, size, 0.5 * length, size, 1.5 * length, base));
+    };
+    const std::string record = R"("record": "record.csv", "window": ["5 s", "6 s"])";
+    write("prototype.json", record + R"(, "components": {"x": "1"})", 1.0);
+    write("named.json", record + R"(, "components": {"x": "1"}, "scale": {"law": "froude", "length": "1/16"})", 1.0 / 16.0);
+    write("file.json", R"("record": "scaled.csv", "window": ["1.25 s", "1.5 s"], "components": {"x": "1"})", 1.0 / 16.0);
+    const auto law_of = [&](const std::string& model) {
+        return here.run("pair prototype.json " + model + " --twins 0 --no-half-step --json").json()["pairs"][0];
+    };
+    for (const auto& each :
+         {std::pair{"named.json", "scene"}, std::pair{"file.json", "measured"}, std::pair{"file.json --law froude", "chosen"}}) {
+        CAPTURE(each.first);
+        const auto pair = law_of(each.first);
+        CHECK(pair["law"]["name"] == "froude");
+        CHECK(pair["law"]["source"] == each.second);
+        CHECK(pair["law"]["acceleration"] == 1.0);
+        CHECK(pair["distortions"].empty());
+    }
+    const auto other = law_of("file.json --law cauchy")["law"];
+    CHECK(other["name"] == "cauchy");
+    CHECK(other["base_motion"]["time"].get<double>() == doctest::Approx(0.25).epsilon(1e-4));
 }
 
 TEST_CASE("pair --record shakes with the strong motion of a record and says what it did") {
