@@ -64,6 +64,10 @@ void print_run(const lsdem::Scene& scene, const CarriedOut& done) {
     if (const auto failure = lsdem::find_failure(run)) print("  {}\n", lsdem::describe(*failure));
     print("  {:.6g} s simulated in {:.2f} s, {} steps of {:.3g} s; energy balance closes to {:.2g}; state {}\n", run.final.time,
           run.wall_time, run.steps, run.time_step, run.energy_closure, run.state_hash);
+    if (const auto& left = run.statistics.leaving; left && left->substeps > 1) {
+        print("  block {} left its place at {:.4g} s; from then on each step was taken in {} substeps\n", left->block, left->time,
+              left->substeps);
+    }
     print("  {}\n",
           done.step_error ? lsdem::describe(*done.step_error) : "The error of the time step was not estimated (--half-step does).");
 }

@@ -144,7 +144,7 @@ RelativePose find_pose(const Bodies& bodies, const BasePose& base, const Contact
 }
 
 /// A pair that meets by nodes.
-void compute_node_contact(const Model& model, const Bodies& bodies, const BasePose& base, double dt, std::size_t index, ContactList& list) {
+void compute_node_contact(const Model& model, const Bodies& bodies, const BasePose& base, std::size_t index, ContactList& list) {
     const ContactPair& pair = list.pairs[index];
     const std::size_t l = pair.leader, f = pair.follower;
     const bool on_ground = pair.follower == kGround;
@@ -166,7 +166,7 @@ void compute_node_contact(const Model& model, const Bodies& bodies, const BasePo
     if (!leader.faceted) face.leader_axis = 0;
     const detail::NodeContact contact{.leader = nodes_of(model, model.blocks[l]),
                                       .pose = pose,
-                                      .law = StepLaw(pair.law, dt),
+                                      .law = StepLaw(pair.law, base.elapsed),
                                       .equal_area = find_equal_area(model, leader, list.tallies[index]),
                                       .pair = pair,
                                       .list = list};
@@ -191,8 +191,8 @@ double find_touching_area(const Model& model, const ContactList& list, std::size
 
 }  // namespace
 
-double compute_pairs(const Model& model, const Bodies& bodies, const BasePose& base, double dt, std::size_t first, std::size_t last,
-                     ContactList& list, OverlapBatch& overlaps) {
+double compute_pairs(const Model& model, const Bodies& bodies, const BasePose& base, std::size_t first, std::size_t last, ContactList& list,
+                     OverlapBatch& overlaps) {
     // what may touch, first of all, so that the memory of each can be prefetched
     std::size_t end = first;
     for (std::size_t index = first; index < last; ++index) {
@@ -210,7 +210,7 @@ double compute_pairs(const Model& model, const Bodies& bodies, const BasePose& b
             overlaps.add(index);
             continue;
         }
-        compute_node_contact(model, bodies, base, dt, index, list);
+        compute_node_contact(model, bodies, base, index, list);
         if (list.demand.wanted) list.demand.ask(index, find_touching_area(model, list, index));
         const double height = 2.0 * model.shapes[model.blocks[pair.leader].shape].half_extents.z();
         deepest = std::max(deepest, list.tallies[index].overlap / height);

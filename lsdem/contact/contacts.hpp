@@ -115,6 +115,7 @@ struct ContactList {
 /// Where the base was and is.
 struct BasePose {
     Vector3 displacement = Vector3::Zero(), previous = Vector3::Zero();  ///< at steps n and n − 1 [m]
+    double elapsed = 0.0;                                                ///< between them [s]
 };
 
 /// Elastic energy of all pairs, their losses since the list was built [J], and how much touches.
@@ -138,7 +139,7 @@ void clear_losses(ContactList& list);
 /// Forces of pairs [first, last) at step n, from the poses at n and n − 1; updates history and work. Pairs are independent of each other.
 /// Boxes that overlap go to `overlaps`, which may leave some to wait for others. Returns the largest overlap of those that meet by nodes,
 /// over the height of the leader's shape [-].
-double compute_pairs(const Model& model, const Bodies& bodies, const BasePose& base, double dt, std::size_t first, std::size_t last,
-                     ContactList& list, OverlapBatch& overlaps);
+double compute_pairs(const Model& model, const Bodies& bodies, const BasePose& base, std::size_t first, std::size_t last, ContactList& list,
+                     OverlapBatch& overlaps);
 
 }  // namespace musim::lsdem

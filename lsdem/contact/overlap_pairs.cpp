@@ -38,8 +38,7 @@ detail::BoxMeeting make_meeting(const Bodies& bodies, const BasePose& base, cons
 
 }  // namespace
 
-OverlapBatch::OverlapBatch(const Bodies& bodies, const BasePose& base, double dt, ContactList& list)
-    : bodies_(bodies), base_(base), dt_(dt), list_(list) {}
+OverlapBatch::OverlapBatch(const Bodies& bodies, const BasePose& base, ContactList& list) : bodies_(bodies), base_(base), list_(list) {}
 
 void OverlapBatch::add(std::size_t index) {
     const ContactPair& pair = list_.pairs[index];
@@ -120,12 +119,12 @@ void OverlapBatch::compute(Group& group, const Group& next) {
     // lanes that are left over repeat the first
     const std::size_t lanes = detail::round_up_to_lanes(group.count);
     for (std::size_t i = group.count; i < lanes; ++i) (group.lanes[i] = group.lanes[0]).put_into(nowhere_);
-    detail::compute_lane_pairs(group.lanes.data(), lanes, dt_, list_.first_step, nowhere_, {next.lanes.data(), next.count});
+    detail::compute_lane_pairs(group.lanes.data(), lanes, base_.elapsed, list_.first_step, nowhere_, {next.lanes.data(), next.count});
     for (std::size_t i = 0; i < group.count; ++i) {
         const std::size_t index = group.index[i];
         if (group.lanes[i].irregular) {
             place(index, group, i);  // its results went nowhere
-            detail::compute_exact_pair(group.lanes[i], dt_, list_.first_step, room_);
+            detail::compute_exact_pair(group.lanes[i], base_.elapsed, list_.first_step, room_);
         }
         if (list_.demand.wanted) list_.demand.ask(index, group.lanes[i].area);
         deepest_ = std::max(deepest_, list_.tallies[index].overlap / (2.0 * bodies_.pose[list_.pairs[index].leader].half.z()));

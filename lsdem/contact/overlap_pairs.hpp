@@ -17,7 +17,7 @@ namespace musim::lsdem {
 /// share a batch changes no bit.
 class OverlapBatch {
   public:
-    OverlapBatch(const Bodies& bodies, const BasePose& base, double dt, ContactList& list);
+    OverlapBatch(const Bodies& bodies, const BasePose& base, ContactList& list);
     OverlapBatch(const OverlapBatch&) = delete;
     OverlapBatch& operator=(const OverlapBatch&) = delete;
     ~OverlapBatch() = default;
@@ -49,7 +49,6 @@ class OverlapBatch {
 
     const Bodies& bodies_;
     const BasePose& base_;
-    double dt_;
     ContactList& list_;
     double deepest_ = 0.0;
     // pairs that wait for company, see OverlapContact::company

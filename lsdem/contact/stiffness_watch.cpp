@@ -25,7 +25,8 @@ Matrix6 find_opposition(const MeetingArea& area, const Vector3& arm, double alon
 
 }  // namespace
 
-StiffestBlock StiffnessWatch::find_stiffest(const Bodies& bodies, const BasePose& base, double dt, const ContactList& list, double least) {
+StiffestBlock StiffnessWatch::find_stiffest(const Bodies& bodies, const BasePose& base, const ContactList& list, double least) {
+    const double dt = base.elapsed;
     opposition_.assign(bodies.size(), Matrix6::Zero());
     const auto add = [&](std::size_t index, const MeetingArea& area) {
         const ContactPair& pair = list.pairs[index];

@@ -67,8 +67,9 @@ struct Leap {
     Vector3 base_displacement = Vector3::Zero();  ///< after the step [m]
     Vector3 base_step = Vector3::Zero();          ///< what it moves in the step [m]
     Vector3 gravity = Vector3::Zero();            ///< [m/s²]
-    double h = 0.0;                               ///< time step [s]
-    VelocityDecay decay{0.0, 0.0};                ///< over h
+    double h = 0.0;                               ///< length of the step [s]
+    double kick = 0.0;                            ///< from the middle of the step before to that of this one; h, of equal steps [s]
+    VelocityDecay decay{0.0, 0.0};                ///< over `kick`
     bool prepares = false;                        ///< there is damping or mass scaling, whose work is booked
 };
 

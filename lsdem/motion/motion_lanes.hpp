@@ -55,7 +55,7 @@ struct BlockLanes {
         const NeighborSearch::Reference& reference = leap.reference;
         const Vector base = spread(leap.base_displacement), base_step = spread(leap.base_step), gravity = spread(leap.gravity);
         const double push = leap.decay.push;
-        const Real zero{}, h = broadcast<Real>(leap.h), keep = broadcast<Real>(leap.decay.keep);
+        const Real zero{}, h = broadcast<Real>(leap.h), kick_time = broadcast<Real>(leap.kick), keep = broadcast<Real>(leap.decay.keep);
         Real farthest = zero;
         Mask lost{};
         for (std::size_t begin = share.first, last = share.last; begin < last; begin += kCount) {
@@ -90,7 +90,7 @@ struct BlockLanes {
             const Turn free_q = turn_freely(before, l_body, inverse_inertia, leap.h);
             if (prepares) {
                 // the impulse of the damping, and of mass scaling, times the mean of the velocities before and after it
-                const Real whole = choose(free > zero, h, zero), whole_turn = choose(turns, whole, zero);
+                const Real whole = choose(free > zero, kick_time, zero), whole_turn = choose(turns, whole, zero);
                 const Vector impulse = (v - v_before) - whole * acceleration;
                 const Vector twist_impulse = rows_before.to_body((l - l_before) - whole_turn * torque);
                 const Vector l_sum = rows_before.to_body(l_before) + l_body;

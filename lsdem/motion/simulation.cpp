@@ -31,6 +31,7 @@ void Simulation::Implementation::restart() {
     base.origin = base.pose.displacement - base.motion.displacement(0.0);
     restart_balance();
     steps = {};
+    note_leaving();
     work.times = {};
     std::fill(work.overlap.begin(), work.overlap.end(), 0.0);
     health.overstiff.reset();
@@ -60,12 +61,12 @@ Vector3 Simulation::contact_torque(std::size_t block) const { return implementat
 Vector3 Simulation::velocity(std::size_t block) const {
     const Implementation& s = *implementation_;
     if (s.bodies.fixed.at(block) != 0) return Vector3::Zero();
-    return s.velocity_after(s.decay_over(0.5 * s.dt), block, contact_force(block));
+    return s.velocity_after(s.decay_over(0.5 * s.base.pose.elapsed), block, contact_force(block));
 }
 
 Vector3 Simulation::angular_velocity(std::size_t block) const {
     const Implementation& s = *implementation_;
-    return s.bodies.spin(block, s.momentum_after(s.decay_over(0.5 * s.dt), block, contact_torque(block)));
+    return s.bodies.spin(block, s.momentum_after(s.decay_over(0.5 * s.base.pose.elapsed), block, contact_torque(block)));
 }
 
 std::vector<ContactForce> Simulation::contact_forces() const {
@@ -137,6 +138,8 @@ Statistics Simulation::statistics() const {
     Statistics statistics;
     statistics.steps = s.steps.done;
     statistics.skipped = s.steps.skipped;
+    statistics.substeps = s.steps.substeps;
+    statistics.leaving = s.steps.leaving;
     statistics.pairs = s.list.pairs.size();
     statistics.apart = count_apart(s.bodies, s.list);
     const ContactTotals contacts = sum_contacts(s.list);

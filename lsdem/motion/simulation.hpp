@@ -19,7 +19,7 @@ namespace musim::lsdem {
 ///   kinetic + gravitational + elastic_normal + elastic_shear + friction_loss + damping_loss + preparation_loss
 ///     = initial total + base_work.
 struct Energy {
-    double kinetic = 0.0;           ///< time-centred: Σ ½ m v(t−dt/2)·v(t+dt/2), and likewise for the spin
+    double kinetic = 0.0;           ///< time-centred: Σ ½ m v(t−h/2)·v(t+h/2), h the last substep, and likewise for the spin
     double gravitational = 0.0;     ///< −Σ m g·(x − x_start)
     double elastic_normal = 0.0;    ///< Σ ½ K_n A d²
     double elastic_shear = 0.0;     ///< Σ ½ K_s A |ξ|²
@@ -67,10 +67,20 @@ struct Overstiff {
     double used = 0.0;  ///< see StiffnessWatch [-]
 };
 
+/// The first block that left its place: it turned by more than 39° from its upright in the model, or was clear of everything by a sixteenth
+/// of its smallest edge. From then on any of its faces may land, and steps are taken in so many substeps.
+struct Leaving {
+    std::size_t block = 0;
+    double time = 0.0;           ///< [s]
+    std::uint64_t substeps = 1;  ///< 2^compute_landing_halvings
+};
+
 /// Counters and extremes since the start.
 struct Statistics {
     std::uint64_t steps = 0;               ///< time over time step
     std::uint64_t skipped = 0;             ///< of these, passed over because nothing moved
+    std::uint64_t substeps = 0;            ///< in which the others were taken; as many as these while all blocks are in their places
+    std::optional<Leaving> leaving;        ///< nothing while all blocks are in their places
     std::size_t pairs = 0;                 ///< in the neighbor list now
     std::size_t apart = 0;                 ///< of these, known to be apart: a step passes over them
     std::size_t contacts = 0;              ///< pairs that touch now
@@ -104,7 +114,9 @@ struct JointStiffness {
     Matrix3 second = Matrix3::Zero();     ///< moments of the area about its middle [m⁴]
 };
 
-/// Explicit LS-DEM simulation with a fixed time step. Results are the same bits for any number of threads.
+/// Explicit LS-DEM simulation with a fixed time step. Once a block has left its place each step is taken in 2^n equal substeps, n of the
+/// model and poses alone (compute_landing_halvings); times and counts are of whole steps. Results are the same bits for any number of
+/// threads.
 class Simulation {
   public:
     /// Starts at t = 0 with the state in `model`; evaluates the first forces. `time_step` [s] must be positive and finite;
@@ -142,7 +154,7 @@ class Simulation {
     void begin_motion(const std::array<BaseComponent, 3>& motion);
 
     double time() const;         ///< n·dt [s]
-    double time_step() const;    ///< [s]
+    double time_step() const;    ///< dt, whole, whatever substeps it is taken in [s]
     const Model& model() const;  ///< as given at the start, but for the motion of the base (begin_motion)
     int threads() const;
 

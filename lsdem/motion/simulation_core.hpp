@@ -50,9 +50,11 @@ struct PreparationAids {
 struct StepCount {
     std::uint64_t done = 0;
     std::uint64_t skipped = 0;   ///< passed over, since nothing moved
+    std::uint64_t substeps = 0;  ///< of those that were computed
     std::uint64_t rest_end = 0;  ///< the step up to which nothing moves
     int checks_at_rest = 0;      ///< in a row at which nothing moved
     std::uint64_t rebuilds = 0;  ///< of the list of pairs
+    std::optional<Leaving> leaving = {};
 };
 
 /// What the energy balance is counted from.
@@ -88,7 +90,7 @@ struct StepWork {
 
 struct Simulation::Implementation {
     Model model;
-    double dt;
+    double dt;  ///< length of a step [s]; that of the last substep is in base.pose
     Bodies bodies;
     CarryingBase base;
     NeighborSearch search;
@@ -106,8 +108,15 @@ struct Simulation::Implementation {
     void start();
     /// Hands the whole state to an archive, or takes it from there.
     void exchange(Archive& archive);
-    void move(double h);
+    /// One step, of one substep or of more. Ends early with a divergence.
+    void step();
+    std::uint64_t substeps_per_step() const;
+    double substep_length() const { return dt / static_cast<double>(substeps_per_step()); }  ///< [s]
+    /// Moves all by `h` [s], to the time at which the base is where its motion has it then.
+    void move(double h, double time);
     void update_contacts();
+    /// Looks for a block that has left its place, unless one has.
+    void note_leaving();
     void rebuild();
     void release(const Release& given);
     void restart();

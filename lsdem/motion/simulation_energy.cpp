@@ -73,11 +73,12 @@ std::size_t Simulation::Implementation::fastest_block() const {
 
 double Simulation::Implementation::half_preparation_loss(std::size_t i) const {
     if (preparation.damping_rate == 0.0 && !preparation.mass_scaling.is_active()) return 0.0;
-    const detail::VelocityDecay decay = decay_over(dt);
+    const detail::VelocityDecay decay = decay_over(base.pose.elapsed);
     const detail::TouchList::Load load = work.touches.sum(i, list.forces);
     const Vector3& velocity = bodies.velocity[i];
     const Vector3& momentum = bodies.momentum[i];
-    const Vector3 kick = dt * (load.force * bodies.inverse_mass[i] + model.gravity), twist = dt * load.torque;
+    const double h = base.pose.elapsed;
+    const Vector3 kick = h * (load.force * bodies.inverse_mass[i] + model.gravity), twist = h * load.torque;
     const Vector3 impulse_per_mass = (velocity_after(decay, i, load.force) - velocity) - kick;
     const Vector3 twist_impulse = (momentum_after(decay, i, load.torque) - momentum) - twist;
     return -0.5 * (bodies.mass[i] * impulse_per_mass.dot(velocity) + twist_impulse.dot(bodies.spin(i, momentum)));
@@ -85,7 +86,7 @@ double Simulation::Implementation::half_preparation_loss(std::size_t i) const {
 
 Energy Simulation::Implementation::find_energy() const {
     Energy energy;
-    const detail::VelocityDecay decay = decay_over(dt);
+    const detail::VelocityDecay decay = decay_over(base.pose.elapsed);
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         if (bodies.fixed[i] != 0) continue;
         const detail::TouchList::Load load = work.touches.sum(i, list.forces);
@@ -144,11 +145,11 @@ void Simulation::Implementation::check_health() {
     // blocks with mass scaling have what their contacts ask for
     if (!preparation.mass_scaling.is_active()) {
         const StiffestBlock stiffest =
-            health.stiffness_watch.find_stiffest(bodies, base.pose, dt, list, health.overstiff ? health.overstiff->used : 1.0);
+            health.stiffness_watch.find_stiffest(bodies, base.pose, list, health.overstiff ? health.overstiff->used : 1.0);
         if (stiffest.used > 0.0) health.overstiff = Overstiff{stiffest.block, time, stiffest.used};
     }
     for (std::size_t i = 0; i < bodies.size() && !health.divergence; ++i) {
-        if (bodies.velocity[i].norm() * dt > kMaxStride * smallest_edge)
+        if (bodies.velocity[i].norm() * base.pose.elapsed > kMaxStride * smallest_edge)
             health.divergence = Divergence{Divergence::Kind::too_fast, i, time};
     }
 }

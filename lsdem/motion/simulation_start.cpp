@@ -96,7 +96,7 @@ Simulation::Implementation::Implementation(Model given, double time_step, int th
       preparation{.damping_rate = model.velocity_damping},
       work(choose_threads(threads, model.blocks.size())) {
     balance.finished.block.resize(model.blocks.size());
-    for (int thread = 0; thread < work.team.size(); ++thread) work.batches.emplace_back(bodies, base.pose, dt, list);
+    for (int thread = 0; thread < work.team.size(); ++thread) work.batches.emplace_back(bodies, base.pose, list);
     smallest_edge = std::numeric_limits<double>::infinity();
     for (const BodyPose& pose : bodies.pose) smallest_edge = std::min(smallest_edge, 2.0 * pose.half.minCoeff());
     for (const Block& block : model.blocks) balance.weight_times_edge += block.mass * model.gravity.norm() * smallest_edge;
@@ -104,16 +104,19 @@ Simulation::Implementation::Implementation(Model given, double time_step, int th
 }
 
 void Simulation::Implementation::start() {
-    // where everything was one step ago, as the initial velocities have it
     base.pose.displacement = base.motion.displacement(0.0);
-    base.pose.previous = base.motion.displacement(-dt);
+    rebuild();
+    note_leaving();
+    // where everything was one step ago, as the initial velocities have it
+    const double h = substep_length();
+    base.pose.previous = base.motion.displacement(-h);
+    base.pose.elapsed = h;
     for (std::size_t i = 0; i < bodies.size(); ++i) {
-        bodies.pose[i].step.shift = dt * bodies.velocity[i];
+        bodies.pose[i].step.shift = h * bodies.velocity[i];
         if (bodies.fixed[i] != 0) continue;
-        const Quaternion before = rotate_freely(bodies.orientation[i], bodies.momentum[i], bodies.inverse_inertia[i], -dt);
+        const Quaternion before = rotate_freely(bodies.orientation[i], bodies.momentum[i], bodies.inverse_inertia[i], -h);
         bodies.pose[i].step.turn = bodies.orientation[i] * before.conjugate();
     }
-    rebuild();
     preload_contacts(model.preload, list);
     update_contacts();
     share_work();  // now that it is known what touches
@@ -122,7 +125,7 @@ void Simulation::Implementation::start() {
     balance.start_energy = stored_and_kinetic();
 
     // momenta of step −1/2, so that every step is the same
-    const detail::VelocityDecay half = decay_over(0.5 * dt);
+    const detail::VelocityDecay half = decay_over(0.5 * h);
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         if (bodies.fixed[i] != 0) continue;
         const detail::TouchList::Load load = work.touches.sum(i, list.forces);

@@ -4,7 +4,9 @@
 #include <utility>
 
 #include "lsdem/contact/overlap_pairs.hpp"
+#include "lsdem/motion/leaving.hpp"
 #include "lsdem/motion/simulation_core.hpp"
+#include "lsdem/time_step.hpp"
 
 /// How a simulation goes on: a step, and who does what in it.
 namespace musim::lsdem {
@@ -13,6 +15,10 @@ namespace {
 /// Steps between two checks at finiteness and energy. An unstable mode grows by a factor of about (1 + ε)^64 in between, so a failure is
 /// dated within a few oscillations; looking at every step would cost a few percent.
 constexpr std::uint64_t kHealthInterval = 64;
+
+/// Steps between two checks for a block that has left its place: each costs some nanoseconds a block. Even where blocks rest as softly as
+/// 1e-3 of their height, so many steps are a fifth of sqrt(H/g), and a block that falls needs more from 39° to lying.
+constexpr std::uint64_t kPlaceInterval = 16;
 
 /// A structure is at rest when its kinetic energy is below this part of weight times smallest edge, at this many checks in a row: what is
 /// passed over could not have moved it by more than rounding moves it (velocities of 1e-10·sqrt(g·edge), accelerations a thousand times
@@ -51,10 +57,12 @@ std::vector<detail::Share> share_equally(std::size_t items, int threads, const W
 
 }  // namespace
 
-void Simulation::Implementation::move(double h) {
-    ++steps.done;
+void Simulation::Implementation::move(double h, double time) {
+    // velocities are of the middle of the last step, and become those of the middle of this one
+    const double kick = 0.5 * (base.pose.elapsed + h);
+    base.pose.elapsed = h;
     base.pose.previous = base.pose.displacement;
-    if (!preparation.active) base.pose.displacement = base.origin + base.motion.displacement(static_cast<double>(steps.done) * dt);
+    if (!preparation.active) base.pose.displacement = base.origin + base.motion.displacement(time);
     const detail::Leap leap{.touches = work.touches,
                             .forces = list.forces,
                             .reference = search.reference(),
@@ -62,7 +70,8 @@ void Simulation::Implementation::move(double h) {
                             .base_step = base.pose.displacement - base.pose.previous,
                             .gravity = model.gravity,
                             .h = h,
-                            .decay = decay_over(h),
+                            .kick = kick,
+                            .decay = decay_over(kick),
                             .prepares = preparation.damping_rate > 0.0 || preparation.mass_scaling.is_active()};
     // while the base stands, what is held stays where it is
     const std::size_t movers = preparation.active ? work.end_of_loose : bodies.size();
@@ -101,7 +110,7 @@ void Simulation::Implementation::update_contacts() {
         detail::Share piece;
         OverlapBatch& overlaps = work.batches[i];
         while (work.pairs.take(i, piece)) {
-            const double deepest = compute_pairs(model, bodies, base.pose, dt, piece.first, piece.last, list, overlaps);
+            const double deepest = compute_pairs(model, bodies, base.pose, piece.first, piece.last, list, overlaps);
             work.overlap[i] = std::max(work.overlap[i], deepest);
         }
         work.overlap[i] = std::max(work.overlap[i], overlaps.compute());
@@ -124,6 +133,43 @@ std::uint64_t Simulation::Implementation::find_steps_at_rest() {
     return still > dt ? static_cast<std::uint64_t>(std::min(still / dt, 9e15)) - 1 : 0;
 }
 
+void Simulation::Implementation::note_leaving() {
+    // with mass scaling blocks have the inertia that their contacts ask for, whatever the step
+    if (steps.leaving || preparation.mass_scaling.is_active()) return;
+    const auto block = detail::find_block_out_of_place(model, bodies, base.pose, work.touches, list.forces);
+    if (!block) return;
+    const std::uint64_t substeps = std::uint64_t{1} << compute_landing_halvings(model);
+    steps.leaving = Leaving{*block, static_cast<double>(steps.done) * dt, substeps};
+}
+
+std::uint64_t Simulation::Implementation::substeps_per_step() const {
+    return steps.leaving && !preparation.mass_scaling.is_active() ? steps.leaving->substeps : 1;
+}
+
+void Simulation::Implementation::step() {
+    const std::uint64_t count = substeps_per_step();
+    const double part = 1.0 / static_cast<double>(count), before = static_cast<double>(steps.done);
+    ++steps.done;
+    for (std::uint64_t substep = 1; substep <= count; ++substep) {
+        const auto start = Clock::now();
+        move(part * dt, (before + static_cast<double>(substep) * part) * dt);
+        ++steps.substeps;
+        const auto moved = Clock::now();
+        work.times.motion += std::chrono::duration<double>(moved - start).count();
+
+        const double farthest = *std::max_element(work.drift.begin(), work.drift.end());
+        if (farthest > search.allowed_drift()) {
+            find_non_finite();
+            if (health.divergence) return;
+            rebuild();
+            work.times.neighbors += seconds_since(moved);
+        }
+        const auto listed = Clock::now();
+        update_contacts();
+        work.times.contacts += seconds_since(listed);
+    }
+}
+
 void Simulation::advance(std::uint64_t steps) {
     Implementation& s = *implementation_;
     std::uint64_t left = steps;
@@ -136,21 +182,9 @@ void Simulation::advance(std::uint64_t steps) {
             continue;
         }
         --left;
-        const auto start = Clock::now();
-        s.move(s.dt);
-        const auto moved = Clock::now();
-        s.work.times.motion += std::chrono::duration<double>(moved - start).count();
-
-        const double farthest = *std::max_element(s.work.drift.begin(), s.work.drift.end());
-        if (farthest > s.search.allowed_drift()) {
-            s.find_non_finite();
-            if (s.health.divergence) return;
-            s.rebuild();
-            s.work.times.neighbors += seconds_since(moved);
-        }
-        const auto listed = Clock::now();
-        s.update_contacts();
-        s.work.times.contacts += seconds_since(listed);
+        s.step();
+        if (s.health.divergence) return;
+        if (s.steps.done % kPlaceInterval == 0) s.note_leaving();
         if (s.steps.done % kHealthInterval != 0) continue;
         s.check_health();
         s.steps.rest_end = s.steps.done + s.find_steps_at_rest();

@@ -7,7 +7,7 @@ void exchange(Archive& archive, Bodies& b) {
     archive(b.orientation, b.velocity, b.momentum, b.preparation_loss, b.free, b.start_position, b.start_orientation);
 }
 
-void exchange(Archive& archive, BasePose& base) { archive(base.displacement, base.previous); }
+void exchange(Archive& archive, BasePose& base) { archive(base.displacement, base.previous, base.elapsed); }
 
 void exchange(Archive& archive, NeighborSearch::Reference& reference) { archive(reference.position, reference.orientation); }
 
@@ -18,6 +18,8 @@ void exchange(Archive& archive, Losses& losses) { archive(losses.block, losses.g
 void exchange(Archive& archive, Divergence& d) { archive(d.kind, d.block, d.time); }
 
 void exchange(Archive& archive, Overstiff& o) { archive(o.block, o.time, o.used); }
+
+void exchange(Archive& archive, Leaving& l) { archive(l.block, l.time, l.substeps); }
 
 static void exchange(Archive& archive, Interface& law) {
     archive(law.normal_stiffness, law.shear_stiffness, law.friction, law.normal_damping, law.shear_damping);

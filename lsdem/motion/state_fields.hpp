@@ -11,7 +11,7 @@
 /// here, and the version in kStateKind raised.
 namespace musim::lsdem {
 
-inline constexpr ArchiveKind kStateKind{{'m', 'u', 's', 'i', 'm', 'D', 'E', 'M'}, 10, "saved state"};
+inline constexpr ArchiveKind kStateKind{{'m', 'u', 's', 'i', 'm', 'D', 'E', 'M'}, 11, "saved state"};
 
 void exchange(Archive& archive, Bodies& bodies);
 void exchange(Archive& archive, BasePose& base);
@@ -21,6 +21,7 @@ void exchange(Archive& archive, PairWork& work);
 void exchange(Archive& archive, Losses& losses);
 void exchange(Archive& archive, Divergence& divergence);
 void exchange(Archive& archive, Overstiff& overstiff);
+void exchange(Archive& archive, Leaving& leaving);
 
 /// Throws std::runtime_error when a state that was read points outside itself or the model, so that nothing else has to look.
 void check_restored(const Model& model, const Bodies& bodies, const NeighborSearch::Reference& reference, const ContactList& list,

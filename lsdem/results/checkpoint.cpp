@@ -25,7 +25,8 @@ static void exchange(Archive& archive, Energy& e) {
 static void exchange(Archive& archive, Kinematics& k) { archive(k.time, k.position, k.orientation, k.velocity, k.angular_velocity); }
 
 static void exchange(Archive& archive, Statistics& s) {
-    archive(s.steps, s.skipped, s.pairs, s.apart, s.contacts, s.contact_nodes, s.rebuilds, s.overstiff, s.max_overlap_over_height);
+    archive(s.steps, s.skipped, s.substeps, s.leaving, s.pairs, s.apart, s.contacts, s.contact_nodes, s.rebuilds, s.overstiff,
+            s.max_overlap_over_height);
 }
 
 static void exchange(Archive& archive, Release& r) { archive(r.block, r.position, r.orientation, r.velocity); }

@@ -31,6 +31,7 @@ nlohmann::json make_summary(const RunResult& run) {
                            {"blocks", run.blocks.mass.size()},
                            {"steps", run.steps},
                            {"dt_s", run.time_step},
+                           {"substeps", run.statistics.substeps},
                            {"critical_dt_s", nullptr},
                            {"duration_s", run.final.time},
                            {"wall_s", run.wall_time},
@@ -42,6 +43,9 @@ nlohmann::json make_summary(const RunResult& run) {
                            {"base_reaction_over_weight", nullptr}};
     if (run.base_reaction_over_weight) summary["base_reaction_over_weight"] = *run.base_reaction_over_weight;
     if (run.critical_time_step) summary["critical_dt_s"] = *run.critical_time_step;
+    if (const auto& left = run.statistics.leaving) {
+        summary["left_place"] = {{"block", left->block}, {"time_s", left->time}, {"substeps_per_step", left->substeps}};
+    }
     if (run.origin) summary["stage"] = {{"number", run.origin->stage + 1}, {"time_before_s", run.origin->time}};
     if (run.collapse_time) summary["collapse_time_s"] = *run.collapse_time;
     if (const auto failure = find_failure(run)) summary["failure"] = to_json(*failure);

@@ -16,8 +16,8 @@ TEST_CASE("run prints one JSON object with the keys of the contract and writes a
     const Outcome outcome = here.run("run scene.json -o out/run --json");
     CHECK(outcome.exit_code == 0);
     const auto object = outcome.json();
-    for (const char* key : {"status", "blocks", "steps", "dt_s", "wall_s", "contacts", "contact_nodes", "state_hash", "energy_closure",
-                            "max_overlap_over_height", "base_reaction_over_weight"}) {
+    for (const char* key : {"status", "blocks", "steps", "dt_s", "substeps", "wall_s", "contacts", "contact_nodes", "state_hash",
+                            "energy_closure", "max_overlap_over_height", "base_reaction_over_weight"}) {
         CHECK_MESSAGE(object.contains(key), key);
     }
     CHECK(object["status"] == "completed");
@@ -28,6 +28,22 @@ TEST_CASE("run prints one JSON object with the keys of the contract and writes a
     for (const char* name : {"result.h5", "result.xdmf", "spine.csv", "summary.json"})
         CHECK_MESSAGE(here.has(std::string("out/run/") + name), name);
     CHECK(nlohmann::json::parse(here.read("out/run/summary.json"))["state_hash"] == object["state_hash"]);
+}
+
+TEST_CASE("run says which block left its place, when, and in how many substeps steps were taken from then on") {
+    const Workplace here;
+    here.write("stands.json", SceneText().text());
+    here.write("drops.json", SceneText{.second_block_z = "\"2 m\""}.text());
+    const auto stands = here.run("run stands.json --json").json();
+    CHECK_FALSE(stands.contains("left_place"));
+    CHECK(stands["substeps"] == stands["steps"]);
+    const Outcome outcome = here.run("run drops.json");
+    CHECK(outcome.exit_code == 0);
+    CHECK_MESSAGE(outcome.out.find("block 1 left its place at 0 s; from then on each step was taken in 4 substeps") != std::string::npos,
+                  outcome.out);
+    const auto drops = here.run("run drops.json --json").json();
+    CHECK(drops["left_place"] == nlohmann::json{{"block", 1}, {"time_s", 0.0}, {"substeps_per_step", 4}});
+    CHECK(drops["substeps"].get<std::uint64_t>() == 4 * drops["steps"].get<std::uint64_t>());
 }
 
 TEST_CASE("run --half-step estimates the error of the step as a pair does, and without it a run says that nothing did") {

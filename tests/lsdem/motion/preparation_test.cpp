@@ -47,8 +47,9 @@ TEST_CASE("a held block that is let go falls from where it was put, at its speed
     // leapfrog is exact in free flight
     CHECK(s.position(1).z() == doctest::Approx(1.5 * stone.size.z() + gap - speed * t - 0.5 * kGravity * t * t).epsilon(1e-12));
     CHECK(s.velocity(1).z() == doctest::Approx(-speed - kGravity * t).epsilon(1e-12));
-    // and the energy balance has taken it in
-    CHECK(std::abs(s.energy().balance() - balance) < 1e-12 * stone.weight() * stone.size.z());
+    // and the energy balance has taken it in, but for what shorter steps in the air change: ½ m v(−½)·v(+½) = ½ m (v² − (g dt/2)²)
+    const double of_step = 0.125 * stone.weight() * kGravity * dt * dt;
+    CHECK(std::abs(s.energy().balance() - balance) < of_step + 1e-12 * stone.weight() * stone.size.z());
     CHECK_FALSE(s.divergence().has_value());
 }
 

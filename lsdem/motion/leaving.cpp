@@ -1,0 +1,46 @@
+#include "lsdem/motion/leaving.hpp"
+
+#include "lsdem/contact/box_gap.hpp"
+
+namespace musim::lsdem::detail {
+namespace {
+
+/// Cosine of the angle by which a block has turned from its upright in the model [-].
+double find_uprightness(const Block& drawn, const BodyPose& pose) {
+    const Quaternion& q = drawn.orientation;
+    const Vector3 up{2.0 * (q.x() * q.z() - q.w() * q.y()), 2.0 * (q.y() * q.z() + q.w() * q.x()),
+                     1.0 - 2.0 * (q.x() * q.x() + q.y() * q.y())};
+    return up.dot(pose.rotation.row(2));
+}
+
+/// Is block i farther than `gap` [m] from the ground and from all other blocks?
+bool is_in_the_air(const Model& model, const Bodies& bodies, const BasePose& base, std::size_t i, double gap) {
+    const BodyPose& a = bodies.pose[i];
+    const double reach = a.rotation.row(2).cwiseAbs().dot(a.half);
+    if (model.ground.present && a.position.z() - base.displacement.z() - reach <= gap) return false;
+    for (std::size_t j = 0; j < bodies.size(); ++j) {
+        if (j == i) continue;
+        const BodyPose& b = bodies.pose[j];
+        const Vector3 offset = a.position - b.position;
+        if (offset.norm() > a.half.norm() + b.half.norm() + gap) continue;
+        const Matrix3 to_b = b.rotation.transpose();
+        if (find_gap(a.half, b.half, to_b * a.rotation, to_b * offset) <= gap) return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+std::optional<std::size_t> find_block_out_of_place(const Model& model, const Bodies& bodies, const BasePose& base, const TouchList& touches,
+                                                   const std::vector<PairForce>& forces) {
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        if (bodies.fixed[i] != 0) continue;
+        const BodyPose& pose = bodies.pose[i];
+        if (find_uprightness(model.blocks[i], pose) < kLeavingTurn) return i;
+        if (!touches.sum(i, forces).force.isZero(0.0)) continue;
+        if (is_in_the_air(model, bodies, base, i, kLeavingGap * 2.0 * pose.half.minCoeff())) return i;
+    }
+    return std::nullopt;
+}
+
+}  // namespace musim::lsdem::detail
