@@ -21,12 +21,10 @@ using Matrix6 = Eigen::Matrix<double, 6, 6>;
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 using Sparse = Eigen::SparseMatrix<double>;
 
-/// How much taller blocks are made to find which of them meet as drawn, over their height [-]: a power of two, about what contacts overlap.
-constexpr double kTrialOverlap = 0x1p-20;
-
 /// A block that would have to move by more than this part of its height does not stand where it is drawn [-].
 constexpr double kMostShift = 0.05;
 
+/// Newton's method gives up where so many solves do not halve what is left: where friction slides a solve takes a seventh off.
 constexpr std::size_t kMostSolves = 30;
 
 /// Newton's method ends where it gains no more: rounding of the positions is left.
@@ -136,7 +134,7 @@ class Stiffness {
 std::vector<JointStiffness> find_first_joints(const Model& drawn, double time_step, int threads) {
     Model taller = drawn;
     for (Block& block : taller.blocks) {
-        if (meets_by_overlap(drawn, block)) block.height_offset += kTrialOverlap * 2.0 * half_extents(drawn, block).z();
+        if (meets_by_overlap(drawn, block)) block.height_offset += kEquilibriumGap * 2.0 * half_extents(drawn, block).z();
     }
     return Simulation(std::move(taller), time_step, threads).joint_stiffness();
 }
@@ -197,7 +195,8 @@ Equilibrium put_in_equilibrium(Specimen& specimen, double time_step, int threads
     std::vector<JointStiffness> joints = find_first_joints(model, time_step, threads);
     Imbalance left(Simulation(model, time_step, threads), unknowns);
     equilibrium.residual = left.largest;
-    while (equilibrium.solves < kMostSolves) {
+    double halved = left.largest;
+    for (std::size_t waited = 0; waited < kMostSolves; ++waited) {
         Stiffness stiffness(model, unknowns);
         for (const JointStiffness& joint : joints) stiffness.add(joint);
         const std::optional<Eigen::VectorXd> moved = stiffness.solve(left.load);
@@ -210,6 +209,7 @@ Equilibrium put_in_equilibrium(Specimen& specimen, double time_step, int threads
         const bool ends = equilibrium.residual <= kInEquilibrium && !(left.largest < kLeastGain * equilibrium.residual);
         if (ends) break;
         equilibrium.residual = left.largest;
+        if (left.largest <= 0.5 * halved) halved = left.largest, waited = 0;
         joints = simulation.joint_stiffness();
         model.preload = simulation.preloads();
         if (left.largest > kInEquilibrium) continue;

@@ -25,6 +25,10 @@ struct Equilibrium {
 /// blocks that do not stand on others, friction that would have to be more than it can.
 Equilibrium put_in_equilibrium(Specimen& specimen, double time_step, int threads = 1);
 
+/// Gap of faces that are tried as meeting at first, over the height of the block below, of a block on the ground half of it [-]: blocks are
+/// made taller by so much. A power of two, about what contacts overlap; with a wider one blocks that do not touch would be called so.
+inline constexpr double kEquilibriumGap = 0x1p-20;
+
 /// A residual with which a structure counts as in equilibrium [-]. Rounding of positions leaves ε L/d of it, L a coordinate and d the
 /// overlap: 2e-9 in a tower 160 m high.
 inline constexpr double kInEquilibrium = 1e-6;

@@ -28,14 +28,6 @@ bool is_listed(const Scene& scene) { return std::holds_alternative<BlockList>(sc
 
 bool base_moves(const Scene& scene) { return !scene.motions.empty() || !std::holds_alternative<std::monostate>(scene.base_motion.source); }
 
-/// Single blocks that are listed without velocities on a base that moves are in equilibrium when it begins, where they stand.
-void let_listed_stand(const Scene& scene, Specimen& specimen) {
-    const std::vector<Block>& blocks = specimen.model.blocks;
-    const bool starts = std::all_of(blocks.begin(), blocks.end(),
-                                    [](const Block& block) { return block.velocity.isZero(0.0) && block.angular_velocity.isZero(0.0); });
-    if (starts && base_moves(scene)) put_in_equilibrium(specimen, compute_time_step(scene, specimen.model).value());
-}
-
 /// Steps that a double counts one by one, and samples of which histories are some hundred gigabytes.
 constexpr double kMostSteps = 0x1p53, kMostSamples = 1e9;
 
@@ -85,6 +77,18 @@ bool wants_preparation(const Scene& scene, const Specimen& upright) {
     return !is_listed(scene) || differ_in_height(upright);
 }
 
+bool starts_at_rest(const Specimen& specimen) {
+    const std::vector<Block>& blocks = specimen.model.blocks;
+    return std::all_of(blocks.begin(), blocks.end(),
+                       [](const Block& block) { return block.velocity.isZero(0.0) && block.angular_velocity.isZero(0.0); });
+}
+
+bool seeks_equilibrium(const Scene& scene, const Specimen& upright) {
+    if (!wants_preparation(scene, upright)) return !scene.preparation && starts_at_rest(upright) && base_moves(scene);
+    const bool is_there = scene.preparation && scene.preparation->specimen;
+    return !is_there && find_preparation(scene, upright).from_equilibrium;
+}
+
 PreparationSettings find_preparation(const Scene& scene, const Specimen& upright) {
     const std::vector<Block>& blocks = upright.model.blocks;
     const Preparation wanted = scene.preparation.value_or(Preparation{});
@@ -104,7 +108,7 @@ Specimen make_specimen(const Scene& scene, const RunSettings& settings, const Ch
     // a plan that is refused is refused before anything is computed
     const TimePlan plan = make_time_plan(scene, specimen.model);
     if (!wants_preparation(scene, specimen)) {
-        if (!scene.preparation) let_listed_stand(scene, specimen);
+        if (seeks_equilibrium(scene, specimen)) put_in_equilibrium(specimen, compute_time_step(scene, specimen.model).value());
         specimen.beginning = scene.preparation ? Beginning::at_once : Beginning::listed;
         return specimen;
     }

@@ -16,14 +16,20 @@ Specimen make_upright_specimen(const Scene& scene);
 /// nothing: these begin as they are listed.
 bool wants_preparation(const Scene& scene, const Specimen& upright);
 
+/// Do all blocks stand still when it begins?
+bool starts_at_rest(const Specimen& specimen);
+
+/// Is the specimen of a scene put in equilibrium where it is drawn, if it stands there? Blocks that are prepared as drawn; and single ones
+/// that are listed at rest on a base that moves, without a word on their preparation.
+bool seeks_equilibrium(const Scene& scene, const Specimen& upright);
+
 /// How the specimen of a scene is prepared: as the scene says, else layer by layer when blocks differ in height, else as drawn.
 /// Velocities decay at the scene's rate, else at that of choose_damping_rate for the first block.
 PreparationSettings find_preparation(const Scene& scene, const Specimen& upright);
 
 /// The specimen of a scene in its places and at rest there, when it is to be prepared: placed as drawn, as a file has it, on resting
-/// planes, or layer by layer. Single blocks that are listed at rest, on a base that moves, are put in equilibrium where they stand, if they
-/// do. The preparation runs with `settings`; it is not done again, or from where it was, when a checkpoint says so.
-/// Throws as make_upright_specimen and prepare do.
+/// planes, or layer by layer; single blocks see seeks_equilibrium. The preparation runs with `settings`; it is not done again, or from
+/// where it was, when a checkpoint says so. Throws as make_upright_specimen and prepare do.
 Specimen make_specimen(const Scene& scene, const RunSettings& settings = {}, const Checkpoint* from = nullptr);
 
 /// The settings of a run whose checkpoints hold where the blocks of its specimen are, when it was prepared.

@@ -3,12 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
 
 #include "lsdem/contact_law.hpp"
 #include "lsdem/scene/reference_block.hpp"
+#include "lsdem/statics/overturning.hpp"
+#include "lsdem/statics/rigid_statics.hpp"
 #include "scaling/quantity_text.hpp"
 #include "scaling/structures/structural_speed.hpp"
 
@@ -54,8 +57,72 @@ std::string write_limit(double over_gravity, const scaling::Acceleration& gravit
     return fmt::format("{:.3g} g", over_gravity * gravity.value() / scaling::kStandardGravity.value());
 }
 
-void add_rocking(std::vector<SceneEstimate>& estimates, const StructureProperties& properties, Direction direction,
-                 double pga_over_gravity) {
+/// Accelerations over gravity at which a structure overturns as one body, along x and y.
+using Overturning = std::array<std::optional<double>, 2>;
+
+/// Does it rest where it is drawn?
+bool can_stand(const SceneStanding& standing) {
+    return standing.begins == SceneStanding::Begins::in_equilibrium ||
+           (standing.statics && standing.statics->answer == RigidStatics::Answer::can_stand);
+}
+
+/// Is nothing known against that? Laid blocks stand near to where they are drawn.
+bool may_stand(const SceneStanding& standing) {
+    using Answer = RigidStatics::Answer;
+    if (standing.begins == SceneStanding::Begins::out_of_equilibrium) return can_stand(standing);
+    return !standing.statics || standing.statics->answer != Answer::cannot_stand;
+}
+
+Overturning find_both(const Scene& scene, const Specimen& upright) {
+    Overturning both;
+    for (const int axis : {0, 1}) {
+        both[static_cast<std::size_t>(axis)] = std::holds_alternative<BlockList>(scene.structure)
+                                                   ? find_overturning(upright.model, axis)
+                                                   : find_overturning_of_layers(upright.model, upright.layer, axis);
+    }
+    return both;
+}
+
+/// That along the world axis nearest to the thin or wide horizontal edge of the first block; nothing where that edge is upright.
+std::optional<double> find_along_edge(const Specimen& upright, const Overturning& overturning, Direction direction) {
+    const Block& block = upright.model.blocks.front();
+    const Vector3& half = upright.model.shapes[block.shape].half_extents;
+    const int edge = (half.x() <= half.y()) == (direction == Direction::thin) ? 0 : 1;
+    Eigen::Index axis = 0;
+    (block.orientation.toRotationMatrix().col(edge)).cwiseAbs().maxCoeff(&axis);
+    return axis == 2 ? std::nullopt : overturning[static_cast<std::size_t>(axis)];
+}
+
+void add_overturning(std::vector<SceneEstimate>& estimates, const Overturning& overturning, const scaling::Acceleration& gravity) {
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        if (!overturning[axis]) continue;
+        const char name = axis == 0 ? 'x' : 'y';
+        estimates.push_back({.key = fmt::format("overturning_{}", name),
+                             .title = fmt::format("the structure overturns as one body along {} above", name),
+                             .text = write_limit(*overturning[axis], gravity),
+                             .value = *overturning[axis],
+                             .formula = "edge - centre over its height, least above any joint: b/(N H)"});
+    }
+}
+
+void add_steady(std::vector<SceneEstimate>& estimates, const Model& model, const scaling::Acceleration& gravity) {
+    const std::array<Vector3, 2> axes{Vector3::UnitX(), Vector3::UnitY()};
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        const std::optional<double> one = find_steady_acceleration(model, axes[axis]), other = find_steady_acceleration(model, -axes[axis]);
+        if (!one || !other) continue;
+        const char name = axis == 0 ? 'x' : 'y';
+        const double least = std::max(0.0, std::min(*one, *other));
+        estimates.push_back({.key = fmt::format("steady_{}", name),
+                             .title = fmt::format("rigid blocks can bear an acceleration that is held along {} up to", name),
+                             .text = write_limit(least, gravity),
+                             .value = least,
+                             .formula = "rigid statics, less if blocks slide while they turn"});
+    }
+}
+
+/// `structure`: acceleration over gravity at which the structure overturns in this direction, as one body.
+void add_rocking(std::vector<SceneEstimate>& estimates, const StructureProperties& properties, Direction direction, double pga_over_gravity,
+                 const std::optional<double>& structure) {
     const std::string side(scaling::to_string(direction));
     const std::string edge = direction == Direction::thin ? "b" : "w";
     const scaling::RockingBlock block = properties.rocking_block(direction);
@@ -71,11 +138,13 @@ void add_rocking(std::vector<SceneEstimate>& estimates, const StructurePropertie
                          .value = block.frequency_parameter(properties.gravity).value(),
                          .formula = fmt::format("sqrt(3g/(4R)), R = sqrt({}^2 + H^2)/2", edge)});
     if (!(pga_over_gravity > 0.0)) return;
-    estimates.push_back(
-        {.key = "first_motion_" + side,
-         .title = fmt::format("under {} a block shaken across its {} side", write_limit(pga_over_gravity, properties.gravity), side),
-         .text = std::string(to_string(scaling::find_first_motion(pga_over_gravity, properties.friction, slenderness))),
-         .formula = "Shenton 1996"});
+    const bool as_one = structure && *structure < slenderness;
+    const double least = as_one ? *structure : slenderness;
+    estimates.push_back({.key = "first_motion_" + side,
+                         .title = fmt::format("under {}, across the {} side, {}", write_limit(pga_over_gravity, properties.gravity), side,
+                                              as_one ? "the structure as one body" : "a block"),
+                         .text = std::string(to_string(scaling::find_first_motion(pga_over_gravity, properties.friction, least))),
+                         .formula = "Shenton 1996"});
 }
 
 /// Lowest frequency of a chain of equal masses on springs that stands on the ground.
@@ -117,7 +186,8 @@ double find_least_friction(const Model& model, int levels) {
     return least;
 }
 
-std::vector<SceneEstimate> estimate_scene(const Scene& scene, double friction, const std::vector<MotionSummary>& motions) {
+std::vector<SceneEstimate> estimate_scene(const Scene& scene, double friction, const Specimen& upright,
+                                          const std::vector<MotionSummary>& motions, const SceneStanding& standing) {
     const auto gravity =
         scaling::Acceleration::from_value(std::hypot(scene.gravity[0].value(), scene.gravity[1].value(), scene.gravity[2].value()));
     const bool is_vertical = scene.gravity[0].value() == 0.0 && scene.gravity[1].value() == 0.0 && scene.gravity[2].value() < 0.0;
@@ -128,8 +198,11 @@ std::vector<SceneEstimate> estimate_scene(const Scene& scene, double friction, c
         for (const AxisMotion& axis : motion.axes) pga = axis.axis == 'z' ? pga : std::max(pga, axis.pga);
     }
     std::vector<SceneEstimate> estimates;
+    const Overturning overturning = may_stand(standing) ? find_both(scene, upright) : Overturning{};
     for (const Direction direction : {Direction::thin, Direction::wide})
-        add_rocking(estimates, properties, direction, pga / gravity.value());
+        add_rocking(estimates, properties, direction, pga / gravity.value(), find_along_edge(upright, overturning, direction));
+    add_overturning(estimates, overturning, gravity);
+    if (can_stand(standing)) add_steady(estimates, upright.model, gravity);
     estimates.push_back({.key = "sliding",
                          .title = "a block slides above",
                          .text = write_limit(properties.friction, gravity),

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lsdem/run/motion_summary.hpp"
+#include "lsdem/run/standing.hpp"
 #include "lsdem/scene/scene.hpp"
 
 namespace musim::lsdem {
@@ -23,7 +24,14 @@ struct SceneEstimate {
 ///
 ///   rocking_thin, rocking_wide       tan α = b/H, w/H: a block begins to rock above so many g [-] [Housner63]
 ///   sliding                          μ: a block begins to slide above so many g [-]
-///   first_motion_thin, _wide         what a block does first under the larger horizontal PGA [Shenton96]
+///   overturning_x, overturning_y     d/h: the structure, or what stands above a level joint, overturns as one body along that axis above
+///   so
+///                                    many g [-]: of a column b/(N H), of a wall b/(N H) across it (find_overturning)
+///   steady_x, steady_y               such an acceleration, held, that rigid statics just bears, where it is asked: see
+///                                    find_steady_acceleration, the less of both senses [-]
+///   first_motion_thin, _wide         what a block or the structure, whichever rocks first, does first under the larger horizontal PGA, if
+///   it
+///                                    shakes across that side of the first block [Shenton96]
 ///   frequency_parameter_thin, _wide  p [1/s] [Housner63]
 ///   contact_frequency                √(k_n/m)/(2π): a block on one face, up and down [Hz]
 ///
@@ -36,8 +44,10 @@ struct SceneEstimate {
 ///   climb_stick, climb_slip          l/c_e, 2 l/c_e: from base to top where joints stick, and where they slip [s]
 ///   base_overlap                     N m g/(k_n H): overlap of the lowest faces under dead weight over H [-]
 ///
-/// Source: scaling/structures. Nothing of spheres and without gravity.
-std::vector<SceneEstimate> estimate_scene(const Scene& scene, double friction, const std::vector<MotionSummary>& motions);
+/// Source: scaling/structures. Nothing of spheres and without gravity. `upright`: see make_upright_specimen. Rigid statics is asked of
+/// structures that can stand where they are drawn, of no more than kMostSteadyRays unknowns.
+std::vector<SceneEstimate> estimate_scene(const Scene& scene, double friction, const Specimen& upright,
+                                          const std::vector<MotionSummary>& motions, const SceneStanding& standing);
 
 /// Least friction coefficient that a block of the first one's material can meet: on the ground and, where there are several levels or no
 /// ground, on any other block [-].

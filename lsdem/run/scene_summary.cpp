@@ -79,23 +79,39 @@ void plan_motions(const Scene& scene, SceneSummary& summary) {
     summary.specimen = std::move(sequence.specimen);
 }
 
+/// How blocks begin, for people.
+std::string describe_start(const Scene& scene, const SceneSummary& summary, const PreparationSettings& settings) {
+    using Begins = SceneStanding::Begins;
+    switch (summary.standing.begins) {
+        case Begins::in_equilibrium:
+            return fmt::format(
+                "in equilibrium where blocks are drawn, to {:.1g} of a block's weight (gaps up to {:.2g} H count as contact)",
+                summary.standing.equilibrium->residual, kEquilibriumGap);
+        case Begins::out_of_equilibrium:
+            return std::string("not in equilibrium where blocks are drawn: ") + (wants_preparation(scene, summary.specimen)
+                                                                                     ? "they come to rest elsewhere before the motion"
+                                                                                     : "weight begins to act with the motion");
+        case Begins::when_laid:
+            return fmt::format("placing \"{}\", blocks come to rest one layer after another; how they stand is found when they are laid",
+                               to_string(settings.placing));
+        case Begins::from_specimen:
+            return "from the specimen " + scene.preparation->specimen->string();
+        case Begins::as_listed:
+            break;
+    }
+    return scene.preparation ? "no preparation, weight begins to act with the motion"
+                             : "single blocks begin as listed, weight begins to act with the motion";
+}
+
 void plan_preparation(const Scene& scene, SceneSummary& summary) {
-    if (!wants_preparation(scene, summary.specimen)) {
-        summary.preparation_text = scene.preparation ? "no preparation, weight begins to act with the motion"
-                                                     : "single blocks begin as listed, in equilibrium where they stand and the base moves";
-        return;
-    }
-    if (scene.preparation && scene.preparation->specimen) {
-        take_places(*scene.preparation->specimen, summary.specimen);
-        summary.preparation_text = "from the specimen " + scene.preparation->specimen->string();
-        return;
-    }
+    summary.standing = find_standing(scene, summary.specimen);
     const PreparationSettings settings = find_preparation(scene, summary.specimen);
-    summary.preparation = estimate_preparation(summary.specimen, summary.time_step, settings);
-    summary.preparation_text =
-        settings.placing == Placing::as_drawn
-            ? "in equilibrium where blocks are drawn"
-            : fmt::format("placing \"{}\", blocks come to rest one layer after another", to_string(settings.placing));
+    summary.preparation_text = describe_start(scene, summary, settings);
+    if (summary.standing.begins == SceneStanding::Begins::from_specimen) {
+        take_places(*scene.preparation->specimen, summary.specimen);
+    } else if (wants_preparation(scene, summary.specimen)) {
+        summary.preparation = estimate_preparation(summary.specimen, summary.time_step, settings);
+    }
 }
 
 void size_outputs(SceneSummary& summary) {
@@ -110,6 +126,16 @@ void size_outputs(SceneSummary& summary) {
                        {"spine.csv", samples * (4.0 + 3.0 * spine) * kCsvNumber}};
 }
 
+/// Does what begins with the motion shake the structure by itself, or fall?
+std::string describe_unrest(const Scene& scene, const SceneSummary& summary) {
+    const SceneStanding& standing = summary.standing;
+    if (standing.begins != SceneStanding::Begins::out_of_equilibrium) return {};
+    if (standing.statics && standing.statics->answer == RigidStatics::Answer::cannot_stand) return describe(*standing.statics);
+    if (wants_preparation(scene, summary.specimen)) return {};
+    return "blocks are not in equilibrium where they are drawn, so weight begins to act with the motion, which shakes the structure by "
+           "itself; a \"preparation\" brings them to rest before it, where they can";
+}
+
 void add_warnings(const Scene& scene, SceneSummary& summary) {
     summary.warnings = scene.text.remarks;
     const auto warn = [&](const std::string& what) { summary.warnings.push_back(scene.place() + ": " + what); };
@@ -117,6 +143,7 @@ void add_warnings(const Scene& scene, SceneSummary& summary) {
     if (!std::holds_alternative<BlockList>(scene.structure) && summary.motions.front().axes.empty()) {
         warn("the base rests; give a \"base_motion\" to shake the structure");
     }
+    if (const std::string unrest = describe_unrest(scene, summary); !unrest.empty()) warn(unrest);
     if (summary.critical_time_step && summary.time_step > *summary.critical_time_step) {
         warn(describe_large_step(summary.time_step, *summary.critical_time_step));
     }
@@ -170,7 +197,8 @@ SceneSummary summarize_scene(const Scene& scene) {
     summary.time_step = summary.motions.front().plan.time_step;
     summary.critical_time_step = find_critical_time_step(summary.specimen.model);
     plan_preparation(scene, summary);
-    summary.estimates = estimate_scene(scene, find_least_friction(summary.specimen.model, summary.levels), summary.motions);
+    summary.estimates = estimate_scene(scene, find_least_friction(summary.specimen.model, summary.levels), summary.specimen,
+                                       summary.motions, summary.standing);
     size_outputs(summary);
     add_warnings(scene, summary);
     return summary;

@@ -12,6 +12,7 @@
 #include "lsdem/run/prepare.hpp"
 #include "lsdem/run/scene_estimates.hpp"
 #include "lsdem/run/simulate.hpp"
+#include "lsdem/run/standing.hpp"
 #include "lsdem/scene/scene.hpp"
 
 /// What musim understands of a scene, before it is run.
@@ -48,6 +49,7 @@ struct SceneSummary {
     std::optional<double> critical_time_step;                      ///< [s]
     PreparationWork preparation;                                   ///< before the motion, without that between several motions
     std::string preparation_text;
+    SceneStanding standing;  ///< where it rests before the motion
     std::vector<SceneEstimate> estimates;
     std::vector<OutputSize> outputs;    ///< of all motions together
     std::vector<std::string> warnings;  ///< where, what, why, what to do
@@ -60,7 +62,9 @@ struct SceneSummary {
 /// Output that earns a warning [bytes]: more than one opens or copies without thinking. Changes what is said only.
 inline constexpr double kLargeOutput = 1e9;
 
-/// Builds the model of a scene and plans its run, without a step of it. Throws as make_upright_specimen, make_time_plan and plan_sequence.
+/// Builds the model of a scene, plans its run without a step of it, and looks whether it rests where it is drawn (find_standing): 4 s for a
+/// tower of 7144 blocks, up to some ten where rigid statics is asked of hundreds. Throws as make_upright_specimen, make_time_plan and
+/// plan_sequence.
 SceneSummary summarize_scene(const Scene& scene);
 
 /// How long a run takes on this machine, from steps of the very model.

@@ -107,6 +107,7 @@ void describe_run(const SceneSummary& summary, const std::optional<RunTimeEstima
         write<scaling::Time>(summary.time_step),
         summary.critical_time_step ? fmt::format(", {:.3g} of the critical step", summary.time_step / *summary.critical_time_step) : ""));
     lines.push_back("at rest     " + summary.preparation_text);
+    if (summary.standing.statics) lines.push_back("            " + describe(*summary.standing.statics));
     std::string files;
     for (const OutputSize& output : summary.outputs) {
         if (output.bytes > 0.0) files += fmt::format(", {} about {}", output.file, write_bytes(output.bytes));
@@ -218,6 +219,7 @@ json to_json(const SceneSummary& summary, const std::optional<RunTimeEstimate>& 
                 {"frames", summary.frames()},
                 {"spine_blocks", summary.specimen.spine.size()},
                 {"at_rest", summary.preparation_text},
+                {"standing", to_json(summary.standing)},
                 {"warnings", summary.warnings}};
     const Ground& ground = summary.specimen.model.ground;
     object["ground_friction"] = ground.present ? json(ground.material.friction) : json();

@@ -1,0 +1,220 @@
+#include "lsdem/statics/rigid_joints.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "lsdem/block_height.hpp"
+#include "lsdem/contact/box_meeting.hpp"
+#include "lsdem/contact/solid.hpp"
+#include "lsdem/contact_law.hpp"
+
+namespace musim::lsdem {
+namespace {
+
+using Polygon = std::vector<Vector3>;
+
+/// A plane and what meets in it, about the origin of a pair.
+struct Meeting {
+    Vector3 normal;  ///< from the first body into the second
+    Polygon corners;
+};
+
+/// Room between a face of one solid and all of another along its normal [m].
+double find_room(const PlacedSolid& of, std::size_t face, const PlacedSolid& other) {
+    double room = std::numeric_limits<double>::infinity();
+    for (std::size_t c = 0; c < other.corner_count; ++c) room = std::min(room, -of.depth(face, other.corner[c]));
+    return room;
+}
+
+/// The part of a polygon where n·x ≤ limit.
+Polygon cut_off(const Polygon& polygon, const Vector3& n, double limit) {
+    Polygon kept;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Vector3 &from = polygon[i], &to = polygon[(i + 1) % polygon.size()];
+        const double start = n.dot(from) - limit, end = n.dot(to) - limit;
+        if (start <= 0.0) kept.push_back(from);
+        if ((start < 0.0 && end > 0.0) || (start > 0.0 && end < 0.0)) kept.push_back(from + start / (start - end) * (to - from));
+    }
+    return kept;
+}
+
+/// Twice the area of a polygon over its circumference [m]: about the width of a narrow one.
+double find_width(const Polygon& polygon) {
+    Vector3 area = Vector3::Zero();
+    double around = 0.0;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Vector3 &from = polygon[i], &to = polygon[(i + 1) % polygon.size()];
+        area += 0.5 * (from - polygon[0]).cross(to - polygon[0]);
+        around += (to - from).norm();
+    }
+    return around > 0.0 ? 2.0 * area.norm() / around : 0.0;
+}
+
+/// The face of a solid that looks at a plane of this normal the most.
+std::size_t find_facing(const PlacedSolid& solid, const Vector3& normal) {
+    std::size_t facing = 0;
+    for (std::size_t k = 1; k < solid.face_count; ++k) {
+        if (solid.normal[k].dot(normal) < solid.normal[facing].dot(normal)) facing = k;
+    }
+    return facing;
+}
+
+/// Where the other solid lies over a face no farther than `gap`.
+Polygon find_covered(const PlacedSolid& of, std::size_t face, const PlacedSolid& other, double gap) {
+    const Vector3& normal = of.normal[face];
+    const PlacedSolid::Loop& facing = other.loop[find_facing(other, normal)];
+    Polygon polygon;
+    for (std::size_t i = 0; i < facing.count; ++i) polygon.push_back(other.corner[facing.first[i]]);
+    const PlacedSolid::Loop& around = of.loop[face];
+    for (std::size_t i = 0; i < around.count; ++i) {
+        const Vector3 &from = of.corner[around.first[i]], &to = of.corner[around.first[(i + 1) % around.count]];
+        const Vector3 outward = (to - from).cross(normal);
+        polygon = cut_off(polygon, outward, outward.dot(from));
+    }
+    if (!(find_width(polygon) > gap)) return {};
+    return cut_off(polygon, normal, of.offset[face] + gap);
+}
+
+using Edge = std::array<Vector3, 2>;
+
+std::vector<Edge> find_edges(const PlacedSolid& solid) {
+    std::vector<Edge> edges;
+    for (std::size_t k = 0; k < solid.face_count; ++k) {
+        const PlacedSolid::Loop& loop = solid.loop[k];
+        for (std::size_t i = 0; i < loop.count; ++i) {
+            const std::uint8_t from = loop.first[i], to = loop.first[(i + 1) % loop.count];
+            // every edge is in two faces, once in either direction
+            if (from < to) edges.push_back({solid.corner[from], solid.corner[to]});
+        }
+    }
+    return edges;
+}
+
+/// Where an edge of each cross, seen along the normal on both, no farther apart than `gap`, with all else of the solids on either side.
+std::optional<Meeting> find_crossing(const PlacedSolid& a, const PlacedSolid& b, const Vector3& apart, double gap) {
+    constexpr double kParallel = 1e-3;  // of the sine between edges: such are left to the faces
+    for (const Edge& of_a : find_edges(a)) {
+        for (const Edge& of_b : find_edges(b)) {
+            const Vector3 u = of_a[1] - of_a[0], v = of_b[1] - of_b[0], w = of_b[0] - of_a[0];
+            Vector3 normal = u.cross(v);
+            const double square = normal.squaredNorm();
+            if (!(square > kParallel * kParallel * u.squaredNorm() * v.squaredNorm())) continue;
+            const double along_a = w.cross(v).dot(normal) / square, along_b = w.cross(u).dot(normal) / square;
+            // at an end of an edge the bodies do not reach over each other
+            const bool inside =
+                std::abs(along_a - 0.5) * u.norm() < 0.5 * u.norm() - gap && std::abs(along_b - 0.5) * v.norm() < 0.5 * v.norm() - gap;
+            if (!inside) continue;
+            normal *= (normal.dot(apart) < 0.0 ? -1.0 : 1.0) / std::sqrt(square);
+            const Vector3 on_a = of_a[0] + along_a * u, on_b = of_b[0] + along_b * v;
+            double reach_a = -std::numeric_limits<double>::infinity(), reach_b = -reach_a;
+            for (std::size_t c = 0; c < a.corner_count; ++c) reach_a = std::max(reach_a, normal.dot(a.corner[c] - on_a));
+            for (std::size_t c = 0; c < b.corner_count; ++c) reach_b = std::min(reach_b, normal.dot(b.corner[c] - on_b));
+            const bool is_between = reach_a <= gap && reach_b >= -gap && (on_b - on_a).norm() <= gap;
+            if (is_between) return Meeting{normal, {0.5 * (on_a + on_b)}};
+        }
+    }
+    return std::nullopt;
+}
+
+std::optional<Meeting> find_meeting(const PlacedPair& pair, double gap) {
+    const std::array<const PlacedSolid*, 2> solid{&pair.a, &pair.b};
+    // the plane with the most room between the solids, along a face of one
+    double most = -std::numeric_limits<double>::infinity();
+    std::size_t of = 0, face = 0;
+    for (std::size_t s = 0; s < 2; ++s) {
+        for (std::size_t k = 0; k < solid[s]->face_count; ++k) {
+            const double room = find_room(*solid[s], k, *solid[1 - s]);
+            if (room > gap) return std::nullopt;
+            if (room > most) most = room, of = s, face = k;
+        }
+    }
+    const Polygon covered = find_covered(*solid[of], face, *solid[1 - of], gap);
+    const Vector3& outward = solid[of]->normal[face];
+    if (!covered.empty()) return Meeting{of == 0 ? outward : Vector3(-outward), covered};
+    return pair.b.corner_count > 4 ? find_crossing(pair.a, pair.b, pair.apart, gap) : std::nullopt;
+}
+
+BodyPose pose_of(const Model& model, const Block& block) {
+    BodyPose pose;
+    pose.rotation = block.orientation.toRotationMatrix();
+    pose.position = block.position;
+    pose.half = half_extents(model, block);
+    return pose;
+}
+
+/// The ground as a sheet below a block, see BoxMeeting.
+BodyPose ground_below(const BodyPose& block) {
+    BodyPose ground;
+    ground.position = {block.position.x(), block.position.y(), 0.0};
+    return ground;
+}
+
+class JointSearch {
+  public:
+    JointSearch(const Model& model, double gap) : model_(model), gap_(gap) {
+        for (const Block& block : model.blocks) poses_.push_back(pose_of(model, block));
+    }
+
+    std::vector<RigidJoint> run() {
+        if (model_.ground.present) {
+            for (std::size_t i = 0; i < poses_.size(); ++i) meet_ground(i);
+        }
+        // along x, those that begin before another one ends
+        std::vector<std::pair<double, std::size_t>> begins;
+        for (std::size_t i = 0; i < poses_.size(); ++i) begins.emplace_back(poses_[i].position.x() - reach_of(i), i);
+        std::sort(begins.begin(), begins.end());
+        for (std::size_t k = 0; k < begins.size(); ++k) {
+            const std::size_t i = begins[k].second;
+            const double end = poses_[i].position.x() + reach_of(i);
+            for (std::size_t other = k + 1; other < begins.size() && begins[other].first <= end; ++other) {
+                meet(std::min(i, begins[other].second), std::max(i, begins[other].second));
+            }
+        }
+        std::stable_sort(joints_.begin(), joints_.end(), [](const RigidJoint& l, const RigidJoint& r) {
+            return std::pair(l.block, l.other) < std::pair(r.block, r.other);
+        });
+        return std::move(joints_);
+    }
+
+  private:
+    double gap_of(std::size_t i) const { return gap_ * 2.0 * poses_[i].half.z(); }
+    double reach_of(std::size_t i) const { return poses_[i].half.norm() + gap_of(i); }
+
+    void meet_ground(std::size_t i) {
+        if (model_.blocks[i].fixed || poses_[i].position.z() > reach_of(i)) return;
+        const BodyPose ground = ground_below(poses_[i]);
+        add(i, std::nullopt, {.a = &poses_[i], .b = &ground, .origin = 0.0}, gap_of(i),
+            find_joint(model_, model_.blocks[i].material, std::nullopt).friction);
+    }
+    void meet(std::size_t i, std::size_t j) {
+        const Block &a = model_.blocks[i], &b = model_.blocks[j];
+        const double reach = reach_of(i) + reach_of(j);
+        if ((a.fixed && b.fixed) || (a.position - b.position).squaredNorm() > reach * reach) return;
+        add(i, j, {.a = &poses_[i], .b = &poses_[j]}, std::min(gap_of(i), gap_of(j)), find_joint(model_, a.material, b.material).friction);
+    }
+    void add(std::size_t block, std::optional<std::size_t> other, const detail::BoxMeeting& boxes, double gap, double friction) {
+        std::optional<Meeting> meeting = find_meeting(PlacedPair(boxes), gap);
+        if (!meeting) return;
+        const Vector3 origin = boxes.a->position + boxes.origin * (boxes.b->position - boxes.a->position);
+        for (Vector3& corner : meeting->corners) corner += origin;
+        joints_.push_back({block, other, -meeting->normal, std::move(meeting->corners), friction});
+    }
+
+    const Model& model_;
+    double gap_;
+    std::vector<BodyPose> poses_;
+    std::vector<RigidJoint> joints_;
+};
+
+}  // namespace
+
+bool is_of_boxes(const Model& model) {
+    return std::all_of(model.blocks.begin(), model.blocks.end(), [&](const Block& block) { return model.shapes[block.shape].faceted; });
+}
+
+std::vector<RigidJoint> find_rigid_joints(const Model& model, double gap) { return JointSearch(model, gap).run(); }
+
+}  // namespace musim::lsdem
