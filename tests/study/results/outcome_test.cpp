@@ -127,7 +127,7 @@ TEST_CASE("listed blocks go by their names, and have drift only against what lie
     CHECK(outcome.drift_name == "post");
     CHECK(outcome.top_name == "lintel");
     CHECK(describe(outcome)[1].starts_with("top (lintel, level 2) against the base"));
-    CHECK(describe(outcome)[2].find("(block 2 (\"lintel\"), level 2)") != std::string::npos);
+    CHECK(describe(outcome)[2].find("(block 1 (\"post\"), level 1)") != std::string::npos);
     CHECK(to_json(outcome)["top"]["name"] == "lintel");
     CHECK(label_spine(run) == std::vector<std::string>{"block 0", "post", "lintel"});
     CHECK(head_spine(run) == std::vector<std::string>{"block0", "post", "lintel"});
