@@ -81,7 +81,7 @@ std::string describe_law(const PairedRun& model) {
     const scaling::Similitude& similitude = model.run.similitude;
     if (model.scene && model.scene->same_structure) return "";
     if (model.is_image && similitude.law_name() == "exact") return "";
-    std::string text = fmt::format("Model {} is shaken {}: times x {:.4g}, accelerations x {:.4g}", model.label, name_law(model),
+    std::string text = fmt::format("Model {} is shaken {}: times x {:.4g}, accelerations x {:.4g}", model.name(), name_law(model),
                                    similitude.time(), similitude.acceleration());
     if (!keeps(similitude.gravity())) text += fmt::format(", in gravity x {:.4g}", similitude.gravity());
     return text + describe_other_shaking(model) + describe_specimen(model) + ".";

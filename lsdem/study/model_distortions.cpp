@@ -7,11 +7,11 @@
 #include <cstddef>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <variant>
 
 #include "lsdem/block_height.hpp"
+#include "lsdem/contact_law.hpp"
 #include "lsdem/scene/block_heights.hpp"
 #include "lsdem/scene/reference_block.hpp"
 #include "scaling/factor_rounding.hpp"
@@ -75,23 +75,34 @@ std::vector<double> find_slenderness(const BuiltScene& built, const std::vector<
     return all;
 }
 
+/// What two blocks have together where they meet (find_joint).
+Material find_contact(const Model& model, std::size_t a, std::size_t b) {
+    return find_joint(model, model.blocks[a].material, model.blocks[b].material);
+}
+
+/// Nothing where there is none: without friction, say.
+std::optional<double> find_ratio(double model, double prototype) {
+    return model > 0.0 && prototype > 0.0 ? std::optional(model / prototype) : std::nullopt;
+}
+
 std::vector<Distortion> find_of_kind(const BuiltScene& prototype, const BuiltScene& model, const BlockKind& kind, ModelScales scales) {
     const std::size_t b = kind.blocks.front();
     const BlockMaterial &from = material_of_block(prototype.scene, b), &to = material_of_block(model.scene, b);
-    const Material &contact_from = prototype.model.materials[prototype.model.blocks[b].material],
-                   &contact_to = model.model.materials[model.model.blocks[b].material];
+    const Material contact_from = find_contact(prototype.model, b, b), contact_to = find_contact(model.model, b, b);
     const BlockMaterial &first_from = material_of_block(prototype.scene, 0), &first_to = material_of_block(model.scene, 0);
     const double heavier = (to.density / from.density) / (first_to.density / first_from.density);
-    scales.friction = contact_to.friction / contact_from.friction;
+    const std::optional<double> friction = find_ratio(contact_to.friction, contact_from.friction);
+    if (friction) scales.friction = *friction;
     for (double* mass : {&scales.mass, &scales.weight, &scales.static_stiffness}) *mass *= heavier;
     const double face = scales.width * scales.width;
     const auto heights = find_height_variation(prototype.scene), of_model = find_height_variation(model.scene);
-    scaling::ModelProperties properties{.friction_prototype = contact_from.friction,
+    scaling::ModelProperties properties{.friction_prototype = {},
                                         .slenderness = find_slenderness(prototype, kind.blocks),
-                                        .normal_stiffness = contact_to.normal_stiffness / contact_from.normal_stiffness * face,
-                                        .shear_stiffness = contact_to.shear_stiffness / contact_from.shear_stiffness * face,
-                                        .restitution = contact_to.restitution / contact_from.restitution,
+                                        .normal_stiffness = find_ratio(contact_to.normal_stiffness * face, contact_from.normal_stiffness),
+                                        .shear_stiffness = find_ratio(contact_to.shear_stiffness * face, contact_from.shear_stiffness),
+                                        .restitution = find_ratio(contact_to.restitution, contact_from.restitution),
                                         .height_deviation = {}};
+    if (friction) properties.friction_prototype = contact_from.friction;
     if (heights && of_model) properties.height_deviation = of_model->deviation / heights->deviation;
     return scaling::find_distortions(scales, properties);
 }
@@ -127,18 +138,39 @@ std::vector<Distortion> join(const std::vector<BlockKind>& kinds, const std::vec
     return joined;
 }
 
-/// The ground against the blocks on it, where it has a friction of its own.
-void add_ground(const BuiltScene& prototype, const BuiltScene& model, std::vector<Distortion>& distortions) {
-    const Ground &from = prototype.model.ground, &to = model.model.ground;
-    if (!from.present || !to.present) return;
-    const double ground = to.material.friction / from.material.friction;
-    const double blocks = model.model.materials[model.model.blocks.front().material].friction /
-                          prototype.model.materials[prototype.model.blocks.front().material].friction;
-    constexpr std::string_view kGroup = "mu_ground/mu";
-    const auto severity = scaling::find_severity(ground / blocks);
+void add_friction(const char* group, double factor, const std::string& where, std::vector<Distortion>& distortions) {
+    const auto severity = scaling::find_severity(factor);
     if (!severity) return;
-    distortions.push_back(
-        {std::string(kGroup), ground / blocks, *severity, std::string(scaling::find_group_meaning(kGroup).effect(ground / blocks))});
+    distortions.push_back({group, factor, *severity, where + std::string(scaling::find_group_meaning(group).effect(factor))});
+}
+
+/// Blocks of two materials that meet otherwise than either does with its like.
+void add_pairs(const BuiltScene& prototype, const BuiltScene& model, const std::vector<BlockKind>& kinds,
+               std::vector<Distortion>& distortions) {
+    const auto friction_of = [&](std::size_t a, std::size_t b) {
+        return find_ratio(find_contact(model.model, a, b).friction, find_contact(prototype.model, a, b).friction);
+    };
+    for (std::size_t i = 0; i < kinds.size(); ++i) {
+        for (std::size_t j = i + 1; j < kinds.size(); ++j) {
+            const std::size_t a = kinds[i].blocks.front(), b = kinds[j].blocks.front();
+            const auto together = friction_of(a, b), first = friction_of(a, a), second = friction_of(b, b);
+            const auto is_like = [&](double alone) { return std::abs(*together / alone - 1.0) <= scaling::kFactorRounding; };
+            if (!together || !first || !second || is_like(*first) || is_like(*second)) continue;
+            add_friction("mu", *together, kinds[i].describe() + " on " + kinds[j].describe() + ": ", distortions);
+        }
+    }
+}
+
+/// The ground against the lowest block, where friction on it differs by another factor than that of the block with its like.
+void add_ground(const BuiltScene& prototype, const BuiltScene& model, std::vector<Distortion>& distortions) {
+    if (!prototype.model.ground.present || !model.model.ground.present) return;
+    const std::vector<Block>& blocks = prototype.model.blocks;
+    const auto is_lower = [](const Block& a, const Block& b) { return a.position.z() < b.position.z(); };
+    const auto b = static_cast<std::size_t>(std::min_element(blocks.begin(), blocks.end(), is_lower) - blocks.begin());
+    const auto on_ground = [&](const Model& each) { return find_joint(each, each.blocks[b].material, {}).friction; };
+    const auto ground = find_ratio(on_ground(model.model), on_ground(prototype.model));
+    const auto alike = find_ratio(find_contact(model.model, b, b).friction, find_contact(prototype.model, b, b).friction);
+    if (ground && alike) add_friction("mu_ground/mu", *ground / *alike, "", distortions);
 }
 
 }  // namespace
@@ -153,6 +185,7 @@ std::vector<Distortion> find_model_distortions(const BuiltScene& prototype, cons
     std::vector<std::vector<Distortion>> of_kinds;
     for (const BlockKind& kind : kinds) of_kinds.push_back(find_of_kind(prototype, model, kind, scales));
     std::vector<Distortion> distortions = join(kinds, of_kinds);
+    add_pairs(prototype, model, kinds, distortions);
     add_ground(prototype, model, distortions);
     return distortions;
 }
