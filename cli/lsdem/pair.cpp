@@ -229,7 +229,8 @@ void write_study(lsdem::ResultFolder& folder, const lsdem::ScenePair& pair) {
 /// Says which runs diverged; the exit code that follows.
 int judge(const std::string& scene, const lsdem::PairStudy& study) {
     bool diverged = report_divergence(scene + ", prototype", study.prototype);
-    for (const lsdem::PairedRun& model : study.models) diverged |= report_divergence(scene + ", " + model.label, model.run);
+    const auto place_of = [&](const lsdem::PairedRun& model) { return model.scene ? model.scene->file : scene + ", " + model.label; };
+    for (const lsdem::PairedRun& model : study.models) diverged |= report_divergence(place_of(model), model.run);
     const auto twin = std::find_if(study.twins.begin(), study.twins.end(),
                                    [](const lsdem::PairedTwin& t) { return t.status == lsdem::RunStatus::diverged; });
     if (!diverged && twin != study.twins.end()) {
@@ -238,7 +239,7 @@ int judge(const std::string& scene, const lsdem::PairStudy& study) {
     }
     if (study.diverged()) return kNumericalFailure;
     report_doubts(scene + ", prototype", study.prototype);
-    for (const lsdem::PairedRun& model : study.models) report_doubts(scene + ", " + model.label, model.run);
+    for (const lsdem::PairedRun& model : study.models) report_doubts(place_of(model), model.run);
     const auto refused = [&](const lsdem::PairedRun& model) { return !lsdem::judge_own(study, model).accepted.value_or(true); };
     if (std::any_of(study.models.begin(), study.models.end(), refused)) return kNotAccepted;
     if (study.tolerance && study.scaling() == lsdem::Agreement::agree) return kDone;
