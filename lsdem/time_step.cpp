@@ -202,10 +202,12 @@ void visit_kinds(const Model& model, const Visit& visit) {
 /// 1e-3 that a fall is to keep, and at no number that ratios of faces come to.
 constexpr double kLandingOpen = 0.0091, kLandingGain = 0.0008;
 
-/// Largest ωh of a face that lands [-].
-double find_landing_phase(double damping_ratio) {
+/// Largest ωh of a face that lands [-]. Of one or two blocks each landing is to keep to the limits; what N/2 landings at random leave open
+/// is sqrt(2/N) of that in the mean, of the energy of all.
+double find_landing_phase(double damping_ratio, std::size_t moving_blocks) {
+    const double room = std::sqrt(std::max(1.0, 0.5 * static_cast<double>(moving_blocks)));
     const double four = 4.0 * damping_ratio;
-    return std::min(2.0 * std::sqrt(kLandingOpen), four + std::sqrt(four * four + 4.0 * kLandingGain));
+    return std::min(2.0 * std::sqrt(kLandingOpen * room), four + std::sqrt(four * four + 4.0 * kLandingGain * room));
 }
 
 /// Faces that land use no more than this part of their limit [-]; not one, since faces with four times the area have just half the limit.
@@ -255,7 +257,8 @@ int compute_landing_halvings(const Model& model) {
         const double largest_face = 4.0 * half.prod() / half.minCoeff();
         squared_frequency = std::max(squared_frequency, stiffness * largest_face / block.mass);
     });
-    const double phase = find_landing_phase(compute_damping_ratio(find_highest_restitution(model)));
+    const auto moving = std::count_if(model.blocks.begin(), model.blocks.end(), [](const Block& block) { return !block.fixed; });
+    const double phase = find_landing_phase(compute_damping_ratio(find_highest_restitution(model)), static_cast<std::size_t>(moving));
     const double by_stability = *limit / (kLandingMargin * lying),
                  by_balance = kStandingPart * *limit * std::sqrt(squared_frequency) / phase;
     int halvings = 0;

@@ -24,12 +24,13 @@ std::optional<double> find_critical_time_step(const Model& model);
 /// Number of times that a step is halved once a block has left its place (see Leaving): from then on its largest faces may land, on the
 /// ground or on another block. Pure numbers of the model decide, so that it is the same at every scale, whatever the step:
 ///
-///   2^halvings ≥ max(limit/(0.95·limit'), 0.8·limit·ω/φ),      φ = min(0.19, 4ζ + sqrt(16ζ² + 0.0032))
+///   2^halvings ≥ max(limit/(0.95·limit'), 0.8·limit·ω/φ),      φ = min(0.19 √r, 4ζ + sqrt(16ζ² + 0.0032 r)),      r = sqrt(N/2)
 ///
 /// limit: compute_critical_time_step; limit': the same for faces across any axis; ω² = K_n·A/m, largest of all faces; ζ: the least damping
-/// ratio. The first keeps what lies stable; the second keeps what a face that lands flat leaves open of the balance of energy, (ωh)²/4,
-/// below 1e-2, and what parting within a step adds, (ωh)²/4 − 2ζωh, below 1e-3 (docs/theory/integration.md). Zero for a model of round
-/// bodies, and for one without a critical step.
+/// ratio; N: moving blocks, two at least. The first keeps what lies stable; the second keeps what a face that lands flat leaves open of the
+/// balance of energy, (ωh)²/4, below 1e-2, and what parting within a step adds, (ωh)²/4 − 2ζωh, below 1e-3, of one or two blocks; of many,
+/// whose errors are random, as a part of the energy of all (docs/theory/integration.md). Zero for a model of round bodies, and for one
+/// without a critical step.
 int compute_landing_halvings(const Model& model);
 
 }  // namespace musim::lsdem

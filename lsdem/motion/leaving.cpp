@@ -33,6 +33,7 @@ bool is_in_the_air(const Model& model, const Bodies& bodies, const BasePose& bas
 
 std::optional<std::size_t> find_block_out_of_place(const Model& model, const Bodies& bodies, const BasePose& base, const TouchList& touches,
                                                    const std::vector<PairForce>& forces) {
+    if (!model.ground.present && bodies.size() == 1) return std::nullopt;  // there is nothing to land on
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         if (bodies.fixed[i] != 0) continue;
         const BodyPose& pose = bodies.pose[i];

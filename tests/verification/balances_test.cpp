@@ -58,11 +58,11 @@ Momenta measure_momenta(const Simulation& s) {
 
 TEST_CASE("blocks that tumble into each other keep linear and angular momentum to rounding") {
     const Model model = make_tumbling_cloud(wood(), 3);
-    Simulation s(model, 0.5 * compute_critical_time_step(model));
+    Simulation s(model, 0.8 * compute_critical_time_step(model));
     const Momenta start = measure_momenta(s);
     std::size_t most_contacts = 0;
     double worst_linear = 0.0, worst_angular = 0.0;
-    for (int sample = 0; sample < 400; ++sample) {
+    for (int sample = 0; sample < 100; ++sample) {
         s.advance(50);
         const Momenta now = measure_momenta(s);
         worst_linear = std::max(worst_linear, (now.linear - start.linear).norm() / start.scale_linear);
@@ -71,7 +71,7 @@ TEST_CASE("blocks that tumble into each other keep linear and angular momentum t
     }
     REQUIRE(most_contacts > 0);
     REQUIRE(s.energy().damping_loss > 0.0);
-    // 20000 steps, each rounding sums of forces far larger than the momenta they add: the square root of that times 1e-16, with room
+    // 20000 substeps, each rounding sums of forces far larger than the momenta they add: the square root of that times 1e-16, with room
     CHECK(worst_linear < 1e-12);
     CHECK(worst_angular < 1e-12);
 }
@@ -159,8 +159,10 @@ Collision collide(const Stone& stone, std::uint32_t seed, double fraction_of_lim
     Simulation s(model, fraction_of_limit * compute_critical_time_step(model));
     const double energy = s.energy().kinetic;
     Collision collision;
+    // looked at as often, whatever the step
+    const auto between = static_cast<std::uint64_t>(std::llround(20.0 / fraction_of_limit));
     while (s.time() < 0.08 && !s.divergence()) {
-        s.advance(200);
+        s.advance(between);
         collision.error = std::max(collision.error, std::abs(s.energy().balance() / energy - 1.0));
     }
     collision.overlap = s.statistics().max_overlap_over_height;
@@ -174,7 +176,7 @@ TEST_CASE("two blocks that collide at random neither gain energy nor pass into e
     int collisions = 0;
     double worst = 0.0, deepest = 0.0;
     for (std::uint32_t seed = 0; seed < 40; ++seed) {
-        const Collision collision = collide(wood(), seed, 0.2);
+        const Collision collision = collide(wood(), seed, 0.8);
         collisions += collision.overlap > 0.0 ? 1 : 0;
         worst = std::max(worst, collision.error);
         deepest = std::max(deepest, collision.overlap);
@@ -190,11 +192,11 @@ TEST_CASE("the energy balance of colliding blocks closes with the square of the 
     Stone stone = wood();
     stone.restitution = 1.0;
     stone.friction = 0.0;
-    // not from 0.4 of the limit on, where a corner may be a few steps in contact
+    // in substeps from the start, since both blocks are in the air: of a corner that is many steps in contact
     double errors[2] = {0.0, 0.0};
     for (std::uint32_t seed = 0; seed < 10; ++seed) {
-        errors[0] += collide(stone, seed, 0.1).error / 10.0;
-        errors[1] += collide(stone, seed, 0.025).error / 10.0;
+        errors[0] += collide(stone, seed, 0.8).error / 10.0;
+        errors[1] += collide(stone, seed, 0.2).error / 10.0;
     }
     CHECK(errors[0] == relative(16.0 * errors[1], 0.05));
 }

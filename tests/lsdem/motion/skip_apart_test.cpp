@@ -56,7 +56,7 @@ TEST_CASE("passing over pairs that are apart changes no bit of blocks that colli
     check_same_bits(make_tumbling_cloud(wood(), 4), 40, 250);
 }
 
-TEST_CASE("passing over pairs that are apart changes no bit of a pile") { check_same_bits(make_loose_pile(wood(), 3, 3), 40, 600); }
+TEST_CASE("passing over pairs that are apart changes no bit of a pile") { check_same_bits(make_loose_pile(wood(), 3, 3), 40, 800); }
 
 TEST_CASE("a saved state knows which pairs are apart and goes on to the same bits") {
     Model model = shortened(make_running_bond(wood(), 3, 8, 8), 0.01);
